@@ -39,9 +39,8 @@ static void check(size_t n)
 }
 
 /* Odd, even, prime and one; more sizes and ways than plans are kept of. */
-static void test_sizes(void **state)
+TEST_CASE(test_sizes)
 {
-    (void)state;
     for (size_t n = 1; n < 70; n++)
         check(n);
     check(1000);
@@ -49,9 +48,8 @@ static void test_sizes(void **state)
 }
 
 /* A cosine of 7 periods, a size that is planned each time and one that is kept. */
-static void test_large_sizes(void **state)
+TEST_CASE(test_large_sizes)
 {
-    (void)state;
     static const size_t sizes[] = {65536, 65537, 131072};
     for (size_t s = 0; s < 3; s++) {
         size_t n = sizes[s];
@@ -94,9 +92,8 @@ static void *transform_often(void *context)
     return NULL;
 }
 
-static void test_threads_share_a_plan(void **state)
+TEST_CASE(test_threads_share_a_plan)
 {
-    (void)state;
     double sums[THREADS][ROUNDS];
     pthread_t threads[THREADS];
     for (int t = 0; t < THREADS; t++)
@@ -106,11 +103,4 @@ static void test_threads_share_a_plan(void **state)
     for (int t = 0; t < THREADS; t++)
         for (int round = 0; round < ROUNDS; round++)
             assert_true(sums[t][round] == sums[0][round % SIZES]);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_sizes), cmocka_unit_test(test_large_sizes),
-                                       cmocka_unit_test(test_threads_share_a_plan)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

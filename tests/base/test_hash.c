@@ -12,9 +12,8 @@ static const struct example {
      "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1"},
 };
 
-static void test_published_examples(void **state)
+TEST_CASE(test_published_examples)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof examples / sizeof *examples; i++) {
         char digits[65];
         struct hash hash = hash_start();
@@ -24,9 +23,8 @@ static void test_published_examples(void **state)
     }
 }
 
-static void test_a_million_letters_in_pieces(void **state)
+TEST_CASE(test_a_million_letters_in_pieces)
 {
-    (void)state;
     char piece[1000], digits[65];
     memset(piece, 'a', sizeof piece);
     struct hash hash = hash_start();
@@ -40,9 +38,8 @@ static void test_a_million_letters_in_pieces(void **state)
     assert_string_equal(digits, "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
-static void test_nul_bytes_count(void **state)
+TEST_CASE(test_nul_bytes_count)
 {
-    (void)state;
     char one[65], two[65];
     struct hash hash = hash_start();
     hash_add(&hash, "a\0b", 3);
@@ -51,14 +48,4 @@ static void test_nul_bytes_count(void **state)
     hash_add(&hash, "a\0c", 3);
     hash_finish(&hash, two);
     assert_string_not_equal(one, two);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_published_examples),
-        cmocka_unit_test(test_a_million_letters_in_pieces),
-        cmocka_unit_test(test_nul_bytes_count),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

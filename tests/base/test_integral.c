@@ -20,9 +20,8 @@ static double peak(double x, void *context)
 }
 
 /** Smooth, with a branch point at the end, and a narrow peak within; both directions; nothing between equal limits. */
-static void known_integrals(void **state)
+TEST_CASE(known_integrals)
 {
-    (void)state;
     double cube = 3, root = 0.5, width = 1e-4;
     assert_near(integral(power, &cube, 1, 2, 1e-14), 3.75, 1e-14);
     assert_near(integral(power, &cube, 2, 1, 1e-14), -3.75, 1e-14);
@@ -32,18 +31,16 @@ static void known_integrals(void **state)
 }
 
 /** A jump costs its last part only. */
-static void a_jump_is_found(void **state)
+TEST_CASE(a_jump_is_found)
 {
-    (void)state;
     double at = 0.3;
     assert_near(integral(step, &at, 0, 1, 1e-6), 0.3 + 3 * 0.7, 1e-3);
 }
 
 /** The antiderivative of a panel is that of powers it holds to rounding, and of another within its error; both
  * directions; nothing at its start. */
-static void panels_are_antiderivatives(void **state)
+TEST_CASE(panels_are_antiderivatives)
 {
-    (void)state;
     double cube = 3, root = 0.5, none = 0;
     double limits[2][2] = {{1, 3}, {3, 1}};
     for (int i = 0; i < 2; i++) {
@@ -61,14 +58,4 @@ static void panels_are_antiderivatives(void **state)
             assert_within(integral_panel_at(&half, x), exact, half.error * fabs(x - from) + 1e-14);
         }
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(known_integrals),
-        cmocka_unit_test(a_jump_is_found),
-        cmocka_unit_test(panels_are_antiderivatives),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

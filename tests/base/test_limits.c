@@ -88,9 +88,8 @@ static struct text table(size_t rows, size_t columns, size_t above)
     return text;
 }
 
-static void test_texts(void **state)
+TEST_CASE(test_texts)
 {
-    (void)state;
     struct text text = table(SMALL_POINTS, 2, 0);
     expect_read(&text, SMALL_POINTS, 1);
     text = table(SMALL_POINTS + 1, 2, 0);
@@ -110,9 +109,8 @@ static void test_texts(void **state)
 }
 
 /* A row in any place, and a line above the rows. */
-static void test_lines(void **state)
+TEST_CASE(test_lines)
 {
-    (void)state;
     for (size_t place = 0; place < 3; place++)
         for (size_t over = 0; over < 2; over++) {
             struct text text = {0};
@@ -127,9 +125,8 @@ static void test_lines(void **state)
 }
 
 /* The header of a binary field is believed before its bytes are there, or not at all. */
-static void test_maps(void **state)
+TEST_CASE(test_maps)
 {
-    (void)state;
     for (size_t rows = 3; rows < 5; rows++) {
         struct text text = {0};
         text_add(&text, "Gwyddion Simple Field 1.0\nXRes = 4\nYRes = %zu\nXReal = 1\nYReal = 1\n", rows);
@@ -143,9 +140,8 @@ static void test_maps(void **state)
     }
 }
 
-static void test_files(void **state)
+TEST_CASE(test_files)
 {
-    (void)state;
     struct scene_directory directory = scene_directory_make();
     for (size_t over = 0; over < 2; over++) {
         struct text text = table(4, 2, 0);
@@ -186,9 +182,8 @@ static void test_files(void **state)
 }
 
 /* The scene, a directory that is listed, one inside it. */
-static void test_directories(void **state)
+TEST_CASE(test_directories)
 {
-    (void)state;
     for (size_t over = 0; over < 2; over++)
         for (size_t inside = 0; inside < 2; inside++) {
             struct scene_directory directory = scene_directory_make();
@@ -214,9 +209,8 @@ static void test_directories(void **state)
         }
 }
 
-static void test_scene_files(void **state)
+TEST_CASE(test_scene_files)
 {
-    (void)state;
     struct scene_directory directory = scene_directory_make();
     scene_directory_add(&directory, "a.csv");
     for (size_t over = 0; over < 2; over++) {
@@ -239,9 +233,8 @@ static void test_scene_files(void **state)
 }
 
 /* Lines of a measured file, whatever is in them, and bytes of one: a heading, a row, a remark. */
-static void test_measured(void **state)
+TEST_CASE(test_measured)
 {
-    (void)state;
     static const unsigned quantities[MEASURED_COLUMNS] = {UNIT_LOADS, UNIT_RESISTANCE, UNIT_RESISTANCE};
     static const char *const begun[] = {"F (N),R (mOhm)", "1 N,2 mOhm", "#"};
     for (size_t over = 0; over < 2; over++)
@@ -263,9 +256,8 @@ static void test_measured(void **state)
 }
 
 /* What a scene asks for. */
-static void test_scenes(void **state)
+TEST_CASE(test_scenes)
 {
-    (void)state;
     static const char *const scenes[2][2] = {{"surfaces: [{file: a.csv, name: abcdefghijklmnopqrst}]\n",
                                               "surfaces: [{file: a.csv, name: abcdefghijklmnopqrstu}]\n"},
                                              {"direct: {grid: 64, seeds: 4}\n", "direct: {grid: 66, seeds: 4}\n"}};
@@ -298,9 +290,8 @@ static struct text long_heights(size_t length)
     return text;
 }
 
-static void test_gzip(void **state)
+TEST_CASE(test_gzip)
 {
-    (void)state;
     for (size_t over = 0; over < 2; over++)
         for (size_t members = 1; members < 4; members++) {
             struct text inner = long_heights(SMALL_UNPACKED_BYTES + over), text = {0};
@@ -344,9 +335,8 @@ static struct text archive_of(size_t members, size_t bytes_each)
     return text;
 }
 
-static void test_archives(void **state)
+TEST_CASE(test_archives)
 {
-    (void)state;
     struct text text = archive_of(SMALL_MEMBERS, 100);
     expect_read(&text, SAMPLE_POINTS, 1);
     text = archive_of(SMALL_MEMBERS + 1, 100);
@@ -387,9 +377,8 @@ static struct text x3p(const char *more, size_t length)
     return text;
 }
 
-static void test_x3p(void **state)
+TEST_CASE(test_x3p)
 {
-    (void)state;
     enum { OWN_ELEMENTS = 22 };
     for (size_t over = 0; over < 2; over++) {
         struct text text = x3p("", SMALL_XML_BYTES + over), more = {0};
@@ -426,23 +415,9 @@ static void test_x3p(void **state)
     }
 }
 
-static void test_no_row_is_without_its_test(void **state)
+TEST_CASE(test_no_row_is_without_its_test)
 {
-    (void)state;
     for (size_t i = 0; i < LIMIT_COUNT; i++)
         if (!met[i])
             fail_msg("nothing was refused for the limit '%s'", limit_rows[i].name);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_texts),       cmocka_unit_test(test_lines),
-        cmocka_unit_test(test_maps),        cmocka_unit_test(test_files),
-        cmocka_unit_test(test_directories), cmocka_unit_test(test_scene_files),
-        cmocka_unit_test(test_gzip),        cmocka_unit_test(test_archives),
-        cmocka_unit_test(test_x3p),         cmocka_unit_test(test_measured),
-        cmocka_unit_test(test_scenes),      cmocka_unit_test(test_no_row_is_without_its_test),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

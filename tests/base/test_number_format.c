@@ -11,9 +11,8 @@ static void assert_text(struct text *text, const char *expected)
 }
 
 /* Plain numbers; powers of ten; what rounds up to one is shown as that; signs and zero; what is no number. */
-static void test_numbers(void **state)
+TEST_CASE(test_numbers)
 {
-    (void)state;
     static const struct {
         double value;
         int digits;
@@ -58,9 +57,8 @@ static void test_numbers(void **state)
 }
 
 /* Read back, a number is itself within half a unit of its last digit. */
-static void test_every_magnitude_reads_back(void **state)
+TEST_CASE(test_every_magnitude_reads_back)
 {
-    (void)state;
     static const char *const superscripts[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
     for (int exponent = -40; exponent <= 40; exponent++)
         for (int digits = 2; digits <= 7; digits++) {
@@ -90,9 +88,8 @@ static void test_every_magnitude_reads_back(void **state)
         }
 }
 
-static void test_ranges(void **state)
+TEST_CASE(test_ranges)
 {
-    (void)state;
     static const struct {
         double least, most;
         int digits;
@@ -109,9 +106,8 @@ static void test_ranges(void **state)
 }
 
 /* Nothing stands for an interval that is not known, or narrower than its digits. */
-static void test_intervals(void **state)
+TEST_CASE(test_intervals)
 {
-    (void)state;
     static const struct {
         double low, high;
         const char *expected;
@@ -128,9 +124,8 @@ static void test_intervals(void **state)
     }
 }
 
-static void test_loads_are_powers_of_ten(void **state)
+TEST_CASE(test_loads_are_powers_of_ten)
 {
-    (void)state;
     struct text text = {0};
     number_format_power(&text, 0.834, 3);
     number_format_between(&text, " ", 1, 1, " ");
@@ -138,9 +133,8 @@ static void test_loads_are_powers_of_ten(void **state)
     assert_text(&text, "8.34·10⁻¹ 1 1.00·10⁻⁶");
 }
 
-static void test_given_numbers_keep_no_zeros(void **state)
+TEST_CASE(test_given_numbers_keep_no_zeros)
 {
-    (void)state;
     static const double values[] = {0.36, 41.369e9, 7310, 1e-6, (double)NAN};
     struct text text = {0};
     for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
@@ -150,7 +144,7 @@ static void test_given_numbers_keep_no_zeros(void **state)
     assert_text(&text, "0.36 4.1369·10¹⁰ 7310 1·10⁻⁶ – ");
 }
 
-static void test_value_and_error_have_the_same_decimals(void **state)
+TEST_CASE(test_value_and_error_have_the_same_decimals)
 {
     static const struct {
         double value, error;
@@ -168,24 +162,9 @@ static void test_value_and_error_have_the_same_decimals(void **state)
         {1.5, 0, "1.50"},
         {NAN, 1, "–"},
     };
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct text text = {0};
         number_format_uncertain(&text, cases[i].value, cases[i].error);
         assert_text(&text, cases[i].expected);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_numbers),
-        cmocka_unit_test(test_every_magnitude_reads_back),
-        cmocka_unit_test(test_ranges),
-        cmocka_unit_test(test_intervals),
-        cmocka_unit_test(test_loads_are_powers_of_ten),
-        cmocka_unit_test(test_given_numbers_keep_no_zeros),
-        cmocka_unit_test(test_value_and_error_have_the_same_decimals),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -37,9 +37,24 @@ static enum program_state run(char *lines, double seconds, int *how)
     return state;
 }
 
-static void test_find(void **state)
+static int make(void **state)
 {
     (void)state;
+    place = directory_make();
+    return 0;
+}
+
+static int end(void **state)
+{
+    (void)state;
+    directory_remove(&place);
+    return 0;
+}
+
+#define PLACED(name) TEST_WITH(name, make, end)
+
+PLACED(test_find)
+{
     char path[4096], *before = strdup(getenv("PATH")), *with = NULL;
     directory_write(&place, "tool", "#!/bin/sh\n");
     assert_true(asprintf(&with, "relative::%s:%s", place.path, before) > 0);
@@ -64,9 +79,8 @@ static void assert_said(const char *expected)
 
 /* It gets both outputs, its directory, no input, a process group of its own, the environment but for what it is not to
  * have, and the usual signals though this program holds them back and ignores some. */
-static void test_what_it_gets(void **state)
+PLACED(test_what_it_gets)
 {
-    (void)state;
     int how;
     char expected[600],
         first[] = "pwd; echo \"$HOME $LC_ALL $KEPT\"; echo complaint >&2; read line || echo no input\n"
@@ -89,9 +103,8 @@ static void test_what_it_gets(void **state)
     signal(SIGPIPE, pipes);
 }
 
-static void test_how_it_ends(void **state)
+PLACED(test_how_it_ends)
 {
-    (void)state;
     int how;
     pid_t process;
     char fails[] = "exit 3", dies[] = "kill -9 $$", path[] = "/no/such/program", *const none[] = {path, NULL};
@@ -107,9 +120,8 @@ static void test_how_it_ends(void **state)
 }
 
 /* It does not outlive this program, however that ends. */
-static void test_it_ends_with_its_parent(void **state)
+PLACED(test_it_ends_with_its_parent)
 {
-    (void)state;
     int how;
     char number[32] = "";
     assert_int_equal(prctl(PR_SET_CHILD_SUBREAPER, 1), 0);
@@ -139,9 +151,8 @@ static void test_it_ends_with_its_parent(void **state)
 }
 
 /* Too slow, or asked to stop: it ends at once. Without that these would take minutes. */
-static void test_stop(void **state)
+PLACED(test_stop)
 {
-    (void)state;
     int how;
     pid_t process;
     char slow[] = "sleep 1000", mark[] = "echo > begun";
@@ -153,30 +164,4 @@ static void test_stop(void **state)
     assert_true(WIFSIGNALED(program_end(process)));
     assert_int_equal(start(&process, mark, place.path), ECANCELED);
     assert_false(directory_has(&place, "begun")); /* it is not even begun */
-}
-
-static int make(void **state)
-{
-    (void)state;
-    place = directory_make();
-    return 0;
-}
-
-static int end(void **state)
-{
-    (void)state;
-    directory_remove(&place);
-    return 0;
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_find, make, end),
-        cmocka_unit_test_setup_teardown(test_how_it_ends, make, end),
-        cmocka_unit_test_setup_teardown(test_what_it_gets, make, end),
-        cmocka_unit_test_setup_teardown(test_it_ends_with_its_parent, make, end),
-        cmocka_unit_test_setup_teardown(test_stop, make, end), /* last: nothing starts after it */
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

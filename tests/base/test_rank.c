@@ -42,9 +42,8 @@ static void check(size_t count)
 }
 
 /** Both signs, all magnitudes, many equal ones, zeros of both signs; few and none. */
-static void sorts_as_a_plain_sort(void **state)
+TEST_CASE(sorts_as_a_plain_sort)
 {
-    (void)state;
     uint64_t random = 1;
     for (size_t i = 0; i < MANY; i++) {
         random = random * 6364136223846793005u + 1442695040888963407u;
@@ -62,12 +61,4 @@ static void sorts_as_a_plain_sort(void **state)
     check(3);
     check(1);
     check(0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sorts_as_a_plain_sort),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

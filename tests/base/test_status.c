@@ -4,18 +4,16 @@
 
 #include <stdio.h>
 
-static void test_a_failure_stores_its_code_and_message(void **state)
+TEST_CASE(test_a_failure_stores_its_code_and_message)
 {
-    (void)state;
     struct status status = {0};
     assert_int_equal(status_fail(&status, STATUS_SCAN, "line %d: no number in '%s'", 7, "x;y"), STATUS_SCAN);
     assert_int_equal(status.code, STATUS_SCAN);
     assert_string_equal(status.message, "line 7: no number in 'x;y'");
 }
 
-static void test_the_first_failure_stays(void **state)
+TEST_CASE(test_the_first_failure_stays)
 {
-    (void)state;
     struct status status = {0};
     assert_int_equal(status_fail(&status, STATUS_IO, "disk full"), STATUS_IO);
     assert_int_equal(status_fail(&status, STATUS_SCENE, "something else"), STATUS_IO);
@@ -26,9 +24,8 @@ static void test_the_first_failure_stays(void **state)
     assert_string_equal(status.message, "out of memory");
 }
 
-static void test_prefixes_stack_and_keep_the_code(void **state)
+TEST_CASE(test_prefixes_stack_and_keep_the_code)
 {
-    (void)state;
     struct status status = {0};
     assert_int_equal(status_fail(&status, STATUS_SCAN, "flat"), STATUS_SCAN);
     assert_int_equal(status_prefix(&status, "%s:%d", "a.csv", 3), STATUS_SCAN);
@@ -37,9 +34,8 @@ static void test_prefixes_stack_and_keep_the_code(void **state)
 }
 
 /* Whatever the lengths of prefix and message, the result is a string that fits, cut at its end. */
-static void test_long_messages_are_cut_not_overrun(void **state)
+TEST_CASE(test_long_messages_are_cut_not_overrun)
 {
-    (void)state;
     enum { SIZE = sizeof((struct status *)NULL)->message };
     char longest[2 * SIZE];
     memset(longest, 'm', sizeof longest - 1);
@@ -57,15 +53,4 @@ static void test_long_messages_are_cut_not_overrun(void **state)
     assert_int_equal(status_prefix(&status, "%.*s", SIZE - 12, longest), STATUS_IO);
     assert_int_equal(strlen(status.message), SIZE - 1);
     assert_string_equal(status.message + SIZE - 12, ": mmmmmmmmm");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_failure_stores_its_code_and_message),
-        cmocka_unit_test(test_the_first_failure_stays),
-        cmocka_unit_test(test_prefixes_stack_and_keep_the_code),
-        cmocka_unit_test(test_long_messages_are_cut_not_overrun),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

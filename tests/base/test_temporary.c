@@ -52,9 +52,27 @@ static void leave(char path[static PATH_MAX], bool killed, pid_t *process)
     }
 }
 
-static void test_it_is_made_and_removed(void **state)
+static int make(void **state)
 {
     (void)state;
+    usual = getenv("TMPDIR") ? strdup(getenv("TMPDIR")) : NULL;
+    place = directory_make();
+    return setenv("TMPDIR", place.path, 1);
+}
+
+static int end(void **state)
+{
+    (void)state;
+    directory_remove(&place);
+    int failed = usual ? setenv("TMPDIR", usual, 1) : unsetenv("TMPDIR");
+    free(usual);
+    return failed;
+}
+
+#define PLACED(name) TEST_WITH(name, make, end)
+
+PLACED(test_it_is_made_and_removed)
+{
     struct temporary made, other;
     struct status status = {0};
     struct stat info;
@@ -78,9 +96,8 @@ static void test_it_is_made_and_removed(void **state)
     assert_non_null(strstr(status.message, "no such place"));
 }
 
-static void test_what_the_dead_left_goes(void **state)
+PLACED(test_what_the_dead_left_goes)
 {
-    (void)state;
     char dead[PATH_MAX], alive[PATH_MAX];
     pid_t first, second;
     int how;
@@ -106,9 +123,8 @@ static void test_what_the_dead_left_goes(void **state)
 }
 
 /* Whatever lacks the mode or the name is somebody's. */
-static void test_nobody_elses_is_touched(void **state)
+PLACED(test_nobody_elses_is_touched)
 {
-    (void)state;
     enum { OPEN_MODE, SHORT, OTHER_NAME, MADE, LINKED, KINDS };
     static const char *const names[KINDS] = {"", "roughcontact-abcde", "other-thing-abcdefg", "roughcontact-abcdef",
                                              "roughcontact-linked"};
@@ -137,10 +153,9 @@ static void test_nobody_elses_is_touched(void **state)
 }
 
 /* Even root, who could, lets another user's be. */
-static void test_another_users_stays(void **state)
+PLACED(test_another_users_stays)
 {
     enum { NOBODY = 65534 };
-    (void)state;
     char dead[PATH_MAX];
     pid_t process;
     struct temporary made;
@@ -167,9 +182,8 @@ static void end_all(const char *expected)
 }
 
 /* All go in the end but what was closed, and no link is followed. */
-static void test_the_end(void **state)
+PLACED(test_the_end)
 {
-    (void)state;
     struct temporary first, second, third;
     char kept[PATH_MAX];
     struct status status = {0};
@@ -200,9 +214,8 @@ static void test_the_end(void **state)
 }
 
 /* Whole copies, as out of an archive, have the name of another directory. */
-static void test_a_copy_is_nobodys(void **state)
+PLACED(test_a_copy_is_nobodys)
 {
-    (void)state;
     char dead[PATH_MAX], line[4 * PATH_MAX];
     pid_t process;
     struct temporary made;
@@ -226,11 +239,10 @@ static void *end_here(void *context)
     return NULL;
 }
 
-static void test_what_is_held_is_waited_for(void **state)
+PLACED(test_what_is_held_is_waited_for)
 {
     const struct timespec pause = {.tv_nsec = 50000000};
     int how;
-    (void)state;
     pid_t child = fork();
     assert_true(child >= 0);
     if (child == 0) {
@@ -254,35 +266,4 @@ static void test_what_is_held_is_waited_for(void **state)
     }
     assert_int_equal(waitpid(child, &how, 0), child);
     assert_int_equal(how, 0);
-}
-
-static int make(void **state)
-{
-    (void)state;
-    usual = getenv("TMPDIR") ? strdup(getenv("TMPDIR")) : NULL;
-    place = directory_make();
-    return setenv("TMPDIR", place.path, 1);
-}
-
-static int end(void **state)
-{
-    (void)state;
-    directory_remove(&place);
-    int failed = usual ? setenv("TMPDIR", usual, 1) : unsetenv("TMPDIR");
-    free(usual);
-    return failed;
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_it_is_made_and_removed, make, end),
-        cmocka_unit_test_setup_teardown(test_what_the_dead_left_goes, make, end),
-        cmocka_unit_test_setup_teardown(test_nobody_elses_is_touched, make, end),
-        cmocka_unit_test_setup_teardown(test_another_users_stays, make, end),
-        cmocka_unit_test_setup_teardown(test_the_end, make, end),
-        cmocka_unit_test_setup_teardown(test_a_copy_is_nobodys, make, end),
-        cmocka_unit_test_setup_teardown(test_what_is_held_is_waited_for, make, end),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,9 +7,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-static void test_an_unused_text_is_an_empty_string(void **state)
+TEST_CASE(test_an_unused_text_is_an_empty_string)
 {
-    (void)state;
     struct text text = {0};
     assert_string_equal(text_string(&text), "");
     text_free(&text);
@@ -19,9 +18,8 @@ static void test_an_unused_text_is_an_empty_string(void **state)
     text_free(&text);
 }
 
-static void test_a_text_grows_and_keeps_every_byte(void **state)
+TEST_CASE(test_a_text_grows_and_keeps_every_byte)
 {
-    (void)state;
     struct text text = {0};
     char expected[6 * 3000 + 1];
     for (int i = 0; i < 3000; i++) {
@@ -39,9 +37,8 @@ static void test_a_text_grows_and_keeps_every_byte(void **state)
     assert_int_equal(text.length, 0);
 }
 
-static void test_more_than_memory_fails_and_stays_failed(void **state)
+TEST_CASE(test_more_than_memory_fails_and_stays_failed)
 {
-    (void)state;
     struct text text = {0};
     text_add(&text, "kept");
     text_add_bytes(&text, "", SIZE_MAX / 2); /* no byte of it is read: there is no such room */
@@ -56,9 +53,8 @@ static void test_more_than_memory_fails_and_stays_failed(void **state)
 
 /* Every ASCII punctuation mark that Markdown or HTML gives a meaning to is defused at a beginning; the rest is left
  * alone. */
-static void test_markdown(void **state)
+TEST_CASE(test_markdown)
 {
-    (void)state;
     struct text text = {0};
     text_add_markdown(&text, "a|b*c_d`e\\f[g](h)#i<j>&\"k\"\n\t\x7f"
                              "Rq µm");
@@ -102,9 +98,8 @@ static void unquote(char *out, const char *field)
     *out = '\0';
 }
 
-static void test_csv(void **state)
+TEST_CASE(test_csv)
 {
-    (void)state;
     static const char *const fields[][2] = {
         {"", ""},
         {"plain text", "plain text"},
@@ -127,7 +122,7 @@ static void test_csv(void **state)
 
 /* What may not be shown is written out, the same way on every path; what would read like it is told from it. In
  * Markdown, what begins a list, a link or emphasis is escaped; what only reads worse for it is left alone. */
-static void test_what_means_something_is_escaped(void **state)
+TEST_CASE(test_what_means_something_is_escaped)
 {
     static const struct {
         void (*add)(struct text *text, const char *string);
@@ -159,7 +154,6 @@ static void test_what_means_something_is_escaped(void **state)
         {text_add_markdown, "a\nb\033", "a\\\\x0ab\\\\x1b"},
         {text_add_markdown, "---", "\\-\\-\\-"},
     };
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct text text = {0};
         cases[i].add(&text, cases[i].string);
@@ -169,13 +163,12 @@ static void test_what_means_something_is_escaped(void **state)
 }
 
 /* No two of all texts of three of these are shown alike: backslashes, letters of the notation, hidden characters. */
-static void test_different_texts_are_shown_differently(void **state)
+TEST_CASE(test_different_texts_are_shown_differently)
 {
     static const char *const parts[] = {"", "\\", "x", "1b", "u", "202e", "\033", "\u202e", "\xff"};
     enum { PARTS = sizeof parts / sizeof *parts, ALL = PARTS * PARTS * PARTS };
     char raw[ALL][16];
     struct text shown[ALL] = {0};
-    (void)state;
     for (size_t i = 0; i < ALL; i++) {
         snprintf(raw[i], sizeof raw[i], "%s%s%s", parts[i % PARTS], parts[i / PARTS % PARTS], parts[i / PARTS / PARTS]);
         text_add_shown(&shown[i], raw[i]);
@@ -187,22 +180,20 @@ static void test_different_texts_are_shown_differently(void **state)
         text_free(&shown[i]);
 }
 
-static void test_formulas(void **state)
+TEST_CASE(test_formulas)
 {
     static const char *const formulas[] = {"=1+2",   "+a",      "-b",      "@c",      " =d",    "'=e",
                                            "''+f",   "-",       "--1",     "-1.5 um", "+1e",    "-inf",
                                            "-0x1p3", "\uFF1D1", "\uFF0B1", "\uFF0D1", "\uFF201"};
     static const char *const texts[] = {"", "a=b", "-1.5", "+2e3", "-.5", "it's", "'quoted'", "1-2", "−1"};
-    (void)state;
     for (size_t i = 0; i < sizeof formulas / sizeof *formulas; i++)
         assert_true(text_is_formula(formulas[i]));
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
         assert_false(text_is_formula(texts[i]));
 }
 
-static void test_a_cut_keeps_characters_whole(void **state)
+TEST_CASE(test_a_cut_keeps_characters_whole)
 {
-    (void)state;
     assert_int_equal(text_fit("abc", 5), 3);
     assert_int_equal(text_fit("abc", 3), 3);
     assert_int_equal(text_fit("abc", 2), 2);
@@ -211,9 +202,8 @@ static void test_a_cut_keeps_characters_whole(void **state)
     assert_int_equal(text_fit("a😀", 5), 5);
 }
 
-static void test_files_come_back_byte_for_byte(void **state)
+TEST_CASE(test_files_come_back_byte_for_byte)
 {
-    (void)state;
     enum { LENGTH = 300001 };
     const char *temporary = getenv("TMPDIR");
     char path[256], *bytes = malloc(LENGTH);
@@ -246,17 +236,15 @@ static void assert_unreadable(const char *path, const char *reason)
     text_free(&text);
 }
 
-static void test_what_cannot_be_read_is_named(void **state)
+TEST_CASE(test_what_cannot_be_read_is_named)
 {
-    (void)state;
     assert_unreadable("/no such directory/scan.csv", "No such file");
     assert_unreadable("/", "directory");     /* where seeking to the end gives an absurd size */
     assert_unreadable("/proc", "directory"); /* and where it fails */
 }
 
-static void test_what_cannot_be_written_is_named(void **state)
+TEST_CASE(test_what_cannot_be_written_is_named)
 {
-    (void)state;
     char lots[100000] = {0};
     struct status status = {0};
     assert_int_equal(text_write_file("/no such directory/x", "a", 1, &status), STATUS_IO);
@@ -266,23 +254,4 @@ static void test_what_cannot_be_written_is_named(void **state)
         assert_int_equal(text_write_file("/dev/full", lots, length, &status), STATUS_IO);
         assert_non_null(strstr(status.message, "No space"));
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_an_unused_text_is_an_empty_string),
-        cmocka_unit_test(test_a_text_grows_and_keeps_every_byte),
-        cmocka_unit_test(test_more_than_memory_fails_and_stays_failed),
-        cmocka_unit_test(test_markdown),
-        cmocka_unit_test(test_csv),
-        cmocka_unit_test(test_what_means_something_is_escaped),
-        cmocka_unit_test(test_different_texts_are_shown_differently),
-        cmocka_unit_test(test_formulas),
-        cmocka_unit_test(test_a_cut_keeps_characters_whole),
-        cmocka_unit_test(test_files_come_back_byte_for_byte),
-        cmocka_unit_test(test_what_cannot_be_read_is_named),
-        cmocka_unit_test(test_what_cannot_be_written_is_named),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -45,9 +45,8 @@ static struct log run(unsigned jobs, const size_t fails[2], enum status_code exp
     return log;
 }
 
-static void test_in_order(void **state)
+TEST_CASE(test_in_order)
 {
-    (void)state;
     static const size_t none[2] = {TASKS, TASKS};
     for (unsigned jobs = 0; jobs < 100; jobs += jobs < 5 ? 1 : 31) {
         struct log log = run(jobs, none, STATUS_OK, "");
@@ -59,9 +58,8 @@ static void test_in_order(void **state)
 }
 
 /* Task 101 fails first, 100 later: it is 100 that is told, and nothing after it was written. */
-static void test_the_first_failure(void **state)
+TEST_CASE(test_the_first_failure)
 {
-    (void)state;
     static const size_t two[2] = {100, 101};
     for (unsigned jobs = 1; jobs < 9; jobs++) {
         struct log log = run(jobs, two, STATUS_SCAN, "task 100");
@@ -70,9 +68,8 @@ static void test_the_first_failure(void **state)
     }
 }
 
-static void test_stop(void **state)
+TEST_CASE(test_stop)
 {
-    (void)state;
     static const atomic_bool stop = true;
     const struct threads threads = {.jobs = 3, .stop = &stop};
     struct log log = {.fails = {TASKS, TASKS}, .lock = PTHREAD_MUTEX_INITIALIZER};
@@ -81,9 +78,8 @@ static void test_stop(void **state)
     assert_int_equal(log.begun, 0);
 }
 
-static void test_nothing_to_do(void **state)
+TEST_CASE(test_nothing_to_do)
 {
-    (void)state;
     const struct threads threads = {0};
     struct log log = {.fails = {TASKS, TASKS}, .lock = PTHREAD_MUTEX_INITIALIZER};
     struct status status = {0};
@@ -105,13 +101,12 @@ static enum status_code measure_stack(void *context, size_t index, struct thread
 }
 
 /* As under `ulimit -s 128`. */
-static void test_stacks_do_not_hang_on_the_limit(void **state)
+TEST_CASE(test_stacks_do_not_hang_on_the_limit)
 {
     enum { JOBS = 4 };
     size_t bytes[JOBS] = {0}, small = 0;
     pthread_attr_t before, little;
     struct status status = {0};
-    (void)state;
     assert_int_equal(pthread_getattr_default_np(&before), 0);
     assert_int_equal(pthread_attr_init(&little), 0);
     assert_int_equal(pthread_attr_setstacksize(&little, 128 << 10), 0);
@@ -123,12 +118,4 @@ static void test_stacks_do_not_hang_on_the_limit(void **state)
     assert_int_equal(pthread_setattr_default_np(&before), 0);
     pthread_attr_destroy(&before);
     pthread_attr_destroy(&little);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_in_order), cmocka_unit_test(test_the_first_failure),
-                                       cmocka_unit_test(test_stacks_do_not_hang_on_the_limit),
-                                       cmocka_unit_test(test_stop), cmocka_unit_test(test_nothing_to_do)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

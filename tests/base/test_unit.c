@@ -4,9 +4,8 @@
 
 enum { ALL = (1 << 22) - 1 };
 
-static void units_have_their_factor(void **state)
+TEST_CASE(units_have_their_factor)
 {
-    (void)state;
     static const struct {
         const char *text;
         unsigned quantity;
@@ -118,9 +117,8 @@ static void units_have_their_factor(void **state)
 }
 
 /* Beyond the quantities that are named: the dimension is right. */
-static void quotients_divide(void **state)
+TEST_CASE(quotients_divide)
 {
-    (void)state;
     static const char *const same[] = {"W/m2/K", "W/(m2 K)", "W/(m^2*K)", "W m-2 K-1", "W/m\xC2\xB2/K", "1/(K m2/W)"};
     struct unit first, unit;
     for (size_t i = 0; i < sizeof same / sizeof *same; i++) {
@@ -136,9 +134,8 @@ static void quotients_divide(void **state)
     assert_int_equal(unit_of(&first, ALL & ~UNIT_CONDUCTANCE_AREA), 0);
 }
 
-static void what_is_no_unit_is_not_read(void **state)
+TEST_CASE(what_is_no_unit_is_not_read)
 {
-    (void)state;
     static const char *const texts[] = {"",
                                         " ",
                                         "foo",
@@ -179,9 +176,8 @@ static void what_is_no_unit_is_not_read(void **state)
 }
 
 /* What a message offers is what unit_read() reads, and of that quantity. */
-static void known_units_are_read(void **state)
+TEST_CASE(known_units_are_read)
 {
-    (void)state;
     for (unsigned bit = 1; bit < ALL; bit *= 2) {
         struct unit_known known = unit_known(bit);
         assert_true(known.text[0]);
@@ -198,9 +194,8 @@ static void known_units_are_read(void **state)
 }
 
 /* What is shown of a unit is UTF-8, and a degree Fahrenheit is less than a kelvin. */
-static void test_shown_and_fahrenheit(void **state)
+TEST_CASE(test_shown_and_fahrenheit)
 {
-    (void)state;
     char shown[UNIT_LENGTH];
     struct unit unit;
     assert_true(unit_shown(shown, "\xc2\xb5m", 3));
@@ -209,14 +204,4 @@ static void test_shown_and_fahrenheit(void **state)
     assert_string_equal(shown, "um");
     assert_true(unit_read(&unit, "degF", 4));
     assert_near(212 * unit.factor + unit.offset, 373.15, 1e-15);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_shown_and_fahrenheit), cmocka_unit_test(units_have_their_factor),
-        cmocka_unit_test(quotients_divide),          cmocka_unit_test(what_is_no_unit_is_not_read),
-        cmocka_unit_test(known_units_are_read),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

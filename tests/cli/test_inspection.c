@@ -111,9 +111,8 @@ static void check_profile(const struct inspection *f, json_t *expected)
 }
 
 /* Positions that are rounded: the reference's "as_uniform"; all others, the truly uneven ones too: "actual_x". */
-static void test_every_reference_figure(void **state)
+TEST_CASE(test_every_reference_figure)
 {
-    (void)state;
     NEED_REAL_SCANS();
     json_error_t error;
     json_t *all = json_load_file(REAL_SCANS "/reference.json", 0, &error), *entry;
@@ -137,9 +136,8 @@ static void test_every_reference_figure(void **state)
 }
 
 /* With lambda_c there are R parameters beside those of the profile before. */
-static void test_roughness_profile(void **state)
+TEST_CASE(test_roughness_profile)
 {
-    (void)state;
     NEED_REAL_SCANS();
     struct profile_options options = profile_defaults;
     struct inspection without = find("nist_npl_edm.xml", &options);
@@ -176,7 +174,7 @@ static json_t *inspect_first(struct process process)
 }
 
 /* A map of 6 x 4 heights, of which the plane leaves (-1)^(x + y) um. */
-static void test_a_map_on_the_command_line(void **state)
+TEST_IN_WORKSPACE(test_a_map_on_the_command_line)
 {
     const char *place = *state;
     workspace_write(place, "map.txt",
@@ -199,7 +197,7 @@ static void test_a_map_on_the_command_line(void **state)
     process_free(&text);
 }
 
-static void test_options(void **state)
+TEST_IN_WORKSPACE(test_options)
 {
     const char *place = *state;
     workspace_scan(place, "a.csv", 2000, 1);
@@ -253,7 +251,7 @@ static void expect_same(const char *first, const char *second)
 }
 
 /* - is standard input, plain or packed; it says what it says of the file. */
-static void test_standard_input(void **state)
+TEST_IN_WORKSPACE(test_standard_input)
 {
     const char *place = *state;
     workspace_scan(place, "d/a.csv", 400, 1);
@@ -276,7 +274,7 @@ static void test_standard_input(void **state)
 }
 
 /* The scans of a directory and of its folders, as `inspect` of each says it. */
-static void test_a_directory(void **state)
+TEST_IN_WORKSPACE(test_a_directory)
 {
     const char *place = *state;
     workspace_scan(place, "d/a.csv", 400, 1);
@@ -294,17 +292,4 @@ static void test_a_directory(void **state)
     expect_part(all.out, "\"file\": \"d/s/b.csv\"");
     expect_part(all.out, "no line of numbers in it: not a scan");
     process_free(&all);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_reference_figure),
-        cmocka_unit_test(test_roughness_profile),
-        workspace_test(test_a_map_on_the_command_line),
-        workspace_test(test_options),
-        workspace_test(test_standard_input),
-        workspace_test(test_a_directory),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -71,7 +71,7 @@ static size_t check_options(const char *manual, const char *replies, const struc
     return options;
 }
 
-static void manual_and_completion_have_every_option(void **state)
+TEST_IN_WORKSPACE(manual_and_completion_have_every_option)
 {
     const char *place = *state;
     char *manual = manual_read(), part[1024];
@@ -96,7 +96,7 @@ static void manual_and_completion_have_every_option(void **state)
 }
 
 /** The keys of a scene are those that the program names when it knows one not, in the same order. */
-static void manual_has_every_key(void **state)
+TEST_IN_WORKSPACE(manual_has_every_key)
 {
     static const struct {
         const char *key, *const *choices;
@@ -133,9 +133,8 @@ static void manual_has_every_key(void **state)
     free(manual);
 }
 
-static void manual_has_chapters_and_statuses(void **state)
+TEST_IN_WORKSPACE(manual_has_chapters_and_statuses)
 {
-    (void)state;
     static const char *const chapters[] = {"NAME",        "SYNOPSIS", "DESCRIPTION", "COMMANDS", "SCENE",
                                            "EXIT STATUS", "FILES",    "ENVIRONMENT", "EXAMPLES", "SEE ALSO"};
     char *manual = manual_read(), *commands = workspace_read(PROJECT_SOURCE, "docs/commands.md"), part[256];
@@ -156,7 +155,7 @@ static void manual_has_chapters_and_statuses(void **state)
 }
 
 /** groff has no warning for it, neither has man; skipped where there is none. */
-static void groff_reads_the_manual(void **state)
+TEST_IN_WORKSPACE(groff_reads_the_manual)
 {
     const char *place = *state;
     if (access("/usr/bin/groff", X_OK) != 0) {
@@ -170,7 +169,7 @@ static void groff_reads_the_manual(void **state)
     process_free(&process);
 }
 
-static void bash_completes(void **state)
+TEST_IN_WORKSPACE(bash_completes)
 {
     static const struct {
         const char *line, *replies;
@@ -229,16 +228,4 @@ static void bash_completes(void **state)
         expect_part(effects, effect_rows[e].name);
     free(materials);
     free(effects);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        workspace_test(manual_and_completion_have_every_option),
-        workspace_test(manual_has_every_key),
-        workspace_test(manual_has_chapters_and_statuses),
-        workspace_test(groff_reads_the_manual),
-        workspace_test(bash_completes),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

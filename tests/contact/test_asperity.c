@@ -7,9 +7,8 @@ static struct material_pair tin(void)
     return material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
 }
 
-static void matches_reference(void **state)
+TEST_CASE(matches_reference)
 {
-    (void)state;
     struct table table = table_read("golden/asperity.csv");
     struct material_pair pair = tin();
     for (size_t i = 0; i < table.rows; i++) {
@@ -28,9 +27,8 @@ static void matches_reference(void **state)
     table_free(&table);
 }
 
-static void interference_at_inverts_the_radius(void **state)
+TEST_CASE(interference_at_inverts_the_radius)
 {
-    (void)state;
     struct material_pair pair = tin();
     struct asperity asperity = asperity_make(2e-5, &pair, ASPERITY_JG);
     static const double ratios[] = {0.05, 0.41, 1};
@@ -41,13 +39,4 @@ static void interference_at_inverts_the_radius(void **state)
     }
     struct asperity elastic = asperity_make(2e-5, &pair, ASPERITY_HERTZ);
     assert_true(isinf(asperity_interference_at(&elastic, 1)));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(matches_reference),
-        cmocka_unit_test(interference_at_inverts_the_radius),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,9 +4,8 @@
 #include "support.h"
 
 /* Psi = (1 - sqrt(a))^(3/2) in long double. */
-static void test_alleviation(void **state)
+TEST_CASE(test_alleviation)
 {
-    (void)state;
     assert_near(constriction_alleviation(1, 0), 0, 0);
     assert_near(constriction_alleviation(0, 1), 1, 0);
     for (double area = 1e-15; area < 1; area *= 1.7) {
@@ -22,9 +21,8 @@ static void test_alleviation(void **state)
 }
 
 /* Near full contact 1 - sqrt(1 - c) -> c/2 + c²/8: no digit of the complement c is lost. */
-static void test_alleviation_near_full_contact(void **state)
+TEST_CASE(test_alleviation_near_full_contact)
 {
-    (void)state;
     for (double complement = 1e-3; complement > 1e-300; complement /= 1e3) {
         double open = complement / 2 * (1 + complement / 4 + complement * complement / 8);
         assert_near(constriction_alleviation(1 - complement, complement), pow(open, 1.5), 1e-9);
@@ -52,9 +50,8 @@ static struct sinusoid_cell cell_of(double area_ratio)
 }
 
 /* (4.39), (4.42*) written out for one scale on the whole nominal area: n = 2f² spots a unit area, all in parallel. */
-static void test_one_scale(void **state)
+TEST_CASE(test_one_scale)
 {
-    (void)state;
     const struct material tin = *material_find("tin");
     const struct material_pair pair = material_pair(&tin, MATERIAL_COUNTERFACE_RIGID, NULL);
     const struct constriction spot = constriction_make(&pair);
@@ -77,9 +74,8 @@ static void test_one_scale(void **state)
 }
 
 /* Half the area above: half the spots, twice the resistance; scales add; a full scale adds nothing. */
-static void test_scales_in_series(void **state)
+TEST_CASE(test_scales_in_series)
 {
-    (void)state;
     struct constriction_sum one = {0}, half = {0}, both = {0};
     struct sinusoid_cell first = cell_of(0.3), second = cell_of(0.1), full = cell_of(1);
     constriction_add_scale(&one, first.area_ratio, first.area_complement, 1e5, 1);
@@ -99,9 +95,8 @@ static void test_scales_in_series(void **state)
 }
 
 /* Two materials: each side gives half the constriction, with its own conductivity and mean free path. */
-static void test_two_materials(void **state)
+TEST_CASE(test_two_materials)
 {
-    (void)state;
     const struct material sides[2] = {copper_like(400, 2e-8, 4000), copper_like(20, 5e-7, 1500)};
     const struct material_pair pair = material_pair(&sides[0], MATERIAL_COUNTERFACE_ELASTIC, &sides[1]);
     const struct constriction spot = constriction_make(&pair);
@@ -129,9 +124,8 @@ static void test_two_materials(void **state)
 }
 
 /* The same material on both sides is the rigid flat that conducts like it. */
-static void test_the_same_material_twice(void **state)
+TEST_CASE(test_the_same_material_twice)
 {
-    (void)state;
     const struct material material = copper_like(400, 2e-8, 4000);
     const struct material_pair rigid = material_pair(&material, MATERIAL_COUNTERFACE_RIGID, NULL);
     const struct material_pair same = material_pair(&material, MATERIAL_COUNTERFACE_ELASTIC, &material);
@@ -143,9 +137,8 @@ static void test_the_same_material_twice(void **state)
 }
 
 /* Whatever the stack, TCR/ECR = 1/(rho k). */
-static void test_heat_flows_as_current_does(void **state)
+TEST_CASE(test_heat_flows_as_current_does)
 {
-    (void)state;
     const struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
     const struct constriction spot = constriction_make(&pair);
     struct constriction_sum sum = {0};
@@ -159,9 +152,8 @@ static void test_heat_flows_as_current_does(void **state)
     }
 }
 
-static void test_unknown_properties_give_nothing(void **state)
+TEST_CASE(test_unknown_properties_give_nothing)
 {
-    (void)state;
     struct material material = copper_like(400, 2e-8, 4000);
     material.sound_speed_m_per_s = NAN;
     material.resistivity_ohm_m = NAN;
@@ -173,19 +165,4 @@ static void test_unknown_properties_give_nothing(void **state)
     assert_true(isnan(constriction_electrical(&spot, &sum)));
     assert_true(isfinite(constriction_thermal(&spot, &sum)));
     assert_true(isnan(constriction_thermal_scale_dependent(&spot, &sum)));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_alleviation),
-        cmocka_unit_test(test_alleviation_near_full_contact),
-        cmocka_unit_test(test_one_scale),
-        cmocka_unit_test(test_scales_in_series),
-        cmocka_unit_test(test_two_materials),
-        cmocka_unit_test(test_the_same_material_twice),
-        cmocka_unit_test(test_heat_flows_as_current_does),
-        cmocka_unit_test(test_unknown_properties_give_nothing),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

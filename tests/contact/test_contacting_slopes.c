@@ -47,9 +47,8 @@ static void read_profile(double height_m[POINTS], const char *name)
     table_free(&table);
 }
 
-static void matches_reference(void **state)
+TEST_CASE(matches_reference)
 {
-    (void)state;
     struct table table = table_read("golden/contacting-slopes/contact.csv");
     double height_m[POINTS];
     for (size_t i = 0; i < table.rows; i++) {
@@ -78,9 +77,8 @@ static void matches_reference(void **state)
 
 /** Higher by an offset, read from the other end, in other units of height and length: the area at the load that goes
  * with the slope stays, lengths follow the unit, the separation the offset. */
-static void invariances(void **state)
+TEST_CASE(invariances)
 {
-    (void)state;
     double height_m[POINTS], changed_m[POINTS];
     read_profile(height_m, "plateau");
     struct surface as_read = surface_of(height_m, POINTS, spacing_m);
@@ -126,9 +124,8 @@ static double normal(uint64_t *state)
 
 /** A Gaussian profile of a million points: slope and height are independent, so that area, separation and constriction
  * are Persson's. From areas of 3 % on: of fewer points, neighbours being alike, the mean-square slope scatters more. */
-static void gaussian_heights_give_persson(void **state)
+TEST_CASE(gaussian_heights_give_persson)
 {
-    (void)state;
     enum { MANY = 1000000, WIDE = 8 };
     double *white = malloc((MANY + WIDE) * sizeof *white), *height_m = malloc(MANY * sizeof *height_m);
     assert_true(white && height_m);
@@ -166,9 +163,8 @@ static void gaussian_heights_give_persson(void **state)
 }
 
 /** With one slope everywhere it is Persson's load at any area, exactly: zigzag heights. */
-static void one_slope_is_persson(void **state)
+TEST_CASE(one_slope_is_persson)
 {
-    (void)state;
     struct slope_point point[200];
     for (size_t i = 0; i < 200; i++)
         point[i] = (struct slope_point){1e-7 * (double)(i * 37 % 200), 0.04};
@@ -184,9 +180,8 @@ static void one_slope_is_persson(void **state)
 }
 
 /** Few points, ties, a level top, no slope: monotone and finite, or refused with a message. */
-static void hard_cases(void **state)
+TEST_CASE(hard_cases)
 {
-    (void)state;
     struct slope_point point[32];
     struct contacting_slopes slopes;
     struct status status = {0};
@@ -238,9 +233,8 @@ static void hard_cases(void **state)
 }
 
 /** Equal heights come in the order of their index, so that the result does not depend on how one sorts. */
-static void ties_go_by_index(void **state)
+TEST_CASE(ties_go_by_index)
 {
-    (void)state;
     struct slope_point point[64];
     struct contacting_slopes slopes;
     struct status status = {0};
@@ -250,17 +244,4 @@ static void ties_go_by_index(void **state)
     for (size_t k = 1; k <= 64; k++)
         assert_near(slopes.mean_square[k], (double)(k + 1) / 2, 1e-15);
     contacting_slopes_free(&slopes);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(matches_reference),
-        cmocka_unit_test(invariances),
-        cmocka_unit_test(gaussian_heights_give_persson),
-        cmocka_unit_test(one_slope_is_persson),
-        cmocka_unit_test(hard_cases),
-        cmocka_unit_test(ties_go_by_index),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -10,9 +10,8 @@ static struct material_pair tin(void)
 
 /** Chapter 6.2: gamma >= 1 settles (the second half of the scales changes nothing), elastic gamma < 1 keeps
  * falling. */
-static void gamma_decides(void **state)
+TEST_CASE(gamma_decides)
 {
-    (void)state;
     struct material_pair pair = tin();
     double area[4096];
     uint64_t evaluations = 0;
@@ -41,9 +40,8 @@ static struct spectrum spectrum_of_law(size_t count, double length_m, double alp
 }
 
 /** Harmonics are known down to a cut-off, to what rounding leaves, and to 1e-4 of Rq. */
-static void what_is_known_of_a_spectrum(void **state)
+TEST_CASE(what_is_known_of_a_spectrum)
 {
-    (void)state;
     struct spectrum spectrum = spectrum_of_law(400, 1e-3, 1e-3, 1.2, 1);
     assert_int_equal(convergence_known(&spectrum, 0, 0), 400);
     assert_int_equal(convergence_known(&spectrum, 1e-3 / 50, 0), 50);
@@ -66,9 +64,8 @@ static void what_is_known_of_a_spectrum(void **state)
 }
 
 /** The tail is the law at the short end of what is known, whatever the long harmonics are and whatever is beyond. */
-static void the_tail_is_the_short_end(void **state)
+TEST_CASE(the_tail_is_the_short_end)
 {
-    (void)state;
     for (double gamma = -0.5; gamma < 70; gamma = gamma * 3 + 2) { /* to the flank of a filter: it tells nothing */
         struct spectrum spectrum = spectrum_of_law(500, 1e-3, exp(10.4 * gamma) * 1e-9, gamma, 100);
         struct convergence_tail tail = convergence_tail(&spectrum, 500);
@@ -96,9 +93,8 @@ static void the_tail_is_the_short_end(void **state)
 
 /** The shortcut for gamma < 1 against visiting every scale; the early stop for gamma >= 1 likewise. The measured part
  * is the surface's own: one harmonic far off its law. */
-static void extension_matches_every_scale(void **state)
+TEST_CASE(extension_matches_every_scale)
 {
-    (void)state;
     struct material_pair pair = tin();
     const struct sinusoid_fit *closure = &sinusoid_fits[SINUSOID_FIT_THESIS];
     for (int plastic = 0; plastic < 2; plastic++)
@@ -121,15 +117,4 @@ static void extension_matches_every_scale(void **state)
             assert_true(isfinite(found.settled_m) == (gamma >= 1));
             spectrum_free(&spectrum);
         }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(gamma_decides),
-        cmocka_unit_test(what_is_known_of_a_spectrum),
-        cmocka_unit_test(the_tail_is_the_short_end),
-        cmocka_unit_test(extension_matches_every_scale),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

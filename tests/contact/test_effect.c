@@ -3,9 +3,8 @@
 #include "material/material.h"
 #include "support.h"
 
-static void test_spellings(void **state)
+TEST_CASE(test_spellings)
 {
-    (void)state;
     static const char *const names[EFFECT_COUNT] = {
         "plasticity",  "separation", "electrical", "thermal", "scale-dependent", "convergence",
         "uncertainty", "direct",     "gap",        "film",    "plating",         "heating"};
@@ -20,9 +19,8 @@ static void test_spellings(void **state)
     }
 }
 
-static void test_what_they_need(void **state)
+TEST_CASE(test_what_they_need)
 {
-    (void)state;
     static const size_t counts[EFFECT_COUNT] = {1, 0, 1, 1, 4, 0, 0, 0, 1, 1, 1, 1};
     static const unsigned needs[EFFECT_COUNT] = {[EFFECT_SCALE_DEPENDENT] = EFFECT_BIT(EFFECT_THERMAL),
                                                  [EFFECT_GAP] =
@@ -44,10 +42,4 @@ static void test_what_they_need(void **state)
     assert_string_equal(effect_rows[EFFECT_PLASTICITY].properties[0], "Sy_Pa");
     assert_string_equal(effect_rows[EFFECT_ELECTRICAL].properties[0], "resistivity_ohm_m");
     assert_string_equal(effect_rows[EFFECT_THERMAL].properties[0], "conductivity_W_per_mK");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_spellings), cmocka_unit_test(test_what_they_need)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

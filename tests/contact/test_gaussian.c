@@ -2,9 +2,8 @@
 #include "contact/gaussian.h"
 #include "support.h"
 
-static void matches_reference(void **state)
+TEST_CASE(matches_reference)
 {
-    (void)state;
     struct table table = table_read("golden/gaussian_integrals.csv");
     for (size_t i = 0; i < table.rows; i++) {
         struct gaussian_integrals f = gaussian_integrals(table_number(&table, i, "h"));
@@ -17,9 +16,8 @@ static void matches_reference(void **state)
 }
 
 /** At the borders of all panels and within each, and far to both sides: to the last digits. */
-static void panels_match_reference(void **state)
+TEST_CASE(panels_match_reference)
 {
-    (void)state;
     struct table table = table_read("golden/gaussian_panels.csv");
     assert_true(table.rows > 140);
     for (size_t i = 0; i < table.rows; i++) {
@@ -39,9 +37,8 @@ static void panels_match_reference(void **state)
 
 /** Values just below and above each border of two panels, and where panels begin and end, agree to the slope times the
  * step. */
-static void methods_meet(void **state)
+TEST_CASE(methods_meet)
 {
-    (void)state;
     for (double h = -8; h <= 8; h += 0.25) {
         double step = 1e-9;
         struct gaussian_integrals a = gaussian_integrals(h - step), b = gaussian_integrals(h + step);
@@ -53,9 +50,8 @@ static void methods_meet(void **state)
 
 /** F_1 = phi(h) - h F_0, and (n+1) F... : the recurrence F_3/2 = F_{-1/2}/2 - h F_1/2 gives back a positive F_{-1/2}.
  */
-static void recurrences_hold(void **state)
+TEST_CASE(recurrences_hold)
 {
-    (void)state;
     for (double h = -7.9; h < 0; h += 0.37) {
         struct gaussian_integrals f = gaussian_integrals(h);
         assert_near(f.one, exp(-h * h / 2) / sqrt(2 * M_PI) - h * f.zero, 1e-13);
@@ -63,9 +59,8 @@ static void recurrences_hold(void **state)
 }
 
 /** Far out the ratios stay right though the integrals are below 10^-300: F_{3/2}/F_{1/2} -> 1.5/h (1 - 3/h² ...). */
-static void ratios_survive_underflow(void **state)
+TEST_CASE(ratios_survive_underflow)
 {
-    (void)state;
     for (double h = 20; h < 1e4; h *= 1.7) {
         struct gaussian_integrals f = gaussian_integrals(h);
         double x = 1 / (h * h);
@@ -74,13 +69,4 @@ static void ratios_survive_underflow(void **state)
         assert_near(f.three_halves / f.half * h, 1.5 * upper / lower, 400 * x * x * x + 1e-13);
         assert_true(f.log_factor == -h * h / 2);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(matches_reference), cmocka_unit_test(panels_match_reference),   cmocka_unit_test(methods_meet),
-        cmocka_unit_test(recurrences_hold),  cmocka_unit_test(ratios_survive_underflow),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -27,9 +27,8 @@ static struct model_curve run(const struct asperities *surface, double yield_str
 
 /* B = 0.14 exp(23 S_y/E') is beyond double for a yield strength of a hundred times the modulus; asperities so sharp
  * that they yield all the same have no area then. */
-static void test_numbers_beyond_double(void **state)
+TEST_CASE(test_numbers_beyond_double)
 {
-    (void)state;
     const struct roughness blunt = {.m0_m2 = 1e-12, .m2 = 1e-2, .m4_per_m2 = 1e9};
     const struct roughness sharp = {.m0_m2 = 1e30, .m2 = 1e40, .m4_per_m2 = 1e51};
     struct contact_point points[LOADS + 1];
@@ -67,9 +66,8 @@ enum { HARMONICS_MOST = 60, HEIGHTS_MOST = 90, TASKS = 300 };
 
 /** Spectra of any law, constant ones, single waves, none; with and without asperities and heights; any loads and
  * quantities: every model answers, or says that it does not. */
-static void test_any_task(void **state)
+TEST_CASE(test_any_task)
 {
-    (void)state;
     uint64_t seed = 20;
     struct material_pair pair = model_support_tin();
     size_t existing[64] = {0};
@@ -154,9 +152,8 @@ static bool stands(void)
 }
 
 /* No number may be infinite, wanted or not; what is wanted and always computed has to be there. */
-static void test_a_curve_that_leaves_the_numbers(void **state)
+TEST_CASE(test_a_curve_that_leaves_the_numbers)
 {
-    (void)state;
     struct contact_point good = quantity_nothing();
     good.value[QUANTITY_LOAD] = 1e-3;
     good.value[QUANTITY_AREA] = 0.1;
@@ -190,9 +187,8 @@ static enum status_code set_nothing(struct model_curve *curve, const struct mode
 
 /* What a model does not set is not known, whatever the caller's points held before: not 0, which a resistance may be.
  */
-static void test_what_is_not_set(void **state)
+TEST_CASE(test_what_is_not_set)
 {
-    (void)state;
     static const struct model_row row = {.run = set_nothing};
     const double loads[] = {1e-4, 1e-3};
     struct model_task task = {.loads = loads, .load_count = 2, .wanted = (1u << QUANTITY_COUNT) - 1};
@@ -205,12 +201,4 @@ static void test_what_is_not_set(void **state)
     assert_nothing(&points[1], 0);
     assert_nothing(&curve.full, 0);
     assert_true(isnan(curve.full_load) && isnan(curve.closed_load) && isnan(curve.beta));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_numbers_beyond_double), cmocka_unit_test(test_any_task),
-                                       cmocka_unit_test(test_a_curve_that_leaves_the_numbers),
-                                       cmocka_unit_test(test_what_is_not_set)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

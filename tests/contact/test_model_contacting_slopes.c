@@ -54,9 +54,8 @@ static void make(struct case_of *out, double skew)
 }
 
 /** Area at every load; separation and resistance up to A = 0.15 alone; TCR is ECR/(rho k); marks at both ends. */
-static void what_is_given(void **state)
+TEST_CASE(what_is_given)
 {
-    (void)state;
     static struct case_of of;
     struct contact_point points[MODEL_LOADS + 1];
     make(&of, 3);
@@ -106,9 +105,8 @@ static void what_is_given(void **state)
 
 /** On near-Gaussian heights the area is Persson's to a few tenths at any load where over 30 points touch; on a plateau,
  * whose tops are flat, it is over twice that. */
-static void a_plateau_has_more_area_than_its_spectrum_says(void **state)
+TEST_CASE(a_plateau_has_more_area_than_its_spectrum_says)
 {
-    (void)state;
     static struct case_of of;
     struct contact_point points[MODEL_LOADS + 1], persson[MODEL_LOADS + 1];
     for (int skewed = 0; skewed < 2; skewed++) {
@@ -130,9 +128,8 @@ static void a_plateau_has_more_area_than_its_spectrum_says(void **state)
 
 /** A map whose rows are one profile: across it there is no slope, so the mean square is half of the rows', and the area
  * of the profile at sqrt2 times the load. */
-static void a_map_has_both_slopes(void **state)
+TEST_CASE(a_map_has_both_slopes)
 {
-    (void)state;
     enum { NX = 600, NY = 12 };
     static struct case_of of;
     static double map[NX * NY], height_m[POINTS];
@@ -157,9 +154,8 @@ static void a_map_has_both_slopes(void **state)
 }
 
 /** 31 inner points are enough, 30, 8 or none are not; nor is a surface without any slope. */
-static void too_few_points_have_no_curve(void **state)
+TEST_CASE(too_few_points_have_no_curve)
 {
-    (void)state;
     static struct case_of of;
     struct contact_point points[MODEL_LOADS + 1];
     make(&of, 0);
@@ -175,15 +171,4 @@ static void too_few_points_have_no_curve(void **state)
         of.point[i].slope_square = 0;
     assert_false(model_support_run(points, "contacting-slopes", &of.task).exists);
     spectrum_free(&of.spectrum);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_is_given),
-        cmocka_unit_test(a_plateau_has_more_area_than_its_spectrum_says),
-        cmocka_unit_test(a_map_has_both_slopes),
-        cmocka_unit_test(too_few_points_have_no_curve),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,9 +7,8 @@
 #include <stdio.h>
 
 /** The row gives what the theory's functions give, resistance as rho (-du/dp) and TCR as (-du/dp)/k. */
-static void the_row_is_the_theory(void **state)
+TEST_CASE(the_row_is_the_theory)
 {
-    (void)state;
     struct spectrum spectrum = model_support_law(3e-4, 0.085, 1.5, 256);
     struct material_pair pair = model_support_tin();
     double load[MODEL_LOADS];
@@ -42,9 +41,8 @@ static void the_row_is_the_theory(void **state)
     spectrum_free(&spectrum);
 }
 
-static void hard_spectra(void **state)
+TEST_CASE(hard_spectra)
 {
-    (void)state;
     struct material_pair pair = model_support_tin();
     double load[MODEL_LOADS];
     struct contact_point points[MODEL_LOADS + 1];
@@ -73,9 +71,8 @@ static void hard_spectra(void **state)
 
 /** "any area ratio: area within a factor LOW to HIGH, separation LOW to HIGH of direct solutions": on all of them from
  * A/A_n = 0.001 on, and no narrower range of one decimal would do. */
-static void the_stated_range_holds(void **state)
+TEST_CASE(the_stated_range_holds)
 {
-    (void)state;
     double low[2], high[2], least[2] = {INFINITY, INFINITY}, most[2] = {0, 0};
     assert_int_equal(sscanf(model_rows[model_named("persson")]->valid,
                             "any area ratio: area within a factor %lf to %lf, separation %lf to %lf of direct", &low[0],
@@ -110,14 +107,4 @@ static void the_stated_range_holds(void **state)
         assert_near(ceil(most[q] * 10) / 10, high[q], 1e-12);
     }
     table_free(&table);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_row_is_the_theory),
-        cmocka_unit_test(hard_spectra),
-        cmocka_unit_test(the_stated_range_holds),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

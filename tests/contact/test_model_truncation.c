@@ -43,9 +43,8 @@ static double flow_of(double hardness_Pa, double modulus_Pa, double slope)
     return hardness_Pa / sqrt(2.76 * 2.76 - hardness_Pa * hardness_Pa * c * c);
 }
 
-static void the_rows_match_the_reference(void **state)
+TEST_CASE(the_rows_match_the_reference)
 {
-    (void)state;
     struct table table = table_read("golden/models/truncation.csv");
     size_t held = 0, below = 0;
     for (size_t i = 0; i < table.rows; i++) {
@@ -84,9 +83,8 @@ static void the_rows_match_the_reference(void **state)
 
 /** The force that brings tin's ECR on 1 mm² down to a target, and the spots there: 1 mohm takes 40.5 mN, by 9.1 spots
  * of 6.0 um. */
-static void forces_for_a_target(void **state)
+TEST_CASE(forces_for_a_target)
 {
-    (void)state;
     struct table table = table_read("golden/models/answers_tin_cmy.csv");
     struct material_pair pair = model_support_tin();
     struct spectrum spectrum = wave(sqrt(4e-13), truncation_slope(2.5e-3));
@@ -114,9 +112,8 @@ static void forces_for_a_target(void **state)
 }
 
 /** To P/H = f and no further; outside the stated range from A/A_n = P/H = 0.1 on. */
-static void the_curve_ends_and_is_marked(void **state)
+TEST_CASE(the_curve_ends_and_is_marked)
 {
-    (void)state;
     static const char *const names[] = {"cmy", "sridhar-yovanovich"};
     struct spectrum spectrum = model_support_law(3e-4, 0.085, 1.5, 256);
     struct material_pair pair = model_support_tin();
@@ -158,9 +155,8 @@ static void the_curve_ends_and_is_marked(void **state)
 
 /** CMY has the hardness it is given; Sridhar and Yovanovich's that of the yield strength: CMY's with 2.76 S_y where
  * plastic, Mikic's where elastic. */
-static void hardness_and_limits(void **state)
+TEST_CASE(hardness_and_limits)
 {
-    (void)state;
     struct spectrum spectrum = wave(1e-6, 0.1);
     struct material_pair pair = model_support_tin();
     double load = 1e-5;
@@ -206,9 +202,8 @@ static void hardness_and_limits(void **state)
 
 /** The correlations are those of the literature, within what is stated of them where they are said to be tested, and
  * the ends of that are where they are said to be. */
-static void correlations_keep_what_is_stated(void **state)
+TEST_CASE(correlations_keep_what_is_stated)
 {
-    (void)state;
     struct spectrum spectrum = wave(1e-6, 0.1);
     struct material_pair pair = model_support_tin();
     double load = 1e-5;
@@ -245,9 +240,8 @@ static void correlations_keep_what_is_stated(void **state)
 
 /** Constants that nobody here could read up are said to be so wherever the model is listed, and neither model runs
  * unasked or stands for the thesis. */
-static void what_the_rows_say(void **state)
+TEST_CASE(what_the_rows_say)
 {
-    (void)state;
     const struct model_row *cmy = model_rows[model_named("cmy")], *sy = model_rows[model_named("sridhar-yovanovich")];
     assert_non_null(strstr(sy->source, "not seen in a readable source"));
     assert_non_null(strstr(sy->truncation_model->agreement, "not seen in a readable source"));
@@ -261,14 +255,4 @@ static void what_the_rows_say(void **state)
         assert_int_equal(model_find(row->name), MODEL_BIT(model_index(row)));
         assert_false(model_defaults() & MODEL_BIT(model_index(row)));
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_rows_match_the_reference),     cmocka_unit_test(forces_for_a_target),
-        cmocka_unit_test(the_curve_ends_and_is_marked),     cmocka_unit_test(hardness_and_limits),
-        cmocka_unit_test(correlations_keep_what_is_stated), cmocka_unit_test(what_the_rows_say),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

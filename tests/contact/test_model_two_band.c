@@ -30,9 +30,8 @@ static void make(struct case_of *out)
 }
 
 /** Elastic: no separation and no resistance above A = 0.75, both below; TCR is ECR/(rho k). */
-static void elastic_leaves_empty_what_is_not_to_be_trusted(void **state)
+TEST_CASE(elastic_leaves_empty_what_is_not_to_be_trusted)
 {
-    (void)state;
     struct case_of of;
     struct contact_point points[MODEL_LOADS + 1];
     make(&of);
@@ -63,9 +62,8 @@ static void elastic_leaves_empty_what_is_not_to_be_trusted(void **state)
 
 /** Elastic-plastic: the separation ends at P = H_d/4 besides; A = P/H_d while the last band yields; nothing depends on
  * H_d where nothing yields. */
-static void plastic_gap_ends_at_a_quarter_of_the_hardness(void **state)
+TEST_CASE(plastic_gap_ends_at_a_quarter_of_the_hardness)
 {
-    (void)state;
     struct case_of of;
     struct contact_point points[MODEL_LOADS + 1], soft[MODEL_LOADS + 1];
     make(&of);
@@ -98,9 +96,8 @@ static void plastic_gap_ends_at_a_quarter_of_the_hardness(void **state)
 
 /** The same surface (gamma 1 below 300 um, level above, 10 um shortest) in scans of 4, 16 and 64 of its longest waves:
  * area, separation and resistance of the elastic law within 3 %; the elastic-plastic resistance, 3.3 % at 64. */
-static void scan_length_does_not_matter(void **state)
+TEST_CASE(scan_length_does_not_matter)
 {
-    (void)state;
     static const char *const models[] = {"two-band-elastic", "two-band-plastic"};
     struct contact_point first[2][MODEL_LOADS + 1], points[MODEL_LOADS + 1];
     for (int waves = 4; waves <= 64; waves *= 4) {
@@ -133,9 +130,8 @@ static void scan_length_does_not_matter(void **state)
 
 /** What the row states holds on every direct solution: "area at A/A_n from X on within a factor LOW to HIGH", and no
  * narrower range of one decimal would. */
-static void the_stated_range_holds(void **state)
+TEST_CASE(the_stated_range_holds)
 {
-    (void)state;
     const struct model_row *row = model_rows[model_named("two-band-elastic")];
     double from, low, high, ends, least = INFINITY, most = 0;
     assert_int_equal(sscanf(row->valid,
@@ -181,9 +177,8 @@ static void the_stated_range_holds(void **state)
 }
 
 /** A constant spectrum, one harmonic, four of them (8 points), and none with an amplitude. */
-static void hard_spectra(void **state)
+TEST_CASE(hard_spectra)
 {
-    (void)state;
     static const char *const models[] = {"two-band-elastic", "two-band-plastic"};
     struct case_of of;
     struct contact_point points[MODEL_LOADS + 1];
@@ -211,16 +206,4 @@ static void hard_spectra(void **state)
                 assert_true(points[MODEL_LOADS - 1].value[QUANTITY_AREA] == 1);
         }
     spectrum_free(&of.spectrum);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(elastic_leaves_empty_what_is_not_to_be_trusted),
-        cmocka_unit_test(plastic_gap_ends_at_a_quarter_of_the_hardness),
-        cmocka_unit_test(scan_length_does_not_matter),
-        cmocka_unit_test(the_stated_range_holds),
-        cmocka_unit_test(hard_spectra),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

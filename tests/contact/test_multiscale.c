@@ -14,9 +14,8 @@ static struct spectrum law_spectrum(double length, double alpha, double gamma, s
     return spectrum;
 }
 
-static void matches_reference(void **state)
+TEST_CASE(matches_reference)
 {
-    (void)state;
     struct table table = table_read("golden/multiscale.csv");
     struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
     struct constriction spot = constriction_make(&pair);
@@ -45,9 +44,8 @@ static void matches_reference(void **state)
 }
 
 /** full_load is where the area becomes 1 and the separation 0: not before, not after. */
-static void full_load_is_sharp(void **state)
+TEST_CASE(full_load_is_sharp)
 {
-    (void)state;
     struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
     struct constriction spot = constriction_make(&pair);
     struct spectrum spectrum = law_spectrum(3e-4, 0.085, 1.5, 256);
@@ -72,9 +70,8 @@ static void full_load_is_sharp(void **state)
 }
 
 /** The convergence study's areas after each scale end in the area of the whole stack and never rise. */
-static void areas_fall_to_the_total(void **state)
+TEST_CASE(areas_fall_to_the_total)
 {
-    (void)state;
     struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
     struct constriction spot = constriction_make(&pair);
     struct spectrum spectrum = law_spectrum(3e-4, 0.085, 0.5, 400);
@@ -149,9 +146,8 @@ static struct spectrum random_spectrum(uint64_t *state)
 
 /** The same bytes as of all scales, and the same loads of full contact, though only the scales that are open are
  * visited. */
-static void passes_over_closed_scales(void **state)
+TEST_CASE(passes_over_closed_scales)
 {
-    (void)state;
     enum { STACKS = 400, TRIED = 24 };
     uint64_t random = 12, visits = 0, all = 0, opens = 0;
     for (int k = 0; k < STACKS; k++) {
@@ -200,9 +196,8 @@ static void passes_over_closed_scales(void **state)
 }
 
 /** Where scales just yield, less steep ones can stay open longer: those are not passed over. */
-static void scales_that_just_yield(void **state)
+TEST_CASE(scales_that_just_yield)
 {
-    (void)state;
     enum { SCALES = 300, STACKS = 40, TRIED = 200 };
     struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
     struct constriction spot = constriction_make(&pair);
@@ -238,9 +233,8 @@ static void scales_that_just_yield(void **state)
 }
 
 /** On a steep law a load far below full contact is done with after a few scales, whatever their number. */
-static void visits_do_not_grow_with_the_scales(void **state)
+TEST_CASE(visits_do_not_grow_with_the_scales)
 {
-    (void)state;
     struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
     uint64_t visits[2][2];
     for (int plastic = 0; plastic < 2; plastic++)
@@ -278,9 +272,8 @@ static bool is_complete(const struct sinusoid_scale *scales, size_t k, const str
 }
 
 /** The longest scale that closes between two loads, against every scale in turn. */
-static void the_longest_closing_scale(void **state)
+TEST_CASE(the_longest_closing_scale)
 {
-    (void)state;
     enum { STACKS = 600 };
     uint64_t random = 77;
     size_t closing = 0, shorter = 0;
@@ -320,15 +313,4 @@ static void the_longest_closing_scale(void **state)
     }
     assert_in_range(closing, STACKS / 10, STACKS * 9 / 10);
     assert_true(shorter > 5);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(matches_reference),         cmocka_unit_test(full_load_is_sharp),
-        cmocka_unit_test(areas_fall_to_the_total),   cmocka_unit_test(passes_over_closed_scales),
-        cmocka_unit_test(scales_that_just_yield),    cmocka_unit_test(visits_do_not_grow_with_the_scales),
-        cmocka_unit_test(the_longest_closing_scale),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -24,9 +24,8 @@ static struct persson make(const struct spectrum *spectrum, double energy_factor
 }
 
 /** The golden area is the original one, erf(p/sqrt(m2)), in the rows of both g. */
-static void matches_reference(void **state)
+TEST_CASE(matches_reference)
 {
-    (void)state;
     struct table table = table_read("golden/models/persson_lines.csv");
     for (size_t i = 0; i < table.rows; i++) {
         struct spectrum spectrum =
@@ -68,9 +67,8 @@ static double in_parts(struct integrand of)
 }
 
 /** s and I_2 in all three ranges and at their borders, against direct quadrature. */
-static void kernel_is_the_integral(void **state)
+TEST_CASE(kernel_is_the_integral)
 {
-    (void)state;
     static const double factors[] = {0.2, 0.45, 1};
     for (size_t g = 0; g < 3; g++) {
         struct persson_kernel kernel = persson_kernel(factors[g]);
@@ -90,9 +88,8 @@ static void kernel_is_the_integral(void **state)
 }
 
 /** Grouped waves against every wave, on spectra from steep to flat and one with holes. */
-static void groups_stand_for_rings(void **state)
+TEST_CASE(groups_stand_for_rings)
 {
-    (void)state;
     static const double gammas[] = {0.3, 0.8, 1, 1.3, 1.7};
     double worst = 0;
     for (size_t g = 0; g < 6; g++) {
@@ -119,9 +116,8 @@ static void groups_stand_for_rings(void **state)
 
 /** A = 2/sqrt(pi) p/sqrt(g m2) and u = u_0 ln(p_0/p) at light load; the slope of u is -constriction; nothing overflows.
  */
-static void limits(void **state)
+TEST_CASE(limits)
 {
-    (void)state;
     struct spectrum spectrum = law_spectrum(1e-3, 0.01, 1.1, 500);
     struct persson persson = make(&spectrum, persson_energy_factor);
     double rms = sqrt(persson.m2), g = persson_energy_factor;
@@ -164,9 +160,8 @@ static void limits(void **state)
 }
 
 /** p(A) is the inverse of A(p); erf^-1 is that of erf, also for tiny areas. */
-static void area_and_load_are_inverse(void **state)
+TEST_CASE(area_and_load_are_inverse)
 {
-    (void)state;
     for (double area = 1e-300; area < 1; area = area < 0.1 ? area * 3 : area + 0.01) {
         assert_near(erf(persson_erf_inverse(area)), area, 5e-16);
         for (double g = 0.2; g <= 1; g += 0.16)
@@ -177,9 +172,8 @@ static void area_and_load_are_inverse(void **state)
 }
 
 /** A flat surface touches as a whole; one wave alone works; waves without amplitude add nothing. */
-static void hard_cases(void **state)
+TEST_CASE(hard_cases)
 {
-    (void)state;
     struct spectrum flat = law_spectrum(1e-3, 0, 1, 5), one = law_spectrum(1e-3, 0.01, 1, 1);
     struct persson persson = make(&flat, 0.45);
     struct persson_separation at = persson_separation(&persson, 1e-4);
@@ -200,9 +194,8 @@ static void hard_cases(void **state)
 }
 
 /** Model/truth on the 16 surfaces of direct solutions, as rms factors: the published ones. */
-static void direct_solutions(void **state)
+TEST_CASE(direct_solutions)
 {
-    (void)state;
     struct table table = table_read("golden/two-band/truth_elastic.csv");
     double area_sum = 0, gap_sum = 0, ecr_sum = 0;
     int areas = 0, gaps = 0;
@@ -232,15 +225,4 @@ static void direct_solutions(void **state)
     assert_within(exp(sqrt(gap_sum / gaps)), 1.15, 0.006);
     assert_within(exp(sqrt(ecr_sum / gaps)), 1.52, 0.006);
     table_free(&table);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(matches_reference),         cmocka_unit_test(kernel_is_the_integral),
-        cmocka_unit_test(groups_stand_for_rings),    cmocka_unit_test(limits),
-        cmocka_unit_test(area_and_load_are_inverse), cmocka_unit_test(hard_cases),
-        cmocka_unit_test(direct_solutions),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

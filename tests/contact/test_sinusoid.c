@@ -9,9 +9,8 @@ static struct material_pair tin(void)
 
 static const struct sinusoid_fit *thesis = &sinusoid_fits[SINUSOID_FIT_THESIS];
 
-static void elastic_matches_reference(void **state)
+TEST_CASE(elastic_matches_reference)
 {
-    (void)state;
     struct table table = table_read("golden/sinusoid_elastic.csv");
     for (size_t i = 0; i < table.rows; i++) {
         struct sinusoid_cell cell = {0};
@@ -23,9 +22,8 @@ static void elastic_matches_reference(void **state)
     table_free(&table);
 }
 
-static void plastic_matches_reference(void **state)
+TEST_CASE(plastic_matches_reference)
 {
-    (void)state;
     struct table table = table_read("golden/sinusoid_plastic.csv");
     struct material_pair pair = tin();
     for (size_t i = 0; i < table.rows; i++) {
@@ -46,9 +44,8 @@ static void plastic_matches_reference(void **state)
 }
 
 /** Both closures against the direct solution, within the errors their rows claim, and no tighter claim than needed. */
-static void closures_keep_their_stated_error(void **state)
+TEST_CASE(closures_keep_their_stated_error)
 {
-    (void)state;
     struct table table = table_read("golden/sinusoid_bem.csv");
     for (int c = 0; c < SINUSOID_FIT_COUNT; c++) {
         const struct sinusoid_fit *closure = &sinusoid_fits[c];
@@ -73,9 +70,8 @@ static void closures_keep_their_stated_error(void **state)
 }
 
 /** Leaving out every second node of the table, `numeric` still predicts it: the interpolation is smooth enough. */
-static void numeric_closure_has_its_limits(void **state)
+TEST_CASE(numeric_closure_has_its_limits)
 {
-    (void)state;
     const struct sinusoid_fit *numeric = &sinusoid_fits[SINUSOID_FIT_NUMERIC];
     struct sinusoid_cell low = {0}, high = {0};
     numeric->area(&low, 1e-9);
@@ -96,9 +92,8 @@ static void numeric_closure_has_its_limits(void **state)
 }
 
 /** 1 - a keeps its digits as a -> 1: against the linear law of (4.4) and, plastic, against the sum in long double. */
-static void complement_does_not_cancel(void **state)
+TEST_CASE(complement_does_not_cancel)
 {
-    (void)state;
     struct sinusoid_cell cell = {0};
     for (double rest = 1e-2; rest > 1e-12; rest /= 10) {
         thesis->area(&cell, 1 - rest);
@@ -124,9 +119,8 @@ static void complement_does_not_cancel(void **state)
 }
 
 /** Complete contact is reached exactly at sinusoid_closed_pressure(), also where p_c > p_p. */
-static void complete_pressure_is_sharp(void **state)
+TEST_CASE(complete_pressure_is_sharp)
 {
-    (void)state;
     struct material_pair pair = tin();
     double frequency = 1e5, critical = sinusoid_critical_amplitude(frequency, &pair);
     for (double ratio = 0.5; ratio < 2000; ratio *= 1.01) {
@@ -150,9 +144,8 @@ static void complete_pressure_is_sharp(void **state)
 /** Materials of every Poisson's ratio, and scales from elastic to a thousand times beyond yield: above the pressure
  * that is said to order them, what closes one closes all that are less steep, and not so much below it; the steepest is
  * the last where it is said to be. */
-static void steepness_orders_the_scales(void **state)
+TEST_CASE(steepness_orders_the_scales)
 {
-    (void)state;
     struct material_pair pair = tin();
     for (double nu = 0.01; nu < 0.5; nu += 0.07) {
         pair.poisson_ratio = nu;
@@ -174,15 +167,4 @@ static void steepness_orders_the_scales(void **state)
         }
         assert_true(disorder <= ordered * (1 + 1e-9) && (nu < 0.4 || disorder > 0.99 * ordered));
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(elastic_matches_reference),        cmocka_unit_test(plastic_matches_reference),
-        cmocka_unit_test(closures_keep_their_stated_error), cmocka_unit_test(numeric_closure_has_its_limits),
-        cmocka_unit_test(complement_does_not_cancel),       cmocka_unit_test(complete_pressure_is_sharp),
-        cmocka_unit_test(steepness_orders_the_scales),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -49,9 +49,8 @@ static void spots_of(struct contact_spots *spots, const char *model, const struc
 }
 
 /** n = eta int phi, a = int a³ phi/int a² phi, at the separation of each load; more load, more and larger spots. */
-static void spots_are_integrals_over_asperities(void **state)
+TEST_CASE(spots_are_integrals_over_asperities)
 {
-    (void)state;
     static const char *const names[] = {"gw", "jg"};
     struct material_pair pair = model_support_tin();
     double load[MODEL_LOADS];
@@ -92,9 +91,8 @@ static void spots_are_integrals_over_asperities(void **state)
 }
 
 /** Where nothing yields JG has GW's spots; far apart GW's are those of exponential heights. */
-static void spots_in_the_limits(void **state)
+TEST_CASE(spots_in_the_limits)
 {
-    (void)state;
     struct asperities surface = surface_of(1e-12, 1e-4, 1e5);
     struct material soft = *material_find("tin");
     soft.yield_strength_Pa = 2e9; /* beyond what these blunt asperities bear at any height that counts */
@@ -128,21 +126,10 @@ static void spots_in_the_limits(void **state)
 }
 
 /** Stacked scales have spots on spots: no number of them. */
-static void stacked_scales_have_none(void **state)
+TEST_CASE(stacked_scales_have_none)
 {
-    (void)state;
     for (size_t m = 0; m < model_count; m++)
         assert_false(model_rows[m]->stacks_scales && model_rows[m]->spots);
     assert_null(model_rows[model_named("two-band-elastic")]->spots);
     assert_null(model_rows[model_named("persson")]->spots);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(spots_are_integrals_over_asperities),
-        cmocka_unit_test(spots_in_the_limits),
-        cmocka_unit_test(stacked_scales_have_none),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

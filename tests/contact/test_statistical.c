@@ -55,22 +55,19 @@ static void check_reference(double tolerance, double allowed)
     table_free(&table);
 }
 
-static void matches_reference(void **state)
+TEST_CASE(matches_reference)
 {
-    (void)state;
     check_reference(1e-10, 1e-10);
 }
 
-static void keeps_a_loose_tolerance(void **state)
+TEST_CASE(keeps_a_loose_tolerance)
 {
-    (void)state;
     check_reference(1e-3, 1e-3);
     check_reference(1e-6, 1e-6);
 }
 
-static void beta_matches_reference(void **state)
+TEST_CASE(beta_matches_reference)
 {
-    (void)state;
     static const struct {
         const char *name;
         double m0, m2, m4;
@@ -99,9 +96,8 @@ static void beta_matches_reference(void **state)
 }
 
 /** solve() undoes at(): loads over thirty decades come back, and the curve ends at full contact. */
-static void solve_inverts_at(void **state)
+TEST_CASE(solve_inverts_at)
 {
-    (void)state;
     for (int law = 0; law < ASPERITY_MODEL_COUNT; law++) {
         struct statistical model = make(1.156e-13, 0.0012, 4.5e8, (enum asperity_model_id)law, 1e-10, INFINITY);
         double d = 0, previous = INFINITY;
@@ -121,9 +117,8 @@ static void solve_inverts_at(void **state)
 
 /** A guess that one step is enough for leads to the same solution, to the last digits, also where a node of the
  * quadrature comes in or drops out on the way: at a loose tolerance that is a step of 1e-7. */
-static void the_last_step_is_exact(void **state)
+TEST_CASE(the_last_step_is_exact)
 {
-    (void)state;
     static const double tolerances[] = {1e-10, 1e-3};
     for (int law = 0; law < ASPERITY_MODEL_COUNT; law++)
         for (int t = 0; t < 2; t++) {
@@ -146,9 +141,8 @@ static void the_last_step_is_exact(void **state)
 }
 
 /** Moments over the nodes are those of the sums: j = 0 the sum itself, j = 1 its slope with respect to d. */
-static void moments_are_derivatives(void **state)
+TEST_CASE(moments_are_derivatives)
 {
-    (void)state;
     struct statistical model = make(3.3872e-11, 0.02, 2.4e10, ASPERITY_JG, 1e-10, -3);
     for (double d = -3; d < 6; d += 0.7) {
         struct quadrature_sums sums, before, after;
@@ -182,9 +176,8 @@ static double load_density(double u, void *context)
     return contact.load_N * exp(-(u + in->d) * (u + in->d) / 2);
 }
 
-static void outside_share_matches_adaptive_integration(void **state)
+TEST_CASE(outside_share_matches_adaptive_integration)
 {
-    (void)state;
     struct statistical model = make(3.3872e-11, 0.02, 2.4e10, ASPERITY_JG, 1e-10, INFINITY);
     gsl_integration_workspace *workspace = gsl_integration_workspace_alloc(2000);
     double border = asperity_interference_at(&model.asperity, 0.41) / model.surface.sigma_s_m;
@@ -223,9 +216,8 @@ static double log_load_beyond(const struct statistical *model, double d, double 
 }
 
 /** However small they are: relative, as every number. */
-static void load_shares_follow_the_tolerance(void **state)
+TEST_CASE(load_shares_follow_the_tolerance)
 {
-    (void)state;
     static const double tolerances[] = {0.1, 1e-3, 1e-6, 1e-9}, sizes[] = {1, 0.3, 0.15};
     gsl_integration_workspace *workspace = gsl_integration_workspace_alloc(2000);
     gsl_error_handler_t *handler = gsl_set_error_handler_off(); /* qag cannot reach 1e-13 everywhere */
@@ -258,28 +250,11 @@ static void load_shares_follow_the_tolerance(void **state)
 }
 
 /** A beta made up of a known answer: separations that the formula maps onto each other give it back. */
-static void second_beta_is_a_least_squares_fit(void **state)
+TEST_CASE(second_beta_is_a_least_squares_fit)
 {
-    (void)state;
     double sigma = 2e-7, delta[] = {3e-7, 1e-7, -2e-7}, high[3];
     for (int i = 0; i < 3; i++)
         high[i] = (delta[i] + 0.5 * 5.2 * sigma) / 2;
     assert_near(statistical_beta_multiscale(delta, high, 3, sigma), 5.2, 1e-14);
     assert_true(isnan(statistical_beta_multiscale(delta, high, 0, sigma)));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(matches_reference),
-        cmocka_unit_test(keeps_a_loose_tolerance),
-        cmocka_unit_test(beta_matches_reference),
-        cmocka_unit_test(solve_inverts_at),
-        cmocka_unit_test(the_last_step_is_exact),
-        cmocka_unit_test(moments_are_derivatives),
-        cmocka_unit_test(outside_share_matches_adaptive_integration),
-        cmocka_unit_test(load_shares_follow_the_tolerance),
-        cmocka_unit_test(second_beta_is_a_least_squares_fit),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

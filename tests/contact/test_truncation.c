@@ -26,9 +26,8 @@ static struct truncation law_of(const struct table *table, size_t i)
     return sridhar_yovanovich(sigma_m, slope, modulus_Pa, flow_Pa);
 }
 
-static void matches_reference(void **state)
+TEST_CASE(matches_reference)
 {
-    (void)state;
     struct table table = table_read("golden/models/truncation.csv");
     for (size_t i = 0; i < table.rows; i++) {
         struct truncation law = law_of(&table, i);
@@ -59,9 +58,8 @@ static void matches_reference(void **state)
 }
 
 /** The ranges that the headers state. */
-static void correlations_stay_in_their_range(void **state)
+TEST_CASE(correlations_stay_in_their_range)
 {
-    (void)state;
     struct truncation plastic = cmy_plastic(1e-6, 0.1, 1e9), elastic = cmy_elastic(1e-6, 0.1, 1e11);
     struct truncation_contact contact;
     for (double ratio = 1.2e-4; ratio < 2e-2; ratio *= 1.1) {
@@ -85,9 +83,8 @@ static void correlations_stay_in_their_range(void **state)
 }
 
 /** Elastoplastic to plastic for large strain, near elastic for small; h = 2 n a k/Psi; the mean area of the spots. */
-static void limits(void **state)
+TEST_CASE(limits)
 {
-    (void)state;
     struct truncation hard = sridhar_yovanovich(1e-6, 0.1, 1e14, 1e3);
     assert_near(hard.fraction, 1, 1e-8);
     assert_near(hard.hardness_Pa, 2.76e3, 1e-10);
@@ -110,9 +107,8 @@ static void limits(void **state)
 }
 
 /** No load, all truncated or more: refused; the faintest load: finite; area 1 of the plastic law is never reached. */
-static void hard_cases(void **state)
+TEST_CASE(hard_cases)
 {
-    (void)state;
     struct truncation plastic = cmy_plastic(1e-6, 0.1, 1e9), elastic = cmy_elastic(1e-6, 0.1, 1e11);
     struct truncation_contact contact;
     assert_false(truncation_press(&contact, &plastic, 0));
@@ -132,9 +128,8 @@ static void hard_cases(void **state)
 
 /** Constant hardness (c2 = 0) is that hardness; else the hardness belongs to the spots at that hardness, and Song and
  * Yovanovich's explicit fit is near: P/H = [P/(c1 (1.62 sigma/m)^c2)]^(1/(1+0.071 c2)), sigma in um. */
-static void microhardness(void **state)
+TEST_CASE(microhardness)
 {
-    (void)state;
     assert_near(cmy_microhardness(1e-6, 0.1, 1e6, 3e9, 0), 3e9, 1e-12);
     double c1 = 6.304e9, c2 = -0.264;
     for (double pressure = 1e4; pressure < 1e8; pressure *= 10) {
@@ -146,16 +141,4 @@ static void microhardness(void **state)
         assert_near(pow(pressure / (c1 * pow(1.62 * 1 / 0.1, c2)), 1 / (1 + 0.071 * c2)), pressure / hardness, 0.02);
     }
     assert_true(isnan(cmy_microhardness(1e-6, 0.1, 1e11, c1, c2)));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(matches_reference),
-        cmocka_unit_test(correlations_stay_in_their_range),
-        cmocka_unit_test(limits),
-        cmocka_unit_test(hard_cases),
-        cmocka_unit_test(microhardness),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -49,9 +49,8 @@ static struct multiscale stack_of(const struct spectrum *spectrum, const struct 
     return stack;
 }
 
-static void bands_match_reference(void **state)
+TEST_CASE(bands_match_reference)
 {
-    (void)state;
     struct table table = table_read("golden/two-band/bands.csv");
     struct material_pair pair = tin();
     for (size_t i = 0; i < table.rows; i++) {
@@ -72,9 +71,8 @@ static void bands_match_reference(void **state)
     table_free(&table);
 }
 
-static void points_match_reference(void **state)
+TEST_CASE(points_match_reference)
 {
-    (void)state;
     struct table table = table_read("golden/two-band/banded.csv");
     struct material_pair pair = tin();
     struct constriction spot = constriction_make(&pair);
@@ -110,9 +108,8 @@ static void points_match_reference(void **state)
 
 /** A ladder gives what each load alone gives, at the tolerance asked for and with work that follows it; the slope of
  * the separation is the resistance (Barber's identity); both closures; nothing left from full contact on. */
-static void separation_is_the_integral(void **state)
+TEST_CASE(separation_is_the_integral)
 {
-    (void)state;
     struct material_pair pair = tin();
     struct spectrum spectrum = reference_spectrum("law_b");
     double load[LOADS_MOST], exact[LOADS_MOST], loose[LOADS_MOST];
@@ -155,9 +152,8 @@ static void separation_is_the_integral(void **state)
 
 /** One wave becomes two equal bands; silent harmonics change nothing; no amplitude, no bands; the Nyquist harmonic
  * counts with its whole square; variance and mean-square gradient of the bands are the surface's. */
-static void bands_keep_the_surface(void **state)
+TEST_CASE(bands_keep_the_surface)
 {
-    (void)state;
     struct two_band bands, padded;
     double amplitude[6] = {0, 0, 2e-6, 0, 0, 0};
     struct spectrum one = {amplitude, 6, 3e-4, false};
@@ -193,9 +189,8 @@ static void bands_keep_the_surface(void **state)
 
 /** The same self-affine surface (gamma = 1, plateau above 300 um, 10 um shortest) as seen by scans of 4, 16 and 64
  * longest waves: area, gap and resistance stay within 3 %, where the stack of all harmonics drifts by factors. */
-static void scan_length_does_not_matter(void **state)
+TEST_CASE(scan_length_does_not_matter)
 {
-    (void)state;
     struct material_pair pair = tin();
     struct constriction spot = constriction_make(&pair);
     struct contact_point first = {0}, first_all = {0}, point;
@@ -228,9 +223,8 @@ static void scan_length_does_not_matter(void **state)
 
 /** Ratios model/truth of area, Barber's separation and resistance on the 16 surfaces of direct solutions: their rms
  * factors are the published ones, and none is beyond its range. */
-static void direct_solutions(void **state)
+TEST_CASE(direct_solutions)
 {
-    (void)state;
     struct table table = table_read("golden/two-band/truth_elastic.csv");
     struct material_pair pair = {.effective_modulus_Pa = 1, .resistivity_ohm_m = 1};
     static const struct constriction unit = {.resistivity_ohm_m = 1};
@@ -278,9 +272,8 @@ static void direct_solutions(void **state)
 }
 
 /** From no load to far beyond full contact: finite, the area never falls, but for the published 0.05 % at x = 0.8. */
-static void extreme_loads(void **state)
+TEST_CASE(extreme_loads)
 {
-    (void)state;
     struct material_pair pair = tin();
     struct constriction spot = constriction_make(&pair);
     struct spectrum spectrum = reference_spectrum("random60");
@@ -308,9 +301,8 @@ static void extreme_loads(void **state)
     spectrum_free(&spectrum);
 }
 
-static void what_is_to_be_trusted(void **state)
+TEST_CASE(what_is_to_be_trusted)
 {
-    (void)state;
     assert_true(two_band_trusted(0.75) && !two_band_trusted(0.7501));
     assert_true(two_band_plastic_gap_trusted(0.2, 10e6, 40e6) && !two_band_plastic_gap_trusted(0.2, 10.01e6, 40e6));
     assert_false(two_band_plastic_gap_trusted(0.76, 1e6, 40e6));
@@ -348,9 +340,8 @@ static void loads_may_come_twice(struct multiscale *stack)
     }
 }
 
-static void ladders_are_exact(void **state)
+TEST_CASE(ladders_are_exact)
 {
-    (void)state;
     static const char *const sets[] = {"law_a", "law_b", "random60"};
     struct material_pair pair = tin();
     for (size_t set = 0; set < 3; set++) {
@@ -372,16 +363,4 @@ static void ladders_are_exact(void **state)
         loads_may_come_twice(&stack);
         multiscale_free(&stack);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(bands_match_reference),      cmocka_unit_test(points_match_reference),
-        cmocka_unit_test(separation_is_the_integral), cmocka_unit_test(ladders_are_exact),
-        cmocka_unit_test(bands_keep_the_surface),     cmocka_unit_test(scan_length_does_not_matter),
-        cmocka_unit_test(direct_solutions),           cmocka_unit_test(extreme_loads),
-        cmocka_unit_test(what_is_to_be_trusted),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

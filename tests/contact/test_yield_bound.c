@@ -93,9 +93,8 @@ static struct model_curve run(struct contact_point *points, const struct model_r
     return curve;
 }
 
-static void test_the_bound_of_jg(void **state)
+TEST_CASE(test_the_bound_of_jg)
 {
-    (void)state;
     static const double yields_Pa[] = {5e8, 1e9, 3e9, 9e9}, most[] = {1e-3, 1e-2};
     static const unsigned wanted[] = {0, QUANTITY_BIT(QUANTITY_SEPARATION), QUANTITY_BIT(QUANTITY_ECR),
                                       QUANTITY_BIT(QUANTITY_TCR)};
@@ -127,9 +126,8 @@ static double change(double a, double b)
 }
 
 /* Nothing that JG computes is farther from GW than that. */
-static void test_jg_stays_within_its_bound(void **state)
+TEST_CASE(test_jg_stays_within_its_bound)
 {
-    (void)state;
     const unsigned wanted = (1u << QUANTITY_COUNT) - 1;
     for (double yield_Pa = 4e8; yield_Pa < 5e9; yield_Pa *= 1.3) {
         struct contact_point a[LOADS + 1], b[LOADS + 1];
@@ -147,9 +145,8 @@ static void test_jg_stays_within_its_bound(void **state)
     }
 }
 
-static void test_surfaces_without_asperities(void **state)
+TEST_CASE(test_surfaces_without_asperities)
 {
-    (void)state;
     make(1e9, 1e-3);
     struct model_task task = task_of(0);
     task.asperities = NULL;
@@ -159,9 +156,8 @@ static void test_surfaces_without_asperities(void **state)
 }
 
 /* The multiscale bound: p* over p_c of the steepest harmonic where that yields before it is complete, else 0. */
-static void test_the_bound_of_the_stack(void **state)
+TEST_CASE(test_the_bound_of_the_stack)
 {
-    (void)state;
     double amplitude_m[] = {1e-8, 2e-8, 5e-9};
     struct spectrum spectrum = {amplitude_m, 3, 1e-5, false}; /* slopes 1e-8, 4e-8, 1.5e-8 over 1e-5 */
     make(1e7, 1e-3);
@@ -184,15 +180,4 @@ static void test_the_bound_of_the_stack(void **state)
     assert_true(soon > 0 && never > 0);
     spectrum.count = 0;
     assert_near(model_multiscale_plastic.yield_bound(&model_multiscale_plastic, &task), 0, 0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_bound_of_jg),
-        cmocka_unit_test(test_jg_stays_within_its_bound),
-        cmocka_unit_test(test_surfaces_without_asperities),
-        cmocka_unit_test(test_the_bound_of_the_stack),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

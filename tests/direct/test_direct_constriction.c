@@ -33,9 +33,8 @@ static bool in_circle(double x, double y, const void *context)
 }
 
 /** l/L = (L/4a)(1 - 2.482986 a/L + 1.9172 (a/L)³ ...): Holm's spot among its images on a square lattice. */
-static void one_spot(void **state)
+TEST_CASE(one_spot)
 {
-    (void)state;
     struct table table = table_read("golden/direct/spot.csv");
     for (size_t row = 0; row < table.rows; row++) {
         size_t n = (size_t)table_number(&table, row, "N"), points;
@@ -67,9 +66,8 @@ static bool in_circles(double x, double y, const void *context)
 }
 
 /** Twenty spots: Greenwood's sum with the periodic Green's function, extrapolated from 512 and 1024 points a side. */
-static void twenty_spots(void **state)
+TEST_CASE(twenty_spots)
 {
-    (void)state;
     struct table spots = table_read("golden/direct/greenwood_spots.csv"),
                  table = table_read("golden/direct/greenwood.csv");
     struct circles circles = {.count = spots.rows};
@@ -94,9 +92,8 @@ static bool in_strip(double x, double y, const void *context)
 }
 
 /** Strips of half width a, period L: l = -(L/2 pi) ln sin²(pi a/L), first order in dx. */
-static void strips(void **state)
+TEST_CASE(strips)
 {
-    (void)state;
     for (double a = 0.05; a < 0.45; a += 0.05) {
         size_t points;
         double length = length_of_set(1024, in_strip, &a, 0, &points), half = (double)points / 1024 / 1024 / 2;
@@ -105,9 +102,8 @@ static void strips(void **state)
 }
 
 /** l = -(E'/2) d(mean gap)/d(p̄): the exact derivative on the grid while the set stays. */
-static void derivative_of_the_gap(void **state)
+TEST_CASE(derivative_of_the_gap)
 {
-    (void)state;
     double *height = recipe_surface(64), gap[2];
     struct direct_contact contact = contact_of(height, 64, 64);
     size_t points[2];
@@ -124,15 +120,4 @@ static void derivative_of_the_gap(void **state)
     }
     direct_contact_free(&contact);
     free(height);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(one_spot),
-        cmocka_unit_test(twenty_spots),
-        cmocka_unit_test(strips),
-        cmocka_unit_test(derivative_of_the_gap),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

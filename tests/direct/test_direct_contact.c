@@ -35,28 +35,24 @@ static void random_rows(const char *file, size_t n, int expected_rows, double to
     table_free(&table);
 }
 
-static void random_surface_64(void **state)
+TEST_CASE(random_surface_64)
 {
-    (void)state;
     random_rows("golden/direct/random.csv", 64, 12, 1e-12);
 }
 
-static void random_surface_128(void **state)
+TEST_CASE(random_surface_128)
 {
-    (void)state;
     random_rows("golden/direct/random.csv", 128, 12, 1e-12);
 }
 
-static void random_surface_256(void **state)
+TEST_CASE(random_surface_256)
 {
-    (void)state;
     random_rows("golden/direct/random.csv", 256, 12, 1e-12);
 }
 
 /** Minutes; only where the environment asks for it. */
-static void random_surface_fine(void **state)
+TEST_CASE(random_surface_fine)
 {
-    (void)state;
     if (!getenv("ROUGHCONTACT_SLOW_TESTS"))
         skip();
     random_rows("golden/direct/random_fine.csv", 512, 12, 1e-12);
@@ -65,9 +61,8 @@ static void random_surface_fine(void **state)
 }
 
 /** One wave along x: A = (2/pi) asin sqrt x, gap = Delta (1 - x + x ln x), x = p/(pi E' Delta/L) (Westergaard 1939). */
-static void westergaard_strip(void **state)
+TEST_CASE(westergaard_strip)
 {
-    (void)state;
     struct table table = table_read("golden/direct/westergaard.csv");
     double amplitude = 0.01;
     for (size_t row = 0; row < table.rows; row++) {
@@ -91,9 +86,8 @@ static void westergaard_strip(void **state)
 }
 
 /** cos cos, shifted so that no points tie, against the same cell solved on 1024 x 1024. */
-static void sinusoidal_cell(void **state)
+TEST_CASE(sinusoidal_cell)
 {
-    (void)state;
     struct table table = table_read("golden/direct/sinusoid.csv");
     for (size_t row = 0; row < table.rows; row++) {
         size_t n = (size_t)table_number(&table, row, "N");
@@ -125,9 +119,8 @@ static void sinusoidal_cell(void **state)
 
 /** A paraboloid of radius 1 with its apex off the grid's points: a³ = 3 P R/4E', p = 2 E' a/(pi R) sqrt(1 - r²/a²)
  * (Hertz 1882), of its images the more the larger a/L. The gap in the table is that of the apex' plane. */
-static void sphere_after_hertz(void **state)
+TEST_CASE(sphere_after_hertz)
 {
-    (void)state;
     struct table table = table_read("golden/direct/hertz.csv");
     assert_int_equal(table.rows, 12);
     for (size_t row = 0; row < table.rows; row++) {
@@ -178,9 +171,8 @@ static enum status_code result_of(const double *height, size_t n, const struct d
     return rc;
 }
 
-static void refuses_what_cannot_be_solved(void **state)
+TEST_CASE(refuses_what_cannot_be_solved)
 {
-    (void)state;
     enum { N = 16 };
     double height[N * N] = {0}, *rough = recipe_surface(64);
     static const atomic_bool stop = true;
@@ -226,9 +218,8 @@ static void refuses_what_cannot_be_solved(void **state)
 }
 
 /** One point carries everything: p = p̄ n², and with a hardness the load spreads to p̄ n²/H points. */
-static void spike(void **state)
+TEST_CASE(spike)
 {
-    (void)state;
     enum { N = 16 };
     double height[N * N] = {0};
     height[5 * N + 11] = 1;
@@ -248,9 +239,8 @@ static void spike(void **state)
 }
 
 /** The smallest grids, odd ones too, and loads from one point to all. */
-static void small_grids(void **state)
+TEST_CASE(small_grids)
 {
-    (void)state;
     for (size_t n = 4; n <= 17; n++) {
         double *height = malloc(n * n * sizeof *height);
         uint32_t random = 12345;
@@ -274,9 +264,8 @@ static void small_grids(void **state)
 }
 
 /** The mean pressure that closes a surface everywhere leaves no gap and no resistance. */
-static void complete_contact(void **state)
+TEST_CASE(complete_contact)
 {
-    (void)state;
     double *height = recipe_surface(64);
     struct direct_contact contact = contact_of(height, 64, 64);
     struct direct_contact_load load = load_of(5, INFINITY, 1e-9);
@@ -291,9 +280,8 @@ static void complete_contact(void **state)
 
 /** More load: more area, less gap, less constriction; a hardness in between does the same, and one that is nowhere
  * reached changes nothing. */
-static void monotone_and_warm(void **state)
+TEST_CASE(monotone_and_warm)
 {
-    (void)state;
     double *height = recipe_surface(128);
     struct direct_contact cold = contact_of(height, 128, 128), warm = contact_of(height, 128, 128);
     for (int capped = 0; capped < 2; capped++) {
@@ -335,9 +323,8 @@ static void monotone_and_warm(void **state)
 }
 
 /** Everything scales: heights and cell by s, at the same p/E'. */
-static void scale_free(void **state)
+TEST_CASE(scale_free)
 {
-    (void)state;
     double *height = recipe_surface(64);
     struct direct_contact contact = contact_of(height, 64, 64), small;
     struct status status = {0};
@@ -355,9 +342,8 @@ static void scale_free(void **state)
 }
 
 /** Iterations count as a result: a solver that lost its preconditioner or its directions still converges, slowly. */
-static void effort_as_known(void **state)
+TEST_CASE(effort_as_known)
 {
-    (void)state;
     double *height = recipe_surface(256);
     struct direct_contact contact = contact_of(height, 256, 256);
     struct status status = {0};
@@ -378,9 +364,8 @@ static void effort_as_known(void **state)
 
 /** Three quarters in contact and only a handful of points at the hardness: these change sides in every iteration unless
  * violators wait until they are the worst, and 400 iterations would not do. */
-static void few_points_at_the_hardness(void **state)
+TEST_CASE(few_points_at_the_hardness)
 {
-    (void)state;
     enum { N = 256 };
     struct direct_law law = {1, 1.297, 1.0 / 40, 1};
     struct direct_spectrum spectrum;
@@ -405,26 +390,4 @@ static void few_points_at_the_hardness(void **state)
     direct_contact_free(&contact);
     direct_spectrum_free(&spectrum);
     free(height);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(random_surface_64),
-        cmocka_unit_test(random_surface_128),
-        cmocka_unit_test(random_surface_256),
-        cmocka_unit_test(random_surface_fine),
-        cmocka_unit_test(westergaard_strip),
-        cmocka_unit_test(sinusoidal_cell),
-        cmocka_unit_test(sphere_after_hertz),
-        cmocka_unit_test(refuses_what_cannot_be_solved),
-        cmocka_unit_test(spike),
-        cmocka_unit_test(small_grids),
-        cmocka_unit_test(complete_contact),
-        cmocka_unit_test(monotone_and_warm),
-        cmocka_unit_test(scale_free),
-        cmocka_unit_test(effort_as_known),
-        cmocka_unit_test(few_points_at_the_hardness),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

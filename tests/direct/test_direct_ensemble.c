@@ -31,9 +31,8 @@ static struct direct_ensemble ensemble_of(const struct direct_ensemble_def *def)
 }
 
 /** Seed 1 is the golden surface; the mean, its error and the fine grid's ratio are those of the single solutions. */
-static void means_of_single_solutions(void **state)
+TEST_CASE(means_of_single_solutions)
 {
-    (void)state;
     double scale = recipe_scale();
     struct direct_ensemble_def def = def_of(&scale, 0);
     struct direct_ensemble found = ensemble_of(&def);
@@ -79,9 +78,8 @@ static void means_of_single_solutions(void **state)
 }
 
 /** The same bytes from any number of threads, from Gaussian surfaces and from surfaces with given heights. */
-static void threads_do_not_matter(void **state)
+TEST_CASE(threads_do_not_matter)
 {
-    (void)state;
     double scale = recipe_scale(), given[200];
     for (size_t k = 0; k < 200; k++)
         given[k] = pow((double)k, 2);
@@ -111,9 +109,8 @@ static void threads_do_not_matter(void **state)
 }
 
 /** Under a hardness: no number from p̄ = H on, at least p̄/H in contact below it. */
-static void ladder_with_a_hardness(void **state)
+TEST_CASE(ladder_with_a_hardness)
 {
-    (void)state;
     double scale = recipe_scale();
     struct direct_ensemble_def def = def_of(&scale, 2);
     def.ladder.hardness = 0.3;
@@ -133,9 +130,8 @@ static void ladder_with_a_hardness(void **state)
 }
 
 /** Errors and the stop come through, of the first surface. */
-static void errors_and_stop(void **state)
+TEST_CASE(errors_and_stop)
 {
-    (void)state;
     double scale = recipe_scale(), negative = -1;
     static const atomic_bool stop = true;
     struct direct_ensemble_def def = def_of(&scale, 2);
@@ -152,9 +148,8 @@ static void errors_and_stop(void **state)
 
 /** Predicted convolutions against those of ladders solved, elastic and with a hardness; time and memory by what they
  * are in proportion to. */
-static void predictions(void **state)
+TEST_CASE(predictions)
 {
-    (void)state;
     double load[13];
     struct direct_law law = {1, 1.297, 3e-4 / (128.0 / 6), 3e-4};
     struct direct_spectrum spectrum;
@@ -208,9 +203,8 @@ static void predictions(void **state)
 }
 
 /** The counts hold on a square that is no power of two and mirrored, up to full contact. */
-static void predictions_of_a_map(void **state)
+TEST_CASE(predictions_of_a_map)
 {
-    (void)state;
     enum { SIDE = 75 };
     double *height = recipe_surface(128), *square = malloc(SIDE * SIDE * sizeof *square), load[13];
     struct status status = {0};
@@ -245,17 +239,4 @@ static void predictions_of_a_map(void **state)
     direct_map_free(&map);
     free(square);
     free(height);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(means_of_single_solutions),
-        cmocka_unit_test(threads_do_not_matter),
-        cmocka_unit_test(ladder_with_a_hardness),
-        cmocka_unit_test(errors_and_stop),
-        cmocka_unit_test(predictions),
-        cmocka_unit_test(predictions_of_a_map),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

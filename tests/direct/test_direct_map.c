@@ -11,9 +11,8 @@ static double even_wave(size_t i)
 
 /** A plane and an offset go, the mirror image joins without a step, the filter halves a wave of its cut-off in each
  * direction, holes are filled from beside them. */
-static void conditioning(void **state)
+TEST_CASE(conditioning)
 {
-    (void)state;
     enum { NX = 40, NY = 36, N = 32 };
     double height[NX * NY];
     struct direct_map map;
@@ -45,9 +44,8 @@ static void conditioning(void **state)
     direct_map_free(&map);
 }
 
-static void refused_maps(void **state)
+TEST_CASE(refused_maps)
 {
-    (void)state;
     double height[16 * 16] = {0};
     struct direct_map map;
     struct status status = {0};
@@ -87,9 +85,8 @@ static void solve_mirrored(struct direct_point out[MIRROR_LOADS], const double *
 /** What plane and mirror cost: a periodic surface against what is made of it as if it were a map. Means over seeds of
  * area, gap and constriction over those of the periodic one: the longest waves are what is lost, so a map as long as
  * its longest wave loses gap, one of four of them little. */
-static void mirrored_periodic_surface(void **state)
+TEST_CASE(mirrored_periodic_surface)
 {
-    (void)state;
     enum { N = 128, SEEDS = 4 };
     static const struct {
         double waves, area, gap, constriction; /* most by which a mean differs from 1 */
@@ -123,14 +120,4 @@ static void mirrored_periodic_surface(void **state)
     }
     assert_true(change[0] > 3 * change[1] && change[1] > 0.005);
     free(height);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(conditioning),
-        cmocka_unit_test(refused_maps),
-        cmocka_unit_test(mirrored_periodic_surface),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

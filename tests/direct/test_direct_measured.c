@@ -58,9 +58,8 @@ static bool take(struct measured *out, const struct table *table, size_t row)
 }
 
 /** Area, gap and constriction within 5 %. */
-static void maps_as_known(void **state)
+TEST_CASE(maps_as_known)
 {
-    (void)state;
     struct table table = table_read("golden/direct/real_maps.csv");
     size_t found = 0;
     assert_int_equal(table.rows, 4 * LOADS);
@@ -176,9 +175,8 @@ static void compare(double area[LOADS], double gap[LOADS], const struct measured
 /** An isotropic surface with a map's spectrum and heights has 0.55 to 1.35 of its area, one with the law of its rows
  * instead 0.4 to 1.6; Gaussian surfaces are shown for comparison. The fourth map, flat but for a few pits, is in none.
  */
-static void synthesised_maps(void **state)
+TEST_CASE(synthesised_maps)
 {
-    (void)state;
     struct table table = table_read("golden/direct/real_maps.csv");
     size_t found = 0;
     for (size_t row = 0; row < table.rows && getenv("ROUGHCONTACT_SLOW_TESTS"); row += LOADS) {
@@ -220,13 +218,4 @@ static void synthesised_maps(void **state)
     table_free(&table);
     if (found == 0)
         skip();
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(maps_as_known),
-        cmocka_unit_test(synthesised_maps),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

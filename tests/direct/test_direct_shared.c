@@ -55,9 +55,8 @@ static struct found *found_of(const double *height, double hardness)
 
 /** By teams of all sizes as by one process: elastic; with a hardness below the last load; under one load that touches
  * in parts. */
-static void as_by_one_process(void **state)
+TEST_CASE(as_by_one_process)
 {
-    (void)state;
     static const struct {
         double hardness;
         size_t loads;
@@ -120,9 +119,8 @@ static void find_patches(const struct direct_team *team, void *context)
     direct_contact_free(&contact);
 }
 
-static void patches(void **state)
+TEST_CASE(patches)
 {
-    (void)state;
     static const struct drawing drawings[] = {
         {{"#.#.#.#.", "#.#.#.#.", "#.#.#.#.", "#.#.#.#.", "#.#.#.#.", "#.#.#.#.", "#######.", "........"}, 1, 31},
         {{"..#.....", "........", ".####...", ".#..#.#.", ".####...", "........", "........", "..#....#"}, 4, 14},
@@ -153,9 +151,8 @@ static void patches(void **state)
 }
 
 /** What happens on one rank happens on all, with its message. */
-static void errors_and_stop(void **state)
+TEST_CASE(errors_and_stop)
 {
-    (void)state;
     static const struct {
         enum status_code code;
         const char *says;
@@ -179,11 +176,4 @@ static void errors_and_stop(void **state)
         free(found);
         free(height);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(as_by_one_process), cmocka_unit_test(patches),
-                                       cmocka_unit_test(errors_and_stop)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

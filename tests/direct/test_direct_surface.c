@@ -19,9 +19,8 @@ static void row_powers(double *power, size_t count, const double *height, size_t
 }
 
 /** The recipe surface at some points, its extremes and its rms, on three grids. */
-static void recipe_heights(void **state)
+TEST_CASE(recipe_heights)
 {
-    (void)state;
     struct table table = table_read("golden/direct/random_heights.csv");
     for (size_t row = 0; row < table.rows; row++) {
         size_t n = (size_t)table_number(&table, row, "N");
@@ -46,9 +45,8 @@ static void recipe_heights(void **state)
 
 /** A law's rows come back from the synthesised surface, harmonic by harmonic, whatever the exponent; so do those of
  * a spectrum that is no law at all. */
-static void rows_have_the_law(void **state)
+TEST_CASE(rows_have_the_law)
 {
-    (void)state;
     enum { N = 128 };
     double *height = malloc(N * N * sizeof *height), power[N / 2];
     struct status status = {0};
@@ -90,9 +88,8 @@ static void rows_have_the_law(void **state)
 
 /** In mid band the exact weights are those of the continuous inversion: B = alpha² L^(2 gamma)/4 Gamma(gamma +
  * 1/2)/(sqrt pi Gamma(gamma)). */
-static void weights_near_the_integral(void **state)
+TEST_CASE(weights_near_the_integral)
 {
-    (void)state;
     struct status status = {0};
     for (double gamma = 0.75; gamma < 1.7; gamma += 0.25) {
         struct direct_law law = {1e-3, gamma, 3e-4 / 200, 3e-4};
@@ -105,9 +102,8 @@ static void weights_near_the_integral(void **state)
     }
 }
 
-static void matched_law(void **state)
+TEST_CASE(matched_law)
 {
-    (void)state;
     struct direct_law found;
     struct status status = {0};
     for (double gamma = 0.5; gamma <= 2; gamma += 0.1) {
@@ -130,9 +126,8 @@ static void matched_law(void **state)
 }
 
 /** A finer grid holds the same surface: point for point by interpolation as by synthesis. */
-static void refined_surface(void **state)
+TEST_CASE(refined_surface)
 {
-    (void)state;
     double *coarse = recipe_surface(64), *fine = recipe_surface(192), *refined = malloc(192 * 192 * sizeof *refined);
     struct status status = {0};
     assert_int_equal(direct_surface_refine(refined, 3, coarse, 64, &status), STATUS_OK);
@@ -157,9 +152,8 @@ static double moment(const double *values, size_t count, int power)
 
 /** Skewed heights: the surface has them to a few per cent of its moments and the spectrum exactly; the same seed the
  * same bytes, another seed another surface. */
-static void surface_with_heights(void **state)
+TEST_CASE(surface_with_heights)
 {
-    (void)state;
     enum { N = 128, GIVEN = 3000 };
     double *height = malloc(N * N * sizeof *height), *other = malloc(N * N * sizeof *other), given[GIVEN];
     double power[40], expected[40], scale = 1;
@@ -188,17 +182,4 @@ static void surface_with_heights(void **state)
     assert_int_equal(direct_surface_make(other, N, recipe_variance, &scale, given, 2, 2, &status), STATUS_MODEL);
     free(height);
     free(other);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(recipe_heights),
-        cmocka_unit_test(rows_have_the_law),
-        cmocka_unit_test(weights_near_the_integral),
-        cmocka_unit_test(matched_law),
-        cmocka_unit_test(refined_surface),
-        cmocka_unit_test(surface_with_heights),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

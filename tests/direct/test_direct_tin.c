@@ -94,9 +94,8 @@ static struct direct_ensemble_point solve(const struct direct_law *law, size_t n
 }
 
 /** The first surface, and where slow tests are asked for all. */
-static void laws_as_fitted(void **state)
+TEST_CASE(laws_as_fitted)
 {
-    (void)state;
     for (size_t k = 0; k < sizeof known / sizeof *known; k++) {
         struct direct_law law = {known[k].alpha, known[k].gamma, cut_off_m, known[k].length_m};
         if (known[k].n > 256 && !getenv("ROUGHCONTACT_SLOW_TESTS"))
@@ -116,9 +115,8 @@ static void laws_as_fitted(void **state)
 /** Matched to the scans' own m0 and m2, the first three laws are flatter than a line through the amplitudes'
  * logarithms says; the multiscale model, which takes each harmonic for a scale, is then further off: its area 3.1
  * instead of 2.1 times the direct one on the first surface. */
-static void laws_matched(void **state)
+TEST_CASE(laws_matched)
 {
-    (void)state;
     static const double gammas[] = {1.297, 1.189, 1.041, 0.996};
     for (int k = 0; k < 4; k++) {
         char path[4096];
@@ -146,13 +144,4 @@ static void laws_matched(void **state)
         profile_free(&profile);
         scan_free(&scan);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(laws_as_fitted),
-        cmocka_unit_test(laws_matched),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -41,9 +41,8 @@ static double constriction_above(const double *height_m, double plane_m, size_t 
 
 /** "resistance LOW to HIGH of direct solutions": on all of these with ten spots or more, and no narrower range of one
  * decimal would do. */
-static void the_stated_range_holds(void **state)
+TEST_CASE(the_stated_range_holds)
 {
-    (void)state;
     static const struct band bands[] = {{8, 3.6}, {4, 3.6}, {2, 3.6}, {4, 2}};
     static const double areas[] = {0.01, 0.03, 0.1};
     double low, high, least = INFINITY, most = 0;
@@ -86,10 +85,4 @@ static void the_stated_range_holds(void **state)
     free(sorted_m);
     assert_near(floor(least * 10) / 10, low, 1e-12);
     assert_near(ceil(most * 10) / 10, high, 1e-12);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(the_stated_range_holds)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -43,9 +43,8 @@ static size_t replay(const char *path, void (*target)(const uint8_t *bytes, size
 
 #define CORPUS PROJECT_SOURCE "/tests/fuzz/corpus/"
 
-static void test_scan(void **state)
+TEST_CASE(test_scan)
 {
-    (void)state;
     assert_true(replay(CORPUS "scan", fuzz_scan) > 150);
 #define FORMAT_NAME(prefix, name) name,
     static const char *const formats[] = {SCAN_FORMATS(FORMAT_NAME) "zip", "gz"};
@@ -54,21 +53,12 @@ static void test_scan(void **state)
             fail_msg("no scan of format %s in the corpus: add one", formats[i]);
 }
 
-static void test_scene(void **state)
+TEST_CASE(test_scene)
 {
-    (void)state;
     assert_true(replay(CORPUS "scene", fuzz_scene) > 20);
 }
 
-static void test_measured(void **state)
+TEST_CASE(test_measured)
 {
-    (void)state;
     assert_true(replay(CORPUS "measured", fuzz_measured) > 20);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_scan), cmocka_unit_test(test_scene),
-                                       cmocka_unit_test(test_measured)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

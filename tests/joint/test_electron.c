@@ -4,9 +4,8 @@
 #include "joint/electron.h"
 #include "support.h"
 
-static void paths_match_reference(void **state)
+TEST_CASE(paths_match_reference)
 {
-    (void)state;
     static const char *const names[] = {"Cu", "copper", "Ag", "silver", "Au", "gold", "Al", "aluminium", "Sn", "tin"};
     struct table table = table_read("golden/models/electron.csv");
     for (size_t i = 0; i < table.rows; i++) {
@@ -28,9 +27,8 @@ static void paths_match_reference(void **state)
     table_free(&table);
 }
 
-static void spots_match_reference(void **state)
+TEST_CASE(spots_match_reference)
 {
-    (void)state;
     struct table table = table_read("golden/models/sharvin_wexler.csv");
     for (size_t i = 0; i < table.rows; i++) {
         double rho = table_number(&table, i, "rho_ohm_m"), path = table_number(&table, i, "mean_free_path_m");
@@ -44,21 +42,10 @@ static void spots_match_reference(void **state)
 }
 
 /** Large spots: Holm's rho/(2a); small ones: Sharvin's, plus 0.624 of Holm's. */
-static void limits(void **state)
+TEST_CASE(limits)
 {
-    (void)state;
     assert_near(electron_spot_resistance(2e-8, 4e-8, 1), 1e-8, 1e-6);
     assert_near(electron_spot_resistance(2e-8, 0, 1e-6), 1e-2, 1e-15);
     assert_near(electron_spot_resistance(2e-8, 4e-8, 1e-12) - 4 * 2e-8 * 4e-8 / (3 * M_PI * 1e-24), 0.83 / 1.33 * 1e4,
                 1e-3);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(paths_match_reference),
-        cmocka_unit_test(spots_match_reference),
-        cmocka_unit_test(limits),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

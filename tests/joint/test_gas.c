@@ -3,9 +3,8 @@
 #include "joint/gas.h"
 #include "support.h"
 
-static void table_matches_reference(void **state)
+TEST_CASE(table_matches_reference)
 {
-    (void)state;
     struct table table = table_read("golden/models/gas.csv");
     for (size_t i = 0; i < table.rows; i++) {
         const struct gas *gas = gas_find(table_text(&table, i, "gas"));
@@ -24,9 +23,8 @@ static void table_matches_reference(void **state)
 
 /** Eucken's relation k = mu c_v (9 gamma - 5)/4 holds within 4.1 % (air), 3 % (nitrogen), 1 % (helium, argon): no row
  * has a slip of the pen. Each names its source. */
-static void rows_are_consistent(void **state)
+TEST_CASE(rows_are_consistent)
 {
-    (void)state;
     static const double within[] = {0.041, 0.03, 0.01, 0.01};
     assert_int_equal(gas_count, 4);
     for (size_t i = 0; i < gas_count; i++) {
@@ -42,9 +40,8 @@ static void rows_are_consistent(void **state)
     assert_null(gas_find("xenon"));
 }
 
-static void integral_matches_reference(void **state)
+TEST_CASE(integral_matches_reference)
 {
-    (void)state;
     struct table table = table_read("golden/models/gap.csv");
     for (size_t i = 0; i < table.rows; i++) {
         double y = table_number(&table, i, "Y_over_sigma"), m = table_number(&table, i, "M_over_sigma");
@@ -57,9 +54,8 @@ static void integral_matches_reference(void **state)
 
 /** Wide gaps or long jumps: 1/(Y + M), with the variance of the gaps; a vanishing jump: its logarithm, phi(Y) ln(1/M);
  * it falls with Y (from 2 sigma on) and with M; no jump is too short or long. */
-static void integral_limits(void **state)
+TEST_CASE(integral_limits)
 {
-    (void)state;
     for (double y = 30; y < 1e6; y *= 7)
         assert_near(gas_gap_integral(y, 0.1, 1e-12), (1 + 1 / ((y + 0.1) * (y + 0.1))) / (y + 0.1),
                     4 / (y * y * y * y) + 1e-12);
@@ -78,9 +74,8 @@ static void integral_limits(void **state)
 
 /** The part that touches has no gap; negative separations count as none; a smooth gap is k/(Y + M); vacuum is nothing;
  * half the pressure doubles the jump. */
-static void conductance(void **state)
+TEST_CASE(conductance)
 {
-    (void)state;
     const struct gas *air = gas_find("air");
     double jump_m = gas_jump_length(air, 300, 101325, 0.87, 0.87);
     double h = gas_conductance(air, 1e-6, 3e-6, jump_m, 0, 1e-10);
@@ -94,16 +89,4 @@ static void conductance(void **state)
     assert_within(gas_conductance(air, 1e-6, 3e-6, jump_m, 1, 1e-10), 0, 0);
     assert_near(gas_jump_length(air, 300, 101325.0 / 2, 0.87, 0.87), 2 * jump_m, 1e-14);
     assert_near(gas_jump_length(air, 600, 101325, 0.87, 0.87), 2 * jump_m, 1e-14);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(table_matches_reference),
-        cmocka_unit_test(rows_are_consistent),
-        cmocka_unit_test(integral_matches_reference),
-        cmocka_unit_test(integral_limits),
-        cmocka_unit_test(conductance),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -15,9 +15,8 @@ static const struct heating_metal *metal_of(const char *symbol)
     return NULL;
 }
 
-static void matches_reference(void **state)
+TEST_CASE(matches_reference)
 {
-    (void)state;
     struct table table = table_read("golden/models/holm.csv");
     for (size_t i = 0; i < table.rows; i++) {
         double body_K = table_number(&table, i, "T0_K"), hottest_K = table_number(&table, i, "Tmax_K");
@@ -35,9 +34,8 @@ static void matches_reference(void **state)
 
 /** Small voltages: V²/(8 L T_0), to the last digit; there and back; the softening of Holm's table lies at the
  * temperatures known for it. */
-static void limits(void **state)
+TEST_CASE(limits)
 {
-    (void)state;
     assert_near(heating_rise(1e-9, 300), 1e-18 / (8 * heating_lorenz_number() * 300), 1e-14);
     assert_within(heating_rise(0, 300), 0, 0);
     assert_near(heating_rise(1e-3, 0), 1e-3 / (2 * sqrt(heating_lorenz_number())), 1e-14);
@@ -52,13 +50,4 @@ static void limits(void **state)
         assert_true(isnan(heating_metals[i].softening_voltage_V) ||
                     heating_metals[i].softening_voltage_V < heating_voltage(heating_metals[i].melting_K, 298.15));
     assert_null(heating_metal_find("wood"));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(matches_reference),
-        cmocka_unit_test(limits),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

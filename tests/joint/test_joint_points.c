@@ -28,9 +28,8 @@ static struct contact_point apply(const struct joint *joint, unsigned effects, s
 }
 
 /** What an effect does not fill stays empty, and what the model computed stays as it is. */
-static void off_is_empty(void **state)
+TEST_CASE(off_is_empty)
 {
-    (void)state;
     struct joint joint = joint_default();
     joint.film_ohm_m2 = 1e-12;
     joint.plating_thickness_m = 1e-6;
@@ -48,9 +47,8 @@ static void off_is_empty(void **state)
     }
 }
 
-static void gaps(void **state)
+TEST_CASE(gaps)
 {
-    (void)state;
     struct joint joint = joint_default();
     const unsigned gap = EFFECT_BIT(EFFECT_GAP);
     struct contact_point air = apply(&joint, gap, point_of(0.01, 2e-6));
@@ -85,9 +83,8 @@ static void gaps(void **state)
 }
 
 /** Equal spots have the area and the resistance they are made from; own ones come through as they are. */
-static void spots(void **state)
+TEST_CASE(spots)
 {
-    (void)state;
     struct contact_spots spots = joint_equal_spots(0.02, 3e-10, 6e-8);
     assert_near(spots.density_per_m2 * M_PI * pow(spots.radius_m, 2), 0.02, 1e-14);
     assert_near(6e-8 / (2 * spots.radius_m * spots.density_per_m2), 3e-10, 1e-14);
@@ -104,17 +101,15 @@ static void spots(void **state)
 }
 
 /** Alike spots: rho/(2a) + s/(pi a²) each, n in parallel, n pi a² = A/A_n. */
-static void film_sums_over_spots(void **state)
+TEST_CASE(film_sums_over_spots)
 {
-    (void)state;
     double rho = 1.7e-8, film = 1e-12, n = 1e8, a = 3e-6, spot_m2 = M_PI * a * a;
     assert_near(joint_film(rho / (2 * a) / n, film, n * spot_m2), (rho / (2 * a) + film / spot_m2) / n, 1e-14);
 }
 
 /** No film: no change; a film alone adds s_f A_n/A. */
-static void films(void **state)
+TEST_CASE(films)
 {
-    (void)state;
     struct joint joint = {.film_ohm_m2 = 0};
     assert_within(apply(&joint, EFFECT_BIT(EFFECT_FILM), point_of(0.04, NAN)).value[QUANTITY_JOINT_ECR] - 2e-10, 0, 0);
     joint.film_ohm_m2 = 1e-12;
@@ -126,9 +121,8 @@ static void films(void **state)
 
 /** No plating: 1; a thick one: a body of plating; the surface's side alone, or both; nothing beyond independent spots.
  */
-static void platings(void **state)
+TEST_CASE(platings)
 {
-    (void)state;
     const unsigned plating = EFFECT_BIT(EFFECT_PLATING);
     struct joint joint = {.plating_thickness_m = 1e-18, .plating_ohm_m = 1e-8};
     assert_near(apply(&joint, plating, point_of(0.04, NAN)).value[QUANTITY_PLATING_FACTOR], 1, 1e-9);
@@ -158,9 +152,8 @@ static void platings(void **state)
 }
 
 /** V = I R; the film and the plating are part of R when they run; no current to speak of heats nothing. */
-static void heat(void **state)
+TEST_CASE(heat)
 {
-    (void)state;
     struct joint joint = joint_default();
     joint.current_A = 500;
     joint.film_ohm_m2 = 1e-12;
@@ -176,15 +169,4 @@ static void heat(void **state)
                 400. * 400 + pow(0.05, 2) / (4 * heating_lorenz_number()), 1e-13);
     joint.current_A = 1e-12;
     assert_near(apply(&joint, heating, point_of(0.04, NAN)).value[QUANTITY_TEMPERATURE], 400, 1e-15);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(off_is_empty), cmocka_unit_test(gaps),
-        cmocka_unit_test(spots),        cmocka_unit_test(film_sums_over_spots),
-        cmocka_unit_test(films),        cmocka_unit_test(platings),
-        cmocka_unit_test(heat),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

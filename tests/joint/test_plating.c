@@ -3,9 +3,8 @@
 #include "joint/plating.h"
 #include "support.h"
 
-static void matches_reference(void **state)
+TEST_CASE(matches_reference)
 {
-    (void)state;
     struct table table = table_read("golden/models/layer.csv");
     for (size_t i = 0; i < table.rows; i++) {
         double ratio = table_number(&table, i, "rho_layer_over_substrate");
@@ -28,9 +27,8 @@ static double plain_sum(double thickness, double ratio)
 }
 
 /** The accelerated sum is the sum, also where that takes 10^5 terms. */
-static void acceleration_is_exact(void **state)
+TEST_CASE(acceleration_is_exact)
 {
-    (void)state;
     for (double thickness = 1e-5; thickness < 200; thickness *= 3)
         for (double ratio = 1e-3; ratio < 1e3; ratio *= 2.3)
             assert_near(plating_factor(thickness, ratio, 1), plain_sum(thickness, ratio), 1e-12 * fmax(ratio, 1));
@@ -38,9 +36,8 @@ static void acceleration_is_exact(void **state)
 
 /** No plating: the body's resistance; a thick one: its own; alike metals: 1; between, monotone; extreme ratios finite.
  */
-static void limits(void **state)
+TEST_CASE(limits)
 {
-    (void)state;
     for (double ratio = 1e-12; ratio < 1e13; ratio *= 10) {
         double none = plating_factor(0, ratio, 1);
         assert_near(none, 1 / ratio, 1e-13 * fmax(ratio, 1));
@@ -55,14 +52,4 @@ static void limits(void **state)
     }
     assert_within(plating_factor(0.3, 2, 2) - 1, 0, 0);
     assert_near(plating_factor(0.3, 1e-8, 4e-8), plating_factor(0.3, 1, 4), 1e-14);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(matches_reference),
-        cmocka_unit_test(acceleration_is_exact),
-        cmocka_unit_test(limits),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -66,9 +66,8 @@ static struct names read_symbols(const char *option)
     return names;
 }
 
-static void only_the_header_is_exported(void **state)
+TEST_CASE(only_the_header_is_exported)
 {
-    (void)state;
     struct names declared = read_header(), exported = read_symbols("--defined-only");
     assert_true(declared.count > 20);
     for (size_t i = 0; i < declared.count; i++)
@@ -81,13 +80,12 @@ static void only_the_header_is_exported(void **state)
 
 /** It cannot print, end the program or take its signals: it does not even know how. (sigaction() and _exit() are there
  * for a child that becomes another program, which readers start for the program alone.) */
-static void it_leaves_the_host_alone(void **state)
+TEST_CASE(it_leaves_the_host_alone)
 {
     static const char *const never[] = {"printf", "puts",   "putchar",      "perror", "fprintf",      "vprintf",
                                         "exit",   "abort",  "quick_exit",   "signal", "setlocale",    "srand",
                                         "rand",   "system", "popen",        "fork",   "__printf_chk", "stdout",
                                         "stderr", "atexit", "__fprintf_chk"};
-    (void)state;
     struct names used = read_symbols("--undefined-only");
     assert_true(has(&used, "malloc"));
     for (size_t i = 0; i < sizeof never / sizeof *never; i++)
@@ -96,7 +94,7 @@ static void it_leaves_the_host_alone(void **state)
 }
 
 /** The header stands alone, in C and in C++, under strict warnings. */
-static void the_header_stands_alone(void **state)
+TEST_IN_WORKSPACE(the_header_stands_alone)
 {
     static const char *const languages[][3] = {{"cc", "c", "-std=c99"}, {"c++", "c++", "-std=c++11"}};
     char include[512];
@@ -123,14 +121,4 @@ static void the_header_stands_alone(void **state)
             process_expect(process_end(process_start_list(*state, compile, NULL)), 0, __FILE__, __LINE__);
         process_free(&process);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(only_the_header_is_exported),
-        cmocka_unit_test(it_leaves_the_host_alone),
-        workspace_test(the_header_stands_alone),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -30,9 +30,8 @@ static void *raise_elsewhere(void *unused)
     return unused;
 }
 
-static void gsl_errors_stay_with_the_host(void **state)
+TEST_CASE(gsl_errors_stay_with_the_host)
 {
-    (void)state;
     struct host outer, inner;
     gsl_error_handler_t *before = gsl_set_error_handler(count_error);
     errors = 0;
@@ -131,7 +130,7 @@ static char *uneven_scan(void)
     return text;
 }
 
-static void the_locale_changes_nothing(void **state)
+TEST_IN_WORKSPACE(the_locale_changes_nothing)
 {
     char *bytes = uneven_scan(), shown[16];
     char *expected = ask(bytes, "multiscale-plastic");
@@ -162,9 +161,8 @@ static void the_locale_changes_nothing(void **state)
     free(bytes);
 }
 
-static void rounding_and_traps_change_nothing(void **state)
+TEST_CASE(rounding_and_traps_change_nothing)
 {
-    (void)state;
     char *bytes = uneven_scan();
     static const int modes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
     static const char *const models[] = {"multiscale-plastic", "jg", "persson"};
@@ -216,9 +214,8 @@ static void *work(void *argument)
     return NULL;
 }
 
-static void threads_do_not_disturb_each_other(void **state)
+TEST_CASE(threads_do_not_disturb_each_other)
 {
-    (void)state;
     char *bytes = uneven_scan(), *expected[MODELS];
     for (size_t m = 0; m < MODELS; m++)
         assert_non_null(expected[m] = ask(bytes, thread_models[m]));
@@ -252,15 +249,4 @@ static void threads_do_not_disturb_each_other(void **state)
     for (size_t m = 0; m < MODELS; m++)
         free(expected[m]);
     free(bytes);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(gsl_errors_stay_with_the_host),
-        workspace_test(the_locale_changes_nothing),
-        cmocka_unit_test(rounding_and_traps_change_nothing),
-        cmocka_unit_test(threads_do_not_disturb_each_other),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

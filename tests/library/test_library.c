@@ -198,7 +198,7 @@ static void write_uneven(const char *place)
     workspace_write(place, "d/a.csv", uneven);
 }
 
-static void report_and_library_agree(void **state)
+TEST_IN_WORKSPACE(report_and_library_agree)
 {
     static const struct property properties[] = {{"E_Pa", 70e9},
                                                  {"nu", 0.33},
@@ -281,7 +281,7 @@ static size_t expect_inspected(const char *place, const char *path, bool even)
     return met;
 }
 
-static void inspect_and_library_agree(void **state)
+TEST_IN_WORKSPACE(inspect_and_library_agree)
 {
     workspace_scan(*state, "a.csv", 1200, 5);
     (void)expect_inspected(*state, "a.csv", true);
@@ -289,7 +289,7 @@ static void inspect_and_library_agree(void **state)
     assert_true(expect_inspected(*state, "d/a.csv", false) > 0);
 }
 
-static void bytes_are_as_the_file(void **state)
+TEST_IN_WORKSPACE(bytes_are_as_the_file)
 {
     workspace_scan(*state, "a.csv", 500, 7);
     char *content = workspace_read(*state, "a.csv");
@@ -311,7 +311,7 @@ static void bytes_are_as_the_file(void **state)
 }
 
 /** Of an archive the first scan is read, and that there are more is said. */
-static void archives_say_what_was_read(void **state)
+TEST_IN_WORKSPACE(archives_say_what_was_read)
 {
     char *content;
     workspace_scan(*state, "a.csv", 300, 1);
@@ -334,7 +334,7 @@ static void archives_say_what_was_read(void **state)
 }
 
 /** What the program says of a file, the library says, but of the remedy: it never guesses a unit. */
-static void units_are_not_guessed(void **state)
+TEST_IN_WORKSPACE(units_are_not_guessed)
 {
     struct roughcontact_status status;
     struct roughcontact_scan_options options;
@@ -381,7 +381,7 @@ static void units_are_not_guessed(void **state)
         expect_part(status.message, part);                                                                             \
     } while (0)
 
-static void faults_of_surfaces_are_errors(void **state)
+TEST_IN_WORKSPACE(faults_of_surfaces_are_errors)
 {
     const size_t size = sizeof(struct roughcontact_surface_options), profile = ROUGHCONTACT_NO_ROW;
     const struct {
@@ -409,10 +409,9 @@ static void faults_of_surfaces_are_errors(void **state)
     roughcontact_surface_free(NULL);
 }
 
-static void faults_of_materials_are_errors(void **state)
+TEST_CASE(faults_of_materials_are_errors)
 {
     struct roughcontact_material *material;
-    (void)state;
     EXPECT(roughcontact_material_new(&material, "unobtainium", &status), ROUGHCONTACT_USAGE, "unobtainium");
     assert_null(material);
     material = make_material(NULL, NULL);
@@ -426,7 +425,7 @@ static void faults_of_materials_are_errors(void **state)
 }
 
 /** What is wrong is said, and no handle comes of it. */
-static void faults_of_runs_are_errors(void **state)
+TEST_IN_WORKSPACE(faults_of_runs_are_errors)
 {
     static const double rising[] = {1e-4, 1e-3}, falling[] = {1e-3, 1e-4}, zero[] = {0, 1e-3};
     static const struct property elastic[] = {{"E_Pa", 1e11}, {"nu", 0.3}, {NULL, 0}};
@@ -485,9 +484,8 @@ static void faults_of_runs_are_errors(void **state)
 }
 
 /** A map is no profile until a row of it is named. */
-static void a_map_needs_a_row(void **state)
+TEST_CASE(a_map_needs_a_row)
 {
-    (void)state;
     static const char head[] = "Gwyddion Simple Field 1.0\nXRes = 64\nYRes = 3\nXReal = 64e-6\nYReal = 3e-6\n"
                                "XYUnits = m\nZUnits = m\n";
     char bytes[2048];
@@ -517,7 +515,7 @@ static void a_map_needs_a_row(void **state)
 }
 
 /** No reader knows these bytes: the program asks Gwyddion, where it is installed; the library starts no program. */
-static void no_program_is_started(void **state)
+TEST_IN_WORKSPACE(no_program_is_started)
 {
     struct roughcontact_status status;
     struct roughcontact_scan *scan;
@@ -542,7 +540,7 @@ static void no_program_is_started(void **state)
 }
 
 /** Loads in Pa are those over E' times E'. */
-static void loads_may_be_pressures(void **state)
+TEST_IN_WORKSPACE(loads_may_be_pressures)
 {
     static const struct property elastic[] = {{"E_Pa", 40e9}, {"nu", 0.3}, {NULL, 0}};
     const double modulus_Pa = 40e9 / (1 - 0.3 * 0.3), loads[] = {1e-5, 1e-4, 1e-3};
@@ -572,7 +570,7 @@ static void loads_may_be_pressures(void **state)
 }
 
 /** Beyond the range that a model was made for its points exist but are not valid. */
-static void validity_is_told(void **state)
+TEST_IN_WORKSPACE(validity_is_told)
 {
     workspace_scan(*state, "a.csv", 400, 2);
     struct roughcontact_surface *surface = make_surface(read_scan(*state, "a.csv"), NULL);
@@ -607,7 +605,7 @@ static void validity_is_told(void **state)
 }
 
 /** A program built with an older header knows shorter options; one with a newer one, longer. */
-static void options_may_grow(void **state)
+TEST_IN_WORKSPACE(options_may_grow)
 {
     workspace_scan(*state, "a.csv", 300, 4);
     struct roughcontact_scan *scan = read_scan(*state, "a.csv");
@@ -635,24 +633,4 @@ static void options_may_grow(void **state)
     EXPECT(roughcontact_surface_make(&surface, scan, &newer.known, &status), ROUGHCONTACT_USAGE,
            roughcontact_version());
     roughcontact_scan_free(scan);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        workspace_test(report_and_library_agree),
-        workspace_test(inspect_and_library_agree),
-        workspace_test(bytes_are_as_the_file),
-        workspace_test(archives_say_what_was_read),
-        workspace_test(units_are_not_guessed),
-        workspace_test(faults_of_surfaces_are_errors),
-        cmocka_unit_test(faults_of_materials_are_errors),
-        workspace_test(faults_of_runs_are_errors),
-        cmocka_unit_test(a_map_needs_a_row),
-        workspace_test(loads_may_be_pressures),
-        workspace_test(validity_is_told),
-        workspace_test(no_program_is_started),
-        workspace_test(options_may_grow),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -11,17 +11,15 @@ static const struct material *known(const char *name)
     return material;
 }
 
-static void test_tin_is_table_6_1(void **state)
+TEST_CASE(test_tin_is_table_6_1)
 {
-    (void)state;
     static const double values[] = {41.369e9, 0.36, 14e6, 11.5e-8, 66.8, 7310, 227, 2730}; /* E_Pa, nu, Sy_Pa, ... */
     for (size_t p = 0; p < sizeof values / sizeof *values; p++)
         assert_near(material_value(known("tin"), &material_properties[p]), values[p], 0);
 }
 
-static void test_tin_against_a_rigid_flat(void **state)
+TEST_CASE(test_tin_against_a_rigid_flat)
 {
-    (void)state;
     struct material_pair pair = material_pair(known("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
     assert_near(pair.yield_coefficient, 1.6878755972587788, 1e-14);
     assert_near(pair.effective_modulus_Pa, k_tin_effective_modulus, 1e-14);
@@ -34,9 +32,8 @@ static void test_tin_against_a_rigid_flat(void **state)
     assert_near(pair.side_conductivity_W_per_mK[1], 66.8, 0);
 }
 
-static void test_same_metal_is_half_as_stiff(void **state)
+TEST_CASE(test_same_metal_is_half_as_stiff)
 {
-    (void)state;
     for (size_t i = 0; i < material_table_count; i++) {
         const struct material *metal = &material_table[i];
         if (isnan(metal->youngs_modulus_Pa))
@@ -53,9 +50,8 @@ static void test_same_metal_is_half_as_stiff(void **state)
     }
 }
 
-static void test_two_metals(void **state)
+TEST_CASE(test_two_metals)
 {
-    (void)state;
     const struct material *tin = known("tin"), *copper = known("copper");
     struct material_pair pair = material_pair(copper, MATERIAL_COUNTERFACE_ELASTIC, tin);
     double expected = 1 / ((1 - 0.36 * 0.36) / 41.369e9 +
@@ -77,9 +73,8 @@ static void test_two_metals(void **state)
     assert_near(turned.yield_strength_Pa, 14e6, 0);
 }
 
-static void test_what_is_missing_is_nan(void **state)
+TEST_CASE(test_what_is_missing_is_nan)
 {
-    (void)state;
     struct material some = material_unknown("some");
     assert_string_equal(some.name, "some");
     for (size_t i = 0; i < material_property_count; i++)
@@ -106,9 +101,8 @@ static void test_what_is_missing_is_nan(void **state)
 }
 
 /* A given hardness and path of the heat carriers are taken, that of the softer body; else 2.84 S_y and 3k/(...). */
-static void test_given_instead_of_derived(void **state)
+TEST_CASE(test_given_instead_of_derived)
 {
-    (void)state;
     struct material tin = *known("tin"), copper = *known("copper");
     assert_near(material_pair(&tin, MATERIAL_COUNTERFACE_RIGID, NULL).hardness_Pa, 2.84 * 14e6, 1e-15);
     tin.hardness_Pa = 1e8;
@@ -121,9 +115,8 @@ static void test_given_instead_of_derived(void **state)
     assert_near(material_pair(&copper, MATERIAL_COUNTERFACE_ELASTIC, &tin).hardness_Pa, 1e8, 0);
 }
 
-static void test_no_material(void **state)
+TEST_CASE(test_no_material)
 {
-    (void)state;
     struct material_pair none = material_pair_unknown();
     assert_true(none.unknown && isnan(none.yield_strength_Pa) && isnan(none.resistivity_ohm_m));
     assert_near(none.effective_modulus_Pa, 1, 0);
@@ -133,9 +126,8 @@ static void test_no_material(void **state)
     assert_near(material_pair_pressure(&tin, 1e-3), 1e-3 * k_tin_effective_modulus, 1e-15);
 }
 
-static void test_names(void **state)
+TEST_CASE(test_names)
 {
-    (void)state;
     static const char *const others[][2] = {{"CuSn6", "bronze"},
                                             {"c17200", "beryllium-copper"},
                                             {"C7025", "copper-nickel-silicon"},
@@ -159,9 +151,8 @@ static void assert_law(double value, double law, double share)
 }
 
 /* A wrong power of ten or two exchanged columns would break these laws of metals. */
-static void test_the_table_is_plausible(void **state)
+TEST_CASE(test_the_table_is_plausible)
 {
-    (void)state;
     assert_true(material_table_count >= 9);
     for (size_t i = 0; i < material_table_count; i++) {
         const struct material *metal = &material_table[i];
@@ -187,9 +178,8 @@ static void test_the_table_is_plausible(void **state)
     }
 }
 
-static void test_property_rows(void **state)
+TEST_CASE(test_property_rows)
 {
-    (void)state;
     static const char *const keys[] = {"E_Pa", "nu", "Sy_Pa", "resistivity_ohm_m", "conductivity_W_per_mK"};
     for (size_t p = 0; p < material_property_count; p++) {
         if (p < sizeof keys / sizeof *keys)
@@ -199,21 +189,4 @@ static void test_property_rows(void **state)
         for (size_t other = 0; other < p; other++)
             assert_true(material_properties[p].offset != material_properties[other].offset);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_tin_is_table_6_1),
-        cmocka_unit_test(test_tin_against_a_rigid_flat),
-        cmocka_unit_test(test_same_metal_is_half_as_stiff),
-        cmocka_unit_test(test_two_metals),
-        cmocka_unit_test(test_what_is_missing_is_nan),
-        cmocka_unit_test(test_given_instead_of_derived),
-        cmocka_unit_test(test_no_material),
-        cmocka_unit_test(test_names),
-        cmocka_unit_test(test_the_table_is_plausible),
-        cmocka_unit_test(test_property_rows),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,9 +3,8 @@
 #include "output/cell.h"
 #include "support.h"
 
-static void test_cells(void **state)
+TEST_CASE(test_cells)
 {
-    (void)state;
     struct results_lost lost = {.lock = PTHREAD_MUTEX_INITIALIZER};
     const struct cell_guard guard = {"dull", &lost};
     struct text row = {0};
@@ -22,9 +21,8 @@ static void test_cells(void **state)
 }
 
 /* They cost no report: both are counted, and the first is named, by quantity and surface, or by quantity alone. */
-static void test_infinite_numbers(void **state)
+TEST_CASE(test_infinite_numbers)
 {
-    (void)state;
     struct results_lost lost = {.lock = PTHREAD_MUTEX_INITIALIZER}, other = lost;
     const struct cell_guard guard = {"dull", &lost}, of_scene = {NULL, &other};
     struct text row = {0};
@@ -39,10 +37,4 @@ static void test_infinite_numbers(void **state)
     assert_non_null(strstr(other.first, "tolerance came out infinite"));
     json_decref(absent);
     text_free(&row);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_cells), cmocka_unit_test(test_infinite_numbers)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -72,7 +72,7 @@ static json_t *read_json(const struct directory *place, const char *name)
 }
 
 /* The same numbers as the tables, to the last bit, and everything they were made from. */
-static void test_the_json_agrees_with_the_tables(void **state)
+TEST_CASE(test_the_json_agrees_with_the_tables)
 {
     static const char *const columns[] = {"load_over_AnEp", "area_ratio",     "separation_m",
                                           "ecr_ohm_m2",     "tcr_K_m2_per_W", "tcr_sd_K_m2_per_W"};
@@ -117,7 +117,7 @@ static void test_the_json_agrees_with_the_tables(void **state)
     json_decref(root);
 }
 
-static void test_the_json_names_program_scene_and_input(void **state)
+TEST_CASE(test_the_json_names_program_scene_and_input)
 {
     json_t *root = read_json(*state, "out/results.json");
     const json_t *scene = json_object_get(root, "scene");
@@ -135,7 +135,7 @@ static void test_the_json_names_program_scene_and_input(void **state)
     json_decref(root);
 }
 
-static void test_effects_that_do_not_run_leave_nothing(void **state)
+TEST_CASE(test_effects_that_do_not_run_leave_nothing)
 {
     json_t *root = read_json(*state, "out-electrical/results.json");
     const json_t *models = json_object_get(json_surface(root, "smooth"), "models");
@@ -149,12 +149,4 @@ static void test_effects_that_do_not_run_leave_nothing(void **state)
     json_decref(root);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_json_agrees_with_the_tables),
-        cmocka_unit_test(test_the_json_names_program_scene_and_input),
-        cmocka_unit_test(test_effects_that_do_not_run_leave_nothing),
-    };
-    return cmocka_run_group_tests(tests, place_setup, place_teardown);
-}
+TEST_GROUP(place_setup, place_teardown)

@@ -135,7 +135,7 @@ static enum cell empty_in_surfaces(const struct table *table, size_t row, const 
     return empty ? CELL_EMPTY : CELL_NUMBER;
 }
 
-static void test_columns_are_those_promised(void **state)
+TEST_CASE(test_columns_are_those_promised)
 {
     static const struct {
         const char *name, *columns, *texts;
@@ -154,7 +154,7 @@ static void test_columns_are_those_promised(void **state)
     }
 }
 
-static void test_the_surfaces(void **state)
+TEST_CASE(test_the_surfaces)
 {
     struct table table = open_table(*state, "out/data/surfaces.csv");
     static const char *const files[] = {"smooth.csv", "bowl.csv", "rough-1.csv;rough-2.csv"};
@@ -177,7 +177,7 @@ static void test_the_surfaces(void **state)
 }
 
 /* Parseval over the file, the fit as in surfaces.csv, wavelengths L/n. */
-static void test_the_spectra(void **state)
+TEST_CASE(test_the_spectra)
 {
     struct table spectrum = open_table(*state, "out/data/spectrum.csv");
     struct table surfaces = open_table(*state, "out/data/surfaces.csv");
@@ -247,7 +247,7 @@ static double spread_mean(const struct table *spread, const char *surface, const
     return NAN;
 }
 
-static void test_the_contact_curves(void **state)
+TEST_CASE(test_the_contact_curves)
 {
     struct table spread = open_table(*state, "out/data/spread.csv");
     struct table contact = open_table(*state, "out/data/contact.csv");
@@ -289,7 +289,7 @@ static void test_the_contact_curves(void **state)
 }
 
 /* Both sweeps in both laws; areas fall as shorter waves are let in. */
-static void test_the_convergence_study(void **state)
+TEST_CASE(test_the_convergence_study)
 {
     struct table table = open_table(*state, "out/data/convergence.csv");
     size_t curves = 0;
@@ -317,7 +317,7 @@ static void test_the_convergence_study(void **state)
 }
 
 /* Called for: electrical. Nothing else leaves a column, a row or a file. */
-static void test_effects_that_do_not_run_leave_nothing(void **state)
+TEST_CASE(test_effects_that_do_not_run_leave_nothing)
 {
     assert_int_equal(pipeline_run(*state, "electrical", "out-electrical", 1), 0);
     struct table contact = open_table(*state, "out-electrical/data/contact.csv");
@@ -334,7 +334,7 @@ static void test_effects_that_do_not_run_leave_nothing(void **state)
     table_free(&surfaces);
 }
 
-static void test_models_that_do_not_run_leave_nothing(void **state)
+TEST_CASE(test_models_that_do_not_run_leave_nothing)
 {
     assert_int_equal(pipeline_run(*state, "multiscale", "out-multiscale", 1), 0);
     struct table contact = open_table(*state, "out-multiscale/data/contact.csv");
@@ -354,9 +354,8 @@ static void test_models_that_do_not_run_leave_nothing(void **state)
     table_free(&contact);
 }
 
-static void test_scales_are_spread_evenly(void **state)
+TEST_CASE(test_scales_are_spread_evenly)
 {
-    (void)state;
     size_t index[50];
     for (size_t scales = 1; scales <= 100000; scales *= 10) {
         size_t count = results_sweep_scales(index, 50, scales);
@@ -371,17 +370,4 @@ static void test_scales_are_spread_evenly(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_columns_are_those_promised),
-        cmocka_unit_test(test_the_surfaces),
-        cmocka_unit_test(test_the_spectra),
-        cmocka_unit_test(test_the_contact_curves),
-        cmocka_unit_test(test_the_convergence_study),
-        cmocka_unit_test(test_effects_that_do_not_run_leave_nothing),
-        cmocka_unit_test(test_models_that_do_not_run_leave_nothing),
-        cmocka_unit_test(test_scales_are_spread_evenly),
-    };
-    return cmocka_run_group_tests(tests, place_setup, place_teardown);
-}
+TEST_GROUP(place_setup, place_teardown)

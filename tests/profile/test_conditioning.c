@@ -43,8 +43,10 @@ static struct profile condition(double *z, double spacing_m, struct profile_opti
     return profile_good(&scan, &options);
 }
 
+#define PLACED(name) TEST_WITH(name, setup, teardown)
+
 /* Dektak prints x to 0.1 um and its spacing in the header; a header that does not fit is not believed. */
-static void test_header_spacing_of_rounded_positions(void **state)
+PLACED(test_header_spacing_of_rounded_positions)
 {
     struct fixture *f = *state;
     static const struct {
@@ -67,9 +69,8 @@ static void test_header_spacing_of_rounded_positions(void **state)
     }
 }
 
-static void test_reader_hands_the_header_spacing_over(void **state)
+TEST_CASE(test_reader_hands_the_header_spacing_over)
 {
-    (void)state;
     static const char text[] = "Scan Parameters\nResolution,0.156 um/sample\n\nScan Data\nLateral um,Raw Micrometer,\n"
                                "0.0,1,,\n0.2,2,,\n0.3,1,,\n0.5,3,,\n";
     struct scan_bytes file = {text, sizeof text - 1, "d.csv"};
@@ -82,7 +83,7 @@ static void test_reader_hands_the_header_spacing_over(void **state)
 }
 
 /* lambda_s and lambda_c leave of a wave what both transmissions say. */
-static void test_filters(void **state)
+PLACED(test_filters)
 {
     struct fixture *f = *state;
     make_smooth(f->z);
@@ -109,7 +110,7 @@ static void test_filters(void **state)
 }
 
 /* Uneven points: kept as measured until a filter makes them something else. */
-static void test_measured_points(void **state)
+PLACED(test_measured_points)
 {
     struct fixture *f = *state;
     uint64_t seed = 1;
@@ -128,7 +129,7 @@ static void test_measured_points(void **state)
     profile_free(&profile);
 }
 
-static void test_a_good_profile_needs_no_note(void **state)
+PLACED(test_a_good_profile_needs_no_note)
 {
     struct fixture *f = *state;
     make_smooth(f->z);
@@ -139,7 +140,7 @@ static void test_a_good_profile_needs_no_note(void **state)
     profile_free(&profile);
 }
 
-static void test_units_that_cannot_be(void **state)
+PLACED(test_units_that_cannot_be)
 {
     struct fixture *f = *state;
     make_smooth(f->z);
@@ -152,7 +153,7 @@ static void test_units_that_cannot_be(void **state)
 }
 
 /* Heights rounded to q: found whatever the offset, and told where q²/(2 h^4) is a fifth of m4. */
-static void test_digitising(void **state)
+PLACED(test_digitising)
 {
     struct fixture *f = *state;
     static const double offsets_m[] = {0, 3e-3, -7e-2};
@@ -180,7 +181,7 @@ static void test_digitising(void **state)
 
 /* The tilt is off: a steep one makes all differences of neighbours alike, which is no digitiser; one that the
  * instrument took out leaves them off the multiples of its step, which are there all the same. */
-static void test_digitising_under_a_tilt(void **state)
+PLACED(test_digitising_under_a_tilt)
 {
     struct fixture *f = *state;
     static const double tilts_m[] = {0, 7.7e-9, -4.3e-7, 5e-6}; /* a point */
@@ -201,7 +202,7 @@ static void test_digitising_under_a_tilt(void **state)
 }
 
 /* White noise of 10 nm under the waves: m4 falls nearly 16 times with every other point; a filter ends the warning. */
-static void test_noise(void **state)
+PLACED(test_noise)
 {
     struct fixture *f = *state;
     uint64_t seed = 2;
@@ -222,7 +223,7 @@ static void test_noise(void **state)
 }
 
 /* Waves of 64.37 um and 1 um: RMS radius of curvature sqrt(2) (64.37/2 pi)² = 148 um. */
-static void test_tip_radius(void **state)
+PLACED(test_tip_radius)
 {
     struct fixture *f = *state;
     make_smooth(f->z);
@@ -242,7 +243,7 @@ static void test_tip_radius(void **state)
     profile_free(&profile);
 }
 
-static void test_ends_and_few_points(void **state)
+PLACED(test_ends_and_few_points)
 {
     struct fixture *f = *state;
     for (size_t i = 0; i < POINTS; i++) /* a flat line whose last point is off */
@@ -258,22 +259,4 @@ static void test_ends_and_few_points(void **state)
     profile = profile_good(&scan, &profile_defaults);
     assert_null(find_note(&profile, "points;"));
     profile_free(&profile);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_header_spacing_of_rounded_positions, setup, teardown),
-        cmocka_unit_test(test_reader_hands_the_header_spacing_over),
-        cmocka_unit_test_setup_teardown(test_filters, setup, teardown),
-        cmocka_unit_test_setup_teardown(test_measured_points, setup, teardown),
-        cmocka_unit_test_setup_teardown(test_a_good_profile_needs_no_note, setup, teardown),
-        cmocka_unit_test_setup_teardown(test_units_that_cannot_be, setup, teardown),
-        cmocka_unit_test_setup_teardown(test_digitising, setup, teardown),
-        cmocka_unit_test_setup_teardown(test_digitising_under_a_tilt, setup, teardown),
-        cmocka_unit_test_setup_teardown(test_noise, setup, teardown),
-        cmocka_unit_test_setup_teardown(test_tip_radius, setup, teardown),
-        cmocka_unit_test_setup_teardown(test_ends_and_few_points, setup, teardown),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

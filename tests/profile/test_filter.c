@@ -24,9 +24,8 @@ static void make_noise(double *z, size_t points, uint64_t seed)
 }
 
 /* ISO 16610-21: half of the amplitude passes at the cut-off, 2^-(cutoff/wavelength)² in general. */
-static void test_sinusoids_pass_as_the_standard_says(void **state)
+TEST_CASE(test_sinusoids_pass_as_the_standard_says)
 {
-    (void)state;
     enum { POINTS = 20000, MARGIN = 2500 };
     static const double ratios[] = {0.25, 0.5, 1, 2, 4}; /* wavelength/cutoff */
     double *z = malloc(POINTS * sizeof *z), cutoff_m = 8e-4, spacing_m = 5e-7;
@@ -43,9 +42,8 @@ static void test_sinusoids_pass_as_the_standard_says(void **state)
 
 /* Of a record that closes on itself every harmonic passes as the standard says, up to both ends: transforms of even,
  * odd and prime length, weights that reach around more than half of it. */
-static void test_harmonics_of_a_periodic_record(void **state)
+TEST_CASE(test_harmonics_of_a_periodic_record)
 {
-    (void)state;
     static const struct {
         size_t points;
         double cutoff; /* in spacings */
@@ -65,9 +63,8 @@ static void test_harmonics_of_a_periodic_record(void **state)
     }
 }
 
-static void test_constants_stay_up_to_both_ends(void **state)
+TEST_CASE(test_constants_stay_up_to_both_ends)
 {
-    (void)state;
     static const size_t points[] = {3, 7, 1000, 1001};
     static const double cutoffs_m[] = {1e-9, 1e-6, 1e-4, 1};
     for (size_t p = 0; p < 4; p++)
@@ -81,9 +78,8 @@ static void test_constants_stay_up_to_both_ends(void **state)
         }
 }
 
-static void test_it_is_linear(void **state)
+TEST_CASE(test_it_is_linear)
 {
-    (void)state;
     enum { POINTS = 777 };
     double a[POINTS], b[POINTS], both[POINTS];
     make_noise(a, POINTS, 1);
@@ -98,9 +94,8 @@ static void test_it_is_linear(void **state)
 }
 
 /* The weights written out and summed point by point, normalised by those within the record. */
-static void test_against_the_direct_sum(void **state)
+TEST_CASE(test_against_the_direct_sum)
 {
-    (void)state;
     enum { POINTS = 301 };
     static const double cutoffs_m[] = {3e-6, 1.4e-5, 4.7e-5, 9e-4};
     double z[POINTS], filtered[POINTS];
@@ -122,9 +117,8 @@ static void test_against_the_direct_sum(void **state)
     }
 }
 
-static void test_a_million_points_are_quick(void **state)
+TEST_CASE(test_a_million_points_are_quick)
 {
-    (void)state;
     enum { POINTS = 1000000 };
     double *z = malloc(POINTS * sizeof *z);
     make_noise(z, POINTS, 4);
@@ -134,17 +128,4 @@ static void test_a_million_points_are_quick(void **state)
     print_message("10^6 points, 80000 to a cut-off: %.3f s\n", seconds);
     assert_true(seconds < 5); /* a direct sum takes minutes */
     free(z);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_sinusoids_pass_as_the_standard_says),
-        cmocka_unit_test(test_harmonics_of_a_periodic_record),
-        cmocka_unit_test(test_constants_stay_up_to_both_ends),
-        cmocka_unit_test(test_it_is_linear),
-        cmocka_unit_test(test_against_the_direct_sum),
-        cmocka_unit_test(test_a_million_points_are_quick),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -14,9 +14,8 @@ static void make_wave(double *z)
 }
 
 /* Gaps of g points in a sinusoid: a straight bridge is off by (k w)²/8 of the amplitude at most, w = (g + 1) h. */
-static void test_gaps_in_a_sinusoid(void **state)
+TEST_CASE(test_gaps_in_a_sinusoid)
 {
-    (void)state;
     double z[POINTS], whole[POINTS];
     make_wave(whole);
     for (size_t gap = 1; gap <= 20; gap += 19) {
@@ -43,9 +42,8 @@ static void test_gaps_in_a_sinusoid(void **state)
 }
 
 /* A bridge over uneven positions follows them. */
-static void test_gaps_over_uneven_positions(void **state)
+TEST_CASE(test_gaps_over_uneven_positions)
 {
-    (void)state;
     double x[100], z[100];
     uint64_t seed = 5;
     for (size_t i = 0; i < 100; i++) {
@@ -62,9 +60,8 @@ static void test_gaps_over_uneven_positions(void **state)
     profile_free(&profile);
 }
 
-static void test_missing_ends_are_cut_off(void **state)
+TEST_CASE(test_missing_ends_are_cut_off)
 {
-    (void)state;
     double z[POINTS], x[POINTS];
     for (int with_x = 0; with_x < 2; with_x++) {
         make_wave(z);
@@ -87,9 +84,8 @@ static void test_missing_ends_are_cut_off(void **state)
 }
 
 /* A tenth may be missing, and whatever the scene allows. */
-static void test_too_many_are_refused(void **state)
+TEST_CASE(test_too_many_are_refused)
 {
-    (void)state;
     double z[POINTS];
     make_wave(z);
     for (size_t i = 5; i < POINTS; i += 10)
@@ -113,15 +109,4 @@ static void test_too_many_are_refused(void **state)
     assert_profile_refused(&scan, &(struct profile_options){.max_missing = 1}, "only 2 heights are there");
     z[POINTS - 1] = z[POINTS - 2] = NAN;
     assert_profile_refused(&scan, &(struct profile_options){.max_missing = 1}, "only 0 heights are there");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_gaps_in_a_sinusoid),
-        cmocka_unit_test(test_gaps_over_uneven_positions),
-        cmocka_unit_test(test_missing_ends_are_cut_off),
-        cmocka_unit_test(test_too_many_are_refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -26,9 +26,8 @@ static void make_rough(double *height_m, size_t points)
 }
 
 /* What is left is orthogonal to 1, u, u², as far as the level goes, and not beyond. */
-static void test_what_is_left_is_orthogonal(void **state)
+TEST_CASE(test_what_is_left_is_orthogonal)
 {
-    (void)state;
     double height_m[POINTS];
     for (int level = 0; level <= LEVEL_PARABOLA; level++) {
         make_rough(height_m, POINTS);
@@ -46,9 +45,8 @@ static void test_what_is_left_is_orthogonal(void **state)
 }
 
 /* What was taken out is a polynomial of that degree: with orthogonality, this is the least-squares fit. */
-static void test_what_is_taken_out_is_a_polynomial(void **state)
+TEST_CASE(test_what_is_taken_out_is_a_polynomial)
 {
-    (void)state;
     double before_m[POINTS], after_m[POINTS], difference_m[POINTS];
     make_rough(before_m, POINTS);
     for (int level = LEVEL_MEAN; level <= LEVEL_PARABOLA; level++) {
@@ -68,9 +66,8 @@ static void test_what_is_taken_out_is_a_polynomial(void **state)
 }
 
 /* An added mean, line or parabola, larger than the roughness, leaves no trace beyond its rounding. */
-static void test_an_added_polynomial_changes_nothing(void **state)
+TEST_CASE(test_an_added_polynomial_changes_nothing)
 {
-    (void)state;
     static const double added_m[3] = {1e-3, 2e-4, -5e-4}; /* of u = 0...1 */
     for (size_t points = 3; points <= POINTS; points += 83)
         for (int level = LEVEL_MEAN; level <= LEVEL_PARABOLA; level++) {
@@ -91,9 +88,8 @@ static void test_an_added_polynomial_changes_nothing(void **state)
         }
 }
 
-static void test_the_slope_is_that_of_the_line(void **state)
+TEST_CASE(test_the_slope_is_that_of_the_line)
 {
-    (void)state;
     double height_m[100];
     for (int level = 0; level <= LEVEL_PARABOLA; level++) {
         for (int j = 0; j < 100; j++)
@@ -103,9 +99,8 @@ static void test_the_slope_is_that_of_the_line(void **state)
     }
 }
 
-static void test_levelling_twice_is_levelling_once(void **state)
+TEST_CASE(test_levelling_twice_is_levelling_once)
 {
-    (void)state;
     double once_m[POINTS], twice_m[POINTS];
     for (int level = 0; level <= LEVEL_PARABOLA; level++) {
         make_rough(once_m, POINTS);
@@ -115,16 +110,4 @@ static void test_levelling_twice_is_levelling_once(void **state)
         for (size_t j = 0; j < POINTS; j++)
             assert_within(twice_m[j], once_m[j], 1e-6 * 1e-15);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_what_is_left_is_orthogonal),
-        cmocka_unit_test(test_what_is_taken_out_is_a_polynomial),
-        cmocka_unit_test(test_an_added_polynomial_changes_nothing),
-        cmocka_unit_test(test_the_slope_is_that_of_the_line),
-        cmocka_unit_test(test_levelling_twice_is_levelling_once),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -15,9 +15,8 @@ static struct levelling level(double *z, const double *x, size_t points, double 
 }
 
 /* Exact arcs, from nearly flat to steep, crowns and hollows, their middle off the record's: nothing is left. */
-static void test_an_arc_is_taken_out_whole(void **state)
+TEST_CASE(test_an_arc_is_taken_out_whole)
 {
-    (void)state;
     static const double radii_m[] = {1e4, 10, 0.05, 3e-3, 1.6e-3};
     static double z[POINTS];
     for (size_t r = 0; r < sizeof radii_m / sizeof *radii_m; r++)
@@ -39,9 +38,8 @@ static void test_an_arc_is_taken_out_whole(void **state)
 }
 
 /* Waves on a ball of 5 mm: the waves stay, the radius comes back; a parabola would leave some of the ball. */
-static void test_an_arc_under_roughness(void **state)
+TEST_CASE(test_an_arc_under_roughness)
 {
-    (void)state;
     static double z[POINTS], wave[POINTS], parabola[POINTS];
     double spacing_m = 5e-7, radius_m = 5e-3;
     for (size_t i = 0; i < POINTS; i++) {
@@ -62,9 +60,8 @@ static void test_an_arc_under_roughness(void **state)
 }
 
 /* What is left of any record is orthogonal to the arc's derivatives; for a flat one these are 1, x, x². */
-static void test_an_arc_is_a_least_squares_fit(void **state)
+TEST_CASE(test_an_arc_is_a_least_squares_fit)
 {
-    (void)state;
     static double z[POINTS];
     uint64_t seed = 8;
     for (size_t i = 0; i < POINTS; i++)
@@ -81,9 +78,8 @@ static void test_an_arc_is_a_least_squares_fit(void **state)
 
 /* Every twentieth point is a spike, all to one side: the least-squares line tilts and sinks, the robust one does not.
  */
-static void test_outliers_do_not_move_the_robust_line(void **state)
+TEST_CASE(test_outliers_do_not_move_the_robust_line)
 {
-    (void)state;
     static double clean[POINTS], z[POINTS], plain[POINTS];
     uint64_t seed = 4;
     for (size_t i = 0; i < POINTS; i++) {
@@ -105,9 +101,8 @@ static void test_outliers_do_not_move_the_robust_line(void **state)
 }
 
 /* Without outliers it is the least-squares line but for the weights; on an exact line with spikes it is that line. */
-static void test_robust_line_of_clean_records(void **state)
+TEST_CASE(test_robust_line_of_clean_records)
 {
-    (void)state;
     static double z[POINTS], plain[POINTS];
     uint64_t seed = 6;
     for (size_t i = 0; i < POINTS; i++)
@@ -124,9 +119,8 @@ static void test_robust_line_of_clean_records(void **state)
 }
 
 /* Exact polynomials over positions with steps of 1 to 3 vanish; as if uniform they would not. */
-static void test_uneven_positions_count(void **state)
+TEST_CASE(test_uneven_positions_count)
 {
-    (void)state;
     static double x[POINTS], z[POINTS];
     for (int degree = 1; degree <= 2; degree++) {
         for (size_t i = 0; i < POINTS; i++) {
@@ -143,9 +137,8 @@ static void test_uneven_positions_count(void **state)
 }
 
 /* The pipeline says what it took out. */
-static void test_levelling_is_told(void **state)
+TEST_CASE(test_levelling_is_told)
 {
-    (void)state;
     static double z[POINTS];
     uint64_t seed = 9;
     for (size_t i = 0; i < POINTS; i++) {
@@ -162,18 +155,4 @@ static void test_levelling_is_told(void **state)
     assert_note(&profile, "mm (crown) was taken out");
     assert_near(profile.radius_m, -0.025, 0.01);
     profile_free(&profile);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_an_arc_is_taken_out_whole),
-        cmocka_unit_test(test_an_arc_under_roughness),
-        cmocka_unit_test(test_an_arc_is_a_least_squares_fit),
-        cmocka_unit_test(test_outliers_do_not_move_the_robust_line),
-        cmocka_unit_test(test_robust_line_of_clean_records),
-        cmocka_unit_test(test_uneven_positions_count),
-        cmocka_unit_test(test_levelling_is_told),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -27,9 +27,8 @@ static struct profile make(struct scan scan, enum level level)
     return profile;
 }
 
-static void test_uniform_positions_are_taken_as_they_are(void **state)
+TEST_CASE(test_uniform_positions_are_taken_as_they_are)
 {
-    (void)state;
     for (int with_x = 0; with_x < 2; with_x++)
         for (int origin = 0; origin < 2; origin++) {
             for (size_t i = 0; i < 1000; i++) {
@@ -46,10 +45,9 @@ static void test_uniform_positions_are_taken_as_they_are(void **state)
 }
 
 /* Positions printed to a fixed number of decimals: the spacing hidden in them is the mean one, heights stay. */
-static void test_rounded_positions_are_recognised(void **state)
+TEST_CASE(test_rounded_positions_are_recognised)
 {
     static const double spacings_m[] = {2.5037e-7, 3.333333e-7, 5.77e-8, 1.4142136e-7};
-    (void)state;
     for (size_t s = 0; s < sizeof spacings_m / sizeof *spacings_m; s++)
         for (int origin = 0; origin < 2; origin++) {
             double digit_m = 1e-8;
@@ -77,9 +75,8 @@ static void make_uneven(size_t points, double (*height)(double))
 
 /* Steffen's interpolation is of second order at least: error below (k h)² A/2, and a quarter of it for half the step.
  */
-static void test_uneven_positions_are_interpolated(void **state)
+TEST_CASE(test_uneven_positions_are_interpolated)
 {
-    (void)state;
     double first = NAN, error = NAN;
     for (size_t points = 501; points <= MOST; points = 2 * points - 1) {
         make_uneven(points, smooth);
@@ -105,9 +102,8 @@ static double rising(double x)
 }
 
 /* Where the heights only rise it is of third order and better, which straight lines between the points are not. */
-static void test_interpolation_is_smooth(void **state)
+TEST_CASE(test_interpolation_is_smooth)
 {
-    (void)state;
     double error[2] = {0};
     for (int k = 0; k < 2; k++) {
         size_t points = k == 0 ? 201 : 401;
@@ -133,10 +129,9 @@ static double coarse(double x)
 }
 
 /* Between two points the heights stay between those of the two. */
-static void test_interpolation_does_not_overshoot(void **state)
+TEST_CASE(test_interpolation_does_not_overshoot)
 {
     static double (*const heights[])(double) = {stairs, coarse};
-    (void)state;
     for (int h = 0; h < 2; h++) {
         make_uneven(300, heights[h]);
         struct profile profile = make(sample(300, true), LEVEL_NONE);
@@ -153,9 +148,8 @@ static void test_interpolation_does_not_overshoot(void **state)
 }
 
 /* Nor are jittered points, or half a record at one spacing and half at another: few kinds of step, yet no rounding. */
-static void test_what_is_no_rounding(void **state)
+TEST_CASE(test_what_is_no_rounding)
 {
-    (void)state;
     uint64_t seed = 9;
     for (int jitter = 0; jitter < 2; jitter++) {
         for (size_t i = 0; i < 1000; i++) {
@@ -170,9 +164,8 @@ static void test_what_is_no_rounding(void **state)
 }
 
 /* A part that stands at 45 degrees under the stylus: the cosine comes back whole. */
-static void test_a_tilt_of_45_degrees(void **state)
+TEST_CASE(test_a_tilt_of_45_degrees)
 {
-    (void)state;
     const double amplitude_m = 1e-7, spacing_m = 1e-6;
     for (size_t i = 0; i < 2000; i++) {
         x_m[i] = (double)i * spacing_m;
@@ -187,9 +180,8 @@ static void test_a_tilt_of_45_degrees(void **state)
     profile_free(&profile);
 }
 
-static void test_the_end_jump_is_that_of_the_levelled_profile(void **state)
+TEST_CASE(test_the_end_jump_is_that_of_the_levelled_profile)
 {
-    (void)state;
     for (size_t i = 0; i < 400; i++) { /* a step in the middle: its line has slope 1.5 s/N (1 - 1/N²)^-1 */
         x_m[i] = (double)i * 1e-6;
         z_m[i] = i < 200 ? 0 : 1e-6;
@@ -201,9 +193,8 @@ static void test_the_end_jump_is_that_of_the_levelled_profile(void **state)
     profile_free(&profile);
 }
 
-static void test_a_row_of_a_map(void **state)
+TEST_CASE(test_a_row_of_a_map)
 {
-    (void)state;
     for (size_t i = 0; i < 30; i++) {
         x_m[i] = (double)i * 1e-6;
         z_m[i] = (double)(i * i) * 1e-9;
@@ -223,9 +214,8 @@ static void assert_refused(struct scan scan, enum level level, const char *words
     assert_profile_refused(&scan, &(struct profile_options){.level = level}, words);
 }
 
-static void test_missing_heights_are_refused(void **state)
+TEST_CASE(test_missing_heights_are_refused)
 {
-    (void)state;
     for (size_t i = 0; i < 50; i++) {
         x_m[i] = (double)i * 1e-6;
         z_m[i] = i % 25 == 3 ? NAN : smooth(x_m[i]);
@@ -234,9 +224,8 @@ static void test_missing_heights_are_refused(void **state)
     assert_refused(sample(50, true), LEVEL_LINE, "gaps filled");
 }
 
-static void test_flat_scans_are_refused(void **state)
+TEST_CASE(test_flat_scans_are_refused)
 {
-    (void)state;
     for (size_t i = 0; i < 50; i++) {
         x_m[i] = (double)i * 1e-6;
         z_m[i] = 2.5e-6;
@@ -246,9 +235,8 @@ static void test_flat_scans_are_refused(void **state)
 }
 
 /* A straight or evenly bent scan is flat once levelled: what the subtraction rounds is no roughness. */
-static void test_scans_without_roughness_are_refused(void **state)
+TEST_CASE(test_scans_without_roughness_are_refused)
 {
-    (void)state;
     for (int bent = 0; bent < 2; bent++) {
         for (size_t i = 0; i < 1000; i++) {
             x_m[i] = (double)i * 1e-6;
@@ -260,23 +248,4 @@ static void test_scans_without_roughness_are_refused(void **state)
         struct profile profile = make(sample(1000, true), bent ? LEVEL_LINE : LEVEL_MEAN);
         profile_free(&profile);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_uniform_positions_are_taken_as_they_are),
-        cmocka_unit_test(test_rounded_positions_are_recognised),
-        cmocka_unit_test(test_uneven_positions_are_interpolated),
-        cmocka_unit_test(test_interpolation_is_smooth),
-        cmocka_unit_test(test_interpolation_does_not_overshoot),
-        cmocka_unit_test(test_what_is_no_rounding),
-        cmocka_unit_test(test_a_tilt_of_45_degrees),
-        cmocka_unit_test(test_the_end_jump_is_that_of_the_levelled_profile),
-        cmocka_unit_test(test_a_row_of_a_map),
-        cmocka_unit_test(test_missing_heights_are_refused),
-        cmocka_unit_test(test_flat_scans_are_refused),
-        cmocka_unit_test(test_scans_without_roughness_are_refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,9 +7,8 @@
 
 enum { MOST = 1024 };
 
-static void test_the_factor_keeps_the_mean_square(void **state)
+TEST_CASE(test_the_factor_keeps_the_mean_square)
 {
-    (void)state;
     assert_near(record_window_hann_factor, sqrt(8.0 / 3), 1e-15);
     for (size_t points = 3; points <= 1000; points += 37) {
         double height_m[1000], sum = 0;
@@ -37,9 +36,8 @@ static void draw(double *height_m, size_t points, double gamma, gsl_rng *random)
 }
 
 /* The whole of a periodic record is periodic, half of it is not; whatever its unit, height and place. */
-static void test_periodic_and_cut_records(void **state)
+TEST_CASE(test_periodic_and_cut_records)
 {
-    (void)state;
     enum { RECORDS = 60 };
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     size_t whole = 0, cut = 0;
@@ -58,9 +56,8 @@ static void test_periodic_and_cut_records(void **state)
     assert_true(cut <= RECORDS * 10 / 100);
 }
 
-static void test_each_condition_by_itself(void **state)
+TEST_CASE(test_each_condition_by_itself)
 {
-    (void)state;
     double height_m[200];
     for (size_t t = 0; t < 200; t++)
         height_m[t] = sin(2 * M_PI * 3 * (double)t / 200);
@@ -79,9 +76,8 @@ static void test_each_condition_by_itself(void **state)
 }
 
 /* Differences of -1 and 1 have the rms 1: a step of 2.9 passes, one of 3.1 does not, up or down. */
-static void test_the_threshold_is_three(void **state)
+TEST_CASE(test_the_threshold_is_three)
 {
-    (void)state;
     const double signs[] = {1, -1};
     for (size_t s = 0; s < 2; s++) {
         /* second differences have the rms 2 and allow 6 */
@@ -96,21 +92,10 @@ static void test_the_threshold_is_three(void **state)
     }
 }
 
-static void test_small_and_constant_records(void **state)
+TEST_CASE(test_small_and_constant_records)
 {
-    (void)state;
     const double constant[8] = {2, 2, 2, 2, 2, 2, 2, 2}, ramp[8] = {1, 2, 3, 4, 5, 6, 7, 8}, three[3] = {0, 1, 0};
     assert_true(record_window_is_periodic(constant, 8));
     assert_false(record_window_is_periodic(ramp, 8));
     assert_true(record_window_is_periodic(three, 3));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_factor_keeps_the_mean_square), cmocka_unit_test(test_periodic_and_cut_records),
-        cmocka_unit_test(test_each_condition_by_itself),         cmocka_unit_test(test_the_threshold_is_three),
-        cmocka_unit_test(test_small_and_constant_records),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

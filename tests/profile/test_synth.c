@@ -53,9 +53,8 @@ static void assert_comes_back(const struct synth_def *def)
     free(levelled_m);
 }
 
-static void test_the_law_comes_back(void **state)
+TEST_CASE(test_the_law_comes_back)
 {
-    (void)state;
     static const struct synth_def defs[] = {
         {.alpha = 0.085, .gamma = 1.5, .length_m = 3e-4, .points = 1200, .scatter_decades = 0.2785, .seed = 1},
         {.alpha = 0.085, .gamma = 1.5, .length_m = 3e-4, .points = 1201, .scatter_decades = 0.2785, .seed = 1},
@@ -85,9 +84,8 @@ static void test_the_law_comes_back(void **state)
 }
 
 /* Above the cut-off every harmonic obeys the law; below it, the law times 2^(1 - (lambda_s/lambda)²). */
-static void test_the_cut_off(void **state)
+TEST_CASE(test_the_cut_off)
 {
-    (void)state;
     struct synth_def def = synth_def_default();
     struct status status = {0};
     def.scatter_decades = 0;
@@ -106,9 +104,8 @@ static void test_the_cut_off(void **state)
 }
 
 /* Of a surface that is scaled to its Rq every height is as many times as high. */
-static void test_scaled_to_rq(void **state)
+TEST_CASE(test_scaled_to_rq)
 {
-    (void)state;
     static const double rq_m[] = {1e-12, 4e-7, 5e-6, 0.1};
     struct synth_def def = synth_def_default();
     double *height_m = make(&def);
@@ -125,9 +122,8 @@ static void test_scaled_to_rq(void **state)
     free(height_m);
 }
 
-static void test_a_seed_names_a_surface(void **state)
+TEST_CASE(test_a_seed_names_a_surface)
 {
-    (void)state;
     struct synth_def def = synth_def_default();
     double *first = make(&def), *again = make(&def);
     assert_memory_equal(first, again, def.points * sizeof *first);
@@ -148,9 +144,8 @@ static void assert_refused(const struct synth_def *def, const char *words)
         fail_msg("'%s' without '%s'", status.message, words);
 }
 
-static void test_what_cannot_be_made_is_refused(void **state)
+TEST_CASE(test_what_cannot_be_made_is_refused)
 {
-    (void)state;
     const struct synth_def good = synth_def_default();
     struct synth_def def = good;
     def.points = 7;
@@ -251,9 +246,8 @@ static void assert_file_holds(const char *file, const struct synth_def *def)
 }
 
 /* The committed scans are what surfaces/make.sh makes, to the picometre they are printed with. */
-static void test_the_sample_surfaces_are_what_make_sh_makes(void **state)
+TEST_CASE(test_the_sample_surfaces_are_what_make_sh_makes)
 {
-    (void)state;
     char line[1024];
     size_t files = 0;
     FILE *script = fopen(PROJECT_SOURCE "/surfaces/make.sh", "r");
@@ -269,17 +263,4 @@ static void test_the_sample_surfaces_are_what_make_sh_makes(void **state)
     }
     fclose(script);
     assert_true(files >= 9);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_law_comes_back),
-        cmocka_unit_test(test_scaled_to_rq),
-        cmocka_unit_test(test_the_cut_off),
-        cmocka_unit_test(test_a_seed_names_a_surface),
-        cmocka_unit_test(test_what_cannot_be_made_is_refused),
-        cmocka_unit_test(test_the_sample_surfaces_are_what_make_sh_makes),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -60,7 +60,7 @@ static size_t complaints(const char *text)
     return count;
 }
 
-static void same_report(void **state)
+TEST_IN_WORKSPACE(same_report)
 {
     const char *place = *state;
     write_scene(place, EFFECTS "direct: {grid: 64, seeds: 3, loads: [1e-3, 4e-3, 1e-2], hardness: 4 GPa}\n");
@@ -77,7 +77,7 @@ static void same_report(void **state)
 }
 
 /** Without a direct solution the report has the bytes that one process writes, and the messages come once. */
-static void same_bytes(void **state)
+TEST_IN_WORKSPACE(same_bytes)
 {
     const char *place = *state;
     write_scene(place, EFFECTS);
@@ -106,7 +106,7 @@ static struct process two_places(const char *place, const char *where, const cha
 }
 
 /** Only the first process reads the scene; but another scene, asked for by another, is an error. */
-static void other_places(void **state)
+TEST_IN_WORKSPACE(other_places)
 {
     const char *place = *state;
     write_scene(place, EFFECTS "direct: {grid: 64, seeds: 1, loads: [1e-3]}\n");
@@ -125,7 +125,7 @@ static void other_places(void **state)
     process_free(&run);
 }
 
-static void errors(void **state)
+TEST_IN_WORKSPACE(errors)
 {
     const char *place = *state;
     write_scene(place, "direct: {grid: 63}\n");
@@ -145,7 +145,7 @@ static void errors(void **state)
 }
 
 /** mpirun passes a signal on to all ranks; none stays behind and OUT is untouched. */
-static void stopped(void **state)
+TEST_IN_WORKSPACE(stopped)
 {
     const char *place = *state;
     write_scene(place, EFFECTS "direct: {grid: 256, seeds: 1000, loads: [1e-4, 1e-3, 4e-3, 1e-2]}\n");
@@ -161,11 +161,4 @@ static void stopped(void **state)
     assert_int_not_equal(run.status, 0);
     assert_false(workspace_has(place, "out/d/report.md"));
     process_free(&run);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {workspace_test(same_report), workspace_test(same_bytes),
-                                       workspace_test(other_places), workspace_test(errors), workspace_test(stopped)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

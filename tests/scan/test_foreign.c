@@ -57,9 +57,8 @@ static const struct {
     {"a.bin", BYTES("\0\1\2\3"), NULL, FOREIGN_DOCUMENT},
 };
 
-static void test_files(void **state)
+TEST_CASE(test_files)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
         for (size_t length = 0; length <= files[i].length; length++) { /* every prefix */
             struct scan_bytes file = bytes_copy(files[i].bytes, length);
@@ -76,9 +75,8 @@ static void test_files(void **state)
     }
 }
 
-static void test_archives(void **state)
+TEST_CASE(test_archives)
 {
-    (void)state;
     static const struct {
         const char *entry, *content, *name;
         enum foreign_kind kind;
@@ -107,9 +105,8 @@ static void test_archives(void **state)
 }
 
 /* What lies beside scans, and what may be one. */
-static void test_others(void **state)
+TEST_CASE(test_others)
 {
-    (void)state;
     static const struct {
         const char *path, *content;
         bool other;
@@ -134,11 +131,4 @@ static void test_others(void **state)
     }
     struct scan_bytes start = {"by hand\n", 8, "notes.txt"}; /* the numbers may follow */
     assert_null(scan_is_other(&start, false));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_files), cmocka_unit_test(test_archives),
-                                       cmocka_unit_test(test_others)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

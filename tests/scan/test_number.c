@@ -16,9 +16,8 @@ static void assert_scans(const char *text, unsigned allowed, double expected, co
     assert_string_equal(end, rest);
 }
 
-static void test_forms(void **state)
+TEST_CASE(test_forms)
 {
-    (void)state;
     assert_scans("0", 3, 0.0, "");
     assert_scans("-0.0", 3, -0.0, "");
     assert_scans("+1.5e-3x", 3, 1.5e-3, "x");
@@ -44,9 +43,8 @@ static void test_forms(void **state)
 }
 
 /* strtod of the C library is the reference: it rounds correctly. */
-static void test_against_strtod(void **state)
+TEST_CASE(test_against_strtod)
 {
-    (void)state;
     uint64_t seed = 5;
     for (int i = 0; i < 300000; i++) {
         seed = seed * 6364136223846793005u + 1442695040888963407u;
@@ -71,9 +69,8 @@ static void test_against_strtod(void **state)
 }
 
 /* Half-way cases between two doubles, with up to 800 digits. */
-static void test_halfway(void **state)
+TEST_CASE(test_halfway)
 {
-    (void)state;
     static const char *const cases[] = {
         "9007199254740993",
         "9007199254740993.0000000000000000000000000001",
@@ -105,18 +102,16 @@ static void test_halfway(void **state)
     assert_null(number_scan((struct string_view){longer, longer + sizeof longer}, NUMBER_POINT, NULL, &(double){0}));
 }
 
-static void test_locale(void **state)
+TEST_CASE(test_locale)
 {
-    (void)state;
     /* without such a locale installed the test still holds, just says less */
     (void)setlocale(LC_ALL, "de_DE.UTF-8");
     assert_scans("0.1234567890123456789012", NUMBER_POINT, 0.1234567890123456789012, "");
     setlocale(LC_ALL, "C");
 }
 
-static void test_units(void **state)
+TEST_CASE(test_units)
 {
-    (void)state;
     static const struct {
         const char *names;
         double metres;
@@ -143,13 +138,4 @@ static void test_units(void **state)
                          units[i].metres);
             name += length;
         }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_forms),  cmocka_unit_test(test_against_strtod), cmocka_unit_test(test_halfway),
-        cmocka_unit_test(test_locale), cmocka_unit_test(test_units),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -74,9 +74,8 @@ static struct text x3p(size_t k, bool deflated)
     return text;
 }
 
-static void test_x3p(void **state)
+TEST_CASE(test_x3p)
 {
-    (void)state;
     for (size_t k = 0; k < X3P_SAMPLES; k++) {
         for (int deflated = 0; deflated < 2; deflated++) {
             struct text text = x3p(k, deflated);
@@ -87,9 +86,8 @@ static void test_x3p(void **state)
     }
 }
 
-static void test_x3p_list(void **state)
+TEST_CASE(test_x3p_list)
 {
-    (void)state;
     static const char map[] =
         MAIN("SUR", GRID AXIS("CZ", "A", "I", INCREMENT("0.125e-6"), OFFSET("0")),
              MATRIX("3", "2", "1") "<DataList><Datum>4</Datum><Datum>-10</Datum>\n<Datum/><Datum> 1 </Datum><Datum>64"
@@ -121,9 +119,8 @@ static void assert_main_refused(const char *main, const char *expected)
 
 #define CZ AXIS("CZ", "A", "D", "", "")
 
-static void test_x3p_refusals(void **state)
+TEST_CASE(test_x3p_refusals)
 {
-    (void)state;
     assert_main_refused(MAIN("PCL", GRID CZ, MATRIX("3", "2", "1") LINK), "feature type 'PCL' is neither profile");
     assert_main_refused(MAIN("SUR", GRID CZ, MATRIX("3", "2", "4") LINK),
                         "3 x 2 x 4 points are no surface of one layer");
@@ -145,9 +142,8 @@ static void test_x3p_refusals(void **state)
     assert_main_refused("<!DOCTYPE x SYSTEM \"x.dtd\"><x/>", "a DOCTYPE");
 }
 
-static void test_checksums(void **state)
+TEST_CASE(test_checksums)
 {
-    (void)state;
     struct text data = points('D', false);
     char sum[MD5_DIGEST_STRING_LENGTH], good[64];
     MD5Data((const uint8_t *)samples[0].main, strlen(samples[0].main), sum);
@@ -170,9 +166,8 @@ static void test_checksums(void **state)
 }
 
 /* main.xml and data.bin changed before they are packed, so that no checksum of the archive is in the way. */
-static void test_inner_mutations(void **state)
+TEST_CASE(test_inner_mutations)
 {
-    (void)state;
     uint64_t seed = 77;
     for (size_t round = 0; round < 4000; round++) {
         size_t k = round % X3P_SAMPLES;
@@ -201,9 +196,8 @@ static void test_inner_mutations(void **state)
     }
 }
 
-static void test_zip(void **state)
+TEST_CASE(test_zip)
 {
-    (void)state;
     static const char scan_text[] = "x [um],z [um]\n0,0.5\n0.5,-1.25\n1,2.75\n1.5,0.125\n2,8\n2.5,-3.5\n";
     static const char sdf[] = "aISO-1.0\nNumPoints=6\nNumProfiles=1\nXscale=0.5e-6\nYscale=0\nZscale=1e-6\n*\n"
                               "0.5 -1.25 2.75 0.125 8 -3.5\n*\n";
@@ -234,9 +228,8 @@ static void test_zip(void **state)
 }
 
 /* A member that claims far more than deflate can have made of its bytes. */
-static void test_bomb(void **state)
+TEST_CASE(test_bomb)
 {
-    (void)state;
     char *zeros = calloc(1, 6000);
     assert_non_null(zeros);
     const struct member members[] = {{"main.xml", zeros, 6000}, {NULL, NULL, 0}};
@@ -265,9 +258,8 @@ static void check_member(struct packed member, const char *refused)
 }
 
 /* What headers say of an entry against what it is. */
-static void test_entries(void **state)
+TEST_CASE(test_entries)
 {
-    (void)state;
     static const char damaged[] = "'a.csv' in the archive is damaged; copy the file again";
     for (int deflated = 0; deflated < 2; deflated++) {
         struct packed member = pack("a.csv", table, sizeof table - 1, deflated);
@@ -307,9 +299,8 @@ static void test_entries(void **state)
 }
 
 /* Names are UTF-8, or in the code page of DOS. */
-static void test_names(void **state)
+TEST_CASE(test_names)
 {
-    (void)state;
     static const char *const names[][2] = {
         {"gr\x81n.csv", "grün.csv"}, {"gr\xc3\xbcn.csv", "grün.csv"}, {"\xe4\x31.csv", "\xce\xa3\x31.csv"}};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
@@ -326,9 +317,8 @@ static void test_names(void **state)
 }
 
 /* Entries longer than what is looked at first: a scan, one that is damaged near its end, and words without numbers. */
-static void test_long_entries(void **state)
+TEST_CASE(test_long_entries)
 {
-    (void)state;
     struct text words = {0}, rows = {0};
     text_add(&rows, "%s", table);
     while (rows.length < 100000)
@@ -350,21 +340,4 @@ static void test_long_entries(void **state)
     }
     text_free(&words);
     text_free(&rows);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_x3p),
-        cmocka_unit_test(test_x3p_list),
-        cmocka_unit_test(test_x3p_refusals),
-        cmocka_unit_test(test_checksums),
-        cmocka_unit_test(test_inner_mutations),
-        cmocka_unit_test(test_zip),
-        cmocka_unit_test(test_bomb),
-        cmocka_unit_test(test_entries),
-        cmocka_unit_test(test_names),
-        cmocka_unit_test(test_long_entries),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

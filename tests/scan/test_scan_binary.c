@@ -18,9 +18,8 @@ static struct text mahr_prf(size_t claimed)
     return text;
 }
 
-static void test_mahr_prf(void **state)
+TEST_CASE(test_mahr_prf)
 {
-    (void)state;
     struct text text = mahr_prf(SAMPLE_POINTS);
     assert_sample(&text, "mahr-prf", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
     fuzz_sample(&text, 1);
@@ -65,9 +64,8 @@ static struct text sdf(unsigned type, size_t nx, size_t ny, size_t extra)
     return text;
 }
 
-static void test_sdf(void **state)
+TEST_CASE(test_sdf)
 {
-    (void)state;
     for (unsigned type = 3; type < 8; type++) {
         struct text text = sdf(type, SAMPLE_COLUMNS, SAMPLE_ROWS, 0);
         assert_sample(&text, "sdf", SCAN_AREAL, type == 4 ? SAMPLE_POINTS : 1, &no_units);
@@ -138,9 +136,8 @@ static struct text sur(const struct sur_sample *sample)
     return text;
 }
 
-static void test_sur(void **state)
+TEST_CASE(test_sur)
 {
-    (void)state;
     static const struct sur_sample samples[] = {
         {"DIGITAL SURF", 2, 16, 0, 1, true}, {"DIGITAL SURF", 2, 32, 0, 1, true}, {"DIGITAL SURF", 1, 16, 0, 1, false}};
     for (size_t i = 0; i < 3; i++) {
@@ -166,9 +163,8 @@ static void test_sur(void **state)
     }
 }
 
-static void test_sur_compressed(void **state)
+TEST_CASE(test_sur_compressed)
 {
-    (void)state;
     const struct sur_sample sample = {"DSCOMPRESSED", 2, 16, 0, 1, true};
     struct text text = sur(&sample), heights = sur_heights(16);
     Bytef packed[2][64];
@@ -203,9 +199,8 @@ static struct text gsf(const char *units)
     return text;
 }
 
-static void test_gsf(void **state)
+TEST_CASE(test_gsf)
 {
-    (void)state;
     struct scan_options um = {.x_unit = "um", .z_unit = "um"};
     struct text text = gsf("XYUnits = \xC2\xB5m\nZUnits = um\n");
     assert_sample(&text, "gsf", SCAN_AREAL, 4, &no_units);
@@ -221,9 +216,8 @@ static void test_gsf(void **state)
     text_free(&text);
 }
 
-static void test_surfer(void **state)
+TEST_CASE(test_surfer)
 {
-    (void)state;
     struct scan_options um = {.x_unit = "um", .z_unit = "um"};
     struct text text = {0};
     put_field(&text, "DSBB", 4);
@@ -287,9 +281,8 @@ static struct text al3d(const char *offset, const char *rows)
     return text;
 }
 
-static void test_al3d(void **state)
+TEST_CASE(test_al3d)
 {
-    (void)state;
     struct text text = al3d("500", "2");
     assert_sample(&text, "al3d", SCAN_AREAL, 2, &no_units);
     fuzz_sample(&text, 80);
@@ -303,14 +296,4 @@ static void test_al3d(void **state)
     text = al3d("500", "x");
     assert_refused_bytes(text_string(&text), text.length, &no_units, "no numbers of points in the tags");
     text_free(&text);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_mahr_prf),       cmocka_unit_test(test_sdf), cmocka_unit_test(test_sur),
-        cmocka_unit_test(test_sur_compressed), cmocka_unit_test(test_gsf), cmocka_unit_test(test_surfer),
-        cmocka_unit_test(test_al3d),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -39,9 +39,8 @@ static struct text smd(const char *pattern)
     return text;
 }
 
-static void test_profiles(void **state)
+TEST_CASE(test_profiles)
 {
-    (void)state;
     static const struct {
         const char *format, *text;
         size_t missing;
@@ -74,9 +73,8 @@ static void test_profiles(void **state)
     text_free(&text);
 }
 
-static void test_maps(void **state)
+TEST_CASE(test_maps)
 {
-    (void)state;
     struct scan_options um = {.x_unit = "um", .z_unit = "um"}, z_um = {.z_unit = "um"};
     assert_text_sample(SDF_HEAD("3", "2") "0.5 -1.25 2.75\n0.125 NaN -3.5\n*\n*\n", "sdf", SCAN_AREAL, 4, &no_units);
     assert_text_sample("DSAA\n3 2\n10 11\n5 7\n-4 8\n0.5 -1.25 1.70141e+038\n\n0.125 8.0 -3.5\n", "surfer", SCAN_AREAL,
@@ -122,9 +120,8 @@ static void test_maps(void **state)
 }
 
 /* x y z as Gwyddion exports a map: metres, centres of pixels, five digits, so that places round by 2 % of a step. */
-static void test_gwyddion_xyz(void **state)
+TEST_CASE(test_gwyddion_xyz)
 {
-    (void)state;
     enum { NX = 512, NY = 4 };
     const double step_m = 1.3e-5 / NX;
     struct text text = {0};
@@ -144,9 +141,8 @@ static void test_gwyddion_xyz(void **state)
     assert_refused("0 0 1\n1 0 2\n2.03 0 3\n3 0 4\n", "file:3: this point is not on the grid");
 }
 
-static void test_columns(void **state)
+TEST_CASE(test_columns)
 {
-    (void)state;
     struct scan_options um = {.x_unit = "um", .z_unit = "um"};
     /* an index before x, a time before x, columns behind z, heights that repeat */
     assert_text_sample("0\t0\t0.5\n1\t0.5\t-1.25\n2\t1\t2.75\n3\t1.5\t0.125\n4\t2\t8\n5\t2.5\t-3.5\n", "text",
@@ -184,9 +180,8 @@ static struct text utf16(const char *string, bool big)
     return text;
 }
 
-static void test_utf16(void **state)
+TEST_CASE(test_utf16)
 {
-    (void)state;
     const char *string = "x (um);z (\xB5m)\r\n0;0,5\r\n0,5;-1,25\r\n1;2,75\r\n1,5;0,125\r\n2;8\r\n2,5;-3,5\r\n";
     for (int big = 0; big < 2; big++) {
         struct text text = utf16(string, big);
@@ -214,9 +209,8 @@ static void test_utf16(void **state)
     }
 }
 
-static void test_refusals(void **state)
+TEST_CASE(test_refusals)
 {
-    (void)state;
     assert_refused(MAHR_HEAD MAHR_POINTS, "file:11: the points end after 5 of 6");
     assert_refused(MAHR_HEAD MAHR_POINTS MAHR_LAST MAHR_LAST, "file:13: more points than NO_POINTS says, 6");
     assert_refused(MAHR_HEAD "0=0.0000 0 nan 0 0\r\n" MAHR_POINTS, "file:7: '0=0.0000 0 nan 0 0' is no line");
@@ -247,9 +241,8 @@ static void test_refusals(void **state)
     text_free(&text);
 }
 
-static void test_checksum(void **state)
+TEST_CASE(test_checksum)
 {
-    (void)state;
     struct text text = smd(SMD_HEAD POINTS "$\r\n1\r\n$\r\n\x1a");
     struct scan scan;
     struct status status = {0};
@@ -260,9 +253,8 @@ static void test_checksum(void **state)
     text_free(&text);
 }
 
-static void test_mutations(void **state)
+TEST_CASE(test_mutations)
 {
-    (void)state;
     static const char *const samples[] = {
         MAHR_HEAD MAHR_POINTS MAHR_LAST,
         NPL_HEAD NPL_POINTS "EOR\r\nEOF\r\n",
@@ -281,14 +273,4 @@ static void test_mutations(void **state)
     struct text text = smd(SMD_HEAD POINTS "$\r\n1234\r\n$\r\n\x1a");
     fuzz_sample(&text, 200);
     text_free(&text);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_profiles), cmocka_unit_test(test_maps),      cmocka_unit_test(test_gwyddion_xyz),
-        cmocka_unit_test(test_columns),  cmocka_unit_test(test_utf16),     cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_checksum), cmocka_unit_test(test_mutations),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -40,9 +40,8 @@ static void assert_parts(const struct text *text, const char *const *parts, cons
     assert_null(parts[count]);
 }
 
-static void test_several(void **state)
+TEST_CASE(test_several)
 {
-    (void)state;
     const struct member texts[] = {{"README.md", "1 2\n3 4\n", 8},
                                    {"folder/", "", 0},
                                    {"folder/b.csv", csv, sizeof csv - 1},
@@ -77,9 +76,8 @@ static void test_several(void **state)
 
 /* A file that is damaged, encrypted or of a format that is not read is refused by its name, and the others are read,
  * whether those are texts or not. */
-static void test_the_others_are_read(void **state)
+TEST_CASE(test_the_others_are_read)
 {
-    (void)state;
     enum { FILES = 7 };
     static const char wyko[] = "\1\0Directory\0\0";
     static const char *const parts[FILES] = {"a", "b", "c", "d", "e", "f", "g"};
@@ -121,9 +119,8 @@ static void test_the_others_are_read(void **state)
 }
 
 /* A text that may be a scan and has no numbers is not passed over, nor is what may be one and is the only one. */
-static void test_refusals(void **state)
+TEST_CASE(test_refusals)
 {
-    (void)state;
     const struct member damaged[] = {{"a.csv", csv, sizeof csv - 1}, {"b.csv", "no numbers\n", 11}, {NULL, NULL, 0}};
     const struct member wyko[] = {{"a.txt", "by hand\n", 8}, {"b.opd", "\1\0Directory\0\0", 13}, {NULL, NULL, 0}};
     struct scan_options second = {.entry = 3}; /* of two entries: the second among the texts */
@@ -163,9 +160,8 @@ static void assert_text_refused(struct text text, const char *expected)
     text_free(&text);
 }
 
-static void test_gzip(void **state)
+TEST_CASE(test_gzip)
 {
-    (void)state;
     struct text text = gzip(csv, sizeof csv - 1);
     assert_sample(&text, "text", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
     fuzz_sample(&text, 510);
@@ -245,9 +241,8 @@ static struct text gwy(struct text *components)
     return text;
 }
 
-static void test_gwy(void **state)
+TEST_CASE(test_gwy)
 {
-    (void)state;
     struct text inner = {0};
     put_name(&inner, "/0/data/title", 's');
     text_add_bytes(&inner, "Height", 7);
@@ -284,9 +279,8 @@ static void test_gwy(void **state)
     text_free(&text);
 }
 
-static void test_gwy_refusals(void **state)
+TEST_CASE(test_gwy_refusals)
 {
-    (void)state;
     struct text inner = {0};
     put_field_object(&inner, "/0/data", 1e-6, "m", SAMPLE_POINTS + 1);
     assert_text_refused(gwy(&inner), "cut off or damaged");
@@ -299,14 +293,4 @@ static void test_gwy_refusals(void **state)
     assert_text_refused(gwy(&inner), "no map in it (/0/data)");
     put_name(&inner, "/0/odd", '?');
     assert_text_refused(gwy(&inner), "cut off or damaged");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_several),  cmocka_unit_test(test_the_others_are_read),
-        cmocka_unit_test(test_refusals), cmocka_unit_test(test_gzip),
-        cmocka_unit_test(test_gwy),      cmocka_unit_test(test_gwy_refusals),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -29,9 +29,8 @@ static struct scan read_row(const struct table *table, size_t row)
     return scan;
 }
 
-static void test_profiles(void **state)
+TEST_CASE(test_profiles)
 {
-    (void)state;
     NEED_REAL_SCANS();
     struct table table = table_read("scan/profiles.csv");
     for (size_t row = 0; row < table.rows; row++) {
@@ -49,9 +48,8 @@ static void test_profiles(void **state)
     table_free(&table);
 }
 
-static void test_maps(void **state)
+TEST_CASE(test_maps)
 {
-    (void)state;
     NEED_REAL_SCANS();
     struct table table = table_read("scan/maps.csv");
     for (size_t row = 0; row < table.rows; row++) {
@@ -68,9 +66,8 @@ static void test_maps(void **state)
 }
 
 /* One measurement in three containers: text, binary and X3P, the last without the 3 mm the others start at. */
-static void test_containers(void **state)
+TEST_CASE(test_containers)
 {
-    (void)state;
     NEED_REAL_SCANS();
     struct scan text = read_real("mahr_gd25_m1.txt", "", ""), binary = read_real("mahr_gd25_m1.prf", "", ""),
                 x3p = read_real("mahr_gd25_m1.x3p", "", "");
@@ -88,9 +85,8 @@ static void test_containers(void **state)
 }
 
 /* The same points in the list of main.xml and in a binary file with a mask. */
-static void test_x3p_forms(void **state)
+TEST_CASE(test_x3p_forms)
 {
-    (void)state;
     NEED_REAL_SCANS();
     static const char *const pairs[][2] = {
         {"openGPS_ISO5436-sample1.x3p", "openGPS_ISO5436-sample1_bin.x3p"},
@@ -109,9 +105,8 @@ static void test_x3p_forms(void **state)
 }
 
 /* What lies beside scans and is none, and a scan whose units nobody says. */
-static void test_refused(void **state)
+TEST_CASE(test_refused)
 {
-    (void)state;
     NEED_REAL_SCANS();
     static const char *const files[][2] = {
         {"dabam-013.txt", "not a scan"},
@@ -129,13 +124,4 @@ static void test_refused(void **state)
         assert_null(strchr(status.message, '\n'));
         scan_free(&scan);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_profiles),  cmocka_unit_test(test_maps),    cmocka_unit_test(test_containers),
-        cmocka_unit_test(test_x3p_forms), cmocka_unit_test(test_refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -22,9 +22,8 @@ static void assert_four_points(const char *text, const char *x_unit, const char 
     scan_free(&scan);
 }
 
-static void test_delimiters(void **state)
+TEST_CASE(test_delimiters)
 {
-    (void)state;
     static const char *const texts[] = {
         "x [mm],z [um]\n0,0.5\n1,-1.25\n2,2.75\n3,0.125\n",
         "x [mm];z [um]\r\n0;0.5\r\n1;-1.25\r\n2;2.75\r\n3;0.125\r\n",
@@ -42,9 +41,8 @@ static void test_delimiters(void **state)
 
 #define POINTS "0,0.5\n1,-1.25\n2,2.75\n3,0.125\n"
 
-static void test_units_in_header(void **state)
+TEST_CASE(test_units_in_header)
 {
-    (void)state;
     static const char *const texts[] = {
         "X (mm),Z (um)\n" POINTS,
         "\"X (mm)\",\"Z (um)\"\n" POINTS,
@@ -69,9 +67,8 @@ static void test_units_in_header(void **state)
         assert_four_points(texts[i], "", "");
 }
 
-static void test_units_of_scene(void **state)
+TEST_CASE(test_units_of_scene)
 {
-    (void)state;
     assert_four_points(POINTS, "mm", "um");
     assert_four_points("x,z\n" POINTS, "mm", "um");
     assert_four_points("x [mm],z\n" POINTS, "", "um");
@@ -90,9 +87,8 @@ static void test_units_of_scene(void **state)
     scan_free(&scan);
 }
 
-static void test_one_column(void **state)
+TEST_CASE(test_one_column)
 {
-    (void)state;
     static const char *const texts[] = {
         "# spacing 1 mm\n# z [um]\n0.5\n-1.25\n2.75\n0.125\n",
         "dx=1mm\nz (um)\n0.5\n-1.25\n2.75\n0.125\n",
@@ -107,9 +103,8 @@ static void test_one_column(void **state)
 }
 
 /* Every word that names a spacing, and none that an other axis stands beside. */
-static void test_words_of_spacing(void **state)
+TEST_CASE(test_words_of_spacing)
 {
-    (void)state;
     static const char *const words[] = {"spacing",  "dx",          "deltax", "step",    "X resolution",
                                         "Interval", "x increment", "pitch",  "sampling"};
     static const char *const others[] = {"y", "z", "dy", "dz", "height", "vertical"};
@@ -126,9 +121,8 @@ static void test_words_of_spacing(void **state)
     assert_refused("pixel depth = 2 um\n1 3 2 4\n5 1 3 1\n1 1 1 1\n", "without its pixel size");
 }
 
-static void test_descending(void **state)
+TEST_CASE(test_descending)
 {
-    (void)state;
     struct scan scan = read_good("x [mm],z [um]\n3,30\n2,20\n0,0\n", "", "");
     assert_near(scan.x_m[2], 3e-3, 1e-15);
     assert_near(scan.z_m[2], 30e-6, 1e-15);
@@ -139,9 +133,8 @@ static void test_descending(void **state)
     scan_free(&scan);
 }
 
-static void test_refusals(void **state)
+TEST_CASE(test_refusals)
 {
-    (void)state;
     assert_refused("", "file: the file is empty");
     assert_refused("\n\n\n", "file: no line of numbers");
     assert_refused("{\n \"LENGTH\": 0.11,\n \"NAME\": null\n}\n", "file: no line of numbers in it: not a scan");
@@ -170,9 +163,8 @@ static void test_refusals(void **state)
     assert_refused("0,1\n1,2\n2,3\n\x80\x80", "file:4: '\?\?'");
 }
 
-static void test_missing_units(void **state)
+TEST_CASE(test_missing_units)
 {
-    (void)state;
     const char *text = "0,1\n1,2\n2,3\n";
     assert_refused_bytes(text, strlen(text), &no_units, "add `x_unit: mm` and `z_unit: um`");
     assert_refused_bytes(text, strlen(text), &no_units, "--x-unit mm --z-unit um");
@@ -183,9 +175,8 @@ static void test_missing_units(void **state)
     assert_refused_bytes(text, strlen(text), &wrong, "is no unit of length; give z_unit");
 }
 
-static void test_binary(void **state)
+TEST_CASE(test_binary)
 {
-    (void)state;
     static const char png[] = "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x20";
     assert_refused_bytes(png, sizeof png - 1, &no_units, "it is no scan: PNG picture");
     char noise[4096];
@@ -203,9 +194,8 @@ static void test_binary(void **state)
     text_free(&head);
 }
 
-static void test_no_file(void **state)
+TEST_CASE(test_no_file)
 {
-    (void)state;
     struct scan scan;
     struct status status = {0};
     assert_int_equal(scan_read(&scan, "/", &no_units, &status), STATUS_IO);
@@ -220,9 +210,8 @@ static void test_no_file(void **state)
     scan_free(&scan);
 }
 
-static void test_hostile_name(void **state)
+TEST_CASE(test_hostile_name)
 {
-    (void)state;
     struct scan scan;
     struct status status = {0};
     char name[3000];
@@ -236,9 +225,8 @@ static void test_hostile_name(void **state)
     scan_free(&scan);
 }
 
-static void test_warnings_overflow(void **state)
+TEST_CASE(test_warnings_overflow)
 {
-    (void)state;
     struct scan scan = {0};
     for (int i = 1; i <= 12; i++)
         scan_warn(&scan, "number\n%d", i);
@@ -247,9 +235,8 @@ static void test_warnings_overflow(void **state)
     assert_string_equal(scan.warnings[7], "and 5 more warnings");
 }
 
-static void test_mutations(void **state)
+TEST_CASE(test_mutations)
 {
-    (void)state;
     static const char *const samples[] = {
         "x [mm],z [um]\r\n0,0.5\r\n1,-1.25\r\n2,2.75\r\n3,0.125\r\n4,1e-3\r\n",
         "\xEF\xBB\xBFx (mm);z (\xC2\xB5m)\n[mm];[um]\n0;0,5\n1,5;-1,25\n2;2,75\n3;0,125\n\n\n",
@@ -263,9 +250,8 @@ static void test_mutations(void **state)
 }
 
 /* What instruments write where they measured nothing, and empty cells, are missing points. */
-static void test_missing(void **state)
+TEST_CASE(test_missing)
 {
-    (void)state;
     static const char *const texts[] = {
         "x [mm],z [um]\n0,0.5\n1,nan\n2,2.75\n3,0.125\n4,7\n",
         "x [mm],z [um]\n0,0.5\n1,Bad\n2,2.75\n3,0.125\n4,7\n",
@@ -300,9 +286,8 @@ static void test_missing(void **state)
 }
 
 /* A first line with the number of points is none of them, and has to be right. */
-static void test_counts(void **state)
+TEST_CASE(test_counts)
 {
-    (void)state;
     static const char *const texts[] = {"4\n"
                                         "0 0.5\n1 -1.25\n2 2.75\n3 0.125\n",
                                         "title\n4\n\n0,0.5\n1,-1.25\n2,2.75\n3,0.125\n",
@@ -322,19 +307,4 @@ static void test_counts(void **state)
     scan = read_good("# spacing 1 mm\n4.0\n0.5\n-1.25\n2.75\n0.125\n", "", "um");
     assert_int_equal(scan.nx, 5);
     scan_free(&scan);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_delimiters),       cmocka_unit_test(test_units_in_header),
-        cmocka_unit_test(test_units_of_scene),   cmocka_unit_test(test_one_column),
-        cmocka_unit_test(test_words_of_spacing), cmocka_unit_test(test_descending),
-        cmocka_unit_test(test_refusals),         cmocka_unit_test(test_missing_units),
-        cmocka_unit_test(test_binary),           cmocka_unit_test(test_no_file),
-        cmocka_unit_test(test_hostile_name),     cmocka_unit_test(test_warnings_overflow),
-        cmocka_unit_test(test_mutations),        cmocka_unit_test(test_missing),
-        cmocka_unit_test(test_counts),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

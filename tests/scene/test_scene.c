@@ -40,9 +40,8 @@ static void check_defaults(const struct scene *scene)
     assert_int_equal(scene->convergence.scales, 4096);
 }
 
-static void test_defaults_without_scene(void **state)
+TEST_CASE(test_defaults_without_scene)
 {
-    (void)state;
     struct scene scene = scene_directory_read(DATA("bare"), NULL);
     check_defaults(&scene);
     assert_null(scene.path);
@@ -51,9 +50,8 @@ static void test_defaults_without_scene(void **state)
     scene_free(&scene);
 }
 
-static void test_defaults_of_texts_that_say_nothing(void **state)
+TEST_CASE(test_defaults_of_texts_that_say_nothing)
 {
-    (void)state;
     static const char *const texts[] = {"", "\n", "# only a comment\n", "---\n", "---\n...\n", "{}", "~\n", "load: {}"};
     struct scene_directory directory = scene_directory_make();
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
@@ -92,9 +90,8 @@ static void check_full_surfaces(const struct scene *scene)
     assert_string_equal(second->z_unit, "um");
 }
 
-static void test_every_key(void **state)
+TEST_CASE(test_every_key)
 {
-    (void)state;
     struct scene scene = scene_directory_read(DATA("full"), NULL);
     assert_string_equal(scene.path, DATA("full") "/scene.yaml");
     assert_string_equal(scene.title, "Two brass blanks");
@@ -130,9 +127,8 @@ static void test_every_key(void **state)
     scene_free(&scene);
 }
 
-static void test_two_metals_and_listed_loads(void **state)
+TEST_CASE(test_two_metals_and_listed_loads)
 {
-    (void)state;
     struct scene scene = scene_directory_read(DATA("connector"), NULL);
     assert_int_equal(scene.effects, EFFECT_BIT(EFFECT_PLASTICITY) | EFFECT_BIT(EFFECT_ELECTRICAL));
     assert_string_equal(scene.bodies.material.name, "bronze");
@@ -150,9 +146,8 @@ static void test_two_metals_and_listed_loads(void **state)
     scene_free(&scene);
 }
 
-static void test_same_metal_and_pressures(void **state)
+TEST_CASE(test_same_metal_and_pressures)
 {
-    (void)state;
     struct scene scene = scene_directory_read(DATA("same"), NULL);
     assert_int_equal(scene.bodies.counterface_kind, MATERIAL_COUNTERFACE_ELASTIC);
     assert_string_equal(scene.bodies.counterface.name, "copper");
@@ -174,9 +169,8 @@ static void test_same_metal_and_pressures(void **state)
     scene_free(&scene);
 }
 
-static void test_a_material_may_know_little(void **state)
+TEST_CASE(test_a_material_may_know_little)
 {
-    (void)state;
     struct scene scene = scene_directory_read(DATA("elastic"), NULL);
     assert_true(scene.effects_auto);
     assert_string_equal(scene.bodies.material.name, "custom");
@@ -188,9 +182,8 @@ static void test_a_material_may_know_little(void **state)
     scene_free(&scene);
 }
 
-static void test_spellings_that_are_allowed(void **state)
+TEST_CASE(test_spellings_that_are_allowed)
 {
-    (void)state;
     static const char *const texts[] = {
         "effects: []\r\ntolerance: \"1E-3\"\r\n",
         "\xef\xbb\xbf{effects: [], tolerance: +.001}",
@@ -207,9 +200,8 @@ static void test_spellings_that_are_allowed(void **state)
     }
 }
 
-static void test_absolute_file(void **state)
+TEST_CASE(test_absolute_file)
 {
-    (void)state;
     struct scene scene = scene_of("surfaces: [{file: " DATA("full/a.csv") "}]\n");
     assert_int_equal(scene.surface_count, 1);
     assert_string_equal(scene.surfaces[0].name, "a"); /* named by its file */
@@ -220,9 +212,8 @@ static void test_absolute_file(void **state)
 }
 
 /* Filters bound the wavelengths that the fit uses, unless a line says otherwise. */
-static void test_filters_bound_the_fit(void **state)
+TEST_CASE(test_filters_bound_the_fit)
 {
-    (void)state;
     static const struct {
         const char *text;
         double shortest, longest;
@@ -242,9 +233,8 @@ static void test_filters_bound_the_fit(void **state)
     }
 }
 
-static void test_default_loads(void **state)
+TEST_CASE(test_default_loads)
 {
-    (void)state;
     struct scene scene = scene_directory_read(DATA("bare"), NULL);
     size_t count;
     double *loads = scene_loads_of(&scene, 1e11, &count);
@@ -263,9 +253,8 @@ static void test_default_loads(void **state)
     scene_free(&scene);
 }
 
-static void test_the_command_line_wins(void **state)
+TEST_CASE(test_the_command_line_wins)
 {
-    (void)state;
     struct scene_overrides overrides = {
         .material = "Silver", .effects = "plasticity, separation", .tolerance = 1e-3, .x_unit = "nm", .z_unit = "pm"};
     struct scene scene = scene_directory_read(DATA("full"), &overrides);
@@ -293,9 +282,8 @@ static void test_the_command_line_wins(void **state)
     scene_free(&scene);
 }
 
-static void test_wrong_overrides(void **state)
+TEST_CASE(test_wrong_overrides)
 {
-    (void)state;
     static const struct {
         const char *directory;
         struct scene_overrides overrides;
@@ -334,9 +322,8 @@ static void test_wrong_overrides(void **state)
     }
 }
 
-static void test_titles(void **state)
+TEST_CASE(test_titles)
 {
-    (void)state;
     char *before = getcwd(NULL, 0);
     assert_int_equal(chdir(DATA("full/..")), 0);
     static const char *const paths[][2] = {{"bare", "bare"},
@@ -357,9 +344,8 @@ static void test_titles(void **state)
     free(before);
 }
 
-static void test_file_paths(void **state)
+TEST_CASE(test_file_paths)
 {
-    (void)state;
     static const char *const rows[][3] = {{"some/where", "a.csv", "some/where/a.csv"},
                                           {"some/", "../a.csv", "some/../a.csv"},
                                           {"some/", "/data/a.csv", "/data/a.csv"}};
@@ -371,9 +357,8 @@ static void test_file_paths(void **state)
     }
 }
 
-static void test_numbers_in_another_locale(void **state)
+TEST_CASE(test_numbers_in_another_locale)
 {
-    (void)state;
     static const char *const locales[] = {"de_DE.UTF-8", "de_DE.utf8", "de_DE", "fr_FR.UTF-8", "fr_FR.utf8"};
     const char *chosen = NULL;
     for (size_t i = 0; !chosen && i < sizeof locales / sizeof *locales; i++)
@@ -388,9 +373,8 @@ static void test_numbers_in_another_locale(void **state)
     setlocale(LC_ALL, "C");
 }
 
-static void test_targets_and_limits(void **state)
+TEST_CASE(test_targets_and_limits)
 {
-    (void)state;
     static const char text[] =
         "material: tin\ntargets: [{ecr: 1 mohm}, {ecr: 3e-9 ohm m2}, {tcr: 0.5 K/W, area: 5 %}, {conductance: 10 "
         "kW/m2/K}]\n"
@@ -432,27 +416,4 @@ static void test_targets_and_limits(void **state)
         assert_int_equal(scene.limits[l].is_upper, limits[l].is_upper);
     }
     scene_free(&scene);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_defaults_without_scene),
-        cmocka_unit_test(test_defaults_of_texts_that_say_nothing),
-        cmocka_unit_test(test_every_key),
-        cmocka_unit_test(test_two_metals_and_listed_loads),
-        cmocka_unit_test(test_same_metal_and_pressures),
-        cmocka_unit_test(test_a_material_may_know_little),
-        cmocka_unit_test(test_spellings_that_are_allowed),
-        cmocka_unit_test(test_absolute_file),
-        cmocka_unit_test(test_filters_bound_the_fit),
-        cmocka_unit_test(test_targets_and_limits),
-        cmocka_unit_test(test_default_loads),
-        cmocka_unit_test(test_the_command_line_wins),
-        cmocka_unit_test(test_wrong_overrides),
-        cmocka_unit_test(test_titles),
-        cmocka_unit_test(test_file_paths),
-        cmocka_unit_test(test_numbers_in_another_locale),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

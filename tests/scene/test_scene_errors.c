@@ -314,9 +314,8 @@ static const struct wrong rows[] = {
      "'ecr' is a resistance, but on which area? add 'nominal_area', or give it times an area (ohm m2)"},
 };
 
-static void test_every_message(void **state)
+TEST_CASE(test_every_message)
 {
-    (void)state;
     struct scene_directory directory = scene_directory_make();
     scene_directory_add(&directory, "a.csv");
     scene_directory_add(&directory, "b.csv");
@@ -357,9 +356,8 @@ static void check_large(const char *start, const char *part, size_t count, const
     scene_directory_remove(&directory);
 }
 
-static void test_sizes(void **state)
+TEST_CASE(test_sizes)
 {
-    (void)state;
     check_large("", "# nothing\n", 110000, "", "/scene.yaml' is larger than 1 MiB; a scene is a few lines of text");
     check_large("a: ", "[", 1000000, "", "/scene.yaml:1: nested too deep; a scene needs at most 4 levels");
     check_large("", "- ", 500000, "", "/scene.yaml:1: nested too deep; a scene needs at most 4 levels");
@@ -370,9 +368,8 @@ static void test_sizes(void **state)
     check_large("foo", "o", 900, ": 1\n", "oooooooooo...'; allowed: title, models, effects");
 }
 
-static void test_aliases_do_not_multiply(void **state)
+TEST_CASE(test_aliases_do_not_multiply)
 {
-    (void)state;
     struct text end = {0};
     text_add(&end, "]}\n");
     for (int i = 1; i < 500; i++)
@@ -382,9 +379,8 @@ static void test_aliases_do_not_multiply(void **state)
     text_free(&end);
 }
 
-static void test_scene_that_is_no_file(void **state)
+TEST_CASE(test_scene_that_is_no_file)
 {
-    (void)state;
     struct scene_directory directory = scene_directory_make();
     struct scene scene;
     struct status status = {0};
@@ -402,15 +398,4 @@ static void test_scene_that_is_no_file(void **state)
     assert_non_null(strstr(status.message, "/scene.yaml' is no regular file; remove it"));
     scene_free(&scene);
     scene_directory_remove(&directory);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_message),
-        cmocka_unit_test(test_sizes),
-        cmocka_unit_test(test_aliases_do_not_multiply),
-        cmocka_unit_test(test_scene_that_is_no_file),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

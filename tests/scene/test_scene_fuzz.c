@@ -99,9 +99,8 @@ static bool check(const struct scene_directory *directory, const struct text *te
     return valid;
 }
 
-static void test_mutations(void **state)
+TEST_CASE(test_mutations)
 {
-    (void)state;
     struct scene_directory directory = scene_directory_make();
     struct text original = {0};
     struct status status = {0};
@@ -125,9 +124,8 @@ static void test_mutations(void **state)
     scene_directory_remove(&directory);
 }
 
-static void test_random_bytes(void **state)
+TEST_CASE(test_random_bytes)
 {
-    (void)state;
     struct scene_directory directory = scene_directory_make();
     uint64_t seed = 7;
     scene_directory_add(&directory, "a.csv");
@@ -141,10 +139,4 @@ static void test_random_bytes(void **state)
         text_free(&text);
     }
     scene_directory_remove(&directory);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_mutations), cmocka_unit_test(test_random_bytes)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

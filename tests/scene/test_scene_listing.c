@@ -22,9 +22,8 @@ static void check_names(const char *const *files, size_t count, const char *cons
 #define COUNT(array)                 (sizeof(array) / sizeof *(array))
 #define CHECK_NAMES(files, surfaces) check_names(files, COUNT(files), surfaces, COUNT(surfaces))
 
-static void test_natural_order(void **state)
+TEST_CASE(test_natural_order)
 {
-    (void)state;
     static const char *const files[] = {"s10.csv",   "s2.csv",   "s1.csv", "s02.csv",
                                         "s2b10.csv", "s2b9.csv", "S3.csv", "s18446744073709551617.csv",
                                         "t.csv",     "10.csv",   "9.csv",  "s18446744073709551616.csv"};
@@ -43,9 +42,8 @@ static void test_natural_order(void **state)
     CHECK_NAMES(files, expected);
 }
 
-static void test_same_stems_keep_their_endings(void **state)
+TEST_CASE(test_same_stems_keep_their_endings)
 {
-    (void)state;
     static const char *const files[] = {"a.csv", "a.txt", "b.csv", "c", "c.x", "c.x.y", "d.", "e.tar.gz"};
     static const char *const expected[][2] = {{"a.csv", "a.csv"}, {"a.txt", "a.txt"},   {"b", "b.csv"},
                                               {"c", "c"},         {"c.x", "c.x"},       {"c.x.y", "c.x.y"},
@@ -53,9 +51,8 @@ static void test_same_stems_keep_their_endings(void **state)
     CHECK_NAMES(files, expected);
 }
 
-static void test_hostile_names(void **state)
+TEST_CASE(test_hostile_names)
 {
-    (void)state;
     static const char *const files[] = {"a b.csv", "\n.csv", "\xff\xfe.csv", "$(x).csv", "scene.yaml.bak", "-o.csv"};
     static const char *const expected[][2] = {{"\n", "\n.csv"},
                                               {"$(x)", "$(x).csv"},
@@ -66,9 +63,8 @@ static void test_hostile_names(void **state)
     CHECK_NAMES(files, expected);
 }
 
-static void test_what_is_no_scan(void **state)
+TEST_CASE(test_what_is_no_scan)
 {
-    (void)state;
     struct scene_directory directory = scene_directory_make();
     char path[512], target[512];
     scene_directory_add(&directory, "scan.csv");
@@ -92,9 +88,8 @@ static void test_what_is_no_scan(void **state)
     scene_directory_remove(&directory);
 }
 
-static void test_empty_directory(void **state)
+TEST_CASE(test_empty_directory)
 {
-    (void)state;
     struct scene_directory directory = scene_directory_make();
     struct scene scene = scene_directory_read(directory.path, NULL);
     assert_int_equal(scene.surface_count, 0);
@@ -104,9 +99,8 @@ static void test_empty_directory(void **state)
 
 /* The counterface's scan and the measurements are no surfaces, however their paths are spelt; units given for all
  * surfaces are the counterface's too. */
-static void test_files_spoken_for(void **state)
+TEST_CASE(test_files_spoken_for)
 {
-    (void)state;
     static const char *const spellings[] = {"", "./", ".//./"};
     const struct scene_overrides units = {.x_unit = "mm", .z_unit = "um"};
     struct scene_directory directory = scene_directory_make();
@@ -131,9 +125,8 @@ static void test_files_spoken_for(void **state)
 /* Files that only say units of a scan beside them are no surfaces; alone they are passed over, with numbers in them
  * they are surfaces. */
 /* In a folder, too: of names with an ending and without, among others that begin alike. */
-static void test_sidecars_in_a_folder(void **state)
+TEST_CASE(test_sidecars_in_a_folder)
 {
-    (void)state;
     static const char *const scans[] = {"s/a", "s/a-1.csv", "s/a.csv", "s/b.csv", "s/b.c.csv", "s/ab.csv"};
     static const char *const sidecars[] = {"s/a.txt", "s/b.csv.hdr", "s/b.txt"};
     static const char text[] = "x unit: mm\nz unit: um\n";
@@ -162,9 +155,8 @@ static void test_sidecars_in_a_folder(void **state)
     }
 }
 
-static void test_sidecars(void **state)
+TEST_CASE(test_sidecars)
 {
-    (void)state;
     static const char units[] = "x unit: mm\nz unit: nm\n", dabam[] = "{\"X1_FACTOR\": 0.001, \"Y1_FACTOR\": 1e-9}",
                       unfit[] = "x unit: mm\nz unit: nm\n0 1\n1 2\n2 1\n";
     static const char *const surfaces[] = {"a", "b", "c.csv", "c.txt"};
@@ -198,9 +190,8 @@ static void test_sidecars(void **state)
     scene_directory_remove(&directory);
 }
 
-static void test_columns_and_quantity(void **state)
+TEST_CASE(test_columns_and_quantity)
 {
-    (void)state;
     static const char text[] = "counterface: {surface: b.csv, quantity: slope, column: [t, Slope (urad)]}\n"
                                "surfaces:\n  - {name: p, file: a.csv}\n"
                                "  - {name: q, file: a.csv, quantity: slope, column: 3}\n"
@@ -221,9 +212,8 @@ static void test_columns_and_quantity(void **state)
     scene_free(&scene);
 }
 
-static void test_many_files(void **state)
+TEST_CASE(test_many_files)
 {
-    (void)state;
     struct scene_directory directory = scene_directory_make();
     enum { MANY = 1000 };
     char name[32];
@@ -255,9 +245,8 @@ static void assert_files(const struct scene_surface *surface, const char *name, 
 }
 
 /* A sub-directory is a surface of its files; one without any, a report and a hidden one are none. */
-static void test_sub_directories(void **state)
+TEST_CASE(test_sub_directories)
 {
-    (void)state;
     struct scene_directory directory = scene_directory_make();
     static const char *const folders[] = {"b", "a", ".hidden", "empty", "report", "deep", "deep/er", "only"};
     static const char *const files[] = {"b/run-10.csv", "b/run-2.csv", "b/.x.csv", "a/x.csv",
@@ -281,9 +270,8 @@ static void test_sub_directories(void **state)
     scene_directory_remove(&directory);
 }
 
-static void test_patterns(void **state)
+TEST_CASE(test_patterns)
 {
-    (void)state;
     struct scene_directory directory = scene_directory_make();
     static const char *const files[] = {"run-10.csv", "run-9.csv", "run-x.txt", "r/run-1.csv", "[1].csv", ".run-1.csv"};
     static const char *const runs[] = {"run-9.csv", "run-10.csv"}, *const both[] = {"[1].csv", "r/run-1.csv"};
@@ -314,9 +302,8 @@ static void test_patterns(void **state)
     scene_directory_remove(&directory);
 }
 
-static void test_no_directory(void **state)
+TEST_CASE(test_no_directory)
 {
-    (void)state;
     static const char *const paths[][2] = {
         {"/nowhere/at/all", "cannot open directory '/nowhere/at/all': No such file or directory"},
         {"", "cannot open directory '': No such file or directory"},
@@ -329,24 +316,4 @@ static void test_no_directory(void **state)
         assert_string_equal(status.message, paths[i][1]);
         scene_free(&scene);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_natural_order),
-        cmocka_unit_test(test_same_stems_keep_their_endings),
-        cmocka_unit_test(test_hostile_names),
-        cmocka_unit_test(test_what_is_no_scan),
-        cmocka_unit_test(test_empty_directory),
-        cmocka_unit_test(test_sidecars),
-        cmocka_unit_test(test_sidecars_in_a_folder),
-        cmocka_unit_test(test_columns_and_quantity),
-        cmocka_unit_test(test_many_files),
-        cmocka_unit_test(test_files_spoken_for),
-        cmocka_unit_test(test_no_directory),
-        cmocka_unit_test(test_sub_directories),
-        cmocka_unit_test(test_patterns),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

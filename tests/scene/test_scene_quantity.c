@@ -13,9 +13,8 @@ static struct scene_quantity read(const char *text, unsigned quantities)
     return out;
 }
 
-static void values_are_si(void **state)
+TEST_CASE(values_are_si)
 {
-    (void)state;
     static const struct {
         const char *text;
         unsigned kind;
@@ -55,9 +54,8 @@ static void values_are_si(void **state)
     assert_true(read("4 um", UNIT_DISTANCE).value == 4e-6 && read("0.3 mm", UNIT_DISTANCE).value == 0.3e-3);
 }
 
-static void without_a_unit_it_is_the_first(void **state)
+TEST_CASE(without_a_unit_it_is_the_first)
 {
-    (void)state;
     struct scene_quantity load = read("5", UNIT_LOADS), area = read("5", UNIT_AREA);
     assert_int_equal(load.kind, UNIT_NUMBER);
     assert_int_equal(area.kind, UNIT_AREA);
@@ -67,9 +65,8 @@ static void without_a_unit_it_is_the_first(void **state)
     assert_near(force.unit.factor, 1e-6, 0);
 }
 
-static void what_is_none_is_refused(void **state)
+TEST_CASE(what_is_none_is_refused)
 {
-    (void)state;
     static const char *const texts[] = {"",     "N",       "4 furlongs", "4 mm2 x", "0x10 N", "1,5 N", "inf N",
                                         "4 4",  "1d3 N",   "1 W/mK/",    "4 mm 2",  "N 4",    "--4 N", "4 degC/degC x",
                                         "4 'N", "4 N\001", "1e5N5"};
@@ -78,14 +75,4 @@ static void what_is_none_is_refused(void **state)
         if (scene_quantity_read(&out, string_view_of(texts[i]), ANY & ~UNIT_POWER))
             fail_msg("'%s' is read", texts[i]);
     assert_true(scene_quantity_read(&out, string_view_of("1e999 N"), ANY) && isinf(out.value));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(values_are_si),
-        cmocka_unit_test(without_a_unit_it_is_the_first),
-        cmocka_unit_test(what_is_none_is_refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -35,9 +35,8 @@ static struct selftest_result run(const struct selftest_group *group)
     return result;
 }
 
-static void all_groups_are_right(void **state)
+TEST_CASE(all_groups_are_right)
 {
-    (void)state;
     struct selftest_group group;
     for (size_t first = 0; first < table.count; first += group.count) {
         group = selftest_group(&table, first);
@@ -53,9 +52,8 @@ static void all_groups_are_right(void **state)
 }
 
 /** Every number is expected a little off: it is wrong, and is said to be the worst of its group. */
-static void every_number_counts(void **state)
+TEST_CASE(every_number_counts)
 {
-    (void)state;
     for (size_t i = 0; i < table.count; i++)
         for (int sign = -1; sign <= 1; sign += 2) {
             struct selftest_reference two[2] = {table.references[i], table.references[i]};
@@ -69,10 +67,9 @@ static void every_number_counts(void **state)
 }
 
 /** The numbers are computed from the arguments: others give others. */
-static void arguments_count(void **state)
+TEST_CASE(arguments_count)
 {
     static const char *const same[] = {"constriction", "contact points", "corrected area"};
-    (void)state;
     for (size_t i = 0; i < table.count; i++) {
         struct selftest_reference planted = table.references[i];
         bool may_stay = planted.at[0] == 0 || planted.expected == 1 || strcmp(planted.group, "spectrum") == 0;
@@ -88,9 +85,8 @@ static void arguments_count(void **state)
     }
 }
 
-static void no_number_is_wrong(void **state)
+TEST_CASE(no_number_is_wrong)
 {
-    (void)state;
     struct status status = {0};
     struct selftest_result result;
     struct selftest_reference none = {"models", "persson", quantity_rows[QUANTITY_GAP].name, {1e-4, 64, 0}, 1,
@@ -122,7 +118,7 @@ static void expect_refused(const struct directory *place, const char *bytes, siz
 
 /** The table cut off anywhere, a cell that is no number, a tolerance of none, a column too few, an input that is none.
  */
-static void a_damaged_table_is_refused(void **state)
+TEST_CASE(a_damaged_table_is_refused)
 {
     static const struct {
         const char *from, *to;
@@ -136,7 +132,6 @@ static void a_damaged_table_is_refused(void **state)
     struct directory place = directory_make();
     struct text whole = {0};
     struct status status = {0};
-    (void)state;
     assert_int_equal(text_read_file(&whole, TABLE, &status), STATUS_OK);
     expect_refused(&place, NULL, 0, "selftest.csv");
     for (size_t length = 0; length < whole.length; length += length + 1100 < whole.length ? 997 : 7)
@@ -196,9 +191,8 @@ static bool has_number(const struct numbers *numbers, double value)
 }
 
 /** What the models are held against, and the inputs, stand in the reference tables: this program did not print them. */
-static void numbers_are_the_references(void **state)
+TEST_CASE(numbers_are_the_references)
 {
-    (void)state;
     static const char *const folders[] = {"golden", "golden/models", "golden/two-band", "golden/contacting-slopes",
                                           "statistics"};
     struct numbers *numbers = calloc(1, sizeof *numbers);
@@ -228,15 +222,4 @@ static void numbers_are_the_references(void **state)
     free(numbers);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(all_groups_are_right),
-        cmocka_unit_test(every_number_counts),
-        cmocka_unit_test(arguments_count),
-        cmocka_unit_test(no_number_is_wrong),
-        cmocka_unit_test(a_damaged_table_is_refused),
-        cmocka_unit_test(numbers_are_the_references),
-    };
-    return cmocka_run_group_tests(tests, read_table, free_table);
-}
+TEST_GROUP(read_table, free_table)

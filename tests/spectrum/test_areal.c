@@ -45,7 +45,9 @@ static struct areal compute(const struct scan *scan)
     return areal;
 }
 
-static void test_waves_on_a_plane(void **state)
+#define PLACED(name) TEST_WITH(name, setup, teardown)
+
+PLACED(test_waves_on_a_plane)
 {
     struct scan scan = make_map(*state, false);
     struct areal areal = compute(&scan);
@@ -63,7 +65,7 @@ static void test_waves_on_a_plane(void **state)
 }
 
 /* A hundredth and three points of every row missing: every figure stays within a few per cent. */
-static void test_missing_points_are_left_out(void **state)
+PLACED(test_missing_points_are_left_out)
 {
     struct scan scan = make_map(*state, true);
     struct areal areal = compute(&scan);
@@ -78,7 +80,7 @@ static void test_missing_points_are_left_out(void **state)
 }
 
 /* Rows that are all missing or flat have no spectrum, and the others have theirs. */
-static void test_rows_that_are_none(void **state)
+PLACED(test_rows_that_are_none)
 {
     double *z = *state;
     struct scan scan = make_map(z, false);
@@ -93,7 +95,7 @@ static void test_rows_that_are_none(void **state)
     areal_free(&areal);
 }
 
-static void test_maps_that_are_none(void **state)
+PLACED(test_maps_that_are_none)
 {
     double *z = *state;
     struct scan scan = make_map(z, false);
@@ -109,15 +111,4 @@ static void test_maps_that_are_none(void **state)
     assert_int_equal(areal_compute(&areal, &scan, &status), STATUS_SCAN);
     assert_non_null(strstr(status.message, "side by side"));
     areal_free(&areal);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_waves_on_a_plane, setup, teardown),
-        cmocka_unit_test_setup_teardown(test_missing_points_are_left_out, setup, teardown),
-        cmocka_unit_test_setup_teardown(test_rows_that_are_none, setup, teardown),
-        cmocka_unit_test_setup_teardown(test_maps_that_are_none, setup, teardown),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -11,9 +11,8 @@ static struct spectrum make(size_t count, double length, bool nyquist)
 }
 
 /** The same grid gives the same spectrum back. */
-static void same_grid_is_the_identity(void **state)
+TEST_CASE(same_grid_is_the_identity)
 {
-    (void)state;
     struct status status = {0};
     struct spectrum in = make(50, 1e-3, false), out;
     assert_int_equal(grid_spectrum(&out, &in, 1e-3, 50, &status), STATUS_OK);
@@ -24,9 +23,8 @@ static void same_grid_is_the_identity(void **state)
 }
 
 /** All power that lies within the new grid's bands arrives, whatever the lengths. */
-static void power_is_kept(void **state)
+TEST_CASE(power_is_kept)
 {
-    (void)state;
     struct status status = {0};
     for (int nyquist = 0; nyquist < 2; nyquist++)
         for (double length = 0.31e-3; length < 0.99e-3; length *= 1.17) {
@@ -46,9 +44,8 @@ static void power_is_kept(void **state)
 }
 
 /** A law on one grid is the same law on another: its power in a band is that of the other's harmonics there. */
-static void sum_of_two_adds_squares(void **state)
+TEST_CASE(sum_of_two_adds_squares)
 {
-    (void)state;
     struct status status = {0};
     struct spectrum a = make(60, 1e-3, true), b = make(60, 1e-3, true), sum = make(60, 1e-3, true);
     for (size_t i = 0; i < 60; i++)
@@ -63,9 +60,8 @@ static void sum_of_two_adds_squares(void **state)
 }
 
 /** Records of any two lengths: the mean's power is the mean of both, each on the shorter one's grid. */
-static void average_of_unlike_records(void **state)
+TEST_CASE(average_of_unlike_records)
 {
-    (void)state;
     struct status status = {0};
     for (int k = 0; k < 3; k++) {
         double length = k == 0 ? 1e-3 : k == 1 ? 0.93e-3 : 1.08e-3, shorter = fmin(length, 1e-3);
@@ -83,15 +79,4 @@ static void average_of_unlike_records(void **state)
         spectrum_free(&one);
         spectrum_free(&two);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(same_grid_is_the_identity),
-        cmocka_unit_test(power_is_kept),
-        cmocka_unit_test(average_of_unlike_records),
-        cmocka_unit_test(sum_of_two_adds_squares),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

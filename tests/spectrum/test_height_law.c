@@ -26,7 +26,7 @@ static struct height_law find(double skewness, double kurtosis, size_t count, do
 }
 
 /* White heights of 1024 points scatter little: there the limits are the verdict, to the digit. */
-static void the_limits(void **state)
+TEST_CASE(the_limits)
 {
     static const struct {
         double skewness, kurtosis;
@@ -34,7 +34,6 @@ static void the_limits(void **state)
     } cases[] = {{0, 3, true},     {0.499, 3, true}, {0.5, 3, false},   {-0.499, 3, true},
                  {-0.5, 3, false}, {0, 2.5, true},   {0, 2.45, false},  {0, 4, true},
                  {0, 4.01, false}, {0.499, 4, true}, {-1.2, 4.1, false}};
-    (void)state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct height_law law = find(cases[i].skewness, cases[i].kurtosis, MOST, 0, 1);
         assert_int_equal(law.verdict, cases[i].within ? HEIGHTS_GAUSSIAN : HEIGHTS_NOT_GAUSSIAN);
@@ -45,9 +44,8 @@ static void the_limits(void **state)
 
 /* Rsk of N independent Gaussian heights has variance 6/N: 0.6 of 64 is 1.96 of its deviations, 5 % two-sided; and half
  * the variance with two scans. */
-static void chance_is_that_of_the_scatter(void **state)
+TEST_CASE(chance_is_that_of_the_scatter)
 {
-    (void)state;
     struct height_law one = find(0.6, 3, 31, 0, 1), two = find(0.6, 3, 31, 0, 2);
     assert_within(one.chance[0], erfc(0.6 / sqrt(2 * 6 / 64.0)), 0.04);
     assert_within(two.chance[0], erfc(0.6 / sqrt(2 * 3 / 64.0)), 0.02);
@@ -57,9 +55,8 @@ static void chance_is_that_of_the_scatter(void **state)
 }
 
 /* A scan whose longest waves are as long as itself has few independent heights; many such scans have many. */
-static void few_long_waves_cannot_tell(void **state)
+TEST_CASE(few_long_waves_cannot_tell)
 {
-    (void)state;
     struct height_law alone = find(0.6, 2.4, 60, 1.5, 1), again = find(0.6, 2.4, 60, 1.5, 1);
     assert_int_equal(alone.verdict, HEIGHTS_CANNOT_TELL);
     assert_true(alone.chance[0] > 0.1 && alone.chance[1] > 0.1);
@@ -70,13 +67,12 @@ static void few_long_waves_cannot_tell(void **state)
 }
 
 /* What is within its limit is no evidence, however unlikely: Rku below its limit by chance, beside a small Rsk. */
-static void only_what_is_beyond_counts(void **state)
+TEST_CASE(only_what_is_beyond_counts)
 {
     double amplitude_m[60], kurtosis[] = {2.49, 2.4, 2.2};
     struct spectrum spectrum = {amplitude_m, 60, 1e-3, false};
     struct status status = {0};
     size_t telling = 0;
-    (void)state;
     for (int n = 1; n <= 60; n++) /* a narrow band: Rsk next to 0, Rku anywhere above 1.5 */
         amplitude_m[n - 1] = n == 8 || n == 9 ? 1e-6 : 1e-9;
     for (size_t i = 0; i < sizeof kurtosis / sizeof *kurtosis; i++) {
@@ -90,9 +86,8 @@ static void only_what_is_beyond_counts(void **state)
 }
 
 /* Without enough harmonics, or power in them, the limits alone decide. */
-static void the_limits_alone(void **state)
+TEST_CASE(the_limits_alone)
 {
-    (void)state;
     struct height_law short_one = find(0.6, 3, 6, 0, 1);
     assert_int_equal(short_one.verdict, HEIGHTS_NOT_GAUSSIAN);
     assert_true(isnan(short_one.chance[0]) && isnan(short_one.chance[1]));
@@ -126,13 +121,12 @@ static double chance_by_hand(const struct simulated_record *record, enum level l
 }
 
 /* Long waves, of which levels take out much: the chances are those of records levelled one by one, at every level. */
-static void records_are_levelled_like_the_scan(void **state)
+TEST_CASE(records_are_levelled_like_the_scan)
 {
     double amplitude_m[31], square_m2[31], before = 0;
     struct spectrum spectrum = {amplitude_m, 31, 1e-3, false};
     struct simulated_record record;
     struct status status = {0};
-    (void)state;
     for (int n = 1; n <= 31; n++) {
         amplitude_m[n - 1] = 1e-7 * pow(n, -1.5);
         square_m2[n - 1] = amplitude_m[n - 1] * amplitude_m[n - 1];
@@ -149,17 +143,4 @@ static void records_are_levelled_like_the_scan(void **state)
         before = law.chance[0] + law.chance[1];
     }
     simulated_record_free(&record);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_limits),
-        cmocka_unit_test(chance_is_that_of_the_scatter),
-        cmocka_unit_test(few_long_waves_cannot_tell),
-        cmocka_unit_test(only_what_is_beyond_counts),
-        cmocka_unit_test(the_limits_alone),
-        cmocka_unit_test(records_are_levelled_like_the_scan),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

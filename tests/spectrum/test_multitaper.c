@@ -44,9 +44,8 @@ static void random_walk(double *height_m, size_t points, unsigned long seed)
     gsl_rng_free(random);
 }
 
-static void test_reference_values(void **state)
+TEST_CASE(test_reference_values)
 {
-    (void)state;
     struct table table = table_read("statistics/multitaper.csv");
     double height_m[64], square_m2[31];
     assert_int_equal(table.rows, 64);
@@ -58,9 +57,8 @@ static void test_reference_values(void **state)
     table_free(&table);
 }
 
-static void test_one_transform_is_the_definition(void **state)
+TEST_CASE(test_one_transform_is_the_definition)
 {
-    (void)state;
     double height_m[301], square_m2[150], expected[150];
     for (size_t points = 3; points <= 301; points += points < 20 ? 1 : 47) {
         random_walk(height_m, points, points);
@@ -71,18 +69,16 @@ static void test_one_transform_is_the_definition(void **state)
     }
 }
 
-static void test_counts(void **state)
+TEST_CASE(test_counts)
 {
-    (void)state;
     assert_int_equal(multitaper_count(3), 1);
     assert_int_equal(multitaper_count(8), 3);
     assert_int_equal(multitaper_count(9), 4);
 }
 
 /* A line a thousand times as high as the roughness, and any offset, leave the spectrum as it is. */
-static void test_tilt_and_offset_do_not_matter(void **state)
+TEST_CASE(test_tilt_and_offset_do_not_matter)
 {
-    (void)state;
     double height_m[500], tilted[500], square_m2[249], square_tilted[249];
     random_walk(height_m, 500, 7);
     for (size_t i = 0; i < 500; i++)
@@ -93,9 +89,8 @@ static void test_tilt_and_offset_do_not_matter(void **state)
         assert_near(square_tilted[n], square_m2[n], 1e-6);
 }
 
-static void test_squares_scale_as_squares(void **state)
+TEST_CASE(test_squares_scale_as_squares)
 {
-    (void)state;
     double height_m[200], scaled[200], square_m2[99], square_scaled[99];
     random_walk(height_m, 200, 8);
     for (size_t i = 0; i < 200; i++)
@@ -108,9 +103,8 @@ static void test_squares_scale_as_squares(void **state)
 
 /* The mean over many white records is Delta² = 4 sigma²/N at every harmonic n >= 5, and the spread that of 5 squares.
  */
-static void test_white_noise(void **state)
+TEST_CASE(test_white_noise)
 {
-    (void)state;
     enum { RECORDS = 2000, POINTS = 128 };
     double height_m[POINTS], square_m2[63], mean = 0, spread = 0;
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
@@ -138,9 +132,8 @@ static double complex overlap(int k, int l, int m)
     return sum;
 }
 
-static void test_correlation_is_the_closed_form(void **state)
+TEST_CASE(test_correlation_is_the_closed_form)
 {
-    (void)state;
     for (int m = 0; m <= MULTITAPER_CORRELATED; m++) {
         double sum = 0;
         for (int k = 1; k <= MULTITAPER_TAPERS; k++)
@@ -151,18 +144,16 @@ static void test_correlation_is_the_closed_form(void **state)
     assert_within(multitaper_correlation(MULTITAPER_CORRELATED + 1), 0, 0);
 }
 
-static void test_constant_heights_have_no_power(void **state)
+TEST_CASE(test_constant_heights_have_no_power)
 {
-    (void)state;
     double height_m[8] = {3.7, 3.7, 3.7, 3.7, 3.7, 3.7, 3.7, 3.7}, square_m2[3];
     compute(square_m2, height_m, 8);
     for (size_t n = 0; n < 3; n++)
         assert_within(square_m2[n], 0, 0);
 }
 
-static void test_heights_that_are_no_numbers_are_refused(void **state)
+TEST_CASE(test_heights_that_are_no_numbers_are_refused)
 {
-    (void)state;
     double square_m2[4];
     const double bad[] = {NAN, INFINITY, -INFINITY};
     for (size_t b = 0; b < 3; b++) {
@@ -174,20 +165,4 @@ static void test_heights_that_are_no_numbers_are_refused(void **state)
     double huge[9] = {1e200, 0, 1e200, 0, 0, 1e200, 0, 0, 1};
     struct status status = {0};
     assert_int_equal(multitaper_square(square_m2, huge, 9, &status), STATUS_SCAN);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_reference_values),
-        cmocka_unit_test(test_one_transform_is_the_definition),
-        cmocka_unit_test(test_counts),
-        cmocka_unit_test(test_tilt_and_offset_do_not_matter),
-        cmocka_unit_test(test_squares_scale_as_squares),
-        cmocka_unit_test(test_white_noise),
-        cmocka_unit_test(test_correlation_is_the_closed_form),
-        cmocka_unit_test(test_constant_heights_have_no_power),
-        cmocka_unit_test(test_heights_that_are_no_numbers_are_refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -30,9 +30,8 @@ static void assert_value(const struct parameters *parameters, const char *name, 
     assert_within(value, expected, atol);
 }
 
-static void test_every_row_is_described(void **state)
+TEST_CASE(test_every_row_is_described)
 {
-    (void)state;
     for (size_t p = 0; p < PARAMETERS_COUNT; p++) {
         const struct parameters_row *row = &parameters_rows[p];
         assert_true(strlen(row->name) > 0 && strlen(row->meaning) > 5 && strstr(row->clause, "ISO"));
@@ -45,9 +44,8 @@ static void test_every_row_is_described(void **state)
     assert_true(isnan(parameters_value(&parameters, "nothing")));
 }
 
-static void test_a_sine(void **state)
+TEST_CASE(test_a_sine)
 {
-    (void)state;
     double *z = room(), k = 2 * M_PI / 400; /* 50 waves of 100 um */
     for (size_t i = 0; i < POINTS; i++)
         z[i] = 2e-6 * sin(k * ((double)i + 0.25));
@@ -69,9 +67,8 @@ static void test_a_sine(void **state)
 }
 
 /* Quantiles of a Gaussian (Newton on erfc), in any order: skewness 0, kurtosis 3, Ra/Rq = sqrt(2/pi). */
-static void test_a_gaussian_has_a_kurtosis_of_3(void **state)
+TEST_CASE(test_a_gaussian_has_a_kurtosis_of_3)
 {
-    (void)state;
     double *z = room(), x = -4;
     for (size_t i = 0; i < POINTS; i++) {
         for (int step = 0; step < 30; step++)
@@ -87,9 +84,8 @@ static void test_a_gaussian_has_a_kurtosis_of_3(void **state)
 }
 
 /* The 7-point formula is exact for polynomials up to the 6th power. */
-static void test_slope_formula(void **state)
+TEST_CASE(test_slope_formula)
 {
-    (void)state;
     double z[40], sum = 0;
     for (size_t i = 0; i < 40; i++) {
         double x = (double)i * 0.05 - 1;
@@ -104,9 +100,8 @@ static void test_slope_formula(void **state)
 }
 
 /* Five parts with waves of 1, 2, 3, 4, 5 um: p, v, z, a, q are means, t is the tallest part's. */
-static void test_means_over_sampling_lengths(void **state)
+TEST_CASE(test_means_over_sampling_lengths)
 {
-    (void)state;
     double *z = room();
     for (size_t i = 0; i < POINTS; i++)
         z[i] = (double)(i / (POINTS / 5) + 1) * 1e-6 * sin(2 * M_PI * ((double)i + 0.5) / 200);
@@ -123,9 +118,8 @@ static void test_means_over_sampling_lengths(void **state)
 }
 
 /* Ripples that cross the line are no elements; hills that stay under 10 % of the highest are none either. */
-static void test_profile_elements(void **state)
+TEST_CASE(test_profile_elements)
 {
-    (void)state;
     double *z = room();
     for (size_t i = 0; i < POINTS; i++)
         z[i] = 1e-6 * (sin(2 * M_PI * (double)i / 1000) + 0.05 * sin(2 * M_PI * (double)i / 37));
@@ -146,9 +140,8 @@ static void test_profile_elements(void **state)
 
 /* A material ratio curve of three straight pieces, slopes s1 to ratio a, s to b, s2 beyond: the core is the middle one,
  * carried on to 0 and 100 %; peaks and valleys are the triangles beyond it. */
-static void test_k_family_of_a_known_curve(void **state)
+TEST_CASE(test_k_family_of_a_known_curve)
 {
-    (void)state;
     double *z = room(), s = 1e-6, s1 = 10e-6, s2 = 20e-6, a = 0.15, b = 0.85;
     for (size_t i = 0; i < POINTS; i++) {
         size_t k = i * 7919 % POINTS; /* any order */
@@ -174,9 +167,8 @@ static void test_k_family_of_a_known_curve(void **state)
     free(z);
 }
 
-static void test_sampling_lengths_that_fit(void **state)
+TEST_CASE(test_sampling_lengths_that_fit)
 {
-    (void)state;
     static const struct {
         size_t points, sampling_lengths, used;
     } rows[] = {{4000, 4, 4000}, {3999, 4, 3999}, {3900, 3, 3000}, {1000, 1, 1000}, {995, 1, 995}, {1999, 2, 1999}};
@@ -241,9 +233,8 @@ static void assert_printed(const struct parameters *parameters, const struct pri
 }
 
 /* NIST's algorithm testing system on the NPL EDM softgauge. */
-static void test_nist_edm(void **state)
+TEST_CASE(test_nist_edm)
 {
-    (void)state;
     NEED_REAL_SCANS();
     static const struct printed printed[] = {{"a", .46434, 1e-5},   {"q", .55994, 1e-5}, {"sk", -.13265, 1e-5},
                                              {"ku", 2.36461, 1e-5}, {"t", 2.8623, 1e-4}, {"p", 1.39459, 1e-5},
@@ -258,9 +249,8 @@ static void test_nist_edm(void **state)
         }
 }
 
-static void test_asme_sine(void **state)
+TEST_CASE(test_asme_sine)
 {
-    (void)state;
     NEED_REAL_SCANS();
     static const struct printed printed[] = {{"a", .63663, 1e-5}, {"q", .70711, 1e-5}, {"dq", .0111, 1e-4}};
     struct profile profile = real_profile("nist_asme_sine.xml", LEVEL_MEAN, 0, 1);
@@ -271,9 +261,8 @@ static void test_asme_sine(void **state)
 }
 
 /* An R profile as the instrument exports it: lambda_c 2.5 mm, four sampling lengths, nothing more to take out. */
-static void test_mitutoyo(void **state)
+TEST_CASE(test_mitutoyo)
 {
-    (void)state;
     NEED_REAL_SCANS();
     static const struct printed printed[] = {{"a", 3.308, 1e-3},  {"q", 3.959, 1e-3}, {"t", 22.233, 1e-3},
                                              {"z", 18.485, 1e-3}, {"p", 8.244, 1e-3}, {"v", 10.240, 1e-3},
@@ -289,32 +278,12 @@ static void test_mitutoyo(void **state)
 }
 
 /* The Dektak's own evaluation between its cursors. */
-static void test_dektak_window(void **state)
+TEST_CASE(test_dektak_window)
 {
-    (void)state;
     NEED_REAL_SCANS();
     static const struct printed printed[] = {{"a", .00525, 1e-5}, {"q", .01143, 1e-5}};
     struct profile profile = real_profile("dektak_stylus.csv", LEVEL_LINE, 467.95e-6, 733.05e-6);
     struct parameters p = compute(profile.height_m, profile.points, profile.spacing_m, 1);
     assert_printed(&p, printed, 2);
     profile_free(&profile);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_row_is_described),
-        cmocka_unit_test(test_a_sine),
-        cmocka_unit_test(test_a_gaussian_has_a_kurtosis_of_3),
-        cmocka_unit_test(test_slope_formula),
-        cmocka_unit_test(test_means_over_sampling_lengths),
-        cmocka_unit_test(test_profile_elements),
-        cmocka_unit_test(test_k_family_of_a_known_curve),
-        cmocka_unit_test(test_sampling_lengths_that_fit),
-        cmocka_unit_test(test_nist_edm),
-        cmocka_unit_test(test_asme_sine),
-        cmocka_unit_test(test_mitutoyo),
-        cmocka_unit_test(test_dektak_window),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

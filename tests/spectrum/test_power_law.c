@@ -44,7 +44,7 @@ static double wavelength_m(const struct spectrum *spectrum, size_t i)
     return spectrum->length_m / (double)(i + 1);
 }
 
-static void test_an_exact_law_comes_back(void **state)
+TEST_CASE(test_an_exact_law_comes_back)
 {
     static const struct {
         double alpha, gamma, length_m;
@@ -101,7 +101,7 @@ static void assert_textbook_line(const struct power_law *law, const struct spect
     assert_int_equal(law->harmonics, last - first + 1);
 }
 
-static void test_standard_errors(void **state)
+TEST_CASE(test_standard_errors)
 {
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     for (size_t count = 3; count < 20000; count = 3 * count + 1) {
@@ -114,7 +114,7 @@ static void test_standard_errors(void **state)
 }
 
 /* Over many surfaces the fitted slopes scatter as much as each fit says. */
-static void test_standard_errors_are_those_of_repeated_surfaces(void **state)
+TEST_CASE(test_standard_errors_are_those_of_repeated_surfaces)
 {
     enum { SURFACES = 2000 };
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
@@ -133,7 +133,7 @@ static void test_standard_errors_are_those_of_repeated_surfaces(void **state)
     assert_near(log_stated, log_squares, 0.1);
 }
 
-static void test_the_band_is_kept(void **state)
+TEST_CASE(test_the_band_is_kept)
 {
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     struct spectrum *spectrum = sample_law(*state, 600, 3e-4, 0.085, 1.5);
@@ -152,7 +152,7 @@ static void test_the_band_is_kept(void **state)
     gsl_rng_free(random);
 }
 
-static void test_amplitudes_of_zero_are_left_out(void **state)
+TEST_CASE(test_amplitudes_of_zero_are_left_out)
 {
     struct spectrum *spectrum = sample_law(*state, 100, 3e-4, 0.085, 1.5);
     for (size_t i = 0; i < 100; i += 3)
@@ -171,7 +171,7 @@ static void assert_no_fit(const struct spectrum *spectrum, const double band_m[2
     assert_true(isnan(law.misfit_decades) && isnan(law.knee_m) && isnan(power_law_amplitude(&law, 1e-5)));
 }
 
-static void test_fewer_than_three_harmonics_give_no_fit(void **state)
+TEST_CASE(test_fewer_than_three_harmonics_give_no_fit)
 {
     const double two_m[2] = {3e-4 / 11.5, 3e-4 / 9.5}, none_m[2] = {1, 2};
     assert_no_fit(sample_law(*state, 2, 3e-4, 0.085, 1.5), all_m, 2);
@@ -182,7 +182,7 @@ static void test_fewer_than_three_harmonics_give_no_fit(void **state)
 
 /* Two laws that meet at 20 um, 30 harmonics above it and 570 below: with little scatter the knee is found where it is,
  * with that of a Gaussian surface within a factor of 3. */
-static void test_a_knee_is_found(void **state)
+TEST_CASE(test_a_knee_is_found)
 {
     const double knee_m = 2e-5;
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
@@ -207,7 +207,7 @@ static double rayleigh_decades(gsl_rng *random)
     return log10(gsl_ran_rayleigh(random, 1));
 }
 
-static void test_no_knee_in_one_law_with_gaussian_scatter(void **state)
+TEST_CASE(test_no_knee_in_one_law_with_gaussian_scatter)
 {
     enum { SURFACES = 200 };
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
@@ -225,7 +225,7 @@ static void test_no_knee_in_one_law_with_gaussian_scatter(void **state)
 }
 
 /* The scatter that the report names beside the fitted one, by simulation. */
-static void test_scatter_of_a_gaussian_surface(void **state)
+TEST_CASE(test_scatter_of_a_gaussian_surface)
 {
     assert_near(power_law_gaussian_scatter(1), M_PI / sqrt(24) / log(10), 1e-15);
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
@@ -237,7 +237,7 @@ static void test_scatter_of_a_gaussian_surface(void **state)
 }
 
 /* Delta = 1e-6 (lambda/L)^20 over 1e-25 m: alpha is 1e494. */
-static void test_an_alpha_beyond_double_is_no_fit(void **state)
+TEST_CASE(test_an_alpha_beyond_double_is_no_fit)
 {
     struct spectrum *spectrum = sample_law(*state, 40, 1, 1e-6, 20);
     assert_near(power_law_fit(spectrum, all_m).alpha, 1e-6, 1e-9);
@@ -251,19 +251,4 @@ static void test_an_alpha_beyond_double_is_no_fit(void **state)
     assert_true(isnan(law.alpha) && isnan(law.gamma));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_an_exact_law_comes_back),
-        cmocka_unit_test(test_standard_errors),
-        cmocka_unit_test(test_standard_errors_are_those_of_repeated_surfaces),
-        cmocka_unit_test(test_the_band_is_kept),
-        cmocka_unit_test(test_amplitudes_of_zero_are_left_out),
-        cmocka_unit_test(test_fewer_than_three_harmonics_give_no_fit),
-        cmocka_unit_test(test_an_alpha_beyond_double_is_no_fit),
-        cmocka_unit_test(test_a_knee_is_found),
-        cmocka_unit_test(test_no_knee_in_one_law_with_gaussian_scatter),
-        cmocka_unit_test(test_scatter_of_a_gaussian_surface),
-    };
-    return cmocka_run_group_tests(tests, sample_setup, sample_teardown);
-}
+TEST_GROUP(sample_setup, sample_teardown)

@@ -87,7 +87,7 @@ static size_t lines_of(const struct power_law_band *band, double *line_m)
     return lines;
 }
 
-static void test_reference_values(void **state)
+TEST_CASE(test_reference_values)
 {
     struct sample *sample = *state;
     struct table table = table_read("statistics/power_law_band.csv");
@@ -125,7 +125,7 @@ static void test_reference_values(void **state)
     table_free(&table);
 }
 
-static void test_bias_and_variance_of_log_amplitudes(void **state)
+TEST_CASE(test_bias_and_variance_of_log_amplitudes)
 {
     struct sample *sample = *state;
     struct table table = table_read("statistics/bias.csv");
@@ -146,9 +146,8 @@ static void test_bias_and_variance_of_log_amplitudes(void **state)
 }
 
 /* The sum of the definition, pair by pair. */
-static void test_covariance_is_the_double_sum(void **state)
+TEST_CASE(test_covariance_is_the_double_sum)
 {
-    (void)state;
     const struct log_bin bins[] = {{.first = 5, .last = 6},   {.first = 7, .last = 7},   {.first = 8, .last = 12},
                                    {.first = 13, .last = 40}, {.first = 41, .last = 90}, {.first = 99, .last = 100}};
     for (size_t i = 0; i < 6; i++)
@@ -161,7 +160,7 @@ static void test_covariance_is_the_double_sum(void **state)
         }
 }
 
-static void test_bins_hold_every_harmonic_once(void **state)
+TEST_CASE(test_bins_hold_every_harmonic_once)
 {
     struct sample *sample = *state;
     struct log_bin bin[LOG_BIN_MOST];
@@ -186,7 +185,7 @@ static void test_bins_hold_every_harmonic_once(void **state)
         }
 }
 
-static void test_an_exact_law_comes_back(void **state)
+TEST_CASE(test_an_exact_law_comes_back)
 {
     struct sample *sample = *state;
     for (double gamma = 0.5; gamma < 2.3; gamma += 0.25) {
@@ -223,7 +222,7 @@ static void knees(struct sample *sample)
     }
 }
 
-static void test_knees_bound_the_band(void **state)
+TEST_CASE(test_knees_bound_the_band)
 {
     struct sample *sample = *state;
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
@@ -253,7 +252,7 @@ static void test_knees_bound_the_band(void **state)
 }
 
 /* Lengths in other units, heights in other units: the exponent and the errors stay, bands and amplitudes follow. */
-static void test_units_do_not_matter(void **state)
+TEST_CASE(test_units_do_not_matter)
 {
     struct sample *sample = *state;
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
@@ -286,7 +285,7 @@ static void assert_none(const struct power_law_band *band)
         assert_true(band->use[j] != POWER_LAW_BAND_USED && isnan(band->residual_decades[j]));
 }
 
-static void test_white_noise_is_no_law(void **state)
+TEST_CASE(test_white_noise_is_no_law)
 {
     struct sample *sample = *state;
     sample_read(sample, "spectrum_white");
@@ -300,7 +299,7 @@ static void test_white_noise_is_no_law(void **state)
     gsl_rng_free(random);
 }
 
-static void test_slopes_of_no_surface_are_no_law(void **state)
+TEST_CASE(test_slopes_of_no_surface_are_no_law)
 {
     struct sample *sample = *state;
     sample_law(sample, 1000, 1e-3, 1, 2.21);
@@ -313,7 +312,7 @@ static void test_slopes_of_no_surface_are_no_law(void **state)
     assert_int_equal(find(sample)->law, POWER_LAW_BAND_LAW);
 }
 
-static void test_width_makes_the_class(void **state)
+TEST_CASE(test_width_makes_the_class)
 {
     struct sample *sample = *state;
     sample_law(sample, 49, 1e-3, 1, 1.3);
@@ -326,7 +325,7 @@ static void test_width_makes_the_class(void **state)
     assert_int_equal(find(sample)->law, POWER_LAW_BAND_NARROW);
 }
 
-static void test_lines_are_left_out(void **state)
+TEST_CASE(test_lines_are_left_out)
 {
     struct sample *sample = *state;
     sample_law(sample, 2000, 1e-2, 1e-3, 1.5);
@@ -343,7 +342,7 @@ static void test_lines_are_left_out(void **state)
 }
 
 /* A hump over 3 bins is a line, over 4 a knee. */
-static void test_a_long_run_of_bins_is_no_line(void **state)
+TEST_CASE(test_a_long_run_of_bins_is_no_line)
 {
     struct sample *sample = *state;
     double line_m[LOG_BIN_MOST];
@@ -355,7 +354,7 @@ static void test_a_long_run_of_bins_is_no_line(void **state)
     }
 }
 
-static void test_every_second_bin_a_line(void **state)
+TEST_CASE(test_every_second_bin_a_line)
 {
     struct sample *sample = *state;
     sample_law(sample, 2000, 1e-2, 1e-3, 1.5);
@@ -370,7 +369,7 @@ static void test_every_second_bin_a_line(void **state)
 }
 
 /* Heights of one harmonic: all the rest is leakage and rounding. */
-static void test_one_harmonic(void **state)
+TEST_CASE(test_one_harmonic)
 {
     struct sample *sample = *state;
     double height_m[1000];
@@ -383,7 +382,7 @@ static void test_one_harmonic(void **state)
     assert_true(band->law == POWER_LAW_BAND_NONE || isfinite(band->fit.gamma_s));
 }
 
-static void test_few_and_empty_harmonics(void **state)
+TEST_CASE(test_few_and_empty_harmonics)
 {
     struct sample *sample = *state;
     for (size_t count = 0; count < 12; count++) {
@@ -405,7 +404,7 @@ static void test_few_and_empty_harmonics(void **state)
     assert_int_equal(empty, 1);
 }
 
-static void test_squares_that_are_no_numbers_are_refused(void **state)
+TEST_CASE(test_squares_that_are_no_numbers_are_refused)
 {
     struct sample *sample = *state;
     const double bad[] = {NAN, INFINITY, -1};
@@ -419,7 +418,7 @@ static void test_squares_that_are_no_numbers_are_refused(void **state)
 }
 
 /* Two and a half averaged scans: with their errors b(M) is right and s falls as the root of psi'(K M). */
-static void test_averaged_scans(void **state)
+TEST_CASE(test_averaged_scans)
 {
     struct sample *sample = *state;
     sample_law(sample, 1000, 1e-3, 1, 1.3);
@@ -438,7 +437,7 @@ static void test_averaged_scans(void **state)
 }
 
 /* A fit in the band that was found is the same fit, less the share of knees. */
-static void test_a_given_band(void **state)
+TEST_CASE(test_a_given_band)
 {
     struct sample *sample = *state;
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
@@ -475,7 +474,7 @@ static void test_a_given_band(void **state)
     gsl_rng_free(random);
 }
 
-static void test_digitising_limit(void **state)
+TEST_CASE(test_digitising_limit)
 {
     struct sample *sample = *state;
     for (size_t n = 0; n < 100; n++)
@@ -488,7 +487,7 @@ static void test_digitising_limit(void **state)
 }
 
 /* Waves of 0.15 decades on the law are more than is called one law. */
-static void test_too_wavy_is_no_law(void **state)
+TEST_CASE(test_too_wavy_is_no_law)
 {
     struct sample *sample = *state;
     sample_law(sample, 1000, 1e-3, 1, 1.3);
@@ -500,7 +499,7 @@ static void test_too_wavy_is_no_law(void **state)
 }
 
 /* Bins that alternate about the law: no line, as every second is alike, and no pieces to follow them. */
-static void test_lack_of_fit_has_a_limit(void **state)
+TEST_CASE(test_lack_of_fit_has_a_limit)
 {
     struct sample *sample = *state;
     struct log_bin bin[LOG_BIN_MOST];
@@ -518,7 +517,7 @@ static void test_lack_of_fit_has_a_limit(void **state)
 }
 
 /* Between two plateaus, 5 bins: 0.498 decades of a law are none, 6 bins are. */
-static void test_a_short_piece_is_no_candidate(void **state)
+TEST_CASE(test_a_short_piece_is_no_candidate)
 {
     struct sample *sample = *state;
     for (size_t last = 315; last <= 397; last += 82) {
@@ -533,31 +532,4 @@ static void test_a_short_piece_is_no_candidate(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_reference_values),
-        cmocka_unit_test(test_bias_and_variance_of_log_amplitudes),
-        cmocka_unit_test(test_covariance_is_the_double_sum),
-        cmocka_unit_test(test_bins_hold_every_harmonic_once),
-        cmocka_unit_test(test_an_exact_law_comes_back),
-        cmocka_unit_test(test_knees_bound_the_band),
-        cmocka_unit_test(test_units_do_not_matter),
-        cmocka_unit_test(test_white_noise_is_no_law),
-        cmocka_unit_test(test_slopes_of_no_surface_are_no_law),
-        cmocka_unit_test(test_width_makes_the_class),
-        cmocka_unit_test(test_lines_are_left_out),
-        cmocka_unit_test(test_a_long_run_of_bins_is_no_line),
-        cmocka_unit_test(test_every_second_bin_a_line),
-        cmocka_unit_test(test_one_harmonic),
-        cmocka_unit_test(test_few_and_empty_harmonics),
-        cmocka_unit_test(test_squares_that_are_no_numbers_are_refused),
-        cmocka_unit_test(test_averaged_scans),
-        cmocka_unit_test(test_a_given_band),
-        cmocka_unit_test(test_digitising_limit),
-        cmocka_unit_test(test_too_wavy_is_no_law),
-        cmocka_unit_test(test_lack_of_fit_has_a_limit),
-        cmocka_unit_test(test_a_short_piece_is_no_candidate),
-    };
-    return cmocka_run_group_tests(tests, sample_setup, sample_teardown);
-}
+TEST_GROUP(sample_setup, sample_teardown)

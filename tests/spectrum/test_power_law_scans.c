@@ -50,9 +50,8 @@ static size_t bins_used(const struct power_law_band *band, enum power_law_band_u
     return count;
 }
 
-static void test_powers_are_averaged(void **state)
+TEST_CASE(test_powers_are_averaged)
 {
-    (void)state;
     double first_m[POINTS], second_m[POINTS], square_m2[2][POINTS];
     struct power_law_scans scans = {0};
     struct status status = {0};
@@ -84,9 +83,8 @@ static void test_powers_are_averaged(void **state)
 }
 
 /* Waves below twice lambda_s, and those a digitiser's step hides, have no part. */
-static void test_the_shortest_wave(void **state)
+TEST_CASE(test_the_shortest_wave)
 {
-    (void)state;
     double height_m[POINTS], longest_m = 0;
     const double step_m = 1e-7;
     struct power_law_scans scans = {0}, stepped = {0};
@@ -112,9 +110,8 @@ static void test_the_shortest_wave(void **state)
     power_law_scans_free(&stepped);
 }
 
-static void test_a_given_band(void **state)
+TEST_CASE(test_a_given_band)
 {
-    (void)state;
     double height_m[POINTS];
     const double band_m[2] = {10e-6, 150e-6};
     struct power_law_scans scans = {0};
@@ -135,9 +132,8 @@ static void test_a_given_band(void **state)
     power_law_scans_free(&scans);
 }
 
-static void test_lines_are_runs_of_bins(void **state)
+TEST_CASE(test_lines_are_runs_of_bins)
 {
-    (void)state;
     double height_m[POINTS], line_m[LOG_BIN_MOST];
     struct power_law_scans scans = {0};
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
@@ -150,15 +146,4 @@ static void test_lines_are_runs_of_bins(void **state)
     assert_int_equal(power_law_band_lines(line_m, &band), 1);
     assert_within(log10(line_m[0] / 16e-6), 0, 0.1); /* a bin is a tenth of a decade wide */
     power_law_scans_free(&scans);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_powers_are_averaged),
-        cmocka_unit_test(test_the_shortest_wave),
-        cmocka_unit_test(test_a_given_band),
-        cmocka_unit_test(test_lines_are_runs_of_bins),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

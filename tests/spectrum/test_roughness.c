@@ -4,9 +4,8 @@
 
 /* A sine of k periods in N points, closed forms: central differences give A cos(theta) sin(kh)/h, second differences
  * -4 sin²(kh/2)/h² z; the two end points, which have no neighbours, are taken out of the sums of cos² and sin². */
-static void test_a_sine_wave(void **state)
+TEST_CASE(test_a_sine_wave)
 {
-    (void)state;
     enum { POINTS = 4096, PERIODS = 4 };
     const double amplitude_m = 3e-7, spacing_m = 2e-7, step = 2 * M_PI * PERIODS / POINTS;
     double height_m[POINTS];
@@ -27,9 +26,8 @@ static void test_a_sine_wave(void **state)
     assert_near(r.m4_per_m2, amplitude_m * amplitude_m / 2 * pow(wave_number, 4), 1e-3);
 }
 
-static void test_a_line_has_slope_and_no_curvature(void **state)
+TEST_CASE(test_a_line_has_slope_and_no_curvature)
 {
-    (void)state;
     double height_m[101];
     for (int j = 0; j < 101; j++)
         height_m[j] = (j - 50) * 0x1p-20;
@@ -41,9 +39,8 @@ static void test_a_line_has_slope_and_no_curvature(void **state)
     assert_near(r.m0_m2, 2 * 50 * 51 * 101 / 6 / 101.0 * 0x1p-40, 1e-15);
 }
 
-static void test_a_parabola_has_one_curvature(void **state)
+TEST_CASE(test_a_parabola_has_one_curvature)
 {
-    (void)state;
     double height_m[64];
     for (int j = 0; j < 64; j++)
         height_m[j] = 0.5 * 1024 * pow(j * 0x1p-20, 2); /* radius 1/1024 m */
@@ -52,9 +49,8 @@ static void test_a_parabola_has_one_curvature(void **state)
 }
 
 /* A parabola over uneven positions has its one curvature, and on even ones both functions agree. */
-static void test_uneven_points(void **state)
+TEST_CASE(test_uneven_points)
 {
-    (void)state;
     double x_m[64], even_m[64], height_m[64], slopes = 0;
     for (int j = 0; j < 64; j++) {
         x_m[j] = (j + 0.4 * sin(j)) * 1e-6;
@@ -73,9 +69,8 @@ static void test_uneven_points(void **state)
     assert_near(r.rq_m, uniform.rq_m, 0);
 }
 
-static void test_three_points(void **state)
+TEST_CASE(test_three_points)
 {
-    (void)state;
     const double height_m[3] = {1e-6, -2e-6, 4e-6};
     struct roughness r = roughness_of_heights(height_m, 3, 1e-6);
     assert_near(r.m0_m2, 7e-12, 1e-14);
@@ -85,9 +80,8 @@ static void test_three_points(void **state)
     assert_near(r.pv_m, 6e-6, 1e-14);
 }
 
-static void test_moments_of_the_spectrum(void **state)
+TEST_CASE(test_moments_of_the_spectrum)
 {
-    (void)state;
     double amplitude_m[] = {4e-7, 0, 1e-8};
     struct spectrum spectrum = {amplitude_m, 3, 6e-6, true};
     struct roughness r = {.rq_m = 1, .ra_m = 2, .pv_m = 3};
@@ -99,9 +93,8 @@ static void test_moments_of_the_spectrum(void **state)
     assert_true(r.rq_m == 1 && r.ra_m == 2 && r.pv_m == 3);
 }
 
-static void test_averages(void **state)
+TEST_CASE(test_averages)
 {
-    (void)state;
     const struct roughness scans[3] = {
         {.rq_m = 1, .ra_m = 1, .pv_m = 5, .m0_m2 = 1, .m2 = 10, .m4_per_m2 = 100},
         {.rq_m = 2, .ra_m = 2, .pv_m = 9, .m0_m2 = 4, .m2 = 20, .m4_per_m2 = 300},
@@ -119,9 +112,8 @@ static void test_averages(void **state)
 }
 
 /* beta.csv has the asperities of the moments in statistical.csv. */
-static void test_asperities_against_the_reference(void **state)
+TEST_CASE(test_asperities_against_the_reference)
 {
-    (void)state;
     struct table asperities = table_read("golden/beta.csv"), moments = table_read("golden/statistical.csv");
     size_t checked = 0;
     for (size_t i = 0; i < asperities.rows; i++)
@@ -148,9 +140,8 @@ static void test_asperities_against_the_reference(void **state)
 }
 
 /* sigma_s² = m0 (1 - limit/Nayak), limit = 3.717e-4 (6 pi sqrt3/0.375)²/pi, from eta and R written out. */
-static void test_the_least_nayak_parameter(void **state)
+TEST_CASE(test_the_least_nayak_parameter)
 {
-    (void)state;
     const double limit = 3.717e-4 * pow(6 * sqrt(3) / 0.375, 2) * M_PI;
     assert_within(limit, 0.8968, 5e-5);
     struct roughness r = {.m0_m2 = 1e-12, .m2 = 0.01};
@@ -179,9 +170,8 @@ static void test_the_least_nayak_parameter(void **state)
     assert_non_null(strstr(status.message, "models: [multiscale]")); /* the remedy */
 }
 
-static void test_a_flat_profile_has_no_asperities(void **state)
+TEST_CASE(test_a_flat_profile_has_no_asperities)
 {
-    (void)state;
     static const double heights_m[][4] = {{0, 0, 0, 0}, {-3e-9, -1e-9, 1e-9, 3e-9}}; /* level, and without curvature */
     for (int k = 0; k < 2; k++) {
         struct asperities a;
@@ -196,9 +186,8 @@ static void test_a_flat_profile_has_no_asperities(void **state)
 }
 
 /* Central differences of +1, -1, +1 ... are 0, or what is left of rounding after a line was taken out. */
-static void test_no_slope_but_rounding(void **state)
+TEST_CASE(test_no_slope_but_rounding)
 {
-    (void)state;
     static const double m2[] = {0, 1e-33, 1e-28};
     for (int k = 0; k < 3; k++) {
         struct asperities a;
@@ -210,22 +199,4 @@ static void test_no_slope_but_rounding(void **state)
     }
     struct roughness some = {.m0_m2 = 1e-12, .m2 = 1e-10, .m4_per_m2 = 1e13};
     assert_near(roughness_nayak(&some), 1e21, 1e-14);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_sine_wave),
-        cmocka_unit_test(test_a_line_has_slope_and_no_curvature),
-        cmocka_unit_test(test_a_parabola_has_one_curvature),
-        cmocka_unit_test(test_uneven_points),
-        cmocka_unit_test(test_three_points),
-        cmocka_unit_test(test_moments_of_the_spectrum),
-        cmocka_unit_test(test_averages),
-        cmocka_unit_test(test_asperities_against_the_reference),
-        cmocka_unit_test(test_the_least_nayak_parameter),
-        cmocka_unit_test(test_a_flat_profile_has_no_asperities),
-        cmocka_unit_test(test_no_slope_but_rounding),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

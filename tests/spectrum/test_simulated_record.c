@@ -31,9 +31,8 @@ static void draw(double *height_m, const struct simulated_record *spectrum, unsi
 
 /* Every frequency of an exact law has the law's density: at k/(4L), a quarter of the square. Below n = 5 only the mean
  * of logarithms is corrected, for a scatter that an exact law has not. */
-static void test_density_of_an_exact_law(void **state)
+TEST_CASE(test_density_of_an_exact_law)
 {
-    (void)state;
     for (size_t points = 16; points <= POINTS; points += 31)
         for (double gamma = 0; gamma <= 2; gamma += 0.4) {
             double square_m2[POINTS];
@@ -49,9 +48,8 @@ static void test_density_of_an_exact_law(void **state)
         }
 }
 
-static void test_the_slope_below_is_limited(void **state)
+TEST_CASE(test_the_slope_below_is_limited)
 {
-    (void)state;
     double square_m2[POINTS];
     const double gamma[] = {-1, 3}, expected[] = {0, 2};
     for (size_t g = 0; g < 2; g++) {
@@ -62,9 +60,8 @@ static void test_the_slope_below_is_limited(void **state)
     }
 }
 
-static void test_a_gap_in_the_spectrum_is_bridged(void **state)
+TEST_CASE(test_a_gap_in_the_spectrum_is_bridged)
 {
-    (void)state;
     double square_m2[POINTS];
     law(square_m2, POINTS, 1);
     square_m2[99] = 0;
@@ -75,9 +72,8 @@ static void test_a_gap_in_the_spectrum_is_bridged(void **state)
 }
 
 /* Mean square heights and slopes of many records are those of the density. */
-static void test_mean_squares(void **state)
+TEST_CASE(test_mean_squares)
 {
-    (void)state;
     enum { RECORDS = 400 };
     double square_m2[POINTS], height_m[POINTS], mean_square = 0, slope = 0, expected = 0, expected_slope = 0;
     law(square_m2, POINTS, 1.2);
@@ -100,9 +96,8 @@ static void test_mean_squares(void **state)
 }
 
 /* The multitaper spectrum of simulated records is that they were drawn from. */
-static void test_the_spectrum_comes_back(void **state)
+TEST_CASE(test_the_spectrum_comes_back)
 {
-    (void)state;
     enum { RECORDS = 400 };
     double square_m2[POINTS], height_m[POINTS], again[POINTS], mean[POINTS] = {0};
     law(square_m2, POINTS, 1.2);
@@ -119,9 +114,8 @@ static void test_the_spectrum_comes_back(void **state)
     simulated_record_free(&spectrum);
 }
 
-static void test_a_seed_makes_a_record(void **state)
+TEST_CASE(test_a_seed_makes_a_record)
 {
-    (void)state;
     double square_m2[POINTS], first[POINTS], second[POINTS], other[POINTS];
     law(square_m2, POINTS, 1.2);
     struct simulated_record spectrum = prepare(square_m2, POINTS);
@@ -161,9 +155,8 @@ static void draw_by_hand(double *height_m, const struct simulated_record *spectr
 }
 
 /* Numbers are kept from record to record: of whatever length, in whatever order, a seed's are the generator's. */
-static void test_what_is_kept_changes_nothing(void **state)
+TEST_CASE(test_what_is_kept_changes_nothing)
 {
-    (void)state;
     static const size_t points[] = {64, 20, 4096, 16, 65};
     static const unsigned long seeds[] = {3, 511, 512, 100000}; /* the latter two are not kept */
     static double square_m2[4096], height_m[4096], by_hand[4096];
@@ -186,9 +179,8 @@ static void test_what_is_kept_changes_nothing(void **state)
     simulated_record_free(&spectrum);
 }
 
-static void test_what_cannot_be_simulated(void **state)
+TEST_CASE(test_what_cannot_be_simulated)
 {
-    (void)state;
     double square_m2[POINTS];
     struct simulated_record spectrum;
     memset(square_m2, 0, sizeof square_m2); /* constant heights */
@@ -212,9 +204,8 @@ static void test_what_cannot_be_simulated(void **state)
 }
 
 /** The slope below is that of the first six bins, harmonics 5 ... 19: none beyond moves it, and one of them does. */
-static void test_what_the_slope_below_is_of(void **state)
+TEST_CASE(test_what_the_slope_below_is_of)
 {
-    (void)state;
     double square_m2[POINTS];
     law(square_m2, POINTS, 1);
     struct simulated_record plain = prepare(square_m2, POINTS);
@@ -233,16 +224,4 @@ static void test_what_the_slope_below_is_of(void **state)
     assert_true(simulated_record_possible(square_m2, POINTS));
     square_m2[6] = 0;
     assert_false(simulated_record_possible(square_m2, POINTS));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_density_of_an_exact_law),          cmocka_unit_test(test_the_slope_below_is_limited),
-        cmocka_unit_test(test_a_gap_in_the_spectrum_is_bridged), cmocka_unit_test(test_mean_squares),
-        cmocka_unit_test(test_the_spectrum_comes_back),          cmocka_unit_test(test_a_seed_makes_a_record),
-        cmocka_unit_test(test_what_is_kept_changes_nothing),     cmocka_unit_test(test_what_cannot_be_simulated),
-        cmocka_unit_test(test_what_the_slope_below_is_of),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

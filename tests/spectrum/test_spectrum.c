@@ -50,9 +50,8 @@ static double mean_square(const double *height_m, size_t points)
 }
 
 /* Each harmonic by itself, at a phase of its own: its amplitude in its bin, nothing in the others. */
-static void test_single_harmonics(void **state)
+TEST_CASE(test_single_harmonics)
 {
-    (void)state;
     static const size_t lengths[] = {3, 4, 5, 6, 7, 16, 17, 101, 120};
     const double amplitude_m = 3.7e-7;
     double height_m[120];
@@ -72,9 +71,8 @@ static void test_single_harmonics(void **state)
 }
 
 /* Every harmonic at once, amplitudes over two decades, odd and even lengths. */
-static void test_many_harmonics(void **state)
+TEST_CASE(test_many_harmonics)
 {
-    (void)state;
     for (size_t points = 240; points <= 241; points++) {
         double height_m[241] = {0};
         for (size_t n = 1; n <= points / 2; n++)
@@ -88,9 +86,8 @@ static void test_many_harmonics(void **state)
 }
 
 /* A ramp of step s has Delta_n = s/sin(pi n/N), and half of that at Nyquist: a geometric sum. */
-static void test_a_ramp(void **state)
+TEST_CASE(test_a_ramp)
 {
-    (void)state;
     double height_m[1000];
     for (size_t points = 999; points <= 1000; points++) {
         for (size_t j = 0; j < points; j++)
@@ -108,9 +105,8 @@ static void test_a_ramp(void **state)
 }
 
 /* A prime length against the defining sum in long double. */
-static void test_against_the_defining_sum(void **state)
+TEST_CASE(test_against_the_defining_sum)
 {
-    (void)state;
     enum { POINTS = 499 };
     double height_m[POINTS];
     uint64_t seed = 5;
@@ -129,9 +125,8 @@ static void test_against_the_defining_sum(void **state)
     spectrum_free(&spectrum);
 }
 
-static void test_parseval(void **state)
+TEST_CASE(test_parseval)
 {
-    (void)state;
     static const size_t lengths[] = {3, 4, 5, 1000, 1001, 1009};
     uint64_t seed = 1;
     double height_m[1009];
@@ -155,9 +150,8 @@ static void test_parseval(void **state)
 }
 
 /* Auto asks the record; what is asked for by name stays. */
-static void test_the_window_of_a_record(void **state)
+TEST_CASE(test_the_window_of_a_record)
 {
-    (void)state;
     assert_int_equal(spectrum_window_for(SPECTRUM_WINDOW_AUTO, true), SPECTRUM_WINDOW_NONE);
     assert_int_equal(spectrum_window_for(SPECTRUM_WINDOW_AUTO, false), SPECTRUM_WINDOW_HANN);
     for (int periodic = 0; periodic < 2; periodic++) {
@@ -166,9 +160,8 @@ static void test_the_window_of_a_record(void **state)
     }
 }
 
-static void test_parseval_of_a_long_surface(void **state)
+TEST_CASE(test_parseval_of_a_long_surface)
 {
-    (void)state;
     struct synth_def def = synth_def_default();
     struct status status = {0};
     def.points = 1000000;
@@ -183,9 +176,8 @@ static void test_parseval_of_a_long_surface(void **state)
 
 /* The sum of a constant and roughness rounds to half a unit of the last place, 7e-18 m here; nothing else may be lost.
  */
-static void test_a_large_offset_keeps_the_amplitudes(void **state)
+TEST_CASE(test_a_large_offset_keeps_the_amplitudes)
 {
-    (void)state;
     enum { POINTS = 1000 };
     const double offset_m = 0.1, amplitude_m = 1e-8;
     double plain_m[POINTS], lifted_m[POINTS];
@@ -204,9 +196,8 @@ static void test_a_large_offset_keeps_the_amplitudes(void **state)
 }
 
 /* Hann of a whole harmonic: main line and its two neighbours at half of it (Harris 1978), scaled to keep the power. */
-static void test_hann_lines(void **state)
+TEST_CASE(test_hann_lines)
 {
-    (void)state;
     enum { POINTS = 256, LINE = 40 };
     double height_m[POINTS];
     for (size_t j = 0; j < POINTS; j++)
@@ -222,9 +213,8 @@ static void test_hann_lines(void **state)
     spectrum_free(&spectrum);
 }
 
-static void test_moments_of_a_sinusoid(void **state)
+TEST_CASE(test_moments_of_a_sinusoid)
 {
-    (void)state;
     enum { POINTS = 500, LINE = 12 };
     double height_m[POINTS], amplitude_m = 4e-7;
     for (size_t j = 0; j < POINTS; j++)
@@ -250,9 +240,8 @@ static struct spectrum random_spectrum(size_t points, uint64_t seed)
 
 /* The mean over scans is one of powers, also where one record has its Nyquist harmonic and the other an ordinary one.
  */
-static void test_averages_are_means_of_powers(void **state)
+TEST_CASE(test_averages_are_means_of_powers)
 {
-    (void)state;
     static const size_t lengths[][3] = {{1000, 1000, 1000}, {999, 999, 999},   {1000, 1001, 1001},
                                         {1001, 1000, 1000}, {1002, 1000, 998}, {998, 1000, 1003}};
     for (size_t l = 0; l < sizeof lengths / sizeof *lengths; l++) {
@@ -288,9 +277,8 @@ static void *compute_again(void *expected)
     return NULL;
 }
 
-static void test_threads_do_not_disturb_each_other(void **state)
+TEST_CASE(test_threads_do_not_disturb_each_other)
 {
-    (void)state;
     struct spectrum spectrum = random_spectrum(1997, 3);
     pthread_t threads[4];
     for (int t = 0; t < 4; t++)
@@ -301,23 +289,4 @@ static void test_threads_do_not_disturb_each_other(void **state)
         assert_null(different);
     }
     spectrum_free(&spectrum);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_single_harmonics),
-        cmocka_unit_test(test_many_harmonics),
-        cmocka_unit_test(test_a_ramp),
-        cmocka_unit_test(test_against_the_defining_sum),
-        cmocka_unit_test(test_parseval),
-        cmocka_unit_test(test_the_window_of_a_record),
-        cmocka_unit_test(test_parseval_of_a_long_surface),
-        cmocka_unit_test(test_a_large_offset_keeps_the_amplitudes),
-        cmocka_unit_test(test_hann_lines),
-        cmocka_unit_test(test_moments_of_a_sinusoid),
-        cmocka_unit_test(test_averages_are_means_of_powers),
-        cmocka_unit_test(test_threads_do_not_disturb_each_other),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

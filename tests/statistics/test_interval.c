@@ -27,9 +27,8 @@ static struct interval rows(const double *value, size_t count, double level)
     return out;
 }
 
-static void test_reference_values(void **state)
+TEST_CASE(test_reference_values)
 {
-    (void)state;
     struct table table = table_read("statistics/interval.csv");
     for (size_t r = 0; r < table.rows; r++) {
         double value[32], weight[32];
@@ -59,9 +58,8 @@ static void test_reference_values(void **state)
 }
 
 /* Closed forms at 1, 2 and 4 degrees of freedom, and the normal limit. */
-static void test_quantiles(void **state)
+TEST_CASE(test_quantiles)
 {
-    (void)state;
     const double levels[] = {0.5, 0.68, 0.95, 0.99, 0.999};
     for (size_t l = 0; l < 5; l++) {
         double p = (1 + levels[l]) / 2, q = 1 - p;
@@ -81,9 +79,8 @@ static void rotate(double *value, size_t count)
 }
 
 /* To the last bit, also among scans of the same value and different weights. */
-static void test_file_order_does_not_matter(void **state)
+TEST_CASE(test_file_order_does_not_matter)
 {
-    (void)state;
     double values[2][4] = {{-20.1, 3.3e-7, 5.5, 1e5}, {0, 0, 0, 1}},
            weights[2][4] = {{1, 2, 3, 1}, {0.1, 0.2, 0.3, 0.05}};
     for (size_t k = 0; k < 2; k++) {
@@ -98,9 +95,8 @@ static void test_file_order_does_not_matter(void **state)
     }
 }
 
-static void test_two_scans(void **state)
+TEST_CASE(test_two_scans)
 {
-    (void)state;
     const double value[2] = {3, 5};
     struct interval out = scans(value, NULL, 2, 0.95);
     assert_near(out.mean, 4, 1e-15);
@@ -111,9 +107,8 @@ static void test_two_scans(void **state)
 }
 
 /* A scan of weight 2 is no two scans (its pieces are not counted as degrees of freedom), equal weights are none. */
-static void test_weights(void **state)
+TEST_CASE(test_weights)
 {
-    (void)state;
     const double value[4] = {1, 2, 4, 8}, equal[4] = {3, 3, 3, 3};
     struct interval plain = scans(value, NULL, 4, 0.95), weighted = scans(value, equal, 4, 0.95);
     assert_near(weighted.mean, plain.mean, 1e-14);
@@ -122,9 +117,8 @@ static void test_weights(void **state)
     assert_near(interval_next_half_width(&weighted, 3), interval_next_half_width(&plain, 1), 1e-14);
 }
 
-static void test_identical_values_have_no_spread(void **state)
+TEST_CASE(test_identical_values_have_no_spread)
 {
-    (void)state;
     double value[9];
     for (size_t i = 0; i < 9; i++)
         value[i] = 0.1;
@@ -135,9 +129,8 @@ static void test_identical_values_have_no_spread(void **state)
 }
 
 /* Neighbours that alternate are no better than independent rows; a ramp is hardly two. */
-static void test_correlation_has_limits(void **state)
+TEST_CASE(test_correlation_has_limits)
 {
-    (void)state;
     double zigzag[16], ramp[16];
     for (size_t i = 0; i < 16; i++) {
         zigzag[i] = i % 2 ? 1 : -1;
@@ -153,9 +146,8 @@ static void test_correlation_has_limits(void **state)
     assert_true(out.effective == 2 && isfinite(out.s));
 }
 
-static void test_units_do_not_matter(void **state)
+TEST_CASE(test_units_do_not_matter)
 {
-    (void)state;
     const double value[6] = {1, 3, 2, 5, 4, 4};
     double scaled[6];
     for (size_t i = 0; i < 6; i++)
@@ -179,9 +171,8 @@ static void assert_refused(const double *value, const double *weight, size_t cou
     assert_non_null(strstr(status.message, why));
 }
 
-static void test_refusals(void **state)
+TEST_CASE(test_refusals)
 {
-    (void)state;
     const double one[1] = {1}, bad[3] = {1, NAN, 2}, endless[3] = {1, 2, INFINITY}, good[3] = {1, 2, 3};
     const double none[3] = {1, 0, 1}, no_number[3] = {1, NAN, 1};
     assert_refused(one, NULL, 1, "at least 2 values; there is 1");
@@ -191,9 +182,8 @@ static void test_refusals(void **state)
     assert_refused(good, no_number, 3, "weight 2 of 3");
 }
 
-static void test_pieces_reach_from_end_to_end(void **state)
+TEST_CASE(test_pieces_reach_from_end_to_end)
 {
-    (void)state;
     for (size_t shortest = 1; shortest < 40; shortest++)
         for (size_t points = shortest; points < 300; points++) {
             size_t pieces = interval_pieces(points, shortest);
@@ -208,30 +198,11 @@ static void test_pieces_reach_from_end_to_end(void **state)
         }
 }
 
-static void test_an_odd_short_scan(void **state)
+TEST_CASE(test_an_odd_short_scan)
 {
-    (void)state;
     double alike[3] = {3, 2, 4}, odd[4] = {4, 4, 1.9, 4}, half[3] = {2, 4, 5}, one[1] = {1};
     assert_false(interval_shortest_is_odd(alike, 3));
     assert_true(interval_shortest_is_odd(odd, 4));
     assert_false(interval_shortest_is_odd(half, 3));
     assert_false(interval_shortest_is_odd(one, 1));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_reference_values),
-        cmocka_unit_test(test_quantiles),
-        cmocka_unit_test(test_file_order_does_not_matter),
-        cmocka_unit_test(test_two_scans),
-        cmocka_unit_test(test_weights),
-        cmocka_unit_test(test_identical_values_have_no_spread),
-        cmocka_unit_test(test_correlation_has_limits),
-        cmocka_unit_test(test_units_do_not_matter),
-        cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_pieces_reach_from_end_to_end),
-        cmocka_unit_test(test_an_odd_short_scan),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -14,9 +14,8 @@ static struct interval scans(const double *value, size_t count)
 }
 
 /* Reference: plain double loops, Student's distribution to double precision. */
-static void test_welch(void **state)
+TEST_CASE(test_welch)
 {
-    (void)state;
     const double a[3] = {-20.7, -20.62, -20.81}, b[4] = {-20.51, -20.33, -20.4, -20.47};
     struct interval first = scans(a, 3), second = scans(b, 4);
     struct ranking out = ranking_welch(&first, &second, 0.95);
@@ -38,9 +37,8 @@ static void test_welch(void **state)
 }
 
 /* Equal spreads and counts: Student's test. The interval holds a ratio of 1 exactly when p exceeds 1 - level. */
-static void test_interval_and_p_agree(void **state)
+TEST_CASE(test_interval_and_p_agree)
 {
-    (void)state;
     const double a[3] = {1, 2, 3};
     for (double shift = -5; shift <= 5; shift += 0.25) {
         const double b[3] = {1 + shift, 2 + shift, 3 + shift};
@@ -51,9 +49,8 @@ static void test_interval_and_p_agree(void **state)
     }
 }
 
-static void test_welch_without_spread(void **state)
+TEST_CASE(test_welch_without_spread)
 {
-    (void)state;
     const double a[3] = {0.1, 0.1, 0.1}, b[2] = {0.3, 0.3}, c[3] = {0.2, 0.3, 0.7};
     struct interval first = scans(a, 3), second = scans(b, 2), third = scans(c, 3);
     struct ranking out = ranking_welch(&first, &second, 0.95);
@@ -66,9 +63,8 @@ static void test_welch_without_spread(void **state)
     assert_near(out.degrees, 2, 1e-12);
 }
 
-static void test_single_scans(void **state)
+TEST_CASE(test_single_scans)
 {
-    (void)state;
     double half_width = single_scan_half_width(hypot(0.3, 0.4));
     assert_int_equal(ranking_place(-2.3 * 0.499, half_width, false), RANKING_NOT_TOLD_APART);
     assert_int_equal(ranking_place(-2.3 * 0.501, half_width, false), RANKING_FIRST_LOWER);
@@ -78,9 +74,8 @@ static void test_single_scans(void **state)
     assert_int_equal(ranking_place(8, half_width, true), RANKING_NO_VERDICT);
 }
 
-static void test_holm(void **state)
+TEST_CASE(test_holm)
 {
-    (void)state;
     double p[6] = {0.012, 0.04, 0.0007, 0.3, 0.02, 0.009}, adjusted[6];
     const double expected[6] = {0.048, 0.08, 0.0042, 0.3, 0.06, 0.045};
     struct status status = {0};
@@ -102,9 +97,8 @@ static void test_holm(void **state)
     assert_int_equal(ranking_holm(bad, bad, 2, &status), STATUS_SCAN);
 }
 
-static void test_pairs_are_numbered_in_order(void **state)
+TEST_CASE(test_pairs_are_numbered_in_order)
 {
-    (void)state;
     for (size_t count = 2; count < 9; count++) {
         size_t next = 0;
         for (size_t i = 0; i < count; i++)
@@ -150,9 +144,8 @@ static void assert_groups(const bool *apart, size_t surfaces)
     ranking_groups_free(&groups);
 }
 
-static void test_letters_of_every_pattern(void **state)
+TEST_CASE(test_letters_of_every_pattern)
 {
-    (void)state;
     bool apart[66];
     for (size_t surfaces = 0; surfaces <= 5; surfaces++) {
         size_t pairs = surfaces > 0 ? surfaces * (surfaces - 1) / 2 : 0;
@@ -172,9 +165,8 @@ static void test_letters_of_every_pattern(void **state)
     }
 }
 
-static void test_letters_of_a_ranking(void **state)
+TEST_CASE(test_letters_of_a_ranking)
 {
-    (void)state;
     /* a - b - c: neighbours not told apart, the ends told apart; d from all */
     const bool apart[6] = {false, true, true, false, true, true};
     const char *const expected[4] = {"a", "ab", "b", "c"};
@@ -190,9 +182,8 @@ static void test_letters_of_a_ranking(void **state)
 }
 
 /* The pattern with the most groups: two camps, each told apart within, none across: 8 x 8 pairs. */
-static void test_more_groups_than_letters(void **state)
+TEST_CASE(test_more_groups_than_letters)
 {
-    (void)state;
     bool apart[120];
     for (size_t i = 0; i < 16; i++)
         for (size_t j = i + 1; j < 16; j++)
@@ -207,20 +198,4 @@ static void test_more_groups_than_letters(void **state)
     ranking_groups_letters(letters, &groups, 7);
     assert_string_equal(letters, "********");
     ranking_groups_free(&groups);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_welch),
-        cmocka_unit_test(test_interval_and_p_agree),
-        cmocka_unit_test(test_welch_without_spread),
-        cmocka_unit_test(test_single_scans),
-        cmocka_unit_test(test_holm),
-        cmocka_unit_test(test_pairs_are_numbered_in_order),
-        cmocka_unit_test(test_letters_of_every_pattern),
-        cmocka_unit_test(test_letters_of_a_ranking),
-        cmocka_unit_test(test_more_groups_than_letters),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

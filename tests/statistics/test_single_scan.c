@@ -2,9 +2,8 @@
 #include "statistics/single_scan.h"
 #include "support.h"
 
-static void test_spread_of_simulated_records(void **state)
+TEST_CASE(test_spread_of_simulated_records)
 {
-    (void)state;
     const double simulated[4] = {10, 12, 14, 16};
     struct single_scan out;
     struct status status = {0};
@@ -15,9 +14,8 @@ static void test_spread_of_simulated_records(void **state)
 }
 
 /* Quarters 0 and d, twice each: SD d/sqrt 3. */
-static void test_a_scan_that_is_not_the_same_along_its_length(void **state)
+TEST_CASE(test_a_scan_that_is_not_the_same_along_its_length)
 {
-    (void)state;
     const double simulated[2] = {1, 1.2}, simulated_quarter[8] = {0, 1, 0, 1, 0, 3, 3, 0};
     for (int k = 0; k < 2; k++) {
         const double step = k ? 3.0001 : 2.9999, quarter[4] = {5, 5 + step, 5, 5 + step};
@@ -37,9 +35,8 @@ static void test_a_scan_that_is_not_the_same_along_its_length(void **state)
     assert_near(out.half_width, 2.3 * out.s, 1e-14);
 }
 
-static void test_identical_records_have_no_spread(void **state)
+TEST_CASE(test_identical_records_have_no_spread)
 {
-    (void)state;
     const double simulated[3] = {0.1, 0.1, 0.1}, quarter[4] = {0.1, 0.1, 0.1, 0.1};
     double simulated_quarter[12];
     for (size_t i = 0; i < 12; i++)
@@ -50,9 +47,8 @@ static void test_identical_records_have_no_spread(void **state)
     assert_true(out.s == 0 && out.half_width == 0 && out.quarters_sd == 0 && !out.heterogeneous);
 }
 
-static void test_answers_that_are_no_numbers_are_refused(void **state)
+TEST_CASE(test_answers_that_are_no_numbers_are_refused)
 {
-    (void)state;
     const double good[4] = {1, 2, 3, 4}, bad[4] = {1, 2, NAN, 4};
     const double good_quarters[16] = {0};
     double bad_quarters[16] = {0};
@@ -69,9 +65,8 @@ static void test_answers_that_are_no_numbers_are_refused(void **state)
     assert_non_null(strstr(status.message, "simulated quarter 16 of 16"));
 }
 
-static void test_between_loads(void **state)
+TEST_CASE(test_between_loads)
 {
-    (void)state;
     const double ln_load[3] = {-9, -6, -2}, s[3] = {0.1, 0.4, 0.2};
     assert_near(single_scan_s_at(-20, ln_load, s, 3), 0.1, 1e-15);
     assert_near(single_scan_s_at(-9, ln_load, s, 3), 0.1, 1e-15);
@@ -80,16 +75,4 @@ static void test_between_loads(void **state)
     assert_near(single_scan_s_at(-3, ln_load, s, 3), 0.25, 1e-15);
     assert_near(single_scan_s_at(0, ln_load, s, 3), 0.2, 1e-15);
     assert_near(single_scan_s_at(0, ln_load, s, 1), 0.1, 1e-15);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_spread_of_simulated_records),
-        cmocka_unit_test(test_a_scan_that_is_not_the_same_along_its_length),
-        cmocka_unit_test(test_identical_records_have_no_spread),
-        cmocka_unit_test(test_answers_that_are_no_numbers_are_refused),
-        cmocka_unit_test(test_between_loads),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }
