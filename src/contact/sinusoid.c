@@ -198,12 +198,12 @@ bool sinusoid_press(struct sinusoid_cell *cell, const struct sinusoid_scale *sca
 double sinusoid_full_area_pressure(const struct sinusoid_scale *scale)
 {
     double high = sinusoid_closed_pressure(scale), low = scale->critical_pressure_Pa;
-    if (low >= high)
+    if (!(low < high))
         return high;
     const struct sinusoid_fit *closure = &sinusoid_fits[SINUSOID_FIT_THESIS]; /* plastic: not asked */
     for (;;) { /* bisect down to neighbouring numbers: the area never falls, so there is one border */
         double middle = low + (high - low) / 2;
-        if (middle <= low || middle >= high)
+        if (!(middle > low && middle < high))
             return high;
         struct sinusoid_cell cell;
         sinusoid_press(&cell, scale, closure, middle, false);
