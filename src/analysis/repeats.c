@@ -275,7 +275,7 @@ static enum status_code mean_point(struct contact_point *out, struct estimate *e
                                    const struct repeat_set *set, const struct model_row *model, size_t at,
                                    struct status *status)
 {
-    struct estimate unused;
+    struct estimate unused = estimate_none;
     *out = quantity_nothing();
     for (int q = QUANTITY_AREA; q < QUANTITY_COUNT; q++) {
         const struct quantity_row *row = &quantity_rows[q];
