@@ -18,7 +18,7 @@
 
 /* Of the process, as its signals are. */
 static atomic_bool stop, told;
-static atomic_int taken, grace_ms;
+static atomic_int taken, grace_ms = 200; /* for a program that runs to be ended with all that it started */
 static pthread_mutex_t ending = PTHREAD_MUTEX_INITIALIZER; /* whoever has it ends the program */
 
 const atomic_bool *signals_stop(int milliseconds)
