@@ -74,7 +74,8 @@ static void clear_stale(int parent, const char *name, const char *prefix, void (
     if (directory >= 0 && fstat(directory, &info) == 0 && info.st_uid == geteuid() && (info.st_mode & 0777) == 0700) {
         name_of(own, prefix, directory, name);
         if (strcmp(name, own) != 0) {
-            unlinkat(parent, name, AT_REMOVEDIR); /* killed before it had its name */
+            if (strlen(name) == strlen(prefix) + LETTERS)
+                unlinkat(parent, name, AT_REMOVEDIR); /* killed before it had its name */
         } else if (flock(directory, LOCK_EX | LOCK_NB) == 0 && fstat(directory, &info) == 0 && info.st_nlink > 0) {
             clear(directory);
             if (unlinkat(parent, name, AT_REMOVEDIR) != 0 && *name == '.') /* somebody's: to be seen */
@@ -93,10 +94,10 @@ static bool make(struct temporary *out, const char *parent, const char *prefix)
     if (!mkdtemp(out->path))
         return false;
     out->directory = open_directory(AT_FDCWD, out->path);
-    name_of(name, prefix, out->directory, out->path);
-    snprintf(named, sizeof named, "%s/%s", parent, name);
     if (out->directory < 0)
         return false;
+    name_of(name, prefix, out->directory, out->path);
+    snprintf(named, sizeof named, "%s/%s", parent, name);
     (void)!flock(out->directory, LOCK_EX | LOCK_NB); /* not every file system has locks */
     if (rename(out->path, named) != 0)
         return false;

@@ -125,9 +125,13 @@ PLACED(test_what_the_dead_left_goes)
 /* Whatever lacks the mode or the name is somebody's. */
 PLACED(test_nobody_elses_is_touched)
 {
-    enum { OPEN_MODE, SHORT, OTHER_NAME, MADE, LINKED, KINDS };
-    static const char *const names[KINDS] = {"", "roughcontact-abcde", "other-thing-abcdefg", "roughcontact-abcdef",
-                                             "roughcontact-linked"};
+    enum { OPEN_MODE, SHORT, OTHER_NAME, MADE, LINKED, EMPTY, KINDS };
+    static const char *const names[KINDS] = {"",
+                                             "roughcontact-abcde",
+                                             "other-thing-abcdefg",
+                                             "roughcontact-abcdef",
+                                             "roughcontact-linked",
+                                             "roughcontact-of-somebody"};
     struct temporary made;
     struct status status = {0};
     char dead[KINDS][PATH_MAX];
@@ -145,11 +149,13 @@ PLACED(test_nobody_elses_is_touched)
     }
     assert_int_equal(mkdir(directory_path(&place, names[MADE]), 0700), 0);
     directory_write(&place, "roughcontact-abcdef/lock", "");
+    assert_int_equal(mkdir(directory_path(&place, names[EMPTY]), 0700), 0);
     assert_int_equal(symlink(names[OTHER_NAME], directory_path(&place, names[LINKED])), 0);
     assert_int_equal(temporary_make(&made, NULL, NULL, &status), STATUS_OK);
     temporary_remove(&made);
-    for (int i = 0; i < KINDS; i++)
+    for (int i = 0; i < EMPTY; i++)
         assert_int_equal(directory_entries(&place, i == OPEN_MODE ? name_of(dead[i]) : names[i]), 1);
+    assert_true(directory_has(&place, names[EMPTY]));
 }
 
 /* Even root, who could, lets another user's be. */
