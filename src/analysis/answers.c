@@ -200,12 +200,12 @@ static enum status_code count_spots(struct answer *out, const struct repeat_set 
 {
     const struct model_row *row = model_rows[by];
     struct model_task one = model_task_at(task, &out->load, 1);
-    size_t runs = repeats_several(set, row) ? repeats_runs(set, row) : 1, counted = 0, scan;
+    size_t runs = set->count > 1 ? set->count : 1, counted = 0;
     double sum = 0;
     for (size_t r = 0; r < runs; r++) {
         struct contact_spots spots = {NAN, NAN};
         struct asperities asperities;
-        struct model_task own = runs > 1 ? repeats_run_task(&asperities, &scan, set, r, row, &one) : one;
+        struct model_task own = runs > 1 ? repeats_task(&asperities, &set->parts[r], &one) : one;
         if (row->spots(&spots, row, &own, status) != STATUS_OK)
             return status->code;
         if (isnan(spots.density_per_m2))
@@ -224,7 +224,7 @@ static enum status_code solve_runs(struct answer *out, const struct search *sear
 {
     const struct landmarks_model *model = &search->model;
     const struct repeat_set *set = model->repeats;
-    size_t all = repeats_runs(set, model->row), invalid = 0, above = 0;
+    size_t all = set->count, invalid = 0, above = 0;
     double *load = malloc(all * sizeof *load);
     size_t *scan = malloc(all * sizeof *scan), count = 0;
     struct repeats_grouping of = {set, scan, 0};
@@ -233,9 +233,8 @@ static enum status_code solve_runs(struct answer *out, const struct search *sear
     for (size_t r = 0; r < all && rc == STATUS_OK; r++) {
         struct asperities asperities;
         struct answer one;
-        size_t own;
         struct search run = *search;
-        run.model.task = repeats_run_task(&asperities, &own, set, r, model->row, &model->task);
+        run.model.task = repeats_task(&asperities, &set->parts[r], &model->task);
         run.model.repeats = &alone;
         rc = solve(&one, &run, target, NULL, status);
         if (rc != STATUS_OK || one.kind == ANSWER_NONE)
@@ -245,7 +244,7 @@ static enum status_code solve_runs(struct answer *out, const struct search *sear
         invalid += one.invalid;
         above += one.above_hardness;
         out->full = out->full || one.full;
-        scan[count] = own;
+        scan[count] = set->parts[r].scan;
         load[count++] = one.load;
     }
     of.count = count;
@@ -302,7 +301,7 @@ static enum status_code answer_target(struct answer *out, const struct surface_r
                    needed = from ? from : QUANTITY_BIT(target->row->quantity),
                    quantities = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | needed;
     struct search search = {{row, *task, quantities, &record->repeats}, *joint};
-    bool several = repeats_several(&record->repeats, row);
+    bool several = (record->repeats.count > 1);
     *out = no_answer;
     search.joint.effects = from ? joint->effects : 0;
     search.model.task.wanted &= quantities;

@@ -113,9 +113,9 @@ static enum status_code cut_off(struct benchmark *cost, const struct benchmark_t
     return rc;
 }
 
-/** What a map of millions of heights, or a scan of millions of harmonics, would be sorted and summed again for at every
- * number of loads: what these cost shows in fewer too. */
-enum { HEIGHTS_MOST = 200000, HARMONICS_MOST = HEIGHTS_MOST / 2 };
+/** What a scan of millions of harmonics would be summed again for at every number of loads: what that costs shows in
+ * fewer too. */
+enum { HARMONICS_MOST = 100000 };
 
 /** A curve of n loads, log spaced over the scene's range, by one model, from what it has made of the surface once: as
  * the report's own curves and landmarks. */
@@ -169,8 +169,6 @@ static enum status_code load_grid(struct benchmark *cost, const struct benchmark
         attempt.task = surface_model_task(task->surface, task->scene, task->plan, loads, both);
         attempt.task.wanted = 0;
         attempt.task.spectrum = spectrum;
-        if (attempt.task.point_count > HEIGHTS_MOST)
-            attempt.task.point_count = HEIGHTS_MOST;
         solve_grid(&attempt);
         struct benchmark_row row = {.study = "loads",
                                     .model = model_rows[model],
@@ -210,7 +208,7 @@ static void solve_curves(void *context)
     task.tolerance = attempt->tolerance;
     for (size_t m = 0; m < model_count; m++) {
         struct model_curve curve = {.points = attempt->points + m * (of->load_count + 1)};
-        if (!surface->curves[m].exists || model_rows[m]->uses_heights) /* a sort, whatever the tolerance */
+        if (!surface->curves[m].exists)
             continue;
         attempt->failed = attempt->failed || model_run(&curve, model_rows[m], &task, &status) != STATUS_OK;
         attempt->evaluations += curve.evaluations;

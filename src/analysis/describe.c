@@ -102,46 +102,6 @@ static bool row_is_run(size_t row, size_t rows)
     return false;
 }
 
-/** Does a model that may run use heights? */
-static bool wants_points(const struct scene *scene)
-{
-    for (size_t m = 0; m < model_count; m++)
-        if ((scene->models & MODEL_BIT(m)) && model_rows[m]->uses_heights)
-            return true;
-    return false;
-}
-
-/** Room for `more` points behind those the surface has; NULL: out of memory. */
-static struct slope_point *more_points(struct surface_record *record, size_t more)
-{
-    struct slope_point *points = reallocarray(record->points, record->summary.heights + more, sizeof *points);
-    if (!points)
-        return NULL;
-    record->points = points;
-    return points + record->summary.heights;
-}
-
-/** Keeps the heights and slopes of a profile, or of a whole map over its plane, whose rows share one height. */
-static enum status_code keep_points(struct surface_record *record, const struct scan *scan,
-                                    const struct profile *profile, struct status *status)
-{
-    if (profile) {
-        struct slope_point *room = more_points(record, profile->points);
-        if (!room)
-            return status_memory(status);
-        record->summary.heights +=
-            contacting_slopes_of_profile(room, profile->height_m, profile->points, profile->spacing_m);
-        return STATUS_OK;
-    }
-    struct status none = {0};
-    double *height_m = malloc(scan->nx * scan->ny * sizeof *height_m);
-    struct slope_point *room = height_m ? more_points(record, scan->nx * scan->ny) : NULL;
-    if (room && areal_flatten(height_m, scan, &none) == STATUS_OK)
-        record->summary.heights += contacting_slopes_of_map(room, height_m, scan->nx, scan->ny, scan->dx_m, scan->dy_m);
-    free(height_m);
-    return room ? STATUS_OK : status_memory(status);
-}
-
 enum { DIRECT_HEIGHTS = 65536, DIRECT_SIDE = 400 }; /* kept for the direct solution: heights, and points along a map */
 
 /** Keeps what a direct solution is made from: heights of a profile, thinned evenly, or the first square of a map. */
@@ -215,18 +175,10 @@ static enum status_code make_variant(struct making *making, enum sensitivity_var
                            scene->moments, status);
 }
 
-static enum status_code make_points(struct making *making, struct status *status)
-{
-    if (making->scan->kind != SCAN_PROFILE || !wants_points(making->scene))
-        return STATUS_OK;
-    return keep_points(making->record, making->scan, making->profile, status);
-}
-
 /** All that is made of a profile. */
 static enum status_code make_all(struct making *making, struct status *status)
 {
-    if (make_law(making, status) != STATUS_OK || make_spectrum(making, status) != STATUS_OK ||
-        make_points(making, status) != STATUS_OK)
+    if (make_law(making, status) != STATUS_OK || make_spectrum(making, status) != STATUS_OK)
         return status->code;
     for (int variant = 0; variant < SENSITIVITY_VARIANTS; variant++)
         if (make_variant(making, (enum sensitivity_variant)variant, status) != STATUS_OK)
@@ -326,7 +278,7 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
     char file[512];
     struct surface_summary *summary = &record->summary;
     const struct profile_options how = profile_options_of(scene);
-    size_t unusable = 0, run_before = record->repeats.count, heights_before = summary->heights;
+    size_t unusable = 0, run_before = record->repeats.count;
     struct status first = {0};
     if (add_scan(&record->repeats, scene_file, status) != STATUS_OK)
         return status->code;
@@ -372,8 +324,6 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
     }
     if (unusable == scan->ny)
         return status_fail(status, first.code, "%s: %s", file, first.message);
-    if (scan->kind == SCAN_AREAL && wants_points(scene) && keep_points(record, scan, NULL, status) != STATUS_OK)
-        return status->code;
     if (scan->kind == SCAN_AREAL && summary->scans == scan->ny - unusable &&
         scene->counterface_surface.file_count == 0) { /* the first file: it speaks for all */
         summary->map_side = scan->nx < scan->ny ? scan->nx : scan->ny;
@@ -381,9 +331,6 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
         if (keeps_direct(record, scene) && keep_direct(record, scan, NULL, status) != STATUS_OK)
             return status->code;
     }
-    struct repeats_scan *own = &record->repeats.scans[record->repeats.scan_count - 1];
-    own->first_point = heights_before;
-    own->point_count = summary->heights - heights_before;
     size_t run = record->repeats.count - run_before, used = scan->ny - unusable;
     const char *rows = scene->direction == SCAN_DIRECTION_X ? "rows" : "columns";
     char note[200], models[100] = "";
@@ -692,7 +639,6 @@ enum status_code describe_conclude(struct surface_record *record, struct power_l
             free(set->parts[p].height_m);
         }
         set->count = 1;
-        record->summary.heights = set->scans[0].point_count; /* of one, too */
         scans->independent = 1;
     }
     if (set->count == 1)
@@ -837,18 +783,6 @@ static enum status_code describe(struct surface_record *record, struct power_law
     return STATUS_OK;
 }
 
-/** Heights stay where a model that was asked for uses them, or unasked where they are not Gaussian; two rough bodies
- * have none in common. */
-static void drop_points(struct surface_record *record, const struct scene *scene)
-{
-    bool asked = scene->models_named || record->summary.height_law.verdict != HEIGHTS_GAUSSIAN;
-    if (asked && scene->counterface_surface.file_count == 0)
-        return;
-    free(record->points);
-    record->points = NULL;
-    record->summary.heights = 0;
-}
-
 static int by_name(const void *a, const void *b)
 {
     return strcmp(*(const char *const *)a, *(const char *const *)b);
@@ -876,11 +810,6 @@ static enum status_code conclude(struct surface_record *record, struct power_law
         return status->code;
     if (describe(record, scans, scene, status) != STATUS_OK)
         return status->code;
-    const struct spectrum *spectrum = record->tapered.count > 0 ? &record->tapered : &record->spectrum;
-    if (height_law_find(&record->summary.height_law, &record->summary.roughness, spectrum, record->summary.independent,
-                        scene->level, status) != STATUS_OK)
-        return status->code;
-    drop_points(record, scene);
     if (describe_repeats(record, scene, status) != STATUS_OK)
         return status->code;
     bool found = scene->fit == POWER_LAW_AUTO && record->band.law != POWER_LAW_BAND_NONE;

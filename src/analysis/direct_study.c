@@ -55,7 +55,7 @@ static struct direct_plan_task plan_task(const struct surface_summary *surface, 
         .hardness = capped ? hardness_Pa / surface->pair.effective_modulus_Pa : INFINITY,
         .resistance = plan->running & (EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL)),
         .heights = heights,
-        .gaussian = !heights || surface->height_law.verdict != HEIGHTS_NOT_GAUSSIAN,
+        .gaussian = !heights,
     };
 }
 
@@ -304,7 +304,7 @@ static enum status_code draw(struct maker *maker, double *height_m, struct statu
 }
 
 /** The models on the surface's rows, at each load and a step below and above. */
-static enum status_code run_models(struct maker *maker, const double *height_m, struct status *status)
+static enum status_code run_models(struct maker *maker, struct status *status)
 {
     struct direct_study *study = maker->study;
     const struct direct_study_task *task = maker->task;
@@ -312,15 +312,10 @@ static enum status_code run_models(struct maker *maker, const double *height_m, 
     struct asperities asperities;
     struct status none = {0};
     bool has_asperities = roughness_asperities(&asperities, &study->moments, &none) == STATUS_OK;
-    size_t n = plan->grid, points = 0;
-    struct slope_point *slopes = malloc(n * n * sizeof *slopes);
     study->models = calloc(model_count, sizeof *study->models);
     study->model_seconds = calloc(model_count, sizeof *study->model_seconds);
-    if (!slopes || !study->models || !study->model_seconds) {
-        free(slopes);
+    if (!study->models || !study->model_seconds)
         return status_memory(status);
-    }
-    points = contacting_slopes_of_map(slopes, height_m, n, n, plan->length_m / (double)n, plan->length_m / (double)n);
     for (size_t i = 0; i < plan->loads; i++)
         for (int side = -1; side <= 1; side++)
             study->load_triples[3 * i + (size_t)(side + 1)] = plan->load[i] * (1 + side * load_step);
@@ -328,8 +323,6 @@ static enum status_code run_models(struct maker *maker, const double *height_m, 
         surface_model_task(task->surface, task->scene, task->plan, study->load_triples, 3 * plan->loads);
     ask.spectrum = &study->rows;
     ask.asperities = has_asperities ? &asperities : NULL;
-    ask.points = slopes;
-    ask.point_count = points;
     enum status_code rc = STATUS_OK;
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
         struct model_curve *curve = &study->models[m];
@@ -343,7 +336,6 @@ static enum status_code run_models(struct maker *maker, const double *height_m, 
             rc = model_run(curve, model_rows[m], &ask, status);
         study->model_seconds[m] = (clock_seconds() - started) / 3;
     }
-    free(slopes);
     return rc;
 }
 
@@ -442,7 +434,7 @@ static enum status_code run(struct maker *maker, struct status *status)
     double *height_m = malloc(study->plan.grid * study->plan.grid * sizeof *height_m);
     enum status_code rc = height_m ? first_surface(height_m, maker, status) : status_memory(status);
     if (rc == STATUS_OK)
-        rc = run_models(maker, height_m, status);
+        rc = run_models(maker, status);
     if (rc == STATUS_OK)
         rc = draw(maker, height_m, status);
     else

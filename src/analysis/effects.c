@@ -221,21 +221,8 @@ static void decide_uncertainty(struct plan *plan, const struct surface_record *s
         plan_switch_off(plan, EFFECT_UNCERTAINTY);
 }
 
-/** Models that use heights run unasked only where these are not Gaussian. */
-static void decide_heights(struct plan *plan, const struct surface_record *surfaces, size_t count)
-{
-    for (size_t i = 0; i < count; i++)
-        if (surfaces[i].summary.usable && surfaces[i].summary.height_law.verdict != HEIGHTS_GAUSSIAN)
-            return;
-    for (size_t m = 0; m < model_count; m++)
-        if (model_rows[m]->uses_heights)
-            plan->models &= ~MODEL_BIT(m);
-}
-
 void effects_decide(struct plan *plan, const struct scene *scene, const struct surface_record *surfaces, size_t count)
 {
-    if (!scene->models_named)
-        decide_heights(plan, surfaces, count);
     if (!scene->effects_auto)
         return;
     if (plan_runs(plan, EFFECT_PLASTICITY))

@@ -17,8 +17,7 @@ MUST_CHECK enum status_code effects_bound(struct surface_record *record, const s
                                           struct status *status);
 
 /** Takes the effects out of an `auto` plan that no usable one of `count` surfaces (one, or all of a run) calls for, and
- * gives every effect its reason with the number that decided. A plan from a list of effects keeps what was listed.
- * Where the scene names no models, those that use heights go where every surface is Gaussian. */
+ * gives every effect its reason with the number that decided. A plan from a list of effects keeps what was listed. */
 void effects_decide(struct plan *plan, const struct scene *scene, const struct surface_record *surfaces, size_t count);
 
 /** One row of the account: an effect, or the base that always runs (the elastic models' area). */

@@ -198,7 +198,7 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     if (!curve->points)
         return status_memory(status);
     double started = clock_seconds();
-    bool several = repeats_several(&record->repeats, model_rows[m]);
+    bool several = (record->repeats.count > 1);
     struct repeats_result result = {.left_out = 0};
     if (several ? run_repeats(record, m, task, &result, status) != STATUS_OK
                 : model_run(curve, model_rows[m], task, status) != STATUS_OK)

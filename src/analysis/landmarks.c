@@ -76,7 +76,7 @@ enum status_code landmarks_run_model(struct model_curve *out, const double *load
     const struct landmarks_model *model = context;
     struct model_task task = model_task_at(&model->task, loads, count);
     task.wanted &= model->quantities;
-    if (!repeats_several(model->repeats, model->row))
+    if (model->repeats->count <= 1)
         return model_run(out, model->row, &task, status);
     struct repeats_result result = {.band = repeats_band_make(loads, count)};
     if (!result.band)

@@ -200,7 +200,7 @@ static double resistance_at(const struct model_curve *curve, double load, enum q
 static enum status_code run_model(struct model_curve *curve, const struct model_row *model,
                                   const struct model_task *task, const struct repeat_set *scans, struct status *status)
 {
-    if (!repeats_several(scans, model))
+    if (scans->count <= 1)
         return model_run(curve, model, task, status);
     struct repeats_result result = {.band = repeats_band_make(task->loads, task->load_count)};
     if (!result.band)

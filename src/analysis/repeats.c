@@ -129,65 +129,8 @@ struct model_task repeats_task(struct asperities *asperities, const struct repea
     struct model_task own = *task;
     struct status none = {0};
     own.spectrum = &part->spectrum;
-    own.points = NULL; /* a whole scan's: see repeats_run_task() */
-    own.point_count = 0;
     own.asperities = roughness_asperities(asperities, &part->roughness, &none) == STATUS_OK ? asperities : NULL;
     return own;
-}
-
-size_t repeats_runs(const struct repeat_set *set, const struct model_row *model)
-{
-    return model->uses_heights ? set->scan_count : set->count;
-}
-
-bool repeats_several(const struct repeat_set *set, const struct model_row *model)
-{
-    return set->count > 1 && repeats_runs(set, model) > 1;
-}
-
-/** The spectrum of a whole scan; NULL where it was cut, or is a map. */
-static const struct spectrum *whole_spectrum(const struct repeat_set *set, size_t scan)
-{
-    const struct spectrum *found = NULL;
-    size_t parts = 0;
-    for (size_t p = 0; p < set->count; p++)
-        if (set->parts[p].scan == scan) {
-            found = &set->parts[p].spectrum;
-            parts++;
-        }
-    return parts == 1 ? found : NULL;
-}
-
-/* A model that uses heights takes them of whole scans; where such a one has no spectrum of its own, with that of all.
- */
-struct model_task repeats_run_task(struct asperities *asperities, size_t *scan, const struct repeat_set *set, size_t r,
-                                   const struct model_row *model, const struct model_task *task)
-{
-    if (!model->uses_heights) {
-        *scan = set->parts[r].scan;
-        return repeats_task(asperities, &set->parts[r], task);
-    }
-    struct model_task own = *task;
-    const struct spectrum *whole = whole_spectrum(set, r);
-    *scan = r;
-    own.spectrum = whole ? whole : task->spectrum;
-    own.points = task->points ? task->points + set->scans[r].first_point : NULL;
-    own.point_count = task->point_count > 0 ? set->scans[r].point_count : 0;
-    return own;
-}
-
-/** Rms height of what run r is of: a part, or all parts of a scan. */
-static double run_sigma(const struct repeat_set *set, size_t r, const struct model_row *model)
-{
-    double sum_m2 = 0, count = 0;
-    if (!model->uses_heights)
-        return sqrt(set->parts[r].roughness.m0_m2);
-    for (size_t p = 0; p < set->count; p++)
-        if (set->parts[p].scan == r) {
-            sum_m2 += set->parts[p].roughness.m0_m2;
-            count++;
-        }
-    return sqrt(sum_m2 / count);
 }
 
 /** The curves of all runs on which the model has a solution. */
@@ -212,7 +155,7 @@ static enum status_code run_all(struct runs *out, struct model_curve *curve, str
                                 const struct repeat_set *set, const struct model_row *model,
                                 const struct model_task *task, struct status *status)
 {
-    size_t all = repeats_runs(set, model), room = task->load_count + 1;
+    size_t all = set->count, room = task->load_count + 1;
     *out = (struct runs){.curves = calloc(all, sizeof *out->curves),
                          .points = calloc(all * room, sizeof *out->points),
                          .scan = calloc(all, sizeof *out->scan),
@@ -223,9 +166,10 @@ static enum status_code run_all(struct runs *out, struct model_curve *curve, str
     for (size_t r = 0; r < all; r++) {
         struct asperities asperities;
         struct model_curve *own = &out->curves[out->count];
-        struct model_task alone = repeats_run_task(&asperities, &out->scan[out->count], set, r, model, task);
+        struct model_task alone = repeats_task(&asperities, &set->parts[r], task);
         *own = (struct model_curve){.points = out->points + out->count * room};
-        out->sigma_m[out->count] = run_sigma(set, r, model);
+        out->scan[out->count] = set->parts[r].scan;
+        out->sigma_m[out->count] = sqrt(set->parts[r].roughness.m0_m2);
         if (model_run(own, model, &alone, status) != STATUS_OK)
             return status->code;
         curve->evaluations += own->evaluations;

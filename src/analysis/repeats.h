@@ -27,9 +27,8 @@ struct repeat {
 
 /** A file. */
 struct repeats_scan {
-    const char *file;                /* of the scene, which holds it */
-    double weight;                   /* lengths of the shortest scan that it holds */
-    size_t first_point, point_count; /* of the surface's slope_points, where those are kept */
+    const char *file; /* of the scene, which holds it */
+    double weight;    /* lengths of the shortest scan that it holds */
 };
 
 /** The scans of a surface, parts in their order. Owned by the record that holds it: repeats_free(). */
@@ -98,16 +97,7 @@ struct repeats_result {
     size_t left_out; /* parts on which the model has no solution */
 };
 
-/** Runs of a model: one a part, or of one that uses heights one a scan; and task of run r, with the scan it is of.
- * `asperities` is where its own go. */
-size_t repeats_runs(const struct repeat_set *set, const struct model_row *model);
-struct model_task repeats_run_task(struct asperities *asperities, size_t *scan, const struct repeat_set *set, size_t r,
-                                   const struct model_row *model, const struct model_task *task);
-
-/** Has a model several runs on these scans? One that uses heights takes a map as a whole. */
-bool repeats_several(const struct repeat_set *set, const struct model_row *model);
-
-/** Runs a model on every part alone; for repeats_several() only. `curve` (its points: the caller's) is what the surface
+/** Runs a model on every part alone; for sets of several only. `curve` (its points: the caller's) is what the surface
  * has: at every load at which all have an answer, the geometric mean; so are the loads of full contact. Separations
  * are the means of each run's separation/sigma, times the surface's sigma; a statistical model's own one, and beta,
  * which may be negative, have the arithmetic mean. A resistance or separation shown of which some parts

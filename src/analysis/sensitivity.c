@@ -89,7 +89,7 @@ void sensitivity_free(struct sensitivity *sensitivity)
 static const unsigned variant_wanted =
     QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_ECR);
 
-/** The task on a variant; models that use heights have none of it. */
+/** The task on a variant. */
 static struct model_task variant_task(struct asperities *asperities, const struct sensitivity_scan *variant,
                                       const struct model_task *task)
 {
@@ -97,8 +97,6 @@ static struct model_task variant_task(struct asperities *asperities, const struc
     struct status none = {0};
     own.spectrum = &variant->spectrum;
     own.asperities = roughness_asperities(asperities, &variant->roughness, &none) == STATUS_OK ? asperities : NULL;
-    own.points = NULL;
-    own.point_count = 0;
     own.wanted &= variant_wanted;
     return own;
 }
@@ -177,7 +175,7 @@ enum status_code sensitivity_run(struct sensitivity_factors *out, const struct s
     struct contact_point itself;
     for (int c = 0; c < SENSITIVITY_CHANGES; c++)
         out->area[c] = out->ecr[c] = NAN;
-    if (sensitivity->scans == 0 || model->uses_heights)
+    if (sensitivity->scans == 0)
         return STATUS_OK;
     if (!as_is) {
         as_is = &itself;
@@ -207,8 +205,7 @@ static enum status_code cut_at(struct sensitivity_curves *out, size_t w, const s
         struct asperities asperities;
         struct model_task own = variant_task(&asperities, &cut, task);
         *point = quantity_nothing();
-        if ((models & MODEL_BIT(m)) && !model_rows[m]->uses_heights &&
-            solve_one(point, model_rows[m], &own, status) != STATUS_OK)
+        if ((models & MODEL_BIT(m)) && solve_one(point, model_rows[m], &own, status) != STATUS_OK)
             return status->code;
     }
     return STATUS_OK;

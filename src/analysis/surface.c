@@ -78,8 +78,6 @@ struct model_task surface_model_task(const struct surface_record *record, const 
         .wanted = plan->wanted,
         .tolerance = scene->tolerance,
         .sinusoid_fit = scene->closure,
-        .points = record->points,
-        .point_count = record->summary.heights,
         .hardness_Pa = record->summary.pair.hardness_Pa,
     };
 }
@@ -122,7 +120,6 @@ void surface_drop_arrays(struct surface_record *record)
     sensitivity_free(&record->sensitivity);
     free(record->curves);
     free(record->bands);
-    free(record->points);
     free(record->direct_m);
     free(record->preview_x_m);
     free(record->preview_z_m);

@@ -12,7 +12,6 @@
 #include "base/text.h"
 #include "contact/model.h"
 #include "profile/profile.h"
-#include "spectrum/height_law.h"
 #include "spectrum/power_law_scans.h"
 
 enum { SURFACE_PREVIEW = 1000 }; /* points of a profile kept for the chart */
@@ -44,7 +43,6 @@ struct surface_summary {
     double jump_m;     /* end-to-end jump, root mean square over the scans */
     double jump_share; /* amplitude that jump leaks at the short end of the fit band / fitted amplitude there */
     struct roughness roughness;
-    struct height_law height_law; /* are its heights Gaussian? */
     struct asperities asperities;
     bool has_asperities; /* a statistical model exists */
     struct power_law power_law;
@@ -58,7 +56,6 @@ struct surface_summary {
     struct curve_summary **models; /* [model]: of those that have run, NULL of others; the same: surface_model() */
     struct answer *answers;        /* [target][model]; owned, NULL: the scene has no targets */
     struct limit_check *limits;    /* one a limit of the scene; the same */
-    size_t heights;                /* points kept in surface_record.points */
     size_t map_side;               /* points along the square that a map offers; 0: profiles */
     double map_dy_m;               /* from row to row of it */
     struct direct_plan *direct;    /* how its contact is solved directly; owned, NULL: it is not called for */
@@ -77,7 +74,6 @@ struct surface_record {
     struct repeats_band **bands; /* the same, each band_count long; NULL: none */
     size_t band_count;
     struct sensitivity sensitivity; /* scans 0 where there is a rough counterface */
-    struct slope_point *points;     /* heights and slopes of all its scans, where a model uses them; NULL: not kept */
     double *direct_m;               /* where a direct solution is called for: heights of the profiles, or the square of
                                        a map row after row, as measured; else NULL */
     size_t direct_count;

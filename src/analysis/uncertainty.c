@@ -19,8 +19,7 @@ const double uncertainty_most_seconds = 1, uncertainty_height_seconds = 0.25e-6;
 
 bool uncertainty_holds(const struct plan *plan, size_t model)
 {
-    return plan_runs_model(plan, model) && !model_rows[model]->uses_heights &&
-           (plan->all_uncertain || model == plan_leading_model(plan));
+    return plan_runs_model(plan, model) && (plan->all_uncertain || model == plan_leading_model(plan));
 }
 
 /** All answers, as logarithms. */
@@ -62,8 +61,6 @@ static struct model_task record_task(const struct model_task *task, const struct
     struct model_task own = model_task_at(task, loads->load, loads->count);
     own.spectrum = spectrum;
     own.asperities = asperities;
-    own.points = NULL;
-    own.point_count = 0;
     own.wanted &= ~QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
     return own;
 }

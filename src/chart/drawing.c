@@ -130,9 +130,6 @@ enum status_code drawing_script(struct text *out, struct drawing *drawing, const
     case DRAWING_SPECTRA:
         drawing_spectra(out, drawing);
         break;
-    case DRAWING_PROBABILITY:
-        drawing_probability(out, drawing);
-        break;
     case DRAWING_PATCHES:
         drawing_patches(out, drawing);
         break;

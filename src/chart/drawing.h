@@ -10,12 +10,11 @@
 #include "chart/look.h"
 
 enum drawing_kind {
-    DRAWING_CURVES,      /* against a load, an area or a wavelength */
-    DRAWING_PROFILES,    /* a row of panels a surface */
-    DRAWING_SPECTRA,     /* a panel a surface */
-    DRAWING_COST,        /* relative error against time, one line a method */
-    DRAWING_PROBABILITY, /* heights against their normal scores, a panel a surface */
-    DRAWING_PATCHES,     /* where two bodies touch: a picture */
+    DRAWING_CURVES,   /* against a load, an area or a wavelength */
+    DRAWING_PROFILES, /* a row of panels a surface */
+    DRAWING_SPECTRA,  /* a panel a surface */
+    DRAWING_COST,     /* relative error against time, one line a method */
+    DRAWING_PATCHES,  /* where two bodies touch: a picture */
 };
 
 /** Least and largest value drawn; low > high: none. */

@@ -302,50 +302,6 @@ void drawing_spectra(struct text *out, struct drawing *drawing)
     text_add(out, "unset multiplot\n");
 }
 
-void drawing_probability(struct text *out, struct drawing *drawing)
-{
-    struct figure_extent x, all_y;
-    struct grid grid = make_grid(drawing, 0);
-    double wide = 0.86 / (double)grid.columns;
-    size_t p = 0;
-    begin(out, drawing, grid.height, 66 + 0.5 * (double)grid.rows * (grid.panel + grid.gap), 0.022);
-    drawing_extents(drawing, &x, &all_y);
-    for (size_t b = 0; b < drawing->blocks; b = panel_end(drawing, b), p++) {
-        const struct drawing_block *heights = &drawing->block[b];
-        double left = 0.11 + (double)(p % grid.columns) * (wide + 0.02);
-        bool bare = p + grid.columns < grid.panels;
-        struct figure_extent y = {heights->y_low, heights->y_high}; /* each panel has its own */
-        for (size_t i = b + 1; i < panel_end(drawing, b); i++)
-            y = (struct figure_extent){fmin(y.low, drawing->block[i].y_low), fmax(y.high, drawing->block[i].y_high)};
-        add_margins(out, panel_top(&grid, p), panel_bottom(&grid, p), left, left + wide - 0.05);
-        drawing_axis(out, &(struct drawing_axis){.axis = 'x',
-                                                 .kind = DRAWING_TIGHT,
-                                                 .low = x.low,
-                                                 .high = x.high,
-                                                 .room = 0.03,
-                                                 .most_tics = grid.columns > 1 ? 6 : 9,
-                                                 .bare = bare});
-        drawing_axis(
-            out, &(struct drawing_axis){
-                     .axis = 'y', .kind = DRAWING_TIGHT, .low = y.low, .high = y.high, .room = 0.06, .most_tics = 5});
-        add_x_label(out, drawing, bare);
-        add_head(out, heights, grid.columns > 1);
-        text_add(out, "unset label 4\n");
-        for (size_t i = b + 1; i < panel_end(drawing, b); i++)
-            if (is_style(&drawing->block[i], "fit"))
-                add_remark(out, &drawing->block[i]);
-        text_add(out, "plot 1/0 notitle");
-        if (heights->rows > 0) {
-            drawing_plot(out, b, "1:2");
-            text_add(out, "lines lw 2.4 lc rgb '%s' notitle", heights->look.colour);
-        }
-        for (size_t i = b + 1; i < panel_end(drawing, b); i++)
-            add_fit(out, &drawing->block[i], i);
-        text_add(out, "\nunset label 1; unset label 2\n");
-    }
-    text_add(out, "unset multiplot\n");
-}
-
 /** Rows of contact, each a run of points, filled. No words in the picture: its caption has them. */
 void drawing_patches(struct text *out, struct drawing *drawing)
 {

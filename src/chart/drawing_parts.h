@@ -63,7 +63,6 @@ void drawing_curves(struct text *out, struct drawing *drawing, const char *termi
 void drawing_cost(struct text *out, struct drawing *drawing);
 void drawing_profiles(struct text *out, struct drawing *drawing);
 void drawing_spectra(struct text *out, struct drawing *drawing);
-void drawing_probability(struct text *out, struct drawing *drawing);
 void drawing_patches(struct text *out, struct drawing *drawing);
 
 #endif

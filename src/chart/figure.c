@@ -44,11 +44,6 @@ static bool is_called_for(const struct figure_row *row, const struct results *re
         return figure_direct(results) && figure_direct(results)->contact && (plan->wanted & needed) == needed;
     case FIGURE_SENSITIVITY:
         return results->sensitivity && (plan_quantities(plan) & QUANTITY_BIT(row->y));
-    case FIGURE_PROBABILITY:
-        for (size_t k = 0; k < results->shown_count; k++)
-            if (figure_data_heights_model(&results->surfaces[results->shown[k]].summary) < model_count)
-                return true;
-        return false;
     case FIGURE_PROFILES:
     case FIGURE_SPECTRA:
         return true;
@@ -173,17 +168,10 @@ static bool y_is_logarithmic(const struct figure_row *row)
 }
 
 static const enum drawing_kind drawing_kinds[] = {
-    [FIGURE_SWEEP] = DRAWING_CURVES,
-    [FIGURE_MODELS] = DRAWING_CURVES,
-    [FIGURE_SURFACES] = DRAWING_CURVES,
-    [FIGURE_PROFILES] = DRAWING_PROFILES,
-    [FIGURE_SPECTRA] = DRAWING_SPECTRA,
-    [FIGURE_BENCHMARK] = DRAWING_COST,
-    [FIGURE_SENSITIVITY] = DRAWING_CURVES,
-    [FIGURE_DIRECT] = DRAWING_CURVES,
-    [FIGURE_DIRECT_RATIO] = DRAWING_CURVES,
+    [FIGURE_SWEEP] = DRAWING_CURVES,       [FIGURE_MODELS] = DRAWING_CURVES,   [FIGURE_SURFACES] = DRAWING_CURVES,
+    [FIGURE_PROFILES] = DRAWING_PROFILES,  [FIGURE_SPECTRA] = DRAWING_SPECTRA, [FIGURE_BENCHMARK] = DRAWING_COST,
+    [FIGURE_SENSITIVITY] = DRAWING_CURVES, [FIGURE_DIRECT] = DRAWING_CURVES,   [FIGURE_DIRECT_RATIO] = DRAWING_CURVES,
     [FIGURE_PATCHES] = DRAWING_PATCHES,
-    [FIGURE_PROBABILITY] = DRAWING_PROBABILITY,
 };
 
 /** Labels of curves against load, area or wavelength; what a sweep shows, it shows at one load. */
@@ -217,7 +205,6 @@ static void describe(struct drawing *drawing, const struct figure *figure, const
         [DRAWING_PROFILES] = {"position (mm)", "height (µm)", false},
         [DRAWING_SPECTRA] = {"wavelength (m)", "amplitude (m)", true},
         [DRAWING_COST] = {"time (s)", "relative error", true},
-        [DRAWING_PROBABILITY] = {"normal score (standard deviations)", "height (µm)", false},
         [DRAWING_PATCHES] = {"", "", false},
     };
     const struct figure_row *row = figure->row;
@@ -348,7 +335,8 @@ enum status_code figure_write_all(struct figure_list *list, const struct results
         return status_memory(status);
     for (size_t i = 0; i < list->count; i++)
         files[i] = figure_data_start(&list->figures[i]);
-    enum status_code rc = figure_data_put(files, list->count, results, status);
+    figure_data_put(files, list->count, results);
+    enum status_code rc = STATUS_OK;
     for (size_t i = 0; i < list->count && rc == STATUS_OK; i++) {
         struct axes axes = axes_of(files, list->count, i, results);
         rc = complete_figure(&files[i], &list->figures[i], &axes, results, directory, terminal_size, status);

@@ -17,7 +17,6 @@ enum figure_kind {
     FIGURE_DIRECT_RATIO, /* these over the direct solution */
     FIGURE_PATCHES,      /* where it touches: a picture */
     FIGURE_SENSITIVITY,  /* the baseline against the shortest wavelength included, all models */
-    FIGURE_PROBABILITY,  /* heights against their normal scores, of surfaces on which a model uses them */
 };
 
 /** One row a figure, or a figure a model. */

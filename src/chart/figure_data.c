@@ -267,84 +267,6 @@ static void put_spectrum(struct figure_file *out, const struct surface_record *r
         put_found(out, &record->band);
 }
 
-size_t figure_data_heights_model(const struct surface_summary *summary)
-{
-    size_t m = 0;
-    while (m < model_count && !(model_rows[m]->uses_heights && surface_model(summary, m)->exists))
-        m++;
-    return m;
-}
-
-/** Every so many of the sorted heights, evenly over their normal scores: both ends in full. */
-static void put_scores(struct figure_file *out, const struct contacting_slopes *slopes)
-{
-    enum { MOST = 300 };
-    size_t next = 0;
-    double highest = contacting_slopes_score(0, slopes->points);
-    for (size_t k = 0; k <= MOST; k++) {
-        double share = gsl_cdf_ugaussian_Q(highest * (1 - 2.0 * (double)k / MOST));
-        size_t i = (size_t)fmin(share * (double)slopes->points, (double)(slopes->points - 1));
-        if (i < next)
-            continue;
-        put(out, contacting_slopes_score(i, slopes->points), slopes->height_m[i] * 1e6);
-        next = i + 1;
-    }
-}
-
-/** The line through the points that touch and as many again, and carried on down to the lowest point. */
-static void put_contact_line(struct figure_file *out, const struct contacting_slopes *slopes, double area_ratio)
-{
-    size_t fitted = contacting_slopes_fitted(slopes, area_ratio);
-    double offset_m = slopes->line[fitted].offset_m, scale_m = slopes->line[fitted].scale_m;
-    double low_m = slopes->height_m[slopes->points - 1], highest = contacting_slopes_score(0, slopes->points);
-    double from = contacting_slopes_score(fitted - 1, slopes->points);
-    double to = scale_m > 0 ? fmin(from, fmax(-highest, (low_m - offset_m) / scale_m)) : -highest;
-    const double ends[] = {highest, from, to};
-    char legend[80];
-    snprintf(legend, sizeof legend, "A/Aₙ %.3g", area_ratio);
-    for (int part = 0; part < 2; part++) {
-        drawing_begin(&out->drawing, part == 0 ? "fit" : "fitx", legend);
-        for (int e = 0; e < 2; e++)
-            put(out, ends[part + e], (offset_m + scale_m * ends[part + e]) * 1e6);
-    }
-}
-
-/** The area ratio that the model had on a surface of one scan at that load; NaN: not there, or a mean of scans'. */
-static double area_known(const struct surface_record *record, size_t m, double load)
-{
-    const struct model_curve *curve = &record->curves[m];
-    for (size_t i = 0; i < curve->count && record->summary.scans == 1; i++)
-        if (curve->points[i].value[QUANTITY_LOAD] == load)
-            return curve->points[i].value[QUANTITY_AREA];
-    return NAN;
-}
-
-/** Heights against normal score, and the line where it touches at the middle load. */
-static enum status_code put_probability(struct figure_file *out, const struct surface_record *record,
-                                        const struct results *results, const char *style, const char *legend,
-                                        struct status *status)
-{
-    size_t m = figure_data_heights_model(&record->summary);
-    struct contacting_slopes slopes;
-    double load = results_operating_load(results, results->baseline);
-    if (m == model_count)
-        return STATUS_OK;
-    double area_ratio = area_known(record, m, load);
-    size_t points = record->summary.heights;
-    if (isnan(area_ratio)
-            ? contacting_slopes_make(&slopes, record->points, points, persson_energy_factor, status) != STATUS_OK
-            : contacting_slopes_lines(&slopes, record->points, points, status) != STATUS_OK)
-        return status->code;
-    drawing_begin(&out->drawing, style, legend);
-    put_scores(out, &slopes);
-    if (isnan(area_ratio))
-        area_ratio = contacting_slopes_area(&slopes, load).area_ratio;
-    if (area_ratio <= contacting_slopes_separation_area) /* beyond, no line stands for what touches */
-        put_contact_line(out, &slopes, area_ratio);
-    contacting_slopes_free(&slopes);
-    return STATUS_OK;
-}
-
 static void put_profile(struct figure_file *out, const struct surface_record *record, const char *style,
                         const char *legend)
 {
@@ -356,12 +278,12 @@ static void put_profile(struct figure_file *out, const struct surface_record *re
 static bool is_of_surfaces(const struct figure_file *out)
 {
     enum figure_kind kind = out->figure->row->kind;
-    return kind == FIGURE_SURFACES || kind == FIGURE_PROFILES || kind == FIGURE_SPECTRA || kind == FIGURE_PROBABILITY;
+    return kind == FIGURE_SURFACES || kind == FIGURE_PROFILES || kind == FIGURE_SPECTRA;
 }
 
 /** Puts what a figure of all surfaces shows of the k-th of them. */
-static enum status_code put_surface(struct figure_file *out, const struct results *results, size_t k,
-                                    const struct surface_record *record, struct status *status)
+static void put_surface(struct figure_file *out, const struct results *results, size_t k,
+                        const struct surface_record *record)
 {
     const struct figure_row *row = out->figure->row;
     char legend[200], style[24];
@@ -370,8 +292,6 @@ static enum status_code put_surface(struct figure_file *out, const struct result
     snprintf(style, sizeof style, "s%zu", k + 1);
     if (row->kind == FIGURE_PROFILES) {
         put_profile(out, record, style, legend);
-    } else if (row->kind == FIGURE_PROBABILITY) {
-        return put_probability(out, record, results, style, legend, status);
     } else if (row->kind == FIGURE_SPECTRA) {
         put_spectrum(out, record, style, legend);
     } else {
@@ -382,7 +302,6 @@ static enum status_code put_surface(struct figure_file *out, const struct result
                                   style, legend});
         put_ratio(out, record, m, results->plan->wanted, style, legend);
     }
-    return STATUS_OK;
 }
 
 static void put_counterface(struct figure_file *out, const struct surface_record *counterface)
@@ -602,23 +521,19 @@ static void put_own(struct figure_file *file, const struct results *results, con
     case FIGURE_SURFACES:
     case FIGURE_PROFILES:
     case FIGURE_SPECTRA:
-    case FIGURE_PROBABILITY:
         break;
     }
 }
 
-enum status_code figure_data_put(struct figure_file *files, size_t count, const struct results *results,
-                                 struct status *status)
+void figure_data_put(struct figure_file *files, size_t count, const struct results *results)
 {
-    enum status_code rc = STATUS_OK;
     for (size_t i = 0; i < count; i++)
         put_own(&files[i], results, &results->surfaces[results->baseline]);
     for (size_t k = 0; k < results->shown_count; k++)
-        for (size_t i = 0; i < count && rc == STATUS_OK; i++)
+        for (size_t i = 0; i < count; i++)
             if (is_of_surfaces(&files[i]))
-                rc = put_surface(&files[i], results, k, &results->surfaces[results->shown[k]], status);
+                put_surface(&files[i], results, k, &results->surfaces[results->shown[k]]);
     for (size_t i = 0; i < count && results->counterface; i++)
         if (files[i].figure->row->kind == FIGURE_PROFILES)
             put_counterface(&files[i], results->counterface);
-    return rc;
 }

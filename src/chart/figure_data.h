@@ -19,12 +19,7 @@ struct figure_file {
 struct figure_file figure_data_start(const struct figure *figure);
 void figure_data_free(struct figure_file *file);
 
-/** The model that used this surface's heights; model_count: none did. */
-size_t figure_data_heights_model(const struct surface_summary *summary);
-
-/** Puts every block of `count` figures into their files; a surface is taken from the store once for all of them.
- * Errors: STATUS_IO, STATUS_MEMORY. */
-MUST_CHECK enum status_code figure_data_put(struct figure_file *files, size_t count, const struct results *results,
-                                            struct status *status);
+/** Puts every block of `count` figures into their files. */
+void figure_data_put(struct figure_file *files, size_t count, const struct results *results);
 
 #endif

@@ -328,25 +328,6 @@ int command_report(int argc, char **argv)
     return run(argc, argv, &command_report_argp, false);
 }
 
-/** The surfaces whose heights the models may take for what they are not. */
-static void print_heights(const struct results *results)
-{
-    for (size_t i = 0; i < results->surface_count; i++) {
-        const struct surface_summary *summary = &results->surfaces[i].summary;
-        if (!summary->usable || summary->height_law.verdict == HEIGHTS_GAUSSIAN)
-            continue;
-        struct text shown = {0};
-        text_add_shown(&shown, summary->scene->name);
-        printf("%s surface '%s': %s (Rsk %.2f, Rku %.2f)\n", height_verdicts[summary->height_law.verdict].mark,
-               text_string(&shown),
-               summary->height_law.verdict == HEIGHTS_NOT_GAUSSIAN
-                   ? "heights not Gaussian, as models take them"
-                   : "heights outside the Gaussian range, perhaps by chance",
-               roughness_skewness(&summary->roughness), roughness_kurtosis(&summary->roughness));
-        text_free(&shown);
-    }
-}
-
 static void print_plan(const struct results *results, double rough_seconds, bool brief)
 {
     const struct plan *plan = results->plan;
@@ -375,7 +356,6 @@ static void print_plan(const struct results *results, double rough_seconds, bool
     if (brief)
         puts("brief: the report is its first page alone, and no other figures are drawn; all of the above runs, for "
              "data/ and results.json");
-    print_heights(results);
 }
 
 const struct argp command_plan_argp = {

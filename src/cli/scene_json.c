@@ -3,7 +3,6 @@
 #include "base/version.h"
 #include "cli/command.h"
 #include "cli/command_json.h"
-#include "spectrum/height_law.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -91,7 +90,6 @@ static json_t *surfaces_json(const struct results *results)
         json_t *json = json_pack("{s:o, s:b, s:o}", "surface", command_json_text(s->scene->name), "usable", s->usable,
                                  "refused", command_json_optional(s->refusal));
         if (s->usable) {
-            json_object_set_new(json, "heights", json_string(height_verdicts[s->height_law.verdict].name));
             json_object_set_new(json, "rsk", command_json_number(roughness_skewness(&s->roughness)));
             json_object_set_new(json, "rku", command_json_number(roughness_kurtosis(&s->roughness)));
         }

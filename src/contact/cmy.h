@@ -1,28 +1,41 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Plastic truncation (CMY) and its elastic sister (Mikic): laws for truncation.h, and the correlations in use for them.
- * Cooper, Mikic and Yovanovich 1969, Int. J. Heat Mass Transfer 12, 279; Mikic 1974, ibid. 17, 205. */
+/* Plastic contact of a Gaussian surface by truncation: what of it lies above the other's plane is contact at the
+ * hardness; spots and conductance follow from how often a profile crosses that plane (equations: truncation). Cooper,
+ * Mikic and Yovanovich 1969, Int. J. Heat Mass Transfer 12, 279. */
 #ifndef CONTACT_CMY_H
 #define CONTACT_CMY_H
 
-#include "contact/truncation.h"
+#include <stdbool.h>
 
-/** Plastic contact of hardness H: all that is truncated touches, f = 1. */
-struct truncation cmy_plastic(double sigma_m, double slope, double hardness_Pa);
+/** A surface, as the law knows it. */
+struct cmy {
+    double sigma_m; /* root mean square height */
+    double slope;   /* m, mean absolute slope of the profile: cmy_slope() */
+};
 
-/** Elastic contact: half of what is truncated touches, H_e = E' m/sqrt2, f = 1/2; A tends to sqrt(pi/m2) P/E'. */
-struct truncation cmy_elastic(double sigma_m, double slope, double effective_modulus_Pa);
+/** m = sqrt(2 m2/pi) of Gaussian heights. */
+double cmy_slope(double m2);
 
-/** h sigma/(k m) = 1.25 (P/H)^0.95, a fit of the plastic closed form: 0.987...1.010 of it for 1.2e-4 < P/H < 2e-2, less
- * by 6 % at 0.07 (Yovanovich 1981). */
-double cmy_plastic_correlation(double pressure_over_hardness);
+/** Contact at one pressure. */
+struct cmy_contact {
+    double separation_over_sigma; /* l = Y/sigma, from the mean plane */
+    double spot_density_per_m2;   /* n */
+    double spot_radius_m;         /* a, mean over the spots */
+    double conductance;           /* h sigma/(k m), without dimension */
+};
 
-/** h sigma/(k m) = 1.55 (P/H_e)^0.94, of the elastic closed form: within 2.7 % for P/H_e 3.5e-6...0.2 (Mikic 1974). */
-double cmy_elastic_correlation(double pressure_over_hardness);
+/** At P/H = A/A_n = erfc(l/sqrt2)/2: n = (1/16) (m/sigma)² exp(-l²)/erfc(l/sqrt2), a = sqrt(8/pi) (sigma/m) exp(l²/2)
+ * erfc(l/sqrt2), h sigma/(k m) = exp(-l²/2)/(2 sqrt(2 pi) (1 - sqrt(A/A_n))^(3/2)) = 2 n a sigma/(m Psi). False, and
+ * nothing written, when P/H is not between 0 and 1, where all of the surface is truncated. Valid to P/H = 0.1. */
+bool cmy_press(struct cmy_contact *out, const struct cmy *surface, double pressure_over_hardness);
+
+/** Largest P/H = A/A_n for which the law is meant: above, truncated islands run together. */
+#define CMY_VALID_AREA 0.1
 
 /** Hardness [Pa] of the spots themselves, smaller spots being harder: P = H(a(l)) erfc(l/sqrt2)/2 with
  * H = c1 (d/1 um)^c2, d = sqrt(2 pi) a the diagonal of the Vickers indentation of the area of a spot, solved for l
  * (Yovanovich, Hegazy and DeVaal 1982, AIAA 82-0887, without its fit). -1 < c2 <= 0. NaN when the pressure is beyond
  * all of them. */
-double cmy_microhardness(double sigma_m, double slope, double pressure_Pa, double c1_Pa, double c2);
+double cmy_microhardness(const struct cmy *surface, double pressure_Pa, double c1_Pa, double c2);
 
 #endif

@@ -5,14 +5,11 @@
 #define CONTACT_MODEL_H
 
 #include "contact/asperity.h"
-#include "contact/contacting_slopes.h"
 #include "contact/quantity.h"
 #include "contact/sinusoid.h"
 #include "spectrum/roughness.h"
 #include "spectrum/spectrum.h"
 #include <stdint.h>
-
-struct truncation_model; /* contact/truncation_model.h */
 
 /** What a model is asked: one surface, one pair of bodies, a list of loads. */
 struct model_task {
@@ -25,10 +22,7 @@ struct model_task {
     unsigned wanted;        /* QUANTITY_BITs */
     double tolerance;
     enum sinusoid_fit_id sinusoid_fit;
-    double hardness_Pa; /* H_d of the softer body; NaN: not known */
-    const struct slope_point
-        *points; /* heights and slopes of the surface, for models that use_heights; NULL: not kept */
-    size_t point_count;
+    double hardness_Pa;    /* H_d of the softer body; NaN: not known */
     uint64_t *evaluations; /* what running models takes is added here: visits of scales, laws at quadrature nodes, loads
                               solved for a separation; NULL: it is not counted */
 };
@@ -70,11 +64,8 @@ struct model_row {
     const struct model_row *counterpart; /* multiscale model of the same material law, which the thesis holds this one
                                             against; NULL: none */
     bool stacks_scales;                  /* every harmonic is a scale: the convergence study speaks of it */
-    const struct asperity_model *asperity_model;     /* it sums this over model_task.asperities; NULL: it needs none */
-    const struct truncation_model *truncation_model; /* it presses by this law; NULL: not by truncation */
-    bool uses_heights;     /* works on model_task.points, and does not take heights as Gaussian: no mark (height_law.h);
-                              runs unasked where those are not */
-    unsigned quantities;   /* QUANTITY_BITs it computes */
+    const struct asperity_model *asperity_model; /* it sums this over model_task.asperities; NULL: it needs none */
+    unsigned quantities;                         /* QUANTITY_BITs it computes */
     unsigned may_be_empty; /* those of them that it leaves empty (NaN) where it should not be trusted */
     double largest_area;   /* A/A_n up to which it is valid; 0: any */
     const char *fitted_to; /* end of its fitted range, which contact_point.beyond_fit is the share beyond; NULL: none */

@@ -1,40 +1,79 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Cooper, Mikic and Yovanovich's contact as a model: plastic, by truncation. */
+/* Cooper, Mikic and Yovanovich's contact as a model: the textbook's answer, plastic, by truncation. */
 #include "contact/cmy.h"
-#include "contact/truncation_model.h"
+#include "contact/model.h"
 
-static struct truncation law(const struct model_task *task)
+#include <math.h>
+
+/** The surface of a task; false: it has no slope, or the hardness is not known. */
+static bool surface_of(struct cmy *out, const struct model_task *task)
 {
-    return cmy_plastic(truncation_model_sigma(task), truncation_model_slope(task), task->hardness_Pa);
+    *out = (struct cmy){sqrt(spectrum_moment(task->spectrum, 0)), cmy_slope(spectrum_moment(task->spectrum, 1))};
+    return out->sigma_m > 0 && out->slope > 0 && task->hardness_Pa > 0;
 }
 
-static double correlation(double pressure_over_hardness, const struct model_task *task)
+static double pressure_over_hardness(const struct model_task *task, size_t i)
 {
-    (void)task;
-    return cmy_plastic_correlation(pressure_over_hardness);
+    return task->loads[i] * (task->pair->effective_modulus_Pa / task->hardness_Pa);
 }
 
-static const struct truncation_model plastic = {
-    .label = "CMY, plastic",
-    .hardness = "the hardness",
-    .law = law,
-    .formula = "1.25 (P/H)^0.95",
-    .correlation = correlation,
-    .least = 1.2e-4,
-    .most = 2e-2,
-    .agreement = "0.987…1.010 of the closed form; 6 % less at P/H = 0.07",
-};
+/* The curve ends at P = H; there is no point of full contact. The separation is empty where the other's plane would lie
+ * below the mean plane: that is no gap. */
+static enum status_code run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
+                            struct status *status)
+{
+    struct cmy surface;
+    struct cmy_contact contact;
+    (void)row;
+    (void)status;
+    curve->evaluations = task->load_count;
+    bool has_law = surface_of(&surface, task), gap = task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION);
+    for (size_t i = 0; i < task->load_count && has_law; i++) {
+        double area_ratio = pressure_over_hardness(task, i);
+        if (!cmy_press(&contact, &surface, area_ratio))
+            break;
+        double spread_m = surface.sigma_m / surface.slope / contact.conductance;
+        struct contact_point *point = &curve->points[curve->count++];
+        point->value[QUANTITY_LOAD] = task->loads[i];
+        point->value[QUANTITY_AREA] = area_ratio;
+        if (gap && contact.separation_over_sigma >= 0)
+            point->value[QUANTITY_SEPARATION] = contact.separation_over_sigma * surface.sigma_m;
+        if (task->wanted & QUANTITY_BIT(QUANTITY_ECR))
+            point->value[QUANTITY_ECR] = task->pair->resistivity_ohm_m * spread_m;
+        if (task->wanted & QUANTITY_BIT(QUANTITY_TCR))
+            point->value[QUANTITY_TCR] = spread_m / task->pair->conductivity_W_per_mK;
+    }
+    curve->exists = curve->count > 0;
+    return STATUS_OK;
+}
+
+static enum status_code spots_of(struct contact_spots *spots, const struct model_row *row,
+                                 const struct model_task *task, struct status *status)
+{
+    struct cmy surface;
+    struct cmy_contact contact;
+    bool exists = surface_of(&surface, task);
+    (void)row;
+    (void)status;
+    for (size_t i = 0; i < task->load_count; i++) {
+        bool pressed = exists && cmy_press(&contact, &surface, pressure_over_hardness(task, i));
+        spots[i].density_per_m2 = pressed ? contact.spot_density_per_m2 : NAN;
+        spots[i].radius_m = pressed ? contact.spot_radius_m : NAN;
+    }
+    return STATUS_OK;
+}
 
 const struct model_row model_cmy = {
     .name = "cmy",
     .label = "CMY",
     .short_label = "CMY",
     .family = "cmy",
+    .by_default = true,
     .plastic = true,
-    .truncation_model = &plastic,
-    .quantities = TRUNCATION_MODEL_QUANTITIES,
+    .quantities = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
+                  QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR),
     .may_be_empty = QUANTITY_BIT(QUANTITY_SEPARATION),
-    .largest_area = TRUNCATION_VALID_AREA,
+    .largest_area = CMY_VALID_AREA,
     .style = "cy",
     .colour = "#8C6D31",
     .marker = 15,
@@ -46,6 +85,6 @@ const struct model_row model_cmy = {
              "spots on, resistance 0.6 to 1.1 of direct solutions of the same islands, which are neither round nor "
              "evenly spread",
     .method = "closed form",
-    .run = truncation_model_run,
-    .spots = truncation_model_spots,
+    .run = run,
+    .spots = spots_of,
 };

@@ -8,12 +8,8 @@
     X(multiscale_plastic)                                                                                              \
     X(gw)                                                                                                              \
     X(jg)                                                                                                              \
-    X(two_band_elastic)                                                                                                \
-    X(two_band_plastic)                                                                                                \
     X(persson)                                                                                                         \
-    X(contacting_slopes)                                                                                               \
-    X(cmy)                                                                                                             \
-    X(sridhar_yovanovich)
+    X(cmy)
 
 #define DECLARE(name) extern const struct model_row model_##name;
 #define ENTRY(name)   &model_##name,

@@ -5,7 +5,6 @@
 #define LIBRARY_LIBRARY_H
 
 #include "base/status.h"
-#include "contact/contacting_slopes.h"
 #include "library/host.h"
 #include "library/roughcontact.h"
 #include "material/material.h"
@@ -23,9 +22,7 @@ struct roughcontact_surface {
     struct spectrum spectrum;
     struct asperities asperities;
     bool has_asperities;
-    struct status problem;      /* why there are none */
-    struct slope_point *points; /* heights and slopes, for models that use them */
-    size_t point_count;
+    struct status problem; /* why there are none */
     struct roughcontact_roughness roughness;
     struct roughcontact_spectrum shown_spectrum;
     struct roughcontact_power_law power_law;

@@ -214,9 +214,7 @@ static enum status_code run(struct roughcontact_curve **out, const struct roughc
                                         .wanted = find_wanted(&bodies),
                                         .tolerance = 1e-6, /* the scene's default */
                                         .sinusoid_fit = SINUSOID_FIT_THESIS,
-                                        .hardness_Pa = pair.hardness_Pa,
-                                        .points = surface->points,
-                                        .point_count = surface->point_count};
+                                        .hardness_Pa = pair.hardness_Pa};
         code = solve(made, row, &task, status);
     }
     free(over_modulus);

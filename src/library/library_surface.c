@@ -88,11 +88,6 @@ static enum status_code describe(struct roughcontact_surface *out, double lambda
                                                      .m0_m2 = r.m0_m2,
                                                      .m2 = r.m2,
                                                      .m4_per_m2 = r.m4_per_m2};
-    out->points = malloc(profile->points * sizeof *out->points);
-    if (!out->points)
-        return status_memory(status);
-    out->point_count =
-        contacting_slopes_of_profile(out->points, profile->height_m, profile->points, profile->spacing_m);
     if (spectrum_compute(&out->spectrum, profile->height_m, profile->points, profile->spacing_m,
                          spectrum_window_for(SPECTRUM_WINDOW_AUTO, profile->periodic), status) != STATUS_OK)
         return status->code;

@@ -313,9 +313,6 @@ static json_t *surface_json(const struct surface_record *record, const struct sc
             if (json_object_size(intervals) > 0)
                 json_object_set(model, "at_middle_load", intervals);
             json_decref(intervals);
-            json_object_set_new(
-                model, "heights_mark",
-                json_string(model_rows[m]->uses_heights ? "" : height_verdicts[s->height_law.verdict].mark));
             json_object_set_new(models, model_rows[m]->name, model);
         }
     json_t *json = json_pack("{s:o, s:o, s:s, s:s, s:s}", "surface", string(s->scene->name), "files", files, "sha256",
@@ -340,8 +337,6 @@ static json_t *surface_json(const struct surface_record *record, const struct sc
         {"m4_per_m2", s->roughness.m4_per_m2},
         {"rsk", roughness_skewness(&s->roughness)},
         {"rku", roughness_kurtosis(&s->roughness)},
-        {"rsk_chance", s->height_law.chance[0]},
-        {"rku_chance", s->height_law.chance[1]},
         {"nayak", s->asperities.nayak},
         {"asperity_density_per_m2", s->asperities.density_per_m2},
         {"asperity_radius_m", s->asperities.radius_m},
@@ -362,7 +357,6 @@ static json_t *surface_json(const struct surface_record *record, const struct sc
     };
     for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
         set(json, guard, numbers[i].name, numbers[i].value);
-    json_object_set_new(json, "heights", json_string(height_verdicts[s->height_law.verdict].name));
     json_object_set_new(json, "fit", fit_json(record, scene->fit, guard));
     json_object_set_new(json, "scans", json_integer((json_int_t)s->scans));
     json_object_set_new(json, "scans_periodic", json_integer((json_int_t)s->periodic));
@@ -543,7 +537,6 @@ static json_t *outline_surface_json(const struct surface_summary *s, const struc
         set(json, guard, "rq_m", s->roughness.rq_m);
         set(json, guard, "alpha_SI", power_law_holds(&s->power_law) ? s->power_law.alpha : NAN);
         set(json, guard, "gamma", power_law_holds(&s->power_law) ? s->power_law.gamma : NAN);
-        json_object_set_new(json, "heights", json_string(height_verdicts[s->height_law.verdict].name));
     }
     if (complete && s->usable)
         json_object_set(json, "models", models);

@@ -486,7 +486,7 @@ static enum status_code write_sensitivity(const struct results *results, const c
     for (size_t i = 0; i < results->surface_count; i++)
         for (size_t m = 0; m < model_count; m++) {
             const struct surface_summary *s = &results->surfaces[i].summary;
-            if (!s->usable || !surface_model(s, m)->exists || model_rows[m]->uses_heights)
+            if (!s->usable || !surface_model(s, m)->exists)
                 continue;
             for (int c = 0; c < SENSITIVITY_CHANGES; c++) {
                 if (sensitivity_changes[c].plastic && !model_rows[m]->plastic)

@@ -22,17 +22,13 @@ static const struct {
     enum part part;
     const struct section *section;
 } sections[] = {
-    {PART_FIRST_PAGE, &section_summary},      {PART_FIRST_PAGE, &section_answers},
-    {PART_FIRST_PAGE, &section_deciding},     {PART_FIRST_PAGE, &section_doubts},
-    {PART_CHAPTER, &section_surfaces},        {PART_CHAPTER, &section_material},
-    {PART_CHAPTER, &section_convergence},     {PART_CHAPTER, &section_baseline},
-    {PART_CHAPTER, &section_beyond_thesis},   {PART_CHAPTER, &section_joint},
-    {PART_CHAPTER, &section_all_surfaces},    {PART_TRUST, &section_direct},
-    {PART_TRUST, &section_validity},          {PART_TRUST, &section_sensitivity},
-    {PART_TRUST, &section_repeats},           {PART_TRUST, &section_measured},
-    {PART_APPENDICES, &section_checks},       {PART_APPENDICES, &section_cost},
-    {PART_APPENDICES, &section_correlations}, {PART_APPENDICES, &section_computed},
-    {PART_APPENDICES, &section_methods},      {PART_APPENDICES, &section_sources},
+    {PART_FIRST_PAGE, &section_summary},  {PART_FIRST_PAGE, &section_answers},   {PART_FIRST_PAGE, &section_deciding},
+    {PART_FIRST_PAGE, &section_doubts},   {PART_CHAPTER, &section_surfaces},     {PART_CHAPTER, &section_material},
+    {PART_CHAPTER, &section_convergence}, {PART_CHAPTER, &section_baseline},     {PART_CHAPTER, &section_beyond_thesis},
+    {PART_CHAPTER, &section_joint},       {PART_CHAPTER, &section_all_surfaces}, {PART_TRUST, &section_direct},
+    {PART_TRUST, &section_validity},      {PART_TRUST, &section_sensitivity},    {PART_TRUST, &section_repeats},
+    {PART_TRUST, &section_measured},      {PART_APPENDICES, &section_checks},    {PART_APPENDICES, &section_cost},
+    {PART_APPENDICES, &section_computed}, {PART_APPENDICES, &section_methods},   {PART_APPENDICES, &section_sources},
 };
 
 static enum status_code write_file(const char *directory, const char *name, const struct text *content,

@@ -19,61 +19,6 @@ void section_named(struct text *out, const char *article, const struct results *
     section_surface_name(out, results, index);
 }
 
-/** Is surface `index` one whose models a figure shows? */
-static bool shows(const struct section_context *context, const struct figure *figure, size_t index)
-{
-    const struct results *results = context->results;
-    const struct direct_study *study;
-    bool shown = false;
-    switch (figure->row->kind) {
-    case FIGURE_SURFACES:
-        for (size_t k = 0; k < results->shown_count; k++)
-            shown = shown || results->shown[k] == index;
-        return shown && surface_model(section_surface(context, index), figure->model)->exists;
-    case FIGURE_MODELS:
-    case FIGURE_SENSITIVITY:
-        return index == results->baseline;
-    case FIGURE_DIRECT:
-    case FIGURE_DIRECT_RATIO:
-        study = figure_direct(results);
-        return index == results->baseline && study && study->leading == DIRECT_STUDY_HEIGHTS;
-    case FIGURE_SWEEP:
-    case FIGURE_PROFILES:
-    case FIGURE_SPECTRA:
-    case FIGURE_BENCHMARK:
-    case FIGURE_PATCHES:
-    case FIGURE_PROBABILITY:
-        break;
-    }
-    return false;
-}
-
-/** " Heights not Gaussian: surface 1 (‡); perhaps not: surface 2 (‡?)." of the surfaces whose models it shows. */
-static void figure_marks(struct text *out, const struct section_context *context, const struct figure *figure)
-{
-    static const char *const heads[HEIGHT_VERDICTS] = {
-        [HEIGHTS_CANNOT_TELL] = "perhaps not",
-        [HEIGHTS_NOT_GAUSSIAN] = "not",
-    };
-    bool any = false;
-    for (int v = HEIGHT_VERDICTS - 1; v > HEIGHTS_GAUSSIAN; v--) {
-        size_t named = 0;
-        for (size_t i = 0; i < context->results->surface_count; i++) {
-            if (!shows(context, figure, i) || !section_is_marked(context, i, figure->model) ||
-                section_surface(context, i)->height_law.verdict != (enum height_verdict)v)
-                continue;
-            if (named == 0)
-                text_add(out, "%s%s%s: ", any ? "; " : " Heights ", heads[v], any ? "" : " Gaussian");
-            text_add(out, named++ > 0 ? ", " : "");
-            section_named(out, "surface ", context->results, i);
-            any = true;
-        }
-        if (named > 0)
-            text_add(out, " (%s)", height_verdicts[v].mark);
-    }
-    text_add(out, any ? "." : "");
-}
-
 const char *const section_first_page[SECTION_FIRST_PLACES] = {"first page", "first page, direct"};
 
 static bool is_numbered(const struct figure *figure)
@@ -116,7 +61,6 @@ void section_figures(struct text *out, const struct section_context *context, co
         text_add(out, ".");
         if (caption)
             caption(out, context, figure);
-        figure_marks(out, context, figure);
         text_add(out, "](figures/%s%s)\n\n", figure->number, figure_extension(figure->row));
     }
     for (size_t i = 0; i < context->figures->count; i++) {
@@ -174,75 +118,6 @@ const struct surface_summary *section_surface(const struct section_context *cont
 const struct surface_summary *section_smoothest(const struct section_context *context, size_t k)
 {
     return section_surface(context, context->results->by_roughness[k]);
-}
-
-bool section_is_marked(const struct section_context *context, size_t index, size_t model)
-{
-    bool assumes = model < model_count && !model_rows[model]->uses_heights;
-    for (size_t m = 0; model == model_count && m < model_count; m++)
-        assumes = assumes || (plan_runs_model(context->results->plan, m) && !model_rows[m]->uses_heights);
-    return assumes && section_surface(context, index)->usable &&
-           section_surface(context, index)->height_law.verdict != HEIGHTS_GAUSSIAN;
-}
-
-void section_mark(struct text *out, const struct section_context *context, size_t index, size_t model)
-{
-    if (section_is_marked(context, index, model))
-        text_add(out, "\u00a0%s", height_verdicts[section_surface(context, index)->height_law.verdict].mark);
-}
-
-/** Does the surface get this mark? */
-static bool has_mark(const struct section_context *context, size_t index, enum height_verdict verdict)
-{
-    return section_is_marked(context, index, model_count) &&
-           section_surface(context, index)->height_law.verdict == verdict;
-}
-
-size_t section_marked(const struct section_context *context, enum height_verdict verdict)
-{
-    size_t count = 0;
-    for (size_t i = 0; i < context->results->surface_count; i++)
-        count += has_mark(context, i, verdict);
-    return count;
-}
-
-void section_marked_names(struct text *out, const struct section_context *context, enum height_verdict verdict)
-{
-    enum { MOST = 4 };
-    size_t all = section_marked(context, verdict), named = 0;
-    for (size_t i = 0; i < context->results->surface_count && named < MOST; i++)
-        if (has_mark(context, i, verdict)) {
-            text_add(out, named == 0 ? "" : named + 1 == all ? " and " : ", ");
-            section_named(out, "surface ", context->results, i);
-            named++;
-        }
-    if (named < all)
-        text_add(out, " and %zu more", all - named);
-}
-
-void section_mark_legend(struct text *out, const struct section_context *context, size_t index)
-{
-    static const char *const meaning[HEIGHT_VERDICTS] = {
-        [HEIGHTS_CANNOT_TELL] = "heights outside the Gaussian range, as a scan of so few long waves may show by chance",
-        [HEIGHTS_NOT_GAUSSIAN] = "heights not Gaussian, as the model takes them",
-    };
-    const char *before = "\n";
-    for (int v = HEIGHT_VERDICTS - 1; v > HEIGHTS_GAUSSIAN; v--) {
-        bool used = index == SECTION_EVERY_SURFACE ? section_marked(context, (enum height_verdict)v) > 0
-                                                   : has_mark(context, index, (enum height_verdict)v);
-        if (used)
-            text_add(out, "%s%s %s", before, height_verdicts[v].mark, meaning[v]);
-        before = used ? "; " : before;
-    }
-    text_add(out, *before == ';' ? " (the range: Rsk within ±0.5 and Rku in 2.5…4).\n" : "");
-}
-
-size_t section_heights_model(const struct section_context *context)
-{
-    size_t m = 0;
-    while (m < model_count && !(plan_runs_model(context->results->plan, m) && model_rows[m]->uses_heights))
-        m++;
-    return m;
 }
 
 bool section_extended(const struct section_context *context)

@@ -6,7 +6,6 @@
 #include "base/number_format.h"
 #include "chart/figure.h"
 #include "results/comparison.h"
-#include "spectrum/height_law.h"
 
 /** What the sections are written from. */
 struct section_context {
@@ -26,9 +25,9 @@ struct section {
 };
 
 extern const struct section section_summary, section_surfaces, section_material, section_convergence, section_baseline,
-    section_beyond_thesis, section_correlations, section_joint, section_direct, section_all_surfaces, section_checks,
-    section_sensitivity, section_deciding, section_doubts, section_repeats, section_measured, section_validity,
-    section_cost, section_computed, section_methods, section_sources, section_answers;
+    section_beyond_thesis, section_joint, section_direct, section_all_surfaces, section_checks, section_sensitivity,
+    section_deciding, section_doubts, section_repeats, section_measured, section_validity, section_cost,
+    section_computed, section_methods, section_sources, section_answers;
 
 /** A list item a target and a limit of the scene, in one sentence each: what the report says first. */
 void section_answers_lead(struct text *out, const struct section_context *context);
@@ -63,22 +62,6 @@ void section_named(struct text *out, const char *article, const struct results *
 const struct surface_summary *section_surface(const struct section_context *context, size_t index);
 /** The k-th smoothest usable surface. */
 const struct surface_summary *section_smoothest(const struct section_context *context, size_t k);
-/** Does what model `model` says of surface `index` get a mark? It does where the model takes heights as Gaussian and
- * they are beyond the limits (height_law.h). model_count: any model that runs. */
-bool section_is_marked(const struct section_context *context, size_t index, size_t model);
-/** A no-break space and the mark, ‡ or ‡?, or nothing: behind the model's name, or behind the surface's where its row
- * holds numbers of the models. */
-void section_mark(struct text *out, const struct section_context *context, size_t index, size_t model);
-/** A line below a table that says what the marks in it mean; nothing where there are none. `index`: of the one surface
- * that it is about; SECTION_EVERY_SURFACE. */
-void section_mark_legend(struct text *out, const struct section_context *context, size_t index);
-#define SECTION_EVERY_SURFACE ((size_t)-1)
-/** Usable surfaces that get this mark, of models that run. */
-size_t section_marked(const struct section_context *context, enum height_verdict verdict);
-/** Their names, joined by commas, the first few of them. */
-void section_marked_names(struct text *out, const struct section_context *context, enum height_verdict verdict);
-/** The running model that does not take heights as Gaussian; model_count: none. */
-size_t section_heights_model(const struct section_context *context);
 /** Was any surface's fitted power law carried on below its sampling limit? */
 bool section_extended(const struct section_context *context);
 /** "elastic" or `plastic` for a model of the thesis where its family is understood; any other goes by its label. */

@@ -38,7 +38,6 @@ static void full_contact_note(struct text *out, const struct section_context *co
 
 static void surface_full(struct text *out, const struct section_context *context, size_t index)
 {
-    section_mark(out, context, index, model_count);
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(context->results->plan, m)) {
             const struct curve_summary *model = surface_model(section_surface(context, index), m);
@@ -59,7 +58,6 @@ static void full_table(struct text *out, const struct section_context *context)
     text_add(out, " |\n%s\n", text_string(&rule));
     text_free(&rule);
     section_each_surface(out, context, surface_full);
-    section_mark_legend(out, context, SECTION_EVERY_SURFACE);
 }
 
 /** Beta of every model that adjusts its separation, in either estimate. */
@@ -70,7 +68,6 @@ static bool adjusts(const struct section_context *context, size_t m)
 
 static void surface_6_3(struct text *out, const struct section_context *context, size_t index)
 {
-    section_mark(out, context, index, model_count);
     for (int nearest = 0; nearest < 2; nearest++)
         for (size_t m = 0; m < model_count; m++) {
             const struct curve_summary *model = surface_model(section_surface(context, index), m);
@@ -93,7 +90,6 @@ static void table_6_3(struct text *out, const struct section_context *context)
     text_add(out, " |\n%s\n", text_string(&rule));
     text_free(&rule);
     section_each_surface(out, context, surface_6_3);
-    section_mark_legend(out, context, SECTION_EVERY_SURFACE);
 }
 
 static void beta_text(struct text *out, const struct section_context *context)

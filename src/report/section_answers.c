@@ -233,7 +233,6 @@ static void each_surface(const struct section_context *context, const struct pag
             continue;
         text_add(page->out, "| ");
         section_surface_name(page->out, context->results, i);
-        section_mark(page->out, context, i, leading);
         target_row(page, target, leading, i, spots);
         text_add(page->out, " |\n");
         rows++;
@@ -332,7 +331,6 @@ static void limit_table(const struct section_context *context, const struct page
             continue;
         text_add(page->out, "| ");
         section_surface_name(page->out, page->results, i);
-        section_mark(page->out, context, i, leading);
         for (size_t l = 0; l < scene->limit_count; l++) {
             const struct limit_check *check = &summary->limits[l];
             text_add(page->out, " | %s %s", verdicts[check->verdict].mark, verdicts[check->verdict].word);
@@ -403,7 +401,6 @@ static void write(struct text *out, const struct section_context *context)
         target_table(context, &page, t);
     if (scene_of(&page)->limit_count > 0)
         limit_table(context, &page);
-    section_mark_legend(out, context, SECTION_EVERY_SURFACE);
 }
 
 const struct section section_answers = {"answers", called_for, write};

@@ -58,7 +58,6 @@ static void baseline_table(struct text *out, const struct section_context *conte
                 if (pressure)
                     section_cell(out, material_pair_pressure(section_pair(context), load) * 1e-6, 3);
                 text_add(out, " | %s", model_rows[m]->label);
-                section_mark(out, context, results->baseline, m);
                 section_cell(out, p->value[QUANTITY_AREA], 3);
                 if (yields)
                     section_cell(out, section_contact_pressure(context, results->baseline, p), 3);
@@ -86,7 +85,6 @@ static void model_table(struct text *out, const struct section_context *context)
         if (!model->exists)
             continue;
         text_add(out, "| %s", model_rows[m]->label);
-        section_mark(out, context, context->results->baseline, m);
         section_cell(out, model->area_slope, 3);
         section_load_cell(out, context, context->results->baseline, model->full_load);
         if (separation)
@@ -381,10 +379,8 @@ static void write(struct text *out, const struct section_context *context)
     baseline_text(out, context);
     text_add(out, "\n\n");
     baseline_table(out, context);
-    section_mark_legend(out, context, context->results->baseline);
     text_add(out, "\nOver all loads:\n\n");
     model_table(out, context);
-    section_mark_legend(out, context, context->results->baseline);
     for (size_t p = 0; p < sizeof parts / sizeof *parts; p++) {
         if (!section_computes(context, parts[p].quantity))
             continue;

@@ -37,9 +37,7 @@ static void ratio_row(struct text *out, const struct section_context *context, s
     text_add(out, "| ");
     section_load(out, context->results, context->results->baseline, load);
     text_add(out, " | %s", model_rows[m]->label);
-    section_mark(out, context, context->results->baseline, m);
     text_add(out, " | %s", model_rows[by]->label);
-    section_mark(out, context, context->results->baseline, by);
     for (int q = 0; q < COMPARED; q++)
         if (section_computes(context, compared[q])) {
             double value = ratio(context, m, by, compared[q], load);
@@ -100,16 +98,6 @@ static void caption(struct text *out, const struct section_context *context, con
     text_add(out, ".");
 }
 
-static void heights_caption(struct text *out, const struct section_context *context, const struct figure *figure)
-{
-    (void)figure;
-    text_add(out, " Gaussian heights lie on one straight line. The line goes through the highest 2·A/Aₙ of them, A the "
-                  "contact at ");
-    section_at_load(out, context->results, context->results->baseline, context->comparison->middle_load);
-    text_add(out, " in the %s model; dashed: carried on down; none where A/Aₙ is beyond 0.15.",
-             model_rows[section_heights_model(context)]->label);
-}
-
 static bool called_for(const struct section_context *context)
 {
     return plan_beyond_thesis(context->results->plan);
@@ -122,10 +110,8 @@ static void write(struct text *out, const struct section_context *context)
     introduction(out, context);
     text_add(out, "\n\n");
     ratio_table(out, context);
-    section_mark_legend(out, context, context->results->baseline);
     text_add(out, "\n");
     section_figures(out, context, "beyond thesis", caption);
-    section_figures(out, context, "heights", heights_caption);
 }
 
 const struct section section_beyond_thesis = {"beyond thesis", called_for, write};

@@ -70,7 +70,6 @@ static void extension_text(struct text *out, const struct section_context *conte
 static void surface_extension(struct text *out, const struct section_context *context, size_t index)
 {
     const struct surface_summary *s = section_surface(context, index);
-    section_mark(out, context, index, model_count);
     section_cell(out, s->tail.gamma, 3);
     section_cell(out, s->length_m / (double)s->tail.count * 1e6, 3);
     for (size_t m = 0; m < model_count; m++) {
@@ -96,7 +95,6 @@ static void extension_table(struct text *out, const struct section_context *cont
     text_add(out, " |\n%s\n", text_string(&rule));
     text_free(&rule);
     section_each_surface(out, context, surface_extension);
-    section_mark_legend(out, context, SECTION_EVERY_SURFACE);
 }
 
 static void sweep_caption(struct text *out, const struct section_context *context, const struct figure *figure)

@@ -53,30 +53,13 @@ static void resolution(struct text *out, const struct direct_study *study, const
     number_format_between(out, " µm where its rows' Rq is ", sqrt(study->moments.m0_m2) * 1e6, 3, " µm.");
 }
 
-/** Whose heights the surfaces have: by the report's one criterion. */
-static void heights(struct text *out, const struct section_context *context, const struct direct_study *study)
+/** Whose heights the surfaces have. */
+static void heights(struct text *out, const struct direct_study *study)
 {
-    const struct height_law *law = &section_surface(context, study->surface)->height_law;
-    if (!study->plan.heights)
-        return;
-    if (law->verdict == HEIGHTS_NOT_GAUSSIAN) {
+    if (study->plan.heights)
         text_add(out,
-                 " The scan's heights are not Gaussian%s, so the surfaces are given its distribution of heights; "
-                 "Gaussian ones with the same spectrum stand beside them, which shows what skewness does.",
-                 isfinite(law->chance[0]) ? " beyond the scatter of its few long waves" : "");
-        return;
-    }
-    if (law->verdict == HEIGHTS_CANNOT_TELL) {
-        number_format_between(out, " Of scans as long as this one, of Gaussian surfaces with this spectrum, ",
-                              100 * law->chance[0], 2, " % have an Rsk");
-        number_format_between(out, " and ", 100 * law->chance[1], 2,
-                              " % an Rku as far out: it cannot tell its heights from Gaussian ones");
-    } else {
-        text_add(out, " The scan's Rsk and Rku are those of Gaussian heights");
-    }
-    text_add(out,
-             ", so the models are held against Gaussian surfaces. Surfaces that are given the scan's heights stand "
-             "beside them; few long waves make those uncertain.");
+                 " The surfaces are given the scan's distribution of heights; Gaussian ones with the same spectrum "
+                 "stand beside them, which shows what skewness does.");
 }
 
 static void introduction(struct text *out, const struct section_context *context, const struct direct_study *study)
@@ -84,7 +67,7 @@ static void introduction(struct text *out, const struct section_context *context
     section_named(out, "Surface ", context->results, study->surface);
     text_add(out, ", solved by boundary elements without the models' assumptions:");
     resolution(out, study, &context->results->surfaces[study->surface].summary.power_law);
-    heights(out, context, study);
+    heights(out, study);
     text_add(out,
              " The models are given the spectrum of the same surface%s rows, so a ratio is the model's error and "
              "not the scan's.",
@@ -112,13 +95,6 @@ static const char *error_words(const struct direct_study *study)
 static size_t table_load(const struct direct_study *study, int k)
 {
     return (size_t)k * (study->plan.loads - 1) / 2;
-}
-
-/** Only where the surfaces solved have the scan's heights: Gaussian ones are what such a model takes them for. */
-static void mark(struct text *out, const struct section_context *context, const struct direct_study *study, size_t m)
-{
-    if (study->leading == DIRECT_STUDY_HEIGHTS)
-        section_mark(out, context, study->surface, m);
 }
 
 static void direct_row(struct text *out, const struct section_context *context, const struct direct_study *study,
@@ -154,7 +130,6 @@ static void model_row(struct text *out, const struct section_context *context, c
     text_add(out, "| ");
     section_load(out, context->results, study->surface, study->plan.load[i]);
     text_add(out, " | %s", model_rows[m]->label);
-    mark(out, context, study, m);
     text_add(out, " over it");
     for (int q = 0; q < DIRECT_STUDY_QUANTITIES; q++)
         if (has(context, q))
@@ -212,8 +187,6 @@ static void table(struct text *out, const struct section_context *context, const
             break;
         }
     text_add(out, "\n");
-    if (study->leading == DIRECT_STUDY_HEIGHTS)
-        section_mark_legend(out, context, study->surface);
     text_add(out, "\n");
 }
 
@@ -240,7 +213,6 @@ static void sentences(struct text *out, const struct section_context *context, c
                 continue;
             if (first) {
                 text_add(out, "- **%s**", model_rows[m]->label);
-                mark(out, context, study, m);
             }
             text_add(out, first ? ": " : "; ");
             add_distance(out, &distance, q);

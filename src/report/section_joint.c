@@ -150,7 +150,6 @@ static void cells(struct text *out, const struct section_context *context, size_
 static void row(struct text *out, const struct section_context *context, size_t index)
 {
     size_t m = speaking_model(context);
-    section_mark(out, context, index, m);
     cells(out, context, m, index);
 }
 
@@ -182,11 +181,9 @@ static void models_table(struct text *out, const struct section_context *context
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(context->results->plan, m) && isfinite(middle_of(context, m, index).value[QUANTITY_LOAD])) {
             text_add(out, "| %s", model_rows[m]->label);
-            section_mark(out, context, index, m);
             cells(out, context, m, index);
             text_add(out, " |\n");
         }
-    section_mark_legend(out, context, index);
     text_add(out, "\n");
 }
 
@@ -351,7 +348,6 @@ static void write_joint(struct text *out, const struct section_context *context)
     introduction(out, context);
     head(out, context, "surface");
     section_each_surface(out, context, row);
-    section_mark_legend(out, context, SECTION_EVERY_SURFACE);
     text_add(out, "\n");
     gap_sentence(out, context, m);
     film_sentence(out, context, m);

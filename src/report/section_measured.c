@@ -28,7 +28,6 @@ static void write(struct text *out, const struct section_context *context)
             continue;
         struct measured_distance distance = measured_compare(measured, context->results->answers, m);
         text_add(out, "| %s", model_rows[m]->label);
-        section_mark(out, context, context->results->baseline, m);
         text_add(out, " | %zu of %zu | ", distance.points, measured->count);
         number_format_range(out, axis.scale * distance.load[0], axis.scale * distance.load[1], 2);
         text_add(out, " | ");
@@ -37,7 +36,6 @@ static void write(struct text *out, const struct section_context *context)
         number_format(out, distance.bias_decades, 3);
         text_add(out, " |\n");
     }
-    section_mark_legend(out, context, context->results->baseline);
 }
 
 const struct section section_measured = {"measured", called_for, write};

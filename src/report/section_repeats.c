@@ -56,7 +56,6 @@ static void surface_row(struct text *out, const struct section_context *context,
     size_t leading = context->comparison->leading;
     const struct estimate *middle =
         curve_summary_estimate(surface_model(summary, leading), context->comparison->ranking.criterion);
-    section_mark(out, context, index, leading);
     origin(out, summary, middle, plan_runs(context->results->plan, EFFECT_UNCERTAINTY));
     if (has_several(context)) {
         interval_cell(out, &surface_repeats(summary)->rq_m, 1e6);
@@ -95,7 +94,6 @@ static void write(struct text *out, const struct section_context *context)
     text_add(out, " | %s, 95 %% of the mean, for scans of this length | of another scan |\n|---|---%s|---:|---:|\n",
              symbol, several ? "|---:|---:|---:" : "");
     section_each_surface(out, context, surface_row);
-    section_mark_legend(out, context, SECTION_EVERY_SURFACE);
 }
 
 const struct section section_repeats = {"repeats", called_for, write};

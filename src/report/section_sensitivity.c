@@ -14,7 +14,7 @@ static bool is_stable(double factor)
 
 static bool has(const struct section_context *context, size_t m)
 {
-    return plan_runs_model(context->results->plan, m) && !model_rows[m]->uses_heights;
+    return plan_runs_model(context->results->plan, m);
 }
 
 /** Is there a model that the change is one for? */
@@ -70,7 +70,6 @@ static void surface_rows(struct text *out, const struct section_context *context
         text_add(out, "| ");
         section_surface_name(out, context->results, index);
         text_add(out, " | %s", model_rows[m]->label);
-        section_mark(out, context, index, m);
         for (int c = 0; c < SENSITIVITY_CHANGES; c++) {
             bool none = sensitivity_changes[c].plastic && !model_rows[m]->plastic;
             if (!has_change(context, c))
@@ -144,7 +143,6 @@ static void write(struct text *out, const struct section_context *context)
                   "mean, over the whole under their window), and for plastic models with hardness and yield strength "
                   "raised by a tenth:\n\n");
     table(out, context);
-    section_mark_legend(out, context, SECTION_EVERY_SURFACE);
     text_add(out, "\n");
     section_figures(out, context, "sensitivity", caption);
 }

@@ -126,7 +126,6 @@ static void answer(struct text *out, const struct section_context *context, enum
     text_add(out, " %s (", quantity == QUANTITY_AREA ? "%" : quantity_rows[quantity].unit);
     number_format_interval(out, "95 % ", scale * estimate_end(estimate, 0), scale * estimate_end(estimate, 1), 3, "; ");
     section_named(out, "surface ", context->results, surface);
-    section_mark(out, context, surface, leading);
     text_add(out, ")");
 }
 
@@ -324,11 +323,9 @@ static void one_spread(struct text *out, const struct section_context *context, 
         return;
     number_format_between(out, before, models.least * scale, 3, " (");
     text_add(out, "%s", model_rows[models.least_at]->label);
-    section_mark(out, context, context->results->baseline, models.least_at);
     text_add(out, ") to ");
     number_format(out, models.most * scale, 3);
     text_add(out, "%s (%s", unit, model_rows[models.most_at]->label);
-    section_mark(out, context, context->results->baseline, models.most_at);
     text_add(out, ")");
 }
 
@@ -509,122 +506,6 @@ static void limits(struct text *out, const struct section_context *context)
     text_free(&list);
 }
 
-/** Is the surface among those solved directly? */
-static bool is_solved(const struct results *results, size_t index)
-{
-    for (size_t k = 0; k < results->direct_count; k++)
-        if (results->direct[k].surface == index)
-            return true;
-    return false;
-}
-
-/** What the direct solution of the marked surfaces would take, or where it stands. */
-static void direct_advice(struct text *out, const struct section_context *context)
-{
-    const struct results *results = context->results;
-    size_t solved = 0, possible = 0, impossible = 0;
-    double least = INFINITY, most = 0;
-    struct direct_plan outline;
-    char problem[sizeof outline.problem] = "";
-    for (size_t i = 0; i < results->surface_count; i++) {
-        if (!section_is_marked(context, i, model_count))
-            continue;
-        if (is_solved(results, i)) {
-            solved++;
-            continue;
-        }
-        direct_study_outline(&outline, section_surface(context, i), results->scene, results->plan,
-                             results_loads(results, i), results->load_count);
-        if (!outline.possible) {
-            snprintf(problem, sizeof problem, "%s", outline.problem);
-            impossible++;
-            continue;
-        }
-        possible++;
-        least = fmin(least, outline.seconds);
-        most = fmax(most, outline.seconds);
-    }
-    if (solved > 0)
-        text_add(out, " What the direct solution says of %s is below.",
-                 possible + impossible == 0 ? solved == 1 ? "it" : "them" : "the baseline");
-    if (possible > 0) {
-        text_add(out, " At more contact than A/Aₙ = 0.15 a direct solution should be run%s (`%s`), which takes about ",
-                 solved > 0 ? " of the others too" : "",
-                 solved > 0 ? "direct: {surfaces: all}" : "roughcontact direct");
-        number_format_range(out, least, most, 2);
-        text_add(out, " s of one core%s.", possible > 1 ? " a surface" : "");
-    } else if (impossible > 0) {
-        text_add(out, " A direct solution would say more, but ");
-        text_add_markdown(out, problem);
-        text_add(out, ".");
-    }
-}
-
-/** Is the leading model's area there that of a contact at its hardness throughout? */
-static bool bears_hardness(const struct section_context *context, size_t index)
-{
-    static const double nearly = 0.9;
-    const struct contact_point point = comparison_middle(context->results, context->comparison->leading, index);
-    const struct material_pair *pair = results_pair(context->results, index);
-    return model_rows[context->comparison->leading]->plastic &&
-           material_pair_pressure(pair, point.value[QUANTITY_LOAD]) >=
-               nearly * pair->hardness_Pa * point.value[QUANTITY_AREA];
-}
-
-/** Does what the model that uses heights says there stand beside the leading one? */
-static bool is_unfit(const struct section_context *context, size_t index)
-{
-    return section_is_unfit(context, index, section_heights_model(context));
-}
-
-/** How many of the marked surfaces are so. */
-static size_t marked_that(const struct section_context *context,
-                          bool (*is)(const struct section_context *context, size_t index))
-{
-    size_t count = 0;
-    for (size_t i = 0; i < context->results->surface_count; i++)
-        count += section_is_marked(context, i, model_count) && is(context, i);
-    return count;
-}
-
-/** Surfaces whose heights the models take for what they are not, and what to do. */
-static void heights(struct text *out, const struct section_context *context)
-{
-    size_t not = section_marked(context, HEIGHTS_NOT_GAUSSIAN), unsure = section_marked(context, HEIGHTS_CANNOT_TELL);
-    size_t m = section_heights_model(context);
-    if (not +unsure == 0)
-        return;
-    text_add(out, "- **Heights are %s Gaussian**, as the models%s%s take them, on ", not > 0 ? "not" : "perhaps not",
-             m < model_count ? " other than " : "", m < model_count ? model_rows[m]->label : "");
-    section_marked_names(out, context, not > 0 ? HEIGHTS_NOT_GAUSSIAN : HEIGHTS_CANNOT_TELL);
-    text_add(out, " (%s)", height_verdicts[not > 0 ? HEIGHTS_NOT_GAUSSIAN : HEIGHTS_CANNOT_TELL].mark);
-    if (not > 0 && unsure > 0) {
-        text_add(out, ", and perhaps not on ");
-        section_marked_names(out, context, HEIGHTS_CANNOT_TELL);
-        text_add(out, " (%s)", height_verdicts[HEIGHTS_CANNOT_TELL].mark);
-    }
-    text_add(out, unsure > 0 ? ", where scans of so few long waves cannot tell. " : ". ");
-    size_t flat = marked_that(context, bears_hardness), unfit = m < model_count ? marked_that(context, is_unfit) : 0;
-    if (flat == not +unsure)
-        text_add(out, "There the hardness alone sets their area; gap and resistance hang on the heights.");
-    else
-        text_add(out,
-                 "%s that know only the spectrum are off by factors of 2 to 30 in area and up to 40 in resistance%s.",
-                 unsure > 0 ? "Where they are not, models" : "Models", unsure > 0 ? "" : " there");
-    if (context->results->counterface) {
-        text_add(out, "\n");
-        return;
-    }
-    if (m == model_count)
-        text_add(out, " Let the model `contacting-slopes` run.");
-    else if (unfit == not +unsure)
-        text_add(out, " What %s says there is elastic and above the hardness.", model_rows[m]->label);
-    else
-        text_add(out, " Up to A/Aₙ = 0.15 %s says more: see the table below.", model_rows[m]->label);
-    direct_advice(out, context);
-    text_add(out, "\n");
-}
-
 static void summary(struct text *out, const struct section_context *context)
 {
     size_t refused = context->results->surface_count - context->results->usable_count, scans = 0;
@@ -632,7 +513,6 @@ static void summary(struct text *out, const struct section_context *context)
         leads[k](out, context);
     surfaces(out, context);
     ranking_text(out, context);
-    heights(out, context);
     model_spread(out, context);
     agreement(out, context);
     limits(out, context);
@@ -683,7 +563,6 @@ static void surface_key(struct text *out, const struct section_context *context,
     const struct surface_summary *s = section_surface(context, index);
     size_t leading = context->comparison->leading;
     const struct contact_point own = comparison_middle(context->results, leading, index), *point = &own;
-    section_mark(out, context, index, leading);
     section_cell(out, s->roughness.rq_m * 1e6, 3);
     for (int q = 0; q < QUANTITY_COUNT; q++)
         if (has_column(context, q)) {
@@ -746,59 +625,6 @@ static void key_table(struct text *out, const struct section_context *context)
     text_add(out, results_intervals(context->results) ? "\n" : "");
 }
 
-/** A surface whose heights are not Gaussian in the model that knows them, at the middle load. */
-static void surface_heights(struct text *out, const struct section_context *context, size_t index)
-{
-    const struct surface_summary *s = section_surface(context, index);
-    const struct contact_point own = comparison_middle(context->results, section_heights_model(context), index),
-                               *point = &own;
-    section_cell(out, roughness_skewness(&s->roughness), 3);
-    section_cell(out, roughness_kurtosis(&s->roughness), 3);
-    section_cell(out, 100 * point->value[QUANTITY_AREA], 3);
-    if (section_knows_yield(context))
-        section_cell(out, section_contact_pressure(context, index, point), 3);
-    for (int q = QUANTITY_SEPARATION; q <= QUANTITY_TCR; q++)
-        if (has_column(context, q))
-            section_cell(out, quantity_shown(point, (enum quantity)q, s->asperities.sigma_m), 3);
-}
-
-static void heights_table(struct text *out, const struct section_context *context)
-{
-    size_t m = section_heights_model(context), rows = 0;
-    struct text rule = {0};
-    size_t marked = section_marked(context, HEIGHTS_NOT_GAUSSIAN) + section_marked(context, HEIGHTS_CANNOT_TELL);
-    size_t unfit = m < model_count ? marked_that(context, is_unfit) : 0;
-    if (m == model_count || unfit == marked)
-        return;
-    text_add(out,
-             "\n**At the same pressure**, %s, which takes the heights as they are (elastic; beyond A/Aₙ = 0.15 area "
-             "alone%s):\n\n| surface | Rsk | Rku | A/Aₙ (%%)%s",
-             model_rows[m]->label,
-             context->results->direct_count > 0 ? "" : ", and only a direct numerical solution would say more",
-             section_knows_yield(context) ? " | P/A (S_y)" : "");
-    text_add(&rule, "|---|---:|---:|---:|%s", section_knows_yield(context) ? "---:|" : "");
-    for (int q = QUANTITY_SEPARATION; q <= QUANTITY_TCR; q++)
-        if (has_column(context, q)) {
-            const struct quantity_row *row = &quantity_rows[q];
-            text_add(out, row->over_sigma ? " | %s" : " | %s (%s)", row->symbol, row->unit);
-            text_add(&rule, "---:|");
-        }
-    text_add(out, " |\n%s\n", text_string(&rule));
-    text_free(&rule);
-    for (size_t i = 0; i < context->results->surface_count && rows < SECTION_ROWS; i++)
-        if (section_is_marked(context, i, model_count) && !is_unfit(context, i)) {
-            text_add(out, "| ");
-            section_surface_name(out, context->results, i);
-            surface_heights(out, context, i);
-            text_add(out, " |\n");
-            rows++;
-        }
-    if (rows < marked - unfit)
-        text_add(out, "| … %zu more in data/ |\n", marked - unfit - rows);
-    if (unfit > 0)
-        text_add(out, "\nLeft out: %zu above the hardness.\n", unfit);
-}
-
 static void write_summary(struct text *out, const struct section_context *context)
 {
     text_add(out, "# ");
@@ -809,9 +635,6 @@ static void write_summary(struct text *out, const struct section_context *contex
     section_middle_pressure(out, context);
     text_add(out, "**, %s:\n\n", model_rows[context->comparison->leading]->label);
     key_table(out, context);
-    if (!model_rows[context->comparison->leading]->uses_heights)
-        section_mark_legend(out, context, SECTION_EVERY_SURFACE);
-    heights_table(out, context);
 }
 
 const struct section section_summary = {"summary", NULL, write_summary};

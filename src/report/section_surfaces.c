@@ -150,9 +150,6 @@ static void surface_spectrum(struct text *out, const struct section_context *con
     section_cell(out, s->independent, 3);
     section_cell(out, roughness_skewness(&s->roughness), 3);
     section_cell(out, roughness_kurtosis(&s->roughness), 3);
-    text_add(out, " | %s", height_verdicts[s->height_law.verdict].name);
-    for (int i = 0; i < 2 && isfinite(s->height_law.chance[i]); i++)
-        number_format_between(out, i == 0 ? " (" : ", ", 100 * s->height_law.chance[i], 2, i == 0 ? " %" : " %)");
 }
 
 static void spectrum_table(struct text *out, const struct section_context *context)

@@ -55,7 +55,6 @@ static void share_cell(struct text *out, const struct curve_summary *model, doub
 static void surface_validity(struct text *out, const struct section_context *context, size_t index)
 {
     const struct surface_summary *s = section_surface(context, index);
-    section_mark(out, context, index, model_count);
     section_cell(out, s->jump_m * 1e6, 3);
     section_cell(out, isfinite(s->jump_share) ? 100 * s->jump_share : NAN, 2);
     for (size_t m = 0; m < model_count; m++)
@@ -100,7 +99,6 @@ static void validity_table(struct text *out, const struct section_context *conte
     text_add(out, " |\n%s\n", text_string(&rule));
     text_free(&rule);
     section_each_surface(out, context, surface_validity);
-    section_mark_legend(out, context, SECTION_EVERY_SURFACE);
 }
 
 static void write(struct text *out, const struct section_context *context)

@@ -4,7 +4,6 @@
 
 #include "base/number_format.h"
 #include "results/results.h"
-#include "spectrum/height_law.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -198,44 +197,6 @@ static void print_row(struct text *out, const struct terminal_table *table, size
     text_add(out, "\n");
 }
 
-/** The mark of a surface whose heights the models that run take for what they are not. */
-static const char *mark_of(const struct surface_summary *summary, const struct plan *plan)
-{
-    for (size_t m = 0; m < model_count; m++)
-        if (plan_runs_model(plan, m) && !model_rows[m]->uses_heights)
-            return height_verdicts[summary->height_law.verdict].mark;
-    return "";
-}
-
-/** A name with its mark, in at most `most` characters together. */
-static void put_marked_name(struct terminal_cell *cell, const struct surface_summary *summary, const struct plan *plan,
-                            int most)
-{
-    const char *mark = mark_of(summary, plan);
-    put_name(cell, summary->scene->name, *mark ? most - 1 - width_of(mark) : most);
-    size_t length = strlen(cell->text);
-    if (*mark)
-        snprintf(cell->text + length, sizeof cell->text - length, " %s", mark);
-}
-
-/** What the marks mean. */
-static void legend(struct text *out, const struct results *results)
-{
-    static const char *const meaning[HEIGHT_VERDICTS] = {
-        [HEIGHTS_CANNOT_TELL] = "heights outside the Gaussian range, perhaps by chance: few long waves",
-        [HEIGHTS_NOT_GAUSSIAN] = "heights not Gaussian, as the models take them: see the report",
-    };
-    for (int v = HEIGHT_VERDICTS - 1; v > HEIGHTS_GAUSSIAN; v--)
-        for (size_t i = 0; i < results->surface_count; i++) {
-            const struct surface_summary *summary = &results->surfaces[i].summary;
-            if (summary->usable && summary->height_law.verdict == (enum height_verdict)v &&
-                *mark_of(summary, results->plan)) {
-                text_add(out, "%s %s\n", height_verdicts[v].mark, meaning[v]);
-                break;
-            }
-        }
-}
-
 void report_terminal_table(struct text *out, const struct results *results)
 {
     const char *unit = results_load_axis(results, results->baseline).unit;
@@ -264,7 +225,7 @@ void report_terminal_table(struct text *out, const struct results *results)
     row = 1;
     for (size_t i = 0; i < results->surface_count && row <= listed; i++)
         if (results->surfaces[i].summary.usable)
-            put_marked_name(cell_at(&table, row++, 0), &results->surfaces[i].summary, results->plan, room);
+            put_name(cell_at(&table, row++, 0), results->surfaces[i].summary.scene->name, room);
     widths[0] = widest(&table, 0);
     if (!results_has_material(results))
         text_add(out, "%s\n", results_without_material);
@@ -279,7 +240,6 @@ void report_terminal_table(struct text *out, const struct results *results)
         number_format_between(out, "Δ: amplitude of the power law at ", results_law_wavelength_m(results) * 1e6, 3,
                               " µm\n");
     }
-    legend(out, results);
     free(table.cells);
     free(widths);
 }

@@ -13,7 +13,6 @@ struct surface {
     struct spectrum spectrum;
     double amplitude_m[WAVES_MOST];
     struct asperities asperities;
-    struct slope_point points[SELFTEST_PLATEAU];
     double sigma_m;
 };
 
@@ -28,22 +27,6 @@ static void make_law(struct surface *out, size_t waves)
         out->spectrum.length_m = 2 * M_PI * sqrt(4e-13 / 2.5e-3);
     }
     out->sigma_m = sqrt(spectrum_moment(&out->spectrum, 0));
-}
-
-/** Its heights are not Gaussian. The reference has no Nyquist wave. */
-static enum status_code make_plateau(struct surface *out, struct model_task *task, const double *height_m,
-                                     struct status *status)
-{
-    struct spectrum computed;
-    if (spectrum_compute(&computed, height_m, SELFTEST_PLATEAU, 1e-6, SPECTRUM_WINDOW_NONE, status) != STATUS_OK)
-        return status->code;
-    out->spectrum =
-        (struct spectrum){out->amplitude_m, computed.count - computed.has_nyquist, computed.length_m, false};
-    memcpy(out->amplitude_m, computed.amplitude_m, out->spectrum.count * sizeof *out->amplitude_m);
-    spectrum_free(&computed);
-    task->points = out->points;
-    task->point_count = contacting_slopes_of_profile(out->points, height_m, SELFTEST_PLATEAU, 1e-6);
-    return STATUS_OK;
 }
 
 /** Of asperities the moments m0, m2, m4 alone are known. */
@@ -97,6 +80,7 @@ enum status_code selftest_model(double *value, const struct selftest_reference *
         return selftest_unknown(r, status);
     const struct model_row *row = model_rows[m];
     struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
+    (void)table;
     struct surface surface;
     struct model_task task = {.spectrum = &surface.spectrum,
                               .pair = &pair,
@@ -108,8 +92,7 @@ enum status_code selftest_model(double *value, const struct selftest_reference *
                               .sinusoid_fit = SINUSOID_FIT_THESIS,
                               .hardness_Pa = r->at[2] > 0 ? r->at[2] * pair.yield_strength_Pa : NAN};
     make_law(&surface, waves);
-    if ((row->uses_heights && make_plateau(&surface, &task, table->plateau_m, status) != STATUS_OK) ||
-        (row->asperity_model && make_asperities(&surface, &task, status) != STATUS_OK))
+    if (row->asperity_model && make_asperities(&surface, &task, status) != STATUS_OK)
         return status->code;
     return press(value, r, row, &task, surface.sigma_m, status);
 }

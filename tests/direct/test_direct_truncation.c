@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* CMY's resistance against the direct solution of the very islands it speaks of: what of a Gaussian surface lies above
  * a plane. Its islands are round and evenly spread, those of a surface are neither. */
-#include "contact/truncation_model.h"
+#include "contact/cmy.h"
 #include "direct_support.h"
 
 #include <stdbool.h>
@@ -65,17 +65,17 @@ TEST_CASE(the_stated_range_holds)
                 }
             memcpy(sorted_m, height_m, SIDE * SIDE * sizeof *height_m);
             qsort(sorted_m, SIDE * SIDE, sizeof *sorted_m, falling);
-            struct truncation law = {sqrt(m0), truncation_slope(m2), 1, 1};
+            struct cmy law = {sqrt(m0), cmy_slope(m2)};
             for (size_t a = 0; a < sizeof areas / sizeof *areas; a++) {
-                struct truncation_contact contact;
-                assert_true(truncation_press(&contact, &law, areas[a]));
+                struct cmy_contact contact;
+                assert_true(cmy_press(&contact, &law, areas[a]));
                 if (contact.spot_density_per_m2 < 10)
                     continue;
                 double plane_m = sorted_m[(size_t)(areas[a] * SIDE * SIDE)];
                 double fine_m = constriction_above(height_m, plane_m, 1),
                        coarse_m = constriction_above(height_m, plane_m, 2);
                 /* ECR A_n = 2 rho l, and the error falls as the spacing */
-                double ratio = truncation_resistance(&law, &contact, 1) / (2 * (2 * fine_m - coarse_m));
+                double ratio = law.sigma_m / law.slope / contact.conductance / (2 * (2 * fine_m - coarse_m));
                 assert_near(coarse_m, fine_m, 0.05);
                 least = fmin(least, ratio);
                 most = fmax(most, ratio);
