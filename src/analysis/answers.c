@@ -10,7 +10,7 @@
 
 const double answers_least_spots = 10;
 
-static const struct repeat_set alone; /* one scan */
+static const struct ensemble alone; /* one scan */
 static const struct answer no_answer = {.load = NAN, .low = NAN, .high = NAN, .spots_per_m2 = NAN};
 
 /** Share by which a number may miss its target where the curve ends without a full contact. */
@@ -67,7 +67,7 @@ static bool is_above_hardness(const struct contact_point *point, double load, co
 /** One end of the band about a curve. */
 struct band_end {
     const struct model_curve *curve;
-    const struct repeats_band *band;
+    const struct ensemble_band *band;
     size_t count;
     enum quantity quantity;
     int side;
@@ -89,7 +89,7 @@ static double made_with(const struct contact_point *point, const double resistan
 /** The number at one end of the band at load i. */
 static double at_end(const struct band_end *end, size_t i)
 {
-    const struct repeats_band *band = &end->band[i];
+    const struct ensemble_band *band = &end->band[i];
     if (!end->joint)
         return band->mean[end->quantity][end->side];
     const double resistance[2] = {band->mean[QUANTITY_ECR][end->resistance_side],
@@ -195,7 +195,7 @@ static size_t counting_model(const struct surface_record *record, const struct p
 }
 
 /** The spots at the answer's load; of several scans, their mean. */
-static enum status_code count_spots(struct answer *out, const struct repeat_set *set, size_t by,
+static enum status_code count_spots(struct answer *out, const struct ensemble *set, size_t by,
                                     const struct model_task *task, struct status *status)
 {
     const struct model_row *row = model_rows[by];
@@ -205,7 +205,7 @@ static enum status_code count_spots(struct answer *out, const struct repeat_set 
     for (size_t r = 0; r < runs; r++) {
         struct contact_spots spots = {NAN, NAN};
         struct asperities asperities;
-        struct model_task own = runs > 1 ? repeats_task(&asperities, &set->parts[r], &one) : one;
+        struct model_task own = runs > 1 ? member_task(&asperities, &set->members[r], &one) : one;
         if (row->spots(&spots, row, &own, status) != STATUS_OK)
             return status->code;
         if (isnan(spots.density_per_m2))
@@ -223,19 +223,18 @@ static enum status_code solve_runs(struct answer *out, const struct search *sear
                                    struct status *status)
 {
     const struct landmarks_model *model = &search->model;
-    const struct repeat_set *set = model->repeats;
+    const struct ensemble *set = model->set;
     size_t all = set->count, invalid = 0, above = 0;
     double *load = malloc(all * sizeof *load);
     size_t *scan = malloc(all * sizeof *scan), count = 0;
-    struct repeats_grouping of = {set, scan, 0};
     enum status_code rc = load && scan ? STATUS_OK : status_memory(status);
     *out = no_answer;
     for (size_t r = 0; r < all && rc == STATUS_OK; r++) {
         struct asperities asperities;
         struct answer one;
         struct search run = *search;
-        run.model.task = repeats_task(&asperities, &set->parts[r], &model->task);
-        run.model.repeats = &alone;
+        run.model.task = member_task(&asperities, &set->members[r], &model->task);
+        run.model.set = &alone;
         rc = solve(&one, &run, target, NULL, status);
         if (rc != STATUS_OK || one.kind == ANSWER_NONE)
             continue; /* on which the model has no solution: its curve is of the others too */
@@ -244,13 +243,12 @@ static enum status_code solve_runs(struct answer *out, const struct search *sear
         invalid += one.invalid;
         above += one.above_hardness;
         out->full = out->full || one.full;
-        scan[count] = set->parts[r].scan;
+        scan[count] = set->members[r].scan;
         load[count++] = one.load;
     }
-    of.count = count;
     if (rc == STATUS_OK && out->runs > 0 && out->unsolved == 0) {
         struct estimate estimate;
-        rc = repeats_estimate_grouped(&estimate, load, &of, true, status);
+        rc = ensemble_estimate(&estimate, set, load, scan, count, true, status);
         out->kind = ANSWER_LOAD;
         out->load = estimate_value(&estimate);
         out->low = out->full ? NAN : estimate_end(&estimate, 0);
@@ -300,8 +298,8 @@ static enum status_code answer_target(struct answer *out, const struct surface_r
     const unsigned from = quantity_rows[target->row->quantity].from,
                    needed = from ? from : QUANTITY_BIT(target->row->quantity),
                    quantities = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | needed;
-    struct search search = {{row, *task, quantities, &record->repeats}, *joint};
-    bool several = (record->repeats.count > 1);
+    struct search search = {{row, *task, quantities, &record->ensemble}, *joint};
+    bool several = (record->ensemble.count > 1);
     *out = no_answer;
     search.joint.effects = from ? joint->effects : 0;
     search.model.task.wanted &= quantities;
@@ -336,7 +334,7 @@ static struct limit_check check_point(const struct surface_record *record, size_
                                       const struct scene_asked *limit, const struct joint_task *joint, size_t i)
 {
     const struct model_curve *curve = &record->curves[leading];
-    const struct repeats_band *band = record->bands[leading];
+    const struct ensemble_band *band = record->bands[leading];
     enum quantity quantity = limit->row->quantity;
     struct limit_check out = {.value = curve->points[i].value[quantity], .low = NAN, .high = NAN};
     if (band && i < record->band_count && band[i].load == curve->points[i].value[QUANTITY_LOAD]) {
@@ -403,7 +401,7 @@ enum status_code answers_find(struct surface_record *record, const struct scene 
                 return status->code;
             bool met = (answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST) && !answer->full;
             size_t by = met ? counting_model(record, plan, m, answer->load) : model_count;
-            if (by < model_count && count_spots(answer, &record->repeats, by, &own, status) != STATUS_OK)
+            if (by < model_count && count_spots(answer, &record->ensemble, by, &own, status) != STATUS_OK)
                 return status->code;
         }
         model->seconds += clock_seconds() - started;

@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/describe.h"
 
-#include "analysis/piece.h"
 #include "base/clock.h"
 #include "spectrum/areal.h"
 #include "spectrum/grid.h"
-#include "statistics/interval.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -46,60 +44,6 @@ static enum status_code keep_preview(struct surface_record *record, const struct
     }
     record->preview_points = n;
     return STATUS_OK;
-}
-
-/** What of a profile is run alone. */
-enum part { PART_NONE, PART_ROW, PART_SCAN };
-
-/** Room for one more of `count`; false: out of memory. */
-static bool make_room(struct repeat_set *set)
-{
-    if (set->count < set->capacity)
-        return true;
-    size_t capacity = 2 * set->capacity + 4;
-    struct repeat *parts = reallocarray(set->parts, capacity, sizeof *parts);
-    if (!parts)
-        return false;
-    set->parts = parts;
-    set->capacity = capacity;
-    return true;
-}
-
-/** Keeps the profile for a run of its own. Takes the spectrum over, and the heights of a scan. */
-static enum status_code keep_part(struct repeat_set *set, enum part part, struct profile *profile,
-                                  struct spectrum *spectrum, const struct roughness *roughness, struct status *status)
-{
-    bool fits = part == PART_NONE || make_room(set);
-    if (part == PART_NONE || !fits) {
-        spectrum_free(spectrum);
-        return fits ? STATUS_OK : status_memory(status);
-    }
-    double *height_m = part == PART_SCAN ? profile->height_m : NULL;
-    if (height_m)
-        profile->height_m = NULL;
-    set->parts[set->count++] = (struct repeat){.spectrum = *spectrum,
-                                               .roughness = *roughness,
-                                               .scan = set->scan_count - 1,
-                                               .height_m = height_m,
-                                               .points = profile->points,
-                                               .spacing_m = profile->spacing_m,
-                                               .periodic = profile->periodic};
-    return STATUS_OK;
-}
-
-/** Is this row of a map one of those run alone? All are where there are few; else some of every block, evenly spaced.
- */
-static bool row_is_run(size_t row, size_t rows)
-{
-    if (rows <= REPEATS_ROWS_MOST)
-        return true;
-    size_t block = row * ESTIMATE_BLOCKS / rows;
-    size_t first = (block * rows + ESTIMATE_BLOCKS - 1) / ESTIMATE_BLOCKS;
-    size_t end = ((block + 1) * rows + ESTIMATE_BLOCKS - 1) / ESTIMATE_BLOCKS;
-    for (size_t k = 0; k < REPEATS_BLOCK_ROWS; k++)
-        if (row == first + (2 * k + 1) * (end - first) / (2 * REPEATS_BLOCK_ROWS))
-            return true;
-    return false;
 }
 
 enum { DIRECT_HEIGHTS = 65536, DIRECT_SIDE = 400 }; /* kept for the direct solution: heights, and points along a map */
@@ -188,8 +132,7 @@ static enum status_code make_all(struct making *making, struct status *status)
 
 /** Adds one profile to the surface: averages its spectrum and moments into the record's. Takes over the spectrum and
  * what a part of its own keeps of the profile. */
-static enum status_code add_profile(struct making *making, struct profile *profile, enum part part,
-                                    struct status *status)
+static enum status_code add_profile(struct making *making, struct profile *profile, size_t row, struct status *status)
 {
     struct surface_record *record = making->record;
     struct surface_summary *summary = &record->summary;
@@ -218,7 +161,7 @@ static enum status_code add_profile(struct making *making, struct profile *profi
         roughness_average(&summary->roughness, &roughness, summary->scans);
     }
     if (rc == STATUS_OK)
-        rc = keep_part(&record->repeats, part, profile, &spectrum, &roughness, status);
+        rc = repeats_add(&record->ensemble, row, making->scan->ny, profile, &spectrum, &roughness, status);
     else
         spectrum_free(&spectrum);
     summary->length_m = record->spectrum.length_m;
@@ -233,17 +176,6 @@ static bool keeps_direct(const struct surface_record *record, const struct scene
 {
     return scene->direct.called && scene->counterface_surface.file_count == 0 &&
            (record->summary.map_side == 0 || record->direct_count == 0);
-}
-
-/** One scan more, of which nothing is known yet. */
-static enum status_code add_scan(struct repeat_set *set, const char *file, struct status *status)
-{
-    struct repeats_scan *scans = reallocarray(set->scans, set->scan_count + 1, sizeof *scans);
-    if (!scans)
-        return status_memory(status);
-    set->scans = scans;
-    set->scans[set->scan_count++] = (struct repeats_scan){.file = file, .weight = 1};
-    return STATUS_OK;
 }
 
 /** How the scene wants scans to be made ready. */
@@ -278,9 +210,9 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
     char file[512];
     struct surface_summary *summary = &record->summary;
     const struct profile_options how = profile_options_of(scene);
-    size_t unusable = 0, run_before = record->repeats.count;
+    size_t unusable = 0, run_before = record->ensemble.count;
     struct status first = {0};
-    if (add_scan(&record->repeats, scene_file, status) != STATUS_OK)
+    if (repeats_add_scan(&record->ensemble, scene_file, status) != STATUS_OK)
         return status->code;
     snprintf(file, sizeof file, *scan->part ? "%.400s(%s)" : "%.400s%s", scene_file, scan->part);
     for (size_t row = 0; row < scan->ny; row++) {
@@ -309,11 +241,7 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
         if (rc == STATUS_OK && scan->kind == SCAN_PROFILE && keeps_direct(record, scene))
             rc = keep_direct(record, scan, &profile, &problem);
         if (rc == STATUS_OK)
-            rc = add_profile(&making, &profile,
-                             scan->ny == 1               ? PART_SCAN
-                             : row_is_run(row, scan->ny) ? PART_ROW
-                                                         : PART_NONE,
-                             &problem);
+            rc = add_profile(&making, &profile, row, &problem);
         else
             spectrum_free(&making.spectrum);
         profile_free(&profile);
@@ -331,7 +259,7 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
         if (keeps_direct(record, scene) && keep_direct(record, scan, NULL, status) != STATUS_OK)
             return status->code;
     }
-    size_t run = record->repeats.count - run_before, used = scan->ny - unusable;
+    size_t run = record->ensemble.count - run_before, used = scan->ny - unusable;
     const char *rows = scene->direction == SCAN_DIRECTION_X ? "rows" : "columns";
     char note[200], models[100] = "";
     if (run < used)
@@ -475,11 +403,11 @@ enum status_code describe_counterface(struct surface_record *record, struct powe
     surface_note(&record->summary, "pressed against a rough counterface: Rq %.4g um and %.4g um give %.4g um together",
                  own_rq_m * 1e6, counterface->summary.roughness.rq_m * 1e6, own->rq_m * 1e6);
     note_counterface(&record->summary, &counterface->summary);
-    struct repeat_set *set = &record->repeats;
+    struct ensemble *set = &record->ensemble;
     set->no_intervals = true;
     for (size_t p = 0; p < set->count; p++) {
-        roughness_add(&set->parts[p].roughness, &counterface->summary.roughness);
-        if (grid_add(&set->parts[p].spectrum, &counterface->spectrum, status) != STATUS_OK)
+        roughness_add(&set->members[p].roughness, &counterface->summary.roughness);
+        if (grid_add(&set->members[p].spectrum, &counterface->spectrum, status) != STATUS_OK)
             return status->code;
     }
     if (set->count > 0)
@@ -496,44 +424,23 @@ enum status_code describe_counterface(struct surface_record *record, struct powe
 
 enum status_code describe_repeats(struct surface_record *record, const struct scene *scene, struct status *status)
 {
-    const struct spectrum *mean = &record->spectrum;
-    struct repeat_set *set = &record->repeats;
+    struct ensemble *set = &record->ensemble;
     set->sigma_m = sqrt(record->summary.roughness.m0_m2);
-    for (size_t p = 0; p < set->count; p++) {
-        struct spectrum *own = &set->parts[p].spectrum, same;
-        if (own->count == mean->count && fabs(own->length_m / mean->length_m - 1) < 1e-6)
-            continue;
-        if (grid_spectrum(&same, own, mean->length_m, mean->count, status) != STATUS_OK)
-            return status->code;
-        spectrum_free(own);
-        *own = same;
-    }
     if (set->count == 0)
         return STATUS_OK;
     struct repeats *repeats = surface_repeats_room(&record->summary);
     if (!repeats)
         return status_memory(status);
+    if (repeats_align(set, &record->spectrum, status) != STATUS_OK)
+        return status->code;
     return repeats_laws(repeats, set, scene->fit == POWER_LAW_THESIS ? &record->summary.power_law : NULL, status);
-}
-
-/** Is every part the first once more? */
-static bool are_identical(const struct repeat_set *set)
-{
-    const struct repeat *first = &set->parts[0];
-    for (size_t p = 1; p < set->count; p++) {
-        const struct repeat *part = &set->parts[p];
-        if (!part->height_m || part->points != first->points || part->spacing_m != first->spacing_m ||
-            memcmp(part->height_m, first->height_m, first->points * sizeof *first->height_m) != 0)
-            return false;
-    }
-    return first->height_m != NULL;
 }
 
 /** One scan: the surface itself, of which others may be simulated. */
 static enum status_code keep_single(struct surface_record *record, const struct power_law_scans *scans,
                                     const struct scene *scene, struct status *status)
 {
-    struct repeat *part = &record->repeats.parts[0];
+    struct member *part = &record->ensemble.members[0];
     const struct spectrum *tapered = scans->scan_count == 1 ? &scans->scan[0] : NULL;
     bool listed = scene->effects & EFFECT_BIT(EFFECT_UNCERTAINTY), simulable = false;
     if (part->height_m && scene->counterface_surface.file_count == 0 && (scene->effects_auto || listed)) {
@@ -548,97 +455,41 @@ static enum status_code keep_single(struct surface_record *record, const struct 
             part->height_m = NULL;
         }
     }
-    repeats_free(&record->repeats);
+    ensemble_free(&record->ensemble);
     return STATUS_OK;
 }
 
-/** Cuts one scan to pieces of `points`; the pieces follow those already in `cut`. Takes the part over. */
-static enum status_code cut_scan(struct repeat_set *cut, struct repeat *part, size_t points, const struct scene *scene,
-                                 struct status *status)
-{
-    const struct piece_how how = piece_how_of(scene, part->periodic);
-    size_t pieces = interval_pieces(part->points, points);
-    cut->scans[part->scan].weight = (double)pieces;
-    for (size_t k = 0; k < pieces; k++) {
-        if (!make_room(cut))
-            return status_memory(status);
-        struct repeat *piece = &cut->parts[cut->count];
-        *piece = (struct repeat){.scan = part->scan, .points = points, .spacing_m = part->spacing_m};
-        cut->count++;
-        if (piece_describe(&piece->spectrum, &piece->roughness,
-                           part->height_m + interval_piece_first(part->points, points, k), points, part->spacing_m,
-                           &how, status) != STATUS_OK)
-            return status->code;
-    }
-    return STATUS_OK;
-}
-
-/** Scans of unlike lengths are cut to pieces of the shortest one's. */
+/** Scans of unlike lengths are cut to subrecords of the shortest one's. */
 static enum status_code cut_to_shortest(struct surface_record *record, const struct scene *scene, struct status *status)
 {
-    struct repeat_set *set = &record->repeats;
-    size_t shortest = 0, longer = 0;
-    double least_m = INFINITY;
-    double *length_m = malloc(set->count * sizeof *length_m);
-    if (!length_m)
-        return status_memory(status);
-    for (size_t p = 0; p < set->count; p++) {
-        length_m[p] = (double)set->parts[p].points * set->parts[p].spacing_m;
-        if (length_m[p] < least_m) {
-            least_m = length_m[p];
-            shortest = p;
-        }
-    }
-    if (interval_shortest_is_odd(length_m, set->count))
+    const char *odd;
+    size_t cut;
+    if (repeats_cut_to_shortest(&record->ensemble, &cut, &odd, scene, status) != STATUS_OK)
+        return status->code;
+    if (odd)
         surface_note(&record->summary,
-                     "%s is less than half as long as the others, which are all cut to its length; leave it out",
-                     set->scans[set->parts[shortest].scan].file);
-    free(length_m);
-    struct repeat_set cut = {.scans = set->scans, .scan_count = set->scan_count};
-    enum status_code rc = STATUS_OK;
-    for (size_t p = 0; p < set->count && rc == STATUS_OK; p++) {
-        struct repeat *part = &set->parts[p];
-        size_t points = (size_t)floor(least_m / part->spacing_m * (1 + 1e-9) + 1e-9);
-        if (points < part->points && points >= 3) {
-            rc = cut_scan(&cut, part, points, scene, status);
-            longer++;
-            continue;
-        }
-        if (!make_room(&cut)) {
-            rc = status_memory(status);
-            break;
-        }
-        cut.parts[cut.count++] = *part;
-        part->spectrum = (struct spectrum){0};
-        part->height_m = NULL;
-    }
-    struct repeats *repeats = longer > 0 && rc == STATUS_OK ? surface_repeats_room(&record->summary) : NULL;
-    if (repeats)
-        repeats->cut = cut.count;
-    else if (longer > 0 && rc == STATUS_OK)
-        rc = status_memory(status);
-    set->scans = NULL;
-    repeats_free(set);
-    *set = cut;
-    return rc;
+                     "%s is less than half as long as the others, which are all cut to its length; leave it out", odd);
+    if (cut == 0)
+        return STATUS_OK;
+    struct repeats *repeats = surface_repeats_room(&record->summary);
+    if (!repeats)
+        return status_memory(status);
+    repeats->cut = cut;
+    return STATUS_OK;
 }
 
 enum status_code describe_conclude(struct surface_record *record, struct power_law_scans *scans,
                                    const struct scene *scene, struct status *status)
 {
-    struct repeat_set *set = &record->repeats;
+    struct ensemble *set = &record->ensemble;
+    size_t all = set->count;
     bool profiles = true;
-    for (size_t p = 0; p < set->count; p++)
-        profiles = profiles && set->parts[p].height_m;
-    if (set->count == 0) /* a map of which other rows were chosen than can be used */
+    for (size_t p = 0; p < all; p++)
+        profiles = profiles && set->members[p].height_m;
+    if (all == 0) /* a map of which other rows were chosen than can be used */
         return STATUS_OK;
-    if (set->count > 1 && are_identical(set)) {
-        surface_note(&record->summary, "its %zu scans are the same to the last digit: they count as one", set->count);
-        for (size_t p = 1; p < set->count; p++) {
-            spectrum_free(&set->parts[p].spectrum);
-            free(set->parts[p].height_m);
-        }
-        set->count = 1;
+    if (all > 1 && repeats_merge_identical(set)) {
+        surface_note(&record->summary, "its %zu scans are the same to the last digit: they count as one", all);
         scans->independent = 1;
     }
     if (set->count == 1)
@@ -646,8 +497,8 @@ enum status_code describe_conclude(struct surface_record *record, struct power_l
     if (profiles && cut_to_shortest(record, scene, status) != STATUS_OK)
         return status->code;
     for (size_t p = 0; p < set->count; p++) {
-        free(set->parts[p].height_m);
-        set->parts[p].height_m = NULL;
+        free(set->members[p].height_m);
+        set->members[p].height_m = NULL;
     }
     return STATUS_OK;
 }
@@ -718,15 +569,15 @@ static enum status_code fit_alone(struct surface_record *record, const struct po
 {
     const struct power_law_scans_def def = fit_def(scene);
     struct repeats *repeats = record->summary.repeats;
-    const struct repeats_grouping of = {&record->repeats, scans->file, scans->scan_count};
+    size_t count = scans->scan_count;
     if (!repeats)
         return STATUS_OK;
-    double *gamma = malloc(2 * of.count * sizeof *gamma);
+    double *gamma = malloc(2 * count * sizeof *gamma);
     if (!gamma)
         return status_memory(status);
-    double *psd_m3 = gamma + of.count;
+    double *psd_m3 = gamma + count;
     enum status_code rc = STATUS_OK;
-    for (size_t i = 0; i < of.count && rc == STATUS_OK; i++) {
+    for (size_t i = 0; i < count && rc == STATUS_OK; i++) {
         struct power_law_band alone;
         rc = power_law_scans_fit_alone(&alone, scans, i, &def, &record->band, status);
         struct power_law law = power_law_of_band(&alone);
@@ -734,9 +585,9 @@ static enum status_code fit_alone(struct surface_record *record, const struct po
         psd_m3[i] = law.psd_m3;
     }
     if (rc == STATUS_OK)
-        rc = repeats_estimate_grouped(&repeats->gamma, gamma, &of, false, status);
+        rc = ensemble_estimate(&repeats->gamma, &record->ensemble, gamma, scans->file, count, false, status);
     if (rc == STATUS_OK)
-        rc = repeats_estimate_grouped(&repeats->psd_m3, psd_m3, &of, true, status);
+        rc = ensemble_estimate(&repeats->psd_m3, &record->ensemble, psd_m3, scans->file, count, true, status);
     free(gamma);
     return rc;
 }
@@ -839,7 +690,7 @@ static enum status_code take_files(struct surface_record *out, struct power_law_
     *again = false;
     for (size_t f = 0; f < files->count; f++) {
         struct status problem = {0};
-        size_t before = out->repeats.scan_count;
+        size_t before = out->ensemble.scan_count;
         if (files->refusal[f])
             continue;
         enum status_code rc = describe_file(out, scans, scene, out->summary.scene, files->name[f], hash, &problem);
@@ -847,7 +698,7 @@ static enum status_code take_files(struct surface_record *out, struct power_law_
             return status_fail(status, rc, "%s", problem.message);
         if (rc == STATUS_OK)
             continue;
-        *again = *again || out->repeats.scan_count > before;
+        *again = *again || out->ensemble.scan_count > before;
         files->refusal[f] = strdup(problem.message);
         files->refused++;
         if (!files->refusal[f])

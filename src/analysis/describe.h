@@ -29,7 +29,7 @@ MUST_CHECK enum status_code describe_counterface(struct surface_record *record, 
                                                  const struct surface_record *counterface, struct status *status);
 
 /** Once all of the files were added, in this order: a single scan (or several that are identical, which are
- * one independent scan) is the surface itself; of several profiles the longer ones are cut to pieces as long as the
+ * one independent scan) is the surface itself; of several profiles the longer ones are cut to subrecords as long as the
  * shortest. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code describe_conclude(struct surface_record *record, struct power_law_scans *scans,
                                               const struct scene *scene, struct status *status);

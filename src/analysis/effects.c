@@ -22,9 +22,9 @@ static double bound_yield(const struct surface_record *record, const struct scen
     if (!row->yield_bound)
         return INFINITY;
     double most = row->yield_bound(row, task);
-    for (size_t r = 0; r < record->repeats.count; r++) {
+    for (size_t r = 0; r < record->ensemble.count; r++) {
         struct asperities asperities;
-        struct model_task alone = repeats_task(&asperities, &record->repeats.parts[r], task);
+        struct model_task alone = member_task(&asperities, &record->ensemble.members[r], task);
         most = fmax(most, row->yield_bound(row, &alone));
     }
     if (!row->stacks_scales || !plan_runs(plan, EFFECT_CONVERGENCE) || !surface_extends(summary, scene))
@@ -55,11 +55,11 @@ static enum status_code bound_scans(struct curve_bounds *bounds, struct surface_
                                     const struct model_row *row, const struct model_task *task, double tolerance,
                                     struct status *status)
 {
-    if (record->repeats.count == 0)
+    if (record->ensemble.count == 0)
         return row->scale_dependence_bound(&bounds->scale_dependence, row, task, status);
-    for (size_t r = 0; r < record->repeats.count && !(bounds->scale_dependence > tolerance); r++) {
+    for (size_t r = 0; r < record->ensemble.count && !(bounds->scale_dependence > tolerance); r++) {
         struct asperities asperities;
-        struct model_task alone = repeats_task(&asperities, &record->repeats.parts[r], task);
+        struct model_task alone = member_task(&asperities, &record->ensemble.members[r], task);
         double most = 0;
         if (row->scale_dependence_bound(&most, row, &alone, status) != STATUS_OK)
             return status->code;

@@ -27,21 +27,12 @@ static void extend(struct surface_record *record, const struct scene *scene)
     summary->times.convergence = clock_seconds() - started;
 }
 
+/** A band for model `m`, of which nothing is known yet. */
 static enum status_code make_band(struct surface_record *record, size_t m, const struct model_task *task,
                                   struct status *status)
 {
-    record->bands[m] = repeats_band_make(task->loads, task->load_count);
+    record->bands[m] = ensemble_band_make(task->loads, task->load_count);
     return record->bands[m] ? STATUS_OK : status_memory(status);
-}
-
-/** Every scan of the surface alone in one model; the curve is their mean. */
-static enum status_code run_repeats(struct surface_record *record, size_t m, const struct model_task *task,
-                                    struct repeats_result *result, struct status *status)
-{
-    if (make_band(record, m, task, status) != STATUS_OK)
-        return status->code;
-    result->band = record->bands[m];
-    return repeats_model(&record->curves[m], result, &record->repeats, model_rows[m], task, status);
 }
 
 /** What simulated records say of how far another place of a surface with one scan may answer. */
@@ -53,7 +44,7 @@ static enum status_code run_uncertainty(struct surface_record *record, const str
     counted.evaluations = &summary->simulated_evaluations;
     double started = clock_seconds();
     const struct uncertainty_scan scan = {record->height_m, summary->single_points, summary->spacing_m,
-                                          piece_how_of(scene, false), &counted};
+                                          record_conditioning_of(scene, false), &counted};
     struct uncertainty *all = calloc(model_count, sizeof *all);
     if (!all)
         return status_memory(status);
@@ -94,7 +85,7 @@ static enum status_code run_sensitivity(struct surface_record *record, size_t m,
     for (size_t i = 0; i < record->curves[m].count; i++)
         if (record->curves[m].points[i].value[QUANTITY_LOAD] == one.loads[0])
             as_is = record->curves[m].points[i];
-    bool averaged = record->repeats.count > 0; /* as the changed scans are: the curve is not of the mean spectrum */
+    bool averaged = record->ensemble.count > 0; /* as the changed scans are: the curve is not of the mean spectrum */
     return sensitivity_run(&model->sensitivity, &record->sensitivity, model_rows[m], &one, averaged ? NULL : &as_is,
                            status);
 }
@@ -104,7 +95,7 @@ static enum status_code run_landmarks(struct surface_record *record, size_t m, c
                                       struct status *status)
 {
     const unsigned quantities = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_ECR);
-    struct landmarks_model searched = {model_rows[m], *task, quantities, &record->repeats};
+    struct landmarks_model searched = {model_rows[m], *task, quantities, &record->ensemble};
     const struct landmarks_curve landmarks = {landmarks_run_model, &searched, task->tolerance};
     return landmarks_solve(record->summary.models[m], &record->curves[m], model_rows[m], &landmarks, status);
 }
@@ -127,8 +118,8 @@ static enum status_code estimate_beta(struct surface_record *record, size_t m, c
     struct curve_summary *model = record->summary.models[m];
     if (!curve->exists || !record->curves[model_index(counterpart)].exists)
         return STATUS_OK;
-    struct landmarks_model own = {model_rows[m], *task, quantities, &record->repeats},
-                           other = {counterpart, *task, quantities, &record->repeats};
+    struct landmarks_model own = {model_rows[m], *task, quantities, &record->ensemble},
+                           other = {counterpart, *task, quantities, &record->ensemble};
     const struct landmarks_curve adjusted = {landmarks_run_model, &own, task->tolerance},
                                  multiscale = {landmarks_run_model, &other, task->tolerance};
     double to = fmin(curve->full_load, task->loads[task->load_count - 1]);
@@ -136,7 +127,7 @@ static enum status_code estimate_beta(struct surface_record *record, size_t m, c
                                   record->summary.asperities.sigma_m, status);
 }
 
-static enum status_code keep_estimates(struct curve_summary *model, const struct repeats_result *result,
+static enum status_code keep_estimates(struct curve_summary *model, const struct ensemble_result *result,
                                        struct status *status)
 {
     struct estimate all[CURVE_ESTIMATES];
@@ -166,7 +157,7 @@ static bool loses_interval(const struct surface_record *record, size_t m)
     for (size_t i = 0; record->bands[m] && i < curve->count && i < record->band_count; i++)
         for (int q = 0; q < QUANTITY_COUNT && record->bands[m][i].load == curve->points[i].value[QUANTITY_LOAD]; q++) {
             double value = curve->points[i].value[model_shown(model_rows[m], (enum quantity)q)];
-            if (repeats_band_holds((enum quantity)q) && value > 0 && isnan(record->bands[m][i].mean[q][0]))
+            if (ensemble_band_holds((enum quantity)q) && value > 0 && isnan(record->bands[m][i].mean[q][0]))
                 return true;
         }
     return false;
@@ -177,7 +168,7 @@ static void note_intervals(struct surface_record *record)
 {
     struct text names = {0};
     for (size_t m = 0; m < model_count; m++)
-        if (record->repeats.count > 1 && !record->repeats.no_intervals && loses_interval(record, m))
+        if (record->ensemble.count > 1 && !record->ensemble.no_intervals && loses_interval(record, m))
             text_add(&names, "%s%s", names.length > 0 ? ", " : "", model_rows[m]->label);
     if (names.length > 0)
         surface_note(
@@ -198,10 +189,11 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     if (!curve->points)
         return status_memory(status);
     double started = clock_seconds();
-    bool several = (record->repeats.count > 1);
-    struct repeats_result result = {.left_out = 0};
-    if (several ? run_repeats(record, m, task, &result, status) != STATUS_OK
-                : model_run(curve, model_rows[m], task, status) != STATUS_OK)
+    bool several = record->ensemble.count > 1;
+    if (several && make_band(record, m, task, status) != STATUS_OK)
+        return status->code;
+    struct ensemble_result result = {.band = record->bands[m]};
+    if (ensemble_curve(curve, &result, &record->ensemble, model_rows[m], task, status) != STATUS_OK)
         return status->code;
     const struct joint_task joint = surface_joint(record, scene, plan, task);
     if (joined_curve(curve, model_rows[m], task, &joint, status) != STATUS_OK) /* of several scans, the mean curve's */

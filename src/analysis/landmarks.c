@@ -76,14 +76,7 @@ enum status_code landmarks_run_model(struct model_curve *out, const double *load
     const struct landmarks_model *model = context;
     struct model_task task = model_task_at(&model->task, loads, count);
     task.wanted &= model->quantities;
-    if (model->repeats->count <= 1)
-        return model_run(out, model->row, &task, status);
-    struct repeats_result result = {.band = repeats_band_make(loads, count)};
-    if (!result.band)
-        return status_memory(status);
-    enum status_code rc = repeats_model(out, &result, model->repeats, model->row, &task, status);
-    free(result.band);
-    return rc;
+    return ensemble_curve(out, NULL, model->set, model->row, &task, status);
 }
 
 static void add_trial(struct search *search, double x)

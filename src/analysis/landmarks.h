@@ -14,13 +14,12 @@ struct landmarks_curve {
     double tolerance; /* relative, of the loads */
 };
 
-/** A model on a task, to be searched as a landmarks_curve: evaluate = landmarks_run_model, context = this. On several
- * scans the curve is their mean, as repeats_model() makes it. */
+/** A model on a task, to be searched as a landmarks_curve: evaluate = landmarks_run_model, context = this. */
 struct landmarks_model {
     const struct model_row *row;
     struct model_task task; /* but its loads */
     unsigned quantities;    /* of task.wanted those to compute */
-    const struct repeat_set *repeats;
+    const struct ensemble *set;
 };
 MUST_CHECK enum status_code landmarks_run_model(struct model_curve *out, const double *loads, size_t count,
                                                 void *context, struct status *status);

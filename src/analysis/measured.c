@@ -196,23 +196,9 @@ static double resistance_at(const struct model_curve *curve, double load, enum q
     return NAN;
 }
 
-/** One model at the loads of the task, as surface_run_models() has it. */
-static enum status_code run_model(struct model_curve *curve, const struct model_row *model,
-                                  const struct model_task *task, const struct repeat_set *scans, struct status *status)
-{
-    if (scans->count <= 1)
-        return model_run(curve, model, task, status);
-    struct repeats_result result = {.band = repeats_band_make(task->loads, task->load_count)};
-    if (!result.band)
-        return status_memory(status);
-    enum status_code rc = repeats_model(curve, &result, scans, model, task, status);
-    free(result.band);
-    return rc;
-}
-
 enum status_code measured_answer(struct measured_answers *out, const struct measured *measured, uint64_t models,
                                  const struct model_task *task, const struct joint_task *joint,
-                                 const struct repeat_set *scans, struct status *status)
+                                 const struct ensemble *set, struct status *status)
 {
     const enum quantity quantity = measured_quantity(measured, joint->effects);
     double *loads = calloc(measured->count, sizeof *loads);
@@ -225,7 +211,7 @@ enum status_code measured_answer(struct measured_answers *out, const struct meas
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
         struct model_curve curve = {.points = points};
         if ((models & MODEL_BIT(m)) && answers(measured, m, count))
-            rc = run_model(&curve, model_rows[m], &asked, scans, status);
+            rc = ensemble_curve(&curve, NULL, set, model_rows[m], &asked, status);
         if (rc == STATUS_OK && quantity_rows[quantity].from)
             rc = joined_curve(&curve, model_rows[m], &asked, joint, status);
         for (size_t i = 0; i < measured->count; i++)

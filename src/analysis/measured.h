@@ -3,8 +3,8 @@
 #ifndef ANALYSIS_MEASURED_H
 #define ANALYSIS_MEASURED_H
 
+#include "analysis/ensemble.h"
 #include "analysis/plan.h"
-#include "analysis/repeats.h"
 #include "base/unit.h"
 #include "contact/model.h"
 #include "joint/joint.h"
@@ -32,7 +32,7 @@ enum quantity measured_quantity(const struct measured *measured, unsigned effect
  * joint. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code measured_answer(struct measured_answers *out, const struct measured *measured,
                                             uint64_t models, const struct model_task *task,
-                                            const struct joint_task *joint, const struct repeat_set *scans,
+                                            const struct joint_task *joint, const struct ensemble *set,
                                             struct status *status);
 void measured_answers_free(struct measured_answers *answers);
 

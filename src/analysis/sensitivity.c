@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/sensitivity.h"
 
-#include "analysis/piece.h"
 #include "profile/filter.h"
 #include "spectrum/grid.h"
 #include <math.h>
@@ -23,21 +22,6 @@ double sensitivity_cutoff(double spacing_m, double lambda_s_m)
     return lambda_s_m > 0 ? lambda_s_m : 2 * spacing_m;
 }
 
-/** Adds the spectrum, which it takes over, and the roughness of one scan to the means over `so_far` of them. */
-static enum status_code add_means(struct sensitivity_scan *out, size_t so_far, struct spectrum *spectrum,
-                                  const struct roughness *roughness, struct status *status)
-{
-    if (so_far == 0) {
-        out->roughness = *roughness;
-        out->spectrum = *spectrum;
-        return STATUS_OK;
-    }
-    roughness_average(&out->roughness, roughness, so_far);
-    enum status_code rc = grid_average(&out->spectrum, spectrum, so_far, status);
-    spectrum_free(spectrum);
-    return rc;
-}
-
 /** Half of the profile, or the whole of it, smoothed or not, in room->record. */
 static enum status_code take_variant(struct fft_room *room, size_t points, enum sensitivity_variant variant,
                                      const struct profile *profile, double lambda_s_m, struct status *status)
@@ -51,26 +35,38 @@ static enum status_code take_variant(struct fft_room *room, size_t points, enum 
     return STATUS_OK;
 }
 
+/** Adds a scan's variant, whose spectrum it takes over, to the mean over `so_far` of them. */
+static enum status_code add_mean(struct member *mean, size_t so_far, struct member *own, struct status *status)
+{
+    if (so_far == 0) {
+        *mean = *own;
+        return STATUS_OK;
+    }
+    roughness_average(&mean->roughness, &own->roughness, so_far);
+    enum status_code rc = grid_average(&mean->spectrum, &own->spectrum, so_far, status);
+    spectrum_free(&own->spectrum);
+    return rc;
+}
+
 enum status_code sensitivity_add(struct sensitivity *out, enum sensitivity_variant variant,
                                  const struct profile *profile, const struct profile_options *how,
                                  enum spectrum_window window, enum roughness_moments moments, struct status *status)
 {
-    size_t points =
-        variant == SENSITIVITY_CUTOFF || variant == SENSITIVITY_WHOLE ? profile->points : profile->points / 2;
-    const struct piece_how piece = {how->level, how->periodic_mean, profile->periodic && variant == SENSITIVITY_CUTOFF,
-                                    window, moments};
+    bool whole = variant == SENSITIVITY_CUTOFF || variant == SENSITIVITY_WHOLE;
+    size_t points = whole ? profile->points : profile->points / 2;
+    const struct record_conditioning record = {how->level, how->periodic_mean,
+                                               profile->periodic && variant == SENSITIVITY_CUTOFF, window, moments};
     struct fft_room room;
-    struct spectrum spectrum;
-    struct roughness roughness;
+    struct member own;
     if (profile->points < LEAST_POINTS)
         return STATUS_OK;
     if (!fft_room_make(&room, points))
         return status_memory(status);
     enum status_code rc = take_variant(&room, points, variant, profile, how->lambda_s_m, status);
     if (rc == STATUS_OK)
-        rc = piece_of_record(&spectrum, &roughness, &room, points, profile->spacing_m, &piece, status);
+        rc = member_of_record(&own, &room, points, profile->spacing_m, &record, status);
     fft_room_free(&room);
-    return rc == STATUS_OK ? add_means(&out->variants[variant], out->scans, &spectrum, &roughness, status) : rc;
+    return rc == STATUS_OK ? add_mean(&out->variants[variant], out->scans, &own, status) : rc;
 }
 
 void sensitivity_end(struct sensitivity *out, const struct profile *profile)
@@ -88,18 +84,6 @@ void sensitivity_free(struct sensitivity *sensitivity)
 /** What is asked of the variants. */
 static const unsigned variant_wanted =
     QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_ECR);
-
-/** The task on a variant. */
-static struct model_task variant_task(struct asperities *asperities, const struct sensitivity_scan *variant,
-                                      const struct model_task *task)
-{
-    struct model_task own = *task;
-    struct status none = {0};
-    own.spectrum = &variant->spectrum;
-    own.asperities = roughness_asperities(asperities, &variant->roughness, &none) == STATUS_OK ? asperities : NULL;
-    own.wanted &= variant_wanted;
-    return own;
-}
 
 /** One load through a model; NaN throughout where it has no answer there. */
 static enum status_code solve_one(struct contact_point *out, const struct model_row *model,
@@ -134,7 +118,8 @@ static enum status_code run_variants(struct sensitivity_factors *out, const stru
     struct contact_point points[SENSITIVITY_VARIANTS];
     for (int v = 0; v < SENSITIVITY_VARIANTS; v++) {
         struct asperities asperities;
-        struct model_task own = variant_task(&asperities, &sensitivity->variants[v], task);
+        struct model_task own = member_task(&asperities, &sensitivity->variants[v], task);
+        own.wanted &= variant_wanted;
         if (solve_one(&points[v], model, &own, status) != STATUS_OK)
             return status->code;
     }
@@ -195,7 +180,7 @@ static enum status_code cut_at(struct sensitivity_curves *out, size_t w, const s
 {
     const struct spectrum *all = task->spectrum;
     double share = (double)w / (SENSITIVITY_WAVELENGTHS - 1);
-    struct sensitivity_scan cut = {.spectrum = *all};
+    struct member cut = {.spectrum = *all};
     cut.spectrum.count = (size_t)fmax(1, round(pow((double)all->count, share)));
     cut.spectrum.has_nyquist = all->has_nyquist && cut.spectrum.count == all->count;
     roughness_from_spectrum(&cut.roughness, &cut.spectrum);
@@ -203,7 +188,8 @@ static enum status_code cut_at(struct sensitivity_curves *out, size_t w, const s
     for (size_t m = 0; m < model_count; m++) {
         struct contact_point *point = &out->points[m * SENSITIVITY_WAVELENGTHS + w];
         struct asperities asperities;
-        struct model_task own = variant_task(&asperities, &cut, task);
+        struct model_task own = member_task(&asperities, &cut, task);
+        own.wanted &= variant_wanted;
         *point = quantity_nothing();
         if ((models & MODEL_BIT(m)) && solve_one(point, model_rows[m], &own, status) != STATUS_OK)
             return status->code;

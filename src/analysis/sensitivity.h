@@ -4,7 +4,7 @@
 #ifndef ANALYSIS_SENSITIVITY_H
 #define ANALYSIS_SENSITIVITY_H
 
-#include "contact/model.h"
+#include "analysis/ensemble.h"
 #include "profile/profile.h"
 
 /** A changed scan: its heights low-passed at twice the cut-off; one half of them; and what halves are held against, the
@@ -38,10 +38,7 @@ extern const double sensitivity_hardness_factor;
  * sensitivity_free(). */
 struct sensitivity {
     size_t scans; /* 0: too short to be halved (fewer than 16 points), or not looked at */
-    struct sensitivity_scan {
-        struct spectrum spectrum;
-        struct roughness roughness;
-    } variants[SENSITIVITY_VARIANTS];
+    struct member variants[SENSITIVITY_VARIANTS];
 };
 
 /** Answer changed / answer as it is, at the middle load; NaN where either is empty, or the change is none for the

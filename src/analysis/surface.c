@@ -101,7 +101,7 @@ struct joint_task surface_joint(const struct surface_record *record, const struc
 
 void surface_drop_scans(struct surface_record *record)
 {
-    repeats_free(&record->repeats);
+    ensemble_free(&record->ensemble);
     free(record->height_m);
     record->height_m = NULL;
 }

@@ -8,6 +8,8 @@
 #include "analysis/direct_plan.h"
 #include "analysis/note.h"
 #include "analysis/plan.h"
+#include "analysis/repeats.h"
+#include "analysis/sensitivity.h"
 #include "analysis/uncertainty.h"
 #include "base/text.h"
 #include "contact/model.h"
@@ -68,10 +70,10 @@ struct surface_record {
     struct spectrum spectrum;
     struct spectrum tapered;    /* rms amplitudes the law is fitted to; count 0: fit: thesis */
     struct power_law_band band; /* the same law with its bins, knees and lines */
-    struct repeat_set repeats;  /* scans to be run alone, until they have been; count 0: there is one */
+    struct ensemble ensemble;   /* scans to be run alone, until they have been; count 0: there is one */
     double *height_m; /* of the one scan, summary.single_points long, until the models have run; NULL: not kept */
-    struct model_curve *curves;  /* model_count of them, NULL before any model ran */
-    struct repeats_band **bands; /* the same, each band_count long; NULL: none */
+    struct model_curve *curves;   /* model_count of them, NULL before any model ran */
+    struct ensemble_band **bands; /* the same, each band_count long; NULL: none */
     size_t band_count;
     struct sensitivity sensitivity; /* scans 0 where there is a rough counterface */
     double *direct_m;               /* where a direct solution is called for: heights of the profiles, or the square of

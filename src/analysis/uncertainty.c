@@ -6,7 +6,6 @@
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum {
     RECORDS = SINGLE_SCAN_RECORDS,
@@ -21,13 +20,6 @@ bool uncertainty_holds(const struct plan *plan, size_t model)
 {
     return plan_runs_model(plan, model) && (plan->all_uncertain || model == plan_leading_model(plan));
 }
-
-/** All answers, as logarithms. */
-struct answers {
-    double record[QUANTITY_COUNT][UNCERTAINTY_LOADS][RECORDS];
-    double record_quarter[QUANTITY_COUNT][RECORDS * QUARTERS];
-    double quarter[QUANTITY_COUNT][QUARTERS];
-};
 
 /** One set of loads that records are taken through the models at. */
 struct loads {
@@ -55,17 +47,14 @@ static struct loads middle_load(const struct model_task *task)
     return (struct loads){{task->loads ? task->loads[model_task_operating(task)] : NAN}, 1, 0};
 }
 
-static struct model_task record_task(const struct model_task *task, const struct spectrum *spectrum,
-                                     const struct asperities *asperities, const struct loads *loads)
+static struct model_task record_task(const struct model_task *task, const struct loads *loads)
 {
     struct model_task own = model_task_at(task, loads->load, loads->count);
-    own.spectrum = spectrum;
-    own.asperities = asperities;
     own.wanted &= ~QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
     return own;
 }
 
-/** ln answer of a record of rms height sigma_m. */
+/** ln answer of a record of rms height sigma_m; NaN: none. */
 static double answer(const struct contact_point *point, enum quantity quantity, const struct model_row *model,
                      double sigma_m)
 {
@@ -73,110 +62,104 @@ static double answer(const struct contact_point *point, enum quantity quantity, 
     return value > 0 ? log(value) : NAN;
 }
 
-/** Takes heights through everything. put: where the answer of model m, quantity and load goes. */
-struct pass {
-    struct answers *answers; /* model_count */
-    const struct uncertainty_scan *scan;
-    const struct plan *plan;
+/** ln answer of every record at one load of a list, in `out`; false: one has none. */
+static bool answers_of(double *out, const struct ensemble_curves *records, size_t all, const struct model_row *model,
+                       enum quantity quantity, size_t i, double load)
+{
+    bool complete = records->count == all;
+    for (size_t r = 0; r < records->count && complete; r++) {
+        const struct model_curve *curve = &records->curves[r];
+        out[r] = i < curve->count && curve->points[i].value[QUANTITY_LOAD] == load
+                     ? answer(&curve->points[i], quantity, model, records->sigma_m[r])
+                     : NAN;
+        complete = isfinite(out[r]);
+    }
+    return complete;
+}
+
+/** The records of a scan, their quarters (of each in turn), and the scan's own; the latter two from LEAST_POINTS on. */
+struct simulated {
+    struct ensemble records, quarters, own;
 };
 
-static double *place(struct answers *answers, enum quantity quantity, size_t load, size_t record, size_t quarter)
+static void simulated_free(struct simulated *simulated)
 {
-    if (quarter == QUARTERS)
-        return &answers->record[quantity][load][record];
-    return record == RECORDS ? &answers->quarter[quantity][quarter]
-                             : &answers->record_quarter[quantity][record * QUARTERS + quarter];
+    ensemble_free(&simulated->records);
+    ensemble_free(&simulated->quarters);
+    ensemble_free(&simulated->own);
 }
 
-/** record RECORDS: the scan's own; quarter QUARTERS: the whole of it. */
-static enum status_code take(struct pass *pass, const double *height_m, size_t points, size_t record, size_t quarter,
-                             struct status *status)
+static enum status_code add_quarters(struct ensemble *set, const double *height_m, const struct uncertainty_scan *scan,
+                                     struct status *status)
 {
-    const struct uncertainty_scan *scan = pass->scan;
-    struct spectrum spectrum;
-    struct roughness roughness;
-    struct asperities asperities;
-    struct status none = {0};
-    struct loads loads = quarter == QUARTERS ? record_loads(scan->task) : middle_load(scan->task);
-    if (piece_describe(&spectrum, &roughness, height_m, points, scan->spacing_m, &scan->how, status) != STATUS_OK) {
-        spectrum_free(&spectrum);
-        return status->code;
-    }
-    bool has_asperities = roughness_asperities(&asperities, &roughness, &none) == STATUS_OK;
-    struct model_task task = record_task(scan->task, &spectrum, has_asperities ? &asperities : NULL, &loads);
-    enum status_code rc = STATUS_OK;
-    for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
-        struct contact_point room[UNCERTAINTY_LOADS + 1];
-        struct model_curve curve = {.points = room};
-        if (!uncertainty_holds(pass->plan, m))
-            continue;
-        rc = model_run(&curve, model_rows[m], &task, status);
-        for (size_t i = 0; i < loads.count; i++)
-            for (int q = 0; q < QUANTITY_COUNT; q++)
-                *place(&pass->answers[m], (enum quantity)q, i, record, quarter) =
-                    rc == STATUS_OK && curve.exists && i < curve.count && room[i].value[QUANTITY_LOAD] == loads.load[i]
-                        ? answer(&room[i], (enum quantity)q, model_rows[m], asperities.sigma_m)
-                        : NAN;
-    }
-    spectrum_free(&spectrum);
-    return rc;
-}
-
-static enum status_code take_quarters(struct pass *pass, const double *height_m, size_t record, struct status *status)
-{
-    size_t points = pass->scan->points, quarter = points / QUARTERS;
-    for (size_t k = 0; k < QUARTERS && points >= LEAST_POINTS; k++)
-        if (take(pass, height_m + k * (points - quarter) / (QUARTERS - 1), quarter, record, k, status) != STATUS_OK)
+    size_t quarter = scan->points / QUARTERS;
+    for (size_t k = 0; k < QUARTERS && scan->points >= LEAST_POINTS; k++)
+        if (ensemble_add(set, 0, height_m + k * (scan->points - quarter) / (QUARTERS - 1), quarter, scan->spacing_m,
+                         &scan->how, status) != STATUS_OK)
             return status->code;
     return STATUS_OK;
 }
 
-static bool all_finite(const double *value, size_t count)
+static enum status_code simulate(struct simulated *out, const struct simulated_record *spectrum, double *height_m,
+                                 const struct uncertainty_scan *scan, struct status *status)
 {
-    for (size_t i = 0; i < count; i++)
-        if (!isfinite(value[i]))
-            return false;
-    return true;
+    for (size_t b = 0; b < RECORDS; b++)
+        if (simulated_record_draw(height_m, spectrum, FIRST_SEED + b, status) != STATUS_OK ||
+            ensemble_add(&out->records, 0, height_m, scan->points, scan->spacing_m, &scan->how, status) != STATUS_OK ||
+            add_quarters(&out->quarters, height_m, scan, status) != STATUS_OK)
+            return status->code;
+    return add_quarters(&out->own, scan->height_m, scan, status);
 }
 
-/** What the answers say of one model. */
-static struct uncertainty conclude(const struct answers *answers, const struct uncertainty_scan *scan)
+/** What the curves say of one model. */
+static struct uncertainty conclude(const struct ensemble_curves *records, const struct ensemble_curves *quarters,
+                                   const struct ensemble_curves *own, const struct model_row *model,
+                                   const struct loads *loads)
 {
-    struct loads loads = record_loads(scan->task);
-    struct uncertainty out = {.loads = loads.count};
-    size_t middle = loads.middle;
-    bool quartered = scan->points >= LEAST_POINTS;
-    for (size_t i = 0; i < loads.count; i++)
-        out.ln_load[i] = log(loads.load[i]);
+    struct uncertainty out = {.loads = loads->count};
+    for (size_t i = 0; i < loads->count; i++)
+        out.ln_load[i] = log(loads->load[i]);
     for (int q = 0; q < QUANTITY_COUNT; q++) {
         out.middle[q] = (struct single_scan){.s = NAN, .half_width = NAN};
-        for (size_t i = 0; i < loads.count; i++) {
+        for (size_t i = 0; i < loads->count; i++) {
+            double record[RECORDS], record_quarter[RECORDS * QUARTERS], quarter[QUARTERS],
+                load = loads->load[loads->middle];
             struct single_scan single;
             struct status none = {0};
-            bool quarters = quartered && i == middle && all_finite(answers->quarter[q], QUARTERS) &&
-                            all_finite(answers->record_quarter[q], (size_t)RECORDS * QUARTERS);
+            enum quantity quantity = (enum quantity)q;
             out.s[q][i] = NAN;
-            if (!repeats_band_holds((enum quantity)q) ||
-                single_scan_uncertainty(&single, answers->record[q][i], RECORDS, quarters ? answers->quarter[q] : NULL,
-                                        answers->record_quarter[q], &none) != STATUS_OK)
+            if (!ensemble_band_holds(quantity) ||
+                !answers_of(record, records, RECORDS, model, quantity, i, loads->load[i]))
                 continue; /* a record has no answer there: neither has the interval */
+            bool quartered = i == loads->middle && answers_of(quarter, own, QUARTERS, model, quantity, 0, load) &&
+                             answers_of(record_quarter, quarters, RECORDS * QUARTERS, model, quantity, 0, load);
+            if (single_scan_uncertainty(&single, record, RECORDS, quartered ? quarter : NULL, record_quarter, &none) !=
+                STATUS_OK)
+                continue;
             out.s[q][i] = single.s;
-            if (i == middle)
+            if (i == loads->middle)
                 out.middle[q] = single;
         }
     }
     return out;
 }
 
-static enum status_code simulate(struct pass *pass, const struct simulated_record *spectrum, double *height_m,
-                                 struct status *status)
+static enum status_code run_one(struct uncertainty *out, const struct simulated *simulated,
+                                const struct model_row *model, const struct model_task *task, struct status *status)
 {
-    for (size_t b = 0; b < RECORDS; b++)
-        if (simulated_record_draw(height_m, spectrum, FIRST_SEED + b, status) != STATUS_OK ||
-            take(pass, height_m, pass->scan->points, b, QUARTERS, status) != STATUS_OK ||
-            take_quarters(pass, height_m, b, status) != STATUS_OK)
-            return status->code;
-    return take_quarters(pass, pass->scan->height_m, RECORDS, status);
+    const struct ensemble *const sets[] = {&simulated->records, &simulated->quarters, &simulated->own};
+    struct loads all = record_loads(task), middle = middle_load(task);
+    struct ensemble_curves curves[3] = {{.count = 0}};
+    enum status_code rc = STATUS_OK;
+    for (int k = 0; k < 3 && rc == STATUS_OK; k++) {
+        struct model_task own = record_task(task, k == 0 ? &all : &middle);
+        rc = sets[k]->count > 0 ? ensemble_run(&curves[k], sets[k], model, &own, status) : STATUS_OK;
+    }
+    if (rc == STATUS_OK)
+        *out = conclude(&curves[0], &curves[1], &curves[2], model, &all);
+    for (int k = 0; k < 3; k++)
+        ensemble_curves_free(&curves[k]);
+    return rc;
 }
 
 /** The squared amplitudes of the multitaper spectrum, malloc'ed. */
@@ -213,23 +196,21 @@ enum status_code uncertainty_run(struct uncertainty *out, const struct uncertain
                                  struct status *status)
 {
     struct simulated_record spectrum = {0};
-    struct pass pass = {calloc(model_count, sizeof *pass.answers), scan, plan};
-    double *height_m = malloc(scan->points * sizeof *height_m);
-    double *square_m2 = NULL;
-    enum status_code rc = pass.answers && height_m ? STATUS_OK : status_memory(status);
-    if (rc == STATUS_OK)
-        rc = squares(&square_m2, scan->height_m, scan->points, status);
+    struct simulated simulated = {.records = {.count = 0}};
+    double *height_m = malloc(scan->points * sizeof *height_m), *square_m2 = NULL;
+    enum status_code rc = height_m ? squares(&square_m2, scan->height_m, scan->points, status) : status_memory(status);
     if (rc == STATUS_OK)
         rc = simulated_record_prepare(&spectrum, square_m2, scan->points, status);
     free(square_m2);
     assert(rc != STATUS_SCAN);
     if (rc == STATUS_OK)
-        rc = simulate(&pass, &spectrum, height_m, status);
-    for (size_t m = 0; m < model_count && rc == STATUS_OK; m++)
-        out[m] = conclude(&pass.answers[m], scan);
+        rc = simulate(&simulated, &spectrum, height_m, scan, status);
     simulated_record_free(&spectrum);
     free(height_m);
-    free(pass.answers);
+    for (size_t m = 0; m < model_count && rc == STATUS_OK; m++)
+        if (uncertainty_holds(plan, m))
+            rc = run_one(&out[m], &simulated, model_rows[m], scan->task, status);
+    simulated_free(&simulated);
     return rc;
 }
 
@@ -258,8 +239,8 @@ static double half_width_at(const struct uncertainty *uncertainty, enum quantity
     return middle->heterogeneous ? fmax(half_width, middle->half_width) : half_width;
 }
 
-void uncertainty_band(struct repeats_band *band, const struct uncertainty *uncertainty, const struct model_curve *curve,
-                      const struct model_row *model, double sigma_m)
+void uncertainty_band(struct ensemble_band *band, const struct uncertainty *uncertainty,
+                      const struct model_curve *curve, const struct model_row *model, double sigma_m)
 {
     for (int q = 0; q < QUANTITY_COUNT; q++)
         for (size_t i = 0; i < curve->count; i++) {
@@ -268,7 +249,7 @@ void uncertainty_band(struct repeats_band *band, const struct uncertainty *uncer
             own.logarithmic = true;
             own.share = q == QUANTITY_AREA;
             own.mean = answer(point, (enum quantity)q, model, sigma_m);
-            own.half_width = repeats_band_holds((enum quantity)q)
+            own.half_width = ensemble_band_holds((enum quantity)q)
                                  ? half_width_at(uncertainty, (enum quantity)q, log(point->value[QUANTITY_LOAD]))
                                  : NAN;
             if (point->value[QUANTITY_LOAD] != band[i].load)

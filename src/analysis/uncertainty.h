@@ -5,9 +5,8 @@
 #define ANALYSIS_UNCERTAINTY_H
 
 #include "analysis/curve_summary.h"
-#include "analysis/piece.h"
+#include "analysis/ensemble.h"
 #include "analysis/plan.h"
-#include "analysis/repeats.h"
 
 enum { UNCERTAINTY_LOADS = 3 /* first, middle and last: in between the deviation goes straight in ln load */ };
 
@@ -16,20 +15,19 @@ struct uncertainty_scan {
     const double *height_m; /* levelled */
     size_t points;
     double spacing_m;
-    struct piece_how how;
+    struct record_conditioning how;
     const struct model_task *task; /* of the scan itself */
 };
 
-/** Deviations of one model's answers, all of ln answer: of the quantities of a repeats_band, as they are there. NaN: a
- * record has no answer there. */
+/** Deviations of one model's answers, all of ln answer: of the quantities of an ensemble_band, as they are there. NaN:
+ * a record has no answer there. */
 struct uncertainty {
     double ln_load[UNCERTAINTY_LOADS], s[QUANTITY_COUNT][UNCERTAINTY_LOADS];
     size_t loads;
     struct single_scan middle[QUANTITY_COUNT]; /* s NaN: not known */
 };
 
-/** Does it say anything of a model: unasked of the one that the summary speaks of, listed of all; not of those that use
- * heights, which are not Gaussian where they are called for. */
+/** Does it say anything of a model: unasked of the one that the summary speaks of, listed of all. */
 bool uncertainty_holds(const struct plan *plan, size_t model);
 
 /** SINGLE_SCAN_RECORDS simulated records through the running models at UNCERTAINTY_LOADS of the task's loads, and from
@@ -51,7 +49,7 @@ extern const double uncertainty_height_seconds;
 /** What follows for the answer at the middle load, and in a band: half-widths at every load of the curve of a scan of
  * rms height sigma_m. */
 struct estimate uncertainty_estimate(const struct uncertainty *uncertainty, enum quantity quantity, double value);
-void uncertainty_band(struct repeats_band *band, const struct uncertainty *uncertainty, const struct model_curve *curve,
-                      const struct model_row *model, double sigma_m);
+void uncertainty_band(struct ensemble_band *band, const struct uncertainty *uncertainty,
+                      const struct model_curve *curve, const struct model_row *model, double sigma_m);
 
 #endif

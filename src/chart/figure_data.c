@@ -106,13 +106,13 @@ static void put_curve(struct figure_file *out, const struct model_curve *curve, 
 static void put_band(struct figure_file *out, const struct surface_record *record, size_t model, const char *style)
 {
     enum quantity y = out->figure->row->y;
-    if (!record->bands || !record->bands[model] || out->figure->row->x != QUANTITY_LOAD || !repeats_band_holds(y))
+    if (!record->bands || !record->bands[model] || out->figure->row->x != QUANTITY_LOAD || !ensemble_band_holds(y))
         return;
     char band_style[32];
     snprintf(band_style, sizeof band_style, "%sb", style);
     drawing_begin(&out->drawing, band_style, "band");
     for (size_t i = 0; i < record->band_count; i++) {
-        const struct repeats_band *band = &record->bands[model][i];
+        const struct ensemble_band *band = &record->bands[model][i];
         double low = band->mean[y][0], high = band->mean[y][1];
         if (isfinite(low) && isfinite(high) && low > 0) {
             put(out, out->load_scale * band->load, low, high);

@@ -159,7 +159,6 @@ void roughcontact_surface_free(struct roughcontact_surface *surface)
     if (surface) {
         profile_free(&surface->profile);
         spectrum_free(&surface->spectrum);
-        free(surface->points);
     }
     free(surface);
 }

@@ -228,7 +228,7 @@ static json_t *intervals_json(const struct curve_summary *model, const struct ce
 {
     json_t *json = json_object();
     for (int q = 0; q < QUANTITY_COUNT; q++)
-        if (repeats_band_holds((enum quantity)q) && curve_summary_estimate(model, q)->count > 0)
+        if (ensemble_band_holds((enum quantity)q) && curve_summary_estimate(model, q)->count > 0)
             json_object_set_new(json, quantity_shown_name((enum quantity)q),
                                 estimate_json(curve_summary_estimate(model, q), guard));
     const struct estimate *full_load = curve_summary_estimate(model, CURVE_FULL_LOAD),

@@ -298,7 +298,7 @@ static enum status_code put_bands(struct curve_tables *all, const struct surface
     struct table table = table_part(&all->bands, turn);
     for (size_t m = 0; m < model_count; m++)
         for (size_t i = 0; record->bands && record->bands[m] && i < record->band_count; i++) {
-            const struct repeats_band *band = &record->bands[m][i];
+            const struct ensemble_band *band = &record->bands[m][i];
             put_surface(&table, &record->summary);
             put_word(&table, model_rows[m]->name);
             put_number(&table, quantity_rows[QUANTITY_LOAD].column, band->load);
@@ -332,7 +332,7 @@ enum status_code curve_tables_open(struct curve_tables **out, const struct resul
         return status_memory(status);
     *all = (struct curve_tables){.results = results, .directory = directory, .quantities = plan_quantities(plan)};
     for (int q = 0; q < QUANTITY_COUNT; q++)
-        if (repeats_band_holds((enum quantity)q) && (plan->wanted & QUANTITY_BIT(q)))
+        if (ensemble_band_holds((enum quantity)q) && (plan->wanted & QUANTITY_BIT(q)))
             all->band_quantities |= QUANTITY_BIT(q);
     if (table_open(&all->spectrum, results, directory, "spectrum.csv", status) != STATUS_OK ||
         table_open(&all->contact, results, directory, "contact.csv", status) != STATUS_OK ||
@@ -467,7 +467,7 @@ static enum status_code write_spread(const struct results *results, const char *
             for (int q = 0; q < QUANTITY_COUNT; q++) {
                 snprintf(quantity, sizeof quantity, "%s_at_middle_load_%s", quantity_shown_name((enum quantity)q),
                          model_rows[m]->name);
-                if (repeats_band_holds((enum quantity)q))
+                if (ensemble_band_holds((enum quantity)q))
                     put_spread_number(&table, s, quantity, curve_summary_estimate(surface_model(s, m), q));
             }
         }

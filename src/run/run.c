@@ -96,7 +96,7 @@ static enum status_code run_baseline(struct run *run, struct status *status)
     }
     if (results->measured) {
         const struct joint_task joint = surface_joint(baseline, results->scene, results->plan, &task);
-        if (measured_answer(&run->answers, results->measured, models, &task, &joint, &baseline->repeats, status) !=
+        if (measured_answer(&run->answers, results->measured, models, &task, &joint, &baseline->ensemble, status) !=
             STATUS_OK)
             return status->code;
         results->answers = &run->answers;

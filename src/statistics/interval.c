@@ -105,17 +105,17 @@ double interval_next_half_width(const struct interval *interval, double weight)
     return interval->t * hypot(interval->sd / sqrt(weight), interval->s);
 }
 
-size_t interval_pieces(size_t points, size_t shortest)
+size_t interval_subrecords(size_t points, size_t shortest)
 {
     assert(shortest > 0 && points >= shortest);
     return points / shortest;
 }
 
-size_t interval_piece_first(size_t points, size_t shortest, size_t piece)
+size_t interval_subrecord_first(size_t points, size_t shortest, size_t subrecord)
 {
-    size_t pieces = interval_pieces(points, shortest), room = points - shortest;
-    assert(piece < pieces);
-    return pieces > 1 ? (piece * room + (pieces - 1) / 2) / (pieces - 1) : 0;
+    size_t count = interval_subrecords(points, shortest), room = points - shortest;
+    assert(subrecord < count);
+    return count > 1 ? (subrecord * room + (count - 1) / 2) / (count - 1) : 0;
 }
 
 bool interval_shortest_is_odd(double *length, size_t count)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How far a mean may be from what more scans would give: Student's intervals for scans, for scans cut to pieces and for
- * rows that follow each other on one map. Values are logarithms of positive answers (area, resistance), or the answers
- * themselves where they may be zero or negative (separation). */
+/* How far a mean may be from what more scans would give: Student's intervals for scans, for scans cut to subrecords and
+ * for rows that follow each other on one map. Values are logarithms of positive answers (area, resistance), or the
+ * answers themselves where they may be zero or negative (separation). */
 #ifndef STATISTICS_INTERVAL_H
 #define STATISTICS_INTERVAL_H
 
@@ -23,7 +23,7 @@ struct interval {
 
 /** One value a scan, in any order (values are summed in ascending order: the result does not depend on theirs).
  *  mean = sum w y/sum w, sd² = sum w (y - mean)²/(M-1), s = sd/sqrt(sum w), M-1 degrees of freedom.
- * A scan of w pieces weighs w: its value is the mean over them; weight NULL: 1 each. Student 1908,
+ * A scan of w subrecords weighs w: its value is the mean over them; weight NULL: 1 each. Student 1908,
  * doi:10.1093/biomet/6.1.1. 0 < level < 1. Errors: STATUS_SCAN for fewer than 2 values, one that is not finite or a
  * weight that is not finite and positive; STATUS_MEMORY. */
 MUST_CHECK enum status_code interval_scans(struct interval *out, const double *value, const double *weight,
@@ -44,10 +44,10 @@ double interval_next_half_width(const struct interval *interval, double weight);
 /** (1 + level)/2 quantile of Student's t. degrees > 0, not always whole. */
 double interval_quantile(double level, double degrees);
 
-/** Pieces that a scan is cut to beside a shortest one: floor(points/shortest), spread evenly from end to end. */
-size_t interval_pieces(size_t points, size_t shortest);
-/** First point of piece 0 ... pieces-1, of `shortest` points. */
-size_t interval_piece_first(size_t points, size_t shortest, size_t piece);
+/** Subrecords that a scan is cut to beside a shortest one: floor(points/shortest), spread evenly from end to end. */
+size_t interval_subrecords(size_t points, size_t shortest);
+/** First point of subrecord 0 ... subrecords-1, of `shortest` points. */
+size_t interval_subrecord_first(size_t points, size_t shortest, size_t subrecord);
 /** Is the shortest of the scans less than half as long as the median one, so that it cuts all others up? length[] is
  * sorted. */
 bool interval_shortest_is_odd(double *length, size_t count);

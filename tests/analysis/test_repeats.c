@@ -138,7 +138,6 @@ TEST_CASE(the_mean_of_curves)
     struct model_curve curve = {.points = points}, own[3];
     struct repeats_result result = {.band = repeats_band_make(loads, LOADS)};
     assert_non_null(result.band);
-    assert_true(repeats_several(&set, model));
     assert_int_equal(repeats_model(&curve, &result, &set, model, &task, &status), STATUS_OK);
     size_t reached = LOADS;
     double full = 0;

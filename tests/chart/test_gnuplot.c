@@ -315,15 +315,14 @@ PLACED(test_empty_blocks_and_single_points_are_drawn_silently)
         enum drawing_kind kind;
         const char *data, *styles, *terminal_size;
     } cases[] = {
-        {DRAWING_CURVES, none, "s1 s2 s2x", NULL},    {DRAWING_SPECTRA, none, "s1 fit fitx", NULL},
-        {DRAWING_COST, none, "c1 c2 choice", NULL},   {DRAWING_CURVES, none, "s1 s2 s2x", "60,20"},
-        {DRAWING_PROFILES, few, "s1 s2 s3", NULL},    {DRAWING_SPECTRA, few, "s1 s2 fit", NULL},
-        {DRAWING_CURVES, few, "s1 s2 s3", NULL},      {DRAWING_PROFILES, none, "s1 s2 s3", NULL},
-        {DRAWING_PROBABILITY, few, "s1 s2 s3", NULL},
+        {DRAWING_CURVES, none, "s1 s2 s2x", NULL},  {DRAWING_SPECTRA, none, "s1 fit fitx", NULL},
+        {DRAWING_COST, none, "c1 c2 choice", NULL}, {DRAWING_CURVES, none, "s1 s2 s2x", "60,20"},
+        {DRAWING_PROFILES, few, "s1 s2 s3", NULL},  {DRAWING_SPECTRA, few, "s1 s2 fit", NULL},
+        {DRAWING_CURVES, few, "s1 s2 s3", NULL},    {DRAWING_PROFILES, none, "s1 s2 s3", NULL},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct drawing drawing = drawing_of(cases[i].kind, "data", "xy");
-        drawing.log_x = drawing.log_y = cases[i].kind != DRAWING_PROFILES && cases[i].kind != DRAWING_PROBABILITY;
+        drawing.log_x = drawing.log_y = cases[i].kind != DRAWING_PROFILES;
         add_blocks(&drawing, cases[i].data, cases[i].styles);
         draw(*state, &drawing, cases[i].terminal_size);
         struct text chart = directory_read(*state, cases[i].terminal_size ? "data.txt" : "data.svg");

@@ -2,6 +2,7 @@
 /* CMY's resistance against the direct solution of the very islands it speaks of: what of a Gaussian surface lies above
  * a plane. Its islands are round and evenly spread, those of a surface are neither. */
 #include "contact/cmy.h"
+#include "contact/model.h"
 #include "direct_support.h"
 
 #include <stdbool.h>

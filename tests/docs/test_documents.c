@@ -5,7 +5,6 @@
 #include "material/material.h"
 #include "scan/reader.h"
 #include "scan/scan.h"
-#include "spectrum/height_law.h"
 #include "support.h"
 
 #include <dirent.h>
@@ -325,8 +324,6 @@ TEST_CASE(tables_are_described)
 {
     char *laws = read_document("docs/equations.md"), *formats = read_document("docs/formats.md");
     char *report = read_document("docs/report.md"), *commands = read_document("docs/commands.md");
-    for (int v = 0; v < HEIGHT_VERDICTS; v++)
-        expect_named("docs/commands.md", commands, height_verdicts[v].name);
     for (size_t m = 0; m < model_count; m++)
         expect_named("docs/equations.md", laws, model_rows[m]->name);
 #define EXPECT_FORMAT(reader, name) expect_named("docs/formats.md", formats, name);

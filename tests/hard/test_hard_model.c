@@ -4,7 +4,7 @@
 #include "hard_support.h"
 
 enum { EVERYTHING = QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_RESISTANCES };
-enum { LOADS = 37, SCALES = 600, HEIGHTS = 400 };
+enum { LOADS = 37, SCALES = 600 };
 
 static struct spectrum law_spectrum(double alpha, double gamma)
 {
@@ -28,19 +28,6 @@ static struct model_task task_of(const struct spectrum *spectrum, const struct a
                                .tolerance = 1e-10,
                                .sinusoid_fit = SINUSOID_FIT_THESIS,
                                .hardness_Pa = 2.84 * pair->yield_strength_Pa};
-}
-
-/** Heights of a profile with that spectrum, phases from a fixed sequence, as contacting slopes take them. */
-static size_t heights_of(struct slope_point *out, const struct spectrum *spectrum)
-{
-    double height_m[HEIGHTS] = {0};
-    for (size_t n = 1; n <= spectrum->count && n < HEIGHTS / 2; n++) {
-        double phase = 2 * M_PI * fmod((double)n * (double)n * 0.618033988749895, 1);
-        for (size_t i = 0; i < HEIGHTS; i++)
-            height_m[i] +=
-                spectrum->amplitude_m[n - 1] * cos(2 * M_PI * (double)n * (double)i / (double)HEIGHTS + phase);
-    }
-    return contacting_slopes_of_profile(out, height_m, HEIGHTS, spectrum->length_m / (double)HEIGHTS);
 }
 
 /** A number is there where the model computes it, and may be missing only where its row says so. */
@@ -70,8 +57,9 @@ static void check_point(const struct model_row *row, const struct contact_point 
 static void check_ends(const struct model_curve *curve, const struct model_row *row)
 {
     const struct contact_point *last = &curve->points[curve->count - 1];
-    if (row->truncation_model) { /* ends where all of the surface is truncated, and knows of no full contact */
-        assert_true(isnan(curve->full_load) && isnan(curve->closed_load) && last->value[QUANTITY_LOAD] < 1e6);
+    if (row->largest_area > 0 &&
+        isnan(curve->full_load)) { /* ends where it says no more: it knows of no full contact */
+        assert_true(isnan(curve->closed_load) && last->value[QUANTITY_LOAD] < 1e6);
         return;
     }
     if (isnan(curve->full_load)) { /* complete only in the limit, or not known when */
@@ -102,14 +90,11 @@ static void check_curve(const struct model_curve *curve, const struct model_row 
         const struct contact_point *point = &curve->points[i], *before = i > 0 ? point - 1 : point;
         check_point(row, point, curve->full_load);
         assert_true(point->value[QUANTITY_AREA] >= before->value[QUANTITY_AREA]);
-        assert_false(isgreater(point->value[QUANTITY_SEPARATION], before->value[QUANTITY_SEPARATION]) &&
-                     !row->uses_heights);
-        if (!row->uses_heights) /* which fits a line anew at each load */
-            assert_false(isgreater(point->value[QUANTITY_ECR], before->value[QUANTITY_ECR]) ||
-                         isgreater(point->value[QUANTITY_TCR], before->value[QUANTITY_TCR]));
+        for (int q = QUANTITY_SEPARATION; q <= QUANTITY_TCR; q++)
+            assert_false(q != QUANTITY_ADJUSTED && isgreater(point->value[q], before->value[q]));
         if (statistical)
             assert_true(isfinite(point->value[QUANTITY_ADJUSTED]) && point->value[QUANTITY_ADJUSTED] >= 0);
-        else if (!row->uses_heights)
+        else
             assert_true(!isless(point->value[QUANTITY_SEPARATION], 0));
     }
     check_ends(curve, row);
@@ -133,7 +118,6 @@ static void loads_beyond_full_contact(void **state)
             struct status status = {0};
             roughness_from_spectrum(&roughness, &spectrum);
             assert_int_equal(roughness_asperities(&surface, &roughness, &status), STATUS_OK);
-            struct slope_point heights[HEIGHTS];
             struct model_task task = {.spectrum = &spectrum,
                                       .asperities = &surface,
                                       .pair = &pair,
@@ -142,9 +126,7 @@ static void loads_beyond_full_contact(void **state)
                                       .wanted = EVERYTHING,
                                       .tolerance = 1e-10,
                                       .sinusoid_fit = (enum sinusoid_fit_id)closure,
-                                      .hardness_Pa = 2.84 * pair.yield_strength_Pa,
-                                      .points = heights,
-                                      .point_count = heights_of(heights, &spectrum)};
+                                      .hardness_Pa = 2.84 * pair.yield_strength_Pa};
             for (size_t m = 0; m < model_count; m++) {
                 struct contact_point points[LOADS + 1];
                 struct model_curve curve = {.points = points};
@@ -173,7 +155,7 @@ static void nothing_but_full_contact(void **state)
             struct model_curve curve = {.points = points};
             struct model_task task = task_of(&spectrum, &surface, &pair, loads, count);
             assert_int_equal(model_run(&curve, model_rows[m], &task, &status), STATUS_OK);
-            bool silent = model_rows[m]->uses_heights || model_rows[m]->truncation_model;
+            bool silent = model_rows[m]->largest_area > 0 && !model_rows[m]->asperity_model;
             assert_int_equal(curve.count, silent ? 0 : model_rows[m]->asperity_model ? 1 : count);
             assert_int_equal(curve.exists, !silent);
             bool empty = model_rows[m]->may_be_empty & QUANTITY_BIT(QUANTITY_ECR);
@@ -198,8 +180,8 @@ static void no_asperities(void **state)
         struct model_curve curve = {.points = points};
         struct status status = {0};
         assert_int_equal(model_run(&curve, model_rows[m], &task, &status), STATUS_OK);
-        assert_true(curve.exists == !(model_rows[m]->asperity_model || model_rows[m]->uses_heights));
-        assert_int_equal(curve.count, !curve.exists ? 0 : model_rows[m]->truncation_model ? 1 : 2);
+        assert_true(curve.exists == !model_rows[m]->asperity_model);
+        assert_int_equal(curve.count, !curve.exists ? 0 : model_rows[m]->largest_area > 0 ? 1 : 2);
         assert_true(curve.exists || curve.evaluations == 0);
     }
     spectrum_free(&spectrum);
@@ -226,11 +208,8 @@ static void every_choice_of_quantities(void **state)
                 continue;
             bool conducts = wanted & (QUANTITY_RESISTANCES);
             struct contact_point all[6], some[6];
-            struct slope_point heights[HEIGHTS];
             struct model_curve reference = {.points = all}, curve = {.points = some};
             struct model_task task = task_of(&spectrum, &surface, &known, loads, 5);
-            task.points = heights;
-            task.point_count = heights_of(heights, &spectrum);
             assert_int_equal(model_run(&reference, model_rows[m], &task, &status), STATUS_OK);
             task.wanted = wanted;
             task.pair = conducts ? &known : &bare;

@@ -142,8 +142,8 @@ PLACED(test_every_figure_is_shown_once)
     assert_int_equal(images, made.figures.count);
     for (size_t r = 0; r < figure_row_count; r++) {
         bool others = figure_rows[r].beyond_thesis || figure_rows[r].kind == FIGURE_SENSITIVITY ||
-                      figure_rows[r].kind == FIGURE_PROBABILITY || figure_rows[r].kind == FIGURE_DIRECT ||
-                      figure_rows[r].kind == FIGURE_DIRECT_RATIO || figure_rows[r].kind == FIGURE_PATCHES ||
+                      figure_rows[r].kind == FIGURE_DIRECT || figure_rows[r].kind == FIGURE_DIRECT_RATIO ||
+                      figure_rows[r].kind == FIGURE_PATCHES ||
                       (figure_rows[r].kind == FIGURE_BENCHMARK &&
                        figure_rows[r].chart >= BENCHMARK_DIRECT_AREA); /* of models and curves that are not made up */
         if (others)

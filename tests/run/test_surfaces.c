@@ -86,10 +86,7 @@ TEST_WITH(averaging_a_scan_with_itself_changes_nothing, directory_setup, directo
     assert_int_equal(once.rows, twice.rows);
     for (size_t i = 0; i < once.rows; i++) {
         double area = table_number(&once, i, "area_ratio");
-        if (!model_rows[model_named(table_text(&once, i, "model"))]->uses_heights)
-            assert_near(table_number(&twice, i, "area_ratio"), area, 1e-12);
-        else if (area > 30 / 198.) /* below, fewer than 30 of its points touch */
-            assert_near(table_number(&twice, i, "area_ratio"), area, 0.01);
+        assert_near(table_number(&twice, i, "area_ratio"), area, 1e-12);
     }
     table_free(&once);
     table_free(&twice);

@@ -87,7 +87,7 @@ static void scans_of_several_lengths(FILE *out, size_t sets, gsl_rng *random)
         for (size_t set = 0; set < sets; set++) {
             double all[COVERAGE_ANSWERS][SCANS], mean[COVERAGE_ANSWERS][SCANS] = {{0}}, weight[SCANS];
             for (size_t scan = 0; scan < SCANS; scan++) {
-                size_t points = (scan + 1) * SHORTEST, count = interval_pieces(points, SHORTEST);
+                size_t points = (scan + 1) * SHORTEST, count = interval_subrecords(points, SHORTEST);
                 double value[COVERAGE_ANSWERS], longer[LONGEST];
                 weight[scan] = (double)count;
                 coverage_draw(longer, LONGEST, 8, &surfaces[k], random);
@@ -95,7 +95,7 @@ static void scans_of_several_lengths(FILE *out, size_t sets, gsl_rng *random)
                 for (size_t a = 0; a < COVERAGE_ANSWERS; a++)
                     all[a][scan] = value[a];
                 for (size_t p = 0; p < count; p++) {
-                    coverage_answers(value, longer + interval_piece_first(points, SHORTEST, p), SHORTEST);
+                    coverage_answers(value, longer + interval_subrecord_first(points, SHORTEST, p), SHORTEST);
                     for (size_t a = 0; a < COVERAGE_ANSWERS; a++)
                         mean[a][scan] += value[a] / (double)count;
                 }

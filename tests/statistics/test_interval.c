@@ -186,13 +186,13 @@ TEST_CASE(test_pieces_reach_from_end_to_end)
 {
     for (size_t shortest = 1; shortest < 40; shortest++)
         for (size_t points = shortest; points < 300; points++) {
-            size_t pieces = interval_pieces(points, shortest);
+            size_t pieces = interval_subrecords(points, shortest);
             assert_true(pieces * shortest <= points && (pieces + 1) * shortest > points);
-            assert_int_equal(interval_piece_first(points, shortest, 0), 0);
+            assert_int_equal(interval_subrecord_first(points, shortest, 0), 0);
             if (pieces > 1)
-                assert_int_equal(interval_piece_first(points, shortest, pieces - 1), points - shortest);
+                assert_int_equal(interval_subrecord_first(points, shortest, pieces - 1), points - shortest);
             for (size_t p = 1; p < pieces; p++) {
-                size_t step = interval_piece_first(points, shortest, p) - interval_piece_first(points, shortest, p - 1);
+                size_t step = interval_subrecord_first(points, shortest, p) - interval_subrecord_first(points, shortest, p - 1);
                 assert_true(step >= shortest && step <= (points - shortest) / (pieces - 1) + 1);
             }
         }

@@ -1,0 +1,311 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "analysis/ensemble.h"
+
+#include "profile/record_window.h"
+#include <math.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+void ensemble_free(struct ensemble *set)
+{
+    for (size_t p = 0; p < set->count; p++) {
+        spectrum_free(&set->members[p].spectrum);
+        free(set->members[p].height_m);
+    }
+    free(set->members);
+    free(set->scans);
+    *set = (struct ensemble){0};
+}
+
+struct member *ensemble_room(struct ensemble *set)
+{
+    if (set->count == set->capacity) {
+        size_t capacity = 2 * set->capacity + 4;
+        struct member *members = reallocarray(set->members, capacity, sizeof *members);
+        if (!members)
+            return NULL;
+        set->members = members;
+        set->capacity = capacity;
+    }
+    set->members[set->count] = (struct member){0};
+    return &set->members[set->count++];
+}
+
+struct record_conditioning record_conditioning_of(const struct scene *scene, bool periodic)
+{
+    return (struct record_conditioning){scene->level, !scene->level_given, periodic, scene->window, scene->moments};
+}
+
+enum status_code member_of_record(struct member *out, struct fft_room *room, size_t points, double spacing_m,
+                                  const struct record_conditioning *how, struct status *status)
+{
+    enum level level = how->periodic && how->periodic_mean ? LEVEL_MEAN : how->level;
+    struct levelling levelling;
+    struct status none = {0};
+    *out = (struct member){.points = points, .spacing_m = spacing_m, .periodic = how->periodic};
+    if (level_remove(&levelling, room->record, NULL, points, spacing_m, level, &none) == STATUS_MEMORY)
+        return status_memory(status);
+    out->roughness = roughness_of_heights(room->record, points, spacing_m);
+    enum spectrum_window window = spectrum_window_for(how->window, how->periodic);
+    if (spectrum_of_record(&out->spectrum, room, points, spacing_m, window, status) != STATUS_OK)
+        return status->code;
+    if (how->moments == ROUGHNESS_MOMENTS_SPECTRAL)
+        roughness_from_spectrum(&out->roughness, &out->spectrum);
+    return STATUS_OK;
+}
+
+enum status_code ensemble_add(struct ensemble *set, size_t scan, const double *height_m, size_t points,
+                              double spacing_m, const struct record_conditioning *how, struct status *status)
+{
+    struct fft_room room;
+    struct record_conditioning own = *how;
+    struct member *member = ensemble_room(set);
+    own.periodic = how->periodic && record_window_is_periodic(height_m, points);
+    if (!member || !fft_room_make(&room, points))
+        return status_memory(status);
+    memcpy(room.record, height_m, points * sizeof *height_m);
+    enum status_code rc = member_of_record(member, &room, points, spacing_m, &own, status);
+    member->scan = scan;
+    fft_room_free(&room);
+    return rc;
+}
+
+struct model_task member_task(struct asperities *asperities, const struct member *member, const struct model_task *task)
+{
+    struct model_task own = *task;
+    struct status none = {0};
+    own.spectrum = &member->spectrum;
+    own.asperities = roughness_asperities(asperities, &member->roughness, &none) == STATUS_OK ? asperities : NULL;
+    return own;
+}
+
+enum status_code ensemble_estimate(struct estimate *out, const struct ensemble *set, const double *value,
+                                   const size_t *scan, size_t count, bool logarithmic, struct status *status)
+{
+    enum status_code rc;
+    if (count > 1 && set->scan_count == 1) {
+        rc = estimate_rows(out, value, count, logarithmic, status);
+    } else {
+        double *mean = malloc(2 * (count + 1) * sizeof *mean), *weight = mean + count;
+        size_t scans = 0;
+        if (!mean)
+            return status_memory(status);
+        for (size_t i = 0, end; i < count; i = end, scans++) {
+            double sum = 0, first = logarithmic ? log(value[i]) : value[i];
+            for (end = i; end < count && scan[end] == scan[i]; end++)
+                sum += (logarithmic ? log(value[end]) : value[end]) - first;
+            double own = first + sum / (double)(end - i); /* equal values have this very mean */
+            mean[scans] = end == i + 1 ? value[i] : logarithmic ? exp(own) : own;
+            weight[scans] = set->scans[scan[i]].weight;
+        }
+        rc = estimate_scans(out, mean, weight, scans, logarithmic, status);
+        free(mean);
+    }
+    if (set->no_intervals)
+        out->s = out->sd = out->half_width = out->next_half_width = NAN;
+    return rc;
+}
+
+void ensemble_curves_free(struct ensemble_curves *curves)
+{
+    free(curves->curves);
+    free(curves->points);
+    free(curves->scan);
+    free(curves->value);
+    free(curves->sigma_m);
+}
+
+enum status_code ensemble_run(struct ensemble_curves *out, const struct ensemble *set, const struct model_row *model,
+                              const struct model_task *task, struct status *status)
+{
+    size_t all = set->count, room = task->load_count + 1;
+    *out = (struct ensemble_curves){.curves = calloc(all, sizeof *out->curves),
+                                    .points = calloc(all * room, sizeof *out->points),
+                                    .scan = calloc(all, sizeof *out->scan),
+                                    .value = calloc(all, sizeof *out->value),
+                                    .sigma_m = calloc(all, sizeof *out->sigma_m)};
+    if (!out->curves || !out->points || !out->scan || !out->value || !out->sigma_m)
+        return status_memory(status);
+    for (size_t p = 0; p < all; p++) {
+        struct asperities asperities;
+        struct model_task alone = member_task(&asperities, &set->members[p], task);
+        struct model_curve *own = &out->curves[out->count];
+        *own = (struct model_curve){.points = out->points + out->count * room};
+        out->scan[out->count] = set->members[p].scan;
+        out->sigma_m[out->count] = sqrt(set->members[p].roughness.m0_m2);
+        if (model_run(own, model, &alone, status) != STATUS_OK)
+            return status->code;
+        out->evaluations += own->evaluations;
+        out->overflows = out->overflows || own->overflows;
+        out->count += own->exists;
+    }
+    return STATUS_OK;
+}
+
+struct ensemble_band *ensemble_band_make(const double *loads, size_t count)
+{
+    struct ensemble_band *band = malloc(count * sizeof *band);
+    for (size_t i = 0; band && i < count; i++) {
+        band[i].load = loads[i];
+        for (int q = 0; q < QUANTITY_COUNT; q++)
+            for (int side = 0; side < 2; side++)
+                band[i].mean[q][side] = band[i].next[q][side] = NAN;
+    }
+    return band;
+}
+
+bool ensemble_band_holds(enum quantity quantity)
+{
+    return quantity == QUANTITY_AREA || quantity == QUANTITY_SEPARATION || quantity == QUANTITY_ECR ||
+           quantity == QUANTITY_TCR;
+}
+
+/** The mean of what is in curves->value. Where nothing is left of a positive quantity in any of them, that is it. */
+static enum status_code mean_of(double *mean, struct estimate *estimate, const struct ensemble_curves *curves,
+                                const struct ensemble *set, bool logarithmic, struct status *status)
+{
+    bool zero = logarithmic;
+    for (size_t r = 0; r < curves->count && zero; r++)
+        zero = curves->value[r] == 0;
+    if (ensemble_estimate(estimate, set, curves->value, curves->scan, curves->count, logarithmic, status) != STATUS_OK)
+        return status->code;
+    *mean = zero ? 0 : estimate_value(estimate);
+    return STATUS_OK;
+}
+
+/** Mean of the number at `offset` in each curve. */
+static enum status_code mean_number(double *mean, struct estimate *estimate, const struct ensemble_curves *curves,
+                                    const struct ensemble *set, size_t offset, bool logarithmic, struct status *status)
+{
+    for (size_t r = 0; r < curves->count; r++)
+        memcpy(&curves->value[r], (const char *)&curves->curves[r] + offset, sizeof *curves->value);
+    return mean_of(mean, estimate, curves, set, logarithmic, status);
+}
+
+/** Point `at` of a curve; SIZE_MAX: that of full contact. */
+static const struct contact_point *point_of(const struct ensemble_curves *curves, size_t r, size_t at)
+{
+    return at == SIZE_MAX ? &curves->curves[r].full : &curves->curves[r].points[at];
+}
+
+/** Fills the quantities of `out` from point `at` of every curve. estimates: NULL, or QUANTITY_COUNT; lengths over
+ * sigma. */
+static enum status_code mean_point(struct contact_point *out, struct estimate *estimates,
+                                   const struct ensemble_curves *curves, const struct ensemble *set,
+                                   const struct model_row *model, size_t at, struct status *status)
+{
+    struct estimate unused = estimate_none;
+    *out = quantity_nothing();
+    for (int q = QUANTITY_AREA; q < QUANTITY_COUNT; q++) {
+        const struct quantity_row *row = &quantity_rows[q];
+        struct estimate *estimate = estimates ? &estimates[q] : &unused;
+        bool logarithmic = row->logarithmic || q == (int)model_shown(model, QUANTITY_SEPARATION);
+        double mean = NAN;
+        *estimate = estimate_none;
+        if (row->from) /* of the mean curve: joint_apply() */
+            continue;
+        for (size_t r = 0; r < curves->count; r++)
+            curves->value[r] = point_of(curves, r, at)->value[q] / (row->over_sigma ? curves->sigma_m[r] : 1);
+        if (mean_of(&mean, estimate, curves, set, logarithmic, status) != STATUS_OK)
+            return status->code;
+        estimate->share = q == QUANTITY_AREA;
+        out->value[q] = mean * (row->over_sigma ? set->sigma_m : 1);
+    }
+    for (size_t r = 0; r < curves->count; r++)
+        curves->value[r] = point_of(curves, r, at)->beyond_fit;
+    if (mean_of(&out->beyond_fit, &unused, curves, set, false, status) != STATUS_OK)
+        return status->code;
+    for (size_t r = 0; r < curves->count; r++)
+        curves->value[r] = point_of(curves, r, at)->radius_clamped;
+    return mean_of(&out->radius_clamped, &unused, curves, set, false, status);
+}
+
+/** Have all curves a point at load i of the task, not one of their own? */
+static bool all_reach(const struct ensemble_curves *curves, size_t i, double load)
+{
+    for (size_t r = 0; r < curves->count; r++)
+        if (i >= curves->curves[r].count || curves->curves[r].points[i].value[QUANTITY_LOAD] != load)
+            return false;
+    return true;
+}
+
+/** Does every curve end with its own point of full contact? */
+static bool all_close(const struct ensemble_curves *curves)
+{
+    for (size_t r = 0; r < curves->count; r++) {
+        const struct model_curve *curve = &curves->curves[r];
+        if (curve->count == 0 || curve->points[curve->count - 1].value[QUANTITY_LOAD] != curve->full_load)
+            return false;
+    }
+    return true;
+}
+
+static void fill_band(struct ensemble_band *band, const struct estimate *estimates, const struct model_row *model)
+{
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        for (int side = 0; side < 2; side++) {
+            const struct estimate *estimate = &estimates[model_shown(model, (enum quantity)q)];
+            bool holds = ensemble_band_holds((enum quantity)q);
+            band->mean[q][side] = holds ? estimate_end(estimate, side) : NAN;
+            band->next[q][side] = holds ? estimate_next_end(estimate, side) : NAN;
+        }
+}
+
+static enum status_code mean_curve(struct model_curve *curve, struct ensemble_result *result,
+                                   const struct ensemble_curves *curves, const struct ensemble *set,
+                                   const struct model_row *model, const struct model_task *task, struct status *status)
+{
+    struct estimate unused, estimates[QUANTITY_COUNT];
+    size_t full = offsetof(struct model_curve, full_load), closed = offsetof(struct model_curve, closed_load),
+           beta = offsetof(struct model_curve, beta);
+    estimates[QUANTITY_LOAD] = estimate_none;
+    curve->exists = true;
+    if (mean_number(&curve->full_load, &result->full_load, curves, set, full, true, status) != STATUS_OK ||
+        mean_number(&curve->closed_load, &unused, curves, set, closed, true, status) != STATUS_OK ||
+        mean_number(&curve->beta, &result->beta, curves, set, beta, false, status) != STATUS_OK ||
+        mean_point(&curve->full, NULL, curves, set, model, SIZE_MAX, status) != STATUS_OK)
+        return status->code;
+    curve->full.value[QUANTITY_LOAD] = curve->full_load;
+    for (size_t i = 0; i < task->load_count && all_reach(curves, i, task->loads[i]); i++) {
+        struct contact_point *point = &curve->points[curve->count++];
+        if (mean_point(point, estimates, curves, set, model, i, status) != STATUS_OK)
+            return status->code;
+        point->value[QUANTITY_LOAD] = task->loads[i];
+        if (result->band)
+            fill_band(&result->band[i], estimates, model);
+        for (int q = 0; q < QUANTITY_COUNT && i == model_task_operating(task); q++)
+            result->middle[q] = estimates[model_shown(model, (enum quantity)q)];
+    }
+    if (curve->count < task->load_count && all_close(curves))
+        curve->points[curve->count++] = curve->full;
+    return STATUS_OK;
+}
+
+enum status_code ensemble_curve(struct model_curve *curve, struct ensemble_result *result, const struct ensemble *set,
+                                const struct model_row *model, const struct model_task *task, struct status *status)
+{
+    struct ensemble_result unused = {.band = NULL};
+    struct ensemble_curves curves;
+    if (set->count <= 1)
+        return model_run(curve, model, task, status);
+    result = result ? result : &unused;
+    result->full_load = result->beta = estimate_none;
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        result->middle[q] = estimate_none;
+    enum status_code rc = ensemble_run(&curves, set, model, task, status);
+    curve->evaluations = curves.evaluations;
+    curve->overflows = curves.overflows;
+    for (size_t r = 0; rc == STATUS_OK && r < curves.count; r++) {
+        const struct model_curve *own = &curves.curves[r];
+        curve->clamped += own->clamped;
+        curve->yielding_scales =
+            own->yielding_scales > curve->yielding_scales ? own->yielding_scales : curve->yielding_scales;
+    }
+    result->left_out = set->count - curves.count;
+    if (rc == STATUS_OK && curves.count > 0)
+        rc = mean_curve(curve, result, &curves, set, model, task, status);
+    ensemble_curves_free(&curves);
+    return rc;
+}

@@ -1,0 +1,120 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What stands for a surface: its scans, subrecords of longer ones, rows of a map, or records simulated of one scan.
+ * Every member goes through the models alone; the surface's curve is the geometric mean of theirs, and their scatter
+ * says how sure it is. The curve of the mean spectrum is another quantity (every harmonic's scatter averaged away), two
+ * to four standard deviations of a scan from it; the mean spectrum is there to be drawn and fitted. */
+#ifndef ANALYSIS_ENSEMBLE_H
+#define ANALYSIS_ENSEMBLE_H
+
+#include "analysis/estimate.h"
+#include "base/fft.h"
+#include "contact/model.h"
+#include "scene/scene.h"
+
+struct member {
+    struct spectrum spectrum;
+    struct roughness roughness;
+    size_t scan;      /* index of the scan it is of */
+    double *height_m; /* levelled; of a profile, until its scans are known to be of one length; else NULL */
+    size_t points;
+    double spacing_m;
+    bool periodic; /* it closes on itself */
+};
+
+/** A file. */
+struct ensemble_scan {
+    const char *file; /* of the scene, which holds it */
+    double weight;    /* lengths of the shortest scan that it holds */
+};
+
+/** Members in the order of their scans. Owned: ensemble_free(). */
+struct ensemble {
+    struct member *members;
+    size_t count, capacity; /* 0: a single scan, the surface itself */
+    struct ensemble_scan *scans;
+    size_t scan_count; /* 1: a map, whose rows the members are */
+    double sigma_m;    /* rms height of the surface */
+    bool no_intervals; /* a rough counterface adds scatter of its own, which its scans do not tell */
+};
+void ensemble_free(struct ensemble *set);
+
+/** Room for one more member, zeroed and counted. NULL: out of memory. */
+struct member *ensemble_room(struct ensemble *set);
+
+/** How a record that is no whole scan is made ready: as the scan that it is of. */
+struct record_conditioning {
+    enum level level;
+    bool periodic_mean;          /* of a periodic record the mean is taken out instead */
+    bool periodic;               /* the scan closes on itself, so that the record may */
+    enum spectrum_window window; /* auto: by whether the record closes on itself */
+    enum roughness_moments moments;
+};
+struct record_conditioning record_conditioning_of(const struct scene *scene, bool periodic);
+
+/** Levels the heights in room->record, which are used up, and takes their spectrum (owned: spectrum_free()) and
+ * roughness; how->periodic: they close on themselves. A form that does not fit leaves them as they are. Error:
+ * STATUS_MEMORY. */
+MUST_CHECK enum status_code member_of_record(struct member *out, struct fft_room *room, size_t points, double spacing_m,
+                                             const struct record_conditioning *how, struct status *status);
+/** Adds a member made of a copy of the heights; of a periodic scan it is looked at whether they close too. Error:
+ * STATUS_MEMORY. */
+MUST_CHECK enum status_code ensemble_add(struct ensemble *set, size_t scan, const double *height_m, size_t points,
+                                         double spacing_m, const struct record_conditioning *how,
+                                         struct status *status);
+
+/** `task` on one member in place of the surface; `asperities` is where its own go. */
+struct model_task member_task(struct asperities *asperities, const struct member *member,
+                              const struct model_task *task);
+
+/** What is known of a number from values of members, the scan of each ascending: the mean over a scan's values counts
+ * once, with the scan's weight; rows of a map by estimate_rows(). Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code ensemble_estimate(struct estimate *out, const struct ensemble *set, const double *value,
+                                              const size_t *scan, size_t count, bool logarithmic,
+                                              struct status *status);
+
+/** Curves of the members on which a model has a solution, each task->load_count + 1 points long. Owned:
+ * ensemble_curves_free(). */
+struct ensemble_curves {
+    struct model_curve *curves;
+    struct contact_point *points; /* of all */
+    size_t *scan;
+    double *value, *sigma_m; /* one a curve: to work with; its member's rms height */
+    size_t count;
+    uint64_t evaluations; /* of all members, as in struct model_curve; like `overflows` */
+    bool overflows;
+};
+MUST_CHECK enum status_code ensemble_run(struct ensemble_curves *out, const struct ensemble *set,
+                                         const struct model_row *model, const struct model_task *task,
+                                         struct status *status);
+void ensemble_curves_free(struct ensemble_curves *curves);
+
+/** Intervals at a load, low and high: of the separation that the model shows over sigma, member by member, and of the
+ * others as they are. NaN where not known. */
+struct ensemble_band {
+    double load;
+    double mean[QUANTITY_COUNT][2]; /* 95 %: where the surface's mean lies */
+    double next[QUANTITY_COUNT][2]; /* 95 %: where another scan lies */
+};
+/** A band of nothing known at these loads: malloc'ed; NULL: out of memory. */
+struct ensemble_band *ensemble_band_make(const double *loads, size_t count);
+/** Does a band hold this quantity? Area, separation, ECR and TCR. */
+bool ensemble_band_holds(enum quantity quantity);
+
+/** What the members say beside the surface's curve. */
+struct ensemble_result {
+    struct ensemble_band *band;             /* task->load_count, the caller's; NULL: not wanted */
+    struct estimate middle[QUANTITY_COUNT]; /* as in a band, at the task's operating load */
+    struct estimate full_load, beta;
+    size_t left_out; /* members on which the model has no solution */
+};
+
+/** The curve of a surface (its points: the caller's) in one model, as wherever it is asked for. Of one scan that of
+ * `task`. Of several members the mean of their curves: at every load at which all have an answer, the geometric mean;
+ * so are the loads of full contact. Separations are the means of each member's separation/sigma, times the surface's
+ * sigma; a statistical model's own one, and beta, which may be negative, have the arithmetic mean. A resistance or
+ * separation shown of which some members have none left is empty. result: NULL, or what the members say. Error:
+ * STATUS_MEMORY. */
+MUST_CHECK enum status_code ensemble_curve(struct model_curve *curve, struct ensemble_result *result,
+                                           const struct ensemble *set, const struct model_row *model,
+                                           const struct model_task *task, struct status *status);
+#endif
