@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/answers.h"
 
-#include "analysis/joined.h"
+#include "joint/joint_curve.h"
 #include "analysis/landmarks.h"
 #include "analysis/surface.h"
 #include "base/clock.h"
 #include <math.h>
 #include <stdlib.h>
 
-const double answers_least_spots = 10;
+/** Spots below which a contact is no matter for statistics. */
+static const double answers_least_spots = 10;
 
 static const struct ensemble alone; /* one scan */
 static const struct answer no_answer = {.load = NAN, .low = NAN, .high = NAN, .spots_per_m2 = NAN};
@@ -129,7 +130,7 @@ static enum status_code run_search(struct model_curve *out, const double *loads,
     const struct model_task task = model_task_at(&search->model.task, loads, count);
     if (landmarks_run_model(out, loads, count, &search->model, status) != STATUS_OK)
         return status->code;
-    return joined_curve(out, search->model.row, &task, &search->joint, status);
+    return joint_curve(out, search->model.row, &task, &search->joint, status);
 }
 
 /** A target on one curve: of one scan, or the mean of several; or on an end of its band (NULL: the curve itself). */

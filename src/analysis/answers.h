@@ -39,8 +39,6 @@ struct limit_check {
     enum limit_verdict verdict;
 };
 
-/** Spots below which a contact is no matter for statistics. */
-extern const double answers_least_spots;
 
 /** Fills record->summary.answers and .limits, once all models and intervals are there, and adds a search a target to
  * each model's work. Each target is solved on the model itself to the tolerance of `task`. Several scans: on every scan

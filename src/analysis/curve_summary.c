@@ -56,7 +56,7 @@ struct curve_validity curve_summary_validity(const struct model_curve *curve, co
     return valid;
 }
 
-size_t curve_estimates_size(uint32_t known)
+static size_t curve_estimates_size(uint32_t known)
 {
     return sizeof(struct curve_estimates) + (size_t)__builtin_popcount(known) * sizeof(struct estimate);
 }

@@ -68,8 +68,6 @@ const struct estimate *curve_summary_estimate(const struct curve_summary *model,
  */
 MUST_CHECK enum status_code curve_summary_put_estimates(struct curve_summary *model, const struct estimate *all,
                                                         struct status *status);
-size_t curve_estimates_size(uint32_t known);
-
 /** Is the model inside its range of validity there, as far as the curve's summary tells? */
 bool curve_summary_is_valid(const struct curve_summary *model, double load);
 

@@ -4,7 +4,7 @@
 #include "analysis/describe.h"
 #include "analysis/direct_study.h"
 #include "analysis/effects.h"
-#include "analysis/joined.h"
+#include "joint/joint_curve.h"
 #include "analysis/landmarks.h"
 #include "base/clock.h"
 #include <math.h>
@@ -196,7 +196,7 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     if (ensemble_curve(curve, &result, &record->ensemble, model_rows[m], task, status) != STATUS_OK)
         return status->code;
     const struct joint_task joint = surface_joint(record, scene, plan, task);
-    if (joined_curve(curve, model_rows[m], task, &joint, status) != STATUS_OK) /* of several scans, the mean curve's */
+    if (joint_curve(curve, model_rows[m], task, &joint, status) != STATUS_OK) /* of several scans, the mean curve's */
         return status->code;
     if (curve->exists) {
         curve_summary_make(model, curve, model_rows[m], record->summary.asperities.sigma_m,

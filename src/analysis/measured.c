@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/measured.h"
 
-#include "analysis/joined.h"
+#include "joint/joint_curve.h"
 
 #include "scene/measured_file.h"
 #include <math.h>
@@ -213,7 +213,7 @@ enum status_code measured_answer(struct measured_answers *out, const struct meas
         if ((models & MODEL_BIT(m)) && answers(measured, m, count))
             rc = ensemble_curve(&curve, NULL, set, model_rows[m], &asked, status);
         if (rc == STATUS_OK && quantity_rows[quantity].from)
-            rc = joined_curve(&curve, model_rows[m], &asked, joint, status);
+            rc = joint_curve(&curve, model_rows[m], &asked, joint, status);
         for (size_t i = 0; i < measured->count; i++)
             out->resistance[m * measured->count + i] = resistance_at(&curve, measured->load[i], quantity);
     }

@@ -13,7 +13,8 @@ const struct sensitivity_change_row sensitivity_changes[SENSITIVITY_CHANGES] = {
     [SENSITIVITY_HARDNESS_RAISED] = {"hardness x1.1", "hardness × 1.1", "Raising the hardness by a tenth", true},
 };
 
-const double sensitivity_hardness_factor = 1.1;
+/** What hardness and yield strength are raised by: 1.1, about how well they are known of a metal whose state is not. */
+static const double sensitivity_hardness_factor = 1.1;
 
 enum { LEAST_POINTS = 16 };
 

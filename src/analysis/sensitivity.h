@@ -31,8 +31,6 @@ struct sensitivity_change_row {
     bool plastic;        /* changes plastic models alone */
 };
 extern const struct sensitivity_change_row sensitivity_changes[SENSITIVITY_CHANGES];
-/** What hardness and yield strength are raised by: 1.1, about how well they are known of a metal whose state is not. */
-extern const double sensitivity_hardness_factor;
 
 /** Spectra and moments of the variants of a surface, averaged over its scans like the surface's own. Owned:
  * sensitivity_free(). */

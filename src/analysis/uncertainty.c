@@ -14,7 +14,7 @@ enum {
     FIRST_SEED = 1
 };
 
-const double uncertainty_most_seconds = 1, uncertainty_height_seconds = 0.25e-6;
+static const double most_seconds = 1, height_seconds = 0.25e-6;
 
 bool uncertainty_holds(const struct plan *plan, size_t model)
 {
@@ -189,7 +189,7 @@ enum status_code uncertainty_possible(bool *out, const double *height_m, size_t 
 
 bool uncertainty_affordable(size_t points, size_t surfaces)
 {
-    return (double)surfaces * (double)points * 2 * RECORDS * uncertainty_height_seconds < uncertainty_most_seconds;
+    return (double)surfaces * (double)points * 2 * RECORDS * height_seconds < most_seconds;
 }
 
 enum status_code uncertainty_run(struct uncertainty *out, const struct uncertainty_scan *scan, const struct plan *plan,

@@ -120,13 +120,6 @@ enum status_code multiscale_make(struct multiscale *out, const struct spectrum *
     return STATUS_OK;
 }
 
-void multiscale_complete(struct multiscale *stack)
-{
-    for (size_t i = 0; i < stack->count; i++)
-        stack->critical_scales += isfinite(stack->scales[i].critical_pressure_Pa);
-    find_loads(stack, 0);
-}
-
 void multiscale_free(struct multiscale *stack)
 {
     free(stack->scales);

@@ -34,8 +34,6 @@ struct multiscale {
 MUST_CHECK enum status_code multiscale_make(struct multiscale *out, const struct spectrum *spectrum,
                                             const struct material_pair *pair, bool plastic,
                                             enum sinusoid_fit_id closure, struct status *status);
-/** Fills full_load, closed_load and critical_scales of a stack of few scales that are all made otherwise. */
-void multiscale_complete(struct multiscale *stack);
 void multiscale_free(struct multiscale *stack);
 
 /** The scale of index i < count. */

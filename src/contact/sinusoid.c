@@ -4,7 +4,7 @@
 #include <math.h>
 
 static const double link_exponent = 0.01; /* the linking equation's exponents (4.5): 1.5 + 0.01 and 1 + 4 x 0.01 */
-const double sinusoid_link_switch = 0.8;
+static const double sinusoid_link_switch = 0.8;
 static const double critical_strain =
     2.0 / 3; /* exp(2 nu/3) in Delta_c; the thesis's form, see docs/equations.md, Unsettled */
 

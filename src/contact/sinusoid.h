@@ -44,8 +44,6 @@ struct sinusoid_scale {
     double hardness_Pa;              /* mean pressure that a yielding scale bears at most; INFINITY: as published */
 };
 
-/** p/p* from which the near-complete asymptote of the elastic area holds alone (4.6). */
-extern const double sinusoid_link_switch;
 
 /** p* = sqrt2 pi E' Delta f [Pa] (4.7*). */
 double sinusoid_full_pressure(double amplitude_m, double frequency_per_m, double effective_modulus_Pa);

@@ -11,10 +11,6 @@ struct electron_metal {
     const char *name; /* as in the material table */
     double density_per_m3;
 };
-/** Ashcroft and Mermin 1976, Solid State Physics, table 1.1. */
-extern const struct electron_metal electron_metals[];
-extern const size_t electron_metal_count;
-
 /** The row of that name (case-insensitive), NULL when there is none. */
 const struct electron_metal *electron_metal_find(const char *name);
 

@@ -6,7 +6,8 @@
 
 #include <math.h>
 
-const double joint_independent_area = 0.1;
+/** A/A_n up to which spots count as independent, and so have a radius and a plating factor. */
+static const double joint_independent_area = 0.1;
 
 struct joint joint_default(void)
 {
@@ -32,7 +33,8 @@ static double finite_or_nan(double value)
     return isfinite(value) ? value : NAN;
 }
 
-double joint_gap_conductance(const struct joint_task *task, double separation_m, double area_ratio)
+/** h_g [W/m²/K] where the planes are `separation_m` apart; NaN without a separation, or where a medium's gap closes. */
+static double joint_gap_conductance(const struct joint_task *task, double separation_m, double area_ratio)
 {
     const struct joint *joint = task->joint;
     double open = fmax(1 - area_ratio, 0);
@@ -56,7 +58,9 @@ struct contact_spots joint_equal_spots(double area_ratio, double ecr_ohm_m2, dou
     return (struct contact_spots){density_per_m2, radius_m};
 }
 
-double joint_plating(const struct joint_task *task, double radius_m)
+/** Resistance of a spot of radius a with its plating over that without: (rho_p F_1 + rho_2)/(rho_1 + rho_2), F_1 the
+ * plating_factor() of the plated side; with both plated (rho_p F_1 + rho_p F_2)/(rho_1 + rho_2). */
+static double joint_plating(const struct joint_task *task, double radius_m)
 {
     const struct joint *joint = task->joint;
     const double *bare = task->pair->side_resistivity_ohm_m;

@@ -30,8 +30,6 @@ struct joint {
 /** 300 K, at which the table of gases holds. */
 struct joint joint_default(void);
 
-/** A/A_n up to which spots count as independent, and so have a radius and a plating factor. */
-extern const double joint_independent_area;
 
 struct joint_task {
     const struct joint *joint;
@@ -42,16 +40,11 @@ struct joint_task {
     double tolerance; /* relative, of the integral over the gaps */
 };
 
-/** h_g [W/m²/K] where the planes are `separation_m` apart; NaN without a separation, or where a medium's gap closes. */
-double joint_gap_conductance(const struct joint_task *task, double separation_m, double area_ratio);
 
 /** Spots, all alike, that have the model's area and resistance between them: n pi a² = A/A_n and n 2a/rho = 1/(ECR
  * A_n), so a = 2 (A/A_n)(ECR A_n)/(pi rho). NaN beyond joint_independent_area. */
 struct contact_spots joint_equal_spots(double area_ratio, double ecr_ohm_m2, double resistivity_ohm_m);
 
-/** Resistance of a spot of radius a with its plating over that without: (rho_p F_1 + rho_2)/(rho_1 + rho_2), F_1 the
- * plating_factor() of the plated side; with both plated (rho_p F_1 + rho_p F_2)/(rho_1 + rho_2). */
-double joint_plating(const struct joint_task *task, double radius_m);
 
 /** R A_n [ohm m²] of spots with a film of resistance `film_ohm_m2` (s_f) in series: each spot has rho/(2a) + s_f/(pi
  * a²), alike spots R_c A_n + s_f/(A/A_n) (Holm 1967, Electric Contacts, 4th edition). The film's resistance is never

@@ -23,7 +23,7 @@ static const struct {
     const struct section *section;
 } sections[] = {
     {PART_FIRST_PAGE, &section_summary},  {PART_FIRST_PAGE, &section_answers},   {PART_FIRST_PAGE, &section_deciding},
-    {PART_FIRST_PAGE, &section_doubts},   {PART_CHAPTER, &section_surfaces},     {PART_CHAPTER, &section_material},
+    {PART_FIRST_PAGE, &section_limits},   {PART_CHAPTER, &section_surfaces},     {PART_CHAPTER, &section_material},
     {PART_CHAPTER, &section_convergence}, {PART_CHAPTER, &section_baseline},     {PART_CHAPTER, &section_beyond_thesis},
     {PART_CHAPTER, &section_joint},       {PART_CHAPTER, &section_all_surfaces}, {PART_TRUST, &section_direct},
     {PART_TRUST, &section_validity},      {PART_TRUST, &section_sensitivity},    {PART_TRUST, &section_repeats},

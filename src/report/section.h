@@ -26,7 +26,7 @@ struct section {
 
 extern const struct section section_summary, section_surfaces, section_material, section_convergence, section_baseline,
     section_beyond_thesis, section_joint, section_direct, section_all_surfaces, section_checks, section_sensitivity,
-    section_deciding, section_doubts, section_repeats, section_measured, section_validity, section_cost,
+    section_deciding, section_limits, section_repeats, section_measured, section_validity, section_cost,
     section_computed, section_methods, section_sources, section_answers;
 
 /** A list item a target and a limit of the scene, in one sentence each: what the report says first. */

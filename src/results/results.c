@@ -66,7 +66,8 @@ const double *results_loads(const struct results *results, size_t surface)
     return results->loads + (results->loads_apart ? surface * results->load_count : 0);
 }
 
-size_t results_operating(const struct results *results)
+/** The place among them of the one where summary and tables stand, and that load of a surface. */
+static size_t results_operating(const struct results *results)
 {
     size_t place = results->plan->operating_place;
     return place > 0 ? place - 1 : results->load_count / 2;

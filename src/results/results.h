@@ -46,8 +46,6 @@ struct results {
 /** The loads of a surface, P/(A_n E') of its own bodies; entry i of all surfaces is one pressure or force where loads
  * are given so. */
 const double *results_loads(const struct results *results, size_t surface);
-/** The place among them of the one where summary and tables stand, and that load of a surface. */
-size_t results_operating(const struct results *results);
 double results_operating_load(const struct results *results, size_t surface);
 /** What surfaces are held against each other by: ECR where the run computes it, else TCR, else the area. */
 enum quantity results_criterion(const struct results *results);

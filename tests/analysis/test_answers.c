@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Loads for a target: against reference forces, the model itself, scans solved one by one here, and bands. Limits. */
 #include "analysis/answers.h"
-#include "analysis/joined.h"
+#include "joint/joint_curve.h"
 #include "analysis/surface.h"
 #include "support.h"
 
@@ -563,7 +563,7 @@ TEST_CASE(limits_without_a_number)
     curve->points = points;
     assert_int_equal(model_run(curve, model_rows[m], &f.task, &status), STATUS_OK);
     const struct joint_task joint = surface_joint(&f.record, &f.scene, &f.plan, &f.task);
-    assert_int_equal(joined_curve(curve, model_rows[m], &f.task, &joint, &status), STATUS_OK);
+    assert_int_equal(joint_curve(curve, model_rows[m], &f.task, &joint, &status), STATUS_OK);
     double last = points[1].value[QUANTITY_JOINT_ECR];
     assert_true(last > 2e-12 && isnan(points[2].value[QUANTITY_JOINT_ECR]) && isnan(points[4].value[QUANTITY_ECR]));
     const struct {

@@ -4,7 +4,7 @@
 #include "analysis/direct_study.h"
 #include "made_up_results.h"
 #include "report/report.h"
-#include "results/doubt.h"
+#include "results/limits_of_answer.h"
 #include "support.h"
 
 #include <stdio.h>
@@ -299,7 +299,7 @@ PLACED(test_what_the_sections_say)
 PLACED(test_what_limits_the_answer)
 {
     expect(
-        &section_doubts,
+        &section_limits,
         "**What limits this answer**, the most first: factors on ECR·Aₙ, one thing changed at a time, on the surface "
         "that it changes most.\n\n| what | changed | factor | to measure next |\n|---|---|---:|---|\n"
         "| choice of model | the farthest valid one of the same material law | × 2.50 | nothing; let a direct solution "
@@ -320,12 +320,12 @@ PLACED(test_a_direct_solution_that_ran)
     assert_non_null(study);
     made.results.direct = study;
     made.results.direct_count = 1;
-    struct doubt doubts[DOUBTS_MOST];
-    assert_true(doubts_rank(doubts, &made.results, made.context.comparison) > 0);
+    struct limit_of_answer doubts[LIMITS_OF_ANSWER_MOST];
+    assert_true(limits_of_answer(doubts, &made.results, made.context.comparison) > 0);
     study->surface = doubts[0].surface;
-    expect(&section_doubts, "same material law | × 2.50 | nothing |\n");
+    expect(&section_limits, "same material law | × 2.50 | nothing |\n");
     study->surface = (doubts[0].surface + 1) % MADE_UP_SURFACES;
-    expect(&section_doubts, "same material law | × 2.50 | nothing; solve all directly (`direct: {surfaces: all}`) |\n");
+    expect(&section_limits, "same material law | × 2.50 | nothing; solve all directly (`direct: {surfaces: all}`) |\n");
     made.results.direct = NULL;
     made.results.direct_count = 0;
     free(study);
@@ -337,10 +337,10 @@ PLACED(test_models_that_are_no_choice)
     static const char row[] = "| choice of model | the farthest valid one of the same material law | × ";
     for (size_t i = 0; i < MADE_UP_USABLE; i++)
         model_of(i, "jg")->invalid_area_load = i == 2 ? NAN : 1e-4;
-    expect(&section_doubts, "law | × 2.50 |"); /* of gamma alone */
+    expect(&section_limits, "law | × 2.50 |"); /* of gamma alone */
     model_of(2, "jg")->invalid_fit_load = 1e-5;
-    expect_not(&section_doubts, row);
-    expect(&section_doubts, "\n| place of the scans");
+    expect_not(&section_limits, row);
+    expect(&section_limits, "\n| place of the scans");
 }
 
 static void make_of(const char *first, const char *second, unsigned effects)

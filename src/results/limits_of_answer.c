@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "results/doubt.h"
+#include "results/limits_of_answer.h"
 
 #include "analysis/direct_study.h"
 #include <math.h>
 
-const double doubt_tolerance = 0.05;
+const double limit_of_answer_tolerance = 0.05;
 
 static const struct curve_summary *leading_of(const struct results *results, const struct comparison *comparison,
                                               size_t surface)
@@ -103,7 +103,7 @@ static double property(const struct results *results, const struct comparison *c
 {
     const struct contact_point leading = comparison_middle(results, comparison->leading, surface);
     bool has_one = quantity == of && leading.value[of] > 0;
-    return has_one ? 1 + doubt_tolerance : NAN;
+    return has_one ? 1 + limit_of_answer_tolerance : NAN;
 }
 
 static double resistivity(const struct results *results, const struct comparison *comparison, enum quantity quantity,
@@ -118,7 +118,7 @@ static double conductivity(const struct results *results, const struct compariso
     return property(results, comparison, quantity, QUANTITY_TCR, surface);
 }
 
-static const struct doubt_row rows[] = {
+static const struct limit_of_answer_row rows[] = {
     {"model", "against the direct solution, mean of its loads", "the resistance itself, at one load", true,
      against_direct},
     {"choice of model", "the farthest valid one of the same material law", "nothing; let a direct solution run", false,
@@ -130,10 +130,10 @@ static const struct doubt_row rows[] = {
     {"resistivity", "off by 5 %", "the resistivity of the part", true, resistivity},
     {"conductivity", "off by 5 %", "the conductivity of the part", true, conductivity},
 };
-_Static_assert(sizeof rows / sizeof *rows <= DOUBTS_MOST, "room for all");
+_Static_assert(sizeof rows / sizeof *rows <= LIMITS_OF_ANSWER_MOST, "room for all");
 
 /** Of all usable surfaces; false: none has a number. */
-static bool farthest(struct doubt *out, const struct doubt_row *row, const struct results *results,
+static bool farthest(struct limit_of_answer *out, const struct limit_of_answer_row *row, const struct results *results,
                      const struct comparison *comparison)
 {
     enum quantity quantity = results_criterion(results);
@@ -143,7 +143,7 @@ static bool farthest(struct doubt *out, const struct doubt_row *row, const struc
         if (!(factor > 0) || !isfinite(factor))
             continue;
         if (count == 0)
-            *out = (struct doubt){row, factor, i, row->next, true};
+            *out = (struct limit_of_answer){row, factor, i, row->next, true};
         out->alike = out->alike && fabs(factor / out->factor - 1) < 1e-9;
         if (fabs(log(factor)) > fabs(log(out->factor))) {
             out->factor = factor;
@@ -155,7 +155,7 @@ static bool farthest(struct doubt *out, const struct doubt_row *row, const struc
 }
 
 /** A direct solution that has run is not asked for: on this surface no more, on others alone. */
-static const char *next_of(const struct doubt *doubt, const struct results *results)
+static const char *next_of(const struct limit_of_answer *doubt, const struct results *results)
 {
     if (doubt->row->factor != other_models || results->direct_count == 0)
         return doubt->row->next;
@@ -165,11 +165,11 @@ static const char *next_of(const struct doubt *doubt, const struct results *resu
     return "nothing; solve all directly (`direct: {surfaces: all}`)";
 }
 
-size_t doubts_rank(struct doubt out[DOUBTS_MOST], const struct results *results, const struct comparison *comparison)
+size_t limits_of_answer(struct limit_of_answer out[LIMITS_OF_ANSWER_MOST], const struct results *results, const struct comparison *comparison)
 {
     size_t count = 0;
     for (size_t r = 0; r < sizeof rows / sizeof *rows; r++) {
-        struct doubt doubt;
+        struct limit_of_answer doubt;
         if (!farthest(&doubt, &rows[r], results, comparison))
             continue;
         doubt.next = next_of(&doubt, results);
