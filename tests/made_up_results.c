@@ -100,7 +100,7 @@ static void make_estimates(struct made_up *made, struct surface_record *record, 
     for (int q = 0; q < QUANTITY_COUNT; q++) {
         enum quantity shown = model_shown(model_rows[m], (enum quantity)q);
         double value = quantity_shown(middle, shown, record->summary.asperities.sigma_m);
-        bool held = known && repeats_band_holds((enum quantity)q) && isfinite(value);
+        bool held = known && ensemble_band_holds((enum quantity)q) && isfinite(value);
         all[q] = !held ? estimate_none : several ? about(value, 0.05, true) : made_up_single(value, 0.05, true);
     }
     assert_int_equal(curve_summary_put_estimates(model, all, &status), STATUS_OK);
@@ -114,11 +114,11 @@ static void make_bands(struct surface_record *record, size_t m)
     assert_non_null(record->bands[m]);
     for (size_t i = 0; i < MADE_UP_LOADS; i++) {
         const struct contact_point *point = &record->curves[m].points[i];
-        struct repeats_band *band = &record->bands[m][i];
+        struct ensemble_band *band = &record->bands[m][i];
         band->load = point->value[QUANTITY_LOAD];
         for (int q = 0; q < QUANTITY_COUNT; q++)
             for (int side = 0; side < 2; side++) {
-                double value = repeats_band_holds((enum quantity)q)
+                double value = ensemble_band_holds((enum quantity)q)
                                    ? quantity_shown(point, model_shown(model_rows[m], (enum quantity)q),
                                                     record->summary.asperities.sigma_m)
                                    : NAN;

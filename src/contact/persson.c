@@ -22,6 +22,11 @@ double persson_erf_inverse(double y)
     return x - (erf(x) - y) * exp(x * x) / M_2_SQRTPI;        /* one step of Newton's finds them */
 }
 
+double persson_load(double area_ratio, double m2, double energy_factor)
+{
+    return persson_erf_inverse(area_ratio) * sqrt(m2 * (energy_factor + (1 - energy_factor) * area_ratio));
+}
+
 double persson_area(double load, double m2, double energy_factor)
 {
     if (!(load > 0))

@@ -17,6 +17,8 @@ extern const double persson_energy_factor;
  * A = erf(p/sqrt(m2 (g + (1-g) A))), one root in 0...1. A flat one (m2 = 0) is wholly in contact. */
 double persson_area(double load, double m2, double energy_factor);
 
+/** p at which persson_area() is area_ratio (0...1): p = erf^-1(A) sqrt(m2 (g + (1-g) A)). */
+double persson_load(double area_ratio, double m2, double energy_factor);
 
 /** erf^-1(y), 0 <= y <= 1, to rounding. */
 double persson_erf_inverse(double y);

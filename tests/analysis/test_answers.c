@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Loads for a target: against reference forces, the model itself, scans solved one by one here, and bands. Limits. */
 #include "analysis/answers.h"
-#include "joint/joint_curve.h"
 #include "analysis/surface.h"
+#include "joint/joint_curve.h"
 #include "support.h"
 
 enum { HARMONICS = 60, LOADS = 121, SCANS = 3, TARGETS_MOST = 8 };
@@ -10,8 +10,8 @@ enum { HARMONICS = 60, LOADS = 121, SCANS = 3, TARGETS_MOST = 8 };
 /* A tin surface; with `scans` of them, of its own heights each. */
 struct fixture {
     double amplitude_m[SCANS][HARMONICS], loads[LOADS];
-    struct repeat parts[SCANS];
-    struct repeats_scan scans[SCANS];
+    struct member parts[SCANS];
+    struct ensemble_scan scans[SCANS];
     struct surface_record record;
     struct model_task task;
     struct scene scene;
@@ -30,19 +30,19 @@ static void make(struct fixture *f, size_t scans)
     f->plan = (struct plan){.models = UINT64_MAX, .running = (1u << EFFECT_COUNT) - 1};
     for (size_t s = 0; s < SCANS; s++) {
         double size = 1 + 0.3 * (double)(s * s);
-        struct repeat *part = &f->parts[s];
+        struct member *part = &f->parts[s];
         for (int n = 1; n <= HARMONICS; n++)
             f->amplitude_m[s][n - 1] = 3e-7 * size * pow(n, -1.4 - 0.15 * (double)s) * (1 + 0.5 * sin(7.0 * n));
         part->scan = s;
         part->spectrum = (struct spectrum){.amplitude_m = f->amplitude_m[s], .count = HARMONICS, .length_m = 3e-4};
         part->roughness = (struct roughness){.m0_m2 = 4e-14 * size * size, .m2 = 2e-3 * size * size, .m4_per_m2 = 5e8};
-        f->scans[s] = (struct repeats_scan){.weight = 1};
+        f->scans[s] = (struct ensemble_scan){.weight = 1};
     }
     summary->asperities =
         (struct asperities){.density_per_m2 = 1e10, .radius_m = 8e-6, .sigma_s_m = 2e-7, .sigma_m = 2.1e-7};
     if (scans > 1)
-        f->record.repeats =
-            (struct repeat_set){.parts = f->parts, .count = scans, .scans = f->scans, .scan_count = scans};
+        f->record.ensemble =
+            (struct ensemble){.members = f->parts, .count = scans, .scans = f->scans, .scan_count = scans};
     for (size_t i = 0; i < LOADS; i++)
         f->loads[i] = 1e-9 * pow(1e7, (double)i / (LOADS - 1));
     f->task = (struct model_task){.spectrum = &f->parts[0].spectrum,
@@ -283,7 +283,7 @@ TEST_CASE(intervals_of_scans)
         double x[SCANS], mean = 0, square = 0;
         for (size_t s = 0; s < SCANS; s++) {
             struct asperities asperities;
-            struct model_task own = repeats_task(&asperities, &f.parts[s], &f.task);
+            struct model_task own = member_task(&asperities, &f.parts[s], &f.task);
             x[s] = log(bisect(&own, models[k], QUANTITY_ECR, ecr));
             mean += x[s] / SCANS;
         }
@@ -312,7 +312,7 @@ TEST_CASE(a_scan_without_a_load)
     struct asperities asperities;
     double at_end = 0; /* the greatest, which one scan alone has */
     for (size_t s = 0; s < SCANS; s++) {
-        struct model_task own = repeats_task(&asperities, &f.parts[s], &f.task);
+        struct model_task own = member_task(&asperities, &f.parts[s], &f.task);
         at_end = fmax(at_end, value_at(&own, "cmy", f.loads[f.task.load_count - 1], QUANTITY_ECR));
     }
     size_t target = ask(&f, "ecr", at_end * 0.99);
@@ -323,7 +323,7 @@ TEST_CASE(a_scan_without_a_load)
     assert_true(isnan(found->low) && isnan(found->high));
     double ln = 0;
     for (size_t s = 0; s < SCANS; s++) {
-        struct model_task own = repeats_task(&asperities, &f.parts[s], &f.task);
+        struct model_task own = member_task(&asperities, &f.parts[s], &f.task);
         ln += log(value_at(&own, "cmy", found->load, QUANTITY_ECR)) / SCANS;
     }
     assert_near(exp(ln), at_end * 0.99, 1e-8);
@@ -344,7 +344,7 @@ TEST_CASE(half_of_the_scans_beyond_validity)
         f.loads[i] = 1e-9 * pow(1e10, (double)i / (LOADS - 1));
     for (size_t s = 0; s < 2; s++) { /* where A/A_n is 0.1 */
         struct asperities asperities;
-        struct model_task own = repeats_task(&asperities, &f.parts[s], &f.task);
+        struct model_task own = member_task(&asperities, &f.parts[s], &f.task);
         double low = log(1e-9), high = log(10);
         for (int i = 0; i < 60; i++)
             *(value_at(&own, "gw", exp((low + high) / 2), QUANTITY_AREA) < 0.1 ? &low : &high) = (low + high) / 2;
@@ -376,7 +376,7 @@ static double spots_at(struct fixture *f, size_t scans, const char *model, doubl
         struct asperities asperities;
         struct status status = {0};
         struct contact_spots spots;
-        struct model_task own = scans > 1 ? repeats_task(&asperities, &f->parts[s], &f->task) : f->task,
+        struct model_task own = scans > 1 ? member_task(&asperities, &f->parts[s], &f->task) : f->task,
                           one = model_task_at(&own, &load, 1);
         const struct model_row *row = model_rows[model_named(model)];
         assert_int_equal(row->spots(&spots, row, &one, &status), STATUS_OK);
@@ -484,7 +484,7 @@ TEST_CASE(intervals_of_a_band)
     f.record.band_count = LOADS;
     f.record.curves[m].points = points;
     f.record.curves[m].count = LOADS;
-    f.record.bands[m] = repeats_band_make(f.loads, LOADS);
+    f.record.bands[m] = ensemble_band_make(f.loads, LOADS);
     assert_non_null(f.record.bands[m]);
     static const enum quantity held[] = {QUANTITY_ECR, QUANTITY_AREA};
     for (size_t i = 0; i < LOADS; i++) {

@@ -2,7 +2,7 @@
 /* From scans to one surface: averages, scans kept to run alone, their laws, the counterface, and what is said of a
  * jump. */
 #include "analysis/describe.h"
-#include "analysis/piece.h"
+#include "analysis/ensemble.h"
 #include "directory.h"
 #include "profile/synth.h"
 #include "spectrum/simulated_record.h"
@@ -80,7 +80,7 @@ static void add_long_scan(size_t points, double amplitude_m, double jump_m, doub
     double *height_m = malloc(points * sizeof *height_m);
     assert_non_null(height_m);
     sine(height_m, points, amplitude_m, jump_m);
-    size_t before = record->repeats.scan_count;
+    size_t before = record->ensemble.scan_count;
     char *name = before == 0 ? first_name : before == 1 ? second_name : scan_name;
     write_scan(name, height_m, points, spacing_um);
     free(height_m);
@@ -153,7 +153,7 @@ PLACED(test_the_mean_of_scans)
 PLACED(test_which_scans_are_kept)
 {
     enum { MANY = 53 };
-    const struct repeat_set *set = &record->repeats;
+    const struct ensemble *set = &record->ensemble;
     for (size_t i = 0; i < MANY; i++)
         add_scan(1e-8 * (double)(i + 1), 0, 1);
     conclude();
@@ -162,15 +162,14 @@ PLACED(test_which_scans_are_kept)
     assert_int_equal(set->scan_count, MANY);
     for (size_t p = 0; p < set->count; p++) {
         double height = 1e-8 * (double)(p + 1);
-        assert_int_equal(set->parts[p].scan, p);
-        assert_near(set->parts[p].spectrum.amplitude_m[2], height, 1e-3);
-        assert_near(set->parts[p].roughness.rq_m, height * sqrt(0.5 + 0.125), 1e-3);
-        assert_null(set->parts[p].height_m); /* once concluded */
+        assert_int_equal(set->members[p].scan, p);
+        assert_near(set->members[p].spectrum.amplitude_m[2], height, 1e-3);
+        assert_near(set->members[p].roughness.rq_m, height * sqrt(0.5 + 0.125), 1e-3);
+        assert_null(set->members[p].height_m); /* once concluded */
         assert_near(set->scans[p].weight, 1, 0);
     }
     assert_int_equal(surface_repeats(&record->summary)->count, MANY);
     assert_int_equal(surface_repeats(&record->summary)->cut, 0);
-    assert_false(repeats_are_rows(set));
     double mean = 0; /* the geometric one of what they have alone */
     for (int i = 1; i <= MANY; i++)
         mean += log(1e-8 * i * sqrt(0.5 + 0.125)) / MANY;
@@ -206,17 +205,16 @@ PLACED(test_which_rows_are_kept)
         add_map(rows[m]);
         conclude();
         assert_int_equal(record->summary.scans, rows[m]);
-        assert_int_equal(record->repeats.count, REPEATS_ROWS_MOST);
-        assert_int_equal(record->repeats.scan_count, 1);
-        assert_true(repeats_are_rows(&record->repeats));
-        for (size_t p = 0; p < record->repeats.count; p++) {
-            size_t row = (size_t)lround(record->repeats.parts[p].spectrum.amplitude_m[2] / 1e-9);
+        assert_int_equal(record->ensemble.count, 128);
+        assert_int_equal(record->ensemble.scan_count, 1);
+        for (size_t p = 0; p < record->ensemble.count; p++) {
+            size_t row = (size_t)lround(record->ensemble.members[p].spectrum.amplitude_m[2] / 1e-9);
             assert_true(row > last && row <= rows[m]); /* from 1 on */
             of_block[(row - 1) * ESTIMATE_BLOCKS / rows[m]]++;
             last = row;
         }
         for (int b = 0; b < ESTIMATE_BLOCKS; b++)
-            assert_int_equal(of_block[b], REPEATS_BLOCK_ROWS);
+            assert_int_equal(of_block[b], 8);
         assert_int_equal(surface_repeats(&record->summary)->rq_m.count, ESTIMATE_BLOCKS);
         assert_int_equal(has_note("128 of them, evenly spaced, go through the models"), rows[m] > 128);
     }
@@ -236,7 +234,7 @@ PLACED(test_one_scan_is_no_repeat)
         add_long_scan(brief ? SIMULATED_RECORD_LEAST_POINTS - 1 : POINTS, 1e-6, 0, 1);
         assert_int_equal(scans.scan_count, scene.fit == POWER_LAW_AUTO);
         conclude();
-        assert_int_equal(record->repeats.count, 0);
+        assert_int_equal(record->ensemble.count, 0);
         assert_int_equal(surface_repeats(&record->summary)->count, 0);
         assert_int_equal(record->height_m != NULL, kept);
         assert_int_equal(record->summary.single_points, kept ? POINTS : 0);
@@ -251,7 +249,7 @@ PLACED(test_identical_scans_are_one)
         add_scan(1e-6, 0, 1);
     assert_near(scans.independent, 3, 0);
     conclude();
-    assert_int_equal(record->repeats.count, 0);
+    assert_int_equal(record->ensemble.count, 0);
     assert_int_equal(surface_repeats(&record->summary)->count, 0);
     assert_near(scans.independent, 1, 0);
     assert_true(has_note("its 3 scans are the same to the last digit: they count as one"));
@@ -264,7 +262,7 @@ PLACED(test_scans_that_differ_are_not_one)
     add_scan(1e-6, 0, 1);
     add_scan(1e-6 + 1e-10, 0, 1);
     conclude();
-    assert_int_equal(record->repeats.count, 3);
+    assert_int_equal(record->ensemble.count, 3);
     assert_near(scans.independent, 3, 0);
 }
 
@@ -274,14 +272,14 @@ PLACED(test_scans_of_another_length)
     add_scan(1e-6, 0, 1);
     add_scan(1e-6, 0, 1.25);
     conclude();
-    assert_int_equal(record->repeats.count, 2);
+    assert_int_equal(record->ensemble.count, 2);
     assert_int_equal(surface_repeats(&record->summary)->count, 2);
     assert_int_equal(surface_repeats(&record->summary)->cut, 2);
-    assert_int_equal(record->repeats.parts[1].points, 51); /* 64 um of the 80, in steps of 1.25 */
+    assert_int_equal(record->ensemble.members[1].points, 51); /* 64 um of the 80, in steps of 1.25 */
     assert_near(record->summary.length_m, POINTS * 1e-6, 1e-9);
     for (int p = 0; p < 2; p++) {
-        assert_int_equal(record->repeats.parts[p].spectrum.count, record->spectrum.count);
-        assert_near(record->repeats.parts[p].spectrum.length_m, record->spectrum.length_m, 1e-9);
+        assert_int_equal(record->ensemble.members[p].spectrum.count, record->spectrum.count);
+        assert_near(record->ensemble.members[p].spectrum.length_m, record->spectrum.length_m, 1e-9);
     }
     assert_int_equal(record->spectrum.count, 25); /* 0.4/um over 64 um, less the band beyond Nyquist's */
 }
@@ -292,7 +290,7 @@ PLACED(test_scans_are_cut_to_the_shortest)
 {
     static const size_t points[] = {2 * POINTS, POINTS, 2 * POINTS + POINTS / 2}, of[] = {0, 0, 1, 2, 2};
     static const size_t first[] = {0, POINTS, 0, 0, POINTS + POINTS / 2};
-    const struct repeat_set *set = &record->repeats;
+    const struct ensemble *set = &record->ensemble;
     struct status status = {0};
     scene.window = SPECTRUM_WINDOW_AUTO;
     for (int s = 0; s < 3; s++)
@@ -303,19 +301,18 @@ PLACED(test_scans_are_cut_to_the_shortest)
     assert_int_equal(surface_repeats(&record->summary)->cut, 5);
     for (size_t p = 0; p < 5; p++) {
         double height_m[3 * POINTS];
-        struct spectrum expected;
-        struct roughness roughness;
-        const struct piece_how how = piece_how_of(&scene, of[p] < 2);
+        struct ensemble alone = {.count = 0};
+        const struct record_conditioning how = record_conditioning_of(&scene, of[p] < 2);
         sine(height_m, points[of[p]], 1e-6 * (double)(of[p] + 1), 0);
-        assert_int_equal(piece_describe(&expected, &roughness, height_m + first[p], POINTS, 1e-6, &how, &status),
-                         STATUS_OK);
-        assert_int_equal(set->parts[p].scan, of[p]);
-        assert_int_equal(set->parts[p].points, POINTS);
-        assert_near(set->parts[p].roughness.rq_m, roughness.rq_m, 1e-5);
-        assert_near(set->parts[p].spectrum.amplitude_m[2], expected.amplitude_m[2], 1e-5);
-        assert_within(set->parts[p].spectrum.amplitude_m[3], expected.amplitude_m[3], 1e-11);
+        assert_int_equal(ensemble_add(&alone, 0, height_m + first[p], POINTS, 1e-6, &how, &status), STATUS_OK);
+        struct spectrum expected = alone.members[0].spectrum;
+        assert_int_equal(set->members[p].scan, of[p]);
+        assert_int_equal(set->members[p].points, POINTS);
+        assert_near(set->members[p].roughness.rq_m, alone.members[0].roughness.rq_m, 1e-5);
+        assert_near(set->members[p].spectrum.amplitude_m[2], expected.amplitude_m[2], 1e-5);
+        assert_within(set->members[p].spectrum.amplitude_m[3], expected.amplitude_m[3], 1e-11);
         assert_int_equal(expected.amplitude_m[3] < 1e-9, of[p] < 2); /* a window spreads the third harmonic */
-        spectrum_free(&expected);
+        ensemble_free(&alone);
     }
     assert_near(set->scans[0].weight, 2, 0);
     assert_near(set->scans[1].weight, 1, 0);
@@ -335,7 +332,7 @@ PLACED(test_a_short_scan_among_long_ones)
     add_long_scan(3 * POINTS, 3e-6, 0, 1);
     conclude();
     assert_true(has_note("second.csv is less than half as long as the others, which are all cut to its length"));
-    assert_int_equal(record->repeats.count, 7);
+    assert_int_equal(record->ensemble.count, 7);
 }
 
 /* ---------------------------------------------------------------- each scan's law */
@@ -460,7 +457,7 @@ PLACED(test_the_law_of_a_longer_scan)
     double gamma[LAWS], log_psd[LAWS];
     scene.fit = POWER_LAW_AUTO;
     describe_laws(points, in_order);
-    assert_int_equal(record->repeats.count, 4);
+    assert_int_equal(record->ensemble.count, 4);
     find_laws(gamma, log_psd, points);
     assert_estimate(&surface_repeats(&record->summary)->gamma, gamma, weight, 1e-5);
     assert_estimate(&surface_repeats(&record->summary)->psd_m3, log_psd, weight, 1e-5);
@@ -511,10 +508,10 @@ PLACED(test_a_rough_counterface)
     assert_near(record->summary.roughness.m2, own.m2 + 0.5, 1e-9);
     assert_near(record->summary.roughness.rq_m, sqrt(own.m0_m2 + 16e-12), 1e-9);
     for (int p = 0; p < 2; p++) {
-        assert_near(record->repeats.parts[p].spectrum.amplitude_m[2], 5e-6, 1e-6);
-        assert_near(record->repeats.parts[p].roughness.m2, own.m2 + 0.5, 1e-9);
+        assert_near(record->ensemble.members[p].spectrum.amplitude_m[2], 5e-6, 1e-6);
+        assert_near(record->ensemble.members[p].roughness.m2, own.m2 + 0.5, 1e-9);
     }
-    assert_true(record->repeats.no_intervals);
+    assert_true(record->ensemble.no_intervals);
     assert_true(has_note("no intervals: how far the rough counterface's own scans scatter is not told"));
     assert_non_null(strstr(all_notes(), "Rq 2.372 um and 4 um give 4.65 um together"));
     free(counterface);

@@ -70,8 +70,8 @@ static struct scene scene;
 static struct plan plan;
 static struct surface_record record;
 static double amplitudes_m[3]; /* of the mean and of two scans */
-static struct repeat parts[2];
-static struct repeats_scan scans[2];
+static struct member parts[2];
+static struct ensemble_scan scans[2];
 static const double loads[] = {1e-4};
 
 /* The spectrum's short end along alpha lambda^gamma. */
@@ -118,10 +118,10 @@ static const struct curve_bounds *bounds_of(size_t m)
 static void add_repeats(void)
 {
     for (size_t p = 0; p < 2; p++) {
-        parts[p] = (struct repeat){.spectrum = {&amplitudes_m[p + 1], 1, 1e-3, false}, .scan = p};
-        scans[p] = (struct repeats_scan){.weight = 1};
+        parts[p] = (struct member){.spectrum = {&amplitudes_m[p + 1], 1, 1e-3, false}, .scan = p};
+        scans[p] = (struct ensemble_scan){.weight = 1};
     }
-    record.repeats = (struct repeat_set){.parts = parts, .count = 2, .scans = scans, .scan_count = 2};
+    record.ensemble = (struct ensemble){.members = parts, .count = 2, .scans = scans, .scan_count = 2};
 }
 
 #define PLACED(name) TEST_WITH(name, make, end)

@@ -10,7 +10,7 @@ enum {
                  QUANTITY_BIT(QUANTITY_ECR)
 };
 
-static const struct repeat_set alone; /* one scan */
+static const struct ensemble alone; /* one scan */
 
 /* A tin surface that yields, and its task without loads. */
 struct fixture {

@@ -371,7 +371,7 @@ TEST_CASE(models_answer_at_the_measured_loads)
 {
     enum { HARMONICS = 40, POINTS = 6 };
     static const double ends[] = {1e-6, 1e-1};
-    static const struct repeat_set one_scan;
+    static const struct ensemble one_scan;
     double amplitudes_m[HARMONICS], loads[POINTS] = {1e-3, 1e-5, 1e-3, 1e-7, 5e-2, 2e-4}, resistances[POINTS];
     struct spectrum spectrum = {.amplitude_m = amplitudes_m, .count = HARMONICS, .length_m = 1e-4};
     for (int n = 1; n <= HARMONICS; n++)

@@ -7,12 +7,22 @@
 enum { MOST = 64, LOADS = 5 };
 
 /* Parts of the scans given, one value a part. */
-static struct repeat_set set_of(struct repeat *parts, const size_t *scan, size_t count, struct repeats_scan *scans,
-                                size_t scan_count)
+static struct ensemble set_of(struct member *parts, const size_t *scan, size_t count, struct ensemble_scan *scans,
+                              size_t scan_count)
 {
     for (size_t p = 0; p < count; p++)
-        parts[p] = (struct repeat){.scan = scan[p]};
-    return (struct repeat_set){.parts = parts, .count = count, .scans = scans, .scan_count = scan_count};
+        parts[p] = (struct member){.scan = scan[p]};
+    return (struct ensemble){.members = parts, .count = count, .scans = scans, .scan_count = scan_count};
+}
+
+/** One value of each member. */
+static enum status_code estimate_all(struct estimate *out, const double *value, const struct ensemble *set,
+                                     bool logarithmic, struct status *status)
+{
+    size_t scan[MOST];
+    for (size_t p = 0; p < set->count; p++)
+        scan[p] = set->members[p].scan;
+    return ensemble_estimate(out, set, value, scan, set->count, logarithmic, status);
 }
 
 /** Three scans: geometric mean, and t(2) = 4.302653 standard errors; another scan, sqrt(1 + 1/3) deviations. */
@@ -20,21 +30,21 @@ TEST_CASE(three_scans)
 {
     static const size_t scan[] = {0, 1, 2};
     static const double value[] = {1, 4, 16};
-    struct repeat parts[3];
-    struct repeats_scan scans[3] = {{.weight = 1}, {.weight = 1}, {.weight = 1}};
-    struct repeat_set set = set_of(parts, scan, 3, scans, 3);
+    struct member parts[3];
+    struct ensemble_scan scans[3] = {{.weight = 1}, {.weight = 1}, {.weight = 1}};
+    struct ensemble set = set_of(parts, scan, 3, scans, 3);
     struct status status = {0};
     struct estimate estimate;
-    assert_int_equal(repeats_estimate(&estimate, value, &set, true, &status), STATUS_OK);
+    assert_int_equal(estimate_all(&estimate, value, &set, true, &status), STATUS_OK);
     double sd = log(4), t = 4.302652729911275;
     assert_near(estimate_value(&estimate), 4, 1e-14);
     assert_near(estimate_end(&estimate, 1), 4 * exp(t * sd / sqrt(3)), 1e-9);
     assert_near(estimate_end(&estimate, 0), 4 / exp(t * sd / sqrt(3)), 1e-9);
     assert_near(estimate_next_end(&estimate, 1), 4 * exp(t * sd * sqrt(1 + 1 / 3.0)), 1e-9);
-    assert_int_equal(repeats_estimate(&estimate, value, &set, false, &status), STATUS_OK);
+    assert_int_equal(estimate_all(&estimate, value, &set, false, &status), STATUS_OK);
     assert_near(estimate_value(&estimate), 7, 1e-14);
     set.no_intervals = true;
-    assert_int_equal(repeats_estimate(&estimate, value, &set, true, &status), STATUS_OK);
+    assert_int_equal(estimate_all(&estimate, value, &set, true, &status), STATUS_OK);
     assert_near(estimate_value(&estimate), 4, 1e-14);
     assert_true(isnan(estimate_end(&estimate, 0)) && isnan(estimate_next_end(&estimate, 1)));
 }
@@ -44,12 +54,12 @@ TEST_CASE(pieces)
 {
     static const size_t scan[] = {0, 1, 1};
     static const double value[] = {2, 8, 32};
-    struct repeat parts[3];
-    struct repeats_scan scans[2] = {{.weight = 1}, {.weight = 2}};
-    struct repeat_set set = set_of(parts, scan, 3, scans, 2);
+    struct member parts[3];
+    struct ensemble_scan scans[2] = {{.weight = 1}, {.weight = 2}};
+    struct ensemble set = set_of(parts, scan, 3, scans, 2);
     struct status status = {0};
     struct estimate estimate;
-    assert_int_equal(repeats_estimate(&estimate, value, &set, true, &status), STATUS_OK);
+    assert_int_equal(estimate_all(&estimate, value, &set, true, &status), STATUS_OK);
     assert_int_equal(estimate.count, 2);
     assert_near(estimate.mean, (log(2) + 2 * log(16)) / 3, 1e-13);
     assert_near(estimate.effective, 3, 1e-15);
@@ -61,21 +71,21 @@ TEST_CASE(rows)
 {
     size_t scan[MOST] = {0};
     double value[MOST];
-    struct repeat parts[MOST];
-    struct repeats_scan scans[1] = {{.weight = 1}};
-    struct repeat_set set = set_of(parts, scan, MOST, scans, 1);
+    struct member parts[MOST];
+    struct ensemble_scan scans[1] = {{.weight = 1}};
+    struct ensemble set = set_of(parts, scan, MOST, scans, 1);
     struct status status = {0};
     struct estimate estimate;
     for (int i = 0; i < MOST; i++)
         value[i] = i / 4 % 2 ? 3 : 1;
-    assert_int_equal(repeats_estimate(&estimate, value, &set, false, &status), STATUS_OK);
+    assert_int_equal(estimate_all(&estimate, value, &set, false, &status), STATUS_OK);
     assert_int_equal(estimate.count, ESTIMATE_BLOCKS);
     assert_near(estimate.mean, 2, 1e-14);
     assert_near(estimate.effective, 16, 1e-14);
     assert_true(isnan(estimate_next_end(&estimate, 0)));
     for (int i = 0; i < MOST; i++)
         value[i] = i;
-    assert_int_equal(repeats_estimate(&estimate, value, &set, false, &status), STATUS_OK);
+    assert_int_equal(estimate_all(&estimate, value, &set, false, &status), STATUS_OK);
     assert_near(estimate.effective, 2, 1e-14);
     assert_near(estimate.mean, 31.5, 1e-14);
 }
@@ -86,26 +96,26 @@ TEST_CASE(nothing_known)
 {
     static const size_t scan[] = {0, 1};
     static const double missing[] = {1, NAN}, closed[] = {1, 0}, same[] = {0.3, 0.3};
-    struct repeat parts[2];
-    struct repeats_scan scans[2] = {{.weight = 1}, {.weight = 1}};
-    struct repeat_set set = set_of(parts, scan, 2, scans, 2);
+    struct member parts[2];
+    struct ensemble_scan scans[2] = {{.weight = 1}, {.weight = 1}};
+    struct ensemble set = set_of(parts, scan, 2, scans, 2);
     struct status status = {0};
     struct estimate estimate;
-    assert_int_equal(repeats_estimate(&estimate, missing, &set, false, &status), STATUS_OK);
+    assert_int_equal(estimate_all(&estimate, missing, &set, false, &status), STATUS_OK);
     assert_int_equal(estimate.count, 0);
     assert_true(isnan(estimate_value(&estimate)));
-    assert_int_equal(repeats_estimate(&estimate, closed, &set, true, &status), STATUS_OK);
+    assert_int_equal(estimate_all(&estimate, closed, &set, true, &status), STATUS_OK);
     assert_int_equal(estimate.count, 0);
-    assert_int_equal(repeats_estimate(&estimate, same, &set, true, &status), STATUS_OK);
+    assert_int_equal(estimate_all(&estimate, same, &set, true, &status), STATUS_OK);
     assert_int_equal(estimate.count, 2);
     assert_near(estimate_value(&estimate), 0.3, 1e-15);
     assert_true(isnan(estimate_end(&estimate, 0)) && isnan(estimate_end(&estimate, 1)));
     assert_true(isnan(estimate_next_end(&estimate, 0)));
     static const double apart[] = {1e-30, 1e30}, far[] = {1e-15, 1e15};
-    assert_int_equal(repeats_estimate(&estimate, apart, &set, true, &status), STATUS_OK);
+    assert_int_equal(estimate_all(&estimate, apart, &set, true, &status), STATUS_OK);
     assert_near(estimate_value(&estimate), 1, 1e-12);
     assert_true(isnan(estimate_end(&estimate, 0)) && isnan(estimate_end(&estimate, 1)));
-    assert_int_equal(repeats_estimate(&estimate, far, &set, true, &status), STATUS_OK); /* no double holds the next's */
+    assert_int_equal(estimate_all(&estimate, far, &set, true, &status), STATUS_OK); /* no double holds the next's */
     assert_true(isfinite(estimate_end(&estimate, 1)) && isnan(estimate_next_end(&estimate, 1)));
 }
 
@@ -118,9 +128,9 @@ TEST_CASE(the_mean_of_curves)
     double amplitude_m[3][3] = {{1e-6, 2e-7, 5e-8}, {2e-6, 3e-7, 2e-8}, {1.5e-6, 1e-7, 8e-8}};
     const struct model_row *model = &model_multiscale_elastic;
     const struct material_pair pair = {.effective_modulus_Pa = 1e11, .yield_strength_Pa = 1e9};
-    struct repeat parts[3];
-    struct repeats_scan scans[2] = {{.weight = 1}, {.weight = 2}};
-    struct repeat_set set = set_of(parts, scan, 3, scans, 2);
+    struct member parts[3];
+    struct ensemble_scan scans[2] = {{.weight = 1}, {.weight = 2}};
+    struct ensemble set = set_of(parts, scan, 3, scans, 2);
     for (int p = 0; p < 3; p++) {
         parts[p].spectrum = (struct spectrum){amplitude_m[p], 3, 1e-4, false};
         roughness_from_spectrum(&parts[p].roughness, &parts[p].spectrum);
@@ -136,14 +146,14 @@ TEST_CASE(the_mean_of_curves)
     struct status status = {0};
     struct contact_point points[LOADS + 1], own_points[3][LOADS + 1];
     struct model_curve curve = {.points = points}, own[3];
-    struct repeats_result result = {.band = repeats_band_make(loads, LOADS)};
+    struct ensemble_result result = {.band = ensemble_band_make(loads, LOADS)};
     assert_non_null(result.band);
-    assert_int_equal(repeats_model(&curve, &result, &set, model, &task, &status), STATUS_OK);
+    assert_int_equal(ensemble_curve(&curve, &result, &set, model, &task, &status), STATUS_OK);
     size_t reached = LOADS;
     double full = 0;
     for (int p = 0; p < 3; p++) {
         struct asperities none;
-        struct model_task alone = repeats_task(&none, &parts[p], &task);
+        struct model_task alone = member_task(&none, &parts[p], &task);
         own[p] = (struct model_curve){.points = own_points[p]};
         assert_int_equal(model_run(&own[p], model, &alone, &status), STATUS_OK);
         size_t all = 0;
@@ -196,9 +206,9 @@ TEST_CASE(the_mean_of_one_curve)
     double amplitude_m[2] = {1e-6, 2e-7};
     const struct model_row *model = &model_multiscale_elastic;
     const struct material_pair pair = {.effective_modulus_Pa = 1e11, .yield_strength_Pa = 1e9};
-    struct repeat parts[3];
-    struct repeats_scan scans[3] = {{.weight = 1}, {.weight = 1}, {.weight = 1}};
-    struct repeat_set set = set_of(parts, scan, 3, scans, 3);
+    struct member parts[3];
+    struct ensemble_scan scans[3] = {{.weight = 1}, {.weight = 1}, {.weight = 1}};
+    struct ensemble set = set_of(parts, scan, 3, scans, 3);
     for (int p = 0; p < 3; p++) {
         parts[p].spectrum = (struct spectrum){amplitude_m, 2, 1e-4, false};
         roughness_from_spectrum(&parts[p].roughness, &parts[p].spectrum);
@@ -214,9 +224,9 @@ TEST_CASE(the_mean_of_one_curve)
     struct status status = {0};
     struct contact_point points[LOADS + 1], own_points[LOADS + 1];
     struct model_curve curve = {.points = points}, own = {.points = own_points};
-    struct repeats_result result = {.band = repeats_band_make(loads, LOADS)};
+    struct ensemble_result result = {.band = ensemble_band_make(loads, LOADS)};
     assert_non_null(result.band);
-    assert_int_equal(repeats_model(&curve, &result, &set, model, &task, &status), STATUS_OK);
+    assert_int_equal(ensemble_curve(&curve, &result, &set, model, &task, &status), STATUS_OK);
     assert_int_equal(model_run(&own, model, &task, &status), STATUS_OK);
     assert_int_equal(curve.count, own.count);
     assert_near(curve.full_load, own.full_load, 1e-14);
@@ -238,9 +248,9 @@ TEST_CASE(the_end_of_curves)
     static const size_t scan[] = {0, 1};
     const struct model_row *model = model_rows[model_named("gw")];
     const struct material_pair pair = {.effective_modulus_Pa = 1e11, .yield_strength_Pa = 1e9};
-    struct repeat parts[2];
-    struct repeats_scan scans[2] = {{.weight = 1}, {.weight = 1}};
-    struct repeat_set set = set_of(parts, scan, 2, scans, 2);
+    struct member parts[2];
+    struct ensemble_scan scans[2] = {{.weight = 1}, {.weight = 1}};
+    struct ensemble set = set_of(parts, scan, 2, scans, 2);
     double loads[FINE], amplitude_m = 1e-6;
     for (int i = 0; i < FINE; i++)
         loads[i] = pow(10, -5 + i / 10.0);
@@ -260,12 +270,12 @@ TEST_CASE(the_end_of_curves)
     struct status status = {0};
     struct contact_point points[FINE + 1], own_points[2][FINE + 1];
     struct model_curve curve = {.points = points}, own[2];
-    struct repeats_result result = {.band = repeats_band_make(loads, FINE)};
+    struct ensemble_result result = {.band = ensemble_band_make(loads, FINE)};
     assert_non_null(result.band);
-    assert_int_equal(repeats_model(&curve, &result, &set, model, &task, &status), STATUS_OK);
+    assert_int_equal(ensemble_curve(&curve, &result, &set, model, &task, &status), STATUS_OK);
     for (int p = 0; p < 2; p++) {
         struct asperities asperities;
-        struct model_task alone = repeats_task(&asperities, &parts[p], &task);
+        struct model_task alone = member_task(&asperities, &parts[p], &task);
         own[p] = (struct model_curve){.points = own_points[p]};
         assert_int_equal(model_run(&own[p], model, &alone, &status), STATUS_OK);
         assert_true(own[p].exists && own[p].count < FINE);
@@ -319,13 +329,13 @@ TEST_CASE(intervals_of_random_records)
         size_t count = 2 + (size_t)(4 * uniform(&seed)), scan[PARTS];
         bool rows = uniform(&seed) < 0.25;
         double amplitude_m[PARTS][HARMONICS], scale = pow(10, -7 + 2 * uniform(&seed));
-        struct repeat parts[PARTS];
-        struct repeats_scan scans[PARTS];
+        struct member parts[PARTS];
+        struct ensemble_scan scans[PARTS];
         for (size_t p = 0; p < count; p++) {
             scan[p] = rows ? 0 : p;
-            scans[p] = (struct repeats_scan){.weight = 1 + floor(3 * uniform(&seed))};
+            scans[p] = (struct ensemble_scan){.weight = 1 + floor(3 * uniform(&seed))};
         }
-        struct repeat_set set = set_of(parts, scan, count, scans, rows ? 1 : count);
+        struct ensemble set = set_of(parts, scan, count, scans, rows ? 1 : count);
         for (size_t p = 0; p < count; p++) {
             double own = scale * exp(uniform(&seed));
             for (int n = 0; n < HARMONICS; n++)
@@ -346,9 +356,9 @@ TEST_CASE(intervals_of_random_records)
         struct status status = {0};
         struct contact_point points[LOADS + 1];
         struct model_curve curve = {.points = points};
-        struct repeats_result result = {.band = repeats_band_make(loads, LOADS)};
+        struct ensemble_result result = {.band = ensemble_band_make(loads, LOADS)};
         assert_non_null(result.band);
-        assert_int_equal(repeats_model(&curve, &result, &set, model, &task, &status), STATUS_OK);
+        assert_int_equal(ensemble_curve(&curve, &result, &set, model, &task, &status), STATUS_OK);
         for (size_t i = 0; i < curve.count && i < LOADS && points[i].value[QUANTITY_LOAD] == loads[i]; i++)
             for (int q = QUANTITY_AREA; q <= QUANTITY_ECR; q++) {
                 double value = quantity_shown(&points[i], model_shown(model, (enum quantity)q), set.sigma_m);

@@ -192,7 +192,8 @@ TEST_CASE(test_pieces_reach_from_end_to_end)
             if (pieces > 1)
                 assert_int_equal(interval_subrecord_first(points, shortest, pieces - 1), points - shortest);
             for (size_t p = 1; p < pieces; p++) {
-                size_t step = interval_subrecord_first(points, shortest, p) - interval_subrecord_first(points, shortest, p - 1);
+                size_t step =
+                    interval_subrecord_first(points, shortest, p) - interval_subrecord_first(points, shortest, p - 1);
                 assert_true(step >= shortest && step <= (points - shortest) / (pieces - 1) + 1);
             }
         }

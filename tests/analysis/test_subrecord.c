@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A piece of a profile: levelled and windowed by whether it closes on itself. */
-#include "analysis/piece.h"
+/* A subrecord of a profile: levelled and windowed by whether it closes on itself. */
+#include "analysis/ensemble.h"
 #include "profile/record_window.h"
 #include "support.h"
 
@@ -8,16 +8,19 @@ enum { POINTS = 64 };
 static const double amplitude_m = 1e-6, spacing_m = 5e-7;
 
 static double height_m[POINTS];
-static struct spectrum spectrum;
+static struct ensemble set;
+static struct spectrum spectrum; /* the member's */
 static struct roughness roughness;
 
-static void describe(double waves, const struct piece_how *how)
+static void describe(double waves, const struct record_conditioning *how)
 {
     struct status status = {0};
     for (int i = 0; i < POINTS; i++)
         height_m[i] = amplitude_m * sin(2 * M_PI * waves * i / POINTS);
-    spectrum_free(&spectrum);
-    assert_int_equal(piece_describe(&spectrum, &roughness, height_m, POINTS, spacing_m, how, &status), STATUS_OK);
+    ensemble_free(&set);
+    assert_int_equal(ensemble_add(&set, 0, height_m, POINTS, spacing_m, how, &status), STATUS_OK);
+    spectrum = set.members[0].spectrum;
+    roughness = set.members[0].roughness;
     assert_int_equal(spectrum.count, POINTS / 2);
     assert_near(spectrum.length_m, POINTS * spacing_m, 1e-12);
 }
@@ -31,7 +34,7 @@ static void assert_window(bool windowed)
         assert_within(spectrum.amplitude_m[2 + side], windowed ? share / 2 * amplitude_m : 0, 1e-9 * amplitude_m);
 }
 
-TEST_CASE(the_window_of_a_piece)
+TEST_CASE(the_window_of_a_subrecord)
 {
     static const struct {
         enum spectrum_window window;
@@ -41,19 +44,19 @@ TEST_CASE(the_window_of_a_piece)
         {SPECTRUM_WINDOW_NONE, true, false}, {SPECTRUM_WINDOW_HANN, true, true},  {SPECTRUM_WINDOW_HANN, false, true},
     };
     for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
-        const struct piece_how how = {LEVEL_NONE, true, cases[c].periodic, cases[c].window,
-                                      ROUGHNESS_MOMENTS_DIFFERENCE};
+        const struct record_conditioning how = {LEVEL_NONE, true, cases[c].periodic, cases[c].window,
+                                                ROUGHNESS_MOMENTS_DIFFERENCE};
         describe(3, &how);
         assert_window(cases[c].windowed);
         assert_near(roughness.rq_m, amplitude_m * M_SQRT1_2, 1e-9); /* of the heights, not of the windowed ones */
     }
 }
 
-/* A piece of a periodic scan that does not close is windowed and levelled as the scene has it; moments of the spectrum
- * are those of the windowed one. */
-TEST_CASE(a_piece_that_does_not_close)
+/* A subrecord of a periodic scan that does not close is windowed and levelled as the scene has it; moments of the
+ * spectrum are those of the windowed one. */
+TEST_CASE(a_subrecord_that_does_not_close)
 {
-    struct piece_how how = {LEVEL_LINE, true, true, SPECTRUM_WINDOW_AUTO, ROUGHNESS_MOMENTS_SPECTRAL};
+    struct record_conditioning how = {LEVEL_LINE, true, true, SPECTRUM_WINDOW_AUTO, ROUGHNESS_MOMENTS_SPECTRAL};
     struct levelling levelling;
     struct spectrum expected;
     struct status status = {0};
@@ -67,17 +70,18 @@ TEST_CASE(a_piece_that_does_not_close)
     spectrum_free(&expected);
 }
 
-/* A line through a piece that closes would make a step: the mean is taken out, unless the scene states its levelling.
+/* A line through a subrecord that closes would make a step: the mean is taken out, unless the scene states its
+ * levelling.
  */
-TEST_CASE(levelling_of_a_piece_that_closes)
+TEST_CASE(levelling_of_a_subrecord_that_closes)
 {
     struct scene scene = {.level = LEVEL_LINE, .window = SPECTRUM_WINDOW_AUTO};
-    struct piece_how how = piece_how_of(&scene, true);
+    struct record_conditioning how = record_conditioning_of(&scene, true);
     describe(3, &how);
     assert_window(false);
     assert_near(roughness.rq_m, amplitude_m * M_SQRT1_2, 1e-9);
     scene.level_given = true;
-    how = piece_how_of(&scene, true);
+    how = record_conditioning_of(&scene, true);
     describe(3, &how);
     /* the line of a sine of n waves has about the slope -6/(pi n) amplitudes a record, and so 6/(pi n)^2 of its power
      */
@@ -88,7 +92,7 @@ TEST_CASE(levelling_of_a_piece_that_closes)
 static int end(void **state)
 {
     (void)state;
-    spectrum_free(&spectrum);
+    ensemble_free(&set);
     return 0;
 }
 
