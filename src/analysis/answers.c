@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/answers.h"
 
-#include "joint/joint_curve.h"
 #include "analysis/landmarks.h"
 #include "analysis/surface.h"
 #include "base/clock.h"
+#include "joint/joint_curve.h"
 #include <math.h>
 #include <stdlib.h>
 

@@ -63,7 +63,7 @@ const struct benchmark_row *benchmark_find(const struct benchmark *cost, const c
 MUST_CHECK enum status_code benchmark_add(struct benchmark *cost, const struct benchmark_row *row,
                                           struct status *status);
 
-/** The studies: integrals of the statistical models; closure, cut-off and number of loads of the curves. */
+/** The studies: integrals of the statistical models; cut-off and number of loads of the curves, and the tolerance. */
 MUST_CHECK enum status_code benchmark_integrals(struct benchmark *cost, const struct benchmark_task *task,
                                                 struct status *status);
 MUST_CHECK enum status_code benchmark_curves(struct benchmark *cost, const struct benchmark_task *task,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the curves cost: the sinusoid's closure, leaving out the shortest wavelengths, and the number of loads. */
+/* What the curves cost: leaving out the shortest wavelengths, the number of loads, the tolerance. */
 #include "analysis/benchmark.h"
 #include "contact/multiscale.h"
 #include "contact/statistical.h"
@@ -8,42 +8,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-/** Closure `thesis` and `numeric` at the loads of the direct numerical solution. */
-struct closure_attempt {
-    const struct sinusoid_fit *closure;
-    bool gap;
-    double sum; /* keeps the compiler from leaving the work out */
-};
-
-static void evaluate_closure(void *context)
-{
-    struct closure_attempt *attempt = context;
-    for (size_t i = 0; i < sinusoid_bem_count; i++) {
-        struct sinusoid_cell cell;
-        attempt->closure->area(&cell, sinusoid_bem[i].x);
-        attempt->sum += attempt->gap ? attempt->closure->gap(sinusoid_bem[i].x) : cell.area_ratio;
-    }
-}
-
-static enum status_code closures(struct benchmark *cost, const struct benchmark_task *task, struct status *status)
-{
-    bool gaps = plan_runs(task->plan, EFFECT_SEPARATION);
-    for (int c = 0; c < SINUSOID_FIT_COUNT; c++)
-        for (int gap = 0; gap <= (int)gaps; gap++) {
-            struct closure_attempt attempt = {.closure = &sinusoid_fits[c], .gap = gap};
-            struct benchmark_row row = {.method = sinusoid_fits[c].name,
-                                        .evaluations = sinusoid_bem_count,
-                                        .chosen = c == (int)task->scene->closure,
-                                        .chart = BENCHMARK_CHARTS};
-            snprintf(row.study, sizeof row.study, "%s", gap ? "closure-gap" : "closure-area");
-            row.seconds = benchmark_time(evaluate_closure, &attempt);
-            row.error = sinusoid_fit_error((enum sinusoid_fit_id)c, gap);
-            if (benchmark_add(cost, &row, status) != STATUS_OK)
-                return status->code;
-        }
-    return STATUS_OK;
-}
 
 /** The multiscale curve of the baseline from its longest scales alone. */
 struct cut_attempt {
@@ -261,7 +225,7 @@ enum status_code benchmark_curves(struct benchmark *cost, const struct benchmark
         longest.count = HARMONICS_MOST;
         longest.has_nyquist = false;
     }
-    enum status_code rc = plan_stacks_scales(task->plan) ? closures(cost, task, status) : STATUS_OK;
+    enum status_code rc = STATUS_OK;
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++)
         if (model_rows[m]->stacks_scales && surface->curves[m].exists)
             rc = cut_off(cost, task, m, status);

@@ -2,7 +2,6 @@
 /* Methods for the integrals of the statistical models (thesis 4.25, 4.26, 4.43), over the separations the curves span.
  */
 #include "analysis/benchmark.h"
-#include "contact/gaussian.h"
 #include "contact/statistical.h"
 
 #include <gsl/gsl_integration.h>
@@ -13,7 +12,7 @@
 enum {
     QUANTITIES = 4,
     SEPARATIONS = 100, /* so that what is made once weighs as in a curve */
-    APART = 11,        /* methods that make nothing once are timed at every eleventh of them, first and last included */
+    APART = 11,        /* Simpson is timed at every eleventh of them, first and last included */
     SAMPLES = SEPARATIONS / APART + 1,
     ADAPTIVE_PIECES = 1000
 };
@@ -34,7 +33,6 @@ struct attempt {
     const struct problem *problem;
     size_t intervals; /* Simpson */
     double tolerance; /* adaptive, panels */
-    bool split;       /* adaptive: split where the law changes */
     gsl_integration_workspace *workspace;
     uint64_t evaluations;
     double value[SEPARATIONS][QUANTITIES];
@@ -91,7 +89,7 @@ static double one_quantity(double u, void *context)
     return value[attempt->quantity];
 }
 
-/** GSL's adaptive integration, quantity by quantity; `split` gives it the places where the law changes. */
+/** GSL's adaptive integration, quantity by quantity, between the places where the law changes. */
 static void adaptive(void *context)
 {
     struct attempt *attempt = context;
@@ -104,7 +102,7 @@ static void adaptive(void *context)
         size_t count = 1;
         double changes[] = {asperity_yield_onset * problem->asperity.critical_interference_m / problem->sigma_s_m,
                             asperity_interference_at(&problem->asperity, 1) / problem->sigma_s_m};
-        for (int i = 0; attempt->split && i < 2; i++)
+        for (int i = 0; i < 2; i++)
             if (changes[i] > breaks[count - 1] && changes[i] < last)
                 breaks[count++] = changes[i];
         breaks[count] = last;
@@ -145,24 +143,6 @@ static void panels(void *context)
     quadrature_free(&panels);
 }
 
-/** Closed forms: every quantity of Hertz's law but the scale-dependent one. */
-static void closed(void *context)
-{
-    struct attempt *attempt = context;
-    const struct problem *problem = attempt->problem;
-    double radius_m = problem->asperity.radius_m, sigma_s_m = problem->sigma_s_m;
-    for (int s = 0; s < SEPARATIONS; s++) {
-        double d = problem->d[s];
-        struct gaussian_integrals f = gaussian_integrals(d);
-        double factor = exp(f.log_factor + (d > 0 ? d * d / 2 : 0)); /* the integrand's own factor, for 0 < d <= 2 */
-        attempt->value[s][AREA] = factor * M_PI * radius_m * sigma_s_m * f.one;
-        attempt->value[s][LOAD] = factor * 4.0 / 3 * problem->asperity.effective_modulus_Pa *
-                                  sqrt(radius_m * sigma_s_m) * sigma_s_m * f.three_halves;
-        attempt->value[s][RADIUS] = factor * sqrt(radius_m * sigma_s_m) * f.half;
-    }
-    attempt->evaluations = SEPARATIONS;
-}
-
 static double largest_error(const struct attempt *attempt, const struct attempt *better, unsigned quantities)
 {
     double error = 0;
@@ -173,12 +153,12 @@ static double largest_error(const struct attempt *attempt, const struct attempt 
     return error;
 }
 
-/** What a study adds rows with: its problem, and two better results from unlike methods. */
+/** What a study adds rows with: its problem, and a better result from an unlike method. */
 struct integrals {
     struct benchmark *cost;
     const struct model_row *model;
     struct attempt *attempt;
-    const struct attempt *by_adaptive, *by_panels;
+    const struct attempt *better;
     struct status *status;
 };
 
@@ -188,23 +168,20 @@ static enum status_code add(const struct integrals *study, const char *method, c
     struct attempt *attempt = study->attempt;
     struct benchmark_row row = {
         .model = study->model, .method = method, .chosen = chosen, .chart = BENCHMARK_INTEGRALS};
-    unsigned quantities = attempt->problem->quantities;
-    if (work == closed)
-        quantities &= ~(1u << RADIUS_SCALE_DEPENDENT);
     snprintf(row.study, sizeof row.study, "%s-integrals", study->model->name);
     snprintf(row.setting, sizeof row.setting, "%s", setting);
-    size_t times = work == simpson || work == adaptive ? SEPARATIONS / SAMPLES : 1;
+    size_t times = work == simpson ? SEPARATIONS / SAMPLES : 1;
     row.seconds = (double)times * benchmark_time(work, attempt);
     row.evaluations = times * attempt->evaluations;
-    const struct attempt *better = work == adaptive || work == closed ? study->by_panels : study->by_adaptive;
-    row.error = largest_error(attempt, better, quantities);
+    row.error = largest_error(attempt, study->better, attempt->problem->quantities);
     return attempt->failed ? status_memory(study->status) : benchmark_add(study->cost, &row, study->status);
 }
 
-static enum status_code add_methods(const struct integrals *study, double tolerance, bool closed_serves)
+static enum status_code add_methods(const struct integrals *study, double tolerance)
 {
     static const size_t intervals[] = {10, 30, 100, 300, 1000, 3000, 10000};
-    static const double tolerances[] = {1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12};
+    const double tolerances[] = {1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, tolerance};
+    size_t count = sizeof tolerances / sizeof *tolerances;
     char setting[24];
     for (size_t i = 0; i < sizeof intervals / sizeof intervals[0]; i++) {
         study->attempt->intervals = intervals[i];
@@ -212,24 +189,16 @@ static enum status_code add_methods(const struct integrals *study, double tolera
         if (add(study, "Simpson", setting, simpson, false) != STATUS_OK)
             return study->status->code;
     }
-    for (size_t i = 0; i < sizeof tolerances / sizeof tolerances[0]; i++) {
+    for (size_t i = 0; i + 1 < count; i++)
+        if (tolerances[i] == tolerance)
+            count--;
+    for (size_t i = 0; i < count; i++) {
         study->attempt->tolerance = tolerances[i];
-        snprintf(setting, sizeof setting, "%.0e", tolerances[i]);
-        if (add(study, "adaptive", setting, adaptive, false) != STATUS_OK)
+        snprintf(setting, sizeof setting, "%.3g", tolerances[i]);
+        if (add(study, "Gauss-Legendre", setting, panels, tolerances[i] == tolerance) != STATUS_OK)
             return study->status->code;
     }
-    bool closed_only = closed_serves && !(study->attempt->problem->quantities & 1u << RADIUS_SCALE_DEPENDENT);
-    bool listed = false;
-    for (size_t i = 0; i < sizeof tolerances / sizeof tolerances[0]; i++)
-        listed = listed || tolerances[i] == tolerance;
-    for (size_t i = 0; i < sizeof tolerances / sizeof tolerances[0] + !listed; i++) {
-        study->attempt->tolerance = i < sizeof tolerances / sizeof tolerances[0] ? tolerances[i] : tolerance;
-        snprintf(setting, sizeof setting, "%.3g", study->attempt->tolerance);
-        bool chosen = study->attempt->tolerance == tolerance && !closed_only;
-        if (add(study, "Gauss-Legendre", setting, panels, chosen) != STATUS_OK)
-            return study->status->code;
-    }
-    return closed_serves ? add(study, "closed form", "", closed, true) : STATUS_OK;
+    return STATUS_OK;
 }
 
 /** Separations at loads by equal factors from the first to the last of a curve that ends at full contact. */
@@ -280,14 +249,11 @@ static enum status_code one_law(struct benchmark *cost, const struct benchmark_t
     gsl_integration_workspace *workspace = gsl_integration_workspace_alloc(ADAPTIVE_PIECES);
     if (!workspace)
         return status_memory(status);
-    struct attempt attempt = {.problem = &problem, .workspace = workspace, .split = true};
-    struct attempt by_adaptive = {.problem = &problem, .workspace = workspace, .tolerance = 1e-13, .split = true};
-    struct attempt by_panels = {.problem = &problem, .tolerance = 1e-14};
-    adaptive(&by_adaptive);
-    panels(&by_panels);
-    struct integrals study = {cost, row, &attempt, &by_adaptive, &by_panels, status};
-    enum status_code rc =
-        by_panels.failed ? status_memory(status) : add_methods(&study, task->scene->tolerance, law == ASPERITY_HERTZ);
+    struct attempt attempt = {.problem = &problem},
+                   better = {.problem = &problem, .workspace = workspace, .tolerance = 1e-13};
+    adaptive(&better);
+    struct integrals study = {cost, row, &attempt, &better, status};
+    enum status_code rc = add_methods(&study, task->scene->tolerance);
     gsl_integration_workspace_free(workspace);
     return rc;
 }

@@ -31,8 +31,8 @@ static enum status_code make_map(struct direct_map *out, const struct surface_re
                            plan->side, map_cutoff, status);
 }
 
-/** Surfaces made with the heights of a short scan have a top that is too flat, which shows at light loads; Gaussian ones
- * lead while skewness and kurtosis are nearly theirs. */
+/** Surfaces made with the heights of a short scan have a top that is too flat, which shows at light loads; Gaussian
+ * ones lead while skewness and kurtosis are nearly theirs. */
 static bool is_nearly_gaussian(const struct roughness *roughness)
 {
     double kurtosis = roughness_kurtosis(roughness);

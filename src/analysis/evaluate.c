@@ -4,9 +4,9 @@
 #include "analysis/describe.h"
 #include "analysis/direct_study.h"
 #include "analysis/effects.h"
-#include "joint/joint_curve.h"
 #include "analysis/landmarks.h"
 #include "base/clock.h"
+#include "joint/joint_curve.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

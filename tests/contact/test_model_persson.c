@@ -78,7 +78,7 @@ TEST_CASE(the_stated_range_holds)
                             "any area ratio: area within a factor %lf to %lf, separation %lf to %lf of direct", &low[0],
                             &high[0], &low[1], &high[1]),
                      4);
-    struct table table = table_read("golden/two-band/truth_elastic.csv");
+    struct table table = table_read("golden/direct/gaussian_elastic.csv");
     struct material_pair pair = {.effective_modulus_Pa = 1, .resistivity_ohm_m = 1, .conductivity_W_per_mK = 1};
     for (size_t i = 0; i < table.rows; i++) {
         struct spectrum spectrum;

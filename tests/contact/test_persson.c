@@ -196,7 +196,7 @@ TEST_CASE(hard_cases)
 /** Model/truth on the 16 surfaces of direct solutions, as rms factors: the published ones. */
 TEST_CASE(direct_solutions)
 {
-    struct table table = table_read("golden/two-band/truth_elastic.csv");
+    struct table table = table_read("golden/direct/gaussian_elastic.csv");
     double area_sum = 0, gap_sum = 0, ecr_sum = 0;
     int areas = 0, gaps = 0;
     for (size_t i = 0; i < table.rows; i++) {
