@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 const double estimate_level = 0.95;
+static const double normal_95 = 1.96; /* standard deviations of a normal error */
 const struct estimate estimate_none = ESTIMATE_NONE;
 
 /** The value, or its logarithm; NaN where there is none. */
@@ -138,9 +139,10 @@ bool estimate_has_width(const struct estimate *estimate, double half_width)
 
 static double end(const struct estimate *estimate, double half_width, int side)
 {
-    double value = estimate->mean + (side ? half_width : -half_width);
     if (!estimate_has_width(estimate, half_width))
         return NAN;
+    half_width = hypot(half_width, normal_95 * estimate->model_sd);
+    double value = estimate->mean + (side ? half_width : -half_width);
     value = estimate->logarithmic ? exp(value) : value;
     return estimate->share ? fmin(value, 1) : value;
 }

@@ -17,6 +17,7 @@ struct estimate {
         degrees;       /* of a single scan; standard error of the mean; 0 degrees of freedom: by simulated records */
     double half_width; /* of the 95 % interval of the surface's mean; NaN: not known, or its ends are no doubles */
     double next_half_width; /* of that in which another scan lies; NaN: not known */
+    double model_sd;        /* of ln value: what the model itself may be off by, beside the scatter; 0: not counted in */
     double effective;       /* independent rows that the blocks are worth; else the scans' weights */
     bool logarithmic;
     bool share;         /* of a whole, as A/A_n is: no end lies above 1 */
@@ -52,7 +53,8 @@ struct estimate estimate_single(double value, const struct single_scan *single, 
 double estimate_value(const struct estimate *estimate);
 /** Is a half-width one: known, and more than rounding leaves of values that are the same in all scans? */
 bool estimate_has_width(const struct estimate *estimate, double half_width);
-/** Ends of the interval of the mean, low (0) and high (1); NaN where not known, and where it has no width. */
+/** Ends of the interval of the surface's value, low (0) and high (1), the model's own error counted in; NaN where not
+ * known, and where it has no width. */
 double estimate_end(const struct estimate *estimate, int side);
 /** The same of another scan. */
 double estimate_next_end(const struct estimate *estimate, int side);

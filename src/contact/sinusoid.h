@@ -44,7 +44,6 @@ struct sinusoid_scale {
     double hardness_Pa;              /* mean pressure that a yielding scale bears at most; INFINITY: as published */
 };
 
-
 /** p* = sqrt2 pi E' Delta f [Pa] (4.7*). */
 double sinusoid_full_pressure(double amplitude_m, double frequency_per_m, double effective_modulus_Pa);
 
@@ -77,16 +76,5 @@ double sinusoid_full_area_pressure(const struct sinusoid_scale *scale);
  * closure `thesis` at p/p* = 0.8 (by 0.05 %, as published). */
 bool sinusoid_press(struct sinusoid_cell *cell, const struct sinusoid_scale *scale, const struct sinusoid_fit *closure,
                     double pressure_Pa, bool with_gap);
-
-/** The direct numerical solution: x = p/p*, area ratio, gap/amplitude. */
-struct sinusoid_bem_row {
-    double x, area, gap;
-};
-extern const struct sinusoid_bem_row sinusoid_bem[];
-extern const size_t sinusoid_bem_count;
-
-/** Largest relative difference of a closure from the direct solution, in the gap (x <= 0.55) or in the area. `numeric`,
- * which interpolates that solution, is tested at each row with the row itself left out. */
-double sinusoid_fit_error(enum sinusoid_fit_id closure, bool gap);
 
 #endif

@@ -12,7 +12,11 @@ void sinusoid_numeric_area(struct sinusoid_cell *cell, double x);
 double sinusoid_numeric_gap(double x);
 
 /* 1024 x 1024 grid, area within 3e-4, gap within 2e-6 */
-const struct sinusoid_bem_row sinusoid_bem[] = {
+/** The direct numerical solution: x = p/p*, area ratio, gap/amplitude. */
+struct sinusoid_bem_row {
+    double x, area, gap;
+};
+static const struct sinusoid_bem_row sinusoid_bem[] = {
     {0.0002, 0.002608, 0.98442297}, {0.0005, 0.004811, 0.97183260}, {0.001, 0.007654, 0.95611729},
     {0.002, 0.012193, 0.93201222},  {0.005, 0.022665, 0.88015147},  {0.01, 0.036392, 0.81829047},
     {0.02, 0.058791, 0.72882288},   {0.05, 0.112945, 0.55637067},   {0.1, 0.190555, 0.38474924},
@@ -27,8 +31,7 @@ const struct sinusoid_bem_row sinusoid_bem[] = {
     {0.9, 0.950658, 0.00065145},    {0.95, 0.975764, 0.00011296},   {0.98, 0.990377, 0.00001131},
     {0.99, 0.995199, 0.00000199},
 };
-enum { NODES = sizeof sinusoid_bem / sizeof sinusoid_bem[0], POINTS = NODES + 2, KEEP_ALL = -1 };
-const size_t sinusoid_bem_count = NODES;
+enum { NODES = sizeof sinusoid_bem / sizeof sinusoid_bem[0], POINTS = NODES + 2 };
 
 /** The two interpolated quantities at point i, 0 and POINTS-1 being the exact limits. */
 static double point_t(int i)
@@ -73,27 +76,27 @@ struct piece {
     double start, step, low, high, slope_low, slope_high;
 };
 
-/** The piece around t = x^(1/3), 0 < t < 1. `skip` is a point to do without, or KEEP_ALL. */
-static struct piece piece_at(double (*value)(int), double x, int skip)
+/** The piece around t = x^(1/3), 0 < t < 1. */
+static struct piece piece_at(double (*value)(int), double x)
 {
-    int count = skip == KEEP_ALL ? POINTS : POINTS - 1, low = 0, high = count - 1;
+    int low = 0, high = POINTS - 1;
     while (high - low > 1) {
-        int middle = (low + high) / 2, point = middle + (skip != KEEP_ALL && middle >= skip);
-        if (sinusoid_bem[point - 1].x <= x)
+        int middle = (low + high) / 2;
+        if (sinusoid_bem[middle - 1].x <= x)
             low = middle;
         else
             high = middle;
     }
     double t[4], y[4]; /* points low-1 ... low+2, those that exist */
     for (int k = 0; k < 4; k++) {
-        int i = low - 1 + k, point = i + (skip != KEEP_ALL && i >= skip);
-        bool exists = i >= 0 && i < count;
+        int point = low - 1 + k;
+        bool exists = point >= 0 && point < POINTS;
         t[k] = exists ? point_t(point) : 0;
         y[k] = exists ? value(point) : 0;
     }
     double step = t[2] - t[1], secant = (y[2] - y[1]) / step;
     double slope_low = low > 0 ? steffen_slope(t, y) : 0;
-    double slope_high = high < count - 1 ? steffen_slope(t + 1, y + 1) : end_slope(secant, slope_low);
+    double slope_high = high < POINTS - 1 ? steffen_slope(t + 1, y + 1) : end_slope(secant, slope_low);
     if (low == 0)
         slope_low = end_slope(secant, slope_high);
     return (struct piece){t[1], step, y[1], y[2], slope_low, slope_high};
@@ -115,9 +118,9 @@ static double piece_rest(const struct piece *piece, double s)
     return piece_rise(&turned, s);
 }
 
-static double interpolate(double (*value)(int), double x, int skip)
+static double interpolate(double (*value)(int), double x)
 {
-    struct piece piece = piece_at(value, x, skip);
+    struct piece piece = piece_at(value, x);
     return piece.low + piece_rise(&piece, cbrt(x) - piece.start);
 }
 
@@ -127,10 +130,10 @@ void sinusoid_numeric_area(struct sinusoid_cell *cell, double x)
         cell->area_ratio = 1;
         cell->area_complement = 0;
     } else if (x < sinusoid_bem[NODES - 1].x) {
-        cell->area_ratio = interpolate(point_area, x, KEEP_ALL) * pow(x, 2.0 / 3);
+        cell->area_ratio = interpolate(point_area, x) * pow(x, 2.0 / 3);
         cell->area_complement = 1 - cell->area_ratio;
     } else { /* 1 - y x^(2/3) = 1 - y + y (1 - x^(2/3)) from small terms, so that 1 - sqrt(a) keeps its digits */
-        struct piece piece = piece_at(point_area, x, KEEP_ALL);
+        struct piece piece = piece_at(point_area, x);
         double rest = piece_rest(&piece, -expm1(log(x) / 3));
         cell->area_complement = rest - (1 - rest) * expm1(2.0 / 3 * log(x));
         cell->area_ratio = 1 - cell->area_complement;
@@ -143,27 +146,5 @@ double sinusoid_numeric_gap(double x)
         return 0;
     if (x < sinusoid_bem[0].x) /* 1 - G ~ x^(2/3), thesis (4.8): the first node's value, carried on by that law */
         return exp(log(sinusoid_bem[0].gap) * pow(x / sinusoid_bem[0].x, 2.0 / 3));
-    return exp(interpolate(point_gap, x, KEEP_ALL) + 2.5 * log1p(-x));
-}
-
-double sinusoid_fit_error(enum sinusoid_fit_id closure, bool gap)
-{
-    const struct sinusoid_fit *row = &sinusoid_fits[closure];
-    double worst = 0;
-    for (int i = 0; i < NODES; i++) {
-        double x = sinusoid_bem[i].x, value;
-        struct sinusoid_cell cell = {0};
-        bool own = closure == SINUSOID_FIT_NUMERIC;
-        if ((gap && x > 0.55) || (own && (i == 0 || i == NODES - 1)))
-            continue; /* beyond the first and last rows there is only a limit to go by */
-        row->area(&cell, x);
-        if (own && gap)
-            value = exp(interpolate(point_gap, x, i + 1) + 2.5 * log1p(-x));
-        else if (own)
-            value = interpolate(point_area, x, i + 1) * pow(x, 2.0 / 3);
-        else
-            value = gap ? row->gap(x) : cell.area_ratio;
-        worst = fmax(worst, fabs(value / (gap ? sinusoid_bem[i].gap : sinusoid_bem[i].area) - 1));
-    }
-    return worst;
+    return exp(interpolate(point_gap, x) + 2.5 * log1p(-x));
 }
