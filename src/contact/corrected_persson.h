@@ -28,7 +28,7 @@ struct corrected_persson_point {
 };
 
 /** At `count` ascending area_ratio, above 0 and up to the largest; the integral goes from each to the next in steps.
- * Relative error of the separation below 2e-5 (tests). */
+ * Relative error of the separation below 3e-5 (tests). */
 void corrected_persson_curve(struct corrected_persson_point *out, const double *area_ratio, size_t count,
                              const struct persson *persson);
 

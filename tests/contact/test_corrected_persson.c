@@ -92,7 +92,7 @@ TEST_CASE(separation_is_the_integral_of_constriction)
     for (size_t i = 0; i < AREAS; i += 7) {
         corrected_persson_curve(&alone, area + i, 1, &persson);
         assert_near(alone.constriction_m, all[i].constriction_m, 1e-14);
-        assert_near(alone.separation_m, all[i].separation_m, 2e-5);
+        assert_near(alone.separation_m, all[i].separation_m, 3e-5);
     }
     for (size_t i = 0; i + 2 < AREAS; i++) { /* by trapezia */
         double load[3], product = 0;
