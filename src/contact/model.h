@@ -8,6 +8,7 @@
 #include "contact/contacting_slopes.h"
 #include "contact/quantity.h"
 #include "contact/sinusoid.h"
+#include "contact/strip.h"
 #include "spectrum/roughness.h"
 #include "spectrum/spectrum.h"
 #include <stdint.h>
@@ -29,6 +30,9 @@ struct model_task {
     const struct slope_point
         *points; /* heights and slopes of the surface, for models that use_heights; NULL: not kept */
     size_t point_count;
+    const struct strip_rows *rows; /* its profiles, and these solved as a strip, for models that use_strip; NULL: not
+                                      there */
+    const struct strip *strip;
     uint64_t *evaluations; /* what running models takes is added here: visits of scales, laws at quadrature nodes, loads
                               solved for a separation; NULL: it is not counted */
 };
@@ -74,6 +78,7 @@ struct model_row {
     const struct truncation_model *truncation_model; /* it presses by this law; NULL: not by truncation */
     bool uses_heights;     /* works on model_task.points, and does not take heights as Gaussian: no mark (height_law.h);
                               runs unasked where those are not */
+    bool uses_strip;       /* works on model_task.strip, and model_task.rows where plastic */
     unsigned quantities;   /* QUANTITY_BITs it computes */
     unsigned may_be_empty; /* those of them that it leaves empty (NaN) where it should not be trusted */
     double largest_area;   /* A/A_n up to which it is valid; 0: any */

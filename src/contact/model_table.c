@@ -13,7 +13,11 @@
     X(persson)                                                                                                         \
     X(contacting_slopes)                                                                                               \
     X(cmy)                                                                                                             \
-    X(sridhar_yovanovich)
+    X(sridhar_yovanovich)                                                                                              \
+    X(corrected_persson)                                                                                               \
+    X(corrected_persson_plastic)                                                                                       \
+    X(strip)                                                                                                           \
+    X(strip_plastic)
 
 #define DECLARE(name) extern const struct model_row model_##name;
 #define ENTRY(name)   &model_##name,

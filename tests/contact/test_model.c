@@ -90,6 +90,14 @@ TEST_CASE(test_any_task)
         size_t points = next_below(&seed, HEIGHTS_MOST + 1);
         for (size_t i = 0; i < points; i++)
             heights[i] = (struct slope_point){1e-6 * next_share(&seed), 1e-2 * next_share(&seed)};
+        double row[HEIGHTS_MOST];
+        for (size_t i = 0; i < points; i++)
+            row[i] = heights[i].height_m;
+        struct strip_rows rows = {row, 1, points, 1e-6, t % 2};
+        struct strip strip = {
+            .own = {.count = 3, .logit = {-4, -1, 2}, .value = {{-9, 1, 2}, {-5, 0, 1}, {-3, -2, -1}}},
+            .surrogate[0] = {.count = 1, .logit = {-1}, .value = {{-6, 0, 1}}},
+            .surrogates = 1};
         model_support_loads(load, loads, pow(10, -8 + 4 * next_share(&seed)), pow(10, -3 + 4 * next_share(&seed)));
         struct model_task task = {.spectrum = &spectrum,
                                   .asperities = rough ? &asperities : NULL,
@@ -102,7 +110,9 @@ TEST_CASE(test_any_task)
                                   .sinusoid_fit = t % 4 == 0 ? SINUSOID_FIT_NUMERIC : SINUSOID_FIT_THESIS,
                                   .hardness_Pa = pow(10, 6 + 3 * next_share(&seed)),
                                   .points = points > 0 ? heights : NULL,
-                                  .point_count = points};
+                                  .point_count = points,
+                                  .rows = points > 1 ? &rows : NULL,
+                                  .strip = points > 1 ? &strip : NULL};
         for (size_t m = 0; m < model_count; m++) {
             struct contact_point out[MODEL_LOADS + 1];
             struct model_curve curve = model_support_run(out, model_rows[m]->name, &task);
