@@ -7,6 +7,7 @@
 #include "contact/asperity.h"
 #include "contact/quantity.h"
 #include "contact/sinusoid.h"
+#include "contact/strip.h"
 #include "spectrum/roughness.h"
 #include "spectrum/spectrum.h"
 #include <stdint.h>
@@ -22,7 +23,10 @@ struct model_task {
     unsigned wanted;        /* QUANTITY_BITs */
     double tolerance;
     enum sinusoid_fit_id sinusoid_fit;
-    double hardness_Pa;    /* H_d of the softer body; NaN: not known */
+    double hardness_Pa;            /* H_d of the softer body; NaN: not known */
+    const struct strip_rows *rows; /* its profiles, and these solved as a strip, for models that use_strip; NULL: not
+                                      there */
+    const struct strip *strip;
     uint64_t *evaluations; /* what running models takes is added here: visits of scales, laws at quadrature nodes, loads
                               solved for a separation; NULL: it is not counted */
 };
@@ -65,6 +69,7 @@ struct model_row {
                                             against; NULL: none */
     bool stacks_scales;                  /* every harmonic is a scale: the convergence study speaks of it */
     const struct asperity_model *asperity_model; /* it sums this over model_task.asperities; NULL: it needs none */
+    bool uses_strip;                             /* works on model_task.strip, and model_task.rows where plastic */
     unsigned quantities;                         /* QUANTITY_BITs it computes */
     unsigned may_be_empty; /* those of them that it leaves empty (NaN) where it should not be trusted */
     double largest_area;   /* A/A_n up to which it is valid; 0: any */

@@ -8,7 +8,10 @@
     X(multiscale_plastic)                                                                                              \
     X(gw)                                                                                                              \
     X(jg)                                                                                                              \
-    X(persson)                                                                                                         \
+    X(corrected_persson)                                                                                               \
+    X(corrected_persson_plastic)                                                                                       \
+    X(strip)                                                                                                           \
+    X(strip_plastic)                                                                                                   \
     X(cmy)
 
 #define DECLARE(name) extern const struct model_row model_##name;

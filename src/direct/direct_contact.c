@@ -14,7 +14,7 @@ enum {
 /** Violation at which an elastic solution is good enough to start a hardness from. */
 static const double START = 1e-2;
 
-/** Share in contact above which the last solution is no better to start from than an even pressure. */
+/** Share in contact above which the last solution is no better to start from than an even pressure (not of a strip). */
 static const double WARM_MOST = 0.25;
 
 /** One solution in the making. */
@@ -171,8 +171,8 @@ static void fit_mean(struct solver *solver)
 {
     struct direct_contact *contact = solver->contact;
     struct direct_kernel *kernel = &contact->kernel;
-    double *pressure = contact->pressure, hardness = solver->hardness, bounds[2] = {0};
-    double wanted = solver->load->mean_pressure * (double)kernel->points, count;
+    double wanted = solver->load->mean_pressure * (double)kernel->points, count, bounds[2] = {0};
+    double *pressure = contact->pressure, hardness = fmin(solver->hardness, 2 * wanted + 1); /* elastic: no bound */
     bool all = false;
     do {
         direct_contact_select(contact, all);
@@ -250,7 +250,7 @@ static double level(const struct solver *solver)
 }
 
 /** Takes lambda off the gap and lays the set anew: {0 < p < H}, and where a condition is violated, {p = 0, g < 0} and
- * {p = H, g > 0}. Under a hardness these wait until they are the worst (proportioning: Dostál, SIAM J. Optim. 7 (1997)
+ * {p = H, g > 0}. Under a hardness, and in a strip, these wait until they are the worst (proportioning: Dostál, SIAM J. Optim. 7 (1997)
  * 871); else points change sides in every iteration and no direction lives. Returns max |g| over all of them. What the
  * ranks of a team decide by is the same on all. */
 static double lay_set(struct solver *solver)
@@ -282,7 +282,7 @@ static double lay_set(struct solver *solver)
     worst_free = most[0];
     worst_other = most[1];
     solver->stopped = most[2] > 0;
-    if (isfinite(hardness) && worst_other < worst_free) {
+    if ((isfinite(hardness) || kernel->ny == 1) && worst_other < worst_free) {
         for (size_t k = 0; k < count; k++) {
             double p = contact->pressure[set[k]];
             set[kept] = set[k];
@@ -400,12 +400,16 @@ static enum status_code iterate(struct solver *solver, double tolerance, struct 
     }
 }
 
-/** Pressures to start from: those of the last solution, scaled, or p̄ everywhere. `set` becomes all points. */
+/** Pressures to start from: those of the last solution, scaled, of a strip shifted, or p̄ everywhere. `set` becomes all
+ * points. */
 static void start(struct solver *solver, bool warm)
 {
     struct direct_contact *contact = solver->contact;
+    bool shift = warm && contact->kernel.ny == 1;
+    if (shift)
+        fit_mean(solver);
     direct_contact_select(contact, true);
-    if (warm)
+    if (warm && !shift)
         scale_mean(solver);
     for (size_t k = 0; !warm && k < contact->set_count; k++)
         contact->pressure[contact->set[k]] = solver->load->mean_pressure;
@@ -426,7 +430,8 @@ static enum status_code solve(struct solver *solver, struct status *status)
     bool capped = isfinite(load->hardness), warm = load->warm && contact->solved;
     direct_contact_select(contact, false);
     double touching = direct_team_sum(contact->kernel.team, (double)contact->set_count);
-    warm &= touching < WARM_MOST * (double)contact->kernel.points || (capped && contact->capped);
+    warm &= touching < WARM_MOST * (double)contact->kernel.points || (capped && contact->capped) ||
+            contact->kernel.ny == 1;
     solver->hardness = INFINITY;
     solver->preconditioned = true;
     start(solver, warm);

@@ -83,9 +83,11 @@ enum status_code direct_kernel_make(struct direct_kernel *out, const struct dire
     out->stride = 2 * (nx / 2 + 1);
     out->rows = direct_team_slab(ny, size, rank, &out->first_row);
     out->own_columns = direct_team_slab(nx / 2 + 1, size, rank, &out->first_column);
-    if (nx < 2 || ny < 2 || nx > DIRECT_KERNEL_MOST || ny > DIRECT_KERNEL_MOST)
-        return status_fail(status, STATUS_USAGE, "a grid of %zu x %zu points cannot be solved; take 2 to %d a side", nx,
-                           ny, DIRECT_KERNEL_MOST);
+    size_t most = (size_t)DIRECT_KERNEL_MOST * DIRECT_KERNEL_MOST;
+    if (nx < 2 || ny < 1 || nx > most / ny)
+        return status_fail(status, STATUS_USAGE,
+                           "a grid of %zu x %zu points cannot be solved; take at least 2, and at most %d x %d", nx, ny,
+                           DIRECT_KERNEL_MOST, DIRECT_KERNEL_MOST);
     if (!(spacing_m > 0) || !isfinite(spacing_m))
         return status_fail(status, STATUS_USAGE, "a spacing of %g m cannot be; give a positive length", spacing_m);
     return make(out, status);
@@ -160,6 +162,11 @@ static void filter_column(struct direct_kernel *kernel, fftw_complex *column, co
 static void filter_columns(struct direct_kernel *kernel, const double *table)
 {
     size_t count = kernel->nx / 2 + 1, length = kernel->ny + GAP, rows = kernel->ny / 2 + 1;
+    if (kernel->ny == 1) { /* a column of one point is its own transform */
+        for (size_t i = 0; i < kernel->stride; i++)
+            kernel->field[i] *= table[i / 2];
+        return;
+    }
     for (size_t first = 0; first < count; first += BLOCK) {
         size_t width = count - first < BLOCK ? count - first : BLOCK;
         fftw_complex *columns = kernel->columns;

@@ -14,7 +14,7 @@
 #include <fftw3.h>
 #include <stddef.h>
 
-/** Points a side: the places of a process fit 31 bits. */
+/** Points a side of a square: the places of a process fit 31 bits. */
 enum { DIRECT_KERNEL_MOST = 32768 };
 
 /** A grid of ny rows of nx points and one field on it to transform. Owned: direct_kernel_free(). */
@@ -36,12 +36,13 @@ struct direct_kernel {
     size_t convolutions; /* done so far */
 };
 
-/** nx, ny >= 2. A transform is made of transforms of rows and columns, each column copied to a place of its own and its
- * product transformed back at once: from 512 points a side on that is 1.2 to 1.9 times as fast as FFTW's own plan of
- * two dimensions. A team has the field transposed between them instead, its rows and columns by slabs, and gets the
- * same bits; it has to outlive the kernel. Plans are made with FFTW_ESTIMATE: the same plan, hence the same bytes, in
- * every thread and run, within 1 ms (FFTW_MEASURE would take 0.2 to 2 s and choose by the clock). Any thread may call
- * this at any time. Errors: STATUS_MEMORY; STATUS_USAGE: a grid too large or too small, a spacing that is no length. */
+/** nx >= 2, ny >= 1; with ny = 1 it is a strip, without strain across. A transform is made of transforms of rows and
+ * columns, each column copied to a place of its own and its product transformed back at once: from 512 points a side on
+ * that is 1.2 to 1.9 times as fast as FFTW's own plan of two dimensions. A team has the field transposed between them
+ * instead, its rows and columns by slabs, and gets the same bits; it has to outlive the kernel. Plans are made with
+ * FFTW_ESTIMATE: the same plan, hence the same bytes, in every thread and run, within 1 ms (FFTW_MEASURE would take 0.2
+ * to 2 s and choose by the clock). Any thread may call this at any time. Errors: STATUS_MEMORY; STATUS_USAGE: a grid
+ * too large or too small, a spacing that is no length. */
 MUST_CHECK enum status_code direct_kernel_make(struct direct_kernel *out, const struct direct_team *team, size_t nx,
                                                size_t ny, double spacing_m, struct status *status);
 void direct_kernel_free(struct direct_kernel *kernel);

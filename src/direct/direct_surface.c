@@ -145,11 +145,16 @@ static uint64_t mix(uint64_t x)
     return x ^ (x >> 31);
 }
 
+double direct_random(uint64_t seed, uint64_t index)
+{
+    return ldexp((double)(mix(mix(seed) ^ index) >> 11), -53);
+}
+
 /** Phase of the mode (i, j) of the half plane j > 0 or (j = 0, i > 0). */
 static double phase(uint64_t seed, long i, long j)
 {
     uint64_t index = ((uint64_t)(i + 32768) << 16) | (uint64_t)(j + 32768);
-    return 2 * M_PI * ldexp((double)(mix(mix(seed) ^ index) >> 11), -53);
+    return 2 * M_PI * direct_random(seed, index);
 }
 
 /** Heights of n x n points and their transform, in one place. */
@@ -314,7 +319,7 @@ static void adjust(struct modes *modes, const double *heights, double *values, u
     enum { ROUNDS = 60 };
     size_t n = modes->n, count = n * n;
     for (size_t k = 0; k < count; k++)
-        values[k] = ldexp((double)(mix(mix(seed) ^ k) >> 11), -53);
+        values[k] = direct_random(seed, k);
     for (int round = 0; round <= ROUNDS; round++) {
         rank_ascending(order, values, count);
         for (size_t k = 0; k < count; k++)

@@ -70,6 +70,9 @@ MUST_CHECK enum status_code direct_surface_make(double *height_m, size_t n, dire
                                                 const void *context, const double *given_m, size_t given_count,
                                                 uint64_t seed, struct status *status);
 
+/** A number of 0 ... 1 (without 1) that the seed and the index alone decide, the same everywhere. */
+double direct_random(uint64_t seed, uint64_t index);
+
 /** The same surface on a grid of `times` n points a side (n even): `fine_m` interpolates the heights by their Fourier
  * series, without the modes at n/2. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code direct_surface_refine(double *fine_m, size_t times, const double *height_m, size_t n,

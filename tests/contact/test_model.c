@@ -62,7 +62,7 @@ static void assert_nothing(const struct contact_point *point, unsigned but_for)
             fail_msg("%s is %g", quantity_rows[q].name, point->value[q]);
 }
 
-enum { HARMONICS_MOST = 60, TASKS = 300 };
+enum { HARMONICS_MOST = 60, HEIGHTS_MOST = 90, TASKS = 300 };
 
 /** Spectra of any law, constant ones, single waves, none; with and without asperities and heights; any loads and
  * quantities: every model answers, or says that it does not. */
@@ -86,6 +86,15 @@ TEST_CASE(test_any_task)
         struct status none = {0};
         roughness_from_spectrum(&roughness, &spectrum);
         bool rough = roughness_asperities(&asperities, &roughness, &none) == STATUS_OK && t % 5 != 0;
+        double row[HEIGHTS_MOST];
+        size_t points = next_below(&seed, HEIGHTS_MOST + 1);
+        for (size_t i = 0; i < points; i++)
+            row[i] = 1e-6 * next_share(&seed);
+        struct strip_rows rows = {row, 1, points, 1e-6, t % 2};
+        struct strip strip = {
+            .own = {.count = 3, .logit = {-4, -1, 2}, .value = {{-9, 1, 2}, {-5, 0, 1}, {-3, -2, -1}}},
+            .surrogate[0] = {.count = 1, .logit = {-1}, .value = {{-6, 0, 1}}},
+            .surrogates = 1};
         model_support_loads(load, loads, pow(10, -8 + 4 * next_share(&seed)), pow(10, -3 + 4 * next_share(&seed)));
         struct model_task task = {.spectrum = &spectrum,
                                   .asperities = rough ? &asperities : NULL,
@@ -96,7 +105,9 @@ TEST_CASE(test_any_task)
                                             (MODEL_EVERYTHING & (unsigned)next_below(&seed, 1u << QUANTITY_COUNT)),
                                   .tolerance = t % 2 ? 1e-4 : 1e-8,
                                   .sinusoid_fit = t % 4 == 0 ? SINUSOID_FIT_NUMERIC : SINUSOID_FIT_THESIS,
-                                  .hardness_Pa = pow(10, 6 + 3 * next_share(&seed))};
+                                  .hardness_Pa = pow(10, 6 + 3 * next_share(&seed)),
+                                  .rows = points > 1 ? &rows : NULL,
+                                  .strip = points > 1 ? &strip : NULL};
         for (size_t m = 0; m < model_count; m++) {
             struct contact_point out[MODEL_LOADS + 1];
             struct model_curve curve = model_support_run(out, model_rows[m]->name, &task);

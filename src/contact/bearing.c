@@ -1,0 +1,86 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "contact/bearing.h"
+
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_randist.h>
+#include <gsl/gsl_sort.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct bearing_at bearing_gaussian(double area_ratio, double m0_m2, double m2)
+{
+    double t = gsl_cdf_ugaussian_Qinv(area_ratio);
+    return (struct bearing_at){sqrt(m0_m2) * (t * (1 - area_ratio) + gsl_ran_ugaussian_pdf(t)),
+                               sqrt(m2 / m0_m2) / (2 * M_PI) * exp(-t * t / 2)};
+}
+
+enum status_code bearing_make(struct bearing *out, const struct strip_rows *rows, struct status *status)
+{
+    size_t count = rows->rows * rows->points;
+    *out = (struct bearing){rows, malloc((count + 1) * sizeof(double)), malloc((count + 1) * sizeof(double)), count};
+    if (!out->height_m || !out->below_m) {
+        bearing_free(out);
+        return status_memory(status);
+    }
+    for (size_t i = 0; i < count; i++)
+        out->height_m[i] = -rows->height_m[i];
+    gsl_sort(out->height_m, 1, count);
+    out->below_m[count] = 0;
+    for (size_t i = count; i-- > 0;) {
+        out->height_m[i] = -out->height_m[i];
+        out->below_m[i] = out->below_m[i + 1] + out->height_m[i];
+    }
+    return STATUS_OK;
+}
+
+void bearing_free(struct bearing *bearing)
+{
+    free(bearing->height_m);
+    free(bearing->below_m);
+    *bearing = (struct bearing){0};
+}
+
+static size_t count_crossings(const struct strip_rows *rows, double height_m)
+{
+    size_t crossings = 0;
+    for (size_t r = 0; r < rows->rows; r++) {
+        const double *z = rows->height_m + r * rows->points;
+        for (size_t i = 1; i < rows->points; i++)
+            crossings += z[i - 1] <= height_m && z[i] > height_m;
+        crossings += rows->periodic && z[rows->points - 1] <= height_m && z[0] > height_m;
+    }
+    return crossings;
+}
+
+struct bearing_at bearing_counted(double area_ratio, const struct bearing *bearing)
+{
+    const struct strip_rows *rows = bearing->rows;
+    double n = (double)bearing->count, place = fmin(fmax(area_ratio * n - 0.5, 0), n - 1);
+    size_t above = (size_t)place, next = above + 1 < bearing->count ? above + 1 : above;
+    double d =
+        bearing->height_m[above] + (place - (double)above) * (bearing->height_m[next] - bearing->height_m[above]);
+    size_t steps = rows->points - !rows->periodic; /* of a row */
+    return (struct bearing_at){((n - (double)next) * d - bearing->below_m[next]) / n,
+                               (double)count_crossings(rows, d) / ((double)(rows->rows * steps) * rows->spacing_m)};
+}
+
+double bearing_area(double elastic_area_ratio, double load_over_hardness)
+{
+    return fmin(1, pow(pow(elastic_area_ratio, 4) + pow(load_over_hardness, 4), 0.25));
+}
+
+/** (a^-3 + b^-3)^(-1/3) of positive numbers, the smaller if one is without bound. */
+static double in_parallel(double a, double b)
+{
+    double least = fmin(a, b), share = least / fmax(a, b);
+    return least / cbrt(1 + share * share * share);
+}
+
+struct bearing_contact bearing_contact(double area_ratio, const struct bearing_contact *elastic,
+                                       const struct bearing_at *at)
+{
+    double length_m = pow(1 - sqrt(area_ratio), 1.5) / (2 * at->crossings_per_m);
+    return (struct bearing_contact){area_ratio, in_parallel(elastic->separation_m, at->gap_m),
+                                    in_parallel(elastic->constriction_m, length_m / 0.8)};
+}

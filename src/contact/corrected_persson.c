@@ -1,0 +1,158 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "contact/corrected_persson.h"
+
+#include <math.h>
+#include <pthread.h>
+
+const double corrected_persson_largest_area = 0.97;
+
+enum { KNOTS = 16 };
+
+/** Measured on direct solutions of 48 Gaussian surfaces, Hurst exponents 0.3 ... 1, bandwidths 8 ... 512. */
+static const double knot_area[KNOTS] = {0.0012, 0.0025, 0.005, 0.01, 0.02, 0.04, 0.08, 0.15,
+                                        0.25,   0.4,    0.55,  0.7,  0.8,  0.88, 0.93, 0.965};
+static const double knot_load[KNOTS] = {-0.062, -0.041, -0.047, -0.002, 0.002,  0.014,  0.047,  0.029,
+                                        0.036,  0.014,  -0.007, -0.022, -0.032, -0.040, -0.040, -0.037}; /* ln s */
+static const double knot_constriction[KNOTS] = {-0.604, -0.469, -0.384, -0.336, -0.274, -0.201, -0.124, -0.045, 0.000,
+                                                0.078,  0.172,  0.322,  0.464,  0.621,  0.783,  0.972}; /* ln c */
+/** d ln c/d logit A below the first knot and above the last. */
+static const double slope_below = 0.115, slope_above = 0.13;
+
+static const double step = 0.045; /* in logit A, of the integral */
+static const double reach = 6;    /* in logit A: beyond, what is left is a power of u_0 */
+
+static double logit(double area_ratio)
+{
+    return log(area_ratio) - log1p(-area_ratio);
+}
+
+/** Slope at knot k of the monotone cubic through (x, y), 0 where the data turn (Fritsch and Butland, SIAM J. Sci. Stat.
+ * Comput. 5 (1984) 300); at an end that of the parabola through three, limited. */
+static double slope_at(size_t k, const double *x, const double *y)
+{
+    size_t left = k == 0 ? 0 : k == KNOTS - 1 ? KNOTS - 3 : k - 1; /* of three knots */
+    double h[2] = {x[left + 1] - x[left], x[left + 2] - x[left + 1]};
+    double d[2] = {(y[left + 1] - y[left]) / h[0], (y[left + 2] - y[left + 1]) / h[1]};
+    if (k > 0 && k < KNOTS - 1) {
+        double w[2] = {2 * h[1] + h[0], h[1] + 2 * h[0]};
+        return d[0] * d[1] > 0 ? (w[0] + w[1]) / (w[0] / d[0] + w[1] / d[1]) : 0;
+    }
+    size_t own = k > 0, other = k == 0;
+    double slope = ((2 * h[own] + h[other]) * d[own] - h[own] * d[other]) / (h[own] + h[other]);
+    if (!(slope * d[own] > 0))
+        return 0;
+    return d[0] * d[1] < 0 && fabs(slope) > 3 * fabs(d[own]) ? 3 * d[own] : slope;
+}
+
+/** Both cubics, made once in a process: logit A of the knots, and the slopes there. */
+static struct {
+    double place[KNOTS], load_slope[KNOTS], constriction_slope[KNOTS];
+} cubics;
+static pthread_once_t cubics_made = PTHREAD_ONCE_INIT;
+
+static void make_cubics(void)
+{
+    for (size_t k = 0; k < KNOTS; k++)
+        cubics.place[k] = logit(knot_area[k]);
+    for (size_t k = 0; k < KNOTS; k++) {
+        cubics.load_slope[k] = slope_at(k, cubics.place, knot_load);
+        cubics.constriction_slope[k] = slope_at(k, cubics.place, knot_constriction);
+    }
+}
+
+/** Hermite's cubic from y[0] to y[1], at the share t of the width. */
+static double cubic(const double *y, const double *slope, double width, double t)
+{
+    double a = width * slope[0], b = width * slope[1], rise = y[1] - y[0];
+    return y[0] + t * (a + t * (3 * rise - 2 * a - b + t * (a + b - 2 * rise)));
+}
+
+struct corrected_persson_factors corrected_persson_factors(double area_ratio)
+{
+    pthread_once(&cubics_made, make_cubics);
+    const double *x = cubics.place, *s = knot_load, *c = knot_constriction;
+    double at = logit(area_ratio);
+    if (at <= x[0])
+        return (struct corrected_persson_factors){s[0], c[0] + slope_below * (at - x[0])};
+    if (at >= x[KNOTS - 1])
+        return (struct corrected_persson_factors){s[KNOTS - 1], c[KNOTS - 1] + slope_above * (at - x[KNOTS - 1])};
+    size_t k = 0;
+    while (at >= x[k + 1])
+        k++;
+    double width = x[k + 1] - x[k], t = (at - x[k]) / width;
+    return (struct corrected_persson_factors){cubic(s + k, cubics.load_slope + k, width, t),
+                                              cubic(c + k, cubics.constriction_slope + k, width, t)};
+}
+
+double corrected_persson_load(double area_ratio, double m2)
+{
+    return exp(corrected_persson_factors(area_ratio).load) * persson_load(area_ratio, m2, persson_energy_factor);
+}
+
+double corrected_persson_area(double load, double m2)
+{
+    double factor = 0, before = 0, excess_before = 0; /* ln s hardly changes with A: a secant finds it at once */
+    for (int i = 0;; i++) {
+        double area = persson_area(load / exp(factor), m2, persson_energy_factor);
+        double excess = area > 0 && area < 1 ? corrected_persson_factors(area).load - factor : 0;
+        if (fabs(excess) <= 1e-13 || i == 40)
+            return area;
+        double change = i == 0 ? excess : excess * (factor - before) / (excess_before - excess);
+        before = factor;
+        excess_before = excess;
+        factor += change;
+    }
+}
+
+/** Where the integral stands: its integrand l dp = c l_0 d(s p_0), of which l_0 dp_0 = -du_0/2 is known in closed form.
+ */
+struct place {
+    double factor;       /* c s */
+    double load_factor;  /* ln s */
+    double separation_m; /* u_0 */
+    double product_m;    /* c l_0 s p_0 */
+    double constriction_m;
+};
+
+static struct place place_at(double area_ratio, const struct persson *persson)
+{
+    struct corrected_persson_factors ln = corrected_persson_factors(area_ratio);
+    double load = persson_load(area_ratio, persson->m2, persson_energy_factor);
+    struct persson_separation at = persson_separation(persson, load);
+    double length_m = exp(ln.constriction) * at.constriction_m / 2;
+    return (struct place){exp(ln.load + ln.constriction), ln.load, at.separation_m, length_m * exp(ln.load) * load,
+                          length_m};
+}
+
+static struct place place_of_logit(double x, const struct persson *persson)
+{
+    return place_at(1 / (1 + exp(-x)), persson);
+}
+
+/** d ln(c s)/d ln u_0 between two places: small and even. */
+static double power(const struct place *a, const struct place *b)
+{
+    return log(a->factor / b->factor) / log(a->separation_m / b->separation_m);
+}
+
+void corrected_persson_curve(struct corrected_persson_point *out, const double *area_ratio, size_t count,
+                             const struct persson *persson)
+{
+    if (count == 0)
+        return;
+    double x = logit(corrected_persson_largest_area) + reach;
+    struct place beyond = place_of_logit(x + step, persson), above = place_of_logit(x, persson);
+    double sum_m = above.factor * above.separation_m / (1 + power(&beyond, &above));
+    for (size_t i = count; i-- > 0;) {
+        double from = x, to = logit(area_ratio[i]), steps = fmax(1, ceil((from - to) / step));
+        for (double k = 1; k <= steps; k++) {
+            x = from + (to - from) * k / steps;
+            struct place here = k < steps ? place_of_logit(x, persson) : place_at(area_ratio[i], persson);
+            sum_m +=
+                (here.factor * here.separation_m - above.factor * above.separation_m) / (1 + power(&above, &here)) +
+                (here.product_m + above.product_m) * (above.load_factor - here.load_factor);
+            above = here;
+        }
+        out[i] = (struct corrected_persson_point){above.constriction_m, sum_m};
+    }
+}

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Persson's theory corrected at equal area: what direct solutions of 456 Gaussian surfaces have that the theory has not
+ * is one function of the share in contact, whatever the spectrum (equations: corrected Persson). */
+#ifndef CONTACT_CORRECTED_PERSSON_H
+#define CONTACT_CORRECTED_PERSSON_H
+
+#include "contact/persson.h"
+
+/** Largest A/A_n that the direct solutions reach: 0.97. */
+extern const double corrected_persson_largest_area;
+
+/** ln s and ln c at A/A_n (0...1, exclusive). */
+struct corrected_persson_factors {
+    double load;         /* ln s: p = s p_0 */
+    double constriction; /* ln c: l = c l_0 */
+};
+struct corrected_persson_factors corrected_persson_factors(double area_ratio);
+
+/** p = P/(A_n E') at which A/A_n (0...1, exclusive) of a surface touches whose profile has the mean-square slope m2. */
+double corrected_persson_load(double area_ratio, double m2);
+/** Its inverse. */
+double corrected_persson_area(double load, double m2);
+
+/** What a share in contact goes with. */
+struct corrected_persson_point {
+    double constriction_m; /* l(A): R A_n = (rho_1 + rho_2) l */
+    double separation_m;   /* 2 int_A^1 l dp (Barber 2003, Proc. R. Soc. A 459, 53) */
+};
+
+/** At `count` ascending area_ratio, above 0 and up to the largest; the integral goes from each to the next in steps.
+ * Relative error of the separation below 3e-5 (tests). */
+void corrected_persson_curve(struct corrected_persson_point *out, const double *area_ratio, size_t count,
+                             const struct persson *persson);
+
+#endif

@@ -1,0 +1,64 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a surface's heights do, whatever their distribution: profiles solved as strips of an elastic half space, without
+ * strain across, beside Gaussian strips of the same spectrum. Their ratio at equal area is carried over to the surface
+ * (equations: strip transfer). */
+#ifndef CONTACT_STRIP_H
+#define CONTACT_STRIP_H
+
+#include "base/status.h"
+#include <stdatomic.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum {
+    STRIP_LOADS = 17,       /* rungs of the ladder */
+    STRIP_SURROGATES = 4,   /* Gaussian strips a ratio is against */
+    STRIP_LEAST_POINTS = 12 /* in contact, below which a solution says nothing */
+};
+
+/** Profiles of one surface, of equal length and spacing, levelled, their heights from one reference. */
+struct strip_rows {
+    const double *height_m; /* rows x points */
+    size_t rows, points;
+    double spacing_m;
+    bool periodic; /* each closes on itself; else it is mirrored */
+};
+
+/** Solutions of one strip by area, ascending. */
+struct strip_curve {
+    size_t count;
+    double logit[STRIP_LOADS];    /* of A/A_n, corrected for the outline */
+    double value[STRIP_LOADS][3]; /* ln of p, l, gap: as struct strip_ratio */
+};
+
+/** A strip and the Gaussian ones beside it. */
+struct strip {
+    struct strip_curve own, surrogate[STRIP_SURROGATES];
+    size_t surrogates;
+    uint64_t transforms; /* pairs of transforms that it took, times points */
+};
+
+/** Joins rows which[0 ... count - 1] to one strip and solves it, and as many surrogates: every row with random phases
+ * on these rows' mean power and a normal mean of these rows' mean and deviation, hashed from the row's number, so that
+ * a row keeps its phases whatever other rows there are. Errors: STATUS_MODEL: flat rows, or not one load under which
+ * enough points touch; STATUS_INTERRUPTED when *stop (NULL: never) becomes non-zero; STATUS_MEMORY. */
+MUST_CHECK enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, const size_t *which,
+                                        size_t count, size_t surrogates, const atomic_bool *stop,
+                                        struct status *status);
+
+/** Pairs of transforms times points that strip_solve() takes, about. */
+uint64_t strip_cost(const struct strip_rows *rows, size_t count, size_t surrogates);
+
+/** ln of the strip's load, constriction length and gap over those of its surrogates (mean of ln) at equal area. */
+struct strip_ratio {
+    double load, constriction, separation;
+};
+struct strip_ratio strip_ratio_at(const struct strip *strip, double area_ratio);
+
+/** A/A_n (up to that of corrected_persson.h; NaN beyond) at ascending loads P/(A_n E') of a surface whose rows have the
+ * mean-square slope m2: p(A) of the corrected theory times the ratio, made monotone. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code strip_areas(double *area_ratio, const double *loads, size_t count,
+                                        const struct strip *strip, double m2, struct status *status);
+
+#endif

@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A hardness beside an elastic contact, and the models that have it. */
+#include "contact/bearing.h"
+#include "contact/corrected_persson.h"
+#include "model_support.h"
+
+/** A ramp and a triangle: everything by hand. */
+TEST_CASE(counted)
+{
+    enum { N = 1000 };
+    double height[2 * N];
+    for (size_t i = 0; i < N; i++) { /* of 0 ... 1: up at once, and up and down */
+        height[i] = ((double)i + 0.5) / N;
+        height[N + i] = i < N / 2 ? ((double)i + 0.25) / (N / 2) : ((double)(N - i) - 0.75) / (N / 2);
+    }
+    struct strip_rows rows = {height, 2, N, 1e-3, true};
+    struct bearing bearing;
+    struct status status = {0};
+    assert_int_equal(bearing_make(&bearing, &rows, &status), STATUS_OK);
+    for (double area = 0.1; area < 0.95; area += 0.1) {
+        struct bearing_at at = bearing_counted(area, &bearing);
+        assert_near(at.gap_m, (1 - area) * (1 - area) / 2, 1e-2); /* even heights: d = 1 - A */
+        assert_near(at.crossings_per_m, 2 / 2.0, 1e-12);          /* once in each of two metres */
+    }
+    bearing_free(&bearing);
+}
+
+/** Gaussian heights at half contact, and far up: (d - z)+ is d. */
+TEST_CASE(gaussian)
+{
+    struct bearing_at at = bearing_gaussian(0.5, 4e-12, 0.01);
+    assert_near(at.gap_m, 2e-6 / sqrt(2 * M_PI), 1e-12);
+    assert_near(at.crossings_per_m, 0.1 / (2e-6 * 2 * M_PI), 1e-12);
+    at = bearing_gaussian(1.3498980316300945e-3, 4e-12, 0.01); /* 3 sigma */
+    assert_near(at.gap_m, 2e-6 * (3 * (1 - 1.3498980316300945e-3) + 4.4318484119380075e-3), 1e-9);
+    assert_near(at.crossings_per_m, 0.1 / (2e-6 * 2 * M_PI) * exp(-4.5), 1e-9);
+}
+
+TEST_CASE(limits)
+{
+    static const struct bearing_contact elastic = {0.1, 1e-6, 1e-5};
+    struct bearing_at open = {1, 1e-3}, tight = {1e-9, 1e9}, never = {1, 0};
+    assert_near(bearing_area(0.1, 1e-4), 0.1, 1e-11);
+    assert_near(bearing_area(1e-4, 0.1), 0.1, 1e-11);
+    assert_near(bearing_area(0.1, 0.1), 0.1 * pow(2, 0.25), 1e-12);
+    assert_true(bearing_area(0.5, 2) == 1);
+    struct bearing_contact found = bearing_contact(0.1, &elastic, &open);
+    assert_near(found.separation_m, 1e-6, 1e-12);
+    assert_near(found.constriction_m, 1e-5, 1e-12);
+    found = bearing_contact(0.1, &elastic, &tight);
+    assert_near(found.separation_m, 1e-9, 1e-8);
+    assert_near(found.constriction_m, pow(1 - sqrt(0.1), 1.5) / 2e9 / 0.8, 1e-8);
+    found = bearing_contact(0.1, &elastic, &never);
+    assert_near(found.constriction_m, 1e-5, 1e-12);
+    found = bearing_contact(0.1, &elastic, &(struct bearing_at){1e-6, pow(1 - sqrt(0.1), 1.5) / (1.6e-5)});
+    assert_near(found.separation_m, 1e-6 * cbrt(0.5), 1e-12);
+    assert_near(found.constriction_m, 1e-5 * cbrt(0.5), 1e-12);
+}
+
+/** The rows give what their parts give; a ratio of one is the corrected theory; all end at the largest area. */
+TEST_CASE(models)
+{
+    enum { N = 400 };
+    struct spectrum spectrum = model_support_law(3e-4, 0.085, 1.5, 256);
+    struct material_pair pair = model_support_tin();
+    double load[MODEL_LOADS], height[N];
+    struct contact_point points[4][MODEL_LOADS + 1];
+    static const char *const names[4] = {"corrected-persson", "strip", "corrected-persson-plastic", "strip-plastic"};
+    for (size_t i = 0; i < N; i++)
+        height[i] = 1e-7 * sin(0.05 * (double)i) + 3e-8 * sin(0.31 * (double)i);
+    struct strip_rows rows = {height, 1, N, 1e-6, false};
+    struct strip strip = {.own = {.count = 2, .logit = {-4, 2}, .value = {{-9, 1, 2}, {-4, -2, 0}}}, .surrogates = 1};
+    strip.surrogate[0] = strip.own;
+    model_support_loads(load, MODEL_LOADS, 1e-5, 10);
+    struct model_task task = {.spectrum = &spectrum,
+                              .pair = &pair,
+                              .loads = load,
+                              .load_count = MODEL_LOADS,
+                              .wanted = MODEL_EVERYTHING,
+                              .tolerance = 1e-8,
+                              .hardness_Pa = 1e30,
+                              .rows = &rows,
+                              .strip = &strip};
+    struct model_curve curve[4];
+    for (int m = 0; m < 4; m++)
+        curve[m] = model_support_run(points[m], names[m], &task);
+    double m2 = spectrum_moment(&spectrum, 1);
+    for (size_t i = 0; i < curve[0].count; i++) {
+        const double *value = points[0][i].value;
+        double area = corrected_persson_area(load[i], m2);
+        assert_near(value[QUANTITY_AREA], area, 1e-14);
+        assert_near(value[QUANTITY_ECR] / pair.resistivity_ohm_m, value[QUANTITY_TCR] * pair.conductivity_W_per_mK,
+                    1e-12);
+        for (int q = QUANTITY_AREA; q <= QUANTITY_TCR && i < curve[1].count; q++)
+            if (q == QUANTITY_AREA || q == QUANTITY_SEPARATION || q == QUANTITY_ECR || q == QUANTITY_TCR)
+                assert_near(points[1][i].value[q], value[q], 1e-3);
+        for (int m = 2; m < 4; m++) { /* nothing yields */
+            assert_near(points[m][i].value[QUANTITY_AREA], points[m - 2][i].value[QUANTITY_AREA], 1e-12);
+            assert_true(points[m][i].value[QUANTITY_ECR] <= points[m - 2][i].value[QUANTITY_ECR]);
+        }
+    }
+    for (int m = 0; m < 4; m++) {
+        assert_true(curve[m].exists && curve[m].count > 3 && curve[m].count < MODEL_LOADS);
+        assert_true(points[m][curve[m].count - 1].value[QUANTITY_AREA] <= corrected_persson_largest_area);
+    }
+    task.hardness_Pa = 1e-3 * pair.effective_modulus_Pa; /* all yields: A = P/H */
+    curve[3] = model_support_run(points[3], names[3], &task);
+    assert_near(points[3][0].value[QUANTITY_AREA], load[0] / 1e-3, 0.05);
+    strip.own.value[0][1] += log(2); /* twice the length, at equal area */
+    strip.own.value[1][1] += log(2);
+    curve[1] = model_support_run(points[1], names[1], &task);
+    assert_near(points[1][5].value[QUANTITY_ECR], 2 * points[0][5].value[QUANTITY_ECR], 1e-3);
+    task.strip = NULL;
+    curve[1] = model_support_run(points[1], names[1], &task);
+    assert_false(curve[1].exists);
+    spectrum_free(&spectrum);
+}

@@ -1,0 +1,107 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The corrected Persson theory against tests/data/golden/strip/corrected_persson.csv (an independent program), and in
+ * what holds of it whatever the table. */
+#include "base/integral.h"
+#include "contact/corrected_persson.h"
+#include "model_support.h"
+
+/** The spectrum of a column of the golden profiles: harmonics 1-255, no window. */
+static struct spectrum golden_spectrum(const char *name)
+{
+    struct table table = table_read("golden/contacting-slopes/profiles.csv");
+    double *height = malloc(table.rows * sizeof *height);
+    struct spectrum spectrum;
+    struct status status = {0};
+    assert_non_null(height);
+    for (size_t i = 0; i < table.rows; i++)
+        height[i] = table_number(&table, i, name);
+    assert_int_equal(spectrum_compute(&spectrum, height, table.rows, 1e-6, SPECTRUM_WINDOW_NONE, &status), STATUS_OK);
+    spectrum.count = 255;
+    spectrum.has_nyquist = false;
+    free(height);
+    table_free(&table);
+    return spectrum;
+}
+
+static struct persson made(const struct spectrum *spectrum)
+{
+    struct persson persson;
+    struct status status = {0};
+    assert_int_equal(persson_make(&persson, spectrum, persson_energy_factor, &status), STATUS_OK);
+    return persson;
+}
+
+TEST_CASE(matches_reference)
+{
+    struct table table = table_read("golden/strip/corrected_persson.csv");
+    assert_int_equal(table.rows, 18);
+    for (size_t i = 0; i < table.rows; i++) {
+        struct spectrum spectrum = golden_spectrum(table_text(&table, i, "profile"));
+        struct persson persson = made(&spectrum);
+        double area = table_number(&table, i, "area_ratio"), load = table_number(&table, i, "load_over_AnEp");
+        struct corrected_persson_point point;
+        corrected_persson_curve(&point, &area, 1, &persson);
+        assert_near(corrected_persson_load(area, persson.m2), load, 1e-7);
+        assert_near(corrected_persson_area(load, persson.m2), area, 1e-7);
+        assert_near(point.constriction_m, table_number(&table, i, "constriction_length_m"), 1e-7);
+        assert_near(point.separation_m, table_number(&table, i, "gap_m"), 1e-5);
+        persson_free(&persson);
+        spectrum_free(&spectrum);
+    }
+    table_free(&table);
+}
+
+/** The factors are the table at its knots, continuous between, and straight beyond; load and area are each other's
+ * inverse. */
+TEST_CASE(factors)
+{
+    static const struct {
+        double area_ratio, load, constriction;
+    } rows[] = {{0.0012, -0.062, -0.604},
+                {0.04, 0.014, -0.201},
+                {0.4, 0.014, 0.078},
+                {0.965, -0.037, 0.972},
+                {1.2e-6, -0.062, -0.604 - 0.115 * 6.908955}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct corrected_persson_factors at = corrected_persson_factors(rows[i].area_ratio);
+        assert_within(at.load, rows[i].load, 1e-12);
+        assert_within(at.constriction, rows[i].constriction, 1e-6);
+    }
+    double before = 0;
+    for (double load = 1e-12; load < 2; load *= 1.1) {
+        double area = corrected_persson_area(load, 0.3);
+        assert_near(corrected_persson_load(area, 0.3), load, 1e-11);
+        assert_true(area > before);
+        before = area;
+    }
+}
+
+/** Barber's identity: the separation falls by 2 l dp, and it does not depend on what else is asked. */
+TEST_CASE(separation_is_the_integral_of_constriction)
+{
+    enum { AREAS = 200 };
+    struct spectrum spectrum = model_support_law(1e-3, 0.01, 1.1, 1000);
+    struct persson persson = made(&spectrum);
+    double area[AREAS];
+    struct corrected_persson_point all[AREAS], alone;
+    for (size_t i = 0; i < AREAS; i++) {
+        double odds = exp(-12 + 15.4 * (double)i / (AREAS - 1));
+        area[i] = odds / (1 + odds);
+    }
+    corrected_persson_curve(all, area, AREAS, &persson);
+    for (size_t i = 0; i < AREAS; i += 7) {
+        corrected_persson_curve(&alone, area + i, 1, &persson);
+        assert_near(alone.constriction_m, all[i].constriction_m, 1e-14);
+        assert_near(alone.separation_m, all[i].separation_m, 3e-5);
+    }
+    for (size_t i = 0; i + 2 < AREAS; i++) { /* by trapezia */
+        double load[3], product = 0;
+        for (size_t k = 0; k < 3; k++)
+            load[k] = corrected_persson_load(area[i + k], persson.m2);
+        for (size_t k = 0; k < 2; k++)
+            product += (all[i + k].constriction_m + all[i + k + 1].constriction_m) * (load[k + 1] - load[k]);
+        assert_near(all[i].separation_m - all[i + 2].separation_m, product, 5e-3);
+    }
+    persson_free(&persson);
+    spectrum_free(&spectrum);
+}

@@ -1,0 +1,138 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The strip transfer: what is known of it in closed form, and what has to hold whatever the heights. */
+#include "contact/corrected_persson.h"
+#include "contact/strip.h"
+#include "direct/direct_surface.h"
+#include "model_support.h"
+
+enum { POINTS = 1024, ROWS = 4 };
+
+/** Gaussian rows, periodic, wavelengths from L/2 to 16 points, amplitudes falling as of Hurst exponent 0.8. */
+static double *gaussian_rows(size_t rows, uint64_t seed)
+{
+    double *height = calloc(rows * POINTS, sizeof *height);
+    assert_non_null(height);
+    for (size_t r = 0; r < rows; r++)
+        for (size_t n = 2; n <= POINTS / 16; n++) {
+            double amplitude = 1e-6 * pow((double)n, -1.3), phase = 2 * M_PI * direct_random(seed, 1000 * r + n);
+            for (size_t i = 0; i < POINTS; i++)
+                height[r * POINTS + i] += amplitude * cos(2 * M_PI * (double)(n * i % POINTS) / POINTS + phase);
+        }
+    return height;
+}
+
+static struct strip solved(const struct strip_rows *rows, const size_t *which, size_t count, size_t surrogates)
+{
+    struct strip strip;
+    struct status status = {0};
+    if (strip_solve(&strip, rows, which, count, surrogates, NULL, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    return strip;
+}
+
+static double share(double logit)
+{
+    return 1 / (1 + exp(-logit));
+}
+
+/** A wave is its own strip: Westergaard's p = pi D/L sin²(pi A/2) and l = -(L/pi) ln sin(pi A/2). Mirrored, two. */
+TEST_CASE(sinusoid)
+{
+    static const size_t first = 0;
+    double height[POINTS], length_m = POINTS * 1e-6, amplitude_m = 1e-6;
+    for (int periodic = 0; periodic < 2; periodic++) {
+        for (size_t i = 0; i < POINTS; i++)
+            height[i] = amplitude_m * cos(2 * M_PI * ((double)i + 0.5) / POINTS);
+        struct strip_rows rows = {height, 1, POINTS, 1e-6, periodic};
+        struct strip strip = solved(&rows, &first, 1, 0);
+        assert_in_range(strip.own.count, 8, STRIP_LOADS);
+        assert_true(strip.transforms > 0);
+        for (size_t k = 0; k < strip.own.count; k++) {
+            double area = share(strip.own.logit[k]), sine = sin(M_PI * area / 2);
+            if (area < 0.1 || area > 0.97) /* a wave hardly touches, or hardly gapes: few points */
+                continue;
+            assert_near(exp(strip.own.value[k][0]), M_PI * amplitude_m / length_m * sine * sine, 0.08);
+            assert_near(exp(strip.own.value[k][1]), -length_m / M_PI * log(sine), 0.05);
+        }
+    }
+}
+
+/** Gaussian rows differ from their surrogates by chance alone. */
+TEST_CASE(gaussian_rows_have_a_ratio_of_one)
+{
+    enum { SURFACES = 6 };
+    static const size_t all[ROWS] = {0, 1, 2, 3};
+    double sum[3] = {0};
+    for (uint64_t s = 0; s < SURFACES; s++) {
+        double *height = gaussian_rows(ROWS, 77 + s);
+        struct strip_rows rows = {height, ROWS, POINTS, 1e-6, true};
+        struct strip strip = solved(&rows, all, ROWS, STRIP_SURROGATES);
+        struct strip_ratio ratio = strip_ratio_at(&strip, 0.2);
+        sum[0] += ratio.load / SURFACES;
+        sum[1] += ratio.constriction / SURFACES;
+        sum[2] += ratio.separation / SURFACES;
+        free(height);
+    }
+    for (int q = 0; q < 3; q++)
+        assert_within(sum[q], 0, 0.06);
+}
+
+/** Plateaus with pits: at half contact a tenth of the load of a Gaussian surface will do. The same again is the same
+ * bits, and other rows leave a row alone. */
+TEST_CASE(heights_tell)
+{
+    static const size_t all[ROWS] = {0, 1, 2, 3}, second = 1;
+    double *height = gaussian_rows(ROWS, 5);
+    for (size_t i = 0; i < ROWS * POINTS; i++)
+        height[i] = fmin(height[i], 0) + 0.02 * fmax(height[i], 0);
+    struct strip_rows rows = {height, ROWS, POINTS, 1e-6, false}, alone = {height + POINTS, 1, POINTS, 1e-6, false};
+    struct strip strip = solved(&rows, all, ROWS, STRIP_SURROGATES), again = solved(&rows, all, ROWS, STRIP_SURROGATES);
+    assert_memory_equal(&strip, &again, sizeof strip);
+    struct strip_ratio at = strip_ratio_at(&strip, 0.4);
+    assert_true(at.load < log(0.5) && at.separation > 0);
+    strip = solved(&rows, &second, 1, 0);
+    again = solved(&alone, all, 1, 0);
+    assert_memory_equal(&strip, &again, sizeof strip);
+    free(height);
+}
+
+/** Without a ratio the areas are the corrected theory's; with one, p(A) never falls, and below the last solution the
+ * ratio stays. */
+TEST_CASE(areas)
+{
+    enum { LOADS = 60 };
+    struct strip strip = {.own = {.count = 3, .logit = {-4, -1, 2}, .value = {{-9, 1, 2}, {-6, 0, 1}, {-3, -2, 0}}},
+                          .surrogates = 1};
+    double loads[LOADS], area[LOADS];
+    struct status status = {0};
+    model_support_loads(loads, LOADS, 1e-9, 2);
+    strip.surrogate[0] = strip.own;
+    assert_int_equal(strip_areas(area, loads, LOADS, &strip, 0.04, &status), STATUS_OK);
+    for (size_t i = 0; i < LOADS; i++) {
+        double expected = corrected_persson_area(loads[i], 0.04);
+        if (expected > corrected_persson_largest_area)
+            assert_true(isnan(area[i]));
+        else
+            assert_near(area[i], expected, 2e-4);
+    }
+    strip.own.value[1][0] = -8.9; /* hardly more load for a lot more area */
+    strip.surrogate[0].logit[0] = -3.5;
+    assert_int_equal(strip_areas(area, loads, LOADS, &strip, 0.04, &status), STATUS_OK);
+    for (size_t i = 1; i < LOADS && !isnan(area[i]); i++)
+        assert_true(area[i] >= area[i - 1]);
+    double low = exp(strip_ratio_at(&strip, 1e-6).load);
+    assert_near(low, exp(strip_ratio_at(&strip, 1e-4).load), 1e-3); /* p as A: logit A, nearly ln A */
+    assert_near(area[0], corrected_persson_area(loads[0] / low, 0.04), 1e-2);
+    assert_near(strip_ratio_at(&strip, 1e-6).separation, strip_ratio_at(&strip, 1e-4).separation, 1e-12);
+}
+
+/** Flat rows have no strip. */
+TEST_CASE(nothing_to_solve)
+{
+    static const size_t first = 0;
+    double height[POINTS] = {0};
+    struct strip_rows rows = {height, 1, POINTS, 1e-6, false};
+    struct strip strip;
+    struct status status = {0};
+    assert_int_equal(strip_solve(&strip, &rows, &first, 1, 1, NULL, &status), STATUS_MODEL);
+}
