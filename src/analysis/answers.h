@@ -39,7 +39,6 @@ struct limit_check {
     enum limit_verdict verdict;
 };
 
-
 /** Fills record->summary.answers and .limits, once all models and intervals are there, and adds a search a target to
  * each model's work. Each target is solved on the model itself to the tolerance of `task`. Several scans: on every scan
  * alone, the geometric mean and the t interval of ln P; where some scan does not meet it between the loads, on the

@@ -273,6 +273,15 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
     return power_law_scans_end_file(scans, scan->ny - unusable, scan->kind == SCAN_AREAL, status);
 }
 
+/** Does a model that may run use strips? Two rough bodies have no heights in common. */
+static bool wants_strips(const struct scene *scene)
+{
+    for (size_t m = 0; m < model_count; m++)
+        if ((scene->models & MODEL_BIT(m)) && model_rows[m]->uses_strip)
+            return scene->counterface_surface.file_count == 0;
+    return false;
+}
+
 /** A file as it was read, and what is made of it. */
 struct file_task {
     struct surface_record *record;
@@ -366,6 +375,7 @@ enum status_code describe_file(struct surface_record *record, struct power_law_s
         return status_memory(status);
     struct file_task task = {record, scans, scene, surface, file, path, &bytes, NULL, 0};
     double started = clock_seconds();
+    record->ensemble.keeps_heights = wants_strips(scene);
     enum status_code rc = text_read_file(&bytes, path, status);
     record->summary.times.read += clock_seconds() - started;
     if (rc == STATUS_OK) {
@@ -485,17 +495,21 @@ enum status_code describe_conclude(struct surface_record *record, struct power_l
     size_t all = set->count;
     bool profiles = true;
     for (size_t p = 0; p < all; p++)
-        profiles = profiles && set->members[p].height_m;
+        profiles = profiles && !set->members[p].is_row;
     if (all == 0) /* a map of which other rows were chosen than can be used */
         return STATUS_OK;
     if (all > 1 && repeats_merge_identical(set)) {
         surface_note(&record->summary, "its %zu scans are the same to the last digit: they count as one", all);
         scans->independent = 1;
     }
+    if (set->count > 1 && profiles && cut_to_shortest(record, scene, status) != STATUS_OK)
+        return status->code;
+    if (set->keeps_heights && strips_gather(&record->strips, set, status) != STATUS_OK)
+        return status->code;
+    record->summary.strip_cost = (double)strips_cost(&record->strips, STRIP_SURROGATES);
+    record->summary.has_strips = strips_surrogates(&record->strips, scene) > 0;
     if (set->count == 1)
         return keep_single(record, scans, scene, status);
-    if (profiles && cut_to_shortest(record, scene, status) != STATUS_OK)
-        return status->code;
     for (size_t p = 0; p < set->count; p++) {
         free(set->members[p].height_m);
         set->members[p].height_m = NULL;

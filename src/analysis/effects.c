@@ -221,8 +221,32 @@ static void decide_uncertainty(struct plan *plan, const struct surface_record *s
         plan_switch_off(plan, EFFECT_UNCERTAINTY);
 }
 
+/** Of a point of a transform there and back, on one core of 2020. */
+static const double strip_seconds = 30e-9;
+
+/** Strips run unasked where all surfaces together keep within their budget. */
+static void decide_strips(struct plan *plan, const struct surface_record *surfaces, size_t count)
+{
+    double cost = 0;
+    size_t lacking = 0;
+    for (size_t i = 0; i < count; i++) {
+        const struct surface_summary *summary = &surfaces[i].summary;
+        cost += summary->usable ? summary->strip_cost : 0;
+        lacking += summary->usable && !summary->has_strips;
+    }
+    for (size_t m = 0; m < model_count && lacking > 0; m++)
+        if (model_rows[m]->uses_strip)
+            plan->models &= ~MODEL_BIT(m);
+    if (lacking > 0 && cost > 0)
+        snprintf(plan->area_reason, sizeof plan->area_reason,
+                 "every report has it; strips of the scans would take about %.2g s: name the model strip to have them",
+                 cost * strip_seconds);
+}
+
 void effects_decide(struct plan *plan, const struct scene *scene, const struct surface_record *surfaces, size_t count)
 {
+    if (!scene->models_named)
+        decide_strips(plan, surfaces, count);
     if (!scene->effects_auto)
         return;
     if (plan_runs(plan, EFFECT_PLASTICITY))
@@ -289,7 +313,7 @@ static void add_models(struct effects_row *elastic, struct effects_row *plastic,
 void effects_account(struct effects_row rows[EFFECTS_ROWS], const struct plan *plan,
                      const struct surface_record *surfaces, size_t count, const struct effects_studies *studies)
 {
-    rows[0] = (struct effects_row){.name = "area", .runs = true, .reason = "every report has it"};
+    rows[0] = (struct effects_row){.name = "area", .runs = true, .reason = plan->area_reason};
     add_methods(rows[0].method, sizeof rows[0].method, plan, false, false);
     for (int e = 0; e < EFFECT_COUNT; e++) {
         rows[e + 1] = (struct effects_row){
@@ -306,6 +330,8 @@ void effects_account(struct effects_row rows[EFFECTS_ROWS], const struct plan *p
     for (size_t i = 0; i < count; i++) {
         const struct surface_summary *summary = &surfaces[i].summary;
         add_models(&rows[0], &rows[1 + EFFECT_PLASTICITY], summary);
+        rows[0].evaluations += summary->strip_transforms;
+        rows[0].seconds += summary->times.strips;
         convergence->seconds += summary->times.convergence;
         uncertainty->evaluations += summary->simulated_evaluations;
         uncertainty->seconds += summary->times.uncertainty;
@@ -328,6 +354,7 @@ double effects_rough_seconds(const struct plan *plan, const struct surface_recor
         double points = (double)summary->points * (double)summary->scans;
         sum += surface_seconds + points * point_seconds +
                (double)(models * load_count) * fmax(1, (double)summary->scans) * load_seconds;
+        sum += summary->has_strips ? summary->strip_cost * strip_seconds : 0;
         if (summary->simulates)
             sum += 2 * SINGLE_SCAN_RECORDS * (double)summary->points * record_height_seconds;
     }

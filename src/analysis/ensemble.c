@@ -13,6 +13,7 @@ void ensemble_free(struct ensemble *set)
     for (size_t p = 0; p < set->count; p++) {
         spectrum_free(&set->members[p].spectrum);
         free(set->members[p].height_m);
+        free(set->members[p].strip);
     }
     free(set->members);
     free(set->scans);
@@ -38,14 +39,18 @@ struct record_conditioning record_conditioning_of(const struct scene *scene, boo
     return (struct record_conditioning){scene->level, !scene->level_given, periodic, scene->window, scene->moments};
 }
 
+static enum level level_of(const struct record_conditioning *how)
+{
+    return how->periodic && how->periodic_mean ? LEVEL_MEAN : how->level;
+}
+
 enum status_code member_of_record(struct member *out, struct fft_room *room, size_t points, double spacing_m,
                                   const struct record_conditioning *how, struct status *status)
 {
-    enum level level = how->periodic && how->periodic_mean ? LEVEL_MEAN : how->level;
     struct levelling levelling;
     struct status none = {0};
     *out = (struct member){.points = points, .spacing_m = spacing_m, .periodic = how->periodic};
-    if (level_remove(&levelling, room->record, NULL, points, spacing_m, level, &none) == STATUS_MEMORY)
+    if (level_remove(&levelling, room->record, NULL, points, spacing_m, level_of(how), &none) == STATUS_MEMORY)
         return status_memory(status);
     out->roughness = roughness_of_heights(room->record, points, spacing_m);
     enum spectrum_window window = spectrum_window_for(how->window, how->periodic);
@@ -53,6 +58,20 @@ enum status_code member_of_record(struct member *out, struct fft_room *room, siz
         return status->code;
     if (how->moments == ROUGHNESS_MOMENTS_SPECTRAL)
         roughness_from_spectrum(&out->roughness, &out->spectrum);
+    return STATUS_OK;
+}
+
+static enum status_code keep_heights(struct member *member, const double *height_m,
+                                     const struct record_conditioning *how, struct status *status)
+{
+    struct levelling levelling;
+    struct status none = {0};
+    if (!(member->height_m = malloc(member->points * sizeof *height_m)))
+        return status_memory(status);
+    memcpy(member->height_m, height_m, member->points * sizeof *height_m);
+    if (level_remove(&levelling, member->height_m, NULL, member->points, member->spacing_m, level_of(how), &none) ==
+        STATUS_MEMORY)
+        return status_memory(status);
     return STATUS_OK;
 }
 
@@ -68,6 +87,8 @@ enum status_code ensemble_add(struct ensemble *set, size_t scan, const double *h
     memcpy(room.record, height_m, points * sizeof *height_m);
     enum status_code rc = member_of_record(member, &room, points, spacing_m, &own, status);
     member->scan = scan;
+    if (rc == STATUS_OK && set->keeps_heights)
+        rc = keep_heights(member, height_m, &own, status);
     fft_room_free(&room);
     return rc;
 }
@@ -77,6 +98,7 @@ struct model_task member_task(struct asperities *asperities, const struct member
     struct model_task own = *task;
     struct status none = {0};
     own.spectrum = &member->spectrum;
+    own.strip = member->strip ? member->strip : task->strip;
     own.asperities = roughness_asperities(asperities, &member->roughness, &none) == STATUS_OK ? asperities : NULL;
     return own;
 }
@@ -253,11 +275,27 @@ static void fill_band(struct ensemble_band *band, const struct estimate *estimat
         }
 }
 
+/** Moves a point of the mean towards the joined rows' by `share` of the way in the logarithm. */
+static void join(struct contact_point *point, struct estimate *estimates, const struct contact_point *joined,
+                 double share)
+{
+    for (int q = QUANTITY_AREA; q < QUANTITY_COUNT; q++) {
+        double shift = share * log(joined->value[q] / point->value[q]);
+        if (!isfinite(shift))
+            continue;
+        point->value[q] *= exp(shift);
+        estimates[q].mean += shift;
+    }
+}
+
+/** joined: the curve of all rows in one strip, NULL for a model that uses none. */
 static enum status_code mean_curve(struct model_curve *curve, struct ensemble_result *result,
                                    const struct ensemble_curves *curves, const struct ensemble *set,
-                                   const struct model_row *model, const struct model_task *task, struct status *status)
+                                   const struct model_row *model, const struct model_task *task,
+                                   const struct model_curve *joined, struct status *status)
 {
     struct estimate unused, estimates[QUANTITY_COUNT];
+    double share = set->scan_count > 1 ? 0.5 : 1;
     size_t full = offsetof(struct model_curve, full_load), closed = offsetof(struct model_curve, closed_load),
            beta = offsetof(struct model_curve, beta);
     estimates[QUANTITY_LOAD] = estimate_none;
@@ -268,11 +306,16 @@ static enum status_code mean_curve(struct model_curve *curve, struct ensemble_re
         mean_point(&curve->full, NULL, curves, set, model, SIZE_MAX, status) != STATUS_OK)
         return status->code;
     curve->full.value[QUANTITY_LOAD] = curve->full_load;
-    for (size_t i = 0; i < task->load_count && all_reach(curves, i, task->loads[i]); i++) {
+    size_t count = joined && joined->count < task->load_count ? joined->count : task->load_count;
+    for (size_t i = 0; i < count && all_reach(curves, i, task->loads[i]); i++) {
         struct contact_point *point = &curve->points[curve->count++];
         if (mean_point(point, estimates, curves, set, model, i, status) != STATUS_OK)
             return status->code;
         point->value[QUANTITY_LOAD] = task->loads[i];
+        if (joined)
+            join(point, estimates, &joined->points[i], share);
+        for (int q = 0; q < QUANTITY_COUNT; q++)
+            estimates[q].model_sd = model_sd(model, (enum quantity)q);
         if (result->band)
             fill_band(&result->band[i], estimates, model);
         for (int q = 0; q < QUANTITY_COUNT && i == model_task_operating(task); q++)
@@ -304,8 +347,14 @@ enum status_code ensemble_curve(struct model_curve *curve, struct ensemble_resul
             own->yielding_scales > curve->yielding_scales ? own->yielding_scales : curve->yielding_scales;
     }
     result->left_out = set->count - curves.count;
+    struct model_curve joined = {.points = malloc((task->load_count + 1) * sizeof *joined.points)};
+    if (rc == STATUS_OK && !joined.points)
+        rc = status_memory(status);
+    if (rc == STATUS_OK && model->uses_strip)
+        rc = model_run(&joined, model, task, status);
     if (rc == STATUS_OK && curves.count > 0)
-        rc = mean_curve(curve, result, &curves, set, model, task, status);
+        rc = mean_curve(curve, result, &curves, set, model, task, joined.exists ? &joined : NULL, status);
+    free(joined.points);
     ensemble_curves_free(&curves);
     return rc;
 }

@@ -14,8 +14,10 @@
 struct member {
     struct spectrum spectrum;
     struct roughness roughness;
-    size_t scan;      /* index of the scan it is of */
-    double *height_m; /* levelled; of a profile, until its scans are known to be of one length; else NULL */
+    struct strip *strip; /* its heights solved as a strip; NULL: not */
+    size_t scan;         /* index of the scan it is of */
+    bool is_row;         /* of a map */
+    double *height_m;    /* levelled, until the surface is described; NULL: not kept */
     size_t points;
     double spacing_m;
     bool periodic; /* it closes on itself */
@@ -32,9 +34,10 @@ struct ensemble {
     struct member *members;
     size_t count, capacity; /* 0: a single scan, the surface itself */
     struct ensemble_scan *scans;
-    size_t scan_count; /* 1: a map, whose rows the members are */
-    double sigma_m;    /* rms height of the surface */
-    bool no_intervals; /* a rough counterface adds scatter of its own, which its scans do not tell */
+    size_t scan_count;  /* 1: a map, whose rows the members are */
+    double sigma_m;     /* rms height of the surface */
+    bool keeps_heights; /* also those of subrecords and of rows of a map */
+    bool no_intervals;  /* a rough counterface adds scatter of its own, which its scans do not tell */
 };
 void ensemble_free(struct ensemble *set);
 
@@ -62,7 +65,8 @@ MUST_CHECK enum status_code ensemble_add(struct ensemble *set, size_t scan, cons
                                          double spacing_m, const struct record_conditioning *how,
                                          struct status *status);
 
-/** `task` on one member in place of the surface; `asperities` is where its own go. */
+/** `task` on one member in place of the surface, whose strip it has where it has none of its own; `asperities` is where
+ * its own go. */
 struct model_task member_task(struct asperities *asperities, const struct member *member,
                               const struct model_task *task);
 
@@ -112,7 +116,8 @@ struct ensemble_result {
  * `task`. Of several members the mean of their curves: at every load at which all have an answer, the geometric mean;
  * so are the loads of full contact. Separations are the means of each member's separation/sigma, times the surface's
  * sigma; a statistical model's own one, and beta, which may be negative, have the arithmetic mean. A resistance or
- * separation shown of which some members have none left is empty. result: NULL, or what the members say. Error:
+ * separation shown of which some members have none left is empty. A model that uses strips has the geometric mean of
+ * that and of its curve of the joined rows; of a map the latter alone. result: NULL, or what the members say. Error:
  * STATUS_MEMORY. */
 MUST_CHECK enum status_code ensemble_curve(struct model_curve *curve, struct ensemble_result *result,
                                            const struct ensemble *set, const struct model_row *model,

@@ -61,7 +61,7 @@ static enum status_code run_uncertainty(struct surface_record *record, const str
                  q < QUANTITY_COUNT && curve->points[i].value[QUANTITY_LOAD] == task->loads[model_task_operating(task)];
                  q++)
                 estimates[q] =
-                    uncertainty_estimate(&all[m], (enum quantity)q,
+                    uncertainty_estimate(&all[m], model_rows[m], (enum quantity)q,
                                          quantity_shown(&curve->points[i], model_shown(model_rows[m], (enum quantity)q),
                                                         summary->asperities.sigma_m));
         rc = curve_summary_put_estimates(summary->models[m], estimates, status);
@@ -227,6 +227,24 @@ static enum status_code make_model_room(struct surface_record *record, const str
     return STATUS_OK;
 }
 
+/** Solves the strips that running models use, as far as the report's budget for them goes. */
+static enum status_code solve_strips(struct surface_record *record, const struct scene *scene, const struct plan *plan,
+                                     const atomic_bool *stop, struct status *status)
+{
+    double started = clock_seconds();
+    bool used = false;
+    for (size_t m = 0; m < model_count; m++)
+        used = used || (plan_runs_model(plan, m) && model_rows[m]->uses_strip);
+    size_t surrogates = used ? strips_surrogates(&record->strips, scene) : 0;
+    if (surrogates == 0)
+        return STATUS_OK;
+    enum status_code rc = strips_solve(&record->strips, &record->ensemble, surrogates, stop, status);
+    record->summary.has_strips = record->strips.joined != NULL;
+    record->summary.strip_transforms = record->strips.transforms;
+    record->summary.times.strips = clock_seconds() - started;
+    return rc;
+}
+
 enum status_code evaluate_models(struct surface_record *record, const struct scene *scene, const struct plan *plan,
                                  const double *loads, size_t load_count, struct status *status)
 {
@@ -325,7 +343,9 @@ enum status_code evaluate_surface(struct surface_record *out, const struct evalu
         return status->code;
     if (task->describe_only)
         return STATUS_OK;
-    enum status_code rc = evaluate_models(out, scene, &plan, task->loads, task->load_count, status);
+    enum status_code rc = solve_strips(out, scene, &plan, task->stop, status);
+    if (rc == STATUS_OK)
+        rc = evaluate_models(out, scene, &plan, task->loads, task->load_count, status);
     if (rc == STATUS_OK)
         rc = fill_skipped(out, scene, task->plan, &plan, status);
     if (!task->keep_scans)

@@ -14,8 +14,9 @@ struct evaluate_task {
     const struct plan *plan;                  /* of the effects that the scene allows */
     const double *loads;                      /* P/(A_n E') of its own bodies */
     size_t load_count;
-    bool describe_only; /* no model runs */
-    bool keep_scans;    /* measured loads will be answered on each */
+    const atomic_bool *stop; /* becomes true when the work is to end early; NULL: never */
+    bool describe_only;      /* no model runs */
+    bool keep_scans;         /* measured loads will be answered on each */
 };
 
 /** One surface from its scans to its answers: read and described, its effects decided, the models run. What is wrong

@@ -111,6 +111,7 @@ void plan_make(struct plan *out, const struct scene *scene)
     *out = (struct plan){
         .models = scene->models,
         .all_uncertain = !scene->effects_auto,
+        .area_reason = "every report has it",
     };
     for (int e = 0; e < EFFECT_COUNT; e++)
         decide(out, (enum effect)e, scene);

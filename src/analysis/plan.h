@@ -18,6 +18,7 @@ struct plan {
     uint64_t models;        /* MODEL_BITs asked for; a plastic one runs only with plasticity */
     bool all_uncertain;     /* the effect uncertainty was listed: of all models; else of the leading one alone */
     size_t operating_place; /* as in struct model_task */
+    char area_reason[160];  /* why the area is computed as it is, for the account */
 };
 
 /** Listed effects run (the scene was checked); with `auto` an effect runs where the given properties allow it. */

@@ -44,11 +44,12 @@ enum status_code repeats_add(struct ensemble *set, size_t row, size_t rows, stru
     *member = (struct member){.spectrum = *spectrum,
                               .roughness = *roughness,
                               .scan = set->scan_count - 1,
-                              .height_m = rows == 1 ? profile->height_m : NULL,
+                              .is_row = rows > 1,
+                              .height_m = rows == 1 || set->keeps_heights ? profile->height_m : NULL,
                               .points = profile->points,
                               .spacing_m = profile->spacing_m,
                               .periodic = profile->periodic};
-    if (rows == 1)
+    if (member->height_m)
         profile->height_m = NULL;
     return STATUS_OK;
 }
@@ -58,7 +59,7 @@ bool repeats_merge_identical(struct ensemble *set)
     const struct member *first = &set->members[0];
     for (size_t p = 0; p < set->count; p++) {
         const struct member *member = &set->members[p];
-        if (!member->height_m || member->points != first->points || member->spacing_m != first->spacing_m ||
+        if (member->is_row || member->points != first->points || member->spacing_m != first->spacing_m ||
             memcmp(member->height_m, first->height_m, first->points * sizeof *first->height_m) != 0)
             return false;
     }
@@ -109,7 +110,7 @@ enum status_code repeats_cut_to_shortest(struct ensemble *set, size_t *cut, cons
     const struct member *least = &set->members[shortest];
     double least_m = (double)least->points * least->spacing_m;
     *odd = is_odd ? set->scans[least->scan].file : NULL;
-    struct ensemble out = {.scans = set->scans, .scan_count = set->scan_count};
+    struct ensemble out = {.scans = set->scans, .scan_count = set->scan_count, .keeps_heights = set->keeps_heights};
     enum status_code rc = STATUS_OK;
     for (size_t p = 0; p < set->count && rc == STATUS_OK; p++) {
         struct member *member = &set->members[p], *kept;

@@ -79,6 +79,8 @@ struct model_task surface_model_task(const struct surface_record *record, const 
         .tolerance = scene->tolerance,
         .sinusoid_fit = scene->closure,
         .hardness_Pa = record->summary.pair.hardness_Pa,
+        .rows = record->strips.rows.rows > 0 ? &record->strips.rows : NULL,
+        .strip = record->strips.joined,
     };
 }
 
@@ -118,6 +120,7 @@ void surface_drop_arrays(struct surface_record *record)
     spectrum_free(&record->spectrum);
     spectrum_free(&record->tapered);
     sensitivity_free(&record->sensitivity);
+    strips_free(&record->strips);
     free(record->curves);
     free(record->bands);
     free(record->direct_m);

@@ -10,6 +10,7 @@
 #include "analysis/plan.h"
 #include "analysis/repeats.h"
 #include "analysis/sensitivity.h"
+#include "analysis/strips.h"
 #include "analysis/uncertainty.h"
 #include "base/text.h"
 #include "contact/model.h"
@@ -20,7 +21,7 @@ enum { SURFACE_PREVIEW = 1000 }; /* points of a profile kept for the chart */
 
 /** Where a run's time goes, by stage [s]. */
 struct surface_times {
-    double read, prepare, spectrum, convergence, uncertainty;
+    double read, prepare, spectrum, convergence, uncertainty, strips;
 };
 
 struct surface_summary {
@@ -38,6 +39,9 @@ struct surface_summary {
     size_t single_points;           /* of a surface with one scan, which records can be simulated of; else 0 */
     bool simulates;                 /* they will be, or have been, simulated */
     uint64_t simulated_evaluations; /* of the models, on those */
+    double strip_cost;              /* strips_cost() of its rows, 0: no model uses strips */
+    uint64_t strip_transforms;      /* that solving its strips took */
+    bool has_strips;                /* they are, or will be, solved */
     size_t points;                  /* of the first */
     double spacing_m, length_m;
     enum profile_spacing grid;
@@ -71,6 +75,7 @@ struct surface_record {
     struct spectrum tapered;    /* rms amplitudes the law is fitted to; count 0: fit: thesis */
     struct power_law_band band; /* the same law with its bins, knees and lines */
     struct ensemble ensemble;   /* scans to be run alone, until they have been; count 0: there is one */
+    struct strips strips;       /* of its scans, where a model uses them; rows 0: none */
     double *height_m; /* of the one scan, summary.single_points long, until the models have run; NULL: not kept */
     struct model_curve *curves;   /* model_count of them, NULL before any model ran */
     struct ensemble_band **bands; /* the same, each band_count long; NULL: none */

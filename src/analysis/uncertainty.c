@@ -214,11 +214,13 @@ enum status_code uncertainty_run(struct uncertainty *out, const struct uncertain
     return rc;
 }
 
-struct estimate uncertainty_estimate(const struct uncertainty *uncertainty, enum quantity quantity, double value)
+struct estimate uncertainty_estimate(const struct uncertainty *uncertainty, const struct model_row *model,
+                                     enum quantity quantity, double value)
 {
     const struct single_scan *single = &uncertainty->middle[quantity];
     struct estimate out = isnan(single->s) ? estimate_none : estimate_single(value, single, true);
     out.share = quantity == QUANTITY_AREA;
+    out.model_sd = model_sd(model, quantity);
     return out;
 }
 
@@ -248,6 +250,7 @@ void uncertainty_band(struct ensemble_band *band, const struct uncertainty *unce
             struct estimate own = estimate_none;
             own.logarithmic = true;
             own.share = q == QUANTITY_AREA;
+            own.model_sd = model_sd(model, (enum quantity)q);
             own.mean = answer(point, (enum quantity)q, model, sigma_m);
             own.half_width = ensemble_band_holds((enum quantity)q)
                                  ? half_width_at(uncertainty, (enum quantity)q, log(point->value[QUANTITY_LOAD]))

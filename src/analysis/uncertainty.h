@@ -45,7 +45,8 @@ bool uncertainty_affordable(size_t points, size_t surfaces);
 
 /** What follows for the answer at the middle load, and in a band: half-widths at every load of the curve of a scan of
  * rms height sigma_m. */
-struct estimate uncertainty_estimate(const struct uncertainty *uncertainty, enum quantity quantity, double value);
+struct estimate uncertainty_estimate(const struct uncertainty *uncertainty, const struct model_row *model,
+                                     enum quantity quantity, double value);
 void uncertainty_band(struct ensemble_band *band, const struct uncertainty *uncertainty,
                       const struct model_curve *curve, const struct model_row *model, double sigma_m);
 

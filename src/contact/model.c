@@ -81,6 +81,15 @@ enum quantity model_shown(const struct model_row *row, enum quantity quantity)
     return adjusts ? QUANTITY_ADJUSTED : quantity;
 }
 
+double model_sd(const struct model_row *row, enum quantity quantity)
+{
+    bool resistance = QUANTITY_RESISTANCES & QUANTITY_BIT(quantity);
+    return quantity == QUANTITY_AREA         ? row->ln_sd[0]
+           : quantity == QUANTITY_SEPARATION ? row->ln_sd[1]
+           : resistance                      ? row->ln_sd[2]
+                                             : 0;
+}
+
 size_t model_task_operating(const struct model_task *task)
 {
     return task->operating_place > 0 ? task->operating_place - 1 : task->load_count / 2;

@@ -71,6 +71,8 @@ struct model_row {
     const struct asperity_model *asperity_model; /* it sums this over model_task.asperities; NULL: it needs none */
     bool uses_strip;                             /* works on model_task.strip, and model_task.rows where plastic */
     unsigned quantities;                         /* QUANTITY_BITs it computes */
+    double ln_sd[3]; /* of ln area, separation and resistance beside the scatter of scans, where the model says how far
+                        it is from a surface of any heights; 0: it does not */
     unsigned may_be_empty; /* those of them that it leaves empty (NaN) where it should not be trusted */
     double largest_area;   /* A/A_n up to which it is valid; 0: any */
     const char *fitted_to; /* end of its fitted range, which contact_point.beyond_fit is the share beyond; NULL: none */
@@ -131,6 +133,9 @@ struct model_task model_task_at(const struct model_task *task, const double *loa
  * of double together (JG's exponent 23 S_y/E' of 1e6). Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code model_run(struct model_curve *curve, const struct model_row *row,
                                       const struct model_task *task, struct status *status);
+
+/** Its ln_sd of a quantity. */
+double model_sd(const struct model_row *row, enum quantity quantity);
 
 /** The separation to show: the adjusted one of models that have it. Other quantities are as they are. */
 enum quantity model_shown(const struct model_row *row, enum quantity quantity);

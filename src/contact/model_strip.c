@@ -6,6 +6,7 @@
 #include "contact/model.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 enum {
@@ -82,6 +83,23 @@ static struct contact_point point_of(const struct bearing_contact *contact, doub
     return point;
 }
 
+/** (1 + r^4)^(1/4) - 1, r the pressure in contact over the hardness at the lightest load, where it is about the same
+ * for all light ones; of any heights four times what Gaussian ones have. */
+static double yield_bound(const struct model_row *row, const struct model_task *task)
+{
+    double m2 = spectrum_moment(task->spectrum, 1), load = task->loads[0];
+    double ratio = load * task->pair->effective_modulus_Pa / task->hardness_Pa / corrected_persson_area(load, m2) *
+                   (row->uses_strip ? 4 : 1);
+    return m2 > 0 && task->hardness_Pa > 0 ? pow(1 + pow(ratio, 4), 0.25) - 1 : 0;
+}
+
+static void yield_reason(char *out, size_t size, double bound, bool runs)
+{
+    double ratio = pow(pow(1 + bound, 4) - 1, 0.25);
+    snprintf(out, size, runs ? "spots bear up to %.2g of the hardness" : "no spot bears more than %.2g of the hardness",
+             ratio);
+}
+
 static enum status_code run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
                             struct status *status)
 {
@@ -117,9 +135,11 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
 
 const struct model_row model_corrected_persson = {
     .name = "corrected-persson",
-    .label = "same spectrum, Gaussian heights",
+    .label = "Gaussian heights",
     .short_label = "Gauss",
     .family = "corrected-persson",
+    .by_default = true,
+    .precedence = 5,
     .quantities = COMPUTES,
     .style = "ge",
     .colour = "#9467BD",
@@ -135,11 +155,15 @@ const struct model_row model_corrected_persson = {
 
 const struct model_row model_corrected_persson_plastic = {
     .name = "corrected-persson-plastic",
-    .label = "same spectrum, Gaussian heights, hardness",
+    .label = "Gaussian heights, hardness",
     .short_label = "Gauss pl.",
     .family = "corrected-persson",
+    .by_default = true,
+    .precedence = 6,
     .plastic = true,
     .elastic = &model_corrected_persson,
+    .yield_bound = yield_bound,
+    .yield_reason = yield_reason,
     .quantities = COMPUTES,
     .style = "gp",
     .colour = "#6B3F94",
@@ -158,7 +182,10 @@ const struct model_row model_strip = {
     .label = "strip transfer",
     .short_label = "strip",
     .family = "strip",
+    .by_default = true,
+    .precedence = 7,
     .uses_strip = true,
+    .ln_sd = {0.2, 0.3, 0.3},
     .quantities = COMPUTES,
     .style = "se",
     .colour = "#35A27B",
@@ -178,9 +205,14 @@ const struct model_row model_strip_plastic = {
     .label = "strip transfer, hardness",
     .short_label = "strip pl.",
     .family = "strip",
+    .by_default = true,
+    .precedence = 8,
     .plastic = true,
     .elastic = &model_strip,
+    .yield_bound = yield_bound,
+    .yield_reason = yield_reason,
     .uses_strip = true,
+    .ln_sd = {0.2, 0.3, 0.3},
     .quantities = COMPUTES,
     .style = "sp",
     .colour = "#137A56",

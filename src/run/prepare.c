@@ -186,6 +186,7 @@ static struct evaluate_task task_of(const struct surfaces *all, size_t index)
                                   .plan = &all->prepared->allowed,
                                   .loads = results_loads(results, index),
                                   .load_count = results->load_count,
+                                  .stop = all->options->stop,
                                   .describe_only = all->describe_only,
                                   .keep_scans = results->scene->measured.file != NULL};
 }

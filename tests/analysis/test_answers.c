@@ -209,10 +209,10 @@ TEST_CASE(no_load_within_the_list)
     assert_int_equal(answer(&f, light, "gw")->kind, ANSWER_LIGHTEST);
     assert_true(answer(&f, light, "gw")->load == f.loads[0]);
     assert_int_equal(answer(&f, just, "gw")->kind, ANSWER_LOAD);
-    assert_int_equal(answer(&f, far, "two-band-elastic")->kind, ANSWER_NOT_REACHED);
-    assert_true(answer(&f, far, "two-band-elastic")->load == f.loads[LOADS - 1]);
+    assert_int_equal(answer(&f, far, "corrected-persson")->kind, ANSWER_NOT_REACHED);
+    assert_true(answer(&f, far, "corrected-persson")->load == f.loads[LOADS - 1]);
     assert_int_equal(answer(&f, far, "jg")->kind, ANSWER_NONE);
-    answers_note(&note, answer(&f, far, "two-band-elastic"), NAN, 10, "N");
+    answers_note(&note, answer(&f, far, "corrected-persson"), NAN, 10, "N");
     assert_string_equal(text_string(&note), "not reached up to 0.1 N; above the hardness");
     text_free(&note);
     answers_note(&note, answer(&f, light, "gw"), NAN, 1, "");
@@ -237,21 +237,21 @@ TEST_CASE(where_the_numbers_end)
     double low = log(1e-9), high = log(1);
     for (int i = 0; i < 60; i++) {
         double middle = (low + high) / 2;
-        *(isnan(value_at(&f.task, "two-band-elastic", exp(middle), QUANTITY_ECR)) ? &high : &low) = middle;
+        *(isnan(value_at(&f.task, "corrected-persson", exp(middle), QUANTITY_ECR)) ? &high : &low) = middle;
     }
-    double last = value_at(&f.task, "two-band-elastic", exp(low), QUANTITY_ECR);
-    assert_near(value_at(&f.task, "two-band-elastic", exp(low), QUANTITY_AREA), 0.75, 1e-9);
+    double last = value_at(&f.task, "corrected-persson", exp(low), QUANTITY_ECR);
+    assert_near(value_at(&f.task, "corrected-persson", exp(low), QUANTITY_AREA), 0.75, 1e-9);
     for (size_t i = 0; i < LOADS; i++) /* to short of full contact */
         f.loads[i] = 1e-9 * pow(1.05 * exp(low) / 1e-9, (double)i / (LOADS - 1));
-    assert_true(value_at(&f.task, "two-band-elastic", f.loads[LOADS - 1], QUANTITY_AREA) < 1);
+    assert_true(value_at(&f.task, "corrected-persson", f.loads[LOADS - 1], QUANTITY_AREA) < 1);
     size_t within = ask(&f, "ecr", last * 0.991), beyond = ask(&f, "ecr", last * 0.989),
            far = ask(&f, "ecr", last * 0.92);
     find(&f);
-    assert_int_equal(answer(&f, within, "two-band-elastic")->kind, ANSWER_LOAD);
-    assert_near(answer(&f, within, "two-band-elastic")->load, exp(low), 1e-8);
-    assert_int_equal(answer(&f, beyond, "two-band-elastic")->kind, ANSWER_NOT_REACHED);
-    assert_int_equal(answer(&f, far, "two-band-elastic")->kind, ANSWER_NOT_REACHED);
-    assert_near(answer(&f, far, "two-band-elastic")->load, exp(low), 1e-8);
+    assert_int_equal(answer(&f, within, "corrected-persson")->kind, ANSWER_LOAD);
+    assert_near(answer(&f, within, "corrected-persson")->load, exp(low), 1e-8);
+    assert_int_equal(answer(&f, beyond, "corrected-persson")->kind, ANSWER_NOT_REACHED);
+    assert_int_equal(answer(&f, far, "corrected-persson")->kind, ANSWER_NOT_REACHED);
+    assert_near(answer(&f, far, "corrected-persson")->load, exp(low), 1e-8);
     drop(&f);
 }
 
@@ -273,7 +273,7 @@ TEST_CASE(the_mark)
 /* Every scan alone, by bisection here: the geometric mean, and t(2) = 4.302653 standard errors of ln P. */
 TEST_CASE(intervals_of_scans)
 {
-    static const char *const models[] = {"multiscale-elastic", "two-band-elastic", "two-band-plastic", "cmy", "gw"};
+    static const char *const models[] = {"multiscale-elastic", "corrected-persson", "corrected-persson-plastic", "cmy", "gw"};
     struct fixture f;
     make(&f, SCANS);
     double ecr = value_at(&f.task, "cmy", 1e-6, QUANTITY_ECR);
@@ -393,14 +393,14 @@ TEST_CASE(spots_are_those_at_the_answers_load)
         struct fixture f;
         struct text note = {0};
         make(&f, scans);
-        f.plan.models = MODEL_BIT(model_named("two-band-plastic")) | MODEL_BIT(model_named("two-band-elastic")) |
+        f.plan.models = MODEL_BIT(model_named("corrected-persson-plastic")) | MODEL_BIT(model_named("corrected-persson")) |
                         MODEL_BIT(model_named("cmy")) | MODEL_BIT(model_named("gw"));
         let_count(&f, "cmy");
         let_count(&f, "gw");
-        size_t target = ask(&f, "ecr", value_at(&f.task, "two-band-plastic", 1e-6, QUANTITY_ECR));
+        size_t target = ask(&f, "ecr", value_at(&f.task, "corrected-persson-plastic", 1e-6, QUANTITY_ECR));
         find(&f);
-        const struct answer *plastic = answer(&f, target, "two-band-plastic"), *cmy = answer(&f, target, "cmy"),
-                            *elastic = answer(&f, target, "two-band-elastic");
+        const struct answer *plastic = answer(&f, target, "corrected-persson-plastic"), *cmy = answer(&f, target, "cmy"),
+                            *elastic = answer(&f, target, "corrected-persson");
         assert_int_equal(plastic->kind, ANSWER_LOAD);
         assert_int_equal(plastic->counted_by, model_named("cmy"));
         assert_near(plastic->spots_per_m2, spots_at(&f, scans, "cmy", plastic->load), 1e-12);
@@ -416,7 +416,7 @@ TEST_CASE(spots_are_those_at_the_answers_load)
         text_free(&note);
         surface_model_room(&f.record.summary, model_named("cmy"))->invalid_area_load = f.loads[0];
         find(&f);
-        assert_true(isnan(answer(&f, target, "two-band-plastic")->spots_per_m2));
+        assert_true(isnan(answer(&f, target, "corrected-persson-plastic")->spots_per_m2));
         drop(&f);
     }
 }
@@ -437,34 +437,34 @@ TEST_CASE(full_contact_meets_every_resistance_above_the_film)
     f.scene.joint.plating_thickness_m = 1e-6;
     f.scene.joint.plating_ohm_m = 2e-8;
     double full = f.task.hardness_Pa / f.record.summary.pair.effective_modulus_Pa;
-    double end = value_at(&f.task, "two-band-plastic", 0.7499 * full, QUANTITY_ECR);
-    assert_true(end > 0 && isnan(value_at(&f.task, "two-band-plastic", 0.7501 * full, QUANTITY_ECR)));
+    double end = value_at(&f.task, "corrected-persson-plastic", 0.7499 * full, QUANTITY_ECR);
+    assert_true(end > 0 && isnan(value_at(&f.task, "corrected-persson-plastic", 0.7501 * full, QUANTITY_ECR)));
     size_t near = ask(&f, "ecr", 0.995 * end), ecr = ask(&f, "ecr", 0.95 * end), tcr = ask(&f, "tcr", 1e-20);
     size_t above = ask(&f, "ecr", 1.01e-12), below = ask(&f, "ecr", 0.99e-12), heat = ask(&f, "conductance", 1e15);
     f.targets[above].row = f.targets[below].row = &joint_ecr;
     f.targets[heat].row = &joint_heat;
     find(&f);
-    assert_int_equal(answer(&f, near, "two-band-plastic")->kind, ANSWER_LOAD);
-    assert_false(answer(&f, near, "two-band-plastic")->full); /* the curve's end is it to within a hundredth */
-    assert_near(answer(&f, near, "two-band-plastic")->load, 0.75 * full, 1e-6);
+    assert_int_equal(answer(&f, near, "corrected-persson-plastic")->kind, ANSWER_LOAD);
+    assert_false(answer(&f, near, "corrected-persson-plastic")->full); /* the curve's end is it to within a hundredth */
+    assert_near(answer(&f, near, "corrected-persson-plastic")->load, 0.75 * full, 1e-6);
     const size_t met[] = {ecr, tcr, above, heat};
     for (int k = 0; k < 4; k++) {
-        const struct answer *found = answer(&f, met[k], "two-band-plastic");
+        const struct answer *found = answer(&f, met[k], "corrected-persson-plastic");
         assert_int_equal(found->kind, ANSWER_LOAD);
         assert_true(found->full && isnan(found->low) && isnan(found->high));
         assert_near(found->load, full, 1e-9);
     }
-    answers_note(&note, answer(&f, ecr, "two-band-plastic"), NAN, 1, "");
+    answers_note(&note, answer(&f, ecr, "corrected-persson-plastic"), NAN, 1, "");
     assert_string_equal(text_string(&note), "at full contact at the latest");
     text_free(&note);
-    assert_int_equal(answer(&f, below, "two-band-plastic")->kind, ANSWER_NOT_REACHED);
-    assert_true(answer(&f, below, "two-band-plastic")->load == f.loads[LOADS - 1]);
+    assert_int_equal(answer(&f, below, "corrected-persson-plastic")->kind, ANSWER_NOT_REACHED);
+    assert_true(answer(&f, below, "corrected-persson-plastic")->load == f.loads[LOADS - 1]);
     assert_int_equal(answer(&f, below, "multiscale-plastic")->kind, ANSWER_NOT_REACHED); /* which has numbers there */
     while (f.task.load_count > 0 && f.loads[f.task.load_count - 1] >= full)
         f.task.load_count--;
     find(&f);
-    assert_int_equal(answer(&f, ecr, "two-band-plastic")->kind, ANSWER_NOT_REACHED);
-    assert_near(answer(&f, ecr, "two-band-plastic")->load, 0.75 * full, 1e-6);
+    assert_int_equal(answer(&f, ecr, "corrected-persson-plastic")->kind, ANSWER_NOT_REACHED);
+    assert_near(answer(&f, ecr, "corrected-persson-plastic")->load, 0.75 * full, 1e-6);
     drop(&f);
 }
 
@@ -554,7 +554,7 @@ TEST_CASE(limits_without_a_number)
     f.scene.joint.film_ohm_m2 = 1e-12;
     f.scene.joint.plating_thickness_m = 1e-6;
     f.scene.joint.plating_ohm_m = 2e-8;
-    size_t m = model_named("two-band-plastic");
+    size_t m = model_named("corrected-persson-plastic");
     assert_int_equal(plan_leading_model(&f.plan), m);
     double full = f.task.hardness_Pa / f.record.summary.pair.effective_modulus_Pa;
     const double loads[] = {0.01 * full, 0.09 * full, 0.3 * full, 0.5 * full, 1.5 * full};

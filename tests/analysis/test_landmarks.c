@@ -77,7 +77,7 @@ static double slope(const struct fixture *f, const char *name, double load)
     return after > 0 ? log(before / after) / landmarks_slope_step : INFINITY;
 }
 
-static const char *const names[] = {"multiscale-elastic", "multiscale-plastic", "gw", "jg", "two-band-elastic"};
+static const char *const names[] = {"multiscale-elastic", "multiscale-plastic", "gw", "jg", "corrected-persson"};
 enum { NAMES = sizeof names / sizeof *names };
 
 /* Just below the load it is not so yet, just above it is. */

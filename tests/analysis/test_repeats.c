@@ -314,7 +314,7 @@ static size_t assert_about(const double end[2], double value, double most)
 TEST_CASE(intervals_of_random_records)
 {
     enum { PARTS = 5, HARMONICS = 6, SETS = 60, MODELS = 5 };
-    static const char *const names[MODELS] = {"multiscale-elastic", "multiscale-plastic", "two-band-plastic", "gw",
+    static const char *const names[MODELS] = {"multiscale-elastic", "multiscale-plastic", "corrected-persson-plastic", "gw",
                                               "cmy"};
     static const double loads[LOADS] = {1e-5, 1e-4, 1e-3, 3e-3, 1e-2};
     const struct material_pair pair = {.effective_modulus_Pa = 1e11,

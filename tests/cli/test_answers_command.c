@@ -11,7 +11,7 @@
 #define SCENE "material: tin\nnominal_area: 1 mm2\nload: {from: 1e-7, to: 1e-2, points: 31}\n"
 #define JOINT                                                                                                          \
     "material: tin\nnominal_area: 1 mm2\nfilm: 1e-12 ohm m2\ncurrent: 5 A\n"                                           \
-    "gap: {gas: air, pressure: 1 atm}\nmodels: [two-band, statistical, cmy]\n"
+    "gap: {gas: air, pressure: 1 atm}\nmodels: [corrected-persson, statistical, cmy]\n"
 
 static void scans(const char *place)
 {
@@ -162,7 +162,7 @@ TEST_IN_WORKSPACE(the_table_is_of_the_data)
     struct table table = table_read_path(path);
     size_t compared = 0;
     for (size_t i = 0; i < table.rows; i++) {
-        if (strcmp(table_text(&table, i, "model"), "two-band-plastic") != 0)
+        if (strcmp(table_text(&table, i, "model"), "corrected-persson-plastic") != 0)
             continue;
         char start[40];
         snprintf(start, sizeof start, "\n| %s", table_text(&table, i, "surface"));

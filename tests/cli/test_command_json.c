@@ -11,7 +11,7 @@
 #include <stdio.h>
 
 static const char *const scene = "material: tin\neffects: [plasticity, electrical]\nnominal_area: 1 mm2\n"
-                                 "load: {from: 1e-7, to: 1e-5, points: 7}\nmodels: [multiscale, two-band]\n"
+                                 "load: {from: 1e-7, to: 1e-5, points: 7}\nmodels: [multiscale, corrected-persson]\n"
                                  "targets: [{ecr: 1 uohm}, {area: 5 %}]\n"
                                  "limits: {ecr: {most: 1e-12 mohm}, area: {least: 1e-9}}\n";
 

@@ -96,7 +96,7 @@ static void expect_hash(const char *place, const char *path, const char *file)
 TEST_IN_WORKSPACE(test_one_large_scan)
 {
     const char *place = *state;
-    static const char *const scenes[] = {"material: tin\nmodels: [multiscale, contacting-slopes]\n", "material: tin\n"};
+    static const char *const scenes[] = {"material: tin\nmodels: [multiscale, strip]\n", "material: tin\n"};
     workspace_scan(place, "d/a.csv", 70000, 5);
     for (size_t s = 0; s < sizeof scenes / sizeof *scenes; s++) {
         workspace_write(place, "d/scene.yaml", scenes[s]);

@@ -121,7 +121,7 @@ TEST_IN_WORKSPACE(test_numbers)
     assert_int_equal(capped, 4); /* 4e-3 E' = 190 MPa */
     size_t persson = 0;
     for (size_t i = 0; i < r.rows; i++)
-        if (strcmp(table_text(&r, i, "model"), "two-band-elastic") == 0 && *table_text(&r, i, "conductance")) {
+        if (strcmp(table_text(&r, i, "model"), "corrected-persson") == 0 && *table_text(&r, i, "conductance")) {
             assert_near(table_number(&r, i, "conductance"), 1, 0.01); /* its resistance is Barber's */
             assert_within(log(table_number(&r, i, "area")), 0, log(2));
             persson++;

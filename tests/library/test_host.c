@@ -187,7 +187,7 @@ TEST_CASE(rounding_and_traps_change_nothing)
 }
 
 enum { THREADS = 8, ROUNDS = 6, MODELS = 4 };
-static const char *const thread_models[MODELS] = {"multiscale-plastic", "jg", "two-band-plastic", "contacting-slopes"};
+static const char *const thread_models[MODELS] = {"multiscale-plastic", "jg", "corrected-persson-plastic", "contacting-slopes"};
 
 struct worker {
     const char *bytes;

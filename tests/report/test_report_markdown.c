@@ -164,7 +164,7 @@ static void assert_ratios(const struct directory *place, const struct text *repo
         double load = pow(10, round(log10(printed_number(cell[0])) / 0.75) * 0.75);
         assert_near(printed_number(cell[0]), load, 0.005);
         size_t model = model_labelled(cell[1], length[1]), by = model_labelled(cell[2], length[2]);
-        assert_int_equal(by, model_named(model_rows[model]->plastic ? "two-band-plastic" : "two-band-elastic"));
+        assert_int_equal(by, model_named(model_rows[model]->plastic ? "corrected-persson-plastic" : "corrected-persson"));
         for (int q = 0; q < 3; q++) {
             double ratio = ratio_value(&contact, model, load, q) / ratio_value(&contact, by, load, q);
             double shown = printed_number(cell[3 + q]);
@@ -306,7 +306,7 @@ TEST_CASE(test_kinks_are_where_scales_close)
 TEST_CASE(test_a_cut_is_told_with_what_is_cut)
 {
     struct text report =
-        report_of(*state, "material: tin\nload: {from: 1e-6, to: 1, points: 60}\nmodels: [gw, two-band-elastic]\n"
+        report_of(*state, "material: tin\nload: {from: 1e-6, to: 1, points: 60}\nmodels: [gw, corrected-persson]\n"
                           "effects: [separation]\nsurfaces: [{name: b, file: b.csv}]\n");
     struct text contact = directory_read(*state, "out/data/contact.csv");
     double lowest = INFINITY, told;

@@ -12,13 +12,13 @@ static int place_setup(void **state)
     pipeline_rough(&place, "in/a.csv", 160, 0.1, 1);
     pipeline_rough(&place, "in/b.csv", 160, 0.3, 2);
     directory_write(&place, "in/scene.yaml",
-                    "models: [two-band, multiscale]\nmaterial: tin\nload: {from: 1e-6, to: 1e-2, points: 9}\n"
+                    "models: [corrected-persson, multiscale]\nmaterial: tin\nload: {from: 1e-6, to: 1e-2, points: 9}\n"
                     "effects: [plasticity, electrical, uncertainty]\n");
     *state = &place;
     return 0;
 }
 
-static const char leading[] = "two-band-plastic";
+static const char leading[] = "corrected-persson-plastic";
 
 /** The number of the factor in the row of what limits the answer; fails where there is none. */
 static double shown(const struct text *page, const char *row)
@@ -52,7 +52,7 @@ static double widest(const struct directory *place)
     struct table table = table_read_path(directory_path(place, "out/data/spread.csv"));
     double factor = 1;
     for (size_t row = 0; row < table.rows; row++)
-        if (strcmp(table_text(&table, row, "quantity"), "ecr_ohm_m2_at_middle_load_two-band-plastic") == 0)
+        if (strcmp(table_text(&table, row, "quantity"), "ecr_ohm_m2_at_middle_load_corrected-persson-plastic") == 0)
             factor = fmax(factor, table_number(&table, row, "mean_high_95") / table_number(&table, row, "mean"));
     table_free(&table);
     return factor;
@@ -139,7 +139,7 @@ TEST_CASE(test_against_the_direct_solution)
     mkdir(directory_path(place, "one"), 0777);
     pipeline_rough(place, "one/a.csv", 160, 0.3, 1);
     directory_write(place, "one/scene.yaml",
-                    "models: [two-band]\nmaterial: tin\nload: {from: 1e-6, to: 1e-2, points: 9}\n"
+                    "models: [corrected-persson]\nmaterial: tin\nload: {from: 1e-6, to: 1e-2, points: 9}\n"
                     "effects: [plasticity, electrical, direct]\ndirect: {grid: 64, seeds: 2, loads: 5}\n");
     assert_int_equal(pipeline_run(place, "one", "direct", 1), 0);
     struct text page = directory_read(place, "direct/report.md");
@@ -153,7 +153,7 @@ TEST_CASE(test_against_the_direct_solution)
         }
     assert_true(loads >= 2);
     const char *rule = strstr(text_string(&page), "\n---\n"),
-               *surfaces = strstr(text_string(&page), "](figures/ecr-load-two-band-plastic.svg)"),
+               *surfaces = strstr(text_string(&page), "](figures/ecr-load-corrected-persson-plastic.svg)"),
                *ratio = strstr(text_string(&page), "](figures/direct-ratio-ecr.svg)");
     assert_true(rule && surfaces && ratio && surfaces < ratio && ratio < rule);
     double expected = exp(sum / (double)loads);
@@ -192,7 +192,7 @@ TEST_CASE(test_brief)
     assert_non_null(rule);
     assert_int_equal(brief.length, (size_t)(rule - whole.data));
     assert_memory_equal(brief.data, whole.data, brief.length);
-    assert_non_null(strstr(brief.data, "](figures/ecr-load-two-band-plastic.svg)"));
+    assert_non_null(strstr(brief.data, "](figures/ecr-load-corrected-persson-plastic.svg)"));
     assert_int_equal(count_figures(place, "brief/figures"), 1);
     assert_true(count_figures(place, "out/figures") > 8);
     static const char *const same[] = {"data/contact.csv", "data/sensitivity.csv", "data/spread.csv", "results.json"};

@@ -11,7 +11,7 @@
 #define MATERIAL                                                                                                       \
     "material: {E: 50 GPa, nu: 0.3, Sy: 20 MPa, resistivity: 1.1e-7, conductivity: 60}\n"                              \
     "load: {from: 1e-7, to: 1e-2, points: 16}\ntolerance: 1e-12\n"                                                     \
-    "models: [multiscale, two-band, statistical, persson, contacting-slopes, cmy]\n"
+    "models: [multiscale, corrected-persson, statistical, strip, cmy]\n"
 #define JOINT                                                                                                          \
     "nominal_area: 2 mm2\ngap: {gas: helium, pressure: 0.5 atm, temperature: 320 K, accommodation: 0.5}\n"             \
     "film: 3e-13 ohm m2\nplating: {thickness: 0.8 um, resistivity: 2.2e-8 ohm m}\ncurrent: 20 A\n"

@@ -458,7 +458,7 @@ PLACED(scans_that_have_nothing_in_common)
     directory_write(place, "in/mm.csv", text_string(&csv));
     text_free(&csv);
     directory_write(place, "in/scene.yaml",
-                    "material: tin\nmodels: [persson]\nfit: thesis\n"
+                    "material: tin\nmodels: [corrected-persson]\nfit: thesis\n"
                     "surfaces: [{name: s, file: [a.csv, mm.csv]}, "
                     "{name: t, file: [b.csv, c.csv]}]\n");
     assert_int_equal(left_out(place, "in", "out", &outcome), 0);

@@ -27,7 +27,7 @@ static void write_scene(const struct directory *place, const char *in, const cha
     char path[64], text[400];
     snprintf(path, sizeof path, "%s/scene.yaml", in);
     snprintf(text, sizeof text,
-             "models: [multiscale, statistical, two-band, persson, contacting-slopes, cmy, sridhar-yovanovich]\n"
+             "models: [multiscale, statistical, corrected-persson, strip, cmy]\n"
              "effects: [plasticity, electrical]\nlevel: line\nwindow: none\nload: {from: 1e-6, to: 1e-3, points: "
              "%d}\n%s",
              LOADS, more);
@@ -153,7 +153,7 @@ static void make_report(const struct directory *place, const char *in, const cha
     snprintf(name, sizeof name, "%s/a.csv", in);
     write_scan(place, name, height_m, points);
     snprintf(scene, sizeof scene,
-             "models: [multiscale, two-band, cmy]\neffects: [plasticity, electrical]\n%s\nmoments: difference\n"
+             "models: [multiscale, corrected-persson, cmy]\neffects: [plasticity, electrical]\n%s\nmoments: difference\n"
              "load: {from: 1e-6, to: 1e-3, points: %d}\n" METAL("1.4e7"),
              how, LOADS);
     snprintf(name, sizeof name, "%s/scene.yaml", in);

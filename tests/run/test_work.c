@@ -88,7 +88,7 @@ TEST_CASE(families_remove_their_own_work)
         scene.length = 0;
         text_add(&scene, FILES "effects: [plasticity]\nmodels: [%s]\n",
                  one ? families[i]
-                     : "multiscale, statistical, two-band, persson, cmy, contacting-slopes, "
+                     : "multiscale, statistical, corrected-persson, cmy, strip, "
                        "sridhar-yovanovich");
         all = work_of(text_string(&scene));
         assert_true(all.all > 0);

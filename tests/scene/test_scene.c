@@ -9,7 +9,7 @@
 static void check_defaults(const struct scene *scene)
 {
     assert_int_equal(scene->models, NAMED("multiscale-elastic") | NAMED("multiscale-plastic") | NAMED("gw") |
-                                        NAMED("jg") | NAMED("two-band-elastic") | NAMED("two-band-plastic") |
+                                        NAMED("jg") | NAMED("corrected-persson") | NAMED("corrected-persson-plastic") |
                                         NAMED("contacting-slopes"));
     assert_false(scene->models_named);
     assert_true(isnan(scene->bodies.hardness_Pa)); /* 2.84 S_y */

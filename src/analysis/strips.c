@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "analysis/strips.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+const double strips_budget = 1e9;
+
+enum { ROWS_MOST = 16 }; /* of a map */
+
+void strips_free(struct strips *strips)
+{
+    free(strips->height_m);
+    free(strips->joined);
+    *strips = (struct strips){.rows = {.rows = 0}};
+}
+
+enum status_code strips_gather(struct strips *out, const struct ensemble *set, struct status *status)
+{
+    const struct member *first = set->members;
+    bool map = set->scan_count == 1;
+    size_t rows = map && set->count > ROWS_MOST ? ROWS_MOST : set->count;
+    bool periodic = true;
+    for (size_t p = 0; p < set->count; p++) {
+        const struct member *member = &set->members[p];
+        if (!member->height_m || member->points != first->points ||
+            fabs(member->spacing_m / first->spacing_m - 1) > 1e-6)
+            return STATUS_OK;
+        periodic = periodic && member->periodic;
+    }
+    if (!(out->height_m = malloc((rows * first->points + 1) * sizeof *out->height_m)))
+        return status_memory(status);
+    for (size_t r = 0; r < rows; r++)
+        memcpy(out->height_m + r * first->points, set->members[(2 * r + 1) * set->count / (2 * rows)].height_m,
+               first->points * sizeof *out->height_m);
+    out->rows = (struct strip_rows){out->height_m, rows, first->points, first->spacing_m, periodic};
+    return STATUS_OK;
+}
+
+uint64_t strips_cost(const struct strips *strips, size_t surrogates)
+{
+    bool several = strips->rows.rows > 1;
+    return strip_cost(&strips->rows, strips->rows.rows, surrogates) * (several ? 2 : 1);
+}
+
+size_t strips_surrogates(const struct strips *strips, const struct scene *scene)
+{
+    size_t surrogates = strips->rows.rows > 0 ? STRIP_SURROGATES : 0;
+    while (surrogates > 0 && !scene->models_named &&
+           (double)scene->surface_count * (double)strips_cost(strips, surrogates) > strips_budget)
+        surrogates /= 2;
+    return surrogates;
+}
+
+/** A strip of these rows, malloc'ed; NULL where it has no answer. */
+static enum status_code solve(struct strip **out, struct strips *strips, const size_t *which, size_t count,
+                              size_t surrogates, const atomic_bool *stop, struct status *status)
+{
+    struct status problem = {0};
+    if (!(*out = malloc(sizeof **out)))
+        return status_memory(status);
+    enum status_code rc = strip_solve(*out, &strips->rows, which, count, surrogates, stop, &problem);
+    strips->transforms += (*out)->transforms;
+    if (rc == STATUS_OK)
+        return STATUS_OK;
+    free(*out);
+    *out = NULL;
+    return rc == STATUS_MODEL ? STATUS_OK : status_fail(status, rc, "%s", problem.message);
+}
+
+enum status_code strips_solve(struct strips *strips, struct ensemble *set, size_t surrogates, const atomic_bool *stop,
+                              struct status *status)
+{
+    size_t rows = strips->rows.rows, *which = malloc((rows + 1) * sizeof *which);
+    if (!which)
+        return status_memory(status);
+    for (size_t r = 0; r < rows; r++)
+        which[r] = r;
+    enum status_code rc = solve(&strips->joined, strips, which, rows, surrogates, stop, status);
+    free(which);
+    for (size_t p = 0; p < set->count && set->scan_count > 1 && rc == STATUS_OK; p++)
+        rc = solve(&set->members[p].strip, strips, &p, 1, surrogates, stop, status);
+    return rc;
+}
