@@ -15,10 +15,25 @@ struct bearing_at bearing_gaussian(double area_ratio, double m0_m2, double m2)
                                sqrt(m2 / m0_m2) / (2 * M_PI) * exp(-t * t / 2)};
 }
 
+enum { LEAST_CROSSINGS = 6 };
+
+static struct bearing_at count_at(double area_ratio, const struct bearing *bearing);
+
+/** The smallest share at which the profiles rise through its height LEAST_CROSSINGS times; a half where at none below.
+ */
+static double least_area(const struct bearing *bearing)
+{
+    double steps = (double)(bearing->rows->rows * bearing->rows->points) * bearing->rows->spacing_m, share;
+    for (share = 1.5 / (double)bearing->count; share < 0.5; share *= 1.25)
+        if (count_at(share, bearing).crossings_per_m * steps >= LEAST_CROSSINGS)
+            break;
+    return fmin(share, 0.5);
+}
+
 enum status_code bearing_make(struct bearing *out, const struct strip_rows *rows, struct status *status)
 {
     size_t count = rows->rows * rows->points;
-    *out = (struct bearing){rows, malloc((count + 1) * sizeof(double)), malloc((count + 1) * sizeof(double)), count};
+    *out = (struct bearing){rows, malloc((count + 1) * sizeof(double)), malloc((count + 1) * sizeof(double)), count, 0};
     if (!out->height_m || !out->below_m) {
         bearing_free(out);
         return status_memory(status);
@@ -31,6 +46,7 @@ enum status_code bearing_make(struct bearing *out, const struct strip_rows *rows
         out->height_m[i] = -out->height_m[i];
         out->below_m[i] = out->below_m[i + 1] + out->height_m[i];
     }
+    out->least_area = least_area(out);
     return STATUS_OK;
 }
 
@@ -53,7 +69,7 @@ static size_t count_crossings(const struct strip_rows *rows, double height_m)
     return crossings;
 }
 
-struct bearing_at bearing_counted(double area_ratio, const struct bearing *bearing)
+static struct bearing_at count_at(double area_ratio, const struct bearing *bearing)
 {
     const struct strip_rows *rows = bearing->rows;
     double n = (double)bearing->count, place = fmin(fmax(area_ratio * n - 0.5, 0), n - 1);
@@ -63,6 +79,16 @@ struct bearing_at bearing_counted(double area_ratio, const struct bearing *beari
     size_t steps = rows->points - !rows->periodic; /* of a row */
     return (struct bearing_at){((n - (double)next) * d - bearing->below_m[next]) / n,
                                (double)count_crossings(rows, d) / ((double)(rows->rows * steps) * rows->spacing_m)};
+}
+
+struct bearing_at bearing_counted(double area_ratio, const struct bearing *bearing)
+{
+    if (area_ratio >= bearing->least_area)
+        return count_at(area_ratio, bearing);
+    struct bearing_at at = count_at(bearing->least_area, bearing), there = bearing_gaussian(bearing->least_area, 1, 1),
+                      here = bearing_gaussian(area_ratio, 1, 1);
+    return (struct bearing_at){at.gap_m * (here.gap_m / there.gap_m),
+                               at.crossings_per_m * (here.crossings_per_m / there.crossings_per_m)};
 }
 
 double bearing_area(double elastic_area_ratio, double load_over_hardness)

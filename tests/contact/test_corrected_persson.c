@@ -8,7 +8,7 @@
 /** The spectrum of a column of the golden profiles: harmonics 1-255, no window. */
 static struct spectrum golden_spectrum(const char *name)
 {
-    struct table table = table_read("golden/contacting-slopes/profiles.csv");
+    struct table table = table_read("golden/strip/profiles.csv");
     double *height = malloc(table.rows * sizeof *height);
     struct spectrum spectrum;
     struct status status = {0};

@@ -15,7 +15,7 @@ static struct direct_contact strip_of(const double *height, size_t points, doubl
 
 TEST_CASE(matches_reference)
 {
-    struct table profiles = table_read("golden/contacting-slopes/profiles.csv");
+    struct table profiles = table_read("golden/strip/profiles.csv");
     struct table table = table_read("golden/strip/strip.csv");
     double *height = malloc(profiles.rows * sizeof *height);
     assert_non_null(height);
