@@ -126,6 +126,8 @@ TEST_CASE(areas)
     double low = exp(strip_ratio_at(&strip, 1e-6).load);
     assert_near(low, exp(strip_ratio_at(&strip, 1e-4).load), 1e-3); /* p as A: logit A, nearly ln A */
     assert_near(area[0], corrected_persson_area(loads[0] / low, 0.04), 1e-2);
+    double between = 1 / (1 + exp(3.75)); /* below the surrogate's last: its gap stays */
+    assert_near(strip_ratio_at(&strip, between).separation, 2 - 0.25 / 3 - 2, 1e-9);
     assert_near(strip_ratio_at(&strip, 1e-6).separation, strip_ratio_at(&strip, 1e-4).separation, 1e-12);
 }
 
