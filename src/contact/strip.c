@@ -204,8 +204,8 @@ enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, c
 
 uint64_t strip_cost(const struct strip_rows *rows, size_t count, size_t surrogates)
 {
-    enum { PAIRS = 30 }; /* a load */
-    return (uint64_t)PAIRS * STRIP_LOADS * (1 + surrogates) * count * row_length(rows);
+    double points = (double)(count * row_length(rows)), pairs = 0.55 * sqrt(points); /* a load, as measured */
+    return (uint64_t)(pairs * points * (double)(STRIP_LOADS * (1 + surrogates)));
 }
 
 /** A line through two neighbours, carried on above the last; below the first p goes as A, l as 1/A, the gap stays. */

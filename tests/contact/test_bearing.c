@@ -85,6 +85,14 @@ TEST_CASE(models)
     for (int m = 0; m < 4; m++)
         curve[m] = model_support_run(points[m], names[m], &task);
     double m2 = spectrum_moment(&spectrum, 1);
+    struct persson persson;
+    struct status status = {0};
+    assert_int_equal(persson_make(&persson, &spectrum, persson_energy_factor, &status), STATUS_OK);
+    double sixth = corrected_persson_area(load[5], m2);
+    struct corrected_persson_point at;
+    corrected_persson_curve(&at, &sixth, 1, &persson);
+    double length_m = at.constriction_m;
+    persson_free(&persson);
     for (size_t i = 0; i < curve[0].count; i++) {
         const double *value = points[0][i].value;
         double area = corrected_persson_area(load[i], m2);
@@ -106,10 +114,14 @@ TEST_CASE(models)
     task.hardness_Pa = 1e-3 * pair.effective_modulus_Pa; /* all yields: A = P/H */
     curve[3] = model_support_run(points[3], names[3], &task);
     assert_near(points[3][0].value[QUANTITY_AREA], load[0] / 1e-3, 0.05);
+    assert_near(points[0][5].value[QUANTITY_TCR] * pair.conductivity_W_per_mK, 2 * length_m, 1e-6);
+    strip.own.value[0][2] += log(3); /* three times the gap */
+    strip.own.value[1][2] += log(3);
     strip.own.value[0][1] += log(2); /* twice the length, at equal area */
     strip.own.value[1][1] += log(2);
     curve[1] = model_support_run(points[1], names[1], &task);
     assert_near(points[1][5].value[QUANTITY_ECR], 2 * points[0][5].value[QUANTITY_ECR], 1e-3);
+    assert_near(points[1][5].value[QUANTITY_SEPARATION], 3 * points[0][5].value[QUANTITY_SEPARATION], 1e-3);
     task.strip = NULL;
     curve[1] = model_support_run(points[1], names[1], &task);
     assert_false(curve[1].exists);

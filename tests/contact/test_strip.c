@@ -2,6 +2,7 @@
 /* The strip transfer: what is known of it in closed form, and what has to hold whatever the heights. */
 #include "contact/corrected_persson.h"
 #include "contact/strip.h"
+#include "direct/direct_ladder.h"
 #include "direct/direct_surface.h"
 #include "model_support.h"
 
@@ -88,6 +89,8 @@ TEST_CASE(heights_tell)
     struct strip_rows rows = {height, ROWS, POINTS, 1e-6, false}, alone = {height + POINTS, 1, POINTS, 1e-6, false};
     struct strip strip = solved(&rows, all, ROWS, STRIP_SURROGATES), again = solved(&rows, all, ROWS, STRIP_SURROGATES);
     assert_memory_equal(&strip, &again, sizeof strip);
+    double cost = (double)strip_cost(&rows, ROWS, STRIP_SURROGATES);
+    assert_true(cost > 0.5 * (double)strip.transforms && cost < 2 * (double)strip.transforms);
     struct strip_ratio at = strip_ratio_at(&strip, 0.4);
     assert_true(at.load < log(0.5) && at.separation > 0);
     strip = solved(&rows, &second, 1, 0);
@@ -123,6 +126,8 @@ TEST_CASE(areas)
     double low = exp(strip_ratio_at(&strip, 1e-6).load);
     assert_near(low, exp(strip_ratio_at(&strip, 1e-4).load), 1e-3); /* p as A: logit A, nearly ln A */
     assert_near(area[0], corrected_persson_area(loads[0] / low, 0.04), 1e-2);
+    double between = 1 / (1 + exp(3.75)); /* below the surrogate's last: its gap stays */
+    assert_near(strip_ratio_at(&strip, between).separation, 2 - 0.25 / 3 - 2, 1e-9);
     assert_near(strip_ratio_at(&strip, 1e-6).separation, strip_ratio_at(&strip, 1e-4).separation, 1e-12);
 }
 
@@ -135,4 +140,87 @@ TEST_CASE(nothing_to_solve)
     struct strip strip;
     struct status status = {0};
     assert_int_equal(strip_solve(&strip, &rows, &first, 1, 1, NULL, &status), STATUS_MODEL);
+}
+
+enum { SIDE = 128, TRUTHS = 4, LINES = 5 };
+
+/** Four longest waves, Hurst exponent 0.8, down to 8 points. */
+static double variance(double r, const void *context)
+{
+    (void)context;
+    return r > SIDE / 8.0 ? 0 : pow(fmax(r, 4), -3.6);
+}
+
+/** rms ln of area, gap and constriction length by the corrected theory (ratio NULL) or the strip, over the truths. */
+static void errors(double rms[3], const struct strip *strip, const struct persson *persson, const double *loads,
+                   const struct direct_point *truth)
+{
+    double area[TRUTHS];
+    struct corrected_persson_point point[TRUTHS];
+    struct status status = {0};
+    if (strip)
+        assert_int_equal(strip_areas(area, loads, TRUTHS, strip, persson->m2, &status), STATUS_OK);
+    for (size_t i = 0; !strip && i < TRUTHS; i++)
+        area[i] = corrected_persson_area(loads[i], persson->m2);
+    corrected_persson_curve(point, area, TRUTHS, persson);
+    memset(rms, 0, 3 * sizeof *rms);
+    for (size_t i = 0; i < TRUTHS; i++) {
+        struct strip_ratio ratio = strip ? strip_ratio_at(strip, area[i]) : (struct strip_ratio){0};
+        rms[0] += pow(log(area[i] / truth[i].quantities.area_ratio), 2) / TRUTHS;
+        rms[1] += pow(log(point[i].separation_m / truth[i].quantities.gap_m) + ratio.separation, 2) / TRUTHS;
+        rms[2] += pow(log(point[i].constriction_m / truth[i].constriction_m) + ratio.constriction, 2) / TRUTHS;
+    }
+    for (int q = 0; q < 3; q++)
+        rms[q] = sqrt(rms[q]);
+}
+
+/** Two surfaces of one spectrum solved directly, Gaussian and with deep pits, against five of their rows. */
+TEST_CASE(against_direct_solutions)
+{
+    static const size_t all[LINES] = {0, 1, 2, 3, 4};
+    double *height = malloc(SIDE * SIDE * sizeof *height), row[LINES * SIDE], given[1000];
+    assert_non_null(height);
+    for (size_t i = 0; i < 1000; i++)
+        given[i] = log(((double)i + 0.5) / 1000);
+    for (int pits = 0; pits < 2; pits++) {
+        double loads[TRUTHS], square = 0, rms[3];
+        struct direct_point truth[TRUTHS];
+        struct spectrum mean = {0}, one;
+        struct persson persson;
+        struct status status = {0};
+        assert_int_equal(direct_surface_make(height, SIDE, variance, NULL, pits ? given : NULL, 1000, 1, &status),
+                         STATUS_OK);
+        for (size_t k = 0; k < SIDE * SIDE; k++)
+            height[k] *= 1e-6;
+        for (size_t r = 0; r < LINES; r++) {
+            memcpy(row + r * SIDE, height + r * SIDE / LINES * SIDE, SIDE * sizeof *row);
+            assert_int_equal(spectrum_compute(&one, row + r * SIDE, SIDE, 1e-6, SPECTRUM_WINDOW_NONE, &status),
+                             STATUS_OK);
+            if (r == 0)
+                assert_int_equal(spectrum_copy(&mean, &one, &status), STATUS_OK);
+            else
+                spectrum_average(&mean, &one, r);
+            spectrum_free(&one);
+        }
+        square = spectrum_moment(&mean, 1);
+        for (size_t i = 0; i < TRUTHS; i++)
+            loads[i] = sqrt(2 * square) * (double[TRUTHS]){0.02, 0.08, 0.25, 0.6}[i];
+        struct direct_ladder_def ladder = {loads, TRUTHS, INFINITY, 1e-5, true, NULL};
+        struct direct_contact contact;
+        assert_int_equal(direct_contact_make(&contact, NULL, height, SIDE, SIDE, 1e-6, &status), STATUS_OK);
+        assert_int_equal(direct_ladder_run(truth, &contact, &ladder, &status), STATUS_OK);
+        assert_int_equal(persson_make(&persson, &mean, persson_energy_factor, &status), STATUS_OK);
+        struct strip_rows rows = {row, LINES, SIDE, 1e-6, true};
+        struct strip strip = solved(&rows, all, LINES, STRIP_SURROGATES);
+        errors(rms, NULL, &persson, loads, truth);
+        for (int q = 0; q < 3; q++)
+            assert_true(pits ? rms[q] > 0.5 : rms[q] < 0.08);
+        errors(rms, &strip, &persson, loads, truth);
+        for (int q = 0; q < 3; q++)
+            assert_true(rms[q] < 0.25);
+        direct_contact_free(&contact);
+        persson_free(&persson);
+        spectrum_free(&mean);
+    }
+    free(height);
 }
