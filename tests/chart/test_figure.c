@@ -16,7 +16,6 @@ static int place_setup(void **state)
     static struct directory place;
     struct text scene = {0};
     place = directory_make();
-    mkdir(directory_path(&place, "in"), 0777);
     pipeline_rough(&place, "in/a.csv", 120, 0.1, 1);
     pipeline_rough(&place, "in/b.csv", 120, 1, 2);
     double *height_m = calloc(3000, sizeof *height_m);
@@ -216,7 +215,6 @@ TEST_CASE(test_effects_and_models_that_are_off_remove_their_figures)
 TEST_CASE(test_the_files_are_those_of_the_figures)
 {
     const struct directory *place = *state;
-    mkdir(directory_path(place, "electrical"), 0777);
     pipeline_rough(place, "electrical/a.csv", 64, 1, 1);
     directory_write(place, "electrical/scene.yaml", "material: tin\neffects: [electrical]\n");
     assert_int_equal(pipeline_run(place, "electrical", "out-electrical", 1), 0);
@@ -547,7 +545,6 @@ TEST_CASE(test_resistances_end_at_full_contact)
 TEST_CASE(test_means_of_scans_end_where_they_are_known)
 {
     const struct directory *place = *state;
-    mkdir(directory_path(place, "scans"), 0777);
     pipeline_rough(place, "scans/a.csv", 120, 0.1, 1);
     pipeline_rough(place, "scans/b.csv", 120, 1, 2);
     directory_write(place, "scans/scene.yaml",
@@ -579,7 +576,6 @@ TEST_CASE(test_the_panel_below_holds_ratios)
         assert_true(drawing->y[block][k] > 1);
     }
     free(drawing);
-    mkdir(directory_path(place, "thermal"), 0777);
     pipeline_rough(place, "thermal/a.csv", 64, 1, 1);
     directory_write(place, "thermal/scene.yaml", "material: tin\neffects: [thermal]\n");
     assert_int_equal(pipeline_run(place, "thermal", "out-thermal", 1), 0);
@@ -595,7 +591,6 @@ TEST_CASE(test_the_panel_below_holds_ratios)
 TEST_CASE(test_the_counterface_is_drawn)
 {
     const struct directory *place = *state;
-    mkdir(directory_path(place, "pair"), 0777);
     pipeline_rough(place, "pair/a.csv", 64, 1, 1);
     pipeline_rough(place, "pair/other.csv", 64, 2, 2);
     directory_write(place, "pair/scene.yaml",

@@ -9,8 +9,6 @@ static int place_setup(void **state)
 {
     static struct directory place;
     place = directory_make();
-    mkdir(directory_path(&place, "in"), 0777);
-    mkdir(directory_path(&place, "electrical"), 0777);
     pipeline_rough(&place, "in/smooth.csv", 120, 0.3, 1);
     pipeline_rough(&place, "in/rough.csv", 120, 1, 2);
     pipeline_bowl(&place, "in/bowl.csv", 121);
@@ -32,7 +30,7 @@ static int place_teardown(void **state)
 
 static struct table open_table(const struct directory *place, const char *name)
 {
-    return table_read_path(directory_path(place, name));
+    return directory_table(place, name);
 }
 
 static bool is_null_or_finite(const json_t *json)

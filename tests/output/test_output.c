@@ -79,13 +79,6 @@ static void commit(struct output *output)
     output_abandon(output); /* has nothing left to do, as in a run */
 }
 
-static void assert_content(const struct directory *place, const char *name, const char *content)
-{
-    struct text text = directory_read(place, name);
-    assert_string_equal(text_string(&text), content);
-    text_free(&text);
-}
-
 /* All of the report at `target` is of one word, this one or (NULL) "one" or "two". */
 static void assert_whole(const struct directory *place, const char *target, const char *word)
 {
@@ -96,7 +89,7 @@ static void assert_whole(const struct directory *place, const char *target, cons
         word = strcmp(text_string(&text), "one") == 0 ? "one" : "two";
     for (size_t i = 0; i < REPORTS_FILES; i++) {
         snprintf(name, sizeof name, "%s/%s", target, reports_files[i]);
-        assert_content(place, name, word);
+        directory_holds(place, name, word);
     }
     snprintf(name, sizeof name, "%s/manifest.txt", target);
     assert_true(directory_has(place, name));
@@ -149,7 +142,7 @@ static void assert_users_files(const struct directory *place, const char *target
     for (size_t i = 0; i < count; i++) {
         char name[128];
         snprintf(name, sizeof name, "%s/%s", target, users_files[i]);
-        assert_content(place, name, users_files[i]);
+        directory_holds(place, name, users_files[i]);
     }
 }
 
@@ -219,7 +212,7 @@ static void take_step(const struct directory *place, struct output *output, cons
     else if (strcmp(word, "is") == 0)
         assert_int_equal(kind_of(place, name), *rest);
     else if (strcmp(word, "holds") == 0)
-        assert_content(place, name, rest);
+        directory_holds(place, name, rest);
     else if (strcmp(word, "report") == 0) {
         assert_whole(place, name, rest);
         assert_int_equal(directory_entries(place, name), 6);
@@ -415,8 +408,8 @@ PLACE_CASE(test_a_hostile_manifest_removes_nothing_else)
     text_free(&text);
     directory_write(place, "out/notes.md", "mine");
     publish(place, "out", "two");
-    assert_content(place, "victim", "mine");
-    assert_content(place, "out/notes.md", "mine");
+    directory_holds(place, "victim", "mine");
+    directory_holds(place, "out/notes.md", "mine");
     assert_int_equal(directory_entries(place, ""), 2);
 }
 
@@ -549,7 +542,7 @@ TEST_CASE(test_a_kill_at_any_instant_loses_nothing)
             publish(&place, "out", "three"); /* what is left behind disturbs no later run, which clears it away */
             if (directory_entries(&place, "") != 1 || directory_entries(&place, "out") != 6 + 1)
                 fail_msg("something is left of a kill at step %zu", steps);
-            assert_content(&place, "out/report.md", "three");
+            directory_holds(&place, "out/report.md", "three");
             assert_users_files(&place, "out", FEW);
             directory_remove(&place);
         }
@@ -652,7 +645,7 @@ TEST_CASE(test_what_comes_at_any_instant_is_not_lost)
             if (came && !survives(&place, acts[i].name, "late"))
                 fail_msg("'%s' is lost when it comes at step %zu", acts[i].name, steps);
             if (code == 0)
-                assert_content(&place, "out/report.md", "two");
+                directory_holds(&place, "out/report.md", "two");
             if (has_kept(&place)) {
                 assert_int_equal(code, STATUS_IO); /* and says so */
                 left = true;
@@ -831,7 +824,7 @@ PLACE_CASE(test_what_came_before_a_kill_stays)
         assert_false(find(left, place, ".roughcontact-"));
         assert_int_equal(find(left, place, "roughcontact-"), late);
     }
-    assert_content(place, strcat(strrchr(left, '/') + 1, "/done/figures/late.txt"), "late");
+    directory_holds(place, strcat(strrchr(left, '/') + 1, "/done/figures/late.txt"), "late");
 }
 
 /* What an archive may bring along: a directory that looks left by a killed run, once as it was in earlier versions,
@@ -1018,8 +1011,8 @@ PLACE_CASE(test_a_full_disk_leaves_the_report_before)
             if (rc == STATUS_OK)
                 rc = output_commit(&output, &status);
             output_abandon(&output);
-            assert_content(&disk, "out/report.md", rc == STATUS_OK ? "two" : "one");
-            assert_content(&disk, "out/data/contact.csv", rc == STATUS_OK ? "two" : "one");
+            directory_holds(&disk, "out/report.md", rc == STATUS_OK ? "two" : "one");
+            directory_holds(&disk, "out/data/contact.csv", rc == STATUS_OK ? "two" : "one");
             assert_users_files(&disk, "out", FEW);
             assert_int_equal(directory_entries(&disk, ""), 1);
             if (rc == STATUS_OK)
@@ -1051,11 +1044,11 @@ PLACE_CASE(test_no_room_for_an_entry)
     for (size_t i = 0; i < sizeof calls / sizeof *calls; i++)
         if (publish_without(place, calls[i], ENOSPC) == STATUS_OK) { /* another call does it */
             assert_true(calls[i] != SYS_linkat && calls[i] != SYS_renameat2);
-            assert_content(place, "out/report.md", "two");
+            directory_holds(place, "out/report.md", "two");
             publish(place, "out", "one");
         } else {
             assert_whole(place, "out", NULL);
-            assert_content(place, "out/report.md", "one");
+            directory_holds(place, "out/report.md", "one");
             assert_users_files(place, "out", FEW);
             assert_int_equal(directory_entries(place, ""), 1);
         }

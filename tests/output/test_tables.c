@@ -34,7 +34,6 @@ static int place_setup(void **state)
     static const char *const scenes[] = {"in", "electrical", "multiscale", "statistical"};
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
         char name[64];
-        mkdir(directory_path(&place, scenes[i]), 0777);
         snprintf(name, sizeof name, "%s/smooth.csv", scenes[i]);
         pipeline_rough(&place, name, 120, 0.3, 1);
         snprintf(name, sizeof name, "%s/bowl.csv", scenes[i]);
@@ -60,7 +59,7 @@ static int place_teardown(void **state)
 
 static struct table open_table(const struct directory *place, const char *name)
 {
-    return table_read_path(directory_path(place, name));
+    return directory_table(place, name);
 }
 
 static void assert_header(const struct table *table, const char *expected)

@@ -104,14 +104,11 @@ static void describe(char text[800], double E_Pa, double Sy_Pa, double conductiv
 static void write_surface(const char *name, double gamma, double size, unsigned long seed)
 {
     struct synth_def def = synth_def_default();
-    struct status status = {0};
-    double height_m[600];
     def.points = 600;
     def.gamma = gamma;
     def.alpha = size / pow(def.length_m, gamma);
     def.seed = seed;
-    assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
-    pipeline_scan(&place, name, height_m, def.points);
+    pipeline_synth(&place, name, &def);
 }
 
 /** Loads far below yield, from soft metals to what yields nowhere: the elastic models' full contact stands only where

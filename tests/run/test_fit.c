@@ -68,8 +68,6 @@ static const char *law_class(const json_t *surface)
 TEST_CASE(test_the_law_made_is_found)
 {
     const struct directory *place = *state;
-    mkdir(directory_path(place, "law"), 0777);
-    mkdir(directory_path(place, "thesis"), 0777);
     write_law(place, "law/periodic.csv", POINTS, 1, 0, 3);
     write_law(place, "law/cut.csv", POINTS, 8, 0.01, 4);
     write_law(place, "thesis/cut.csv", POINTS, 8, 0.01, 4);
@@ -112,8 +110,6 @@ TEST_CASE(test_levelling_of_a_periodic_record)
     double height_m[POINTS];
     for (size_t i = 0; i < POINTS; i++) /* a sine: its line has a slope */
         height_m[i] = 1e-6 * sin(2 * M_PI * (double)i / POINTS) + 3e-6;
-    mkdir(directory_path(place, "mean"), 0777);
-    mkdir(directory_path(place, "line"), 0777);
     pipeline_scan(place, "mean/a.csv", height_m, POINTS);
     pipeline_scan(place, "line/a.csv", height_m, POINTS);
     directory_write(place, "line/scene.yaml", "material: tin\nlevel: line\n");
@@ -128,30 +124,18 @@ TEST_CASE(test_levelling_of_a_periodic_record)
     json_decref(root);
 }
 
-static void expect_in(const struct directory *place, const char *file, const char *part)
-{
-    struct text text = {0};
-    struct status status = {0};
-    assert_int_equal(text_read_file(&text, directory_path(place, file), &status), STATUS_OK);
-    if (!strstr(text_string(&text), part))
-        fail_msg("'%s' is not in %s", part, file);
-    text_free(&text);
-}
-
 /* The report says what each scan got. */
 TEST_CASE(test_the_report_names_windows)
 {
     const struct directory *place = *state;
-    mkdir(directory_path(place, "three"), 0777);
     write_law(place, "three/a-1.csv", 512, 1, 0, 1);
     write_law(place, "three/a-2.csv", 512, 1, 0, 2);
     write_law(place, "three/a-3.csv", 512, 8, 0.02, 3);
     directory_write(place, "three/scene.yaml",
                     "material: tin\nsurfaces: [{name: a, file: [a-1.csv, a-2.csv, a-3.csv]}]\n");
     assert_int_equal(pipeline_run(place, "three", "three-out", 1), 0);
-    expect_in(place, "three-out/report.md", "2 of 3 scans close on themselves");
-    expect_in(place, "three-out/report.md", "no window for 2, Hann × √(8/3) for 1");
-    expect_in(place, "three-out/report.md", "| a | 3 | 2 | none or Hann | law | 3.00 |");
+    expect_in_file(place, "three-out/report.md", "2 of 3 scans close on themselves",
+                   "no window for 2, Hann × √(8/3) for 1", "| a | 3 | 2 | none or Hann | law | 3.00 |");
     json_t *root, *surface = read_surface(place, "three-out", "a", &root);
     double error = number(surface, "gamma_stderr");
     assert_within(number(surface, "gamma"), gamma_made, 3 * error);
@@ -163,14 +147,13 @@ TEST_CASE(test_the_report_names_windows)
 TEST_CASE(test_a_window_by_name)
 {
     const struct directory *place = *state;
-    mkdir(directory_path(place, "hann"), 0777);
     double height_m[POINTS];
     for (size_t i = 0; i < POINTS; i++)
         height_m[i] = 1e-6 * cos(2 * M_PI * 32 * (double)i / POINTS);
     pipeline_scan(place, "hann/a.csv", height_m, POINTS);
     directory_write(place, "hann/scene.yaml", "material: tin\nwindow: hann\n");
     assert_int_equal(pipeline_run(place, "hann", "hann-out", 1), 0);
-    struct table table = table_read_path(directory_path(place, "hann-out/data/spectrum.csv"));
+    struct table table = directory_table(place, "hann-out/data/spectrum.csv");
     assert_near(table_number(&table, 31, "amplitude_m"), 1e-6 * sqrt(2.0 / 3), 1e-5);
     assert_near(table_number(&table, 30, "amplitude_m"), 1e-6 * sqrt(1.0 / 6), 1e-5);
     table_free(&table);
@@ -180,7 +163,6 @@ TEST_CASE(test_a_window_by_name)
 TEST_CASE(test_no_law)
 {
     const struct directory *place = *state;
-    mkdir(directory_path(place, "none"), 0777);
     double height_m[POINTS];
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     for (size_t i = 0; i < POINTS; i++)
@@ -212,9 +194,9 @@ TEST_CASE(test_no_law)
         assert_true(isnan(number(surface, "gamma")) && isnan(number(surface, "fit_low_m")));
         json_decref(root);
     }
-    expect_in(place, "none-out/report.md", "no power law found");
-    expect_in(place, "none-out/report.md", "no power law of a decade was found in the spectrum on all 5 surfaces");
-    struct table table = table_read_path(directory_path(place, "none-out/data/spectrum.csv"));
+    expect_in_file(place, "none-out/report.md", "no power law found",
+                   "no power law of a decade was found in the spectrum on all 5 surfaces");
+    struct table table = directory_table(place, "none-out/data/spectrum.csv");
     assert_string_equal(table_text(&table, 0, "fit_m"), "");
     table_free(&table);
 }
@@ -223,7 +205,6 @@ TEST_CASE(test_no_law)
 TEST_CASE(test_a_narrow_law)
 {
     const struct directory *place = *state;
-    mkdir(directory_path(place, "narrow"), 0777);
     write_law(place, "narrow/a.csv", POINTS, 1, 0, 5);
     write_law(place, "narrow/b.csv", POINTS, 1, 0, 5);
     directory_write(
@@ -235,7 +216,7 @@ TEST_CASE(test_a_narrow_law)
     assert_true(number(surface, "fit_low_m") >= 5e-6 && number(surface, "fit_high_m") <= 4e-5);
     assert_within(number(surface, "gamma"), gamma_made, 3 * number(surface, "gamma_stderr"));
     json_decref(root);
-    expect_in(place, "narrow-out/report.md", " (narrow) | ");
+    expect_in_file(place, "narrow-out/report.md", " (narrow) | ");
 }
 
 /* Heights to the picometre of a law that an instrument has cut at 8 um: what is left below is the file's last digit.
@@ -259,7 +240,6 @@ TEST_CASE(test_what_lies_below_a_cut_off)
     text_add(&csv, "x [um],z [um]\n");
     for (size_t i = 0; i < HEIGHTS; i++)
         text_add(&csv, "%g,%.6f\n", 0.25 * (double)i, height_m[i] * 1e6);
-    mkdir(directory_path(place, "cut"), 0777);
     directory_write(place, "cut/a.csv", text_string(&csv));
     directory_write(place, "cut/scene.yaml", scene);
     assert_int_equal(pipeline_run(place, "cut", "cut-out", 1), 0);
@@ -298,7 +278,6 @@ TEST_CASE(test_rows_of_a_map)
 {
     const struct directory *place = *state;
     enum { ROWS = 40, ROW = 256 };
-    mkdir(directory_path(place, "map"), 0777);
     struct synth_def def = synth_def_default();
     struct status status = {0};
     def.points = ROW;
@@ -336,7 +315,6 @@ TEST_CASE(test_the_counterface_is_in_the_law)
     for (size_t i = 0; i < POINTS; i++)
         height_m[i] = 1e-11 * gsl_ran_gaussian(random, 1);
     gsl_rng_free(random);
-    mkdir(directory_path(place, "pair"), 0777);
     pipeline_scan(place, "pair/smooth.csv", height_m, POINTS);
     write_law(place, "pair/rough.csv", POINTS, 1, 0, 3);
     directory_write(place, "pair/scene.yaml",

@@ -20,16 +20,8 @@ static json_int_t evaluations(const json_t *work, const char *effect)
 
 static struct work work_of(const char *scene)
 {
-    struct run_outcome outcome;
-    struct status status = {0};
-    struct run_options options = {.output = NULL, .templates = PROJECT_SOURCE "/templates", .jobs = 2, .no_cost = true};
-    char target[300];
-    snprintf(target, sizeof target, "%s/out", place.path);
-    options.output = target;
     directory_write(&place, "in/scene.yaml", scene);
-    if (pipeline_try(&outcome, &place, "in", options, &status) != STATUS_OK)
-        fail_msg("%s\n%s", status.message, text_string(&outcome.messages));
-    run_outcome_free(&outcome);
+    assert_int_equal(pipeline_run(&place, "in", "out", 2), 0);
     json_t *results = json_load_file(directory_path(&place, "out/results.json"), 0, NULL);
     const json_t *work = json_object_get(results, "work"), *row;
     const char *name;
@@ -110,9 +102,7 @@ TEST_CASE(auto_skips_what_cannot_matter)
                 "material: {E: 1 GPa, nu: 0.3, Sy: 1000 GPa}\nload: {from: 1e-6, to: 1e-3, points: 31}\n");
     assert_true(work.area > 0);
     assert_int_equal(work.plasticity, 0);
-    struct text report = directory_read(&place, "out/report.md");
-    assert_non_null(strstr(text_string(&report), "| plasticity | skipped | every scale is complete before it yields"));
-    text_free(&report);
+    expect_in_file(&place, "out/report.md", "| plasticity | skipped | every scale is complete before it yields");
     assert_true(work_of(FILES "effects: auto\n").plasticity > 0);
 }
 
@@ -123,7 +113,7 @@ TEST_CASE(effects_are_a_surfaces_own)
             "a.csv}]\n"
             "material: {E: 1 GPa, nu: 0.3, Sy: 1 MPa}\nmodels: [multiscale]\n"
             "load: {from: 1e-6, to: 1e-3, points: 5}\n");
-    struct table table = table_read_path(directory_path(&place, "out/data/contact.csv"));
+    struct table table = directory_table(&place, "out/data/contact.csv");
     size_t same = 0, other = 0;
     for (size_t i = 0; i < table.rows; i++)
         for (size_t j = 0; j < table.rows; j++) {
