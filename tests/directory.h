@@ -36,12 +36,13 @@ static inline void directory_remove(const struct directory *directory)
     assert_int_equal(nftw(directory->path, directory_unlink, 16, FTW_DEPTH | FTW_PHYS), 0);
 }
 
-/* A fixture: *state is an empty directory, removed with all that came into it. */
+static struct directory directory_here; /* of the fixture */
+
+/* A fixture: *state is an empty directory, directory_here, removed with all that came into it. */
 static inline int directory_setup(void **state)
 {
-    static struct directory directory;
-    directory = directory_make();
-    *state = &directory;
+    directory_here = directory_make();
+    *state = &directory_here;
     return 0;
 }
 
