@@ -541,23 +541,27 @@ PLACED(test_hostile_names_are_only_text)
     }
 }
 
+/* Into `size` bytes; a character, or a mark of what was cut, that does not fit whole is left out. */
 TEST_CASE(test_quoting)
 {
-    char out[64], tight[8];
-    gnuplot_field(out, sizeof out, "it's \"a\\b\" µ\n\xff");
-    assert_string_equal(out, "\"it's 'a\\\\b' µ\\\\x0a\\\\xff\"");
-    gnuplot_field(out, sizeof out, "=1");
-    assert_string_equal(out, "\"'=1\"");
-    gnuplot_field(tight, 3, "=1");
-    assert_string_equal(tight, "\"\"");
-    gnuplot_field(tight, sizeof tight, "abcdµµ"); /* µ takes two bytes and would leave no room for the mark */
-    assert_string_equal(tight, "\"abcd\"");
-    gnuplot_field(tight, sizeof tight, "abcd\\"); /* half a doubled backslash would take the mark */
-    assert_string_equal(tight, "\"abcd\"");
-    gnuplot_field(tight, 3, "abc");
-    assert_string_equal(tight, "\"\"");
-    gnuplot_field(tight, 2, "abc");
-    assert_string_equal(tight, "");
+    static const struct {
+        const char *string;
+        size_t size;
+        const char *field;
+    } cases[] = {
+        {"it's \"a\\b\" µ\n\xff", 64, "\"it's 'a\\\\b' µ\\\\x0a\\\\xff\""},
+        {"=1", 64, "\"'=1\""},
+        {"=1", 3, "\"\""},
+        {"abcdµµ", 8, "\"abcd\""}, /* µ takes two bytes and would leave no room for the mark */
+        {"abcd\\", 8, "\"abcd\""}, /* half a doubled backslash would take the mark */
+        {"abc", 3, "\"\""},
+        {"abc", 2, ""},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char out[64];
+        gnuplot_field(out, cases[i].size, cases[i].string);
+        assert_string_equal(out, cases[i].field);
+    }
 }
 
 /* What a script quotes: marks of ASCII come as escapes, what is too long is cut at its end or in its middle. */
