@@ -127,6 +127,15 @@ PLACED(the_interval_of_two)
     assert_near(table_number(&bands, row, "separation_over_sigma_mean_low_95"), exp(mean - half), 1e-9);
     assert_near(table_number(&bands, row, "separation_over_sigma_mean_high_95"), exp(mean + half), 1e-9);
     table_free(&bands);
+    struct table spread = directory_table(place, "both/data/spread.csv"); /* results.json has the same */
+    struct text json = directory_read(place, "both/results.json");
+    const char *rq = strstr(strstr(text_string(&json), "\"spread\""), "\"rq_m\""), *ends[2];
+    ends[0] = strchr(strstr(rq, "\"mean_95\""), '[');
+    ends[1] = strchr(strstr(rq, "\"next_scan_95\""), '[');
+    assert_near(strtod(ends[0] + 1, NULL), table_number(&spread, 0, "mean_low_95"), 1e-15);
+    assert_near(strtod(ends[1] + 1, NULL), table_number(&spread, 0, "next_scan_low_95"), 1e-15);
+    text_free(&json);
+    table_free(&spread);
     expect_in_file(place, "both/report.md", "95 % interval of the mean, for scans of this length.");
 }
 
