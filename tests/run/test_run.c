@@ -13,46 +13,7 @@ static int place_setup(void **state)
     return 0;
 }
 
-/* Are the trees of two directories the same, names and bytes? */
-static void assert_same_tree(const struct directory *place, const char *a, const char *b, size_t *files)
-{
-    assert_int_equal(directory_entries(place, a), directory_entries(place, b));
-    DIR *open = opendir(directory_path(place, a));
-    assert_non_null(open);
-    for (const struct dirent *entry; (entry = readdir(open));) {
-        char one[512], two[512];
-        struct stat info;
-        if (entry->d_name[0] == '.')
-            continue;
-        snprintf(one, sizeof one, "%s/%s", a, entry->d_name);
-        snprintf(two, sizeof two, "%s/%s", b, entry->d_name);
-        assert_int_equal(stat(directory_path(place, one), &info), 0);
-        if (S_ISDIR(info.st_mode)) {
-            assert_same_tree(place, one, two, files);
-            continue;
-        }
-        directory_expect_same(place, one, two);
-        ++*files;
-    }
-    closedir(open);
-}
-
 #define PLACED(name) TEST_WITH(name, place_setup, directory_teardown)
-
-/* Same input, same bytes; also with more threads, and with a report to replace. */
-PLACED(test_runs_repeat_to_the_byte)
-{
-    size_t files = 0;
-    directory_write(*state, "in/scene.yaml",
-                    "material: tin\nload: {from: 1e-6, to: 1, points: 9}\nconvergence: {scales: 20}\n");
-    assert_int_equal(pipeline_run(*state, "in", "one", 1), 0);
-    assert_int_equal(pipeline_run(*state, "in", "two", 1), 0);
-    assert_same_tree(*state, "one", "two", &files);
-    assert_true(files > 30 + 31 + 31 + 7); /* csv, gp and svg of every figure, and the rest */
-    assert_int_equal(pipeline_run(*state, "in", "two", 2), 0);
-    assert_same_tree(*state, "one", "two", &files);
-    assert_int_equal(directory_entries(*state, ""), 3);
-}
 
 /* One scan that is none: named, with why; the others are reported as if it were not there. */
 PLACED(test_a_refused_scan_does_not_stop_the_others)
