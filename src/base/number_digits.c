@@ -36,6 +36,8 @@ static bool decimal(uint64_t *digits, int *exponent, double value)
 {
     static const double unsure = 0x1p-5;
     int binary;
+    if (LDBL_MANT_DIG < 64)
+        return false;
     (void)frexp(value, &binary);
     *exponent = (int)floor((binary - 1) * 0.30102999566398120); /* log10(2): right, or 1 too small */
     long double scaled = value * powers[DIGITS - 1 - *exponent - POWER_LEAST];
@@ -44,7 +46,7 @@ static bool decimal(uint64_t *digits, int *exponent, double value)
     *digits = (uint64_t)scaled;
     double rest = (double)(scaled - (long double)*digits);
     *digits += rest > 0.5;
-    return LDBL_MANT_DIG >= 64 && fabs(rest - 0.5) > unsure && (long double)*digits < most;
+    return fabs(rest - 0.5) > unsure && (long double)*digits < most;
 }
 
 size_t number_digits(char out[NUMBER_DIGITS_SIZE], double value)
