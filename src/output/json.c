@@ -77,18 +77,19 @@ static json_t *joint_json(const struct results *results, const struct cell_guard
 {
     const struct joint *joint = &results->scene->joint;
     json_t *json = json_object();
-    if (plan_runs(results->plan, EFFECT_GAP)) {
+    bool gap = plan_runs(results->plan, EFFECT_GAP), heating = plan_runs(results->plan, EFFECT_HEATING);
+    if (gap) {
         const char *names[] = {
             [JOINT_VACUUM] = "vacuum", [JOINT_GAS] = joint->gas ? joint->gas->name : "", [JOINT_MEDIUM] = "medium"};
         set_word(json, "gap", names[joint->fill]);
     }
-    if (plan_runs(results->plan, EFFECT_GAP) && joint->fill == JOINT_GAS) {
+    if (gap && joint->fill == JOINT_GAS) {
         set(json, guard, "gap_pressure_Pa", joint->pressure_Pa);
         set(json, guard, "accommodation", joint->accommodation);
     }
-    if (plan_runs(results->plan, EFFECT_GAP) && joint->fill == JOINT_MEDIUM)
+    if (gap && joint->fill == JOINT_MEDIUM)
         set(json, guard, "gap_conductivity_W_per_mK", joint->conductivity_W_per_mK);
-    if (plan_runs(results->plan, EFFECT_GAP) || plan_runs(results->plan, EFFECT_HEATING))
+    if (gap || heating)
         set(json, guard, "temperature_K", joint->temperature_K);
     if (plan_runs(results->plan, EFFECT_FILM))
         set(json, guard, "film_ohm_m2", joint->film_ohm_m2);
@@ -97,7 +98,7 @@ static json_t *joint_json(const struct results *results, const struct cell_guard
         set(json, guard, "plating_resistivity_ohm_m", joint->plating_ohm_m);
         json_object_set_new(json, "plated_sides", json_integer(joint->both_plated ? 2 : 1));
     }
-    if (plan_runs(results->plan, EFFECT_HEATING))
+    if (heating)
         set(json, guard, "current_A", joint->current_A);
     return json;
 }
@@ -387,19 +388,19 @@ static json_t *direct_json(const struct direct_study *study, const struct result
         if (study->curves[kind].points)
             json_array_append_new(solutions, direct_curve_json(study, results, (enum direct_study_kind)kind, &guard));
     for (size_t m = 0; m < model_count; m++) {
+        if (!study->models[m].exists)
+            continue;
         json_t *model = json_object();
+        size_t loads = study->curves[direct_study_kind_of(study, m)].loads;
         for (int q = 0; q < DIRECT_STUDY_QUANTITIES; q++) {
             enum quantity quantity = direct_study_quantities[q];
-            size_t loads = study->curves[direct_study_kind_of(study, m)].loads;
             double ratio[SCENE_DIRECT_LOADS];
             for (size_t i = 0; i < loads; i++)
                 ratio[i] = direct_study_ratio(study, results_pair(results, study->surface), m, quantity, i);
             if (results->plan->wanted & QUANTITY_BIT(quantity))
                 set_all(model, &guard, quantity_rows[quantity].short_symbol, ratio, loads);
         }
-        if (study->models[m].exists)
-            json_object_set(ratios, model_rows[m]->name, model);
-        json_decref(model);
+        json_object_set_new(ratios, model_rows[m]->name, model);
     }
     json_t *json = json_pack("{s:o, s:s, s:I, s:I, s:o, s:o}", "surface", string(surface->scene->name), "source",
                              plan->side > 0 ? "map" : "law", "grid", (json_int_t)plan->grid, "contacts_solved",
@@ -492,27 +493,27 @@ static json_t *limits_json(const struct results *results, struct results_lost *l
 static json_t *outline_surface_json(const struct surface_summary *s, const struct plan *plan, bool complete,
                                     const struct cell_guard *guard)
 {
-    json_t *models = json_object();
     json_t *json = json_pack("{s:o, s:o, s:b, s:o, s:o}", "surface", string(s->scene->name), "files",
                              files_json(s->scene), "usable", s->usable, "refused",
                              s->refusal ? string(s->refusal) : json_null(), "notes", notes_json(&s->notes));
-    for (size_t m = 0; m < model_count && complete && s->usable; m++) {
+    if (!s->usable)
+        return json;
+    set(json, guard, "rq_m", s->roughness.rq_m);
+    set(json, guard, "alpha_SI", power_law_holds(&s->power_law) ? s->power_law.alpha : NAN);
+    set(json, guard, "gamma", power_law_holds(&s->power_law) ? s->power_law.gamma : NAN);
+    set_word(json, "heights", height_verdicts[s->height_law.verdict].name);
+    if (!complete)
+        return json;
+    json_t *models = json_object();
+    for (size_t m = 0; m < model_count; m++) {
+        if (!plan_runs_model(plan, m) || !surface_model(s, m)->exists)
+            continue;
         json_t *model = json_object();
         set(model, guard, "full_contact_load_over_AnEp", surface_model(s, m)->full_load);
         set(model, guard, "beta", surface_model(s, m)->beta);
-        if (plan_runs_model(plan, m) && surface_model(s, m)->exists)
-            json_object_set(models, model_rows[m]->name, model);
-        json_decref(model);
+        json_object_set_new(models, model_rows[m]->name, model);
     }
-    if (s->usable) {
-        set(json, guard, "rq_m", s->roughness.rq_m);
-        set(json, guard, "alpha_SI", power_law_holds(&s->power_law) ? s->power_law.alpha : NAN);
-        set(json, guard, "gamma", power_law_holds(&s->power_law) ? s->power_law.gamma : NAN);
-        set_word(json, "heights", height_verdicts[s->height_law.verdict].name);
-    }
-    if (complete && s->usable)
-        json_object_set(json, "models", models);
-    json_decref(models);
+    json_object_set_new(json, "models", models);
     return json;
 }
 
