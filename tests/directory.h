@@ -36,12 +36,13 @@ static inline void directory_remove(const struct directory *directory)
     assert_int_equal(nftw(directory->path, directory_unlink, 16, FTW_DEPTH | FTW_PHYS), 0);
 }
 
-/* A fixture: *state is an empty directory, removed with all that came into it. */
+static struct directory directory_here; /* of the fixture */
+
+/* A fixture: *state is an empty directory, directory_here, removed with all that came into it. */
 static inline int directory_setup(void **state)
 {
-    static struct directory directory;
-    directory = directory_make();
-    *state = &directory;
+    directory_here = directory_make();
+    *state = &directory_here;
     return 0;
 }
 
@@ -61,9 +62,15 @@ static inline const char *directory_path(const struct directory *directory, cons
     return path;
 }
 
+/* Makes the directories on the way, too. */
 static inline void directory_write(const struct directory *directory, const char *name, const char *content)
 {
     struct status status = {0};
+    char part[256];
+    for (const char *slash = name; (slash = strchr(slash, '/')); slash++) {
+        snprintf(part, sizeof part, "%.*s", (int)(slash - name), name);
+        mkdir(directory_path(directory, part), 0777);
+    }
     assert_int_equal(text_write_file(directory_path(directory, name), content, strlen(content), &status), STATUS_OK);
 }
 
@@ -90,6 +97,29 @@ static inline void directory_expect(const struct directory *directory, const cha
     directory_expect((place), (name), (const char *const[]){__VA_ARGS__, NULL}, true, __FILE__, __LINE__)
 #define expect_not_in_file(place, name, ...)                                                                           \
     directory_expect((place), (name), (const char *const[]){__VA_ARGS__, NULL}, false, __FILE__, __LINE__)
+
+static inline void directory_expect_same(const struct directory *directory, const char *a, const char *b)
+{
+    struct text first = directory_read(directory, a), second = directory_read(directory, b);
+    assert_true(first.length > 0);
+    assert_int_equal(first.length, second.length);
+    assert_memory_equal(first.data, second.data, first.length);
+    text_free(&first);
+    text_free(&second);
+}
+
+/* The file has this text, to the byte. */
+static inline void directory_holds(const struct directory *directory, const char *name, const char *content)
+{
+    struct text text = directory_read(directory, name);
+    assert_string_equal(text_string(&text), content);
+    text_free(&text);
+}
+
+static inline struct table directory_table(const struct directory *directory, const char *name)
+{
+    return table_read_path(directory_path(directory, name));
+}
 
 static inline bool directory_has(const struct directory *directory, const char *name)
 {

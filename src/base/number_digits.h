@@ -10,7 +10,5 @@ enum { NUMBER_DIGITS_SIZE = 32 }; /* holds the longest, -2.2250738585072014e-308
 /** Writes `value`, which is finite, as printf's %.17g does: 17 significant digits, rounded to the nearest and to even
  * from half way, zeros at the end left out, an exponent below -4 and from 17 on. Returns the length; any thread. */
 size_t number_digits(char out[NUMBER_DIGITS_SIZE], double value);
-/** The same as a real number of JSON: 2.0 for 2, 1e-7 for 1e-07, 1e22 for 1e+22. */
-size_t number_digits_json(char out[NUMBER_DIGITS_SIZE], double value);
 
 #endif

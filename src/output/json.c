@@ -15,9 +15,22 @@ static void set(json_t *object, const struct cell_guard *guard, const char *key,
     json_object_set_new(object, key, cell_json(guard, key, value));
 }
 
-static json_t *pair_json(const char *name, const double values[2], const struct cell_guard *guard)
+static void set_all(json_t *object, const struct cell_guard *guard, const char *key, const double *values, size_t count)
 {
-    return json_pack("[o, o]", cell_json(guard, name, values[0]), cell_json(guard, name, values[1]));
+    json_t *array = json_array();
+    for (size_t i = 0; i < count; i++)
+        json_array_append_new(array, cell_json(guard, key, values[i]));
+    json_object_set_new(object, key, array);
+}
+
+static void set_count(json_t *object, const char *key, size_t count)
+{
+    json_object_set_new(object, key, json_integer((json_int_t)count));
+}
+
+static void set_word(json_t *object, const char *key, const char *word)
+{
+    json_object_set_new(object, key, json_string(word));
 }
 
 /** Text from outside, as the tables and the report show it: what belongs together has the same name everywhere. */
@@ -64,18 +77,19 @@ static json_t *joint_json(const struct results *results, const struct cell_guard
 {
     const struct joint *joint = &results->scene->joint;
     json_t *json = json_object();
-    if (plan_runs(results->plan, EFFECT_GAP)) {
+    bool gap = plan_runs(results->plan, EFFECT_GAP), heating = plan_runs(results->plan, EFFECT_HEATING);
+    if (gap) {
         const char *names[] = {
             [JOINT_VACUUM] = "vacuum", [JOINT_GAS] = joint->gas ? joint->gas->name : "", [JOINT_MEDIUM] = "medium"};
-        json_object_set_new(json, "gap", json_string(names[joint->fill]));
+        set_word(json, "gap", names[joint->fill]);
     }
-    if (plan_runs(results->plan, EFFECT_GAP) && joint->fill == JOINT_GAS) {
+    if (gap && joint->fill == JOINT_GAS) {
         set(json, guard, "gap_pressure_Pa", joint->pressure_Pa);
         set(json, guard, "accommodation", joint->accommodation);
     }
-    if (plan_runs(results->plan, EFFECT_GAP) && joint->fill == JOINT_MEDIUM)
+    if (gap && joint->fill == JOINT_MEDIUM)
         set(json, guard, "gap_conductivity_W_per_mK", joint->conductivity_W_per_mK);
-    if (plan_runs(results->plan, EFFECT_GAP) || plan_runs(results->plan, EFFECT_HEATING))
+    if (gap || heating)
         set(json, guard, "temperature_K", joint->temperature_K);
     if (plan_runs(results->plan, EFFECT_FILM))
         set(json, guard, "film_ohm_m2", joint->film_ohm_m2);
@@ -84,7 +98,7 @@ static json_t *joint_json(const struct results *results, const struct cell_guard
         set(json, guard, "plating_resistivity_ohm_m", joint->plating_ohm_m);
         json_object_set_new(json, "plated_sides", json_integer(joint->both_plated ? 2 : 1));
     }
-    if (plan_runs(results->plan, EFFECT_HEATING))
+    if (heating)
         set(json, guard, "current_A", joint->current_A);
     return json;
 }
@@ -92,7 +106,7 @@ static json_t *joint_json(const struct results *results, const struct cell_guard
 static json_t *scene_json(const struct results *results, const struct cell_guard *guard)
 {
     const struct scene *scene = results->scene;
-    json_t *effects = json_object(), *loads = json_array(), *models = json_array();
+    json_t *effects = json_object(), *models = json_array();
     for (int e = 0; e < EFFECT_COUNT; e++) {
         const struct plan_effect *effect = &results->plan->effects[e];
         json_object_set_new(effects, effect_rows[e].name,
@@ -100,16 +114,13 @@ static json_t *scene_json(const struct results *results, const struct cell_guard
     }
     const struct scene_bodies *bodies = &scene->bodies;
     const struct material_pair pair = scene_pair(bodies);
-    const double *of_all = results_loads(results, results->baseline);
-    for (size_t i = 0; i < results->load_count && !results->loads_apart; i++)
-        json_array_append_new(loads, cell_json(guard, "loads_over_AnEp", of_all[i]));
     for (size_t m = 0; m < model_count; m++)
         add_model_name(models, scene->models, m);
     json_t *json = json_pack("{s:o, s:o, s:o, s:o}", "title", string(scene->title), "models", models, "effects",
                              effects, "material", pair.unknown ? json_null() : material_json(&bodies->material, guard));
     json_object_set_new(json, "counterface", counterface_json(bodies, guard));
     set(json, guard, "nominal_area_m2", scene->nominal_area_m2);
-    json_object_set_new(json, "loads_over_AnEp", loads);
+    set_all(json, guard, "loads_over_AnEp", results->loads, results->loads_apart ? 0 : results->load_count);
     if (scene->load.unit_text[0])
         json_object_set_new(json, "load_unit", string(scene->load.unit_text));
     if (scene->operating.load > 0)
@@ -117,18 +128,18 @@ static json_t *scene_json(const struct results *results, const struct cell_guard
     if (scene->called & results->plan->running)
         json_object_set_new(json, "joint", joint_json(results, guard));
     if (scene->mean_free_path == SCENE_MEAN_FREE_PATH_ELECTRON)
-        json_object_set_new(json, "mean_free_path", json_string("electron"));
+        set_word(json, "mean_free_path", "electron");
     set(json, guard, "effective_modulus_Pa", pair.unknown ? NAN : pair.effective_modulus_Pa);
     set(json, guard, "tolerance", scene->tolerance);
-    json_object_set_new(json, "level", json_string(level_names[scene->level]));
-    json_object_set_new(json, "window", json_string(spectrum_window_names[scene->window]));
-    json_object_set_new(json, "moments", json_string(roughness_moments_names[scene->moments]));
-    json_object_set_new(json, "closure", json_string(sinusoid_fits[scene->closure].name));
-    json_object_set_new(json, "data", json_string(scene_data_names[scene->data]));
-    json_object_set_new(json, "spectra", json_string(scene_bins_spectra(scene) ? "bins" : "every harmonic"));
+    set_word(json, "level", level_names[scene->level]);
+    set_word(json, "window", spectrum_window_names[scene->window]);
+    set_word(json, "moments", roughness_moments_names[scene->moments]);
+    set_word(json, "closure", sinusoid_fits[scene->closure].name);
+    set_word(json, "data", scene_data_names[scene->data]);
+    set_word(json, "spectra", scene_bins_spectra(scene) ? "bins" : "every harmonic");
     if (scene_bins_spectra(scene))
-        json_object_set_new(json, "curves", json_string("in data/contact.csv alone"));
-    json_object_set_new(json, "direction", json_string(scan_direction_names[scene->direction]));
+        set_word(json, "curves", "in data/contact.csv alone");
+    set_word(json, "direction", scan_direction_names[scene->direction]);
     set(json, guard, "max_missing", scene->max_missing);
     set(json, guard, "lambda_s_m", scene->lambda_s_m);
     set(json, guard, "lambda_c_m", scene->lambda_c_m);
@@ -140,18 +151,18 @@ static json_t *scene_json(const struct results *results, const struct cell_guard
         json_object_set_new(json, "counterface_surface",
                             json_pack("{s:o, s:s}", "file", string(scene->counterface_surface.files[0]), "sha256",
                                       results->counterface->summary.hash));
-    json_object_set_new(json, "fit", json_string(power_law_method_names[scene->fit]));
+    set_word(json, "fit", power_law_method_names[scene->fit]);
     double band_m[2] = {scene->fit_band_m[0], scene->fit_band_m[1]};
     if (isinf(band_m[1])) /* up to the whole record */
         band_m[1] = NAN;
-    json_object_set_new(json, "fit_band_m", pair_json("fit_band_m", band_m, guard));
-    const struct scene_convergence *study = &scene->convergence;
-    json_object_set_new(json, "convergence",
-                        json_pack("{s:o, s:o, s:o, s:o, s:I}", "alpha", cell_json(guard, "alpha", study->alpha),
-                                  "gamma", cell_json(guard, "gamma", study->gamma), "load_over_AnEp",
-                                  cell_json(guard, "load_over_AnEp", study->load), "scan_length_m",
-                                  cell_json(guard, "scan_length_m", study->scan_length_m), "scales",
-                                  (json_int_t)study->scales));
+    set_all(json, guard, "fit_band_m", band_m, 2);
+    json_t *convergence = json_object();
+    set(convergence, guard, "alpha", scene->convergence.alpha);
+    set(convergence, guard, "gamma", scene->convergence.gamma);
+    set(convergence, guard, "load_over_AnEp", scene->convergence.load);
+    set(convergence, guard, "scan_length_m", scene->convergence.scan_length_m);
+    set_count(convergence, "scales", scene->convergence.scales);
+    json_object_set_new(json, "convergence", convergence);
     return json;
 }
 
@@ -180,14 +191,14 @@ static json_t *curve_json(const struct model_curve *curve, const struct curve_su
                           const struct material_pair *pair, const struct scene *scene, const struct plan *plan,
                           const struct cell_guard *guard)
 {
-    json_t *json = json_pack("{s:o, s:o, s:o, s:o, s:o, s:I}", "full_contact_load_over_AnEp",
-                             cell_json(guard, "full_contact_load_over_AnEp", model->full_load), "beta",
-                             cell_json(guard, "beta", model->beta), "beta_from_multiscale",
-                             cell_json(guard, "beta_from_multiscale", model->beta_multiscale), "area_load_slope",
-                             cell_json(guard, "area_load_slope", model->area_slope), "largest_load_share_beyond_fit",
-                             cell_json(guard, "largest_load_share_beyond_fit", model->most_beyond_fit), "evaluations",
-                             (json_int_t)model->evaluations);
-    json_object_set_new(json, "areas_limited", json_integer((json_int_t)model->clamped));
+    json_t *json = json_object();
+    set(json, guard, "full_contact_load_over_AnEp", model->full_load);
+    set(json, guard, "beta", model->beta);
+    set(json, guard, "beta_from_multiscale", model->beta_multiscale);
+    set(json, guard, "area_load_slope", model->area_slope);
+    set(json, guard, "largest_load_share_beyond_fit", model->most_beyond_fit);
+    set_count(json, "evaluations", model->evaluations);
+    set_count(json, "areas_limited", model->clamped);
     set(json, guard, "largest_load_share_clamped_at_radius", model->most_radius_clamped);
     if (!scene_bins_spectra(scene)) /* else contact.csv alone has them */
         add_points(json, curve, pair, plan, guard);
@@ -196,59 +207,59 @@ static json_t *curve_json(const struct model_curve *curve, const struct curve_su
 
 /** A number with the 95 % intervals of the surface's mean and of another scan; the deviation is of the logarithm where
  * the mean is geometric. */
-static json_t *estimate_json(const struct estimate *estimate, const struct cell_guard *guard)
+static void set_estimate(json_t *object, const struct cell_guard *guard, const char *key,
+                         const struct estimate *estimate)
 {
     json_t *json = json_pack("{s:I, s:b}", "scans", (json_int_t)estimate->count, "geometric", estimate->logarithmic);
-    double mean_95[2] = {estimate_end(estimate, 0), estimate_end(estimate, 1)};
-    double next_95[2] = {estimate_next_end(estimate, 0), estimate_next_end(estimate, 1)};
+    const double mean_95[] = {estimate_end(estimate, 0), estimate_end(estimate, 1)};
+    const double next_95[] = {estimate_next_end(estimate, 0), estimate_next_end(estimate, 1)};
     set(json, guard, "mean", estimate_value(estimate));
     set(json, guard, "standard_deviation", estimate->sd);
     set(json, guard, "effective", estimate->effective);
-    json_object_set_new(json, "mean_95", pair_json("mean_95", mean_95, guard));
-    json_object_set_new(json, "next_scan_95", pair_json("next_scan_95", next_95, guard));
+    set_all(json, guard, "mean_95", mean_95, 2);
+    set_all(json, guard, "next_scan_95", next_95, 2);
     if (estimate->heterogeneous)
         json_object_set_new(json, "same_along_the_scan", json_false());
-    return json;
+    json_object_set_new(object, key, json);
 }
 
 /** What repeated scans say apart. */
-static json_t *repeats_json(const struct surface_summary *summary, const struct cell_guard *guard)
+static json_t *repeats_json(const struct repeats *spread, const struct cell_guard *guard)
 {
-    const struct repeats *spread = surface_repeats(summary);
     json_t *json =
         json_pack("{s:I, s:I}", "scans_run_alone", (json_int_t)spread->count, "files", (json_int_t)spread->scans);
-    json_object_set_new(json, "rq_m", estimate_json(&spread->rq_m, guard));
-    json_object_set_new(json, "gamma", estimate_json(&spread->gamma, guard));
-    json_object_set_new(json, "fit_psd_m3", estimate_json(&spread->psd_m3, guard));
+    set_estimate(json, guard, "rq_m", &spread->rq_m);
+    set_estimate(json, guard, "gamma", &spread->gamma);
+    set_estimate(json, guard, "fit_psd_m3", &spread->psd_m3);
     return json;
 }
 
 /** What is known of a model's numbers at the middle load, and of its load of full contact. */
-static json_t *intervals_json(const struct curve_summary *model, const struct cell_guard *guard)
+static void set_intervals(json_t *object, const struct curve_summary *model, const struct cell_guard *guard)
 {
     json_t *json = json_object();
-    for (int q = 0; q < QUANTITY_COUNT; q++)
-        if (ensemble_band_holds((enum quantity)q) && curve_summary_estimate(model, q)->count > 0)
-            json_object_set_new(json, quantity_shown_name((enum quantity)q),
-                                estimate_json(curve_summary_estimate(model, q), guard));
-    const struct estimate *full_load = curve_summary_estimate(model, CURVE_FULL_LOAD),
-                          *beta = curve_summary_estimate(model, CURVE_BETA);
-    if (full_load->count > 0)
-        json_object_set_new(json, "full_contact_load_over_AnEp", estimate_json(full_load, guard));
-    if (beta->count > 0)
-        json_object_set_new(json, "beta", estimate_json(beta, guard));
-    return json;
+    for (int q = 0; q < CURVE_ESTIMATES; q++) {
+        const char *key = q == CURVE_FULL_LOAD ? "full_contact_load_over_AnEp"
+                          : q == CURVE_BETA    ? "beta"
+                                               : quantity_shown_name((enum quantity)q);
+        if ((q >= QUANTITY_COUNT || ensemble_band_holds((enum quantity)q)) &&
+            curve_summary_estimate(model, q)->count > 0)
+            set_estimate(json, guard, key, curve_summary_estimate(model, q));
+    }
+    if (json_object_size(json) > 0)
+        json_object_set(object, "at_middle_load", json);
+    json_decref(json);
 }
 
 static json_t *lines_json(const char *lines)
 {
     json_t *array = json_array();
-    while (lines && *lines) {
-        size_t length = strcspn(lines, "\n");
-        char line[1024];
-        snprintf(line, sizeof line, "%.*s", (int)length, lines);
-        json_array_append_new(array, string(line));
-        lines += length + (lines[length] == '\n');
+    for (size_t length; *lines; lines += length + (lines[length] == '\n')) {
+        length = strcspn(lines, "\n");
+        char *line = strndup(lines, length);
+        if (line)
+            json_array_append_new(array, string(line));
+        free(line);
     }
     return array;
 }
@@ -275,13 +286,10 @@ static json_t *fit_json(const struct surface_record *record, enum power_law_meth
                              power_law_band_class_names[law->found]);
     if (method == POWER_LAW_THESIS)
         return json;
-    json_t *knees = json_array(), *lines = json_array(), *others = json_array();
-    for (size_t k = 0; k + 1 < band->pieces; k++)
-        json_array_append_new(knees, cell_json(guard, "knees_m", band->knee_m[k]));
+    json_t *others = json_array();
     double line_m[LOG_BIN_MOST];
-    size_t line_count = power_law_band_lines(line_m, band);
-    for (size_t i = 0; i < line_count; i++)
-        json_array_append_new(lines, cell_json(guard, "lines_m", line_m[i]));
+    set_all(json, guard, "knees_m", band->knee_m, band->pieces > 0 ? band->pieces - 1 : 0);
+    set_all(json, guard, "lines_m", line_m, power_law_band_lines(line_m, band));
     for (size_t k = 0; k < band->pieces; k++) {
         if (isnan(band->piece[k].candidate_gamma) || (law->found != POWER_LAW_BAND_NONE && k == band->chosen))
             continue;
@@ -291,79 +299,50 @@ static json_t *fit_json(const struct surface_record *record, enum power_law_meth
         set(other, guard, "high_m", band->piece[k].band_m[1]);
         json_array_append_new(others, other);
     }
-    json_object_set_new(json, "knees_m", knees);
-    json_object_set_new(json, "lines_m", lines);
     json_object_set_new(json, "other_candidates", others);
     set(json, guard, "share_of_m2", band->slope_share);
     return json;
+}
+
+static json_t *files_json(const struct scene_surface *surface)
+{
+    json_t *files = json_array();
+    for (size_t f = 0; f < surface->file_count; f++)
+        json_array_append_new(files, string(surface->files[f]));
+    return files;
 }
 
 static json_t *surface_json(const struct surface_record *record, const struct scene *scene, const struct plan *plan,
                             const struct cell_guard *guard)
 {
     const struct surface_summary *s = &record->summary;
-    json_t *files = json_array(), *models = json_object();
-    for (size_t f = 0; f < s->scene->file_count; f++)
-        json_array_append_new(files, string(s->scene->files[f]));
+    json_t *models = json_object();
     for (size_t m = 0; m < model_count; m++)
         if (surface_model(s, m)->exists) {
             json_t *model = curve_json(record->curves ? &record->curves[m] : NULL, surface_model(s, m), &s->pair, scene,
                                        plan, guard);
-            json_t *intervals = intervals_json(surface_model(s, m), guard);
-            if (json_object_size(intervals) > 0)
-                json_object_set(model, "at_middle_load", intervals);
-            json_decref(intervals);
+            set_intervals(model, surface_model(s, m), guard);
             json_object_set_new(models, model_rows[m]->name, model);
         }
-    json_t *json = json_pack("{s:o, s:o, s:s, s:s, s:s}", "surface", string(s->scene->name), "files", files, "sha256",
-                             s->hash, "format", s->format, "units", s->units);
+    json_t *json = json_pack("{s:o, s:o, s:s, s:s, s:s}", "surface", string(s->scene->name), "files",
+                             files_json(s->scene), "sha256", s->hash, "format", s->format, "units", s->units);
     if (s->scene->bodies->material_given || s->scene->bodies->counterface_given) {
         json_object_set_new(json, "material", material_json(&s->scene->bodies->material, guard));
         json_object_set_new(json, "counterface", counterface_json(s->scene->bodies, guard));
         set(json, guard, "effective_modulus_Pa", s->pair.effective_modulus_Pa);
     }
-    const struct {
-        const char *name;
-        double value;
-    } numbers[] = {
-        {"points", (double)s->points},
-        {"spacing_m", s->spacing_m},
-        {"scan_length_m", s->length_m},
-        {"rq_m", s->roughness.rq_m},
-        {"ra_m", s->roughness.ra_m},
-        {"pv_m", s->roughness.pv_m},
-        {"m0_m2", s->roughness.m0_m2},
-        {"m2", s->roughness.m2},
-        {"m4_per_m2", s->roughness.m4_per_m2},
-        {"rsk", roughness_skewness(&s->roughness)},
-        {"rku", roughness_kurtosis(&s->roughness)},
-        {"nayak", s->asperities.nayak},
-        {"asperity_density_per_m2", s->asperities.density_per_m2},
-        {"asperity_radius_m", s->asperities.radius_m},
-        {"asperity_sigma_m", s->asperities.sigma_s_m},
-        {"asperity_offset_m", s->asperities.offset_m},
-        {"alpha_SI", s->power_law.alpha},
-        {"gamma", s->power_law.gamma},
-        {"gamma_stderr", s->power_law.gamma_error},
-        {"fit_amplitude_m", s->power_law.amplitude_m},
-        {"fit_amplitude_stderr_decades", s->power_law.amplitude_error_decades},
-        {"fit_wavelength_m", s->power_law.wavelength_m},
-        {"fit_low_m", s->power_law.band_m[0]},
-        {"fit_high_m", s->power_law.band_m[1]},
-        {"fit_misfit_decades", s->power_law.misfit_decades},
-        {"fit_psd_m3", s->power_law.psd_m3},
-        {"end_jump_m", s->jump_m},
-        {"end_jump_share", s->jump_share},
-    };
-    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++)
-        set(json, guard, numbers[i].name, numbers[i].value);
+    set_count(json, "points", s->points);
+    for (size_t c = 0; c < cell_column_count; c++)
+        set(json, guard, cell_columns[c].name, cell_column_of(s, c));
+    set(json, guard, "rsk", roughness_skewness(&s->roughness));
+    set(json, guard, "rku", roughness_kurtosis(&s->roughness));
     json_object_set_new(json, "fit", fit_json(record, scene->fit, guard));
-    json_object_set_new(json, "scans", json_integer((json_int_t)s->scans));
-    json_object_set_new(json, "scans_periodic", json_integer((json_int_t)s->periodic));
-    json_object_set_new(json, "scans_windowed", json_integer((json_int_t)s->windowed));
+    set_count(json, "scans", s->scans);
+    set_count(json, "scans_periodic", s->periodic);
+    set_count(json, "scans_windowed", s->windowed);
     set(json, guard, "scans_independent", s->independent);
     if (surface_repeats(s)->count > 0)
-        json_object_set_new(json, "spread", repeats_json(s, guard));
+        json_object_set_new(json, "spread", repeats_json(surface_repeats(s), guard));
     json_object_set_new(json, "notes", notes_json(&s->notes));
     json_object_set_new(json, "models", models);
     return json;
@@ -375,30 +354,23 @@ static json_t *direct_curve_json(const struct direct_study *study, const struct 
 {
     static const enum quantity quantities[] = {QUANTITY_AREA, QUANTITY_SEPARATION, QUANTITY_ECR, QUANTITY_TCR};
     const struct direct_study_curve *curve = &study->curves[kind];
+    const struct material_pair *pair = results_pair(results, study->surface);
+    double value[SCENE_DIRECT_LOADS], error[SCENE_DIRECT_LOADS];
     json_t *json =
         json_pack("{s:s, s:I}", "heights", direct_study_heights(study, kind), "seeds", (json_int_t)curve->seeds);
     set(json, guard, "hardness_Pa",
-        kind == DIRECT_STUDY_CAPPED ? study->plan.hardness * results_pair(results, study->surface)->effective_modulus_Pa
-                                    : NAN);
-    for (int q = -1; q < (int)(sizeof quantities / sizeof *quantities); q++) {
-        json_t *values = json_array(), *errors = json_array();
+        kind == DIRECT_STUDY_CAPPED ? study->plan.hardness * pair->effective_modulus_Pa : NAN);
+    set_all(json, guard, quantity_rows[QUANTITY_LOAD].name, study->plan.load, curve->loads);
+    for (size_t q = 0; q < sizeof quantities / sizeof *quantities; q++) {
+        const char *name = quantity_rows[quantities[q]].name;
         char error_name[64];
-        enum quantity quantity = q < 0 ? QUANTITY_LOAD : quantities[q];
-        for (size_t i = 0; i < curve->loads; i++) {
-            double error = NAN, value = q < 0 ? study->plan.load[i]
-                                              : direct_study_value(study, results_pair(results, study->surface), kind,
-                                                                   quantity, i, &error);
-            json_array_append_new(values, cell_json(guard, quantity_rows[quantity].name, value));
-            json_array_append_new(errors, cell_json(guard, quantity_rows[quantity].name, error));
-        }
-        snprintf(error_name, sizeof error_name, "%s_stderr", quantity_rows[quantity].name);
-        if (results->plan->wanted & QUANTITY_BIT(quantity)) {
-            json_object_set(json, quantity_rows[quantity].name, values);
-            if (q >= 0)
-                json_object_set(json, error_name, errors);
-        }
-        json_decref(values);
-        json_decref(errors);
+        if (!(results->plan->wanted & QUANTITY_BIT(quantities[q])))
+            continue;
+        for (size_t i = 0; i < curve->loads; i++)
+            value[i] = direct_study_value(study, pair, kind, quantities[q], i, &error[i]);
+        snprintf(error_name, sizeof error_name, "%s_stderr", name);
+        set_all(json, guard, name, value, curve->loads);
+        set_all(json, guard, error_name, error, curve->loads);
     }
     return json;
 }
@@ -413,21 +385,19 @@ static json_t *direct_json(const struct direct_study *study, const struct result
         if (study->curves[kind].points)
             json_array_append_new(solutions, direct_curve_json(study, results, (enum direct_study_kind)kind, &guard));
     for (size_t m = 0; m < model_count; m++) {
+        if (!study->models[m].exists)
+            continue;
         json_t *model = json_object();
+        size_t loads = study->curves[direct_study_kind_of(study, m)].loads;
         for (int q = 0; q < DIRECT_STUDY_QUANTITIES; q++) {
             enum quantity quantity = direct_study_quantities[q];
-            json_t *values = json_array();
-            for (size_t i = 0; i < study->curves[direct_study_kind_of(study, m)].loads; i++)
-                json_array_append_new(values, cell_json(&guard, "ratio",
-                                                        direct_study_ratio(study, results_pair(results, study->surface),
-                                                                           m, quantity, i)));
+            double ratio[SCENE_DIRECT_LOADS];
+            for (size_t i = 0; i < loads; i++)
+                ratio[i] = direct_study_ratio(study, results_pair(results, study->surface), m, quantity, i);
             if (results->plan->wanted & QUANTITY_BIT(quantity))
-                json_object_set(model, quantity_rows[quantity].short_symbol, values);
-            json_decref(values);
+                set_all(model, &guard, quantity_rows[quantity].short_symbol, ratio, loads);
         }
-        if (study->models[m].exists)
-            json_object_set(ratios, model_rows[m]->name, model);
-        json_decref(model);
+        json_object_set_new(ratios, model_rows[m]->name, model);
     }
     json_t *json = json_pack("{s:o, s:s, s:I, s:I, s:o, s:o}", "surface", string(surface->scene->name), "source",
                              plan->side > 0 ? "map" : "law", "grid", (json_int_t)plan->grid, "contacts_solved",
@@ -459,7 +429,8 @@ static json_t *answer_json(const struct results *results, size_t surface, size_t
     const struct answer *answer = &s->answers[t * model_count + m];
     const struct cell_guard guard = {s->scene->name, lost};
     bool met = answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST;
-    double area_m2 = results->scene->nominal_area_m2, interval[2] = {answer->low, answer->high};
+    double area_m2 = results->scene->nominal_area_m2;
+    const double interval[] = {answer->low, answer->high};
     struct text note = {0}, asked = {0};
     text_add(&asked, "%s %s", target->row->name, target->text);
     answers_note(&note, answer, area_m2, 1, "");
@@ -467,7 +438,7 @@ static json_t *answer_json(const struct results *results, size_t surface, size_t
                              "target", string(text_string(&asked)), "note", string(text_string(&note)));
     set(json, &guard, "load_N", met ? answer->load * scene_load_divisor(results->scene, UNIT_FORCE, &s->pair) : NAN);
     set(json, &guard, "load_over_AnEp", met ? answer->load : NAN);
-    json_object_set_new(json, "load_over_AnEp_95", pair_json("load_over_AnEp_95", interval, &guard));
+    set_all(json, &guard, "load_over_AnEp_95", interval, 2);
     set(json, &guard, "spots", answers_spots(answer, area_m2));
     json_object_set_new(json, "spots_by",
                         isnan(answer->spots_per_m2) ? json_null() : json_string(model_rows[answer->counted_by]->name));
@@ -500,7 +471,7 @@ static json_t *limits_json(const struct results *results, struct results_lost *l
             const struct scene_asked *limit = &results->scene->limits[l];
             const struct limit_check *check = &s->limits[l];
             const struct cell_guard guard = {s->scene->name, lost};
-            const double interval[2] = {check->low, check->high};
+            const double interval[] = {check->low, check->high};
             struct text asked = {0};
             text_add(&asked, "%s %s %s", limit->row->name, limit->is_most ? "most" : "least", limit->text);
             json_t *json =
@@ -508,7 +479,7 @@ static json_t *limits_json(const struct results *results, struct results_lost *l
                           model_rows[plan_leading_model(results->plan)]->name, "limit", string(text_string(&asked)),
                           "verdict", verdicts[check->verdict], "quantity", quantity_rows[limit->row->quantity].name);
             set(json, &guard, "value", check->value);
-            json_object_set_new(json, "interval_95", pair_json("interval_95", interval, &guard));
+            set_all(json, &guard, "interval_95", interval, 2);
             json_array_append_new(limits, json);
             text_free(&asked);
         }
@@ -519,28 +490,26 @@ static json_t *limits_json(const struct results *results, struct results_lost *l
 static json_t *outline_surface_json(const struct surface_summary *s, const struct plan *plan, bool complete,
                                     const struct cell_guard *guard)
 {
-    json_t *files = json_array(), *models = json_object();
-    for (size_t f = 0; f < s->scene->file_count; f++)
-        json_array_append_new(files, string(s->scene->files[f]));
-    json_t *json =
-        json_pack("{s:o, s:o, s:b, s:o, s:o}", "surface", string(s->scene->name), "files", files, "usable", s->usable,
-                  "refused", s->refusal ? string(s->refusal) : json_null(), "notes", notes_json(&s->notes));
-    for (size_t m = 0; m < model_count && complete && s->usable; m++) {
+    json_t *json = json_pack("{s:o, s:o, s:b, s:o, s:o}", "surface", string(s->scene->name), "files",
+                             files_json(s->scene), "usable", s->usable, "refused",
+                             s->refusal ? string(s->refusal) : json_null(), "notes", notes_json(&s->notes));
+    if (!s->usable)
+        return json;
+    set(json, guard, "rq_m", s->roughness.rq_m);
+    set(json, guard, "alpha_SI", power_law_holds(&s->power_law) ? s->power_law.alpha : NAN);
+    set(json, guard, "gamma", power_law_holds(&s->power_law) ? s->power_law.gamma : NAN);
+    if (!complete)
+        return json;
+    json_t *models = json_object();
+    for (size_t m = 0; m < model_count; m++) {
+        if (!plan_runs_model(plan, m) || !surface_model(s, m)->exists)
+            continue;
         json_t *model = json_object();
         set(model, guard, "full_contact_load_over_AnEp", surface_model(s, m)->full_load);
         set(model, guard, "beta", surface_model(s, m)->beta);
-        if (plan_runs_model(plan, m) && surface_model(s, m)->exists)
-            json_object_set(models, model_rows[m]->name, model);
-        json_decref(model);
+        json_object_set_new(models, model_rows[m]->name, model);
     }
-    if (s->usable) {
-        set(json, guard, "rq_m", s->roughness.rq_m);
-        set(json, guard, "alpha_SI", power_law_holds(&s->power_law) ? s->power_law.alpha : NAN);
-        set(json, guard, "gamma", power_law_holds(&s->power_law) ? s->power_law.gamma : NAN);
-    }
-    if (complete && s->usable)
-        json_object_set(json, "models", models);
-    json_decref(models);
+    json_object_set_new(json, "models", models);
     return json;
 }
 
@@ -569,10 +538,11 @@ json_t *json_outline(const struct results *results, bool complete)
     return json;
 }
 
-/** Prints one value; takes it over. */
-static bool print(FILE *file, json_t *json)
+/** Prints one value behind `before`; takes it over. */
+static bool print(FILE *file, const char *before, json_t *json)
 {
-    bool ok = json && json_dumpf(json, file, JSON_INDENT(1) | JSON_REAL_PRECISION(17) | JSON_ENCODE_ANY) == 0;
+    bool ok = json && fputs(before, file) >= 0 &&
+              json_dumpf(json, file, JSON_INDENT(1) | JSON_REAL_PRECISION(17) | JSON_ENCODE_ANY) == 0;
     json_decref(json);
     return ok;
 }
@@ -580,67 +550,59 @@ static bool print(FILE *file, json_t *json)
 /** The usable surfaces, one at a time: all of them together would be large. */
 static bool print_surfaces(FILE *file, const struct results *results)
 {
-    bool ok = true, first = true;
+    const char *before = "\n";
+    bool ok = fputs(",\n\"surfaces\": [", file) >= 0;
     for (size_t i = 0; i < results->surface_count && ok; i++) {
         const struct surface_record *record = &results->surfaces[i];
         if (!record->summary.usable)
             continue;
         const struct cell_guard guard = {record->summary.scene->name, results->lost};
-        fputs(first ? "\n" : ",\n", file);
-        first = false;
-        ok = print(file, surface_json(record, results->scene, results->plan, &guard));
+        ok = print(file, before, surface_json(record, results->scene, results->plan, &guard));
+        before = ",\n";
     }
-    return ok;
+    return ok && fputs("]", file) >= 0;
+}
+
+static json_t *refused_json(const struct results *results)
+{
+    json_t *refused = json_array();
+    for (size_t i = 0; i < results->surface_count; i++) {
+        const struct surface_summary *s = &results->surfaces[i].summary;
+        if (!s->usable)
+            json_array_append_new(
+                refused, json_pack("{s:o, s:o}", "surface", string(s->scene->name), "error", string(s->refusal)));
+    }
+    return refused;
+}
+
+static json_t *studies_json(const struct results *results)
+{
+    json_t *studies = json_array();
+    for (size_t k = 0; k < results->direct_count; k++)
+        json_array_append_new(studies, direct_json(&results->direct[k], results));
+    return studies;
 }
 
 enum status_code json_write(const struct results *results, const char *directory, struct status *status)
 {
+    const struct scene *scene = results->scene;
+    const struct cell_guard of_scene = {NULL, results->lost};
     struct text path = {0};
     text_add(&path, "%s/results.json", directory);
     FILE *file = fopen(text_string(&path), "w");
     text_free(&path);
     if (!file)
         return status_fail(status, STATUS_IO, "cannot write results.json: %s", strerror(errno));
-    const struct cell_guard of_scene = {NULL, results->lost};
-    fprintf(file, "{\"program\": \"roughcontact\",\n\"version\": \"%s\",\n\"scene\": ", version_string());
-    bool ok = print(file, scene_json(results, &of_scene)), first = true;
-    fputs(",\n\"surfaces\": [", file);
-    ok = ok && print_surfaces(file, results);
-    fputs("],\n\"refused\": [", file);
-    first = true;
-    for (size_t i = 0; i < results->surface_count && ok; i++) {
-        const struct surface_summary *s = &results->surfaces[i].summary;
-        if (s->usable)
-            continue;
-        fputs(first ? "\n" : ",\n", file);
-        first = false;
-        ok = print(file, json_pack("{s:o, s:o}", "surface", string(s->scene->name), "error", string(s->refusal)));
-    }
-    fputs("],\n", file);
-    if (results->scene->passed_over) {
-        fputs("\"passed_over\": ", file);
-        ok = ok && print(file, lines_json(results->scene->passed_over));
-        fputs(",\n", file);
-    }
-    if (results->scene->target_count > 0 && ok) {
-        fputs("\"answers\": ", file);
-        ok = print(file, answers_json(results, results->lost));
-        fputs(",\n", file);
-    }
-    if (results->scene->limit_count > 0 && ok) {
-        fputs("\"limits\": ", file);
-        ok = print(file, limits_json(results, results->lost));
-        fputs(",\n", file);
-    }
-    for (size_t k = 0; k < results->direct_count && ok; k++) {
-        fputs(k == 0 ? "\"direct\": [\n" : ",\n", file);
-        ok = print(file, direct_json(&results->direct[k], results));
-    }
-    fputs(results->direct_count > 0 ? "],\n\"work\": " : "\"work\": ", file);
-    ok = ok && print(file, work_json(results));
-    fputs("}\n", file);
-    bool bad = ferror(file) || !ok;
-    if (fclose(file) != 0 || bad)
+    bool ok = print(file, "{\"program\": ", json_string("roughcontact")) &&
+              print(file, ",\n\"version\": ", json_string(version_string())) &&
+              print(file, ",\n\"scene\": ", scene_json(results, &of_scene)) && print_surfaces(file, results) &&
+              print(file, ",\n\"refused\": ", refused_json(results)) &&
+              (!scene->passed_over || print(file, ",\n\"passed_over\": ", lines_json(scene->passed_over))) &&
+              (scene->target_count == 0 || print(file, ",\n\"answers\": ", answers_json(results, results->lost))) &&
+              (scene->limit_count == 0 || print(file, ",\n\"limits\": ", limits_json(results, results->lost))) &&
+              (results->direct_count == 0 || print(file, ",\n\"direct\": ", studies_json(results))) &&
+              print(file, ",\n\"work\": ", work_json(results)) && fputs("}\n", file) >= 0;
+    if (fclose(file) != 0 || !ok)
         return status_fail(status, STATUS_IO, "cannot write results.json");
     return STATUS_OK;
 }

@@ -96,17 +96,12 @@ static bool list_entry(void *stream, int folder, const char *name)
     return fprintf(stream, "%s%s\n", prefixes[folder], name) >= 0;
 }
 
-struct saving {
-    struct report report;
-    bool wait;
-};
-
-/** Begins to write a file to the disk, or waits until it is there. */
+/** Waits until a file is on the disk. */
 static bool save_entry(void *context, int folder, const char *name)
 {
-    const struct saving *s = context;
-    int file = openat(s->report.folder[folder], name, O_RDONLY | O_CLOEXEC);
-    bool ok = file >= 0 && (s->wait ? fsync(file) : (sync_file_range(file, 0, 0, SYNC_FILE_RANGE_WRITE), 0)) == 0;
+    const struct report *report = context;
+    int file = openat(report->folder[folder], name, O_RDONLY | O_CLOEXEC);
+    bool ok = file >= 0 && fsync(file) == 0;
     if (file >= 0)
         close(file);
     return ok;
@@ -115,21 +110,19 @@ static bool save_entry(void *context, int folder, const char *name)
 /** Writes the manifest of all that lies in the report, itself included, and waits until the disk has it all. */
 static bool finish_report(const char *path)
 {
-    struct saving s = {.wait = false};
+    struct report report;
     int made = -1;
-    if (open_report(&s.report, AT_FDCWD, path))
-        made = openat(s.report.folder[0], OUTPUT_MANIFEST, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (open_report(&report, AT_FDCWD, path))
+        made = openat(report.folder[0], OUTPUT_MANIFEST, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     FILE *stream = made >= 0 ? fdopen(made, "w") : NULL;
-    bool ok = stream && fputs(OUTPUT_MANIFEST_HEADER, stream) >= 0 && visit_all(&s.report, list_entry, stream) &&
-              fflush(stream) == 0 && visit_all(&s.report, save_entry, &s);
-    s.wait = true; /* once all are on their way */
-    ok = ok && visit_all(&s.report, save_entry, &s);
+    bool ok = stream && fputs(OUTPUT_MANIFEST_HEADER, stream) >= 0 && visit_all(&report, list_entry, stream) &&
+              fflush(stream) == 0 && visit_all(&report, save_entry, &report);
     for (int i = 0; i < FOLDERS && ok; i++)
-        (void)!fsync(s.report.folder[i]); /* which not every file system can */
+        (void)!fsync(report.folder[i]); /* which not every file system can */
     int reason = errno;
     if (stream)
         fclose(stream);
-    close_report(&s.report);
+    close_report(&report);
     errno = reason;
     return ok;
 }

@@ -2,7 +2,6 @@
 #include "output/tables.h"
 
 #include "analysis/direct_study.h"
-#include "base/number_digits.h"
 #include "output/cell.h"
 #include <errno.h>
 #include <math.h>
@@ -96,86 +95,49 @@ static struct table table_part(const struct table *table, struct threads_turn *t
         .file = table->file, .name = table->name, .guard = {NULL, table->guard.lost}, .part = true, .turn = turn};
 }
 
-/** What surfaces.csv says of a surface besides its name, files and points. */
-static const struct surface_column {
-    const char *name;
-    size_t offset;      /* in struct surface_summary */
-    bool of_asperities; /* there only when a model works on them */
-} surface_columns[] = {
-#define COLUMN(name, member, of_asperities)                                                                            \
-    {                                                                                                                  \
-        name, offsetof(struct surface_summary, member), of_asperities                                                  \
-    }
-    COLUMN("spacing_m", spacing_m, false),
-    COLUMN("scan_length_m", length_m, false),
-    COLUMN("rq_m", roughness.rq_m, false),
-    COLUMN("ra_m", roughness.ra_m, false),
-    COLUMN("m0_m2", roughness.m0_m2, false),
-    COLUMN("m2", roughness.m2, false),
-    COLUMN("m4_per_m2", roughness.m4_per_m2, false),
-    COLUMN("nayak", asperities.nayak, false),
-    COLUMN("asperity_density_per_m2", asperities.density_per_m2, true),
-    COLUMN("asperity_radius_m", asperities.radius_m, true),
-    COLUMN("asperity_sigma_m", asperities.sigma_s_m, true),
-    COLUMN("asperity_offset_m", asperities.offset_m, true),
-    COLUMN("alpha_SI", power_law.alpha, false),
-    COLUMN("gamma", power_law.gamma, false),
-    COLUMN("gamma_stderr", power_law.gamma_error, false),
-    COLUMN("fit_amplitude_m", power_law.amplitude_m, false),
-    COLUMN("fit_amplitude_stderr_decades", power_law.amplitude_error_decades, false),
-    COLUMN("fit_wavelength_m", power_law.wavelength_m, false),
-    COLUMN("fit_low_m", power_law.band_m[0], false),
-    COLUMN("fit_high_m", power_law.band_m[1], false),
-    COLUMN("fit_misfit_decades", power_law.misfit_decades, false),
-#undef COLUMN
-};
-enum { SURFACE_COLUMNS = sizeof surface_columns / sizeof *surface_columns };
-
 /** Has this model an adjusted separation, and so a beta? */
 static bool has_beta(const struct plan *plan, size_t m)
 {
     return plan_runs_model(plan, m) && (model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_ADJUSTED));
 }
 
-static enum status_code write_surfaces(const struct results *results, const char *directory, struct status *status)
+static bool in_table(size_t column, bool asperities)
+{
+    return cell_columns[column].in_table <= (asperities ? CELL_OF_ASPERITIES : CELL_ALWAYS);
+}
+
+static void fill_surfaces(struct table *table, const struct results *results)
 {
     const struct plan *plan = results->plan;
     bool asperities = plan_uses_asperities(plan);
-    struct table table;
-    if (table_open(&table, results, directory, "surfaces.csv", status) != STATUS_OK)
-        return status->code;
-    text_add(&table.rows, "surface,files,points");
-    for (int c = 0; c < SURFACE_COLUMNS; c++)
-        if (asperities || !surface_columns[c].of_asperities)
-            text_add(&table.rows, ",%s", surface_columns[c].name);
+    text_add(&table->rows, "surface,files,points");
+    for (size_t c = 0; c < cell_column_count; c++)
+        if (in_table(c, asperities))
+            text_add(&table->rows, ",%s", cell_columns[c].name);
     for (size_t m = 0; m < model_count; m++)
         if (has_beta(plan, m))
-            text_add(&table.rows, ",beta_%s", model_rows[m]->name);
-    end_row(&table);
+            text_add(&table->rows, ",beta_%s", model_rows[m]->name);
+    end_row(table);
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = &results->surfaces[i].summary;
         if (!s->usable)
             continue;
-        put_surface(&table, s);
+        put_surface(table, s);
         struct text files = {0};
         for (size_t f = 0; f < s->scene->file_count; f++)
             text_add(&files, "%s%s", f > 0 ? ";" : "", s->scene->files[f]);
-        text_add_bytes(&table.rows, ",", 1);
-        text_add_csv(&table.rows, text_string(&files));
+        text_add_bytes(&table->rows, ",", 1);
+        text_add_csv(&table->rows, text_string(&files));
         text_free(&files);
-        text_add(&table.rows, ",%zu", s->points);
-        for (int c = 0; c < SURFACE_COLUMNS; c++) {
-            double value;
-            memcpy(&value, (const char *)s + surface_columns[c].offset, sizeof value);
-            if (asperities || !surface_columns[c].of_asperities)
-                put_number(&table, surface_columns[c].name, value);
-        }
+        text_add(&table->rows, ",%zu", s->points);
+        for (size_t c = 0; c < cell_column_count; c++)
+            if (in_table(c, asperities))
+                put_number(table, cell_columns[c].name, cell_column_of(s, c));
         for (size_t m = 0; m < model_count; m++)
             if (has_beta(plan, m))
-                put_number(&table, "beta", surface_model(s, m)->exists ? surface_model(s, m)->beta : NAN);
-        end_row(&table);
+                put_number(table, "beta", surface_model(s, m)->exists ? surface_model(s, m)->beta : NAN);
+        end_row(table);
     }
-    return table_close(&table, status);
 }
 
 /** A row a harmonic, or a bin of them, of harmonics `first` to before `end`. */
@@ -220,32 +182,7 @@ struct curve_tables {
     const char *directory;
     struct table spectrum, contact, bands; /* the last is opened with the first row */
     unsigned quantities, band_quantities;  /* QUANTITY_BITs that contact and bands have columns of */
-    struct load_cell *loads;               /* of the list that all surfaces share; owned */
-    size_t load_count;                     /* 0: they share none */
 };
-
-/** A load of the list, written: every curve has it again. */
-struct load_cell {
-    double load;
-    size_t length;
-    char text[1 + NUMBER_DIGITS_SIZE];
-};
-
-static enum status_code write_loads(struct curve_tables *all, struct status *status)
-{
-    const struct results *results = all->results;
-    all->loads = calloc(results->load_count, sizeof *all->loads);
-    if (!all->loads)
-        return status_memory(status);
-    all->load_count = results->loads_apart ? 0 : results->load_count;
-    for (size_t i = 0; i < all->load_count; i++) {
-        struct load_cell *cell = &all->loads[i];
-        cell->load = results->loads[i];
-        cell->text[0] = ',';
-        cell->length = 1 + number_digits(cell->text + 1, cell->load);
-    }
-    return STATUS_OK;
-}
 
 static void put_contact(struct table *table, const struct surface_record *record, const struct curve_tables *all)
 {
@@ -261,9 +198,7 @@ static void put_contact(struct table *table, const struct surface_record *record
                 if (!(quantities & QUANTITY_BIT(q)))
                     continue;
                 double value = point->value[q];
-                if (q == QUANTITY_LOAD && i < all->load_count && value == all->loads[i].load)
-                    text_add_bytes(&table->rows, all->loads[i].text, all->loads[i].length);
-                else if (row->column)
+                if (row->column)
                     put_number(table, row->column, value);
                 if (q == QUANTITY_LOAD)
                     put_number(table, "pressure_Pa", material_pair_pressure(&record->summary.pair, value));
@@ -335,8 +270,7 @@ enum status_code curve_tables_open(struct curve_tables **out, const struct resul
         if (ensemble_band_holds((enum quantity)q) && (plan->wanted & QUANTITY_BIT(q)))
             all->band_quantities |= QUANTITY_BIT(q);
     if (table_open(&all->spectrum, results, directory, "spectrum.csv", status) != STATUS_OK ||
-        table_open(&all->contact, results, directory, "contact.csv", status) != STATUS_OK ||
-        write_loads(all, status) != STATUS_OK)
+        table_open(&all->contact, results, directory, "contact.csv", status) != STATUS_OK)
         return status->code;
     text_add(&all->spectrum.rows, "surface,wavelength_m,amplitude_m,fit_m%s",
              scene_bins_spectra(results->scene) ? ",harmonics" : "");
@@ -359,7 +293,6 @@ enum status_code curve_tables_close(struct curve_tables *all, struct status *sta
         if (table_close(tables[t], &problem) != STATUS_OK && status->code == STATUS_OK)
             *status = problem;
     }
-    free(all->loads);
     free(all);
     return status->code;
 }
@@ -375,15 +308,12 @@ static enum status_code write_curves(const struct results *results, const char *
     return curve_tables_close(all, status);
 }
 
-static enum status_code write_convergence(const struct results *results, const char *directory, struct status *status)
+static void fill_convergence(struct table *table, const struct results *results)
 {
     const struct scene_convergence *study = &results->scene->convergence;
     size_t index[SWEEP_ROWS], count = results_sweep_scales(index, SWEEP_ROWS, study->scales);
-    struct table table;
-    if (table_open(&table, results, directory, "convergence.csv", status) != STATUS_OK)
-        return status->code;
-    text_add(&table.rows, "sweep,value,model,wavelength_m,area_ratio");
-    end_row(&table);
+    text_add(&table->rows, "sweep,value,model,wavelength_m,area_ratio");
+    end_row(table);
     for (int s = 0; s < CONVERGENCE_SWEEP_COUNT; s++)
         for (size_t v = 0; v < convergence_sweeps[s].count; v++)
             for (size_t m = 0; m < model_count; m++) {
@@ -391,34 +321,29 @@ static enum status_code write_convergence(const struct results *results, const c
                     continue;
                 const double *area = results_sweep(results, (enum convergence_sweep)s, m, v);
                 for (size_t k = 0; k < count; k++) {
-                    text_add(&table.rows, "%s", convergence_sweeps[s].name);
-                    put_number(&table, "value", convergence_sweeps[s].values[v]);
-                    put_word(&table, model_rows[m]->name);
-                    put_number(&table, "wavelength_m", study->scan_length_m / (double)(index[k] + 1));
-                    put_number(&table, "area_ratio", area[index[k]]);
-                    end_row(&table);
+                    text_add(&table->rows, "%s", convergence_sweeps[s].name);
+                    put_number(table, "value", convergence_sweeps[s].values[v]);
+                    put_word(table, model_rows[m]->name);
+                    put_number(table, "wavelength_m", study->scan_length_m / (double)(index[k] + 1));
+                    put_number(table, "area_ratio", area[index[k]]);
+                    end_row(table);
                 }
             }
-    return table_close(&table, status);
 }
 
-static enum status_code write_cost(const struct results *results, const char *directory, struct status *status)
+static void fill_cost(struct table *table, const struct results *results)
 {
-    struct table table;
     const struct benchmark *benchmark = results->benchmark;
-    if (table_open(&table, results, directory, "cost.csv", status) != STATUS_OK)
-        return status->code;
-    text_add(&table.rows, "study,method,setting,evaluations,seconds,max_relative_error");
-    end_row(&table);
+    text_add(&table->rows, "study,method,setting,evaluations,seconds,max_relative_error");
+    end_row(table);
     for (size_t i = 0; i < benchmark->count; i++) {
         const struct benchmark_row *row = &benchmark->rows[i];
-        text_add(&table.rows, "%s,%s,%s,%llu", row->study, row->method, row->setting,
+        text_add(&table->rows, "%s,%s,%s,%llu", row->study, row->method, row->setting,
                  (unsigned long long)row->evaluations);
-        put_number(&table, "seconds", row->seconds);
-        put_number(&table, "max_relative_error", row->error);
-        end_row(&table);
+        put_number(table, "seconds", row->seconds);
+        put_number(table, "max_relative_error", row->error);
+        end_row(table);
     }
-    return table_close(&table, status);
 }
 
 /** surface, quantity, scans (or blocks of a map's rows), what they are worth, mean, standard deviation of one of them
@@ -440,14 +365,11 @@ static void put_spread_number(struct table *table, const struct surface_summary 
     end_row(table);
 }
 
-static enum status_code write_spread(const struct results *results, const char *directory, struct status *status)
+static void fill_spread(struct table *table, const struct results *results)
 {
-    struct table table;
-    if (table_open(&table, results, directory, "spread.csv", status) != STATUS_OK)
-        return status->code;
-    text_add(&table.rows, "surface,quantity,scans,effective,mean,standard_deviation,mean_low_95,mean_high_95,"
-                          "next_scan_low_95,next_scan_high_95");
-    end_row(&table);
+    text_add(&table->rows, "surface,quantity,scans,effective,mean,standard_deviation,mean_low_95,mean_high_95,"
+                           "next_scan_low_95,next_scan_high_95");
+    end_row(table);
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = &results->surfaces[i].summary;
         if (!s->usable)
@@ -455,34 +377,30 @@ static enum status_code write_spread(const struct results *results, const char *
         const struct repeats *repeats = surface_repeats(s);
         char quantity[80];
         if (repeats->count > 0) {
-            put_spread_number(&table, s, "rq_m", &repeats->rq_m);
-            put_spread_number(&table, s, "gamma", &repeats->gamma);
-            put_spread_number(&table, s, "fit_psd_m3", &repeats->psd_m3);
+            put_spread_number(table, s, "rq_m", &repeats->rq_m);
+            put_spread_number(table, s, "gamma", &repeats->gamma);
+            put_spread_number(table, s, "fit_psd_m3", &repeats->psd_m3);
         }
         for (size_t m = 0; m < model_count; m++) {
             snprintf(quantity, sizeof quantity, "beta_%s", model_rows[m]->name);
-            put_spread_number(&table, s, quantity, curve_summary_estimate(surface_model(s, m), CURVE_BETA));
+            put_spread_number(table, s, quantity, curve_summary_estimate(surface_model(s, m), CURVE_BETA));
             snprintf(quantity, sizeof quantity, "full_contact_load_over_AnEp_%s", model_rows[m]->name);
-            put_spread_number(&table, s, quantity, curve_summary_estimate(surface_model(s, m), CURVE_FULL_LOAD));
+            put_spread_number(table, s, quantity, curve_summary_estimate(surface_model(s, m), CURVE_FULL_LOAD));
             for (int q = 0; q < QUANTITY_COUNT; q++) {
                 snprintf(quantity, sizeof quantity, "%s_at_middle_load_%s", quantity_shown_name((enum quantity)q),
                          model_rows[m]->name);
                 if (ensemble_band_holds((enum quantity)q))
-                    put_spread_number(&table, s, quantity, curve_summary_estimate(surface_model(s, m), q));
+                    put_spread_number(table, s, quantity, curve_summary_estimate(surface_model(s, m), q));
             }
         }
     }
-    return table_close(&table, status);
 }
 
-static enum status_code write_sensitivity(const struct results *results, const char *directory, struct status *status)
+static void fill_sensitivity(struct table *table, const struct results *results)
 {
-    struct table table;
     bool ecr = plan_runs(results->plan, EFFECT_ELECTRICAL);
-    if (table_open(&table, results, directory, "sensitivity.csv", status) != STATUS_OK)
-        return status->code;
-    text_add(&table.rows, "surface,model,change,area_factor%s", ecr ? ",ecr_factor" : "");
-    end_row(&table);
+    text_add(&table->rows, "surface,model,change,area_factor%s", ecr ? ",ecr_factor" : "");
+    end_row(table);
     for (size_t i = 0; i < results->surface_count; i++)
         for (size_t m = 0; m < model_count; m++) {
             const struct surface_summary *s = &results->surfaces[i].summary;
@@ -491,15 +409,14 @@ static enum status_code write_sensitivity(const struct results *results, const c
             for (int c = 0; c < SENSITIVITY_CHANGES; c++) {
                 if (sensitivity_changes[c].plastic && !model_rows[m]->plastic)
                     continue;
-                put_surface(&table, s);
-                text_add(&table.rows, ",%s,%s", model_rows[m]->name, sensitivity_changes[c].name);
-                put_number(&table, "area_factor", surface_model(s, m)->sensitivity.area[c]);
+                put_surface(table, s);
+                text_add(&table->rows, ",%s,%s", model_rows[m]->name, sensitivity_changes[c].name);
+                put_number(table, "area_factor", surface_model(s, m)->sensitivity.area[c]);
                 if (ecr)
-                    put_number(&table, "ecr_factor", surface_model(s, m)->sensitivity.ecr[c]);
-                end_row(&table);
+                    put_number(table, "ecr_factor", surface_model(s, m)->sensitivity.ecr[c]);
+                end_row(table);
             }
         }
-    return table_close(&table, status);
 }
 
 static void put_answer(struct table *table, const struct results *results, size_t surface, size_t m, size_t t)
@@ -527,18 +444,14 @@ static void put_answer(struct table *table, const struct results *results, size_
     text_free(&note);
 }
 
-static enum status_code write_answers(const struct results *results, const char *directory, struct status *status)
+static void fill_answers(struct table *table, const struct results *results)
 {
-    struct table table;
-    if (table_open(&table, results, directory, "answers.csv", status) != STATUS_OK)
-        return status->code;
-    text_add(&table.rows, "surface,model,target,load_N,load_over_AnEp,low,high,note");
-    end_row(&table);
+    text_add(&table->rows, "surface,model,target,load_N,load_over_AnEp,low,high,note");
+    end_row(table);
     for (size_t i = 0; i < results->surface_count; i++)
         for (size_t m = 0; m < model_count && results->surfaces[i].summary.usable; m++)
             for (size_t t = 0; t < results->scene->target_count && plan_runs_model(results->plan, m); t++)
-                put_answer(&table, results, i, m, t);
-    return table_close(&table, status);
+                put_answer(table, results, i, m, t);
 }
 
 /** What direct.csv says of each quantity: value and error. */
@@ -586,78 +499,78 @@ static void put_direct(struct table *table, const struct results *results, const
     }
 }
 
-static enum status_code write_direct(const struct results *results, const char *directory, struct status *status)
+static void fill_direct(struct table *table, const struct results *results)
 {
-    struct table table;
-    if (table_open(&table, results, directory, "direct.csv", status) != STATUS_OK)
-        return status->code;
-    text_add(&table.rows, "surface,source,load_over_AnEp");
+    text_add(&table->rows, "surface,source,load_over_AnEp");
     for (int c = 0; c < DIRECT_COLUMNS; c++)
         if (has_column(results, c)) {
-            text_add(&table.rows, ",%s", direct_columns[c].column);
+            text_add(&table->rows, ",%s", direct_columns[c].column);
             if (direct_columns[c].error)
-                text_add(&table.rows, ",%s", direct_columns[c].error);
+                text_add(&table->rows, ",%s", direct_columns[c].error);
         }
-    text_add(&table.rows, ",patches,seeds,grid,heights,hardness_Pa");
-    end_row(&table);
+    text_add(&table->rows, ",patches,seeds,grid,heights,hardness_Pa");
+    end_row(table);
     for (size_t k = 0; k < results->direct_count; k++)
         for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++)
-            put_direct(&table, results, &results->direct[k], (enum direct_study_kind)kind);
-    return table_close(&table, status);
+            put_direct(table, results, &results->direct[k], (enum direct_study_kind)kind);
 }
 
-static enum status_code write_direct_ratio(const struct results *results, const char *directory, struct status *status)
+static void fill_direct_ratio(struct table *table, const struct results *results)
 {
-    struct table table;
-    if (table_open(&table, results, directory, "direct_ratio.csv", status) != STATUS_OK)
-        return status->code;
-    text_add(&table.rows, "surface,model,load_over_AnEp");
+    text_add(&table->rows, "surface,model,load_over_AnEp");
     for (int c = 0; c < DIRECT_COLUMNS; c++)
         if (has_column(results, c) && direct_columns[c].ratio)
-            text_add(&table.rows, ",%s", direct_columns[c].ratio);
+            text_add(&table->rows, ",%s", direct_columns[c].ratio);
     bool both = has_column(results, 1) && has_column(results, 2);
-    text_add(&table.rows, both ? ",conductance" : "");
-    end_row(&table);
+    text_add(&table->rows, both ? ",conductance" : "");
+    end_row(table);
     for (size_t k = 0; k < results->direct_count; k++)
         for (size_t m = 0; m < model_count; m++) {
             const struct direct_study *study = &results->direct[k];
             size_t loads = study->curves[direct_study_kind_of(study, m)].loads;
             for (size_t i = 0; study->models[m].exists && i < loads; i++) {
-                put_surface(&table, &results->surfaces[study->surface].summary);
-                put_word(&table, model_rows[m]->name);
-                put_number(&table, "load_over_AnEp", study->plan.load[i]);
+                put_surface(table, &results->surfaces[study->surface].summary);
+                put_word(table, model_rows[m]->name);
+                put_number(table, "load_over_AnEp", study->plan.load[i]);
                 for (int c = 0; c < DIRECT_COLUMNS; c++)
                     if (has_column(results, c) && direct_columns[c].ratio)
-                        put_number(&table, direct_columns[c].ratio,
+                        put_number(table, direct_columns[c].ratio,
                                    direct_study_ratio(study, results_pair(results, study->surface), m,
                                                       direct_columns[c].quantity, i));
                 if (both)
-                    put_number(&table, "conductance",
+                    put_number(table, "conductance",
                                direct_study_conductance(study, results_pair(results, study->surface), m, i));
-                end_row(&table);
+                end_row(table);
             }
         }
-    return table_close(&table, status);
 }
 
 enum status_code tables_write(const struct results *results, const char *directory, struct status *status)
 {
-    enum status_code rc = write_surfaces(results, directory, status);
-    if (rc == STATUS_OK && !scene_bins_spectra(results->scene))
-        rc = write_curves(results, directory, status);
-    if (rc == STATUS_OK)
-        rc = write_sensitivity(results, directory, status);
-    if (rc == STATUS_OK && results->scene->target_count > 0)
-        rc = write_answers(results, directory, status);
-    if (rc == STATUS_OK && results->convergence)
-        rc = write_convergence(results, directory, status);
-    if (rc == STATUS_OK && results->direct)
-        rc = write_direct(results, directory, status);
-    if (rc == STATUS_OK && results->direct)
-        rc = write_direct_ratio(results, directory, status);
-    if (rc == STATUS_OK && results->benchmark)
-        rc = write_cost(results, directory, status);
-    if (rc == STATUS_OK && results_intervals(results))
-        rc = write_spread(results, directory, status);
+    const struct {
+        const char *name;
+        bool wanted;
+        void (*fill)(struct table *table, const struct results *results);
+    } files[] = {
+        {"surfaces.csv", true, fill_surfaces},
+        {"sensitivity.csv", true, fill_sensitivity},
+        {"answers.csv", results->scene->target_count > 0, fill_answers},
+        {"convergence.csv", results->convergence != NULL, fill_convergence},
+        {"direct.csv", results->direct != NULL, fill_direct},
+        {"direct_ratio.csv", results->direct != NULL, fill_direct_ratio},
+        {"cost.csv", results->benchmark != NULL, fill_cost},
+        {"spread.csv", results_intervals(results), fill_spread},
+    };
+    enum status_code rc = scene_bins_spectra(results->scene) ? STATUS_OK : write_curves(results, directory, status);
+    for (size_t f = 0; f < sizeof files / sizeof *files && rc == STATUS_OK; f++) {
+        struct table table;
+        if (!files[f].wanted)
+            continue;
+        rc = table_open(&table, results, directory, files[f].name, status);
+        if (rc == STATUS_OK) {
+            files[f].fill(&table, results);
+            rc = table_close(&table, status);
+        }
+    }
     return rc;
 }

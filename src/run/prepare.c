@@ -73,95 +73,92 @@ bool prepare_solves(const struct results *results, size_t index)
 }
 
 /** "256 x 256 points, 12 surfaces, 13 loads, about 9e3 convolutions, 5 s of one core". */
-static void describe_direct(char *out, size_t size, const struct direct_plan *plan)
+static void describe_direct(struct text *out, const struct direct_plan *plan)
 {
-    int used = snprintf(out, size, "%zu x %zu points, ", plan->grid, plan->grid);
+    text_add(out, "%zu x %zu points, ", plan->grid, plan->grid);
     if (plan->side > 0)
-        used += snprintf(out + used, size - (size_t)used, "the map mirrored, ");
+        text_add(out, "the map mirrored, ");
     else
-        used += snprintf(out + used, size - (size_t)used, "%zu surface%s%s, ", plan->seeds, plan->seeds == 1 ? "" : "s",
-                         plan->fine_times > 1 ? " and a finer grid" : "");
-    used += snprintf(out + used, size - (size_t)used, "%zu load%s: about %.2g convolutions, %.2g s of one core",
-                     plan->loads, plan->loads == 1 ? "" : "s", plan->convolutions, plan->seconds);
+        text_add(out, "%zu surface%s%s, ", plan->seeds, plan->seeds == 1 ? "" : "s",
+                 plan->fine_times > 1 ? " and a finer grid" : "");
+    text_add(out, "%zu load%s: about %.2g convolutions, %.2g s of one core", plan->loads, plan->loads == 1 ? "" : "s",
+             plan->convolutions, plan->seconds);
     if (plan->of_spacing) /* else the scene says what the surface is */
-        snprintf(out + used, size - (size_t)used,
-                 ", down to waves of four spacings, for want of a lambda_s: true at this resolution%s",
+        text_add(out, ", down to waves of four spacings, for want of a lambda_s: true at this resolution%s",
                  plan->law.gamma > 0 && plan->law.gamma < 1.5 ? ", its area falling with lambda_s" : "");
 }
 
+/** What the direct solution would say and cost where it is not called for. */
+static void outline_direct(struct text *out, const struct plan *plan, const struct results *results)
+{
+    struct direct_plan outline;
+    direct_study_outline(&outline, &results->surfaces[results->baseline].summary, results->scene, plan,
+                         results_loads(results, results->baseline), results->load_count);
+    text_add(out, "not called for; %s",
+             outline.possible ? "it would say how far each model is off: " : outline.problem);
+    if (outline.possible)
+        describe_direct(out, &outline);
+}
+
 /** The direct solution's part of the plan: what it says of itself, or would cost. */
-static void plan_direct(struct plan *plan, struct results *results)
+static void plan_direct(struct plan *plan, const struct results *results)
 {
     struct plan_effect *effect = &plan->effects[EFFECT_DIRECT];
-    const struct surface_summary *baseline = &results->surfaces[results->baseline].summary;
-    const struct direct_plan *first = NULL;
+    const struct direct_plan *first = NULL, *none = results->surfaces[results->baseline].summary.direct;
+    double budget_s = results->scene->direct.budget_s;
+    struct text reason = {0};
     size_t surfaces = 0;
-    char cost[320];
     if (results->usable_count == 0)
         return;
     for (size_t i = 0; i < results->surface_count && effect->runs; i++) {
-        struct surface_summary *summary = &results->surfaces[i].summary;
-        if (summary->direct && !plan_runs(plan, EFFECT_PLASTICITY))
-            direct_plan_elastic(summary->direct);
+        struct direct_plan *own = results->surfaces[i].summary.direct;
+        if (own && !plan_runs(plan, EFFECT_PLASTICITY))
+            direct_plan_elastic(own);
         if (!prepare_solves(results, i))
             continue;
-        first = first && i != results->baseline ? first : summary->direct;
+        first = first && i != results->baseline ? first : own;
         surfaces++;
     }
     if (!effect->runs) {
-        struct direct_plan outline;
-        direct_study_outline(&outline, baseline, results->scene, plan, results_loads(results, results->baseline),
-                             results->load_count);
-        describe_direct(cost, sizeof cost, &outline);
-        if (outline.possible)
-            snprintf(effect->reason, sizeof effect->reason,
-                     "not called for; it would say how far each model is off: %s", cost);
-        else
-            snprintf(effect->reason, sizeof effect->reason, "not called for; %s", outline.problem);
+        outline_direct(&reason, plan, results);
     } else if (!first) {
-        const struct direct_plan *none = baseline->direct;
-        snprintf(effect->reason, sizeof effect->reason, "called for, but %s",
-                 none ? none->problem : "no surface can be solved");
+        text_add(&reason, "called for, but %s", none ? none->problem : "no surface can be solved");
     } else {
-        describe_direct(cost, sizeof cost, first);
-        int used = snprintf(effect->reason, sizeof effect->reason, "called for on %zu surface%s: %s", surfaces,
-                            surfaces == 1 ? "" : "s", cost);
+        text_add(&reason, "called for on %zu surface%s: ", surfaces, surfaces == 1 ? "" : "s");
+        describe_direct(&reason, first);
         if (first->over_budget)
-            snprintf(effect->reason + used, sizeof effect->reason - (size_t)used,
-                     ", more than the budget of %g s, which nothing fits", results->scene->direct.budget_s);
+            text_add(&reason, ", more than the budget of %g s, which nothing fits", budget_s);
         else if (first->more_seconds > 0)
-            snprintf(effect->reason + used, sizeof effect->reason - (size_t)used,
+            text_add(&reason,
                      " of the budget of %g s; the next better (%zu x %zu points, %zu surfaces) would take %.2g s",
-                     results->scene->direct.budget_s, first->more_grid, first->more_grid, first->more_seeds,
-                     first->more_seconds);
+                     budget_s, first->more_grid, first->more_grid, first->more_seeds, first->more_seconds);
     }
+    snprintf(effect->reason, sizeof effect->reason, "%s", text_string(&reason));
+    text_free(&reason);
 }
 
 /** The loads of every surface: the same list, or each its own of as many. */
 static enum status_code make_loads(struct prepared *out, const struct scene *scene, struct status *status)
 {
     struct results *results = &out->results;
-    struct material_pair first = scene_pair(scene->surfaces[0].bodies);
-    size_t operating, count, surfaces = scene->surface_count;
-    for (size_t i = 1; i < surfaces && scene->load.kind != UNIT_NUMBER; i++)
-        results->loads_apart = results->loads_apart ||
-                               scene_pair(scene->surfaces[i].bodies).effective_modulus_Pa != first.effective_modulus_Pa;
-    if (scene_loads(&out->loads, &results->load_count, &operating, scene, &first, status) != STATUS_OK)
-        return status->code;
-    out->allowed.operating_place = operating + 1;
-    if (results->loads_apart) {
-        double *all = reallocarray(out->loads, surfaces * results->load_count, sizeof *all);
-        if (!all)
-            return status_memory(status);
-        out->loads = all;
-    }
-    for (size_t i = 1; i < surfaces && results->loads_apart; i++) {
+    double modulus_Pa = scene_pair(scene->surfaces[0].bodies).effective_modulus_Pa;
+    for (size_t i = 1; i < scene->surface_count && scene->load.kind != UNIT_NUMBER; i++)
+        results->loads_apart |= scene_pair(scene->surfaces[i].bodies).effective_modulus_Pa != modulus_Pa;
+    for (size_t i = 0; i < (results->loads_apart ? scene->surface_count : 1); i++) {
         struct material_pair pair = scene_pair(scene->surfaces[i].bodies);
+        size_t count, operating;
         double *own;
         if (scene_loads(&own, &count, &operating, scene, &pair, status) != STATUS_OK)
             return status->code;
-        memcpy(out->loads + i * results->load_count, own, results->load_count * sizeof *own);
+        double *all = reallocarray(out->loads, (i + 1) * count, sizeof *all);
+        if (all)
+            memcpy((out->loads = all) + i * count, own, count * sizeof *own);
         free(own);
+        if (!all)
+            return status_memory(status);
+        if (i == 0)
+            out->allowed.operating_place = operating + 1;
+        results->load_count = count;
     }
     results->loads = out->loads;
     return STATUS_OK;
@@ -283,8 +280,9 @@ void prepared_free(struct prepared *prepared)
     *prepared = (struct prepared){0};
 }
 
-void prepare_table(struct text *out, const struct results *results, bool done)
+uint64_t prepare_table(struct text *out, const struct results *results, bool done)
 {
+    uint64_t evaluations = 0;
     struct effects_row rows[EFFECTS_ROWS];
     effects_account(rows, results->plan, results->surfaces, results->surface_count, &results->studies);
     text_add(out, "%-16s %-8s%s  %s\n", "effect", "", done ? "  evaluations    seconds" : "", "why; how");
@@ -295,7 +293,9 @@ void prepare_table(struct text *out, const struct results *results, bool done)
         text_add(out, "  ");
         text_add_shown(out, rows[r].reason); /* may name a surface */
         text_add(out, "%s%s\n", rows[r].runs ? "; " : "", rows[r].method);
+        evaluations += rows[r].evaluations;
     }
+    return evaluations;
 }
 
 double prepare_rough_seconds(const struct results *results, const struct run_options *options)

@@ -30,8 +30,8 @@ void prepared_free(struct prepared *prepared);
 bool prepare_solves(const struct results *results, size_t index);
 
 /** The plan as a table for a terminal: effect, run or skipped, why, how; with what was done and the time it took when
- * `done`. */
-void prepare_table(struct text *out, const struct results *results, bool done);
+ * `done`. Returns the evaluations, of all effects. */
+uint64_t prepare_table(struct text *out, const struct results *results, bool done);
 
 /** Roughly how long the report will take here [s]. */
 double prepare_rough_seconds(const struct results *results, const struct run_options *options);

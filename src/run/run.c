@@ -31,32 +31,29 @@ struct run {
     struct comparison comparison;
     struct figure_list figures;
     double *sweeps;
-    struct direct_study *direct;
-    size_t direct_count;
+    struct direct_study *direct; /* results->direct_count of them */
 };
 
 /** The convergence study: every sweep by every model that stacks scales. */
 static enum status_code run_sweeps(struct run *run, struct status *status)
 {
+    struct results *results = run->results;
     const struct scene_convergence *study = &run->scene->convergence;
-    const struct plan *plan = &run->prepared.plan;
-    run->sweeps = calloc(results_sweep_size(run->results), sizeof *run->sweeps);
+    results->convergence = run->sweeps = calloc(results_sweep_size(results), sizeof *run->sweeps);
     if (!run->sweeps)
         return status_memory(status);
-    run->results->convergence = run->sweeps;
     for (int s = 0; s < CONVERGENCE_SWEEP_COUNT; s++)
         for (size_t v = 0; v < convergence_sweeps[s].count; v++)
             for (size_t m = 0; m < model_count; m++) {
-                if (!plan_runs_model(plan, m) || !model_rows[m]->stacks_scales)
+                if (!plan_runs_model(results->plan, m) || !model_rows[m]->stacks_scales)
                     continue;
-                double value = convergence_sweeps[s].values[v];
                 struct convergence_law law = {study->alpha, study->gamma, study->scan_length_m, study->load,
                                               study->scales};
-                *(s == CONVERGENCE_ALPHA ? &law.alpha : &law.gamma) = value;
-                double *area = run->sweeps + (results_sweep(run->results, (enum convergence_sweep)s, m, v) -
-                                              run->results->convergence);
-                convergence_areas(area, &law, results_pair(run->results, run->results->baseline),
-                                  model_rows[m]->plastic, &run->results->studies.sweep_scales);
+                *(s == CONVERGENCE_ALPHA ? &law.alpha : &law.gamma) = convergence_sweeps[s].values[v];
+                const double *area = results_sweep(results, (enum convergence_sweep)s, m, v);
+                convergence_areas(run->sweeps + (area - results->convergence), &law,
+                                  results_pair(results, results->baseline), model_rows[m]->plastic,
+                                  &results->studies.sweep_scales);
             }
     return STATUS_OK;
 }
@@ -115,27 +112,29 @@ static enum status_code run_direct(struct run *run, struct status *status)
         if (!prepare_solves(results, i))
             continue;
         const struct surface_record *record = &results->surfaces[i];
-        struct direct_study_task task = {record,
-                                         i,
-                                         results->scene,
-                                         results->plan,
-                                         run->options->jobs,
-                                         run->options->team,
-                                         run->options->stop,
-                                         !run->options->no_cost && i == results->baseline};
+        const struct direct_study_task task = {.surface = record,
+                                               .index = i,
+                                               .scene = results->scene,
+                                               .plan = results->plan,
+                                               .threads = run->options->jobs,
+                                               .team = run->options->team,
+                                               .stop = run->options->stop,
+                                               .efforts = !run->options->no_cost && i == results->baseline};
+        struct direct_study *study = &run->direct[results->direct_count];
         struct status problem = {0};
-        enum status_code rc = direct_study_run(&run->direct[run->direct_count], &task, &problem);
-        if (rc == STATUS_OK) {
-            results->studies.contacts += run->direct[run->direct_count++].solutions;
-        } else if (rc == STATUS_MODEL) { /* no number then; the models' curves stand */
-            direct_study_free(&run->direct[run->direct_count]);
+        enum status_code rc = direct_study_run(study, &task, &problem);
+        if (rc == STATUS_MODEL) { /* no number then; the models' curves stand */
+            direct_study_free(study);
             direct_plan_give_up(record->summary.direct, problem.message);
-        } else
+        } else if (rc != STATUS_OK) {
             return status_fail(status, rc, "surface '%s', solved directly: %s", record->summary.scene->name,
                                problem.message);
+        } else {
+            results->studies.contacts += study->solutions;
+            results->direct_count++;
+            results->direct = run->direct;
+        }
     }
-    results->direct = run->direct_count > 0 ? run->direct : NULL;
-    results->direct_count = run->direct_count;
     return STATUS_OK;
 }
 
@@ -164,32 +163,25 @@ static double lap(double *last)
 /** Scans, effects, models, studies. */
 static enum status_code evaluate(struct run *run, struct run_outcome *out, struct status *status)
 {
-    struct prepared *prepared = &run->prepared;
-    struct effects_row rows[EFFECTS_ROWS];
     const char *curves = scene_bins_spectra(run->scene) ? run->output.staging : NULL;
-    enum status_code rc = prepare(prepared, run->scene, run->options, false, curves, status);
-    struct results *results = run->results = &prepared->results;
-    if (rc == STATUS_OK && results->usable_count == 0)
-        rc = status_fail(status, STATUS_SCAN, "no readable scan in '%s'", run->scene->directory);
-    if (rc == STATUS_OK)
-        rc = run_baseline(run, status);
+    struct results *results = run->results = &run->prepared.results;
+    if (prepare(&run->prepared, run->scene, run->options, false, curves, status) != STATUS_OK)
+        return status->code;
+    if (results->usable_count == 0)
+        return status_fail(status, STATUS_SCAN, "no readable scan in '%s'", run->scene->directory);
+    if (run_baseline(run, status) != STATUS_OK)
+        return status->code;
     double last = clock_seconds();
-    if (rc == STATUS_OK && plan_runs(&prepared->plan, EFFECT_CONVERGENCE))
-        rc = run_sweeps(run, status);
+    if (plan_runs(results->plan, EFFECT_CONVERGENCE) && run_sweeps(run, status) != STATUS_OK)
+        return status->code;
     out->times.convergence = results->studies.sweep_seconds = lap(&last);
-    if (rc == STATUS_OK && plan_runs(&prepared->plan, EFFECT_DIRECT))
-        rc = run_direct(run, status);
+    if (plan_runs(results->plan, EFFECT_DIRECT) && run_direct(run, status) != STATUS_OK)
+        return status->code;
     out->times.direct = results->studies.contact_seconds = lap(&last);
-    if (rc == STATUS_OK && !run->options->no_cost) {
-        rc = measure_cost(run, status);
-        out->times.cost = run->benchmark.seconds;
-    }
-    if (rc != STATUS_OK)
-        return rc;
-    effects_account(rows, results->plan, results->surfaces, results->surface_count, &results->studies);
-    for (int r = 0; r < EFFECTS_ROWS; r++)
-        out->evaluations += rows[r].evaluations;
-    prepare_table(&out->work, results, true);
+    if (!run->options->no_cost && measure_cost(run, status) != STATUS_OK)
+        return status->code;
+    out->times.cost = run->benchmark.seconds;
+    out->evaluations = prepare_table(&out->work, results, true);
     add_times(&out->times, results);
     return STATUS_OK;
 }
@@ -260,9 +252,8 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
         rc = evaluate(&run, out, status);
     if (rc == STATUS_OK && !stopped(&run))
         rc = write_all(&run, out, status);
-    if (run.output.staging[0] && (stopped(&run) || rc == STATUS_INTERRUPTED)) { /* whatever else went wrong: Ctrl-C
-                                                                                   stops gnuplot too, perhaps first */
-        *status = (struct status){0};
+    if (run.output.staging[0] && (stopped(&run) || rc == STATUS_INTERRUPTED)) {
+        *status = (struct status){0}; /* whatever else went wrong: Ctrl-C stops gnuplot too, perhaps first */
         rc =
             status_fail(status, STATUS_INTERRUPTED, "stopped by a signal; '%s' is as it was before", run.output.target);
     }
@@ -273,13 +264,13 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     out->left_out = messages_add_lost(&out->messages, &run.prepared);
     if (options->outline && run.results)
         out->outline = json_outline(run.results, rc == STATUS_OK);
+    for (size_t k = 0; k < run.prepared.results.direct_count; k++)
+        direct_study_free(&run.direct[k]);
+    free(run.direct);
     prepared_free(&run.prepared);
     output_abandon(&run.output);
     free(run.sweeps);
     benchmark_free(&run.benchmark);
-    for (size_t k = 0; k < run.direct_count; k++)
-        direct_study_free(&run.direct[k]);
-    free(run.direct);
     sensitivity_curves_free(&run.sensitivity);
     measured_answers_free(&run.answers);
     comparison_free(&run.comparison);

@@ -48,30 +48,43 @@ static void expect_limit(const char *message, enum limit limit)
     met[limit] = true;
 }
 
-/* Frees the text. */
-static void expect_refused(struct text *text, enum limit limit)
+/* Is this scan, which is freed, refused where it is over the limit, else of nx by ny points? */
+static void expect_scan(struct text text, bool over, enum limit limit, size_t nx, size_t ny)
 {
     struct scan scan;
     struct status status = {0};
-    assert_false(text->failed);
-    assert_int_equal(read_bytes(&scan, text_string(text), text->length, &um, &status), STATUS_SCAN);
-    expect_limit(status.message, limit);
-    assert_null(scan.z_m);
+    assert_false(text.failed);
+    enum status_code code = read_bytes(&scan, text_string(&text), text.length, &um, &status);
+    if (code != (over ? STATUS_SCAN : STATUS_OK))
+        fail_msg("'%s' at the limit '%s'", status.message, limit_rows[limit].name);
+    if (over) {
+        expect_limit(status.message, limit);
+        assert_null(scan.z_m);
+    } else {
+        assert_sound(&scan);
+        assert_int_equal(scan.nx, nx);
+        assert_int_equal(scan.ny, ny);
+    }
     scan_free(&scan);
-    text_free(text);
+    text_free(&text);
 }
 
-static void expect_read(struct text *text, size_t nx, size_t ny)
+/* The same of a scene in a directory, unless `text` is NULL of this text; `surfaces`: as many it has. */
+static void expect_scene(const struct scene_directory *directory, const char *text, bool over, enum limit limit,
+                         size_t surfaces)
 {
-    struct scan scan;
+    struct scene scene;
     struct status status = {0};
-    if (read_bytes(&scan, text_string(text), text->length, &um, &status) != STATUS_OK)
-        fail_msg("refused: %s", status.message);
-    assert_sound(&scan);
-    assert_int_equal(scan.nx, nx);
-    assert_int_equal(scan.ny, ny);
-    scan_free(&scan);
-    text_free(text);
+    if (text)
+        scene_directory_write(directory, "scene.yaml", text, strlen(text));
+    enum status_code code = scene_read(&scene, directory->path, NULL, &status);
+    if (code != (over ? STATUS_SCENE : STATUS_OK))
+        fail_msg("'%s' at the limit '%s'", status.message, limit_rows[limit].name);
+    if (over)
+        expect_limit(status.message, limit);
+    else
+        assert_int_equal(scene.surface_count, surfaces);
+    scene_free(&scene);
 }
 
 /* Rows of x, z and what else there is, after `above` bytes of comments. */
@@ -90,22 +103,21 @@ static struct text table(size_t rows, size_t columns, size_t above)
 
 TEST_CASE(test_texts)
 {
-    struct text text = table(SMALL_POINTS, 2, 0);
-    expect_read(&text, SMALL_POINTS, 1);
-    text = table(SMALL_POINTS + 1, 2, 0);
-    expect_refused(&text, LIMIT_POINTS);
-    text = table(SMALL_CELLS / 5, 5, 0);
-    expect_read(&text, SMALL_CELLS / 5, 1);
-    text = table(SMALL_CELLS / 5 + 1, 5, 0);
-    expect_refused(&text, LIMIT_CELLS);
-    text = table(4, SMALL_COLUMNS, 0);
-    expect_read(&text, 4, 1);
-    text = table(3, SMALL_COLUMNS + 1, 0);
-    expect_refused(&text, LIMIT_COLUMNS);
-    text = table(4, 2, SMALL_HEADER_BYTES);
-    expect_read(&text, 4, 1);
-    text = table(4, 2, SMALL_HEADER_BYTES + 100);
-    expect_refused(&text, LIMIT_HEADER_BYTES);
+    static const struct {
+        enum limit limit;
+        size_t rows, columns, above, more_rows, more_columns, more_above; /* the more are over it */
+    } cases[] = {
+        {LIMIT_POINTS, SMALL_POINTS, 2, 0, 1, 0, 0},
+        {LIMIT_CELLS, SMALL_CELLS / 5, 5, 0, 1, 0, 0},
+        {LIMIT_COLUMNS, 4, SMALL_COLUMNS, 0, 0, 1, 0},
+        {LIMIT_HEADER_BYTES, 4, 2, SMALL_HEADER_BYTES, 0, 0, 100},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        for (size_t over = 0; over < 2; over++)
+            expect_scan(table(cases[i].rows + over * cases[i].more_rows,
+                              cases[i].columns + over * cases[i].more_columns,
+                              cases[i].above + over * cases[i].more_above),
+                        over, cases[i].limit, cases[i].rows, 1);
 }
 
 /* A row in any place, and a line above the rows. */
@@ -117,10 +129,7 @@ TEST_CASE(test_lines)
             text_add(&text, "%s", place == 2 ? "0 1\n1 2\n2 1\n" : "");
             text_add(&text, place == 1 ? "#%*s\n" : "3%*s\n", SMALL_LINE_BYTES - 1 + (int)over, "1");
             text_add(&text, "%s", place < 2 ? "4 1\n5 2\n6 1\n" : "");
-            if (over)
-                expect_refused(&text, LIMIT_LINE_BYTES);
-            else
-                expect_read(&text, place == 1 ? 3 : 4, 1);
+            expect_scan(text, over, LIMIT_LINE_BYTES, place == 1 ? 3 : 4, 1);
         }
 }
 
@@ -133,10 +142,7 @@ TEST_CASE(test_maps)
         put_field(&text, "", 4 - text.length % 4);
         for (size_t i = 0; i < 4 * rows; i++)
             put_f32(&text, (double)(i * i % 7));
-        if (rows == 3)
-            expect_read(&text, 4, 3);
-        else
-            expect_refused(&text, LIMIT_POINTS);
+        expect_scan(text, rows > 3, LIMIT_POINTS, 4, 3);
     }
 }
 
@@ -188,23 +194,13 @@ TEST_CASE(test_directories)
         for (size_t inside = 0; inside < 2; inside++) {
             struct scene_directory directory = scene_directory_make();
             char path[512], name[32];
-            struct scene scene;
-            struct status status = {0};
             snprintf(path, sizeof path, "%s/s", directory.path);
             assert_int_equal(inside ? mkdir(path, 0777) : 0, 0);
             for (size_t i = 0; i < SMALL_FILES - 2 + over; i++) { /* and . and .. */
                 snprintf(name, sizeof name, inside ? "s/%zu.csv" : "%zu.csv", i);
                 scene_directory_add(&directory, name);
             }
-            enum status_code code = scene_read(&scene, directory.path, NULL, &status);
-            if (over) {
-                assert_int_equal(code, STATUS_SCENE);
-                expect_limit(status.message, LIMIT_FILES);
-            } else {
-                assert_int_equal(code, STATUS_OK);
-                assert_int_equal(scene.surface_count, inside ? 1 : SMALL_FILES - 2);
-            }
-            scene_free(&scene);
+            expect_scene(&directory, NULL, over, LIMIT_FILES, inside ? 1 : SMALL_FILES - 2);
             scene_directory_remove(&directory);
         }
 }
@@ -221,8 +217,7 @@ TEST_CASE(test_scene_files)
         for (size_t i = 0; i < SMALL_SCENE_FILES / 2 + over; i++)
             text_add(&text, "  - {name: s%zu, file: [a.csv, ./a.csv]}\n", i);
         scene_directory_write(&directory, "scene.yaml", text.data, text.length);
-        if (scene_read(&scene, directory.path, NULL, &status) != (over ? STATUS_SCENE : STATUS_OK))
-            fail_msg("%s", status.message);
+        assert_int_equal(scene_read(&scene, directory.path, NULL, &status), over ? STATUS_SCENE : STATUS_OK);
         if (over)
             assert_non_null(strstr(status.message, "more than 4 files in one scene; split it"));
         met[LIMIT_SCENE_FILES] = true;
@@ -258,23 +253,12 @@ TEST_CASE(test_measured)
 /* What a scene asks for. */
 TEST_CASE(test_scenes)
 {
-    static const char *const scenes[2][2] = {{"surfaces: [{file: a.csv, name: abcdefghijklmnopqrst}]\n",
-                                              "surfaces: [{file: a.csv, name: abcdefghijklmnopqrstu}]\n"},
-                                             {"direct: {grid: 64, seeds: 4}\n", "direct: {grid: 66, seeds: 4}\n"}};
-    static const enum limit limits[2] = {LIMIT_NAME_BYTES, LIMIT_DIRECT_POINTS};
     struct scene_directory directory = scene_directory_make();
     scene_directory_add(&directory, "a.csv");
-    for (size_t i = 0; i < 2; i++)
-        for (size_t over = 0; over < 2; over++) {
-            struct scene scene;
-            struct status status = {0};
-            scene_directory_write(&directory, "scene.yaml", scenes[i][over], strlen(scenes[i][over]));
-            enum status_code code = scene_read(&scene, directory.path, NULL, &status);
-            assert_int_equal(code, over ? STATUS_SCENE : STATUS_OK);
-            if (over)
-                expect_limit(status.message, limits[i]);
-            scene_free(&scene);
-        }
+    expect_scene(&directory, "surfaces: [{file: a.csv, name: abcdefghijklmnopqrst}]\n", false, LIMIT_NAME_BYTES, 1);
+    expect_scene(&directory, "surfaces: [{file: a.csv, name: abcdefghijklmnopqrstu}]\n", true, LIMIT_NAME_BYTES, 0);
+    expect_scene(&directory, "direct: {grid: 64, seeds: 4}\n", false, LIMIT_DIRECT_POINTS, 1);
+    expect_scene(&directory, "direct: {grid: 66, seeds: 4}\n", true, LIMIT_DIRECT_POINTS, 0);
     scene_directory_remove(&directory);
 }
 
@@ -303,19 +287,16 @@ TEST_CASE(test_gzip)
                 text_free(&member);
             }
             text_free(&inner);
-            if (over)
-                expect_refused(&text, LIMIT_UNPACKED_BYTES);
-            else
-                expect_read(&text, SAMPLE_POINTS, 1);
+            expect_scan(text, over, LIMIT_UNPACKED_BYTES, SAMPLE_POINTS, 1);
         }
     struct text once = gzip(heights, sizeof heights - 1), twice = gzip(once.data, once.length);
     text_free(&once);
-    expect_refused(&twice, LIMIT_PACKED_DEPTH);
+    expect_scan(twice, true, LIMIT_PACKED_DEPTH, 0, 0);
     const struct member in_zip[] = {{"a.csv", heights, sizeof heights - 1}, {NULL, NULL, 0}};
     once = zip(in_zip, true);
     twice = gzip(once.data, once.length);
     text_free(&once);
-    expect_refused(&twice, LIMIT_PACKED_DEPTH);
+    expect_scan(twice, true, LIMIT_PACKED_DEPTH, 0, 0);
 }
 
 static struct text archive_of(size_t members, size_t bytes_each)
@@ -337,19 +318,13 @@ static struct text archive_of(size_t members, size_t bytes_each)
 
 TEST_CASE(test_archives)
 {
-    struct text text = archive_of(SMALL_MEMBERS, 100);
-    expect_read(&text, SAMPLE_POINTS, 1);
-    text = archive_of(SMALL_MEMBERS + 1, 100);
-    expect_refused(&text, LIMIT_MEMBERS);
-    text = archive_of(4, SMALL_UNPACKED_BYTES / 4);
-    expect_read(&text, SAMPLE_POINTS, 1);
-    text = archive_of(4, SMALL_UNPACKED_BYTES / 4 + 1);
-    expect_refused(&text, LIMIT_UNPACKED_BYTES);
     /* a claim of 1040 times the packed bytes and 64 more is believed until it is unpacked */
     for (size_t over = 0; over < 2; over++) {
+        expect_scan(archive_of(SMALL_MEMBERS + over, 100), over, LIMIT_MEMBERS, SAMPLE_POINTS, 1);
+        expect_scan(archive_of(4, SMALL_UNPACKED_BYTES / 4 + over), over, LIMIT_UNPACKED_BYTES, SAMPLE_POINTS, 1);
         struct packed member = pack("a.csv", heights, sizeof heights - 1, false);
         member.size = (member.bytes.length + 64 + over) * SMALL_UNPACKED_RATIO;
-        text = zip_of(&member, 1);
+        struct text text = zip_of(&member, 1);
         assert_refused_bytes(text.data, text.length, &um, over ? "bytes: damaged" : "is damaged; copy the file again");
         text_free(&text);
         text_free(&member.bytes);
@@ -377,41 +352,30 @@ static struct text x3p(const char *more, size_t length)
     return text;
 }
 
+/* One with `more`, which is freed. */
+static void expect_x3p(struct text *more, size_t length, bool over, enum limit limit)
+{
+    expect_scan(x3p(text_string(more), length), over, limit, SAMPLE_POINTS, 1);
+    text_free(more);
+}
+
 TEST_CASE(test_x3p)
 {
     enum { OWN_ELEMENTS = 22 };
     for (size_t over = 0; over < 2; over++) {
-        struct text text = x3p("", SMALL_XML_BYTES + over), more = {0};
-        if (over)
-            expect_refused(&text, LIMIT_XML_BYTES);
-        else
-            expect_read(&text, SAMPLE_POINTS, 1);
+        struct text more = {0};
+        expect_x3p(&more, SMALL_XML_BYTES + over, over, LIMIT_XML_BYTES);
         for (size_t i = 0; i < SMALL_XML_ELEMENTS - OWN_ELEMENTS + over; i++)
             text_add(&more, "<a/>");
-        text = x3p(more.data, 0);
-        text_free(&more);
-        if (over)
-            expect_refused(&text, LIMIT_XML_ELEMENTS);
-        else
-            expect_read(&text, SAMPLE_POINTS, 1);
+        expect_x3p(&more, 0, over, LIMIT_XML_ELEMENTS);
         /* looked at in pieces of 64 KiB */
         text_add(&more, "<!--%*s-->", SMALL_XML_TAG_BYTES + (over ? 2 : -1) * 65536, "");
-        text = x3p(more.data, 0);
-        text_free(&more);
-        if (over)
-            expect_refused(&text, LIMIT_XML_TAG_BYTES);
-        else
-            expect_read(&text, SAMPLE_POINTS, 1);
+        expect_x3p(&more, 0, over, LIMIT_XML_TAG_BYTES);
         for (size_t i = 0; i < SMALL_XML_DEPTH - 1 + over; i++)
             text_add(&more, "<a>");
         for (size_t i = 0; i < SMALL_XML_DEPTH - 1 + over; i++)
             text_add(&more, "</a>");
-        text = x3p(more.data, 0);
-        text_free(&more);
-        if (over)
-            expect_refused(&text, LIMIT_XML_DEPTH);
-        else
-            expect_read(&text, SAMPLE_POINTS, 1);
+        expect_x3p(&more, 0, over, LIMIT_XML_DEPTH);
     }
 }
 

@@ -10,8 +10,6 @@
 #include <sys/prctl.h>
 #include <sys/wait.h>
 
-static struct directory place;
-
 /* Starts a shell with these lines in the directory; what it says goes to the file `said`. */
 static int start(pid_t *process, char *lines, const char *directory)
 {
@@ -19,7 +17,7 @@ static int start(pid_t *process, char *lines, const char *directory)
     char shell[] = "/bin/sh", option[] = "-c", home[] = "HOME=/nowhere";
     char *const arguments[] = {shell, option, lines, NULL};
     int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC),
-        said = open(directory_path(&place, "said"), O_RDWR | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0600);
+        said = open(directory_path(&directory_here, "said"), O_RDWR | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0600);
     assert_true(nothing > 2 && said > 2);
     int error = program_start(process, &(struct program_task){arguments, shell, directory, drops, home, nothing, said});
     close(nothing);
@@ -31,50 +29,29 @@ static int start(pid_t *process, char *lines, const char *directory)
 static enum program_state run(char *lines, double seconds, int *how)
 {
     pid_t process;
-    assert_int_equal(start(&process, lines, place.path), 0);
+    assert_int_equal(start(&process, lines, directory_here.path), 0);
     enum program_state state = program_wait(process, clock_seconds() + seconds, -1);
     *how = program_end(process);
     return state;
 }
 
-static int make(void **state)
-{
-    (void)state;
-    place = directory_make();
-    return 0;
-}
-
-static int end(void **state)
-{
-    (void)state;
-    directory_remove(&place);
-    return 0;
-}
-
-#define PLACED(name) TEST_WITH(name, make, end)
+#define PLACED(name) TEST_WITH(name, directory_setup, directory_teardown)
 
 PLACED(test_find)
 {
     char path[4096], *before = strdup(getenv("PATH")), *with = NULL;
-    directory_write(&place, "tool", "#!/bin/sh\n");
-    assert_true(asprintf(&with, "relative::%s:%s", place.path, before) > 0);
+    directory_write(&directory_here, "tool", "#!/bin/sh\n");
+    assert_true(asprintf(&with, "relative::%s:%s", directory_here.path, before) > 0);
     assert_int_equal(setenv("PATH", with, 1), 0);
     assert_false(program_find(path, sizeof path, "tool")); /* no program yet */
-    assert_int_equal(chmod(directory_path(&place, "tool"), 0700), 0);
+    assert_int_equal(chmod(directory_path(&directory_here, "tool"), 0700), 0);
     assert_true(program_find(path, sizeof path, "tool"));
-    assert_string_equal(path, directory_path(&place, "tool"));
-    assert_false(program_find(path, strlen(place.path), "tool"));
+    assert_string_equal(path, directory_path(&directory_here, "tool"));
+    assert_false(program_find(path, strlen(directory_here.path), "tool"));
     assert_false(program_find(path, sizeof path, "no-such-tool"));
     assert_int_equal(setenv("PATH", before, 1), 0);
     free(before);
     free(with);
-}
-
-static void assert_said(const char *expected)
-{
-    struct text said = directory_read(&place, "said");
-    assert_string_equal(text_string(&said), expected);
-    text_free(&said);
 }
 
 /* It gets both outputs, its directory, no input, a process group of its own, the environment but for what it is not to
@@ -95,10 +72,11 @@ PLACED(test_what_it_gets)
     assert_int_equal(run(first, 60, &how), PROGRAM_ENDED);
     assert_int_equal(how, 0);
     snprintf(expected, sizeof expected,
-             "%s\n/nowhere  kept\ncomplaint\nno input\nits own group\nSigIgn:\t0000000000000000\n", place.path);
-    assert_said(expected);
+             "%s\n/nowhere  kept\ncomplaint\nno input\nits own group\nSigIgn:\t0000000000000000\n",
+             directory_here.path);
+    directory_holds(&directory_here, "said", expected);
     assert_int_equal(run(second, 60, &how), PROGRAM_ENDED);
-    assert_said("SigBlk:\t0000000000000000\n");
+    directory_holds(&directory_here, "said", "SigBlk:\t0000000000000000\n");
     pthread_sigmask(SIG_UNBLOCK, &signals, NULL);
     signal(SIGPIPE, pipes);
 }
@@ -133,12 +111,12 @@ PLACED(test_it_ends_with_its_parent)
         if (start(&process, lines, "/") != 0)
             _exit(1);
         snprintf(number, sizeof number, "%d", (int)process);
-        directory_write(&place, "number", number);
+        directory_write(&directory_here, "number", number);
         raise(SIGKILL);
     }
     assert_int_equal(waitpid(parent, &how, 0), parent);
     assert_true(WIFSIGNALED(how) && WTERMSIG(how) == SIGKILL);
-    struct text text = directory_read(&place, "number");
+    struct text text = directory_read(&directory_here, "number");
     pid_t process = (pid_t)atoi(text_string(&text)), gone = 0;
     text_free(&text);
     assert_true(process > 0);
@@ -158,10 +136,10 @@ PLACED(test_stop)
     char slow[] = "sleep 1000", mark[] = "echo > begun";
     assert_int_equal(run(slow, 0.05, &how), PROGRAM_LATE);
     assert_true(WIFSIGNALED(how));
-    assert_int_equal(start(&process, slow, place.path), 0);
+    assert_int_equal(start(&process, slow, directory_here.path), 0);
     program_stop();
     assert_int_equal(program_wait(process, clock_seconds() + 1000, -1), PROGRAM_STOPPED);
     assert_true(WIFSIGNALED(program_end(process)));
-    assert_int_equal(start(&process, mark, place.path), ECANCELED);
-    assert_false(directory_has(&place, "begun")); /* it is not even begun */
+    assert_int_equal(start(&process, mark, directory_here.path), ECANCELED);
+    assert_false(directory_has(&directory_here, "begun")); /* it is not even begun */
 }

@@ -11,20 +11,35 @@
 #include <sys/wait.h>
 #include <time.h>
 
-static struct directory place;
 static char *usual; /* TMPDIR outside the test */
 
 /* The name of a directory below the place. */
 static const char *name_of(const char *path)
 {
-    assert_true(strncmp(path, place.path, strlen(place.path)) == 0);
-    return path + strlen(place.path) + 1;
+    assert_true(strncmp(path, directory_here.path, strlen(directory_here.path)) == 0);
+    return path + strlen(directory_here.path) + 1;
+}
+
+static void end_process(pid_t process)
+{
+    int how;
+    kill(process, SIGKILL);
+    assert_int_equal(waitpid(process, &how, 0), process);
+}
+
+/* Makes one and removes it, as another run does that has what to clear away. */
+static void make_and_remove(void)
+{
+    struct temporary made;
+    struct status status = {0};
+    assert_int_equal(temporary_make(&made, NULL, NULL, &status), STATUS_OK);
+    temporary_remove(&made);
 }
 
 /* A process of its own makes one with a file in a folder, tells its path, and is killed while it waits. */
 static void leave(char path[static PATH_MAX], bool killed, pid_t *process)
 {
-    int ends[2], how;
+    int ends[2];
     assert_int_equal(pipe(ends), 0);
     *process = fork();
     assert_true(*process >= 0);
@@ -46,24 +61,20 @@ static void leave(char path[static PATH_MAX], bool killed, pid_t *process)
     ssize_t told = read(ends[0], path, PATH_MAX);
     close(ends[0]);
     assert_int_equal(told, PATH_MAX);
-    if (killed) {
-        kill(*process, SIGKILL);
-        assert_int_equal(waitpid(*process, &how, 0), *process);
-    }
+    if (killed)
+        end_process(*process);
 }
 
 static int make(void **state)
 {
-    (void)state;
     usual = getenv("TMPDIR") ? strdup(getenv("TMPDIR")) : NULL;
-    place = directory_make();
-    return setenv("TMPDIR", place.path, 1);
+    directory_setup(state);
+    return setenv("TMPDIR", directory_here.path, 1);
 }
 
 static int end(void **state)
 {
-    (void)state;
-    directory_remove(&place);
+    directory_teardown(state);
     int failed = usual ? setenv("TMPDIR", usual, 1) : unsetenv("TMPDIR");
     free(usual);
     return failed;
@@ -91,7 +102,7 @@ PLACED(test_it_is_made_and_removed)
     assert_int_equal(access(made.path, F_OK), -1);
     assert_int_equal(access(other.path, F_OK), -1);
     struct temporary none;
-    assert_int_equal(setenv("TMPDIR", directory_path(&place, "no such place"), 1), 0);
+    assert_int_equal(setenv("TMPDIR", directory_path(&directory_here, "no such place"), 1), 0);
     assert_int_equal(temporary_make(&none, NULL, NULL, &status), STATUS_IO);
     assert_non_null(strstr(status.message, "no such place"));
 }
@@ -100,25 +111,23 @@ PLACED(test_what_the_dead_left_goes)
 {
     char dead[PATH_MAX], alive[PATH_MAX];
     pid_t first, second;
-    int how;
     struct temporary made;
     struct status status = {0};
     leave(dead, true, &first);
-    assert_true(directory_has(&place, name_of(dead)));
+    assert_true(directory_has(&directory_here, name_of(dead)));
     leave(alive, false, &second); /* which clears the first away, whose name it may have then */
-    assert_int_equal(directory_entries(&place, ""), 1);
+    assert_int_equal(directory_entries(&directory_here, ""), 1);
     leave(dead, true, &first);
-    assert_int_equal(directory_entries(&place, ""), 2);
+    assert_int_equal(directory_entries(&directory_here, ""), 2);
     assert_int_equal(temporary_make(&made, NULL, NULL, &status), STATUS_OK);
-    assert_int_equal(directory_entries(&place, ""), 2);
-    assert_true(directory_has(&place, name_of(alive)));
-    kill(second, SIGKILL);
-    assert_int_equal(waitpid(second, &how, 0), second);
+    assert_int_equal(directory_entries(&directory_here, ""), 2);
+    assert_true(directory_has(&directory_here, name_of(alive)));
+    end_process(second);
     temporary_remove(&made);
-    assert_true(directory_has(&place, name_of(alive)));
+    assert_true(directory_has(&directory_here, name_of(alive)));
     assert_int_equal(temporary_make(&made, NULL, NULL, &status), STATUS_OK);
-    assert_int_equal(directory_entries(&place, ""), 1);
-    assert_int_equal(directory_entries(&place, name_of(made.path)), 0);
+    assert_int_equal(directory_entries(&directory_here, ""), 1);
+    assert_int_equal(directory_entries(&directory_here, name_of(made.path)), 0);
     temporary_remove(&made);
 }
 
@@ -132,30 +141,25 @@ PLACED(test_nobody_elses_is_touched)
                                              "roughcontact-abcdef",
                                              "roughcontact-linked",
                                              "roughcontact-of-somebody"};
-    struct temporary made;
-    struct status status = {0};
     char dead[KINDS][PATH_MAX];
     pid_t process[KINDS];
-    int how;
     for (int i = 0; i < MADE; i++) /* what the dead have left but for that; the living clear nothing away */
         leave(dead[i], false, &process[i]);
     for (int i = 0; i < MADE; i++) {
         if (i == OPEN_MODE)
             assert_int_equal(chmod(dead[i], 0750), 0);
         else
-            assert_int_equal(rename(dead[i], directory_path(&place, names[i])), 0);
-        kill(process[i], SIGKILL);
-        assert_int_equal(waitpid(process[i], &how, 0), process[i]);
+            assert_int_equal(rename(dead[i], directory_path(&directory_here, names[i])), 0);
+        end_process(process[i]);
     }
-    assert_int_equal(mkdir(directory_path(&place, names[MADE]), 0700), 0);
-    directory_write(&place, "roughcontact-abcdef/lock", "");
-    assert_int_equal(mkdir(directory_path(&place, names[EMPTY]), 0700), 0);
-    assert_int_equal(symlink(names[OTHER_NAME], directory_path(&place, names[LINKED])), 0);
-    assert_int_equal(temporary_make(&made, NULL, NULL, &status), STATUS_OK);
-    temporary_remove(&made);
+    assert_int_equal(mkdir(directory_path(&directory_here, names[MADE]), 0700), 0);
+    directory_write(&directory_here, "roughcontact-abcdef/lock", "");
+    assert_int_equal(mkdir(directory_path(&directory_here, names[EMPTY]), 0700), 0);
+    assert_int_equal(symlink(names[OTHER_NAME], directory_path(&directory_here, names[LINKED])), 0);
+    make_and_remove();
     for (int i = 0; i < EMPTY; i++)
-        assert_int_equal(directory_entries(&place, i == OPEN_MODE ? name_of(dead[i]) : names[i]), 1);
-    assert_true(directory_has(&place, names[EMPTY]));
+        assert_int_equal(directory_entries(&directory_here, i == OPEN_MODE ? name_of(dead[i]) : names[i]), 1);
+    assert_true(directory_has(&directory_here, names[EMPTY]));
 }
 
 /* Even root, who could, lets another user's be. */
@@ -164,15 +168,12 @@ PLACED(test_another_users_stays)
     enum { NOBODY = 65534 };
     char dead[PATH_MAX];
     pid_t process;
-    struct temporary made;
-    struct status status = {0};
     if (geteuid() != 0)
         skip();
     leave(dead, true, &process);
     assert_int_equal(chown(dead, NOBODY, NOBODY), 0);
-    assert_int_equal(temporary_make(&made, NULL, NULL, &status), STATUS_OK);
-    temporary_remove(&made);
-    assert_true(directory_has(&place, name_of(dead)));
+    make_and_remove();
+    assert_true(directory_has(&directory_here, name_of(dead)));
 }
 
 /* temporary_end() in a process of its own, as it never lets go; exits with 0 when the note is `expected`. */
@@ -193,16 +194,16 @@ PLACED(test_the_end)
     struct temporary first, second, third;
     char kept[PATH_MAX];
     struct status status = {0};
-    directory_write(&place, "mine", "mine");
-    assert_int_equal(mkdir(directory_path(&place, "deep"), 0700), 0);
-    directory_write(&place, "deep/mine", "mine");
+    directory_write(&directory_here, "mine", "mine");
+    assert_int_equal(mkdir(directory_path(&directory_here, "deep"), 0700), 0);
+    directory_write(&directory_here, "deep/mine", "mine");
     assert_int_equal(temporary_make(&first, NULL, NULL, &status), STATUS_OK);
     assert_int_equal(temporary_make(&second, NULL, NULL, &status), STATUS_OK);
-    assert_int_equal(temporary_make(&third, place.path, NULL, &status), STATUS_OK);
+    assert_int_equal(temporary_make(&third, directory_here.path, NULL, &status), STATUS_OK);
     assert_int_equal(strncmp(name_of(third.path), ".roughcontact-", 14), 0);
     assert_int_equal(mkdirat(first.directory, "a", 0700) + mkdirat(first.directory, "a/b", 0700), 0);
     assert_int_equal(symlinkat("../mine", first.directory, "link") + symlinkat("../deep", first.directory, "deep"), 0);
-    assert_int_equal(linkat(AT_FDCWD, directory_path(&place, "mine"), first.directory, "a/b/mine", 0), 0);
+    assert_int_equal(linkat(AT_FDCWD, directory_path(&directory_here, "mine"), first.directory, "a/b/mine", 0), 0);
     assert_int_equal(mkdirat(second.directory, "mine", 0700), 0);
     snprintf(kept, sizeof kept, "%s", second.path);
     temporary_close(&second);
@@ -212,8 +213,8 @@ PLACED(test_the_end)
     assert_int_equal(access(first.path, F_OK), -1);
     assert_int_equal(access(third.path, F_OK), -1);
     assert_int_equal(access(kept, F_OK), 0);
-    assert_true(directory_has(&place, "mine") && directory_has(&place, "deep/mine"));
-    assert_int_equal(directory_entries(&place, ""), 3);
+    assert_true(directory_has(&directory_here, "mine") && directory_has(&directory_here, "deep/mine"));
+    assert_int_equal(directory_entries(&directory_here, ""), 3);
     temporary_remove(&third);
     temporary_remove(&first);
     temporary_note("");
@@ -224,14 +225,12 @@ PLACED(test_a_copy_is_nobodys)
 {
     char dead[PATH_MAX], line[4 * PATH_MAX];
     pid_t process;
-    struct temporary made;
-    struct status status = {0};
     leave(dead, true, &process);
-    snprintf(line, sizeof line, "cp -a %s %s/copy; rm -r %s; mv %s/copy %s", dead, place.path, dead, place.path, dead);
+    snprintf(line, sizeof line, "cp -a %s %s/copy; rm -r %s; mv %s/copy %s", dead, directory_here.path, dead,
+             directory_here.path, dead);
     assert_int_equal(system(line), 0);
-    assert_int_equal(temporary_make(&made, NULL, NULL, &status), STATUS_OK);
-    temporary_remove(&made);
-    assert_int_equal(directory_entries(&place, name_of(dead)), 1);
+    make_and_remove();
+    assert_int_equal(directory_entries(&directory_here, name_of(dead)), 1);
 }
 
 static atomic_bool waits, ended;

@@ -16,7 +16,6 @@ static int place_setup(void **state)
     static struct directory place;
     struct text scene = {0};
     place = directory_make();
-    mkdir(directory_path(&place, "in"), 0777);
     pipeline_rough(&place, "in/a.csv", 120, 0.1, 1);
     pipeline_rough(&place, "in/b.csv", 120, 1, 2);
     double *height_m = calloc(3000, sizeof *height_m);
@@ -44,24 +43,30 @@ struct drawn {
     double x[BLOCKS_MOST][ROWS_MOST], y[BLOCKS_MOST][ROWS_MOST];
 };
 
+/* What a figure's script says behind a word at the beginning of a line; owned. */
+static char *script_line(const struct directory *place, const char *out, const char *number, const char *word)
+{
+    char name[96];
+    snprintf(name, sizeof name, "%s/figures/%s.gp", out, number);
+    struct text script = directory_read(place, name);
+    const char *start = strstr(script.data, word);
+    assert_non_null(start);
+    start += strlen(word);
+    char *line = strndup(start, strcspn(start, "\n"));
+    text_free(&script);
+    return line;
+}
+
 static void read_styles(struct drawn *drawing, const struct directory *place, const char *number)
 {
-    char name[64], *word, *rest;
-    snprintf(name, sizeof name, "out/figures/%s.gp", number);
-    struct text script = directory_read(place, name);
-    char *start = strstr(script.data, "\n# curves:");
-    assert_non_null(start);
-    start += strlen("\n# curves:");
-    char *end = strchr(start, '\n');
-    assert_non_null(end);
-    *end = '\0';
+    char *line = script_line(place, "out", number, "\n# curves:"), *rest;
     size_t count = 0;
-    for (word = strtok_r(start, " ", &rest); word; word = strtok_r(NULL, " ", &rest), count++) {
+    for (char *word = strtok_r(line, " ", &rest); word; word = strtok_r(NULL, " ", &rest), count++) {
         assert_true(count < BLOCKS_MOST);
         snprintf(drawing->style[count], sizeof drawing->style[0], "%s", word);
     }
     assert_int_equal(count, drawing->blocks);
-    text_free(&script);
+    free(line);
 }
 
 static struct drawn *read_drawing(const struct directory *place, const char *number)
@@ -128,6 +133,14 @@ static struct figure_list list_of(unsigned effects, unsigned which, const struct
     return list;
 }
 
+/* Number of the chapter's figure; good until the next call. */
+static const char *numbered(int n)
+{
+    static char number[8];
+    snprintf(number, sizeof number, "6-%02d", n);
+    return number;
+}
+
 /* How many figures of that number the list has. */
 static size_t times_listed(const struct figure_list *list, const char *number)
 {
@@ -143,10 +156,8 @@ TEST_CASE(test_every_number_exists_once)
     const struct benchmark cost = {.rows = rows, .count = 2};
     struct figure_list list = list_of(ALL_EFFECTS, ALL_MODELS, &cost);
     for (int n = 1; n <= 30; n++) {
-        char number[8];
-        snprintf(number, sizeof number, "6-%02d", n);
-        assert_int_equal(times_listed(&list, number), 1);
-        assert_string_equal(list.figures[n - 1].number, number); /* in the order of the chapter */
+        assert_int_equal(times_listed(&list, numbered(n)), 1);
+        assert_string_equal(list.figures[n - 1].number, numbered(n)); /* in the order of the chapter */
     }
     assert_int_equal(list.count, 33);
     assert_int_equal(times_listed(&list, "cost-integrals"), 1);
@@ -197,10 +208,8 @@ TEST_CASE(test_effects_and_models_that_are_off_remove_their_figures)
         for (unsigned which = 1; which <= ALL_MODELS; which++) {
             struct figure_list list = list_of(effects, which, NULL), timed = list_of(effects, which, &cost);
             for (int n = 1; n <= 30; n++) {
-                char number[8];
-                snprintf(number, sizeof number, "6-%02d", n);
-                if (times_listed(&list, number) != is_called_for(n, effects, which))
-                    fail_msg("figure %s, effects %x, models %x", number, effects, which);
+                if (times_listed(&list, numbered(n)) != is_called_for(n, effects, which))
+                    fail_msg("figure %s, effects %x, models %x", numbered(n), effects, which);
             }
             assert_int_equal(times_listed(&list, "power-law"), 1);
             assert_int_equal(times_listed(&list, "cost-curves"), 0);
@@ -216,7 +225,6 @@ TEST_CASE(test_effects_and_models_that_are_off_remove_their_figures)
 TEST_CASE(test_the_files_are_those_of_the_figures)
 {
     const struct directory *place = *state;
-    mkdir(directory_path(place, "electrical"), 0777);
     pipeline_rough(place, "electrical/a.csv", 64, 1, 1);
     directory_write(place, "electrical/scene.yaml", "material: tin\neffects: [electrical]\n");
     assert_int_equal(pipeline_run(place, "electrical", "out-electrical", 1), 0);
@@ -243,19 +251,16 @@ TEST_CASE(test_the_files_are_those_of_the_figures)
     };
     for (size_t o = 0; o < 2; o++) {
         size_t files = 0;
-        char name[64];
-        for (int n = 1; n <= 30; n++)
+        char name[96];
+        for (size_t i = 0; i < 30 + sizeof others / sizeof *others; i++)
             for (int e = 0; e < 3; e++) {
-                snprintf(name, sizeof name, "%s/figures/6-%02d.%s", outs[o], n, endings[e]);
-                assert_int_equal(directory_has(place, name), is_called_for(n, effects[o], ALL_MODELS));
-                files += directory_has(place, name);
-            }
-        for (size_t i = 0; i < sizeof others / sizeof *others; i++)
-            for (int e = 0; e < 3; e++) {
-                snprintf(name, sizeof name, "%s/figures/%s.%s", outs[o], others[i].name, endings[e]);
-                if (directory_has(place, name) != others[i].on[o])
+                int n = (int)i + 1;
+                bool on = n <= 30 ? is_called_for(n, effects[o], ALL_MODELS) : others[i - 30].on[o];
+                snprintf(name, sizeof name, "%s/figures/%s.%s", outs[o], n <= 30 ? numbered(n) : others[i - 30].name,
+                         endings[e]);
+                if (directory_has(place, name) != on)
                     fail_msg("%s", name);
-                files += others[i].on[o];
+                files += on;
             }
         snprintf(name, sizeof name, "%s/figures", outs[o]);
         assert_int_equal(directory_entries(place, name), files);
@@ -299,11 +304,8 @@ TEST_CASE(test_a_hostile_name_is_only_a_legend)
     for (size_t i = 0; i < list.count; i++) {
         char name[96];
         snprintf(name, sizeof name, "out/figures/%s.gp", list.figures[i].number);
-        struct text script = directory_read(place, name);
-        static const char *const live[] = {"x');", "system('", "#`", "`", "@a", "$b", "{c}"};
-        for (size_t k = 0; k < sizeof live / sizeof *live; k++) /* marks of the name come as escapes */
-            assert_null(strstr(script.data, live[k]));
-        text_free(&script);
+        /* marks of the name come as escapes */
+        expect_not_in_file(place, name, "x');", "system('", "#`", "`", "@a", "$b", "{c}");
         struct drawn *drawing = read_drawing(place, list.figures[i].number);
         for (size_t b = 0; b < drawing->blocks; b++)
             seen += strncmp(drawing->legend[b], hostile_field, strlen(hostile_field)) == 0;
@@ -315,19 +317,24 @@ TEST_CASE(test_a_hostile_name_is_only_a_legend)
     assert_int_not_equal(access("pwned", F_OK), 0);
 }
 
-/* The rows of one surface and model in contact.csv, whose names here hold no comma. */
-static size_t read_curve(double *load, double *area, const struct directory *place, const char *model)
+/* A column of contact.csv for the rows of one surface and model, which have a load and that column. */
+static size_t read_column(double *load, double *value, const struct directory *place, const char *model,
+                          const char *column)
 {
     struct text text = directory_read(place, "out/data/contact.csv");
-    char start[64];
-    size_t rows = 0;
-    snprintf(start, sizeof start, "\na,%s,", model);
-    for (const char *line = text.data; (line = strstr(line, start)); rows++) {
-        char *rest;
-        line += strlen(start);
-        load[rows] = strtod(line, &rest);
-        strtod(rest + 1, &rest); /* pressure */
-        area[rows] = strtod(rest + 1, &rest);
+    size_t rows = 0, wanted = 0;
+    char prefix[64];
+    snprintf(prefix, sizeof prefix, "a,%s,", model);
+    for (const char *c = text.data, *end = strstr(text.data, column); c < end; c++)
+        wanted += *c == ',';
+    for (const char *line = text.data; (line = strchr(line, '\n')) && *++line;) {
+        const char *cell = line;
+        if (strncmp(line, prefix, strlen(prefix)) != 0)
+            continue;
+        load[rows] = atof(line + strlen(prefix));
+        for (size_t c = 0; c < wanted; c++)
+            cell = strchr(cell, ',') + 1;
+        value[rows++] = *cell == ',' || *cell == '\n' ? NAN : atof(cell);
     }
     text_free(&text);
     return rows;
@@ -338,7 +345,7 @@ static void assert_solid_then_dashed(const struct drawn *drawing, size_t block, 
                                      const char *model, double touching)
 {
     double load[64], area[64];
-    size_t rows = read_curve(load, area, place, model), solid = drawing->rows[block];
+    size_t rows = read_column(load, area, place, model, "area_ratio"), solid = drawing->rows[block];
     assert_int_equal(solid + drawing->rows[block + 1] - 1, rows);
     assert_true(solid > 1 && solid < rows);
     for (size_t k = 0; k < rows; k++) {
@@ -426,29 +433,6 @@ TEST_CASE(test_a_thinned_profile_keeps_its_spike)
     free(drawing);
 }
 
-/* A column of contact.csv for the rows of one surface and model, which have a load and that column. */
-static size_t read_column(double *load, double *value, const struct directory *place, const char *model,
-                          const char *column)
-{
-    struct text text = directory_read(place, "out/data/contact.csv");
-    size_t rows = 0, wanted = 0;
-    char prefix[64];
-    snprintf(prefix, sizeof prefix, "a,%s,", model);
-    for (const char *c = text.data, *end = strstr(text.data, column); c < end; c++)
-        wanted += *c == ',';
-    for (const char *line = text.data; (line = strchr(line, '\n')) && *++line;) {
-        const char *cell = line;
-        if (strncmp(line, prefix, strlen(prefix)) != 0)
-            continue;
-        load[rows] = atof(line + strlen(prefix));
-        for (size_t c = 0; c < wanted; c++)
-            cell = strchr(cell, ',') + 1;
-        value[rows++] = *cell == ',' || *cell == '\n' ? NAN : atof(cell);
-    }
-    text_free(&text);
-    return rows;
-}
-
 /* The block of that style. */
 static size_t block_of(const struct drawn *drawing, const char *style)
 {
@@ -462,20 +446,14 @@ static size_t block_of(const struct drawn *drawing, const char *style)
 /* What the axes of a figure's script hold; returns how many numbers that are. */
 static size_t read_axes(double *axes, const struct directory *place, const char *out, const char *number)
 {
-    char name[96];
-    snprintf(name, sizeof name, "%s/figures/%s.gp", out, number);
-    struct text script = directory_read(place, name);
-    char *rest = strstr(script.data, "\n# axes: ");
-    assert_non_null(rest);
-    rest += strlen("\n# axes: ");
-    *strchr(rest, '\n') = '\0';
+    char *line = script_line(place, out, number, "\n# axes: "), *rest = line;
     size_t count = 0;
     for (char *from = rest; count < 6; count++, from = rest) {
         axes[count] = strtod(from, &rest);
         if (rest == from)
             break;
     }
-    text_free(&script);
+    free(line);
     return count;
 }
 
@@ -489,9 +467,7 @@ TEST_CASE(test_charts_of_all_surfaces_share_their_axes)
     } quantities[] = {{11, 14, 4}, {15, 22, 4}, {23, 26, 4}, {27, 30, 6}};
     for (size_t q = 0; q < sizeof quantities / sizeof *quantities; q++)
         for (int n = quantities[q].from; n <= quantities[q].to; n++) {
-            char number[8];
-            snprintf(number, sizeof number, "6-%02d", n);
-            assert_int_equal(read_axes(axes, *state, "out", number), quantities[q].count);
+            assert_int_equal(read_axes(axes, *state, "out", numbered(n)), quantities[q].count);
             if (n == quantities[q].from)
                 memcpy(first, axes, sizeof first);
             for (size_t k = 2; k < quantities[q].count; k++)
@@ -500,7 +476,7 @@ TEST_CASE(test_charts_of_all_surfaces_share_their_axes)
                 memcpy(first, axes, 2 * sizeof *first); /* against area */
             assert_near(axes[0], first[0], 0);
             assert_near(axes[1], first[1], 0);
-            struct drawn *drawing = read_drawing(*state, number);
+            struct drawn *drawing = read_drawing(*state, numbered(n));
             for (size_t b = 0; b < drawing->blocks; b++)
                 for (size_t k = 0; k < drawing->rows[b] && !strchr(drawing->style[b], 'S'); k++)
                     assert_true(drawing->y[b][k] <= axes[3] * (1 + 1e-5));
@@ -547,7 +523,6 @@ TEST_CASE(test_resistances_end_at_full_contact)
 TEST_CASE(test_means_of_scans_end_where_they_are_known)
 {
     const struct directory *place = *state;
-    mkdir(directory_path(place, "scans"), 0777);
     pipeline_rough(place, "scans/a.csv", 120, 0.1, 1);
     pipeline_rough(place, "scans/b.csv", 120, 1, 2);
     directory_write(place, "scans/scene.yaml",
@@ -579,14 +554,11 @@ TEST_CASE(test_the_panel_below_holds_ratios)
         assert_true(drawing->y[block][k] > 1);
     }
     free(drawing);
-    mkdir(directory_path(place, "thermal"), 0777);
     pipeline_rough(place, "thermal/a.csv", 64, 1, 1);
     directory_write(place, "thermal/scene.yaml", "material: tin\neffects: [thermal]\n");
     assert_int_equal(pipeline_run(place, "thermal", "out-thermal", 1), 0);
-    struct text script = directory_read(place, "out-thermal/figures/6-09.gp");
-    assert_non_null(strstr(script.data, "# curves: me "));
-    assert_null(strstr(script.data, "meS"));
-    text_free(&script);
+    expect_in_file(place, "out-thermal/figures/6-09.gp", "# curves: me ");
+    expect_not_in_file(place, "out-thermal/figures/6-09.gp", "meS");
     double axes[6];
     assert_int_equal(read_axes(axes, place, "out-thermal", "6-09"), 4);
 }
@@ -595,23 +567,20 @@ TEST_CASE(test_the_panel_below_holds_ratios)
 TEST_CASE(test_the_counterface_is_drawn)
 {
     const struct directory *place = *state;
-    mkdir(directory_path(place, "pair"), 0777);
     pipeline_rough(place, "pair/a.csv", 64, 1, 1);
     pipeline_rough(place, "pair/other.csv", 64, 2, 2);
     directory_write(place, "pair/scene.yaml",
                     "material: tin\neffects: []\nsurfaces: [{name: a, file: a.csv}]\n"
                     "counterface: {surface: other.csv, material: tin}\n");
     assert_int_equal(pipeline_run(place, "pair", "out-pair", 1), 0);
-    struct text script = directory_read(place, "out-pair/figures/6-10.gp"),
-                data = directory_read(place, "out-pair/figures/6-10.csv");
-    assert_non_null(strstr(script.data, "# curves: s1 cf\n"));
+    expect_in_file(place, "out-pair/figures/6-10.gp", "# curves: s1 cf\n");
+    struct text data = directory_read(place, "out-pair/figures/6-10.csv");
     const char *block = strstr(data.data, "\"counterface, Rq ");
     assert_non_null(block);
     size_t rows = 0;
     for (const char *line = block; (line = strchr(line, '\n')); line++)
         rows += line[1] != '\0';
     assert_int_equal(rows, 64);
-    text_free(&script);
     text_free(&data);
 }
 
@@ -659,32 +628,31 @@ static double same(size_t line, double x)
     return 0.2 * x;
 }
 
-static size_t lines_in(const struct text *text)
-{
-    size_t lines = 0;
-    for (const char *c = text->data; c && *c; c++)
-        lines += *c == '\n';
-    return lines;
-}
-
 TEST_CASE(test_hidden_stretches)
 {
-    char styles[100];
-    struct text joined = hidden_of(joining, 2, styles, sizeof styles);
-    assert_string_equal(styles, "s1h12");
-    assert_int_equal(strncmp(joined.data, "\"hidden\"\n10,100\n11,100\n", 23), 0);
-    assert_int_equal(lines_in(&joined), 1 + 11);
-    text_free(&joined);
-    struct text crossed = hidden_of(crossing, 2, styles, sizeof styles);
-    assert_string_equal(styles, "");
-    assert_int_equal(crossed.length, 0);
-    text_free(&crossed);
-    struct text all = hidden_of(same, 3, styles, sizeof styles);
-    assert_string_equal(styles, "s1h23 s2h13");
-    text_free(&all);
-    struct text near = hidden_of(within_a_point, 3, styles, sizeof styles);
-    assert_string_equal(styles, "s1h12 s2h13"); /* each next one hides the one before, the third not the first */
-    text_free(&near);
+    static const struct {
+        double (*exponent)(size_t line, double x);
+        size_t lines;
+        const char *styles, *begins;
+        size_t rows;
+    } cases[] = {
+        {joining, 2, "s1h12", "\"hidden\"\n10,100\n11,100\n", 1 + 11},
+        {crossing, 2, "", "", 0},
+        {same, 3, "s1h23 s2h13", "\"hidden\"\n", 2 + 2 * 20 + 2},
+        /* each next one hides the one before, the third not the first */
+        {within_a_point, 3, "s1h12 s2h13", "\"hidden\"\n", 2 + 2 * 20 + 2},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char styles[100];
+        struct text hidden = hidden_of(cases[i].exponent, cases[i].lines, styles, sizeof styles);
+        size_t rows = 0;
+        for (const char *c = text_string(&hidden); *c; c++)
+            rows += *c == '\n';
+        assert_string_equal(styles, cases[i].styles);
+        assert_int_equal(strncmp(text_string(&hidden), cases[i].begins, strlen(cases[i].begins)), 0);
+        assert_int_equal(rows, cases[i].rows);
+        text_free(&hidden);
+    }
 }
 
 TEST_GROUP(place_setup, directory_teardown)

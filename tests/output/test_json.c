@@ -9,8 +9,6 @@ static int place_setup(void **state)
 {
     static struct directory place;
     place = directory_make();
-    mkdir(directory_path(&place, "in"), 0777);
-    mkdir(directory_path(&place, "electrical"), 0777);
     pipeline_rough(&place, "in/smooth.csv", 120, 0.3, 1);
     pipeline_rough(&place, "in/rough.csv", 120, 1, 2);
     pipeline_bowl(&place, "in/bowl.csv", 121);
@@ -22,17 +20,6 @@ static int place_setup(void **state)
     assert_int_equal(pipeline_run(&place, "electrical", "out-electrical", 1), 0);
     *state = &place;
     return 0;
-}
-
-static int place_teardown(void **state)
-{
-    directory_remove(*state);
-    return 0;
-}
-
-static struct table open_table(const struct directory *place, const char *name)
-{
-    return table_read_path(directory_path(place, name));
 }
 
 static bool is_null_or_finite(const json_t *json)
@@ -77,8 +64,8 @@ TEST_CASE(test_the_json_agrees_with_the_tables)
     static const char *const columns[] = {"load_over_AnEp", "area_ratio",     "separation_m",
                                           "ecr_ohm_m2",     "tcr_K_m2_per_W", "tcr_sd_K_m2_per_W"};
     json_t *root = read_json(*state, "out/results.json");
-    struct table contact = open_table(*state, "out/data/contact.csv"),
-                 surfaces = open_table(*state, "out/data/surfaces.csv");
+    struct table contact = directory_table(*state, "out/data/contact.csv"),
+                 surfaces = directory_table(*state, "out/data/surfaces.csv");
     size_t index = 0;
     for (size_t row = 0; row < contact.rows; row++) {
         const char *model = table_text(&contact, row, "model");
@@ -149,4 +136,4 @@ TEST_CASE(test_effects_that_do_not_run_leave_nothing)
     json_decref(root);
 }
 
-TEST_GROUP(place_setup, place_teardown)
+TEST_GROUP(place_setup, directory_teardown)

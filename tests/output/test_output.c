@@ -15,19 +15,15 @@
 #include <sys/wait.h>
 #include <sys/xattr.h>
 
-static int place_setup(void **state)
+#define PLACE_CASE(name) TEST_WITH(name, directory_setup, directory_teardown)
+
+static int on_no_disk(void **state)
 {
-    static struct directory place;
-    place = directory_make();
-    *state = &place;
-    return 0;
+    (void)state;
+    return access("/dev/shm", W_OK) == 0 ? setenv("TMPDIR", "/dev/shm", 1) : 0; /* where no disk is waited for */
 }
 
-static int place_teardown(void **state)
-{
-    directory_remove(*state);
-    return 0;
-}
+TEST_GROUP(on_no_disk, NULL)
 
 static pid_t divide(void)
 {
@@ -36,15 +32,15 @@ static pid_t divide(void)
     return child;
 }
 
-/* Waits for a process that exits with 0, or 77 for what is not possible here. */
-static void expect_done(pid_t child)
+/* Waits for a process, which exits with what is returned; 77 is for what is not possible here. */
+static int exit_of(pid_t child)
 {
     int how;
     assert_int_equal(waitpid(child, &how, 0), child);
     assert_true(WIFEXITED(how));
     if (WEXITSTATUS(how) == 77)
         skip();
-    assert_int_equal(WEXITSTATUS(how), 0);
+    return WEXITSTATUS(how);
 }
 
 static void begin(struct output *output, const struct directory *place, const char *target)
@@ -54,18 +50,24 @@ static void begin(struct output *output, const struct directory *place, const ch
         fail_msg("%s", status.message);
 }
 
+/* Writes a file into the staging directory. */
+static void stage(const struct output *output, const char *name, const char *word)
+{
+    char path[PATH_MAX + 64];
+    struct status status = {0};
+    snprintf(path, sizeof path, "%s/%s", output->staging, name);
+    assert_int_equal(text_write_file(path, word, strlen(word), &status), STATUS_OK);
+}
+
+static const char *const reports_files[] = {"report.md", "report.html", "results.json", "data/contact.csv",
+                                            "figures/6-05.svg"};
+enum { REPORTS_FILES = sizeof reports_files / sizeof *reports_files };
+
 /* Writes a one-word report into the staging directory. */
 static void fill(const struct output *output, const char *word)
 {
-    static const char *const files[] = {"report.md", "report.html", "results.json", "data/contact.csv",
-                                        "figures/6-05.svg"};
-    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
-        struct text path = {0};
-        struct status status = {0};
-        text_add(&path, "%s/%s", output->staging, files[i]);
-        assert_int_equal(text_write_file(text_string(&path), word, strlen(word), &status), STATUS_OK);
-        text_free(&path);
-    }
+    for (size_t i = 0; i < REPORTS_FILES; i++)
+        stage(output, reports_files[i], word);
 }
 
 static void commit(struct output *output)
@@ -77,17 +79,21 @@ static void commit(struct output *output)
     output_abandon(output); /* has nothing left to do, as in a run */
 }
 
-static void assert_report(const struct directory *place, const char *target, const char *word)
+/* All of the report at `target` is of one word, this one or (NULL) "one" or "two". */
+static void assert_whole(const struct directory *place, const char *target, const char *word)
 {
     char name[256];
-    static const char *const files[] = {"report.md", "data/contact.csv", "figures/6-05.svg"};
-    for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
-        snprintf(name, sizeof name, "%s/%s", target, files[i]);
-        struct text text = directory_read(place, name);
-        assert_string_equal(text_string(&text), word);
-        text_free(&text);
+    snprintf(name, sizeof name, "%s/results.json", target);
+    struct text text = directory_read(place, name);
+    if (!word)
+        word = strcmp(text_string(&text), "one") == 0 ? "one" : "two";
+    for (size_t i = 0; i < REPORTS_FILES; i++) {
+        snprintf(name, sizeof name, "%s/%s", target, reports_files[i]);
+        directory_holds(place, name, word);
     }
-    assert_int_equal(directory_entries(place, target), 6);
+    snprintf(name, sizeof name, "%s/manifest.txt", target);
+    assert_true(directory_has(place, name));
+    text_free(&text);
 }
 
 /* Puts the report `word` at `target`. */
@@ -99,130 +105,13 @@ static void publish(const struct directory *place, const char *target, const cha
     commit(&output);
 }
 
-static void assert_content(const struct directory *place, const char *name, const char *content)
-{
-    struct text text = directory_read(place, name);
-    assert_string_equal(text_string(&text), content);
-    text_free(&text);
-}
-
 static void assert_refused(const struct directory *place, const char *target, const char *words)
 {
     struct output output;
     struct status status = {0};
     assert_int_equal(output_begin(&output, directory_path(place, target), &status), STATUS_IO);
-    if (!strstr(status.message, words))
-        fail_msg("'%s' without '%s'", status.message, words);
+    expect_parts(status.message, words);
     output_abandon(&output);
-}
-
-static void test_a_report_takes_the_place_of_the_one_before(void **state)
-{
-    for (int k = 0; k < 3; k++) {
-        const char *words[] = {"one", "two", "three"};
-        struct output output;
-        begin(&output, *state, "out");
-        fill(&output, words[k]);
-        if (k > 0)
-            assert_report(*state, "out", words[k - 1]);
-        else
-            assert_false(directory_has(*state, "out"));
-        commit(&output);
-        assert_report(*state, "out", words[k]);
-    }
-    assert_int_equal(directory_entries(*state, ""), 1);
-}
-
-static void test_an_abandoned_run_leaves_the_report_before(void **state)
-{
-    struct output output;
-    begin(&output, *state, "out");
-    fill(&output, "one");
-    commit(&output);
-    begin(&output, *state, "out");
-    fill(&output, "half a report");
-    output_abandon(&output);
-    assert_string_equal(output.staging, "");
-    output_abandon(&output); /* twice is once */
-    assert_report(*state, "out", "one");
-    assert_int_equal(directory_entries(*state, ""), 1);
-
-    begin(&output, *state, "other");
-    output_abandon(&output);
-    assert_int_equal(directory_entries(*state, ""), 1);
-}
-
-/* Nothing of an earlier, larger report stays behind in a smaller one. */
-static void test_files_of_the_report_before_do_not_survive(void **state)
-{
-    const struct directory *place = *state;
-    struct output output;
-    begin(&output, place, "out");
-    fill(&output, "one");
-    struct text path = {0};
-    struct status status = {0};
-    text_add(&path, "%s/figures/6-30.svg", output.staging);
-    assert_int_equal(text_write_file(text_string(&path), "old", 3, &status), STATUS_OK);
-    text_free(&path);
-    commit(&output);
-    assert_true(directory_has(place, "out/figures/6-30.svg"));
-    publish(place, "out", "two");
-    assert_false(directory_has(place, "out/figures/6-30.svg"));
-    assert_report(place, "out", "two");
-    assert_int_equal(directory_entries(place, ""), 1);
-}
-
-static void test_the_manifest_names_each_file(void **state)
-{
-    publish(*state, "out", "one");
-    assert_content(*state, "out/manifest.txt",
-                   OUTPUT_MANIFEST_HEADER
-                   "manifest.txt\nreport.html\nreport.md\nresults.json\ndata/contact.csv\nfigures/6-05.svg\n");
-}
-
-static void test_an_empty_directory_may_be_the_target(void **state)
-{
-    const struct directory *place = *state;
-    assert_int_equal(mkdir(directory_path(place, "out"), 0777), 0);
-    directory_write(place, "out/.gitkeep", "kept");
-    publish(place, "out///", "one");
-    assert_content(place, "out/.gitkeep", "kept");
-    assert_int_equal(remove(directory_path(place, "out/.gitkeep")), 0);
-    assert_report(place, "out", "one");
-    assert_int_equal(directory_entries(place, ""), 1);
-}
-
-static void test_missing_parents_are_made(void **state)
-{
-    struct output output;
-    begin(&output, *state, "a/b/c/out");
-    fill(&output, "one");
-    commit(&output);
-    assert_report(*state, "a/b/c/out", "one");
-    assert_int_equal(directory_entries(*state, "a/b/c"), 1);
-}
-
-static void test_a_directory_that_is_no_report_is_refused(void **state)
-{
-    const struct directory *place = *state;
-    assert_int_equal(mkdir(directory_path(place, "out"), 0777), 0);
-    assert_int_equal(mkdir(directory_path(place, "out/figures"), 0777), 0);
-    directory_write(place, "out/figures/plot1.svg", "mine");
-    assert_refused(place, "out", "holds 'figures/plot1.svg', and no manifest.txt names it as part of a report");
-    directory_write(place, "out/report.md", "mine");
-    directory_write(place, "out/results.json", "mine"); /* or a report of an earlier version */
-    assert_refused(place, "out", "(a report of an earlier version: remove it first)");
-    assert_refused(place, "out", "choose another directory with -o");
-    directory_write(place, "out/manifest.txt", "report.md\nresults.json\nfigures/plot1.svg\nmanifest.txt\n");
-    assert_refused(place, "out", "and no manifest.txt names it");
-    assert_int_equal(remove(directory_path(place, "out/manifest.txt")), 0);
-    assert_int_equal(mkfifo(directory_path(place, "out/manifest.txt"), 0666), 0); /* which would be read for ever */
-    assert_refused(place, "out", "and no manifest.txt names it");
-    assert_content(place, "out/figures/plot1.svg", "mine");
-    assert_content(place, "out/report.md", "mine");
-    assert_content(place, "out/results.json", "mine");
-    assert_int_equal(directory_entries(place, "out"), 4);
-    assert_int_equal(directory_entries(place, ""), 1);
 }
 
 static const char *const users_files[] = {
@@ -253,148 +142,261 @@ static void assert_users_files(const struct directory *place, const char *target
     for (size_t i = 0; i < count; i++) {
         char name[128];
         snprintf(name, sizeof name, "%s/%s", target, users_files[i]);
-        assert_content(place, name, users_files[i]);
+        directory_holds(place, name, users_files[i]);
     }
 }
 
-static void test_files_of_the_user_stay(void **state)
+/* Of the process that it was: 'f' a file, 'l' a link, 'p' a pipe, 'd' a directory. */
+static char kind_of(const struct directory *place, const char *name)
+{
+    struct stat info;
+    assert_int_equal(lstat(directory_path(place, name), &info), 0);
+    return S_ISLNK(info.st_mode) ? 'l' : S_ISFIFO(info.st_mode) ? 'p' : S_ISDIR(info.st_mode) ? 'd' : 'f';
+}
+
+static mode_t mode_of(const struct directory *place, const char *name)
+{
+    struct stat info;
+    assert_int_equal(stat(directory_path(place, name), &info), 0);
+    return info.st_mode & 07777;
+}
+
+/* Something of the user's of that kind. */
+static void put_in_place(const struct directory *place, char kind, const char *name, const char *content)
+{
+    const char *path = directory_path(place, name);
+    if (kind == 'f')
+        directory_write(place, name, content);
+    else
+        assert_int_equal(kind == 'd'   ? mkdir(path, 0700)
+                         : kind == 'p' ? mkfifo(path, 0600)
+                                       : symlink(content, path),
+                         0);
+}
+
+/* What happens in an empty directory, step by step: a word, a name and the rest of the line.
+ *
+ * begin OUT, stage NAME WORD, fill WORD, commit, abandon: as a run does; publish OUT WORD does all of it
+ * refused OUT MESSAGE, refused-late OUT MESSAGE: it does not begin, or the one under way is not committed
+ * file NAME WORD, directory NAME, link NAME TO, pipe NAME, remove NAME, move NAME TO, users OUT: the user does
+ * is NAME KIND, holds NAME WORD, report OUT WORD, no NAME, entries NAME COUNT, stay OUT: so it is then */
+static void take_step(const struct directory *place, struct output *output, const char *word, const char *name,
+                      const char *rest)
+{
+    struct status status = {0};
+    if (strcmp(word, "begin") == 0)
+        begin(output, place, name);
+    else if (strcmp(word, "stage") == 0)
+        stage(output, name, rest);
+    else if (strcmp(word, "fill") == 0)
+        fill(output, name);
+    else if (strcmp(word, "commit") == 0)
+        commit(output);
+    else if (strcmp(word, "abandon") == 0) {
+        output_abandon(output);
+        assert_string_equal(output->staging, "");
+        output_abandon(output); /* twice is once */
+    } else if (strcmp(word, "publish") == 0)
+        publish(place, name, rest);
+    else if (strcmp(word, "refused") == 0)
+        assert_refused(place, name, rest);
+    else if (strcmp(word, "refused-late") == 0) {
+        assert_int_equal(output_commit(output, &status), STATUS_IO);
+        expect_parts(status.message, rest);
+    } else if (strcmp(word, "remove") == 0)
+        assert_int_equal(remove(directory_path(place, name)), 0);
+    else if (strcmp(word, "move") == 0)
+        assert_int_equal(rename(directory_path(place, name), directory_path(place, rest)), 0);
+    else if (strcmp(word, "users") == 0)
+        write_users_files(place, name, USERS_FILES);
+    else if (strcmp(word, "is") == 0)
+        assert_int_equal(kind_of(place, name), *rest);
+    else if (strcmp(word, "holds") == 0)
+        directory_holds(place, name, rest);
+    else if (strcmp(word, "report") == 0) {
+        assert_whole(place, name, rest);
+        assert_int_equal(directory_entries(place, name), 6);
+    } else if (strcmp(word, "no") == 0)
+        assert_false(directory_has(place, name));
+    else if (strcmp(word, "entries") == 0)
+        assert_int_equal(directory_entries(place, name), atoi(rest));
+    else if (strcmp(word, "stay") == 0)
+        assert_users_files(place, name, USERS_FILES);
+    else {
+        assert_true(strstr("file directory link pipe", word));
+        put_in_place(place, *word, name, rest);
+    }
+}
+
+static void play(const struct directory *place, const char *story)
+{
+    struct output output = {.staging = ""};
+    char step[1024], word[32], name[256];
+    for (const char *line = story; *line; line += strcspn(line, "|") + (line[strcspn(line, "|")] == '|')) {
+        int used = 0;
+        snprintf(step, sizeof step, "%.*s", (int)strcspn(line, "|"), line);
+        *name = '\0';
+        assert_true(sscanf(step, "%31s%n %255s %n", word, &used, name, &used) > 0);
+        print_message("%s\n", step); /* the last one is where it failed */
+        take_step(place, &output, word, name, step + used);
+    }
+}
+
+/* temporary_end() in a process of its own, as it never lets go, returns this note on OUT. */
+static void assert_end_says(const char *before, const char *path, const char *after)
+{
+    char expected[2 * PATH_MAX];
+    snprintf(expected, sizeof expected, "%s%s/out%s", before, path, after);
+    pid_t child = divide();
+    if (child == 0)
+        _exit(strcmp(temporary_end(), expected) == 0 ? 0 : 1);
+    assert_int_equal(exit_of(child), 0);
+}
+
+/* Once the report is there, nothing that comes to have the name of its hidden directory is the program's. Before the
+ * others: theirs are not all forgotten. */
+PLACE_CASE(test_what_is_committed_is_forgotten)
+{
+    const struct directory *place = *state;
+    struct output output;
+    char path[PATH_MAX];
+    begin(&output, place, "out");
+    fill(&output, "one");
+    strcpy(path, output.hidden.path);
+    commit(&output);
+    assert_int_equal(mkdir(path, 0700), 0);
+    assert_end_says("the report is in '", place->path, "'");
+    assert_int_equal(access(path, F_OK), 0);
+    assert_int_equal(rmdir(path), 0);
+
+    begin(&output, place, "out"); /* one that is under way goes */
+    fill(&output, "two");
+    assert_end_says("'", place->path, "' is as it was before");
+    assert_int_equal(access(output.hidden.path, F_OK), -1);
+    output_abandon(&output);
+    assert_whole(place, "out", "one");
+}
+
+static const char *const stories[] = {
+    /* a report takes the place of the one before */
+    "begin out|fill one|no out|commit|report out one|begin out|fill two|report out one|commit|report out two|"
+    "publish out three|report out three|entries . 1",
+    /* an abandoned run leaves it */
+    "publish out one|begin out|fill half|abandon|report out one|entries . 1|begin other|abandon|entries . 1",
+    /* nothing of an earlier, larger report stays behind in a smaller one */
+    "begin out|fill one|stage figures/6-30.svg old|commit|holds out/figures/6-30.svg old|publish out two|"
+    "no out/figures/6-30.svg|report out two|entries . 1",
+    /* the manifest names each file */
+    "publish out one|holds out/manifest.txt " OUTPUT_MANIFEST_HEADER
+    "manifest.txt\nreport.html\nreport.md\nresults.json\ndata/contact.csv\nfigures/6-05.svg\n",
+    /* an empty directory may be the target */
+    "directory out|file out/.gitkeep kept|publish out/// one|holds out/.gitkeep kept|remove out/.gitkeep|report out "
+    "one|"
+    "entries . 1",
+    /* missing parents are made */
+    "publish a/b/c/out one|report a/b/c/out one|entries a/b/c 1",
+    /* a directory that is no report is refused, or a report of an earlier version; a pipe would be read for ever */
+    "directory out|directory out/figures|file out/figures/plot1.svg mine|"
+    "refused out holds 'figures/plot1.svg', and no manifest.txt names it as part of a report|"
+    "file out/report.md mine|file out/results.json mine|"
+    "refused out (a report of an earlier version: remove it first)|refused out choose another directory with -o|"
+    "file out/manifest.txt report.md\nresults.json\nfigures/plot1.svg\nmanifest.txt\n|"
+    "refused out and no manifest.txt names it|remove out/manifest.txt|pipe out/manifest.txt|"
+    "refused out and no manifest.txt names it|holds out/figures/plot1.svg mine|holds out/report.md mine|"
+    "holds out/results.json mine|entries out 4|entries . 1",
+    /* files of the user's stay, also where nothing comes of the run */
+    "publish out one|users out|link out/data/link ../elsewhere|pipe out/pipe|publish out two|publish out three|"
+    "stay out|holds out/report.md three|is out/data/link l|is out/pipe p|entries out 11|entries out/data 4|"
+    "entries out/figures 4|entries . 1|begin out|abandon|stay out",
+    /* a directory of the user's stops the run, also when it comes during it */
+    "publish out one|begin out|directory out/figures/src.csv|file out/figures/src.csv/thesis.tex mine|"
+    "refused out holds 'figures/src.csv', a directory, which is not part of a report; move it away|fill two|"
+    "refused-late out holds 'figures/src.csv', a directory|abandon|holds out/figures/src.csv/thesis.tex mine|"
+    "holds out/report.md one|entries . 1",
+    /* files that come during a run stay, at first where there is no report yet */
+    "begin out|fill one|directory out|file out/results.json mine|"
+    "refused-late out holds 'results.json', and no manifest.txt names it|abandon|holds out/results.json mine|"
+    "remove out/results.json|publish out one|begin out|fill two|users out|commit|stay out|holds out/report.md two|"
+    "entries . 1",
+    /* the user's file has a name that only the new report writes */
+    "publish out one|file out/data/cost.csv mine|begin out|fill two|stage data/cost.csv two|"
+    "refused-late out holds 'data/cost.csv', which is not of the report before|abandon|holds out/data/cost.csv mine|"
+    "holds out/report.md one|entries . 1",
+    /* a link to the directory stays a link */
+    "publish real/out one|file real/out/notes.md mine|link link real/out|publish link two|is link l|"
+    "holds real/out/report.md two|holds link/notes.md mine|entries real 1",
+    /* a target that cannot be written is named: files in the way stop root too */
+    "file file mine|refused file Not a directory|refused file/out Not a directory|refused file/a/b/out file|"
+    "link link nowhere/at/all|refused link/out link|holds file mine|entries . 2",
+    /* the directory around is moved away while the report is being made; made for it, it goes with it */
+    "begin a/out|fill one|move a b|refused-late out a/out|move b a|abandon|no a",
+    /* files of the user's below names that the program uses; nothing says that it made them */
+    "directory .roughcontact-abcdef|directory .roughcontact-abcdef/report|file .roughcontact-abcdef/report/mine.csv a|"
+    "directory .roughcontact-abcdeg|file .roughcontact-abcdeg/lock b|directory .roughcontact-abcdeh|"
+    "file .roughcontact-abcdeh/run c|directory .roughcontact-abcdej|directory .roughcontact-abcdej/done|"
+    "file .roughcontact-abcdej/done/mine.csv d|directory .roughcontact-longer1|file .roughcontact-longer1/mine e|"
+    "publish out one|holds .roughcontact-abcdef/report/mine.csv a|holds .roughcontact-abcdeg/lock b|"
+    "holds .roughcontact-abcdeh/run c|holds .roughcontact-abcdej/done/mine.csv d|holds .roughcontact-longer1/mine e|"
+    "entries . 6",
+};
+
+TEST_CASE(test_stories)
+{
+    for (size_t i = 0; i < sizeof stories / sizeof *stories; i++) {
+        struct directory place = directory_make();
+        play(&place, stories[i]);
+        directory_remove(&place);
+    }
+}
+
+PLACE_CASE(test_a_file_of_the_user_is_no_copy)
 {
     const struct directory *place = *state;
     struct stat before, after;
     publish(place, "out", "one");
-    write_users_files(place, "out", USERS_FILES);
-    assert_int_equal(symlink("../elsewhere", directory_path(place, "out/data/link")), 0);
-    assert_int_equal(mkfifo(directory_path(place, "out/pipe"), 0600), 0);
+    write_users_files(place, "out", FEW);
     assert_int_equal(stat(directory_path(place, "out/notes.md"), &before), 0);
     publish(place, "out", "two");
-    publish(place, "out", "three");
-    assert_users_files(place, "out", USERS_FILES);
-    assert_content(place, "out/report.md", "three");
     assert_int_equal(stat(directory_path(place, "out/notes.md"), &after), 0);
-    assert_true(before.st_ino == after.st_ino); /* the file itself, no copy of it */
+    assert_true(before.st_ino == after.st_ino);
     assert_int_equal(after.st_nlink, 1);
-    assert_int_equal(lstat(directory_path(place, "out/data/link"), &after), 0);
-    assert_true(S_ISLNK(after.st_mode));
-    assert_int_equal(stat(directory_path(place, "out/pipe"), &after), 0);
-    assert_true(S_ISFIFO(after.st_mode));
-    assert_int_equal(directory_entries(place, "out"), 6 + 5);
-    assert_int_equal(directory_entries(place, "out/data"), 1 + 3);
-    assert_int_equal(directory_entries(place, "out/figures"), 1 + 3);
-    assert_int_equal(directory_entries(place, ""), 1);
-
-    struct output output;
-    begin(&output, place, "out"); /* and where nothing comes of the run */
-    output_abandon(&output);
-    assert_users_files(place, "out", USERS_FILES);
 }
 
-static void test_a_directory_of_the_user_stops_the_run(void **state)
+/* Links, pipes and directories (or, of a folder, a file) under the names of the report's own files and folders. */
+PLACE_CASE(test_what_is_no_file_is_never_replaced)
 {
+    static const struct {
+        const char *name, *kinds, *words;
+    } cases[] = {
+        {"out/report.md", "lpd", "', which is in the place of a file of the report but is none; move it"},
+        {"out/data/contact.csv", "lpd", "', which is in the place of a file of the report but is none; move it"},
+        {"out/manifest.txt", "lpd", "and no manifest.txt names it"},
+        {"out/data", "lpf", "data'"},
+    };
     const struct directory *place = *state;
-    publish(place, "out", "one");
-    struct output output;
-    begin(&output, place, "out");
-    struct status status = {0};
-    assert_int_equal(mkdir(directory_path(place, "out/figures/src.csv"), 0777), 0);
-    directory_write(place, "out/figures/src.csv/thesis.tex", "mine");
-    assert_refused(place, "out", "holds 'figures/src.csv', a directory, which is not part of a report; move it away");
-    fill(&output, "two"); /* the same when it comes during the run */
-    assert_int_equal(output_commit(&output, &status), STATUS_IO);
-    assert_non_null(strstr(status.message, "holds 'figures/src.csv', a directory"));
-    output_abandon(&output);
-    assert_content(place, "out/figures/src.csv/thesis.tex", "mine");
-    assert_content(place, "out/report.md", "one");
-    assert_int_equal(directory_entries(place, ""), 1);
-}
-
-static void test_files_that_come_during_a_run_stay(void **state)
-{
-    const struct directory *place = *state;
-    struct output output;
-    begin(&output, place, "out"); /* where there is no report yet */
-    fill(&output, "one");
-    assert_int_equal(mkdir(directory_path(place, "out"), 0777), 0);
-    directory_write(place, "out/results.json", "mine");
-    struct status status = {0};
-    assert_int_equal(output_commit(&output, &status), STATUS_IO);
-    assert_non_null(strstr(status.message, "holds 'results.json', and no manifest.txt names it"));
-    output_abandon(&output);
-    assert_content(place, "out/results.json", "mine");
-    assert_int_equal(remove(directory_path(place, "out/results.json")), 0);
-
-    publish(place, "out", "one");
-    begin(&output, place, "out");
-    fill(&output, "two");
-    write_users_files(place, "out", USERS_FILES);
-    commit(&output);
-    assert_users_files(place, "out", USERS_FILES);
-    assert_content(place, "out/report.md", "two");
-    assert_int_equal(directory_entries(place, ""), 1);
-}
-
-/* The user's file has a name that only the new report writes. */
-static void test_a_file_of_the_user_is_never_replaced(void **state)
-{
-    const struct directory *place = *state;
-    publish(place, "out", "one");
-    directory_write(place, "out/data/cost.csv", "mine");
-    struct output output;
-    begin(&output, place, "out");
-    struct text path = {0};
-    struct status status = {0};
-    fill(&output, "two");
-    text_add(&path, "%s/data/cost.csv", output.staging);
-    assert_int_equal(text_write_file(text_string(&path), "two", 3, &status), STATUS_OK);
-    text_free(&path);
-    assert_int_equal(output_commit(&output, &status), STATUS_IO);
-    assert_non_null(strstr(status.message, "holds 'data/cost.csv', which is not of the report before"));
-    output_abandon(&output);
-    assert_content(place, "out/data/cost.csv", "mine");
-    assert_content(place, "out/report.md", "one");
-    assert_int_equal(directory_entries(place, ""), 1);
-}
-
-/* Links, pipes and directories under the names of the report's own files and folders. */
-static void test_what_is_no_file_is_never_replaced(void **state)
-{
-    static const char *const names[] = {"out/report.md", "out/data/contact.csv", "out/manifest.txt", "out/data"};
-    const struct directory *place = *state;
-    for (size_t i = 0; i < 3 * sizeof names / sizeof *names; i++) {
-        const char *name = names[i / 3];
-        struct status status = {0};
-        publish(place, "out", "one");
-        struct output output;
-        begin(&output, place, "out");
-        assert_int_equal(rename(directory_path(place, name), directory_path(place, "aside")), 0);
-        if (i % 3 == 0)
-            assert_int_equal(symlink(directory_path(place, "aside"), directory_path(place, name)), 0);
-        else if (i % 3 == 1)
-            assert_int_equal(mkfifo(directory_path(place, name), 0666), 0);
-        else if (i / 3 == 3)
-            directory_write(place, name, "mine");
-        else
-            assert_int_equal(mkdir(directory_path(place, name), 0777), 0);
-        assert_refused(place, "out",
-                       i / 3 == 3   ? "data'"
-                       : i / 3 == 2 ? "and no manifest.txt names it"
-                                    : "', which is in the place of a file of the report but is none; move it");
-        fill(&output, "two");
-        assert_int_equal(output_commit(&output, &status), STATUS_IO);
-        output_abandon(&output);
-        struct stat info;
-        assert_int_equal(lstat(directory_path(place, name), &info), 0);
-        assert_true(i % 3 == 0   ? S_ISLNK(info.st_mode)
-                    : i % 3 == 1 ? S_ISFIFO(info.st_mode)
-                                 : S_ISDIR(info.st_mode) || i / 3 == 3);
-        assert_int_equal(directory_entries(place, ""), 2);
-        assert_int_equal(remove(directory_path(place, name)), 0);
-        assert_int_equal(rename(directory_path(place, "aside"), directory_path(place, name)), 0);
-        assert_report(place, "out", "one");
-    }
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+        for (const char *kind = cases[i].kinds; *kind; kind++) {
+            const char *name = cases[i].name;
+            struct output output;
+            struct status status = {0};
+            publish(place, "out", "one");
+            begin(&output, place, "out");
+            assert_int_equal(rename(directory_path(place, name), directory_path(place, "aside")), 0);
+            put_in_place(place, *kind, name, *kind == 'l' ? directory_path(place, "aside") : "mine");
+            assert_refused(place, "out", cases[i].words);
+            fill(&output, "two");
+            assert_int_equal(output_commit(&output, &status), STATUS_IO);
+            output_abandon(&output);
+            assert_int_equal(kind_of(place, name), *kind);
+            assert_int_equal(directory_entries(place, ""), 2);
+            assert_int_equal(remove(directory_path(place, name)), 0);
+            assert_int_equal(rename(directory_path(place, "aside"), directory_path(place, name)), 0);
+            play(place, "report out one");
+        }
 }
 
 /* A manifest reaches nothing outside OUT, whatever it says. */
-static void test_a_hostile_manifest_removes_nothing_else(void **state)
+PLACE_CASE(test_a_hostile_manifest_removes_nothing_else)
 {
     const struct directory *place = *state;
     publish(place, "out", "one");
@@ -406,24 +408,9 @@ static void test_a_hostile_manifest_removes_nothing_else(void **state)
     text_free(&text);
     directory_write(place, "out/notes.md", "mine");
     publish(place, "out", "two");
-    assert_content(place, "victim", "mine");
-    assert_content(place, "out/notes.md", "mine");
+    directory_holds(place, "victim", "mine");
+    directory_holds(place, "out/notes.md", "mine");
     assert_int_equal(directory_entries(place, ""), 2);
-}
-
-static void test_a_link_to_the_directory_stays_a_link(void **state)
-{
-    const struct directory *place = *state;
-    struct stat info;
-    publish(place, "real/out", "one");
-    directory_write(place, "real/out/notes.md", "mine");
-    assert_int_equal(symlink("real/out", directory_path(place, "link")), 0);
-    publish(place, "link", "two");
-    assert_int_equal(lstat(directory_path(place, "link"), &info), 0);
-    assert_true(S_ISLNK(info.st_mode));
-    assert_content(place, "real/out/report.md", "two");
-    assert_content(place, "link/notes.md", "mine");
-    assert_int_equal(directory_entries(place, "real"), 1);
 }
 
 /* Lets `result` become of the system calls in `calls` from here on. */
@@ -501,18 +488,6 @@ static bool commit_stepwise(struct output *output, unsigned without, size_t step
     return true;
 }
 
-static void assert_whole_report(const struct directory *place)
-{
-    struct text text = directory_read(place, "out/results.json");
-    assert_true(strcmp(text_string(&text), "one") == 0 || strcmp(text_string(&text), "two") == 0);
-    assert_content(place, "out/report.md", text_string(&text));
-    assert_content(place, "out/report.html", text_string(&text));
-    assert_content(place, "out/data/contact.csv", text_string(&text));
-    assert_content(place, "out/figures/6-05.svg", text_string(&text));
-    assert_true(directory_has(place, "out/manifest.txt"));
-    text_free(&text);
-}
-
 /* As if this process had been killed, which holds its locks too. */
 static void leave(struct output *output)
 {
@@ -539,9 +514,8 @@ static bool has_kept(const struct directory *place)
 }
 
 /* Also where directories cannot be exchanged: OUT then has another name between two renames, and all that is in it. */
-static void test_a_kill_at_any_instant_loses_nothing(void **state)
+TEST_CASE(test_a_kill_at_any_instant_loses_nothing)
 {
-    (void)state;
     for (int exchange = 1; exchange >= 0; exchange--) {
         bool ended = false, absent = false;
         size_t steps = 0;
@@ -562,13 +536,13 @@ static void test_a_kill_at_any_instant_loses_nothing(void **state)
                 assert_int_equal(rename(kept, directory_path(&place, "out")), 0);
                 temporary_remove_entry(output.hidden.directory, "done");
             }
-            assert_whole_report(&place);
+            assert_whole(&place, "out", NULL);
             assert_users_files(&place, "out", FEW);
             leave(&output);
             publish(&place, "out", "three"); /* what is left behind disturbs no later run, which clears it away */
             if (directory_entries(&place, "") != 1 || directory_entries(&place, "out") != 6 + 1)
                 fail_msg("something is left of a kill at step %zu", steps);
-            assert_content(&place, "out/report.md", "three");
+            directory_holds(&place, "out/report.md", "three");
             assert_users_files(&place, "out", FEW);
             directory_remove(&place);
         }
@@ -639,7 +613,7 @@ static void save_file(const struct directory *place, int old)
     came = put(old, "notes.md~", "late") && renameat(old, "notes.md~", old, "notes.md") == 0;
 }
 
-static void test_what_comes_at_any_instant_is_not_lost(void **state)
+TEST_CASE(test_what_comes_at_any_instant_is_not_lost)
 {
     static const struct {
         void (*act)(const struct directory *place, int old);
@@ -664,14 +638,14 @@ static void test_what_comes_at_any_instant_is_not_lost(void **state)
             ended = !commit_stepwise(&output, 0, steps, false, acts[i].act, &place, old, &code);
             close(old);
             leave(&output);
-            assert_whole_report(&place);
+            assert_whole(&place, "out", NULL);
             for (size_t k = 0; k < FEW; k++)
                 if (!came || strcmp(users_files[k], acts[i].name) != 0)
                     assert_true(survives(&place, users_files[k], users_files[k]));
             if (came && !survives(&place, acts[i].name, "late"))
                 fail_msg("'%s' is lost when it comes at step %zu", acts[i].name, steps);
             if (code == 0)
-                assert_content(&place, "out/report.md", "two");
+                directory_holds(&place, "out/report.md", "two");
             if (has_kept(&place)) {
                 assert_int_equal(code, STATUS_IO); /* and says so */
                 left = true;
@@ -680,7 +654,6 @@ static void test_what_comes_at_any_instant_is_not_lost(void **state)
         }
         assert_true(left); /* at some instant it has to stay beside OUT */
     }
-    (void)state;
 }
 
 /* Begins, fills and commits in a process of its own where `call` fails; returns the status code. */
@@ -706,52 +679,30 @@ static int publish_without(const struct directory *place, unsigned call, unsigne
     return WEXITSTATUS(state);
 }
 
-static void test_file_systems_that_can_do_less(void **state)
+PLACE_CASE(test_file_systems_that_can_do_less)
 {
     const struct directory *place = *state;
     static const unsigned reasons[] = {EINVAL, ENOSYS};
     for (size_t i = 0; i < sizeof reasons / sizeof *reasons; i++) { /* no exchange: with two renames */
-        publish(place, "out", "one");
-        write_users_files(place, "out", USERS_FILES);
+        play(place, "publish out one|users out");
         assert_int_equal(publish_without(place, SYS_renameat2, reasons[i]), STATUS_OK);
-        assert_whole_report(place);
-        assert_content(place, "out/report.md", "two");
-        assert_users_files(place, "out", USERS_FILES);
-        assert_int_equal(directory_entries(place, ""), 1);
+        assert_whole(place, "out", "two");
+        play(place, "stay out|entries . 1");
     }
     assert_int_equal(rename(directory_path(place, "out"), directory_path(place, "aside")), 0);
     assert_int_equal(publish_without(place, SYS_renameat2, EINVAL), STATUS_OK); /* nothing there */
-    assert_report(place, "out", "two");
-    assert_int_equal(publish_without(place, SYS_linkat, EPERM),
-                     STATUS_OK); /* no links: needed for others' files only */
+    play(place, "report out two");
+    assert_int_equal(publish_without(place, SYS_linkat, EPERM), STATUS_OK); /* links: for others' files only */
     directory_write(place, "out/notes.md", "mine");
     assert_int_equal(publish_without(place, SYS_linkat, EPERM), STATUS_IO);
-    assert_content(place, "out/notes.md", "mine");
-    assert_int_equal(directory_entries(place, ""), 2);
+    play(place, "holds out/notes.md mine|entries . 2");
 }
 
-/* Files in the way, which stop root too. */
-static void test_a_target_that_cannot_be_written_is_named(void **state)
-{
-    const struct directory *place = *state;
-    directory_write(place, "file", "mine");
-    assert_refused(place, "file", "Not a directory");
-    assert_refused(place, "file/out", "Not a directory");
-    assert_refused(place, "file/a/b/out", "file");
-    assert_int_equal(symlink("nowhere/at/all", directory_path(place, "link")), 0);
-    assert_refused(place, "link/out", "link");
-    struct text text = directory_read(place, "file");
-    assert_string_equal(text_string(&text), "mine");
-    text_free(&text);
-    assert_int_equal(directory_entries(place, ""), 2);
-}
-
-static void test_a_name_that_is_too_long_is_refused(void **state)
+TEST_CASE(test_a_name_that_is_too_long_is_refused)
 {
     char name[PATH_MAX];
     struct output output;
     struct status status = {0};
-    (void)state;
     memset(name, 'x', sizeof name - 1);
     name[sizeof name - 1] = '\0';
     assert_int_equal(output_begin(&output, name, &status), STATUS_IO);
@@ -759,46 +710,23 @@ static void test_a_name_that_is_too_long_is_refused(void **state)
     output_abandon(&output);
 }
 
-/* As the user's umask has it, not as mkdtemp leaves it. */
-static void test_the_report_can_be_read_by_whom_the_umask_allows(void **state)
+/* As the user's umask has it, not as mkdtemp leaves it; a mode that was chosen stays. */
+PLACE_CASE(test_the_report_can_be_read_by_whom_the_umask_allows)
 {
+    static const mode_t masks[] = {0, 077, 022};
     const struct directory *place = *state;
-    static const mode_t masks[] = {022, 077, 0};
-    static const char *const names[] = {"022", "077", "0"};
-    char name[32];
     mode_t before = umask(0);
     for (size_t i = 0; i < sizeof masks / sizeof *masks; i++) {
-        struct stat info;
         umask(masks[i]);
-        publish(place, names[i], "one");
-        snprintf(name, sizeof name, "%s/data", names[i]);
-        assert_int_equal(stat(directory_path(place, names[i]), &info), 0);
-        assert_int_equal(info.st_mode & 0777, 0777 & ~masks[i]);
-        assert_int_equal(stat(directory_path(place, name), &info), 0);
-        assert_int_equal(info.st_mode & 0777, 0777 & ~masks[i]);
+        publish(place, "new", "one");
+        assert_int_equal(mode_of(place, "new"), 0777 & ~masks[i]);
+        assert_int_equal(mode_of(place, "new/data"), 0777 & ~masks[i]);
+        assert_int_equal(chmod(directory_path(place, "new"), 02750), 0);
+        publish(place, "new", "two");
+        assert_int_equal(mode_of(place, "new"), 02750);
+        temporary_remove_entry(AT_FDCWD, directory_path(place, "new"));
     }
-    assert_int_equal(chmod(directory_path(place, "022"), 02750), 0); /* a mode that was chosen stays */
-    publish(place, "022", "two");
-    struct stat info;
-    assert_int_equal(stat(directory_path(place, "022"), &info), 0);
-    assert_int_equal(info.st_mode & 07777, 02750);
     umask(before);
-}
-
-/* The directory around the target is moved away while the report is being made. */
-static void test_a_commit_that_fails_keeps_what_stands_there(void **state)
-{
-    const struct directory *place = *state;
-    struct output output;
-    begin(&output, place, "a/out");
-    struct status status = {0};
-    fill(&output, "one");
-    assert_int_equal(rename(directory_path(place, "a"), directory_path(place, "b")), 0);
-    assert_int_equal(output_commit(&output, &status), STATUS_IO);
-    assert_non_null(strstr(status.message, "a/out"));
-    assert_int_equal(rename(directory_path(place, "b"), directory_path(place, "a")), 0);
-    output_abandon(&output);
-    assert_false(directory_has(place, "a")); /* made for the report, so it goes with it */
 }
 
 /* Runs act() in a process of its own and kills it there. */
@@ -837,69 +765,39 @@ static void begin_and_fill(const struct directory *place)
         _exit(1);
 }
 
-static void test_what_killed_runs_left_is_cleared_away(void **state)
+PLACE_CASE(test_what_killed_runs_left_is_cleared_away)
 {
     const struct directory *place = *state;
     publish(place, "out", "one");
-    write_users_files(place, "out", FEW);
+    write_users_files(place, "out", USERS_FILES);
     kill_after(only_begin, place);
     kill_after(begin_and_fill, place);
-    assert_int_equal(directory_entries(place, ""), 2);
-    publish(place, "out", "two");
-    assert_int_equal(directory_entries(place, ""), 1);
-    kill_after(begin_and_fill, place);
-    publish(place, "other", "one"); /* whichever run comes there next */
-    assert_int_equal(directory_entries(place, ""), 2);
-    assert_content(place, "out/report.md", "two");
-    assert_users_files(place, "out", FEW);
+    play(place, "entries . 2|publish out two|entries . 1");
+    kill_after(begin_and_fill, place); /* whichever run comes there next */
+    play(place, "publish other one|entries . 2|holds out/report.md two|stay out");
 }
 
-static void test_what_a_living_run_makes_stays(void **state)
+PLACE_CASE(test_what_a_living_run_makes_stays)
 {
     const struct directory *place = *state;
     struct output output;
     begin(&output, place, "out");
     fill(&output, "two");
-    publish(place, "out", "one"); /* in the same process: each run locks its own */
-    publish(place, "other", "one");
+    play(place, "publish out one|publish other one"); /* in the same process: each run locks its own */
     pid_t child = divide();
     if (child == 0) {
         publish(place, "third", "one");
         _exit(0);
     }
-    expect_done(child);
+    assert_int_equal(exit_of(child), 0);
     assert_int_equal(directory_entries(place, ""), 4);
     commit(&output);
-    assert_report(place, "out", "two");
-    assert_int_equal(directory_entries(place, ""), 3);
-}
-
-/* Files of the user's, below names that the program uses; nothing says that it made them. */
-static void test_what_the_program_did_not_make_stays(void **state)
-{
-    static const char *const files[] = {
-        ".roughcontact-abcdef/report/mine.csv", ".roughcontact-abcdeg/lock",  ".roughcontact-abcdeh/run",
-        ".roughcontact-abcdej/done/mine.csv",   ".roughcontact-longer1/mine",
-    };
-    enum { FILES = sizeof files / sizeof *files };
-    const struct directory *place = *state;
-    for (size_t i = 0; i < FILES; i++) {
-        char path[128];
-        for (const char *slash = files[i]; (slash = strchr(slash, '/')); slash++) {
-            snprintf(path, sizeof path, "%.*s", (int)(slash - files[i]), files[i]);
-            mkdir(directory_path(place, path), 0700);
-        }
-        directory_write(place, files[i], "mine");
-    }
-    publish(place, "out", "one");
-    for (size_t i = 0; i < FILES; i++)
-        assert_content(place, files[i], "mine");
-    assert_int_equal(directory_entries(place, ""), FILES + 1);
+    play(place, "report out two|entries . 3");
 }
 
 /* Killed while the report before was cleared away, and somebody had put something there: that stays, where it is seen,
  * and what is in OUT too goes. */
-static void test_what_came_before_a_kill_stays(void **state)
+PLACE_CASE(test_what_came_before_a_kill_stays)
 {
     const struct directory *place = *state;
     struct output output;
@@ -926,75 +824,84 @@ static void test_what_came_before_a_kill_stays(void **state)
         assert_false(find(left, place, ".roughcontact-"));
         assert_int_equal(find(left, place, "roughcontact-"), late);
     }
-    assert_content(place, strcat(strrchr(left, '/') + 1, "/done/figures/late.txt"), "late");
+    directory_holds(place, strcat(strrchr(left, '/') + 1, "/done/figures/late.txt"), "late");
 }
 
 /* What an archive may bring along: a directory that looks left by a killed run, once as it was in earlier versions,
  * once with every lock there could be, and an OUT whose folder leads elsewhere. Nothing comes there. */
-static void test_a_forged_leftover_leads_nowhere(void **state)
+PLACE_CASE(test_a_forged_leftover_leads_nowhere)
 {
     const struct directory *place = *state;
-    static const char *const folders[] = {"autostart", "h", ".roughcontact-abcdef", ".roughcontact-abcdef/done",
-                                          ".roughcontact-abcdef/done/data"};
     struct stat info;
     char lock[128];
-    for (size_t i = 0; i < sizeof folders / sizeof *folders; i++)
-        assert_int_equal(mkdir(directory_path(place, folders[i]), 0700), 0);
-    assert_int_equal(symlink("../autostart", directory_path(place, "h/data")), 0);
-    assert_int_equal(symlink("roughcontact x h", directory_path(place, ".roughcontact-abcdef/run")), 0);
-    directory_write(place, ".roughcontact-abcdef/lock", "");
-    directory_write(place, ".roughcontact-abcdef/done/manifest.txt", OUTPUT_MANIFEST_HEADER);
-    directory_write(place, ".roughcontact-abcdef/done/data/evil.desktop", "evil");
+    play(place, "directory autostart|directory h|directory .roughcontact-abcdef|directory .roughcontact-abcdef/done|"
+                "directory .roughcontact-abcdef/done/data|link h/data ../autostart|"
+                "link .roughcontact-abcdef/run roughcontact x h|file .roughcontact-abcdef/lock|"
+                "file .roughcontact-abcdef/done/manifest.txt " OUTPUT_MANIFEST_HEADER
+                "|file .roughcontact-abcdef/done/data/evil.desktop evil");
+    assert_int_equal(stat(directory_path(place, ".roughcontact-abcdef"), &info), 0);
+    snprintf(lock, sizeof lock, ".roughcontact-abcdef/lock-%jx-%jx-", (uintmax_t)info.st_ino, (uintmax_t)info.st_dev);
     for (int guessed = 0; guessed < 2; guessed++) {
-        assert_refused(place, "h", "holds 'data'");
-        assert_int_equal(directory_entries(place, "autostart"), 0);
-        assert_int_equal(directory_entries(place, "h"), 1);
-        assert_content(place, ".roughcontact-abcdef/done/data/evil.desktop", "evil");
-        assert_int_equal(stat(directory_path(place, ".roughcontact-abcdef"), &info), 0);
-        snprintf(lock, sizeof lock, ".roughcontact-abcdef/lock-%jx-%jx-", (uintmax_t)info.st_ino,
-                 (uintmax_t)info.st_dev);
+        play(place, "refused h holds 'data'|entries autostart 0|entries h 1|"
+                    "holds .roughcontact-abcdef/done/data/evil.desktop evil");
         directory_write(place, lock, "");
     }
 }
 
-/* Many at once in one directory, each clearing away what the others seem to have left. */
-static void test_runs_side_by_side_do_not_disturb_each_other(void **state)
+/* Many at once in one directory, each clearing away what the others seem to have left, each into its own OUT or all
+ * into one. */
+static void run_side_by_side(const struct directory *place, int runs, int times, bool one_out)
 {
-    enum { RUNS = 4, TIMES = 40 };
-    const struct directory *place = *state;
-    pid_t children[RUNS];
-    for (int k = 0; k < RUNS; k++) {
+    pid_t children[8];
+    for (int k = 0; k < runs; k++) {
         children[k] = divide();
         if (children[k] == 0) {
-            char name[2] = {(char)('a' + k)};
-            for (int i = 0; i < TIMES; i++) {
+            const char own[2] = {(char)('a' + k)};
+            for (int i = 0; i < times; i++) {
                 struct output output;
                 struct status status = {0};
-                if (output_begin(&output, directory_path(place, name), &status) != STATUS_OK)
+                enum status_code rc = output_begin(&output, directory_path(place, one_out ? "out" : own), &status);
+                if (rc == STATUS_OK) {
+                    fill(&output, !one_out ? own : i % 2 ? "one" : "two");
+                    if (one_out || i % 3 > 0)
+                        rc = output_commit(&output, &status);
+                }
+                if (rc != STATUS_OK && !one_out) /* else another was faster */
                     _exit(2);
-                fill(&output, name);
-                if (i % 3 == 0)
-                    output_abandon(&output);
-                else if (output_commit(&output, &status) != STATUS_OK)
-                    _exit(3);
+                output_abandon(&output);
             }
             _exit(0);
         }
     }
-    for (int k = 0; k < RUNS; k++) {
-        expect_done(children[k]);
-    }
-    assert_int_equal(directory_entries(place, ""), RUNS);
-    for (int k = 0; k < RUNS; k++) {
-        char name[2] = {(char)('a' + k)};
-        assert_report(place, name, name);
+    for (int k = 0; k < runs; k++)
+        assert_int_equal(exit_of(children[k]), 0);
+}
+
+PLACE_CASE(test_runs_side_by_side_do_not_disturb_each_other)
+{
+    run_side_by_side(*state, 4, 40, false);
+    play(*state, "entries . 4|report a a|report b b|report c c|report d d");
+}
+
+/* Each report is whole, the user's files outlive both, nothing is left. */
+PLACE_CASE(test_runs_into_one_out)
+{
+    const struct directory *place = *state;
+    publish(place, "out", "one");
+    write_users_files(place, "out", FEW);
+    run_side_by_side(place, 3, 10, true);
+    assert_whole(place, "out", NULL);
+    for (size_t k = 0; k < FEW; k++)
+        assert_true(survives(place, users_files[k], users_files[k]));
+    if (!has_kept(place)) {
+        assert_users_files(place, "out", FEW);
+        assert_int_equal(directory_entries(place, ""), 1);
     }
 }
 
-static void test_a_mount_point_is_refused(void **state)
+TEST_CASE(test_a_mount_point_is_refused)
 {
     static const char *const mounts[] = {"/proc", "/proc/", "/dev/shm"};
-    (void)state;
     for (size_t i = 0; i < sizeof mounts / sizeof *mounts; i++) {
         struct output output;
         struct status status = {0};
@@ -1010,7 +917,7 @@ static void test_a_mount_point_is_refused(void **state)
 }
 
 /* Of the same file system: what is mounted there is a directory of it. */
-static void test_a_directory_mounted_elsewhere_is_refused(void **state)
+PLACE_CASE(test_a_directory_mounted_elsewhere_is_refused)
 {
     static const char *const mounts[] = {"out", "out/data"};
     const struct directory *place = *state;
@@ -1026,17 +933,16 @@ static void test_a_directory_mounted_elsewhere_is_refused(void **state)
             assert_refused(place, "out", "is a mount point, which a report cannot take the place of");
             _exit(0);
         }
-        expect_done(child);
+        assert_int_equal(exit_of(child), 0);
     }
 }
 
 /* Of all its directories, with extended attributes, if there are any. */
-static void test_the_attributes_of_out_stay(void **state)
+PLACE_CASE(test_the_attributes_of_out_stay)
 {
     static const mode_t modes[] = {0700, 0755, 0770, 01777, 0711};
     static const char *const folders[] = {"out", "out/data", "out/figures"};
     const struct directory *place = *state;
-    struct stat info;
     struct output output;
     char value[8];
     bool can = false;
@@ -1047,40 +953,33 @@ static void test_the_attributes_of_out_stay(void **state)
         const char *folder = folders[i % 3];
         assert_int_equal(chmod(directory_path(place, folder), modes[i / 3]), 0);
         publish(place, "out", "two");
-        assert_int_equal(stat(directory_path(place, folder), &info), 0);
-        assert_int_equal(info.st_mode & 07777, modes[i / 3]);
+        assert_int_equal(mode_of(place, folder), modes[i / 3]);
         assert_true(!can || getxattr(directory_path(place, folder), "user.kept", value, sizeof value) == 4);
     }
     begin(&output, place, "out"); /* also one that comes during the run */
     fill(&output, "three");
     assert_int_equal(chmod(directory_path(place, "out"), 0700), 0);
     commit(&output);
-    assert_int_equal(stat(directory_path(place, "out"), &info), 0);
-    assert_int_equal(info.st_mode & 07777, 0700);
+    assert_int_equal(mode_of(place, "out"), 0700);
 }
 
 /* Below a directory whose group its entries take: stale directories have that bit too, and OUT as any other. */
-static void test_a_set_group_id_directory(void **state)
+PLACE_CASE(test_a_set_group_id_directory)
 {
     const struct directory *place = *state;
-    struct stat info;
     assert_int_equal(chmod(place->path, 02700), 0);
     assert_int_equal(mkdir(directory_path(place, "plain"), 0777), 0);
-    assert_int_equal(stat(directory_path(place, "plain"), &info), 0);
-    mode_t plain = info.st_mode & 07777;
     publish(place, "out", "one");
-    assert_int_equal(stat(directory_path(place, "out"), &info), 0);
-    assert_int_equal(info.st_mode & 07777, plain);
+    assert_int_equal(mode_of(place, "out"), mode_of(place, "plain"));
     kill_after(only_begin, place);
     assert_int_equal(directory_entries(place, ""), 3);
     publish(place, "out", "two");
-    assert_int_equal(stat(directory_path(place, "out"), &info), 0);
-    assert_int_equal(info.st_mode & 07777, plain);
+    assert_int_equal(mode_of(place, "out"), mode_of(place, "plain"));
     assert_int_equal(directory_entries(place, ""), 2);
 }
 
 /* A disk that is full, whenever that shows: no inode for the n-th entry. */
-static void test_a_full_disk_leaves_the_report_before(void **state)
+PLACE_CASE(test_a_full_disk_leaves_the_report_before)
 {
     enum { MOST = 60 };
     const struct directory *place = *state;
@@ -1112,8 +1011,8 @@ static void test_a_full_disk_leaves_the_report_before(void **state)
             if (rc == STATUS_OK)
                 rc = output_commit(&output, &status);
             output_abandon(&output);
-            assert_content(&disk, "out/report.md", rc == STATUS_OK ? "two" : "one");
-            assert_content(&disk, "out/data/contact.csv", rc == STATUS_OK ? "two" : "one");
+            directory_holds(&disk, "out/report.md", rc == STATUS_OK ? "two" : "one");
+            directory_holds(&disk, "out/data/contact.csv", rc == STATUS_OK ? "two" : "one");
             assert_users_files(&disk, "out", FEW);
             assert_int_equal(directory_entries(&disk, ""), 1);
             if (rc == STATUS_OK)
@@ -1127,11 +1026,11 @@ static void test_a_full_disk_leaves_the_report_before(void **state)
         }
         _exit(refused > 8 && written > 8 ? 0 : 79);
     }
-    expect_done(child);
+    assert_int_equal(exit_of(child), 0);
 }
 
 /* Calls that fail from the beginning, with the report before in place. */
-static void test_no_room_for_an_entry(void **state)
+PLACE_CASE(test_no_room_for_an_entry)
 {
     static const unsigned calls[] = {
         SYS_linkat, SYS_mkdirat, SYS_renameat2,
@@ -1145,18 +1044,18 @@ static void test_no_room_for_an_entry(void **state)
     for (size_t i = 0; i < sizeof calls / sizeof *calls; i++)
         if (publish_without(place, calls[i], ENOSPC) == STATUS_OK) { /* another call does it */
             assert_true(calls[i] != SYS_linkat && calls[i] != SYS_renameat2);
-            assert_content(place, "out/report.md", "two");
+            directory_holds(place, "out/report.md", "two");
             publish(place, "out", "one");
         } else {
-            assert_whole_report(place);
-            assert_content(place, "out/report.md", "one");
+            assert_whole(place, "out", NULL);
+            directory_holds(place, "out/report.md", "one");
             assert_users_files(place, "out", FEW);
             assert_int_equal(directory_entries(place, ""), 1);
         }
 }
 
 /* As another user than the one whose directories these are. */
-static void test_what_others_own_is_refused(void **state)
+PLACE_CASE(test_what_others_own_is_refused)
 {
     enum { NOBODY = 65534 };
     const struct directory *place = *state;
@@ -1185,141 +1084,7 @@ static void test_what_others_own_is_refused(void **state)
         publish(place, "sticky/new", "one");
         _exit(directory_entries(place, "sticky") == 3 ? 0 : 78);
     }
-    expect_done(child);
+    assert_int_equal(exit_of(child), 0);
     publish(place, "sticky/new", "two"); /* what root left, root removes */
     assert_int_equal(directory_entries(place, "sticky"), 2);
-}
-
-/* Even root, who could, lets another user's be. */
-static void test_what_another_users_run_left_stays(void **state)
-{
-    enum { NOBODY = 65534 };
-    const struct directory *place = *state;
-    char left[PATH_MAX];
-    if (geteuid() != 0)
-        skip();
-    kill_after(only_begin, place);
-    assert_true(find(left, place, ".roughcontact-"));
-    assert_int_equal(chown(left, NOBODY, NOBODY), 0);
-    publish(place, "out", "one");
-    assert_int_equal(access(left, F_OK), 0);
-    assert_int_equal(chown(left, 0, 0), 0);
-    publish(place, "out", "two");
-    assert_int_equal(access(left, F_OK), -1);
-}
-
-/* Two runs into one OUT: each report is whole, the user's files outlive both, nothing is left. */
-static void test_runs_into_one_out(void **state)
-{
-    enum { RUNS = 3, TIMES = 10 };
-    const struct directory *place = *state;
-    pid_t children[RUNS];
-    publish(place, "out", "one");
-    write_users_files(place, "out", FEW);
-    for (int k = 0; k < RUNS; k++) {
-        children[k] = divide();
-        if (children[k] == 0) {
-            for (int i = 0; i < TIMES; i++) {
-                struct output output;
-                struct status status = {0};
-                if (output_begin(&output, directory_path(place, "out"), &status) == STATUS_OK) {
-                    fill(&output, i % 2 ? "one" : "two");
-                    (void)!output_commit(&output, &status); /* may be refused, as the other was faster */
-                }
-                output_abandon(&output);
-            }
-            _exit(0);
-        }
-    }
-    for (int k = 0; k < RUNS; k++) {
-        expect_done(children[k]);
-    }
-    assert_whole_report(place);
-    for (size_t k = 0; k < FEW; k++)
-        assert_true(survives(place, users_files[k], users_files[k]));
-    if (!has_kept(place)) {
-        assert_users_files(place, "out", FEW);
-        assert_int_equal(directory_entries(place, ""), 1);
-    }
-}
-
-/* Once the report is there, nothing that comes to have the name of its hidden directory is the program's. */
-static void test_what_is_committed_is_forgotten(void **state)
-{
-    const struct directory *place = *state;
-    struct output output;
-    begin(&output, place, "out");
-    char path[PATH_MAX];
-    fill(&output, "one");
-    strcpy(path, output.hidden.path);
-    commit(&output);
-    assert_int_equal(mkdir(path, 0700), 0);
-    pid_t child = divide();
-    if (child == 0) {
-        const char *said = temporary_end();
-        _exit(strstr(said, "the report is in '") && strstr(said, "/out'") ? 0 : 1);
-    }
-    expect_done(child);
-    assert_int_equal(access(path, F_OK), 0);
-    assert_int_equal(rmdir(path), 0);
-
-    begin(&output, place, "out"); /* one that is under way goes */
-    fill(&output, "two");
-    child = fork();
-    assert_true(child >= 0);
-    if (child == 0) {
-        const char *said = temporary_end();
-        _exit(strstr(said, "/out' is as it was before") ? 0 : 1);
-    }
-    expect_done(child);
-    assert_int_equal(access(output.hidden.path, F_OK), -1);
-    output_abandon(&output);
-    assert_report(place, "out", "one");
-}
-
-int main(void)
-{
-    if (access("/dev/shm", W_OK) == 0 && setenv("TMPDIR", "/dev/shm", 1) != 0) /* where no disk is waited for */
-        return 1;
-#define TEST(function) cmocka_unit_test_setup_teardown(function, place_setup, place_teardown)
-    const struct CMUnitTest tests[] = {
-        TEST(test_what_is_committed_is_forgotten), /* before the others: theirs are not all forgotten */
-        TEST(test_a_report_takes_the_place_of_the_one_before),
-        TEST(test_an_abandoned_run_leaves_the_report_before),
-        TEST(test_files_of_the_report_before_do_not_survive),
-        TEST(test_an_empty_directory_may_be_the_target),
-        TEST(test_missing_parents_are_made),
-        TEST(test_the_manifest_names_each_file),
-        TEST(test_a_directory_that_is_no_report_is_refused),
-        TEST(test_files_of_the_user_stay),
-        TEST(test_a_directory_of_the_user_stops_the_run),
-        TEST(test_files_that_come_during_a_run_stay),
-        TEST(test_a_file_of_the_user_is_never_replaced),
-        TEST(test_what_is_no_file_is_never_replaced),
-        TEST(test_a_hostile_manifest_removes_nothing_else),
-        TEST(test_a_link_to_the_directory_stays_a_link),
-        cmocka_unit_test(test_a_kill_at_any_instant_loses_nothing),
-        cmocka_unit_test(test_what_comes_at_any_instant_is_not_lost),
-        TEST(test_file_systems_that_can_do_less),
-        TEST(test_a_target_that_cannot_be_written_is_named),
-        TEST(test_a_name_that_is_too_long_is_refused),
-        TEST(test_the_report_can_be_read_by_whom_the_umask_allows),
-        TEST(test_a_commit_that_fails_keeps_what_stands_there),
-        TEST(test_what_killed_runs_left_is_cleared_away),
-        TEST(test_what_a_living_run_makes_stays),
-        TEST(test_what_the_program_did_not_make_stays),
-        TEST(test_what_came_before_a_kill_stays),
-        TEST(test_a_forged_leftover_leads_nowhere),
-        TEST(test_runs_side_by_side_do_not_disturb_each_other),
-        TEST(test_a_mount_point_is_refused),
-        TEST(test_a_directory_mounted_elsewhere_is_refused),
-        TEST(test_the_attributes_of_out_stay),
-        TEST(test_a_set_group_id_directory),
-        TEST(test_a_full_disk_leaves_the_report_before),
-        TEST(test_no_room_for_an_entry),
-        TEST(test_what_others_own_is_refused),
-        TEST(test_what_another_users_run_left_stays),
-        TEST(test_runs_into_one_out),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

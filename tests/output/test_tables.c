@@ -31,36 +31,20 @@ static int place_setup(void **state)
 {
     static struct directory place;
     place = directory_make();
-    static const char *const scenes[] = {"in", "electrical", "multiscale", "statistical"};
-    for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
+    static const char *const folders[] = {"in", "few"};
+    for (size_t i = 0; i < 2; i++) {
         char name[64];
-        mkdir(directory_path(&place, scenes[i]), 0777);
-        snprintf(name, sizeof name, "%s/smooth.csv", scenes[i]);
+        snprintf(name, sizeof name, "%s/smooth.csv", folders[i]);
         pipeline_rough(&place, name, 120, 0.3, 1);
-        snprintf(name, sizeof name, "%s/bowl.csv", scenes[i]);
+        snprintf(name, sizeof name, "%s/bowl.csv", folders[i]);
         pipeline_bowl(&place, name, 121);
     }
     pipeline_rough(&place, "in/rough-1.csv", 120, 1, 2);
     pipeline_rough(&place, "in/rough-2.csv", 120, 1, 3);
     directory_write(&place, "in/scene.yaml", everything);
-    directory_write(&place, "electrical/scene.yaml", "material: tin\neffects: [electrical]\n");
-    directory_write(&place, "multiscale/scene.yaml", "material: tin\nmodels: [multiscale]\nconvergence: {scales: 9}\n");
-    directory_write(&place, "statistical/scene.yaml",
-                    "material: tin\nmodels: [statistical]\nconvergence: {scales: 9}\n");
     assert_int_equal(pipeline_run(&place, "in", "out", 2), 0);
     *state = &place;
     return 0;
-}
-
-static int place_teardown(void **state)
-{
-    directory_remove(*state);
-    return 0;
-}
-
-static struct table open_table(const struct directory *place, const char *name)
-{
-    return table_read_path(directory_path(place, name));
 }
 
 static void assert_header(const struct table *table, const char *expected)
@@ -147,7 +131,7 @@ TEST_CASE(test_columns_are_those_promised)
         {"out/data/convergence.csv", convergence_columns, "sweep,model", NULL},
     };
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
-        struct table table = open_table(*state, files[i].name);
+        struct table table = directory_table(*state, files[i].name);
         assert_header(&table, files[i].columns);
         assert_numbers(&table, files[i].texts, files[i].holds);
         table_free(&table);
@@ -156,7 +140,7 @@ TEST_CASE(test_columns_are_those_promised)
 
 TEST_CASE(test_the_surfaces)
 {
-    struct table table = open_table(*state, "out/data/surfaces.csv");
+    struct table table = directory_table(*state, "out/data/surfaces.csv");
     static const char *const files[] = {"smooth.csv", "bowl.csv", "rough-1.csv;rough-2.csv"};
     assert_int_equal(table.rows, 3);
     for (size_t row = 0; row < 3; row++) {
@@ -179,8 +163,8 @@ TEST_CASE(test_the_surfaces)
 /* Parseval over the file, the fit as in surfaces.csv, wavelengths L/n. */
 TEST_CASE(test_the_spectra)
 {
-    struct table spectrum = open_table(*state, "out/data/spectrum.csv");
-    struct table surfaces = open_table(*state, "out/data/surfaces.csv");
+    struct table spectrum = directory_table(*state, "out/data/spectrum.csv");
+    struct table surfaces = directory_table(*state, "out/data/surfaces.csv");
     size_t row = 0;
     for (size_t s = 0; s < surfaces.rows; s++) {
         size_t points = (size_t)table_number(&surfaces, s, "points");
@@ -249,9 +233,9 @@ static double spread_mean(const struct table *spread, const char *surface, const
 
 TEST_CASE(test_the_contact_curves)
 {
-    struct table spread = open_table(*state, "out/data/spread.csv");
-    struct table contact = open_table(*state, "out/data/contact.csv");
-    struct table surfaces = open_table(*state, "out/data/surfaces.csv");
+    struct table spread = directory_table(*state, "out/data/spread.csv");
+    struct table contact = directory_table(*state, "out/data/contact.csv");
+    struct table surfaces = directory_table(*state, "out/data/surfaces.csv");
     size_t curves = 0, full = 0;
     for (size_t row = 0; row < contact.rows; row++) {
         const char *surface = table_text(&contact, row, "surface"), *model = table_text(&contact, row, "model");
@@ -287,7 +271,7 @@ TEST_CASE(test_the_contact_curves)
 /* Both sweeps in both laws; areas fall as shorter waves are let in. */
 TEST_CASE(test_the_convergence_study)
 {
-    struct table table = open_table(*state, "out/data/convergence.csv");
+    struct table table = directory_table(*state, "out/data/convergence.csv");
     size_t curves = 0;
     for (size_t row = 0; row < table.rows; row++) {
         double wavelength_m = table_number(&table, row, "wavelength_m"), area = table_number(&table, row, "area_ratio");
@@ -312,42 +296,43 @@ TEST_CASE(test_the_convergence_study)
     table_free(&table);
 }
 
-/* Called for: electrical. Nothing else leaves a column, a row or a file. */
-TEST_CASE(test_effects_that_do_not_run_leave_nothing)
+/* Nothing that was not called for leaves a column, a row or a file. */
+TEST_CASE(test_what_does_not_run_leaves_nothing)
 {
-    assert_int_equal(pipeline_run(*state, "electrical", "out-electrical", 1), 0);
-    struct table contact = open_table(*state, "out-electrical/data/contact.csv");
-    struct table surfaces = open_table(*state, "out-electrical/data/surfaces.csv");
-    assert_header(&contact, "surface,model,load_over_AnEp,pressure_Pa,area_ratio,ecr_ohm_m2");
-    assert_numbers(&contact, "surface,model", empty_in_contact);
-    for (size_t row = 0; row < contact.rows; row++) {
-        const char *model = table_text(&contact, row, "model");
-        assert_false(model_rows[model_named(model)]->plastic);
+    static const struct {
+        const char *scene, *contact, *models;
+        bool beta, study;
+    } cases[] = {
+        {"effects: [electrical]\n", "surface,model,load_over_AnEp,pressure_Pa,area_ratio,ecr_ohm_m2", NULL, false,
+         false},
+        {"models: [multiscale]\nconvergence: {scales: 9}\n",
+         "surface,model,load_over_AnEp,pressure_Pa,area_ratio,separation_m,separation_over_sigma,ecr_ohm_m2,"
+         "tcr_K_m2_per_W,tcr_sd_K_m2_per_W",
+         "multiscale-elastic multiscale-plastic", false, true},
+        {"models: [statistical]\nconvergence: {scales: 9}\n", NULL, "gw jg", true, false},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct text scene = {0};
+        text_add(&scene, "material: tin\n%s", cases[i].scene);
+        directory_write(*state, "few/scene.yaml", text_string(&scene));
+        text_free(&scene);
+        assert_int_equal(pipeline_run(*state, "few", "out-few", 1), 0);
+        struct table contact = directory_table(*state, "out-few/data/contact.csv");
+        struct table surfaces = directory_table(*state, "out-few/data/surfaces.csv");
+        if (cases[i].contact)
+            assert_header(&contact, cases[i].contact);
+        assert_numbers(&contact, "surface,model", empty_in_contact);
+        for (size_t row = 0; row < contact.rows; row++) {
+            const char *model = table_text(&contact, row, "model");
+            assert_true(cases[i].models ? strstr(cases[i].models, model) != NULL
+                                        : !model_rows[model_named(model)]->plastic);
+        }
+        assert_int_equal(has_column(&surfaces, "beta_jg"), cases[i].beta);
+        assert_int_equal(has_column(&surfaces, "asperity_radius_m"), cases[i].beta || !cases[i].models);
+        assert_int_equal(directory_has(*state, "out-few/data/convergence.csv"), cases[i].study);
+        table_free(&contact);
+        table_free(&surfaces);
     }
-    assert_false(has_column(&surfaces, "beta_jg"));
-    assert_false(directory_has(*state, "out-electrical/data/convergence.csv"));
-    table_free(&contact);
-    table_free(&surfaces);
-}
-
-TEST_CASE(test_models_that_do_not_run_leave_nothing)
-{
-    assert_int_equal(pipeline_run(*state, "multiscale", "out-multiscale", 1), 0);
-    struct table contact = open_table(*state, "out-multiscale/data/contact.csv");
-    struct table surfaces = open_table(*state, "out-multiscale/data/surfaces.csv");
-    assert_true(has_column(&contact, "separation_m"));
-    assert_false(has_column(&contact, "adjusted_separation_over_sigma"));
-    assert_false(has_column(&surfaces, "asperity_radius_m") || has_column(&surfaces, "beta_gw"));
-    for (size_t row = 0; row < contact.rows; row++)
-        assert_true(strncmp(table_text(&contact, row, "model"), "multiscale-", 11) == 0);
-    table_free(&contact);
-    table_free(&surfaces);
-
-    assert_int_equal(pipeline_run(*state, "statistical", "out-statistical", 1), 0);
-    contact = open_table(*state, "out-statistical/data/contact.csv");
-    for (size_t row = 0; row < contact.rows; row++)
-        assert_true(strlen(table_text(&contact, row, "model")) == 2);
-    table_free(&contact);
 }
 
 TEST_CASE(test_scales_are_spread_evenly)
@@ -366,4 +351,4 @@ TEST_CASE(test_scales_are_spread_evenly)
     }
 }
 
-TEST_GROUP(place_setup, place_teardown)
+TEST_GROUP(place_setup, directory_teardown)

@@ -18,21 +18,27 @@ static inline void pipeline_scan(const struct directory *place, const char *name
     text_free(&csv);
 }
 
+/* Writes a made-up profile in place/NAME. */
+static inline void pipeline_synth(const struct directory *place, const char *name, const struct synth_def *def)
+{
+    struct status status = {0};
+    double *height_m = malloc(def->points * sizeof *height_m);
+    assert_non_null(height_m);
+    assert_int_equal(synth_profile(height_m, def, &status), STATUS_OK);
+    pipeline_scan(place, name, height_m, def->points);
+    free(height_m);
+}
+
 /* A random surface of a power law, `size` times as rough as that of tin in the thesis. */
 static inline void pipeline_rough(const struct directory *place, const char *name, size_t points, double size,
                                   unsigned long seed)
 {
     struct synth_def def = synth_def_default();
-    struct status status = {0};
     def.points = points;
     def.length_m = 5e-7 * (double)points;
     def.alpha *= size;
     def.seed = seed;
-    double *height_m = malloc(points * sizeof *height_m);
-    assert_non_null(height_m);
-    assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
-    pipeline_scan(place, name, height_m, points);
-    free(height_m);
+    pipeline_synth(place, name, &def);
 }
 
 /* A bowl: levelled by a line its Nayak parameter is 0.2, so that no statistical model exists. */
@@ -60,17 +66,33 @@ static inline enum status_code pipeline_try(struct run_outcome *outcome, const s
     return rc;
 }
 
-/* The same for a run that has to succeed; returns how many surfaces were refused. */
+/* The same into place/OUT, on one thread and without cost unless the options say otherwise. */
+static inline enum status_code pipeline_into(struct run_outcome *outcome, const struct directory *place, const char *in,
+                                             const char *out, struct run_options options, struct status *status)
+{
+    char target[4096];
+    snprintf(target, sizeof target, "%s", directory_path(place, out));
+    options.output = target;
+    options.templates = options.templates ? options.templates : PROJECT_SOURCE "/templates";
+    options.no_cost = true;
+    options.jobs = options.jobs ? options.jobs : 1;
+    return pipeline_try(outcome, place, in, options, status);
+}
+
+/* The same of a run that has to succeed. */
+static inline void pipeline_outcome(struct run_outcome *outcome, const struct directory *place, const char *in,
+                                    const char *out, unsigned jobs)
+{
+    struct status status = {0};
+    if (pipeline_into(outcome, place, in, out, (struct run_options){.jobs = jobs}, &status) != STATUS_OK)
+        fail_msg("%s\n%s", status.message, text_string(&outcome->messages));
+}
+
+/* Returns how many surfaces were refused. */
 static inline size_t pipeline_run(const struct directory *place, const char *in, const char *out, unsigned jobs)
 {
     struct run_outcome outcome;
-    struct status status = {0};
-    char target[4096];
-    snprintf(target, sizeof target, "%s", directory_path(place, out));
-    struct run_options options = {
-        .output = target, .templates = PROJECT_SOURCE "/templates", .no_cost = true, .jobs = jobs};
-    if (pipeline_try(&outcome, place, in, options, &status) != STATUS_OK)
-        fail_msg("%s\n%s", status.message, text_string(&outcome.messages));
+    pipeline_outcome(&outcome, place, in, out, jobs);
     size_t refused = outcome.refused;
     run_outcome_free(&outcome);
     return refused;

@@ -8,8 +8,6 @@
 
 #include <math.h>
 
-static struct directory place;
-
 /** What the whole set of effects says of a scene's surfaces, at a finer tolerance. */
 struct truth {
     double plastic;         /* largest relative change by plasticity, up to full contact (separations: over sigma) */
@@ -45,8 +43,8 @@ static void prepare_scene(struct prepared *prepared, struct scene *scene, const 
 {
     struct run_options options = {.templates = PROJECT_SOURCE "/templates", .jobs = 1};
     struct status status = {0};
-    directory_write(&place, "scene.yaml", text);
-    if (scene_read(scene, place.path, &(struct scene_overrides){0}, &status) != STATUS_OK)
+    directory_write(&directory_here, "scene.yaml", text);
+    if (scene_read(scene, directory_here.path, &(struct scene_overrides){0}, &status) != STATUS_OK)
         fail_msg("%s", status.message);
     if (prepare(prepared, scene, &options, describe_only, NULL, &status) != STATUS_OK)
         fail_msg("%s", status.message);
@@ -104,14 +102,11 @@ static void describe(char text[800], double E_Pa, double Sy_Pa, double conductiv
 static void write_surface(const char *name, double gamma, double size, unsigned long seed)
 {
     struct synth_def def = synth_def_default();
-    struct status status = {0};
-    double height_m[600];
     def.points = 600;
     def.gamma = gamma;
     def.alpha = size / pow(def.length_m, gamma);
     def.seed = seed;
-    assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
-    pipeline_scan(&place, name, height_m, def.points);
+    pipeline_synth(&directory_here, name, &def);
 }
 
 /** Loads far below yield, from soft metals to what yields nowhere: the elastic models' full contact stands only where
@@ -208,18 +203,4 @@ TEST_CASE(scale_dependence_runs_just_where_it_matters)
     assert_true(skipped >= 20 && runs >= 20);
 }
 
-static int set_up(void **state)
-{
-    (void)state;
-    place = directory_make();
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    directory_remove(&place);
-    return 0;
-}
-
-TEST_GROUP(set_up, tear_down)
+TEST_GROUP(directory_setup, directory_teardown)

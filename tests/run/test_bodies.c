@@ -3,29 +3,11 @@
 #include "results/results.h"
 #include "run/pipeline.h"
 
-static void write_scene(const struct directory *place, const char *in, const char *text)
+static void write_scans(const struct directory *place)
 {
-    char path[256];
-    snprintf(path, sizeof path, "%s/scene.yaml", in);
-    directory_write(place, path, text);
-}
-
-static struct table contact_of(const struct directory *place, const char *out)
-{
-    char path[256];
-    snprintf(path, sizeof path, "%s/data/contact.csv", out);
-    return table_read_path(directory_path(place, path));
-}
-
-/* The scans a, b and c in `in`. */
-static void write_scans(const struct directory *place, const char *in)
-{
-    static const char *const names[] = {"a", "b", "c"};
-    for (unsigned i = 0; i < 3; i++) {
-        char path[64];
-        snprintf(path, sizeof path, "%s/%s.csv", in, names[i]);
-        pipeline_rough(place, path, 400, 1, 11 + i);
-    }
+    pipeline_rough(place, "in/a.csv", 400, 1, 11);
+    pipeline_rough(place, "in/b.csv", 400, 1, 12);
+    pipeline_rough(place, "in/c.csv", 400, 1, 13);
 }
 
 #define LOADS "nominal_area: 1 mm2\nload: {from: 0.1 N, to: 100 N, points: 7}\noperating_load: 12 N\n"
@@ -39,22 +21,20 @@ PLACED(each_surface_has_its_own_bodies)
     static const char *const own[] = {"material: tin\n", "material: copper\ncounterface: same\n",
                                       "material: gold\ncounterface: tin\nhardness: 90 MPa\n"};
     static const char *const names[] = {"a", "b", "c"};
-    mkdir(directory_path(place, "in"), 0777);
-    write_scans(place, "in");
-    write_scene(place, "in",
-                LOADS "material: tin\nsurfaces:\n  - {name: a, file: a.csv}\n"
-                      "  - {name: b, file: b.csv, material: copper, counterface: same}\n"
-                      "  - {name: c, file: c.csv, material: gold, counterface: tin, hardness: 90 MPa}\n");
+    write_scans(place);
+    directory_write(place, "in/scene.yaml",
+                    LOADS "material: tin\nsurfaces:\n  - {name: a, file: a.csv}\n"
+                          "  - {name: b, file: b.csv, material: copper, counterface: same}\n"
+                          "  - {name: c, file: c.csv, material: gold, counterface: tin, hardness: 90 MPa}\n");
     assert_int_equal(pipeline_run(place, "in", "all", 2), 0);
-    struct table all = contact_of(place, "all");
+    struct table all = directory_table(place, "all/data/contact.csv");
     size_t compared = 0;
     for (int s = 0; s < 3; s++) {
-        char text[512], out[16];
+        char text[512];
         snprintf(text, sizeof text, LOADS "%ssurfaces: [{name: %s, file: %s.csv}]\n", own[s], names[s], names[s]);
-        snprintf(out, sizeof out, "alone-%d", s);
-        write_scene(place, "in", text);
-        assert_int_equal(pipeline_run(place, "in", out, 1), 0);
-        struct table alone = contact_of(place, out);
+        directory_write(place, "in/scene.yaml", text);
+        assert_int_equal(pipeline_run(place, "in", "alone", 1), 0);
+        struct table alone = directory_table(place, "alone/data/contact.csv");
         size_t row = 0;
         for (size_t r = 0; r < alone.rows; r++, row++, compared++) {
             while (strcmp(table_text(&all, row, "surface"), names[s]) != 0)
@@ -76,12 +56,11 @@ PLACED(bodies_are_completed)
     struct scene scene;
     struct status status = {0};
     char directory[4096];
-    mkdir(directory_path(place, "in"), 0777);
-    write_scans(place, "in");
-    write_scene(place, "in",
-                "material: tin\ncounterface: same\nhardness: 50 MPa\nsurfaces:\n  - {name: a, file: a.csv}\n"
-                "  - {name: b, file: b.csv, material: copper}\n"
-                "  - {name: c, file: c.csv, counterface: rigid, hardness: 90 MPa}\n");
+    write_scans(place);
+    directory_write(place, "in/scene.yaml",
+                    "material: tin\ncounterface: same\nhardness: 50 MPa\nsurfaces:\n  - {name: a, file: a.csv}\n"
+                    "  - {name: b, file: b.csv, material: copper}\n"
+                    "  - {name: c, file: c.csv, counterface: rigid, hardness: 90 MPa}\n");
     snprintf(directory, sizeof directory, "%s", directory_path(place, "in"));
     assert_int_equal(scene_read(&scene, directory, &(struct scene_overrides){.material = "silver"}, &status),
                      STATUS_OK); /* the command line's is the scene's */
@@ -103,13 +82,12 @@ PLACED(bodies_are_completed)
 PLACED(loads_are_shown_as_given)
 {
     const struct directory *place = *state;
-    mkdir(directory_path(place, "in"), 0777);
-    write_scans(place, "in");
-    write_scene(place, "in",
-                LOADS "effects: [plasticity, electrical]\nmaterial: tin\nsurfaces:\n  - {name: a, file: a.csv}\n"
-                      "  - {name: b, file: b.csv, material: copper}\n");
+    write_scans(place);
+    directory_write(place, "in/scene.yaml",
+                    LOADS "effects: [plasticity, electrical]\nmaterial: tin\nsurfaces:\n  - {name: a, file: a.csv}\n"
+                          "  - {name: b, file: b.csv, material: copper}\n");
     assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
-    struct table contact = contact_of(place, "out");
+    struct table contact = directory_table(place, "out/data/contact.csv");
     size_t at_12 = 0;
     for (size_t r = 0; r < contact.rows; r++)
         at_12 += fabs(table_number(&contact, r, "pressure_Pa") / 12e6 - 1) < 1e-12 &&
@@ -142,14 +120,14 @@ PLACED(without_a_material)
     const struct directory *place = *state;
     static const char loads[] = "load: {from: 1e-5, to: 1e-2, points: 5}\n";
     char text[128];
-    mkdir(directory_path(place, "in"), 0777);
     pipeline_rough(place, "in/a.csv", 400, 1, 5);
-    write_scene(place, "in", loads);
+    directory_write(place, "in/scene.yaml", loads);
     assert_int_equal(pipeline_run(place, "in", "none", 1), 0);
     snprintf(text, sizeof text, "material: copper\neffects: [separation]\n%s", loads);
-    write_scene(place, "in", text);
+    directory_write(place, "in/scene.yaml", text);
     assert_int_equal(pipeline_run(place, "in", "some", 1), 0);
-    struct table none = contact_of(place, "none"), some = contact_of(place, "some");
+    struct table none = directory_table(place, "none/data/contact.csv"),
+                 some = directory_table(place, "some/data/contact.csv");
     size_t compared = 0;
     for (size_t r = 0; r < none.rows; r++) {
         assert_string_equal(table_text(&none, r, "pressure_Pa"), "");
@@ -166,13 +144,9 @@ PLACED(without_a_material)
     assert_true(compared >= 15);
     table_free(&none);
     table_free(&some);
-    struct text report = directory_read(place, "none/report.md");
-    assert_non_null(strstr(text_string(&report), results_without_material));
-    expect_no_parts(text_string(&report), "MPa", "nan");
-    text_free(&report);
-    struct text json = directory_read(place, "none/results.json");
-    assert_non_null(strstr(text_string(&json), "\"material\": null"));
-    text_free(&json);
+    expect_in_file(place, "none/report.md", results_without_material);
+    expect_not_in_file(place, "none/report.md", "MPa", "nan");
+    expect_in_file(place, "none/results.json", "\"material\": null");
 }
 
 /* The thesis's length is one of phonons, and the report says so; the electrons' is far shorter in tin. */
@@ -181,14 +155,13 @@ PLACED(whose_mean_free_path)
     const struct directory *place = *state;
     static const char *const kinds[] = {"thesis", "electron", "20 nm"};
     static const double expected_nm[] = {44.2376, 3.94994, 20};
-    mkdir(directory_path(place, "in"), 0777);
     pipeline_rough(place, "in/a.csv", 400, 1, 5);
     for (int k = 0; k < 3; k++) {
         struct scene scene;
         struct status status = {0};
         char text[200], directory[4096];
         snprintf(text, sizeof text, "material: tin\neffects: [scale-dependent]\nmean_free_path: %s\n", kinds[k]);
-        write_scene(place, "in", text);
+        directory_write(place, "in/scene.yaml", text);
         snprintf(directory, sizeof directory, "%s", directory_path(place, "in"));
         assert_int_equal(scene_read(&scene, directory, &(struct scene_overrides){0}, &status), STATUS_OK);
         assert_near(scene_pair(scene.surfaces[0].bodies).mean_free_path_m[0], expected_nm[k] * 1e-9, 1e-5);

@@ -16,31 +16,10 @@ static void write_scene(const struct directory *place, const char *more)
 static void make_surfaces(const struct directory *place, int count)
 {
     char name[64];
-    mkdir(directory_path(place, "in"), 0777);
     for (int i = 0; i < count; i++) {
         snprintf(name, sizeof name, "in/%03d.csv", i);
         pipeline_rough(place, name, POINTS, 1 + i / 50.0, (unsigned long)i + 1);
     }
-}
-
-static void expect_same(const struct directory *place, const char *file, bool same)
-{
-    char a[128], b[128];
-    snprintf(a, sizeof a, "one/%s", file);
-    snprintf(b, sizeof b, "other/%s", file);
-    struct text first = directory_read(place, a), second = directory_read(place, b);
-    assert_true(first.length > 0);
-    assert_int_equal(strcmp(text_string(&first), text_string(&second)) == 0, same);
-    text_free(&first);
-    text_free(&second);
-}
-
-static bool says(const struct directory *place, const char *file, const char *words)
-{
-    struct text text = directory_read(place, file);
-    bool found = strstr(text_string(&text), words) != NULL;
-    text_free(&text);
-    return found;
 }
 
 /* Bins keep each surface's mean square height, and there is one a tenth of a decade. */
@@ -52,8 +31,8 @@ TEST_WITH(of_many_surfaces_bins, directory_setup, directory_teardown)
     assert_int_equal(pipeline_run(place, "in", "one", 1), 0);
     write_scene(place, "data: full\n");
     assert_int_equal(pipeline_run(place, "in", "other", 3), 0);
-    struct table bins = table_read_path(directory_path(place, "one/data/spectrum.csv"));
-    struct table all = table_read_path(directory_path(place, "other/data/spectrum.csv"));
+    struct table bins = directory_table(place, "one/data/spectrum.csv");
+    struct table all = directory_table(place, "other/data/spectrum.csv");
     assert_int_equal(all.rows, MANY * POINTS / 2);
     assert_int_equal(all.columns, 4);
     assert_int_equal(bins.rows, MANY * 19); /* of 22 tenths up to 128 harmonics, 1, 2 and 5 hold none */
@@ -76,30 +55,25 @@ TEST_WITH(of_many_surfaces_bins, directory_setup, directory_teardown)
     assert_int_equal(row, all.rows);
     table_free(&bins);
     table_free(&all);
-    expect_same(place, "data/contact.csv", true); /* by one thread and by three */
-    expect_same(place, "data/surfaces.csv", true);
-    expect_same(place, "data/sensitivity.csv", true);
-    assert_true(says(place, "one/results.json", "\"data\": \"auto\",\n \"spectra\": \"bins\""));
-    assert_true(says(place, "other/results.json", "\"data\": \"full\",\n \"spectra\": \"every harmonic\""));
-    assert_true(says(place, "one/report.md", "`data/spectrum.csv` holds bins of a tenth of a decade"));
-    assert_false(says(place, "other/report.md", "bins of a tenth"));
-    assert_true(says(place, "one/results.json", "\"curves\": \"in data/contact.csv alone\""));
-    assert_false(says(place, "one/results.json", "\"area_ratio\": ["));
-    assert_true(says(place, "one/results.json", "\"full_contact_load_over_AnEp\": "));
-    assert_false(says(place, "other/results.json", "data/contact.csv alone"));
-    assert_true(says(place, "other/results.json", "\"area_ratio\": ["));
-    assert_true(says(place, "one/report.md", "| … 1 more in data/ |"));
+    directory_expect_same(place, "one/data/contact.csv", "other/data/contact.csv"); /* by one thread and by three */
+    directory_expect_same(place, "one/data/surfaces.csv", "other/data/surfaces.csv");
+    directory_expect_same(place, "one/data/sensitivity.csv", "other/data/sensitivity.csv");
+    expect_in_file(place, "one/results.json", "\"data\": \"auto\",\n \"spectra\": \"bins\"",
+                   "\"curves\": \"in data/contact.csv alone\"", "\"full_contact_load_over_AnEp\": ");
+    expect_not_in_file(place, "one/results.json", "\"area_ratio\": [");
+    expect_in_file(place, "one/report.md", "`data/spectrum.csv` holds bins of a tenth of a decade",
+                   "| … 1 more in data/ |");
+    expect_in_file(place, "other/results.json", "\"data\": \"full\",\n \"spectra\": \"every harmonic\"",
+                   "\"area_ratio\": [");
+    expect_not_in_file(place, "other/results.json", "data/contact.csv alone");
+    expect_not_in_file(place, "other/report.md", "bins of a tenth");
 }
 
 /* Lines that name a surface in what ends the run on a terminal, and whether it says that there are more. */
 static size_t lines_of_surfaces(const struct directory *place, bool *more)
 {
     struct run_outcome outcome;
-    struct status status = {0};
-    char target[4096];
-    snprintf(target, sizeof target, "%s", directory_path(place, "one"));
-    struct run_options options = {.output = target, .templates = PROJECT_SOURCE "/templates", .no_cost = true};
-    assert_int_equal(pipeline_try(&outcome, place, "in", options, &status), STATUS_OK);
+    pipeline_outcome(&outcome, place, "in", "one", 2);
     size_t lines = 0;
     for (const char *line = text_string(&outcome.table); (line = strchr(line, '\n')) != NULL && *++line;)
         lines += line[0] >= '0' && line[0] <= '9';
@@ -129,10 +103,11 @@ TEST_WITH(of_a_hundred_every_harmonic, directory_setup, directory_teardown)
     write_scene(place, "");
     assert_int_equal(pipeline_run(place, "in", "one", 1), 0);
     assert_int_equal(pipeline_run(place, "in", "other", 5), 0);
-    struct table all = table_read_path(directory_path(place, "one/data/spectrum.csv"));
+    struct table all = directory_table(place, "one/data/spectrum.csv");
     assert_int_equal(all.rows, (MANY - 1) * POINTS / 2);
     table_free(&all);
-    static const char *const files[] = {"results.json", "report.md", "data/spectrum.csv", "data/contact.csv"};
-    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
-        expect_same(place, files[i], true);
+    directory_expect_same(place, "one/results.json", "other/results.json");
+    directory_expect_same(place, "one/report.md", "other/report.md");
+    directory_expect_same(place, "one/data/spectrum.csv", "other/data/spectrum.csv");
+    directory_expect_same(place, "one/data/contact.csv", "other/data/contact.csv");
 }

@@ -34,33 +34,44 @@ static void write_law(const struct directory *place, const char *name, size_t po
     free(height_m);
 }
 
-static json_t *read_surface(const struct directory *place, const char *out, const char *name, json_t **root)
+/* What place/OUT/results.json says of a surface; NULL: nothing. Good until the next call. */
+static const json_t *said(const struct directory *place, const char *out, const char *name, const char *key)
 {
+    static json_t *root;
     char path[200];
     json_error_t error;
     snprintf(path, sizeof path, "%s/results.json", out);
-    *root = json_load_file(directory_path(place, path), 0, &error);
-    assert_non_null(*root);
+    json_decref(root);
+    root = json_load_file(directory_path(place, path), 0, &error);
+    assert_non_null(root);
     size_t i;
     json_t *surface;
-    json_array_foreach(json_object_get(*root, "surfaces"), i, surface)
+    json_array_foreach(json_object_get(root, "surfaces"), i, surface)
     {
         if (strcmp(json_string_value(json_object_get(surface, "surface")), name) == 0)
-            return surface;
+            return json_object_get(surface, key);
     }
     fail_msg("no surface '%s'", name);
     return NULL;
 }
 
-static double number(const json_t *surface, const char *key)
+static double number(const struct directory *place, const char *out, const char *name, const char *key)
 {
-    json_t *value = json_object_get(surface, key);
+    const json_t *value = said(place, out, name, key);
     return json_is_number(value) ? json_number_value(value) : NAN;
 }
 
-static const char *law_class(const json_t *surface)
+static void expect_class(const struct directory *place, const char *out, const char *name, const char *expected)
 {
-    return json_string_value(json_object_get(json_object_get(surface, "fit"), "class"));
+    const char *class = json_string_value(json_object_get(said(place, out, name, "fit"), "class"));
+    if (strcmp(class, expected) != 0)
+        fail_msg("%s: '%s'", name, class);
+}
+
+/* gamma is that which was made, within three of its errors. */
+static void expect_gamma_made(const struct directory *place, const char *out, const char *name)
+{
+    assert_within(number(place, out, name, "gamma"), gamma_made, 3 * number(place, out, name, "gamma_stderr"));
 }
 
 /* Both a periodic record and one cut out of a longer surface, tilted, give back what they were made with, within the
@@ -68,8 +79,6 @@ static const char *law_class(const json_t *surface)
 TEST_CASE(test_the_law_made_is_found)
 {
     const struct directory *place = *state;
-    mkdir(directory_path(place, "law"), 0777);
-    mkdir(directory_path(place, "thesis"), 0777);
     write_law(place, "law/periodic.csv", POINTS, 1, 0, 3);
     write_law(place, "law/cut.csv", POINTS, 8, 0.01, 4);
     write_law(place, "thesis/cut.csv", POINTS, 8, 0.01, 4);
@@ -78,30 +87,29 @@ TEST_CASE(test_the_law_made_is_found)
                     "material: tin\neffects: [electrical]\nfit: thesis\nwindow: none\nlevel: line\n");
     assert_int_equal(pipeline_run(place, "law", "law-out", 1), 0);
     assert_int_equal(pipeline_run(place, "thesis", "thesis-out", 1), 0);
-    static const char *const names[] = {"periodic", "cut"};
+    static const char *const names[] = {"periodic", "cut"}, out[] = "law-out";
     for (size_t s = 0; s < 2; s++) {
-        json_t *root, *surface = read_surface(place, "law-out", names[s], &root);
-        assert_string_equal(law_class(surface), "law");
-        double gamma = number(surface, "gamma"), error = number(surface, "gamma_stderr");
+        const char *name = names[s];
+        expect_class(*state, out, name, "law");
+        expect_gamma_made(*state, out, name);
+        double gamma = number(place, out, name, "gamma"), error = number(place, out, name, "gamma_stderr"),
+               wavelength_m = number(place, out, name, "fit_wavelength_m"),
+               amplitude_m = number(place, out, name, "fit_amplitude_m");
         assert_true(error > 0.005 && error < 0.06);
-        assert_within(gamma, gamma_made, 3 * error);
-        double wavelength_m = number(surface, "fit_wavelength_m"), amplitude_m = number(surface, "fit_amplitude_m");
         /* cut to 1/8 of the length, harmonics are 8 times fewer and carry the power of 8 */
         double made_m = alpha_made * pow(wavelength_m, gamma_made) * (s == 1 ? sqrt(8) : 1);
-        assert_within(log10(amplitude_m / made_m), 0, 3 * number(surface, "fit_amplitude_stderr_decades"));
-        assert_near(number(surface, "alpha_SI"), amplitude_m / pow(wavelength_m, gamma), 1e-9);
-        assert_near(number(surface, "fit_psd_m3"), amplitude_m * amplitude_m * number(surface, "scan_length_m") / 2,
-                    1e-12);
-        assert_near(wavelength_m, sqrt(number(surface, "fit_low_m") * number(surface, "fit_high_m")), 1e-9);
-        assert_int_equal(number(surface, "scans_periodic"), s == 0);
-        assert_int_equal(number(surface, "scans_windowed"), s == 1);
-        json_decref(root);
+        assert_within(log10(amplitude_m / made_m), 0, 3 * number(place, out, name, "fit_amplitude_stderr_decades"));
+        assert_near(number(place, out, name, "alpha_SI"), amplitude_m / pow(wavelength_m, gamma), 1e-9);
+        assert_near(number(place, out, name, "fit_psd_m3"),
+                    amplitude_m * amplitude_m * number(place, out, name, "scan_length_m") / 2, 1e-12);
+        assert_near(wavelength_m, sqrt(number(place, out, name, "fit_low_m") * number(place, out, name, "fit_high_m")),
+                    1e-9);
+        assert_int_equal(number(place, out, name, "scans_periodic"), s == 0);
+        assert_int_equal(number(place, out, name, "scans_windowed"), s == 1);
     }
-    json_t *root, *surface = read_surface(place, "thesis-out", "cut", &root);
-    assert_int_equal(number(surface, "scans_windowed"), 0);
-    assert_true(number(surface, "gamma") < gamma_made - 0.1);
-    assert_string_equal(json_string_value(json_object_get(json_object_get(surface, "fit"), "method")), "thesis");
-    json_decref(root);
+    assert_int_equal(number(place, "thesis-out", "cut", "scans_windowed"), 0);
+    assert_true(number(place, "thesis-out", "cut", "gamma") < gamma_made - 0.1);
+    expect_in_file(place, "thesis-out/results.json", "\"method\": \"thesis\"");
 }
 
 /* A periodic record loses its mean alone, so that its amplitudes stay those it was made with; asked for by name, a line
@@ -112,65 +120,44 @@ TEST_CASE(test_levelling_of_a_periodic_record)
     double height_m[POINTS];
     for (size_t i = 0; i < POINTS; i++) /* a sine: its line has a slope */
         height_m[i] = 1e-6 * sin(2 * M_PI * (double)i / POINTS) + 3e-6;
-    mkdir(directory_path(place, "mean"), 0777);
-    mkdir(directory_path(place, "line"), 0777);
     pipeline_scan(place, "mean/a.csv", height_m, POINTS);
     pipeline_scan(place, "line/a.csv", height_m, POINTS);
     directory_write(place, "line/scene.yaml", "material: tin\nlevel: line\n");
     assert_int_equal(pipeline_run(place, "mean", "mean-out", 1), 0);
     assert_int_equal(pipeline_run(place, "line", "line-out", 1), 0);
-    json_t *root, *surface = read_surface(place, "mean-out", "a", &root);
-    assert_near(number(surface, "rq_m"), 1e-6 / sqrt(2), 1e-9);
-    assert_near(number(surface, "end_jump_m"), 1e-6 * sin(2 * M_PI / POINTS), 1e-3);
-    json_decref(root);
-    surface = read_surface(place, "line-out", "a", &root);
-    assert_near(number(surface, "rq_m"), 1e-6 * sqrt(0.5 - 6 / (M_PI * M_PI * 2)), 1e-2); /* 1/2 - 12 (1/2pi)² */
-    json_decref(root);
-}
-
-static void expect_in(const struct directory *place, const char *file, const char *part)
-{
-    struct text text = {0};
-    struct status status = {0};
-    assert_int_equal(text_read_file(&text, directory_path(place, file), &status), STATUS_OK);
-    if (!strstr(text_string(&text), part))
-        fail_msg("'%s' is not in %s", part, file);
-    text_free(&text);
+    assert_near(number(place, "mean-out", "a", "rq_m"), 1e-6 / sqrt(2), 1e-9);
+    assert_near(number(place, "mean-out", "a", "end_jump_m"), 1e-6 * sin(2 * M_PI / POINTS), 1e-3);
+    assert_near(number(place, "line-out", "a", "rq_m"), 1e-6 * sqrt(0.5 - 6 / (M_PI * M_PI * 2)),
+                1e-2); /* 1/2 - 12 (1/2pi)² */
 }
 
 /* The report says what each scan got. */
 TEST_CASE(test_the_report_names_windows)
 {
     const struct directory *place = *state;
-    mkdir(directory_path(place, "three"), 0777);
     write_law(place, "three/a-1.csv", 512, 1, 0, 1);
     write_law(place, "three/a-2.csv", 512, 1, 0, 2);
     write_law(place, "three/a-3.csv", 512, 8, 0.02, 3);
     directory_write(place, "three/scene.yaml",
                     "material: tin\nsurfaces: [{name: a, file: [a-1.csv, a-2.csv, a-3.csv]}]\n");
     assert_int_equal(pipeline_run(place, "three", "three-out", 1), 0);
-    expect_in(place, "three-out/report.md", "2 of 3 scans close on themselves");
-    expect_in(place, "three-out/report.md", "no window for 2, Hann × √(8/3) for 1");
-    expect_in(place, "three-out/report.md", "| a | 3 | 2 | none or Hann | law | 3.00 |");
-    json_t *root, *surface = read_surface(place, "three-out", "a", &root);
-    double error = number(surface, "gamma_stderr");
-    assert_within(number(surface, "gamma"), gamma_made, 3 * error);
-    assert_true(error < 0.04); /* one alone: 0.044 */
-    json_decref(root);
+    expect_in_file(place, "three-out/report.md", "2 of 3 scans close on themselves",
+                   "no window for 2, Hann × √(8/3) for 1", "| a | 3 | 2 | none or Hann | law | 3.00 |");
+    expect_gamma_made(place, "three-out", "a");
+    assert_true(number(place, "three-out", "a", "gamma_stderr") < 0.04); /* one alone: 0.044 */
 }
 
 /* A constant window: the windowed spectrum's power is the mean of many records', not forced to be this one's. */
 TEST_CASE(test_a_window_by_name)
 {
     const struct directory *place = *state;
-    mkdir(directory_path(place, "hann"), 0777);
     double height_m[POINTS];
     for (size_t i = 0; i < POINTS; i++)
         height_m[i] = 1e-6 * cos(2 * M_PI * 32 * (double)i / POINTS);
     pipeline_scan(place, "hann/a.csv", height_m, POINTS);
     directory_write(place, "hann/scene.yaml", "material: tin\nwindow: hann\n");
     assert_int_equal(pipeline_run(place, "hann", "hann-out", 1), 0);
-    struct table table = table_read_path(directory_path(place, "hann-out/data/spectrum.csv"));
+    struct table table = directory_table(place, "hann-out/data/spectrum.csv");
     assert_near(table_number(&table, 31, "amplitude_m"), 1e-6 * sqrt(2.0 / 3), 1e-5);
     assert_near(table_number(&table, 30, "amplitude_m"), 1e-6 * sqrt(1.0 / 6), 1e-5);
     table_free(&table);
@@ -180,7 +167,6 @@ TEST_CASE(test_a_window_by_name)
 TEST_CASE(test_no_law)
 {
     const struct directory *place = *state;
-    mkdir(directory_path(place, "none"), 0777);
     double height_m[POINTS];
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     for (size_t i = 0; i < POINTS; i++)
@@ -206,15 +192,13 @@ TEST_CASE(test_no_law)
     assert_int_equal(pipeline_run(place, "none", "none-out", 1), 0);
     static const char *const names[] = {"white", "constant", "one-harmonic", "eleven-points", "all-lines"};
     for (size_t s = 0; s < sizeof names / sizeof *names; s++) {
-        json_t *root, *surface = read_surface(place, "none-out", names[s], &root);
-        if (strcmp(law_class(surface), "no power law found") != 0)
-            fail_msg("%s: '%s', gamma %g", names[s], law_class(surface), number(surface, "gamma"));
-        assert_true(isnan(number(surface, "gamma")) && isnan(number(surface, "fit_low_m")));
-        json_decref(root);
+        expect_class(place, "none-out", names[s], "no power law found");
+        assert_true(isnan(number(place, "none-out", names[s], "gamma")) &&
+                    isnan(number(place, "none-out", names[s], "fit_low_m")));
     }
-    expect_in(place, "none-out/report.md", "no power law found");
-    expect_in(place, "none-out/report.md", "no power law of a decade was found in the spectrum on all 5 surfaces");
-    struct table table = table_read_path(directory_path(place, "none-out/data/spectrum.csv"));
+    expect_in_file(place, "none-out/report.md", "no power law found",
+                   "no power law of a decade was found in the spectrum on all 5 surfaces");
+    struct table table = directory_table(place, "none-out/data/spectrum.csv");
     assert_string_equal(table_text(&table, 0, "fit_m"), "");
     table_free(&table);
 }
@@ -223,19 +207,17 @@ TEST_CASE(test_no_law)
 TEST_CASE(test_a_narrow_law)
 {
     const struct directory *place = *state;
-    mkdir(directory_path(place, "narrow"), 0777);
     write_law(place, "narrow/a.csv", POINTS, 1, 0, 5);
     write_law(place, "narrow/b.csv", POINTS, 1, 0, 5);
     directory_write(
         place, "narrow/scene.yaml",
         "material: tin\neffects: [electrical, convergence]\nconvergence: {scales: 64}\nfit_band_m: [5e-6, 4e-5]\n");
     assert_int_equal(pipeline_run(place, "narrow", "narrow-out", 1), 0);
-    json_t *root, *surface = read_surface(place, "narrow-out", "a", &root);
-    assert_string_equal(law_class(surface), "narrow");
-    assert_true(number(surface, "fit_low_m") >= 5e-6 && number(surface, "fit_high_m") <= 4e-5);
-    assert_within(number(surface, "gamma"), gamma_made, 3 * number(surface, "gamma_stderr"));
-    json_decref(root);
-    expect_in(place, "narrow-out/report.md", " (narrow) | ");
+    expect_class(place, "narrow-out", "a", "narrow");
+    assert_true(number(place, "narrow-out", "a", "fit_low_m") >= 5e-6 &&
+                number(place, "narrow-out", "a", "fit_high_m") <= 4e-5);
+    expect_gamma_made(place, "narrow-out", "a");
+    expect_in_file(place, "narrow-out/report.md", " (narrow) | ");
 }
 
 /* Heights to the picometre of a law that an instrument has cut at 8 um: what is left below is the file's last digit.
@@ -259,7 +241,6 @@ TEST_CASE(test_what_lies_below_a_cut_off)
     text_add(&csv, "x [um],z [um]\n");
     for (size_t i = 0; i < HEIGHTS; i++)
         text_add(&csv, "%g,%.6f\n", 0.25 * (double)i, height_m[i] * 1e6);
-    mkdir(directory_path(place, "cut"), 0777);
     directory_write(place, "cut/a.csv", text_string(&csv));
     directory_write(place, "cut/scene.yaml", scene);
     assert_int_equal(pipeline_run(place, "cut", "cut-out", 1), 0);
@@ -298,7 +279,6 @@ TEST_CASE(test_rows_of_a_map)
 {
     const struct directory *place = *state;
     enum { ROWS = 40, ROW = 256 };
-    mkdir(directory_path(place, "map"), 0777);
     struct synth_def def = synth_def_default();
     struct status status = {0};
     def.points = ROW;
@@ -316,11 +296,9 @@ TEST_CASE(test_rows_of_a_map)
         directory_write(place, "map/a.csv", text_string(&xyz));
         text_free(&xyz);
         assert_int_equal(pipeline_run(place, "map", "map-out", 1), 0);
-        json_t *root, *surface = read_surface(place, "map-out", "a", &root);
-        assert_int_equal(number(surface, "scans"), ROWS);
-        independent[same] = number(surface, "scans_independent");
-        error[same] = number(surface, "gamma_stderr");
-        json_decref(root);
+        assert_int_equal(number(place, "map-out", "a", "scans"), ROWS);
+        independent[same] = number(place, "map-out", "a", "scans_independent");
+        error[same] = number(place, "map-out", "a", "gamma_stderr");
     }
     assert_true(independent[0] > 8 && independent[0] <= 16);
     assert_near(independent[1], 1, 0);
@@ -336,16 +314,13 @@ TEST_CASE(test_the_counterface_is_in_the_law)
     for (size_t i = 0; i < POINTS; i++)
         height_m[i] = 1e-11 * gsl_ran_gaussian(random, 1);
     gsl_rng_free(random);
-    mkdir(directory_path(place, "pair"), 0777);
     pipeline_scan(place, "pair/smooth.csv", height_m, POINTS);
     write_law(place, "pair/rough.csv", POINTS, 1, 0, 3);
     directory_write(place, "pair/scene.yaml",
                     "counterface: {surface: rough.csv}\nsurfaces: [{name: smooth, file: smooth.csv}]\n");
     assert_int_equal(pipeline_run(place, "pair", "pair-out", 1), 0);
-    json_t *root, *surface = read_surface(place, "pair-out", "smooth", &root);
-    assert_string_equal(law_class(surface), "law");
-    assert_within(number(surface, "gamma"), gamma_made, 3 * number(surface, "gamma_stderr"));
-    json_decref(root);
+    expect_class(place, "pair-out", "smooth", "law");
+    expect_gamma_made(place, "pair-out", "smooth");
 }
 
 TEST_GROUP(directory_setup, directory_teardown)

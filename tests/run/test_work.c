@@ -6,8 +6,6 @@
 
 #include <jansson.h>
 
-static struct directory place;
-
 /** What a run did, by effect. */
 struct work {
     json_int_t area, plasticity, convergence, uncertainty, all;
@@ -20,17 +18,9 @@ static json_int_t evaluations(const json_t *work, const char *effect)
 
 static struct work work_of(const char *scene)
 {
-    struct run_outcome outcome;
-    struct status status = {0};
-    struct run_options options = {.output = NULL, .templates = PROJECT_SOURCE "/templates", .jobs = 2, .no_cost = true};
-    char target[300];
-    snprintf(target, sizeof target, "%s/out", place.path);
-    options.output = target;
-    directory_write(&place, "in/scene.yaml", scene);
-    if (pipeline_try(&outcome, &place, "in", options, &status) != STATUS_OK)
-        fail_msg("%s\n%s", status.message, text_string(&outcome.messages));
-    run_outcome_free(&outcome);
-    json_t *results = json_load_file(directory_path(&place, "out/results.json"), 0, NULL);
+    directory_write(&directory_here, "in/scene.yaml", scene);
+    assert_int_equal(pipeline_run(&directory_here, "in", "out", 2), 0);
+    json_t *results = json_load_file(directory_path(&directory_here, "out/results.json"), 0, NULL);
     const json_t *work = json_object_get(results, "work"), *row;
     const char *name;
     assert_int_equal(json_object_size(work), EFFECTS_ROWS);
@@ -110,9 +100,8 @@ TEST_CASE(auto_skips_what_cannot_matter)
                 "material: {E: 1 GPa, nu: 0.3, Sy: 1000 GPa}\nload: {from: 1e-6, to: 1e-3, points: 31}\n");
     assert_true(work.area > 0);
     assert_int_equal(work.plasticity, 0);
-    struct text report = directory_read(&place, "out/report.md");
-    assert_non_null(strstr(text_string(&report), "| plasticity | skipped | every scale is complete before it yields"));
-    text_free(&report);
+    expect_in_file(&directory_here, "out/report.md",
+                   "| plasticity | skipped | every scale is complete before it yields");
     assert_true(work_of(FILES "effects: auto\n").plasticity > 0);
 }
 
@@ -123,7 +112,7 @@ TEST_CASE(effects_are_a_surfaces_own)
             "a.csv}]\n"
             "material: {E: 1 GPa, nu: 0.3, Sy: 1 MPa}\nmodels: [multiscale]\n"
             "load: {from: 1e-6, to: 1e-3, points: 5}\n");
-    struct table table = table_read_path(directory_path(&place, "out/data/contact.csv"));
+    struct table table = directory_table(&directory_here, "out/data/contact.csv");
     size_t same = 0, other = 0;
     for (size_t i = 0; i < table.rows; i++)
         for (size_t j = 0; j < table.rows; j++) {
@@ -154,18 +143,10 @@ TEST_CASE(targets_are_searches)
 
 static int set_up(void **state)
 {
-    (void)state;
-    place = directory_make();
-    return mkdir(directory_path(&place, "in"), 0700) |
-           symlink(PROJECT_SOURCE "/surfaces/chapter6/surface-1.csv", directory_path(&place, "in/a.csv")) |
-           symlink(PROJECT_SOURCE "/surfaces/chapter6/surface-4.csv", directory_path(&place, "in/b.csv"));
+    directory_setup(state);
+    return mkdir(directory_path(*state, "in"), 0700) |
+           symlink(PROJECT_SOURCE "/surfaces/chapter6/surface-1.csv", directory_path(*state, "in/a.csv")) |
+           symlink(PROJECT_SOURCE "/surfaces/chapter6/surface-4.csv", directory_path(*state, "in/b.csv"));
 }
 
-static int tear_down(void **state)
-{
-    (void)state;
-    directory_remove(&place);
-    return 0;
-}
-
-TEST_GROUP(set_up, tear_down)
+TEST_GROUP(set_up, directory_teardown)
