@@ -72,8 +72,6 @@ const struct cell_column cell_columns[] = {
     COLUMN("fit_high_m", power_law.band_m[1], CELL_ALWAYS),
     COLUMN("fit_misfit_decades", power_law.misfit_decades, CELL_ALWAYS),
     COLUMN("fit_psd_m3", power_law.psd_m3, CELL_JSON),
-    COLUMN("rsk_chance", height_law.chance[0], CELL_JSON),
-    COLUMN("rku_chance", height_law.chance[1], CELL_JSON),
     COLUMN("end_jump_m", jump_m, CELL_JSON),
     COLUMN("end_jump_share", jump_share, CELL_JSON),
 #undef COLUMN
