@@ -85,7 +85,7 @@ MUST_CHECK enum status_code scan_read_bytes(struct scan *out, const struct scan_
  * the first): "PNG picture", "text without a row of numbers"; NULL: it may be one. */
 const char *scan_is_other(const struct scan_bytes *file, bool whole);
 /** Do the first bytes not tell what the file is, but the last ones (zip, TIFF)? */
-bool scan_tells_at_end(const struct scan_bytes *file);
+bool scan_tells_at_end(const char *bytes, size_t length);
 void scan_free(struct scan *scan);
 /** Exchanges rows and columns of a map, so that its columns can be taken as profiles. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code scan_transpose(struct scan *scan, struct status *status);

@@ -121,7 +121,7 @@ static const char *kind_of_other(const struct scene *scene, const char *name, st
         bytes[length] = '\0';
         struct scan_bytes content = {bytes, length, path};
         bool whole = length < BEGINNING;
-        if (!whole && scan_tells_at_end(&content) && text_read_file(&all, path, &(struct status){0}) == STATUS_OK) {
+        if (!whole && scan_tells_at_end(bytes, length) && text_read_file(&all, path, &(struct status){0}) == STATUS_OK) {
             content = (struct scan_bytes){text_string(&all), all.length, path};
             whole = true;
         }

@@ -158,7 +158,7 @@ void fuzz_scan(const uint8_t *bytes, size_t length)
     const char *only = getenv("ROUGHCONTACT_FUZZ_FORMAT"); /* one reader alone */
     char *copy = file_of((const char *)bytes, &length);
     const struct scan_bytes file = {copy, length, "file.dat"};
-    const char *format = format_of(&file, true).name;
+    const char *format = format_of(&(struct scan_file){.bytes = copy, .length = length, .path = file.path}, true).name;
     bool any = false;
     size_t parts = 0;
     if (only && (!format || strcmp(format, only) != 0)) {
