@@ -2,14 +2,15 @@
 #include "scene/scene.h"
 #include "joint/electron.h"
 #include "scene/scene_asked.h"
+#include "scene/scene_files.h"
 #include "scene/scene_keys.h"
-#include "scene/scene_listing.h"
 #include "scene/scene_surfaces.h"
 #include "scene/scene_words.h"
 
 #include <errno.h>
 #include <libgen.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -113,6 +114,25 @@ static enum status_code override_effects(struct scene *scene, struct scene_sourc
                                         "--effects names none; give 'auto' or names such as 'electrical,thermal'");
 }
 
+/* Effect `effect`, asked for in the scene or else by the command line, lacks what the text says. */
+PRINTF_LIKE(3, 4)
+static enum status_code fail_effect(struct scene_source *source, int effect, const char *lacks, ...)
+{
+    char what[400];
+    va_list args;
+    va_start(args, lacks);
+    vsnprintf(what, sizeof what, lacks, args);
+    va_end(args);
+    if (source->effect_line[effect])
+        scene_source_fail(source, source->effect_line[effect], "effect '%s' needs %s or leave the effect out",
+                          effect_rows[effect].name, what);
+    else
+        (void)status_fail(source->status, STATUS_SCENE,
+                          "--effects: '%s' needs %s in scene.yaml, or leave the effect out", effect_rows[effect].name,
+                          what);
+    return source->status->code;
+}
+
 /* Effects run that a key calls for, unless the command line lists others; none runs without its key. */
 static enum status_code call_effects(struct scene *scene, struct scene_source *source, bool listed)
 {
@@ -121,16 +141,8 @@ static enum status_code call_effects(struct scene *scene, struct scene_source *s
         unsigned bit = EFFECT_BIT(i);
         if (!row->key)
             continue;
-        if (source->call_line[i] == 0 && (scene->effects & bit)) {
-            if (source->effect_line[i] > 0)
-                scene_source_fail(source, source->effect_line[i],
-                                  "effect '%s' needs '%s'; add that key or leave the effect out", row->name, row->key);
-            else
-                (void)status_fail(source->status, STATUS_SCENE,
-                                  "--effects: '%s' needs '%s' in scene.yaml; add that key or leave the effect out",
-                                  row->name, row->key);
-            return source->status->code;
-        }
+        if (source->call_line[i] == 0 && (scene->effects & bit))
+            return fail_effect(source, i, "'%s'; add that key", row->key);
         if (source->call_line[i] == 0 || (listed && !scene->effects_auto && !(scene->effects & bit)))
             continue;
         scene->called |= bit;
@@ -204,22 +216,10 @@ static enum status_code check_effects(const struct scene *scene, struct scene_so
         const char *body;
         const struct material_property *property =
             scene->effects & EFFECT_BIT(i) ? scene_surfaces_lack(&body, bodies, effect) : NULL;
-        bool none = isnan(bodies->material.youngs_modulus_Pa);
-        if (!property)
-            continue;
-        if (source->effect_line[i] && none)
-            scene_source_fail(source, source->effect_line[i],
-                              "effect '%s' needs a material; add 'material' or leave the effect out", effect->name);
-        else if (source->effect_line[i])
-            scene_source_fail(source, source->effect_line[i],
-                              "effect '%s' needs '%s'; add it to '%s'%s or leave the effect out", effect->name,
-                              property->name, body, whose);
-        if (none)
-            return status_fail(source->status, STATUS_SCENE,
-                               "--effects: '%s' needs a material; add --material or 'material' in scene.yaml",
-                               effect->name);
-        return status_fail(source->status, STATUS_SCENE, "--effects: '%s' needs '%s'; add it to '%s'%s in '%s'",
-                           effect->name, property->name, body, whose, scene->path ? scene->path : "scene.yaml");
+        if (property && isnan(bodies->material.youngs_modulus_Pa))
+            return fail_effect(source, i, "a material; add 'material'");
+        if (property)
+            return fail_effect(source, i, "'%s'; add it to '%s'%s", property->name, body, whose);
     }
     return STATUS_OK;
 }
@@ -399,7 +399,7 @@ static enum status_code complete(struct scene *scene, struct scene_source *sourc
     struct status *status = source->status;
     if (override_values(scene, source, overrides) != STATUS_OK)
         return status->code;
-    if ((scene->surface_count == 0 && scene_listing_read(scene, status) != STATUS_OK) ||
+    if ((scene->surface_count == 0 && scene_files_list(scene, status) != STATUS_OK) ||
         complete_all_bodies(scene, source) != STATUS_OK || check_loads(scene, source) != STATUS_OK ||
         scene_asked_complete(scene, source) != STATUS_OK || override_units(scene, overrides, status) != STATUS_OK ||
         check_baseline(scene, source) != STATUS_OK)

@@ -89,7 +89,7 @@ static bool add_files(struct scene_source *source, struct scene_surface *surface
         return scene_source_memory(source);
     int failed = stat(path, &info), reason = errno;
     free(path);
-    if (!failed || !scene_files_is_pattern(file)) {
+    if (!failed || !strpbrk(file, "*?[")) {
         if (scene_files_add(surface, file, source->status) != STATUS_OK)
             return false;
         if (failed)
