@@ -142,13 +142,13 @@ TEST_CASE(test_maps)
 
 TEST_CASE(test_files)
 {
-    struct scene_directory directory = scene_directory_make();
+    struct directory directory = directory_make();
     for (size_t over = 0; over < 2; over++) {
         struct text text = table(4, 2, 0);
         char path[512];
         while (text.length < SMALL_FILE_BYTES + over)
             text_add(&text, "\n");
-        scene_directory_write(&directory, "a.dat", text.data, text.length);
+        directory_write(&directory, "a.dat", text.data);
         snprintf(path, sizeof path, "%s/a.dat", directory.path);
         text_free(&text);
         FILE *file = fopen(path, "rb");
@@ -178,7 +178,7 @@ TEST_CASE(test_files)
         expect_limit(streamed.message, LIMIT_FILE_BYTES);
         expect_limit(piped.message, LIMIT_FILE_BYTES);
     }
-    scene_directory_remove(&directory);
+    directory_remove(&directory);
 }
 
 /* The scene, a directory that is listed, one inside it. */
@@ -186,7 +186,7 @@ TEST_CASE(test_directories)
 {
     for (size_t over = 0; over < 2; over++)
         for (size_t inside = 0; inside < 2; inside++) {
-            struct scene_directory directory = scene_directory_make();
+            struct directory directory = directory_make();
             char path[512], name[32];
             struct scene scene;
             struct status status = {0};
@@ -205,13 +205,13 @@ TEST_CASE(test_directories)
                 assert_int_equal(scene.surface_count, inside ? 1 : SMALL_FILES - 2);
             }
             scene_free(&scene);
-            scene_directory_remove(&directory);
+            directory_remove(&directory);
         }
 }
 
 TEST_CASE(test_scene_files)
 {
-    struct scene_directory directory = scene_directory_make();
+    struct directory directory = directory_make();
     scene_directory_add(&directory, "a.csv");
     for (size_t over = 0; over < 2; over++) {
         struct text text = {0};
@@ -220,7 +220,7 @@ TEST_CASE(test_scene_files)
         text_add(&text, "surfaces:\n");
         for (size_t i = 0; i < SMALL_SCENE_FILES / 2 + over; i++)
             text_add(&text, "  - {name: s%zu, file: [a.csv, ./a.csv]}\n", i);
-        scene_directory_write(&directory, "scene.yaml", text.data, text.length);
+        directory_write(&directory, "scene.yaml", text.data);
         if (scene_read(&scene, directory.path, NULL, &status) != (over ? STATUS_SCENE : STATUS_OK))
             fail_msg("%s", status.message);
         if (over)
@@ -229,7 +229,7 @@ TEST_CASE(test_scene_files)
         scene_free(&scene);
         text_free(&text);
     }
-    scene_directory_remove(&directory);
+    directory_remove(&directory);
 }
 
 /* Lines of a measured file, whatever is in them, and bytes of one: a heading, a row, a remark. */
@@ -262,20 +262,20 @@ TEST_CASE(test_scenes)
                                               "surfaces: [{file: a.csv, name: abcdefghijklmnopqrstu}]\n"},
                                              {"direct: {grid: 64, seeds: 4}\n", "direct: {grid: 66, seeds: 4}\n"}};
     static const enum limit limits[2] = {LIMIT_NAME_BYTES, LIMIT_DIRECT_POINTS};
-    struct scene_directory directory = scene_directory_make();
+    struct directory directory = directory_make();
     scene_directory_add(&directory, "a.csv");
     for (size_t i = 0; i < 2; i++)
         for (size_t over = 0; over < 2; over++) {
             struct scene scene;
             struct status status = {0};
-            scene_directory_write(&directory, "scene.yaml", scenes[i][over], strlen(scenes[i][over]));
+            directory_write(&directory, "scene.yaml", scenes[i][over]);
             enum status_code code = scene_read(&scene, directory.path, NULL, &status);
             assert_int_equal(code, over ? STATUS_SCENE : STATUS_OK);
             if (over)
                 expect_limit(status.message, limits[i]);
             scene_free(&scene);
         }
-    scene_directory_remove(&directory);
+    directory_remove(&directory);
 }
 
 static const char heights[] = "x [um],z [um]\n0,0.5\n0.5,-1.25\n1,2.75\n1.5,0.125\n2,8\n2.5,-3.5\n";

@@ -53,16 +53,16 @@ TEST_CASE(test_defaults_without_scene)
 TEST_CASE(test_defaults_of_texts_that_say_nothing)
 {
     static const char *const texts[] = {"", "\n", "# only a comment\n", "---\n", "---\n...\n", "{}", "~\n", "load: {}"};
-    struct scene_directory directory = scene_directory_make();
+    struct directory directory = directory_make();
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
-        scene_directory_says(&directory, texts[i]);
+        directory_write(&directory, "scene.yaml", texts[i]);
         struct scene scene = scene_directory_read(directory.path, NULL);
         check_defaults(&scene);
         assert_non_null(scene.path);
         assert_int_equal(scene.surface_count, 0); /* scene.yaml is no scan */
         scene_free(&scene);
     }
-    scene_directory_remove(&directory);
+    directory_remove(&directory);
 }
 
 static void check_full_material(const struct material *material)

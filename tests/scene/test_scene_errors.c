@@ -316,11 +316,11 @@ static const struct wrong rows[] = {
 
 TEST_CASE(test_every_message)
 {
-    struct scene_directory directory = scene_directory_make();
+    struct directory directory = directory_make();
     scene_directory_add(&directory, "a.csv");
     scene_directory_add(&directory, "b.csv");
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        scene_directory_says(&directory, rows[i].text);
+        directory_write(&directory, "scene.yaml", rows[i].text);
         struct scene scene;
         struct status status = {0};
         char expected[sizeof status.message];
@@ -333,27 +333,27 @@ TEST_CASE(test_every_message)
         assert_string_equal(status.message, expected);
         scene_free(&scene);
     }
-    scene_directory_remove(&directory);
+    directory_remove(&directory);
 }
 
 /* Texts too large to write down: `count` times `part` between `start` and `end`. */
 static void check_large(const char *start, const char *part, size_t count, const char *end, const char *expected)
 {
-    struct scene_directory directory = scene_directory_make();
+    struct directory directory = directory_make();
     scene_directory_add(&directory, "a");
     struct text text = {0};
     text_add(&text, "%s", start);
     for (size_t i = 0; i < count; i++)
         text_add(&text, "%s", part);
     text_add(&text, "%s", end);
-    scene_directory_write(&directory, "scene.yaml", text.data, text.length);
+    directory_write(&directory, "scene.yaml", text.data);
     struct scene scene;
     struct status status = {0};
     assert_int_equal(scene_read(&scene, directory.path, NULL, &status), STATUS_SCENE);
     assert_non_null(strstr(status.message, expected));
     scene_free(&scene);
     text_free(&text);
-    scene_directory_remove(&directory);
+    directory_remove(&directory);
 }
 
 TEST_CASE(test_sizes)
@@ -381,7 +381,7 @@ TEST_CASE(test_aliases_do_not_multiply)
 
 TEST_CASE(test_scene_that_is_no_file)
 {
-    struct scene_directory directory = scene_directory_make();
+    struct directory directory = directory_make();
     struct scene scene;
     struct status status = {0};
     char path[512];
@@ -397,5 +397,5 @@ TEST_CASE(test_scene_that_is_no_file)
     assert_int_equal(scene_read(&scene, directory.path, NULL, &status), STATUS_SCENE);
     assert_non_null(strstr(status.message, "/scene.yaml' is no regular file; remove it"));
     scene_free(&scene);
-    scene_directory_remove(&directory);
+    directory_remove(&directory);
 }

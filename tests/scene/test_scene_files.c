@@ -1,100 +1,136 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "scene/scene_files.h"
+/* Surfaces out of the files of a directory. */
 #include "scene_directory.h"
 
-static void check_names(const char *const *files, size_t count, const char *const (*expected)[2], size_t surfaces)
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
+/* Makes the files, which '|' separates: a folder ends in '/'; behind '=' stands what a file is: U it says units, D the
+ * same in JSON, N units above numbers. */
+static void lay_out(const struct directory *directory, const char *files)
 {
-    struct scene_directory directory = scene_directory_make();
-    for (size_t i = 0; i < count; i++)
-        scene_directory_add(&directory, files[i]);
-    struct scene scene = scene_directory_read(directory.path, NULL);
-    assert_int_equal(scene.surface_count, surfaces);
-    for (size_t i = 0; i < surfaces; i++) {
-        assert_string_equal(scene.surfaces[i].name, expected[i][0]);
-        assert_int_equal(scene.surfaces[i].file_count, 1);
-        assert_string_equal(scene.surfaces[i].files[0], expected[i][1]);
-        assert_string_equal(scene.surfaces[i].x_unit, "");
+    static const char units[] = "x unit: mm\nz unit: nm\n", json[] = "{\"X1_FACTOR\": 0.001, \"Y1_FACTOR\": 1e-9}",
+                      numbers[] = "x unit: mm\nz unit: nm\n0 1\n1 2\n2 1\n";
+    char *all = strdup(files), *rest = all;
+    for (char *name; (name = strsep(&rest, "|"));) {
+        char *kind = strchr(name, '=');
+        if (kind)
+            *kind++ = '\0';
+        if (*name == '\0')
+            continue;
+        if (name[strlen(name) - 1] == '/')
+            assert_int_equal(mkdir(directory_path(directory, name), 0777), 0);
+        else
+            directory_write(directory, name, !kind ? "0 1\n" : *kind == 'U' ? units : *kind == 'D' ? json : numbers);
     }
-    scene_free(&scene);
-    scene_directory_remove(&directory);
+    free(all);
 }
 
-#define COUNT(array)                 (sizeof(array) / sizeof *(array))
-#define CHECK_NAMES(files, surfaces) check_names(files, COUNT(files), surfaces, COUNT(surfaces))
-
-TEST_CASE(test_natural_order)
+/* Each surface's name and files, behind one another. */
+static void assert_surfaces(const struct scene *scene, const char *expected)
 {
-    static const char *const files[] = {"s10.csv",   "s2.csv",   "s1.csv", "s02.csv",
-                                        "s2b10.csv", "s2b9.csv", "S3.csv", "s18446744073709551617.csv",
-                                        "t.csv",     "10.csv",   "9.csv",  "s18446744073709551616.csv"};
-    static const char *const expected[][2] = {{"9", "9.csv"},
-                                              {"10", "10.csv"},
-                                              {"S3", "S3.csv"},
-                                              {"s1", "s1.csv"},
-                                              {"s02", "s02.csv"},
-                                              {"s2", "s2.csv"},
-                                              {"s2b9", "s2b9.csv"},
-                                              {"s2b10", "s2b10.csv"},
-                                              {"s10", "s10.csv"},
-                                              {"s18446744073709551616", "s18446744073709551616.csv"},
-                                              {"s18446744073709551617", "s18446744073709551617.csv"},
-                                              {"t", "t.csv"}};
-    CHECK_NAMES(files, expected);
+    struct text text = {0};
+    for (size_t i = 0; i < scene->surface_count; i++) {
+        text_add(&text, "%s%s:", i > 0 ? "|" : "", scene->surfaces[i].name);
+        for (size_t k = 0; k < scene->surfaces[i].file_count; k++)
+            text_add(&text, " %s", scene->surfaces[i].files[k]);
+    }
+    assert_string_equal(text_string(&text), expected);
+    text_free(&text);
 }
 
-TEST_CASE(test_same_stems_keep_their_endings)
+#define TEXTS(count) "passed over, no scan" count " x text without a row of numbers "
+
+static const struct {
+    const char *files, *scene, *surfaces, *passed_over; /* NULL: none */
+} listings[] = {
+    {"", NULL, "", NULL},
+    /* natural order */
+    {"s10.csv|s2.csv|s1.csv|s02.csv|s2b10.csv|s2b9.csv|S3.csv|s18446744073709551617.csv|t.csv|10.csv|9.csv|"
+     "s18446744073709551616.csv",
+     NULL,
+     "9: 9.csv|10: 10.csv|S3: S3.csv|s1: s1.csv|s02: s02.csv|s2: s2.csv|s2b9: s2b9.csv|s2b10: s2b10.csv|s10: s10.csv|"
+     "s18446744073709551616: s18446744073709551616.csv|s18446744073709551617: s18446744073709551617.csv|t: t.csv",
+     NULL},
+    /* those of one stem keep their endings */
+    {"a.csv|a.txt|b.csv|c|c.x|c.x.y|d.|e.tar.gz", NULL,
+     "a.csv: a.csv|a.txt: a.txt|b: b.csv|c: c|c.x: c.x|c.x.y: c.x.y|d: d.|e.tar: e.tar.gz", NULL},
+    /* hostile names */
+    {"a b.csv|\n.csv|\xff\xfe.csv|$(x).csv|scene.yaml.bak|-o.csv", NULL,
+     "\n: \n.csv|$(x): $(x).csv|-o: -o.csv|a b: a b.csv|scene.yaml: scene.yaml.bak|\xff\xfe: \xff\xfe.csv", NULL},
+    /* a sub-directory is a surface of its files; one without any, a report and a hidden one are none */
+    {"b/|a/|.hidden/|empty/|report/|deep/|deep/er/|only/|b/run-10.csv|b/run-2.csv|b/.x.csv|a/x.csv|b.csv|.hidden/x|"
+     "report/x|report/results.json|deep/er/x|only/ref.csv|b/run-2.txt=U",
+     "counterface: {surface: only/ref.csv}\n", "a: a/x.csv|b: b/run-2.csv b/run-10.csv|b.csv: b.csv", NULL},
+    /* patterns */
+    {"r/|run-3.csv/|run-10.csv|run-9.csv|run-x.txt|r/run-1.csv|[1].csv|.run-1.csv",
+     "surfaces:\n  - {name: a, file: \"run-*.csv\"}\n  - {name: b, file: [\"[1].csv\", \"r/*-?.c[st]v\"]}\n",
+     "a: run-9.csv run-10.csv|b: [1].csv r/run-1.csv", NULL},
+    /* files that only say units of a scan beside them are no surfaces; alone they are passed over (d.txt is of d, not
+     * of d.1; two of them make no scan); with numbers in them they are surfaces */
+    {"a.dat|b.csv|c.csv|d.1.csv|g.csv|a.txt=D|a.hdr=U|b.csv.json=D|c.txt=N|d.txt=U|e.txt=U|f.json=D|f.txt=U|g.txt=U",
+     "counterface: {surface: g.csv}\n", "a: a.dat|b: b.csv|c.csv: c.csv|c.txt: c.txt|d.1: d.1.csv",
+     TEXTS("s: 4") "(d.txt, e.txt, f.json, f.txt)"},
+    /* in a folder, too: of names with an ending and without, among others that begin alike */
+    {"s/|s/a|s/a.txt=U|s/b.csv.hdr=U|s/b.txt=U", NULL, "s: s/a", TEXTS("s: 2") "(s/b.csv.hdr, s/b.txt)"},
+    {"s/|s/a-1.csv|s/a.txt=U|s/b.csv.hdr=U|s/b.txt=U", NULL, "s: s/a-1.csv",
+     TEXTS("s: 3") "(s/a.txt, s/b.csv.hdr, s/b.txt)"},
+    {"s/|s/a.csv|s/a.txt=U|s/b.csv.hdr=U|s/b.txt=U", NULL, "s: s/a.csv", TEXTS("s: 2") "(s/b.csv.hdr, s/b.txt)"},
+    {"s/|s/b.csv|s/a.txt=U|s/b.csv.hdr=U|s/b.txt=U", NULL, "s: s/b.csv", TEXTS(": 1") "(s/a.txt)"},
+    {"s/|s/b.c.csv|s/a.txt=U|s/b.csv.hdr=U|s/b.txt=U", NULL, "s: s/b.c.csv",
+     TEXTS("s: 3") "(s/a.txt, s/b.csv.hdr, s/b.txt)"},
+    {"s/|s/ab.csv|s/a.txt=U|s/b.csv.hdr=U|s/b.txt=U", NULL, "s: s/ab.csv",
+     TEXTS("s: 3") "(s/a.txt, s/b.csv.hdr, s/b.txt)"},
+};
+
+TEST_CASE(test_listings)
 {
-    static const char *const files[] = {"a.csv", "a.txt", "b.csv", "c", "c.x", "c.x.y", "d.", "e.tar.gz"};
-    static const char *const expected[][2] = {{"a.csv", "a.csv"}, {"a.txt", "a.txt"},   {"b", "b.csv"},
-                                              {"c", "c"},         {"c.x", "c.x"},       {"c.x.y", "c.x.y"},
-                                              {"d", "d."},        {"e.tar", "e.tar.gz"}};
-    CHECK_NAMES(files, expected);
+    for (size_t i = 0; i < COUNT(listings); i++) {
+        struct directory directory = directory_make();
+        lay_out(&directory, listings[i].files);
+        if (listings[i].scene)
+            directory_write(&directory, "scene.yaml", listings[i].scene);
+        struct scene scene = scene_directory_read(directory.path, NULL);
+        assert_surfaces(&scene, listings[i].surfaces);
+        assert_string_equal(scene.passed_over ? scene.passed_over : "",
+                            listings[i].passed_over ? listings[i].passed_over : "");
+        scene_free(&scene);
+        directory_remove(&directory);
+    }
 }
 
-TEST_CASE(test_hostile_names)
+TEST_CASE(test_patterns_of_nothing)
 {
-    static const char *const files[] = {"a b.csv", "\n.csv", "\xff\xfe.csv", "$(x).csv", "scene.yaml.bak", "-o.csv"};
-    static const char *const expected[][2] = {{"\n", "\n.csv"},
-                                              {"$(x)", "$(x).csv"},
-                                              {"-o", "-o.csv"},
-                                              {"a b", "a b.csv"},
-                                              {"scene.yaml", "scene.yaml.bak"},
-                                              {"\xff\xfe", "\xff\xfe.csv"}};
-    CHECK_NAMES(files, expected);
+    static const char *const bad[][2] = {
+        {"surfaces:\n  - {file: a}\n  - {file: \"x*.csv\"}\n", "scene.yaml:2: cannot find surface file 'a'"},
+        {"surfaces:\n  - {file: \"run-*.csv\"}\n  - {name: b,\n     file: \"x*.csv\"}\n",
+         "scene.yaml:4: 'x*.csv' matches no file; paths start at the scene's directory"},
+        {"surfaces:\n  - {file: \"nowhere/*\"}\n", "scene.yaml:2: cannot list '"},
+        {"surfaces:\n  - {file: \"r*/run-1.csv\"}\n", "scene.yaml:2: cannot list '"}};
+    struct directory directory = directory_make();
+    lay_out(&directory, "run-1.csv|r/|r/run-1.csv");
+    for (size_t i = 0; i < COUNT(bad); i++) {
+        struct scene scene;
+        struct status status = {0};
+        directory_write(&directory, "scene.yaml", bad[i][0]);
+        assert_int_equal(scene_read(&scene, directory.path, NULL, &status), STATUS_SCENE);
+        assert_non_null(strstr(status.message, bad[i][1]));
+        scene_free(&scene);
+    }
+    directory_remove(&directory);
 }
 
 TEST_CASE(test_what_is_no_scan)
 {
-    struct scene_directory directory = scene_directory_make();
-    char path[512], target[512];
-    scene_directory_add(&directory, "scan.csv");
-    scene_directory_add(&directory, ".hidden.csv");
-    scene_directory_write(&directory, "scene.yaml", "{}", 2);
-    snprintf(path, sizeof path, "%s/folder.csv", directory.path);
-    assert_int_equal(mkdir(path, 0700), 0);
-    snprintf(path, sizeof path, "%s/pipe.csv", directory.path);
-    assert_int_equal(mkfifo(path, 0600), 0);
-    snprintf(path, sizeof path, "%s/dangling.csv", directory.path);
-    assert_int_equal(symlink("nowhere", path), 0);
-    snprintf(path, sizeof path, "%s/link.csv", directory.path);
-    snprintf(target, sizeof target, "%s/.hidden.csv", directory.path);
-    assert_int_equal(symlink(target, path), 0); /* a link to a file is as good as the file */
-
-    struct scene scene = scene_directory_read(directory.path, NULL);
-    assert_int_equal(scene.surface_count, 2);
-    assert_string_equal(scene.surfaces[0].name, "link");
-    assert_string_equal(scene.surfaces[1].name, "scan");
+    struct directory directory = directory_make();
+    lay_out(&directory, "scan.csv|.hidden.csv|folder.csv/");
+    directory_write(&directory, "scene.yaml", "{}");
+    assert_int_equal(mkfifo(directory_path(&directory, "pipe.csv"), 0600), 0);
+    assert_int_equal(symlink("nowhere", directory_path(&directory, "dangling.csv")), 0);
+    assert_int_equal(symlink(directory_path(&directory, ".hidden.csv"), directory_path(&directory, "link.csv")), 0);
+    struct scene scene = scene_directory_read(directory.path, NULL); /* a link to a file is as good as the file */
+    assert_surfaces(&scene, "link: link.csv|scan: scan.csv");
     scene_free(&scene);
-    scene_directory_remove(&directory);
-}
-
-TEST_CASE(test_empty_directory)
-{
-    struct scene_directory directory = scene_directory_make();
-    struct scene scene = scene_directory_read(directory.path, NULL);
-    assert_int_equal(scene.surface_count, 0);
-    scene_free(&scene);
-    scene_directory_remove(&directory);
+    directory_remove(&directory);
 }
 
 /* The counterface's scan and the measurements are no surfaces, however their paths are spelt; units given for all
@@ -103,91 +139,20 @@ TEST_CASE(test_files_spoken_for)
 {
     static const char *const spellings[] = {"", "./", ".//./"};
     const struct scene_overrides units = {.x_unit = "mm", .z_unit = "um"};
-    struct scene_directory directory = scene_directory_make();
-    scene_directory_add(&directory, "a.csv");
-    scene_directory_add(&directory, "b.csv");
-    scene_directory_add(&directory, "m.csv");
+    struct directory directory = directory_make();
+    lay_out(&directory, "a.csv|b.csv|m.csv");
     for (size_t i = 0; i < COUNT(spellings); i++) {
         char text[256];
-        int length = snprintf(text, sizeof text, "counterface: {surface: %sb.csv}\nmeasured: {file: %sm.csv}\n",
-                              spellings[i], spellings[i]);
-        scene_directory_write(&directory, "scene.yaml", text, (size_t)length);
+        snprintf(text, sizeof text, "counterface: {surface: %sb.csv}\nmeasured: {file: %sm.csv}\n", spellings[i],
+                 spellings[i]);
+        directory_write(&directory, "scene.yaml", text);
         struct scene scene = scene_directory_read(directory.path, &units);
-        assert_int_equal(scene.surface_count, 1);
-        assert_string_equal(scene.surfaces[0].name, "a");
+        assert_surfaces(&scene, "a: a.csv");
         assert_string_equal(scene.counterface_surface.x_unit, "mm");
         assert_string_equal(scene.counterface_surface.z_unit, "um");
         scene_free(&scene);
     }
-    scene_directory_remove(&directory);
-}
-
-/* Files that only say units of a scan beside them are no surfaces; alone they are passed over, with numbers in them
- * they are surfaces. */
-/* In a folder, too: of names with an ending and without, among others that begin alike. */
-TEST_CASE(test_sidecars_in_a_folder)
-{
-    static const char *const scans[] = {"s/a", "s/a-1.csv", "s/a.csv", "s/b.csv", "s/b.c.csv", "s/ab.csv"};
-    static const char *const sidecars[] = {"s/a.txt", "s/b.csv.hdr", "s/b.txt"};
-    static const char text[] = "x unit: mm\nz unit: um\n";
-    for (size_t lone = 0; lone < COUNT(scans); lone++) { /* in turn one scan alone is there */
-        struct scene_directory directory = scene_directory_make();
-        static const bool beside[COUNT(scans)][COUNT(sidecars)] = {{true}, {false}, {true}, {false, true, true}};
-        char folder[512];
-        snprintf(folder, sizeof folder, "%s/s", directory.path);
-        assert_int_equal(mkdir(folder, 0777), 0);
-        scene_directory_add(&directory, scans[lone]);
-        size_t expected = 1;
-        for (size_t k = 0; k < COUNT(sidecars); k++) {
-            scene_directory_write(&directory, sidecars[k], text, sizeof text - 1);
-            expected += beside[lone][k] ? 0 : 1;
-        }
-        struct scene_surface surface = {.name = NULL};
-        struct scene scene = {.directory = directory.path};
-        struct status status = {0};
-        assert_int_equal(scene_files_match(&surface, &scene, "s/*", S_IFREG, &status), STATUS_OK);
-        if (surface.file_count != expected)
-            fail_msg("%zu files with %s, not %zu", surface.file_count, scans[lone], expected);
-        for (size_t i = 0; i < surface.file_count; i++)
-            free(surface.files[i]);
-        free(surface.files);
-        scene_directory_remove(&directory);
-    }
-}
-
-TEST_CASE(test_sidecars)
-{
-    static const char units[] = "x unit: mm\nz unit: nm\n", dabam[] = "{\"X1_FACTOR\": 0.001, \"Y1_FACTOR\": 1e-9}",
-                      unfit[] = "x unit: mm\nz unit: nm\n0 1\n1 2\n2 1\n";
-    static const char *const surfaces[] = {"a", "b", "c.csv", "c.txt"};
-    struct scene_directory directory = scene_directory_make();
-    static const char *const scans[] = {"a.dat", "b.csv", "c.csv", "d.1.csv", "g.csv"};
-    for (size_t i = 0; i < COUNT(scans); i++)
-        scene_directory_add(&directory, scans[i]);
-    scene_directory_write(&directory, "a.txt", dabam, strlen(dabam));
-    scene_directory_write(&directory, "a.hdr", units, strlen(units));
-    scene_directory_write(&directory, "b.csv.json", dabam, strlen(dabam));
-    scene_directory_write(&directory, "c.txt", unfit, strlen(unfit));
-    scene_directory_write(&directory, "d.txt", units, strlen(units)); /* of d, not of d.1 */
-    scene_directory_write(&directory, "e.txt", units, strlen(units));
-    scene_directory_write(&directory, "f.json", dabam, strlen(dabam)); /* two sidecars make no scan */
-    scene_directory_write(&directory, "f.txt", units, strlen(units));
-    scene_directory_write(&directory, "g.txt", units, strlen(units));
-    scene_directory_write(&directory, "scene.yaml", "counterface: {surface: g.csv}\n", 30);
-    struct scene scene = scene_directory_read(directory.path, NULL);
-    size_t found = 0;
-    for (size_t i = 0; i < scene.surface_count; i++) {
-        if (strcmp(scene.surfaces[i].name, "d.1") == 0)
-            continue;
-        assert_true(found < COUNT(surfaces));
-        assert_string_equal(scene.surfaces[i].name, surfaces[found++]);
-    }
-    assert_int_equal(found, COUNT(surfaces));
-    assert_int_equal(scene.surface_count, COUNT(surfaces) + 1);
-    assert_string_equal(scene.passed_over,
-                        "passed over, no scans: 4 x text without a row of numbers (d.txt, e.txt, f.json, f.txt)");
-    scene_free(&scene);
-    scene_directory_remove(&directory);
+    directory_remove(&directory);
 }
 
 TEST_CASE(test_columns_and_quantity)
@@ -214,7 +179,7 @@ TEST_CASE(test_columns_and_quantity)
 
 TEST_CASE(test_many_files)
 {
-    struct scene_directory directory = scene_directory_make();
+    struct directory directory = directory_make();
     enum { MANY = 1000 };
     char name[32];
     for (int i = MANY; i > 0; i--) {
@@ -226,80 +191,7 @@ TEST_CASE(test_many_files)
     for (int i = 0; i < MANY; i++)
         assert_int_equal(atoi(scene.surfaces[i].name), i + 1);
     scene_free(&scene);
-    scene_directory_remove(&directory);
-}
-
-static void make_folder(const struct scene_directory *directory, const char *name)
-{
-    char path[512];
-    snprintf(path, sizeof path, "%s/%s", directory->path, name);
-    assert_int_equal(mkdir(path, 0777), 0);
-}
-
-static void assert_files(const struct scene_surface *surface, const char *name, const char *const *files, size_t count)
-{
-    assert_string_equal(surface->name, name);
-    assert_int_equal(surface->file_count, count);
-    for (size_t i = 0; i < count; i++)
-        assert_string_equal(surface->files[i], files[i]);
-}
-
-/* A sub-directory is a surface of its files; one without any, a report and a hidden one are none. */
-TEST_CASE(test_sub_directories)
-{
-    struct scene_directory directory = scene_directory_make();
-    static const char *const folders[] = {"b", "a", ".hidden", "empty", "report", "deep", "deep/er", "only"};
-    static const char *const files[] = {"b/run-10.csv", "b/run-2.csv", "b/.x.csv", "a/x.csv",
-                                        "b.csv",        ".hidden/x",   "report/x", "report/results.json",
-                                        "deep/er/x",    "only/ref.csv"};
-    static const char *const b[] = {"b/run-2.csv", "b/run-10.csv"}, *const a[] = {"a/x.csv"},
-                             *const alone[] = {"b.csv"};
-    for (size_t i = 0; i < COUNT(folders); i++)
-        make_folder(&directory, folders[i]);
-    for (size_t i = 0; i < COUNT(files); i++)
-        scene_directory_add(&directory, files[i]);
-    static const char text[] = "counterface: {surface: only/ref.csv}\n", sidecar[] = "x unit: mm\nz unit: um\n";
-    scene_directory_says(&directory, text);
-    scene_directory_write(&directory, "b/run-2.txt", sidecar, strlen(sidecar));
-    struct scene scene = scene_directory_read(directory.path, NULL);
-    assert_int_equal(scene.surface_count, 3);
-    assert_files(&scene.surfaces[0], "a", a, 1);
-    assert_files(&scene.surfaces[1], "b", b, 2);
-    assert_files(&scene.surfaces[2], "b.csv", alone, 1);
-    scene_free(&scene);
-    scene_directory_remove(&directory);
-}
-
-TEST_CASE(test_patterns)
-{
-    struct scene_directory directory = scene_directory_make();
-    static const char *const files[] = {"run-10.csv", "run-9.csv", "run-x.txt", "r/run-1.csv", "[1].csv", ".run-1.csv"};
-    static const char *const runs[] = {"run-9.csv", "run-10.csv"}, *const both[] = {"[1].csv", "r/run-1.csv"};
-    make_folder(&directory, "r");
-    make_folder(&directory, "run-3.csv");
-    for (size_t i = 0; i < COUNT(files); i++)
-        scene_directory_add(&directory, files[i]);
-    static const char good[] = "surfaces:\n  - {name: a, file: \"run-*.csv\"}\n  - {name: b, file: [\"[1].csv\", "
-                               "\"r/*-?.c[st]v\"]}\n";
-    scene_directory_says(&directory, good);
-    struct scene scene = scene_directory_read(directory.path, NULL);
-    assert_files(&scene.surfaces[0], "a", runs, 2);
-    assert_files(&scene.surfaces[1], "b", both, 2);
-    scene_free(&scene);
-    static const char *const bad[][2] = {
-        {"surfaces:\n  - {file: a}\n  - {file: \"x*.csv\"}\n", "scene.yaml:2: cannot find surface file 'a'"},
-        {"surfaces:\n  - {file: \"run-*.csv\"}\n  - {name: b,\n     file: \"x*.csv\"}\n",
-         "scene.yaml:4: 'x*.csv' matches no file; paths start at the scene's directory"},
-        {"surfaces:\n  - {file: \"nowhere/*\"}\n", "scene.yaml:2: cannot list '"},
-        {"surfaces:\n  - {file: \"r*/run-1.csv\"}\n", "scene.yaml:2: cannot list '"}};
-    for (size_t i = 0; i < COUNT(bad); i++) {
-        struct status status = {0};
-        scene_directory_says(&directory, bad[i][0]);
-        assert_int_equal(scene_read(&scene, directory.path, NULL, &status), STATUS_SCENE);
-        assert_non_null(strstr(status.message, bad[i][1]));
-        scene_free(&scene);
-    }
-    scene_directory_remove(&directory);
+    directory_remove(&directory);
 }
 
 TEST_CASE(test_no_directory)
