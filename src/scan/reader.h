@@ -36,7 +36,8 @@ struct scan_unit {
     const char *name;
     double si;
 };
-/** The unit of that quantity spelled so; name NULL and 0 when there is none. */
+/** The unit of that quantity spelled so; name NULL and 0 when there is none. Of slopes: "rad", "mrad", "urad", "nrad"
+ * (an angle counts as its tangent, as is the custom for slope errors), "um/mm", "um/m", "nm/mm"..., "1". */
 struct scan_unit scan_unit_find(struct string_view name, enum scan_quantity quantity);
 /** The unit of so many metres, or of that slope; NULL when it has no name. */
 const char *scan_unit_of(double factor, enum scan_quantity quantity);

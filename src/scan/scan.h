@@ -94,9 +94,6 @@ void scan_warn(struct scan *scan, const char *format, ...) PRINTF_LIKE(2, 3);
 
 /** Metres per unit for "m", "mm", "um", "µm", "micron(s)", "nm", "pm", "A"/"Å", "in"/"inch", "mil", "uin"/"µin"...
  * in any encoding they come in (UTF-8 both mu signs; latin-1 0xB5); 0 when the name is no length. */
-double scan_unit_m(const char *name, size_t length);
-/** dz/dx per unit of slope for "rad", "mrad", "urad", "nrad" (an angle counts as its tangent, as is the custom for
- * slope errors), "um/mm", "um/m", "nm/mm"..., "1"; 0 when the name is none. */
-double scan_unit_slope(const char *name, size_t length);
+double scan_unit_m(const char *name);
 
 #endif

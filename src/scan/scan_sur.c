@@ -116,7 +116,7 @@ static enum status_code take_heights(struct scan *out, const struct sur_header *
         double value = bytes_number(&bytes, type);
         out->z_m[i] = value == missing ? NAN : (value * header->step[2] + header->z_offset) * z_m;
     }
-    double y_m = scan_unit_m(header->unit[1], strlen(header->unit[1]));
+    double y_m = scan_unit_m(header->unit[1]);
     out->dx_m = header->step[0] * x_m;
     out->dy_m = header->step[1] * (y_m > 0 ? y_m : x_m);
     if (header->objects > 1)

@@ -532,7 +532,7 @@ static enum status_code take_points(struct scan *out, struct table *table, size_
     keep_heights(out, table, rows);
     const char *unit = header->spacing.unit ? header->spacing.unit : out->x_unit;
     if (header->spacing.value > 0)
-        out->nominal_dx_m = header->spacing.value * scan_unit_m(unit, strlen(unit));
+        out->nominal_dx_m = header->spacing.value * scan_unit_m(unit);
     if (columns > (header->valid < columns ? 3 : 2) && !is_given(table->file->options->z_column))
         scan_warn(out, "%zu columns: column %zu read as x, column %zu as z, the others ignored", columns, x + 1, z + 1);
     return STATUS_OK;
@@ -698,7 +698,7 @@ static enum status_code take_list(struct scan *out, const struct table *table)
     if (take_units(out, table, NULL, &x_m, &z_m) != STATUS_OK)
         return table->file->status->code;
     const char *y_unit = table->header.unit[1] ? table->header.unit[1] : table->header.y_unit;
-    double y_m = y_unit ? scan_unit_m(y_unit, strlen(y_unit)) : x_m;
+    double y_m = y_unit ? scan_unit_m(y_unit) : x_m;
     bool along_x = fast.column == 0 || slow.n == 1; /* one run is a profile, wherever it goes */
     const struct direction *x = along_x ? &fast : &slow, *y = along_x ? &slow : &fast;
     if (scan_reserve(out, x->n, y->n, table->rows, table->file) != STATUS_OK)
@@ -749,7 +749,7 @@ static enum status_code take_matrix(struct scan *out, const struct table *table)
         return table->file->status->code;
     for (size_t i = 0; i < table->columns * table->rows; i++)
         out->z_m[i] = table->cell[i] * header->z_factor * z_m;
-    double y_m = height.unit ? scan_unit_m(height.unit, strlen(height.unit)) : x_m;
+    double y_m = height.unit ? scan_unit_m(height.unit) : x_m;
     out->dx_m = width.value / (double)table->columns * x_m;
     out->dy_m = height.value / (double)table->rows * y_m;
     return STATUS_OK;

@@ -276,6 +276,15 @@ static enum status_code complete_bodies(struct scene_bodies *bodies, const struc
     return elastic ? give_mean_free_path(&bodies->counterface, scene, source) : STATUS_OK;
 }
 
+/* Is any material given, of the scene or of a surface? */
+static bool has_material(const struct scene *scene)
+{
+    for (size_t i = 0; i < scene->surface_count; i++)
+        if (!isnan(scene->surfaces[i].bodies->material.youngs_modulus_Pa))
+            return true;
+    return !isnan(scene->bodies.material.youngs_modulus_Pa);
+}
+
 /* The bodies of every surface; the scene's own count where a surface uses them. */
 static enum status_code complete_all_bodies(struct scene *scene, struct scene_source *source)
 {
@@ -296,7 +305,7 @@ static enum status_code complete_all_bodies(struct scene *scene, struct scene_so
         else if (complete_bodies(surface->bodies, scene, source, surface->name) != STATUS_OK)
             return source->status->code;
     }
-    if (source->hardness_line > 0 && !scene_has_material(scene))
+    if (source->hardness_line > 0 && !has_material(scene))
         scene_source_fail(source, source->hardness_line, "'hardness' stands without a material; add 'material'");
     return source->status->code;
 }
@@ -489,14 +498,6 @@ struct material_pair scene_pair(const struct scene_bodies *bodies)
     if (bodies->hardness_Pa > 0)
         pair.hardness_Pa = bodies->hardness_Pa;
     return pair;
-}
-
-bool scene_has_material(const struct scene *scene)
-{
-    for (size_t i = 0; i < scene->surface_count; i++)
-        if (!isnan(scene->surfaces[i].bodies->material.youngs_modulus_Pa))
-            return true;
-    return !isnan(scene->bodies.material.youngs_modulus_Pa);
 }
 
 double scene_load_divisor(const struct scene *scene, enum unit_quantity kind, const struct material_pair *pair)

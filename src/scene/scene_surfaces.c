@@ -37,7 +37,9 @@ static bool read_material_name(struct scene_source *source, const struct scene_k
                              "'%s' is '%s', which bears no load; give the material of a body", key->name, found->name);
 }
 
-bool scene_surfaces_material(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+/* A built-in name or a mapping of properties, into a struct material. The key's choices are named in the message about
+ * an unknown name. */
+static bool read_material(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
 {
     struct material *material = key->field;
     if (value->type == YAML_SCALAR_NODE)
@@ -174,7 +176,7 @@ static bool read_body(struct scene_source *source, const struct scene_key *key, 
 {
     static const char *const words[] = {"rigid", "same"}; /* besides materials */
     struct scene_bodies *bodies = key->field;
-    struct scene_key material = {key->name, scene_surfaces_material, &bodies->counterface, .choices = words,
+    struct scene_key material = {key->name, read_material, &bodies->counterface, .choices = words,
                                  .choice_count = SCENE_COUNT(words)};
     bodies->counterface_given = true;
     bodies->counterface_line = scene_source_line(value);
@@ -182,7 +184,7 @@ static bool read_body(struct scene_source *source, const struct scene_key *key, 
         return true;
     bodies->counterface_kind = MATERIAL_COUNTERFACE_ELASTIC;
     bodies->counterface_same = scene_source_is(value, "same");
-    return bodies->counterface_same || scene_surfaces_material(source, &material, value);
+    return bodies->counterface_same || read_material(source, &material, value);
 }
 
 bool scene_surfaces_body(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
@@ -191,7 +193,7 @@ bool scene_surfaces_body(struct scene_source *source, const struct scene_key *ke
     struct scene_key material = *key;
     material.field = &bodies->material;
     bodies->material_given = true;
-    return scene_surfaces_material(source, &material, value);
+    return read_material(source, &material, value);
 }
 
 bool scene_surfaces_counterface(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)

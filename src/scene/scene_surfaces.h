@@ -13,10 +13,7 @@ bool scene_surfaces_read(struct scene_source *source, const struct scene_key *ke
 /** rigid | same | a material's name | a mapping of properties | {surface: file, material: ..., x_unit, z_unit}, into
  * source->scene. */
 bool scene_surfaces_counterface(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
-/** A built-in name or a mapping of properties, into a struct material. The key's choices are named in the message about
- * an unknown name. */
-bool scene_surfaces_material(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
-/** The same, into a struct scene_bodies. */
+/** A built-in name or a mapping of properties, into a struct scene_bodies. */
 bool scene_surfaces_body(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
 /** One file or a list of them, each checked to exist, into a struct scene_surface. */
 bool scene_surfaces_files(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);

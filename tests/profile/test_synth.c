@@ -199,7 +199,7 @@ static const char *parse_synth_line(char *line, struct synth_def *def)
         double number = strtod(value, &unit);
         for (size_t i = 0; i < sizeof options / sizeof *options; i++)
             if (strcmp(option, options[i].option) == 0)
-                *options[i].number = number * (*unit ? scan_unit_m(unit, strlen(unit)) : 1);
+                *options[i].number = number * (*unit ? scan_unit_m(unit) : 1);
         if (strcmp(option, "--seed") == 0)
             def->seed = (unsigned long)number;
         else if (strcmp(option, "--points") == 0)
