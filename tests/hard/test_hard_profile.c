@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Scans and scenes that strain the way from heights to loads: offsets, tilt, prime lengths, quantised heights. */
+/* Scans and scenes that strain the way from heights to loads: offsets, tilt, quantised heights. */
 #include "hard_support.h"
 #include "profile/profile.h"
 #include "scene/scene.h"
@@ -77,32 +77,6 @@ static void offset_and_tilt(void **state)
                 free(low);
                 free(high);
             }
-}
-
-/** 1 000 003 points: a prime, so no factor helps the transform. The mean square is all there. */
-static void prime_number_of_points(void **state)
-{
-    (void)state;
-    enum { POINTS = 1000003 };
-    double *height_m = heights(POINTS, 0, 0), mean = 0, square = 0;
-    uint64_t random = 1;
-    for (size_t i = 0; i < POINTS; i++) {
-        random = random * 6364136223846793005u + 1442695040888963407u;
-        height_m[i] += 1e-9 * ((double)(random >> 11) * 0x1p-53 - 0.5);
-        mean += height_m[i] / POINTS;
-    }
-    for (size_t i = 0; i < POINTS; i++)
-        square += (height_m[i] - mean) * (height_m[i] - mean) / POINTS;
-    struct spectrum spectrum;
-    struct status status = {0};
-    assert_int_equal(spectrum_compute(&spectrum, height_m, POINTS, spacing_m, SPECTRUM_WINDOW_NONE, &status),
-                     STATUS_OK);
-    assert_int_equal(spectrum.count, POINTS / 2);
-    assert_false(spectrum.has_nyquist);
-    assert_near(spectrum_moment(&spectrum, 0), square, 1e-12);
-    assert_near(spectrum.amplitude_m[6], 5e-9 / sqrt(7), 1e-3); /* the noise adds 1e-12 m a harmonic */
-    spectrum_free(&spectrum);
-    free(height_m);
 }
 
 /** Everything that is made of a levelled profile is finite, or says that it does not exist. */
@@ -203,7 +177,6 @@ int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(offset_and_tilt),
-        cmocka_unit_test(prime_number_of_points),
         cmocka_unit_test(quantised_heights),
         cmocka_unit_test(exact_power_laws),
         cmocka_unit_test(duplicate_and_unsorted_loads),

@@ -6,6 +6,7 @@
 #include "scan/scan.h"
 #include "support.h"
 
+#include <gsl/gsl_fit.h>
 #include <stdio.h>
 #include <sys/stat.h>
 
@@ -84,26 +85,16 @@ static inline double scan_x(const struct scan *scan, size_t i)
 /* Rq in metres after the least-squares line over the points that are not missing; 1/n. */
 static inline double rq_of_profile(const struct scan *scan)
 {
-    double n = 0, x = 0, z = 0, xx = 0, xz = 0, sum = 0;
+    double *x = malloc(2 * scan->nx * sizeof *x), *z = x + scan->nx, c0, c1, v00, v01, v11, sum;
+    size_t n = 0;
     for (size_t i = 0; i < scan->nx; i++) {
-        if (isnan(scan->z_m[i]))
-            continue;
-        n++, x += scan_x(scan, i), z += scan->z_m[i];
+        x[n] = scan_x(scan, i);
+        z[n] = scan->z_m[i];
+        n += isnan(z[n]) ? 0 : 1;
     }
-    x /= n, z /= n;
-    for (size_t i = 0; i < scan->nx; i++) {
-        if (isnan(scan->z_m[i]))
-            continue;
-        double dx = scan_x(scan, i) - x;
-        xx += dx * dx, xz += dx * (scan->z_m[i] - z);
-    }
-    for (size_t i = 0; i < scan->nx; i++) {
-        if (isnan(scan->z_m[i]))
-            continue;
-        double r = scan->z_m[i] - z - xz / xx * (scan_x(scan, i) - x);
-        sum += r * r;
-    }
-    return sqrt(sum / n);
+    gsl_fit_linear(x, 1, z, 1, n, &c0, &c1, &v00, &v01, &v11, &sum);
+    free(x);
+    return sqrt(sum / (double)n);
 }
 
 /* Sq in metres after the least-squares plane over the points that are not missing; 1/n. */

@@ -195,18 +195,15 @@ TEST_CASE(test_binary)
 
 TEST_CASE(test_no_file)
 {
-    struct scan scan;
-    struct status status = {0};
-    assert_int_equal(scan_read(&scan, "/", &no_units, &status), STATUS_IO);
-    assert_non_null(strstr(status.message, "is a directory"));
-    scan_free(&scan);
-    status = (struct status){0};
-    assert_int_equal(scan_read(&scan, TEST_DATA "/no such file", &no_units, &status), STATUS_IO);
-    assert_non_null(strstr(status.message, "no such file"));
-    scan_free(&scan);
-    status = (struct status){0};
-    assert_int_equal(scan_read(&scan, "/dev/null", &no_units, &status), STATUS_IO);
-    scan_free(&scan);
+    static const char *const paths[][2] = {
+        {"/", "is a directory"}, {TEST_DATA "/no such file", "no such file"}, {"/dev/null", "/dev/null"}};
+    for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) {
+        struct scan scan;
+        struct status status = {0};
+        assert_int_equal(scan_read(&scan, paths[i][0], &no_units, &status), STATUS_IO);
+        assert_non_null(strstr(status.message, paths[i][1]));
+        scan_free(&scan);
+    }
 }
 
 TEST_CASE(test_hostile_name)
