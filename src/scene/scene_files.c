@@ -140,10 +140,9 @@ enum status_code scene_files_match(struct scene_surface *surface, const struct s
     int count = path ? scandir(path, &entries, NULL, NULL) : 0;
     int directory = path ? open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC) : -1;
     if (path && (count < 0 || directory < 0))
-        code = status_fail(status, STATUS_IO, "cannot list '%s': %s", scene_words_show(path, strlen(path)).text,
-                           strerror(errno));
+        code = status_fail(status, STATUS_IO, "cannot list '%s': %s", scene_words_show(path).text, strerror(errno));
     if (count > 0 && (size_t)count > limit_most(LIMIT_FILES))
-        code = status_fail(status, STATUS_SCENE, "%d files in '%s'%s", count, scene_words_show(path, strlen(path)).text,
+        code = status_fail(status, STATUS_SCENE, "%d files in '%s'%s", count, scene_words_show(path).text,
                            limit_words(LIMIT_FILES).text);
     for (int i = 0; i < count; i++) {
         char *file = NULL;

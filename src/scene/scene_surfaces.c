@@ -84,7 +84,7 @@ static bool add_files(struct scene_source *source, struct scene_surface *surface
                       const char *file)
 {
     size_t before = surface->file_count, line = scene_source_line(node);
-    struct scene_words_shown shown = scene_words_show(file, strlen(file));
+    struct scene_words_shown shown = scene_words_show(file);
     struct stat info;
     char *path = scene_file_path(source->scene, file);
     if (!path)
@@ -266,7 +266,7 @@ static bool check_names(struct scene_source *source, const yaml_node_t *list)
             good = scene_source_fail(
                 source, scene_source_line(scene_source_item(source, list, (size_t)(second - scene->surfaces))),
                 "two surfaces are named '%s', the first in line %zu; give each its own 'name'",
-                scene_words_show(second->name, strlen(second->name)).text,
+                scene_words_show(second->name).text,
                 scene_source_line(scene_source_item(source, list, (size_t)(first - scene->surfaces))));
     }
     free(surfaces);
