@@ -443,9 +443,9 @@ enum status_code scene_read_text(struct scene *out, const char *directory, const
 void scene_free(struct scene *scene)
 {
     for (size_t i = 0; i < scene->surface_count; i++)
-        scene_surfaces_free(&scene->surfaces[i], scene->shared_bodies);
+        scene_files_free(&scene->surfaces[i], scene->shared_bodies);
     free(scene->surfaces);
-    scene_surfaces_free(&scene->counterface_surface, NULL);
+    scene_files_free(&scene->counterface_surface, NULL);
     free(scene->shared_bodies);
     free(scene->measured.file);
     free(scene->targets);

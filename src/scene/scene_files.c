@@ -3,7 +3,6 @@
 #include "base/limits.h"
 #include "base/text.h"
 #include "scan/sidecar.h"
-#include "scene/scene_surfaces.h"
 #include "scene/scene_words.h"
 
 #include <ctype.h>
@@ -167,6 +166,24 @@ enum status_code scene_files_match(struct scene_surface *surface, const struct s
     return STATUS_OK;
 }
 
+char *scene_files_name(const char *file, bool ending)
+{
+    const char *start = basename(file), *dot = strrchr(start, '.');
+    return !ending && dot && dot > start ? strndup(start, (size_t)(dot - start)) : strdup(start);
+}
+
+void scene_files_free(struct scene_surface *surface, const struct scene_bodies *shared)
+{
+    if (surface->bodies != shared)
+        free(surface->bodies);
+    free(surface->x_column);
+    free(surface->z_column);
+    for (size_t i = 0; i < surface->file_count; i++)
+        free(surface->files[i]);
+    free(surface->files);
+    free(surface->name);
+}
+
 static int compare_surfaces(const void *a, const void *b)
 {
     const struct scene_surface *first = a, *second = b;
@@ -188,7 +205,7 @@ static enum status_code tell_apart(struct scene *scene, struct status *status)
                 if (strchr(all[j].files[0], '/')) /* a directory's name is all it has */
                     continue;
                 free(all[j].name);
-                if (!(all[j].name = scene_surfaces_name(all[j].files[0], true)))
+                if (!(all[j].name = scene_files_name(all[j].files[0], true)))
                     return status_memory(status);
                 again = true;
             }
@@ -312,7 +329,7 @@ static enum status_code drop_others(struct scene *scene, struct status *status)
         }
         surface.file_count = left;
         if (left == 0)
-            scene_surfaces_free(&surface, NULL);
+            scene_files_free(&surface, NULL);
         else
             scene->surfaces[kept++] = surface;
     }
@@ -342,7 +359,7 @@ static void drop_taken(struct scene_surface *surface, const struct scene *scene)
 static enum status_code add_surface(struct scene *scene, const char *name, bool folder, struct status *status)
 {
     struct scene_surface *surface = &scene->surfaces[scene->surface_count++];
-    *surface = (struct scene_surface){.name = folder ? strdup(name) : scene_surfaces_name(name, false)};
+    *surface = (struct scene_surface){.name = folder ? strdup(name) : scene_files_name(name, false)};
     char *pattern = NULL;
     if (!surface->name || (folder && asprintf(&pattern, "%s/*", name) < 0))
         return status_memory(status);
@@ -378,8 +395,8 @@ enum status_code scene_files_list(struct scene *scene, struct status *status)
     for (size_t i = 0; i < folders.file_count && status->code == STATUS_OK; i++)
         if (may_hold_scans(scene, folders.files[i]))
             (void)add_surface(scene, folders.files[i], true, status);
-    scene_surfaces_free(&files, NULL);
-    scene_surfaces_free(&folders, NULL);
+    scene_files_free(&files, NULL);
+    scene_files_free(&folders, NULL);
     return status->code == STATUS_OK && drop_others(scene, status) == STATUS_OK ? tell_apart(scene, status)
                                                                                 : status->code;
 }

@@ -22,4 +22,9 @@ MUST_CHECK enum status_code scene_files_add(struct scene_surface *surface, const
  * STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code scene_files_list(struct scene *scene, struct status *status);
 
+/** The name of a surface read from `file`: its last component, without the ending unless `ending`; malloc'ed. */
+char *scene_files_name(const char *file, bool ending);
+/** Frees what one surface holds, its bodies unless they are the `shared` ones. */
+void scene_files_free(struct scene_surface *surface, const struct scene_bodies *shared);
+
 #endif

@@ -2,6 +2,7 @@
 #include "scene/scene_keys.h"
 #include "base/limits.h"
 #include "scene/scene_asked.h"
+#include "scene/scene_files.h"
 #include "scene/scene_surfaces.h"
 #include "scene/scene_words.h"
 
@@ -318,7 +319,7 @@ static bool read_measured_file(struct scene_source *source, const struct scene_k
                                  one.file_count);
     if (good && !(*file = strdup(one.files[0])))
         good = scene_source_memory(source);
-    scene_surfaces_free(&one, NULL);
+    scene_files_free(&one, NULL);
     return good;
 }
 

@@ -238,7 +238,7 @@ static bool read_surface(struct scene_source *source, const yaml_node_t *node, s
         *surface->bodies = own;
     }
     if (!surface->name)
-        surface->name = scene_surfaces_name(surface->files[0], false);
+        surface->name = scene_files_name(surface->files[0], false);
     return surface->name || scene_source_memory(source);
 }
 
@@ -304,22 +304,4 @@ const struct material_property *scene_surfaces_lack(const char **body, const str
             return property;
     }
     return NULL;
-}
-
-char *scene_surfaces_name(const char *file, bool ending)
-{
-    const char *start = basename(file), *dot = strrchr(start, '.');
-    return !ending && dot && dot > start ? strndup(start, (size_t)(dot - start)) : strdup(start);
-}
-
-void scene_surfaces_free(struct scene_surface *surface, const struct scene_bodies *shared)
-{
-    if (surface->bodies != shared)
-        free(surface->bodies);
-    free(surface->x_column);
-    free(surface->z_column);
-    for (size_t i = 0; i < surface->file_count; i++)
-        free(surface->files[i]);
-    free(surface->files);
-    free(surface->name);
 }

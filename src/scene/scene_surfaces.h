@@ -24,9 +24,5 @@ size_t scene_surfaces_materials(const char *names[SCENE_SURFACES_MATERIALS], con
 /** A property that the effect needs and one of the bodies does not have, and which body; NULL: they have all. */
 const struct material_property *scene_surfaces_lack(const char **body, const struct scene_bodies *bodies,
                                                     const struct effect_row *effect);
-/** The name of a surface read from `file`: its last component, without the ending unless `ending`; malloc'ed. */
-char *scene_surfaces_name(const char *file, bool ending);
-/** Frees what one surface holds, its bodies unless they are the `shared` ones. */
-void scene_surfaces_free(struct scene_surface *surface, const struct scene_bodies *shared);
 
 #endif
