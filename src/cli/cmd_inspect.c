@@ -76,7 +76,8 @@ static unsigned parse_name(const char *what, const char *value, const char *cons
 {
     size_t length = strlen(value), which = scene_words_find(value, length, names, count);
     if (which == count)
-        argp_error(state, "unknown %s '%s'; %s", what, scene_words_show(value, length).text,
+        argp_error(state, "unknown %s '%s'; %s", what,
+                   scene_words_show_view((struct string_view){value, value + length}).text,
                    scene_words_hint(value, names, count, 0).text);
     return (unsigned)which;
 }

@@ -41,7 +41,7 @@ static const struct argp_option scene_options[] = {
 
 static const char *unit(const char *value, const char *name, struct argp_state *state)
 {
-    if (scan_unit_m(value, strlen(value)) == 0)
+    if (scan_unit_m(value) == 0)
         argp_error(state, "--%s must be a unit of length such as m, mm, um, nm or in, not '%s'", name, value);
     return value;
 }

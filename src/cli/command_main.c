@@ -58,7 +58,7 @@ const struct command_row *command_find(const char *name, struct status *status)
     for (int i = 0; i < COMMANDS; i++)
         if (strcmp(name, names[i]) == 0)
             return &command_rows[i];
-    (void)status_fail(status, STATUS_USAGE, "unknown command '%s'; %s", scene_words_show(name, strlen(name)).text,
+    (void)status_fail(status, STATUS_USAGE, "unknown command '%s'; %s", scene_words_show(name).text,
                       scene_words_hint(name, names, COMMANDS, COMMANDS).text);
     return NULL;
 }

@@ -22,7 +22,7 @@ static enum status_code take_options(struct scan_options *out, const struct roug
     const char *const units[2] = {own.x_unit, own.z_unit};
     for (int axis = 0; axis < 2; axis++) {
         const char *unit = units[axis];
-        if (unit && *unit && !(scan_unit_m(unit, strlen(unit)) > 0))
+        if (unit && *unit && !(scan_unit_m(unit) > 0))
             return status_fail(status, STATUS_USAGE, "%c_unit is '%.60s'; give a unit of length such as mm or um",
                                "xz"[axis], unit);
     }

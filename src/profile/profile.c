@@ -1,41 +1,137 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "profile/profile.h"
 
-#include "base/extremes.h"
 #include "profile/filter.h"
-#include "profile/gaps.h"
 #include "profile/level.h"
 #include "profile/record_window.h"
 #include "profile/sanity.h"
-#include "profile/spacing.h"
 #include <assert.h>
 #include <float.h>
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_spline.h>
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 const struct profile_options profile_defaults = {.level = LEVEL_LINE, .max_missing = 0.1, .periodic_mean = true};
 
-void profile_note(struct profile *profile, const char *format, ...)
-{
-    if (profile->note_count == PROFILE_NOTES)
-        return;
-    va_list args;
-    va_start(args, format);
-    vsnprintf(profile->notes[profile->note_count++], PROFILE_NOTE_LENGTH, format, args);
-    va_end(args);
-}
+static const double spacing_uniform = 1e-3; /* steps that differ by less, of their mean, are the same */
+static const double spacing_same = 1e-4;    /* steps of one kind */
+static const double spacing_nominal = 5e-3; /* how far the header's may be off: it has few digits too */
+enum { SPACING_KINDS = 5, LEAST_POINTS = 3 };
 
 static double peak_to_valley(const struct profile *profile)
 {
-    double highest = -INFINITY, lowest = INFINITY;
-    for (size_t i = 0; i < profile->points; i++) {
-        highest = extremes_larger(highest, profile->height_m[i]);
-        lowest = extremes_smaller(lowest, profile->height_m[i]);
-    }
+    double lowest, highest;
+    gsl_stats_minmax(&lowest, &highest, profile->height_m, 1, profile->points);
     return highest - lowest;
+}
+
+/** Bridges the gap before point `end`, whose last point before is `start`. */
+static void bridge(double *z, const double *x, size_t start, size_t end)
+{
+    for (size_t i = start + 1; i < end; i++) {
+        double share = x ? (x[i] - x[start]) / (x[end] - x[start]) : (double)(i - start) / (double)(end - start);
+        z[i] = z[start] + share * (z[end] - z[start]);
+    }
+}
+
+static enum status_code check_share(size_t missing, size_t points, double most, struct status *status)
+{
+    double share = (double)missing / (double)points;
+    if (share <= most)
+        return STATUS_OK;
+    return status_fail(status, STATUS_SCAN, "%zu of %zu heights are missing, %.3g %% where %.3g %% may be; %s", missing,
+                       points, 100 * share, 100 * most,
+                       share < 0.9 ? "allow more with `max_missing`, or export the scan with the gaps filled"
+                                   : "export the scan with the gaps filled");
+}
+
+/** Cuts missing points off the ends, and bridges those between by straight lines over x_m (NULL: uniform). *first is
+ * the index that the profile now starts at. */
+static enum status_code close_gaps(struct profile *profile, size_t *first, const double *x_m, double most,
+                                   struct status *status)
+{
+    double *z = profile->height_m;
+    size_t missing = 0, start = 0, end = profile->points, gaps = 0, widest = 0;
+    for (size_t i = 0; i < end; i++)
+        missing += isnan(z[i]) ? 1 : 0;
+    if (missing == 0)
+        return STATUS_OK;
+    if (check_share(missing, end, most, status) != STATUS_OK)
+        return status->code;
+    while (start < end && isnan(z[start]))
+        start++;
+    while (end > start && isnan(z[end - 1]))
+        end--;
+    size_t trimmed = profile->points - (end - start), bridged = missing - trimmed;
+    memmove(z, z + start, (end - start) * sizeof *z);
+    *first = start;
+    profile->points = end - start;
+    if (profile->points < LEAST_POINTS)
+        return status_fail(status, STATUS_SCAN, "only %zu heights are there; a profile needs %d", profile->points,
+                           LEAST_POINTS);
+    for (size_t i = 1, last = 0; i < profile->points; i++) {
+        if (isnan(z[i]))
+            continue;
+        bridge(z, x_m ? x_m + start : NULL, last, i);
+        gaps += i > last + 1 ? 1 : 0;
+        widest = i - last - 1 > widest ? i - last - 1 : widest;
+        last = i;
+    }
+    if (trimmed > 0)
+        profile_note(profile, "%zu missing points at the ends were cut off", trimmed);
+    if (bridged > 0)
+        profile_note(profile,
+                     "%zu missing points in %zu gap%s were bridged by straight lines, the longest over %zu point%s",
+                     bridged, gaps, gaps == 1 ? "" : "s", widest, widest == 1 ? "" : "s");
+    return STATUS_OK;
+}
+
+/** How the positions deviate from a uniform grid. Rounded means: steps of few kinds, and no point further off its place
+ * than the digit they are rounded to. */
+static enum profile_spacing judge_spacing(const double *x_m, size_t points, double spacing_m)
+{
+    double shortest = INFINITY, longest = 0, deviation = 0;
+    double kinds[SPACING_KINDS];
+    size_t kind_count = 0; /* distinct steps, up to SPACING_KINDS */
+    for (size_t i = 1; i < points; i++) {
+        double step = x_m[i] - x_m[i - 1];
+        shortest = fmin(shortest, step);
+        longest = fmax(longest, step);
+        deviation = fmax(deviation, fabs(x_m[i] - x_m[0] - (double)i * spacing_m));
+        size_t k = 0;
+        while (k < kind_count && fabs(step - kinds[k]) > spacing_same * spacing_m)
+            k++;
+        if (k == kind_count && kind_count < SPACING_KINDS)
+            kinds[kind_count++] = step;
+    }
+    if (longest - shortest <= spacing_uniform * spacing_m)
+        return PROFILE_UNIFORM;
+    if (kind_count < SPACING_KINDS && deviation <= 1.05 * (longest - shortest))
+        return PROFILE_ROUNDED;
+    return PROFILE_RESAMPLED;
+}
+
+/** Steffen's monotone interpolation of z over x to `points` positions x[0] + i spacing. */
+static enum status_code resample(double *out_m, const double *x_m, const double *z_m, size_t points, double spacing_m,
+                                 struct status *status)
+{
+    gsl_interp *spline = gsl_interp_alloc(gsl_interp_steffen, points);
+    gsl_interp_accel *accel = gsl_interp_accel_alloc();
+    enum status_code rc = STATUS_OK;
+    if (!spline || !accel || gsl_interp_init(spline, x_m, z_m, points) != GSL_SUCCESS) {
+        rc = status_memory(status);
+    } else {
+        for (size_t i = 0; i < points; i++) {
+            double x = fmin(x_m[0] + (double)i * spacing_m, x_m[points - 1]);
+            out_m[i] = gsl_interp_eval(spline, x_m, z_m, x, accel);
+        }
+    }
+    gsl_interp_accel_free(accel);
+    gsl_interp_free(spline);
+    return rc;
 }
 
 /** Keeps the measured points of an uneven scan and puts its heights on a uniform grid. */
@@ -49,7 +145,7 @@ static enum status_code even_out(struct profile *profile, const double *x_m, str
     if (!uniform_m || !profile->measured_x_m)
         return status_memory(status);
     memcpy(profile->measured_x_m, x_m, points * sizeof *x_m);
-    if (spacing_resample(uniform_m, x_m, profile->measured_z_m, points, profile->spacing_m, status) != STATUS_OK)
+    if (resample(uniform_m, x_m, profile->measured_z_m, points, profile->spacing_m, status) != STATUS_OK)
         return status->code;
     profile_note(profile, "x is uneven; heights were interpolated (Steffen) to a uniform %.6g um",
                  profile->spacing_m * 1e6);
@@ -85,7 +181,6 @@ static enum status_code take_level(struct profile *profile, const struct profile
                            "the scan is flat: no roughness is left after level: %s; check the column",
                            level_names[options->level]);
     profile->tilt = levelling.tilt;
-    profile->radius_m = levelling.radius_m;
     if (options->level == LEVEL_CIRCLE && isinf(levelling.radius_m))
         profile_note(profile, "a line was taken out: the best arc is straight");
     else if (options->level == LEVEL_CIRCLE)
@@ -147,19 +242,22 @@ static enum status_code take_filters(struct profile *profile, const struct profi
 static enum status_code make_ready(struct profile *out, const struct scan *scan, const struct profile_options *options,
                                    struct status *status)
 {
-    struct spacing spacing = spacing_judge(scan);
-    out->points = scan->nx;
-    out->radius_m = INFINITY;
-    out->grid = spacing.grid;
-    out->spacing_m = spacing.step_m;
-
     size_t first = 0;
-    if (gaps_close(out, &first, scan->x_m, options->max_missing, status) != STATUS_OK)
+    bool nominal = false; /* the spacing is the header's */
+    out->points = scan->nx;
+    out->spacing_m = scan->dx_m;
+    if (scan->x_m) {
+        out->spacing_m = (scan->x_m[scan->nx - 1] - scan->x_m[0]) / (double)(scan->nx - 1);
+        out->grid = judge_spacing(scan->x_m, scan->nx, out->spacing_m);
+        nominal = out->grid == PROFILE_ROUNDED && fabs(scan->nominal_dx_m / out->spacing_m - 1) <= spacing_nominal;
+        out->spacing_m = nominal ? scan->nominal_dx_m : out->spacing_m;
+    }
+    if (close_gaps(out, &first, scan->x_m, options->max_missing, status) != STATUS_OK)
         return status->code;
     out->digit_m = sanity_digitising(out->height_m, out->points);
     if (out->grid == PROFILE_ROUNDED)
         profile_note(out, "x is rounded to a few digits; %s spacing of %.6g um was used",
-                     spacing.nominal ? "the header's" : "its mean", out->spacing_m * 1e6);
+                     nominal ? "the header's" : "its mean", out->spacing_m * 1e6);
     if (out->grid == PROFILE_RESAMPLED) {
         const double *x_m = scan->x_m + first;
         out->spacing_m = (x_m[out->points - 1] - x_m[0]) / (double)(out->points - 1);

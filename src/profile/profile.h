@@ -6,6 +6,8 @@
 
 #include "profile/level.h"
 #include "scan/scan.h"
+#include <stdarg.h>
+#include <stdio.h>
 
 enum profile_spacing { PROFILE_UNIFORM, PROFILE_ROUNDED, PROFILE_RESAMPLED };
 
@@ -28,9 +30,7 @@ struct profile {
     double *measured_x_m, *measured_z_m; /* uneven x and no filter: the points as measured, levelled; else NULL */
     bool periodic;                       /* it closes on itself, before levelling: record_window_is_periodic() */
     double digit_m;                      /* step of the digitiser: sanity_digitising(); 0: none seen */
-    size_t bridged, trimmed;             /* missing points: between others, and at the ends */
     double tilt;                         /* slope the levelling took out (line, parabola, circle, robust), else 0 */
-    double radius_m;                     /* of the arc the levelling took out, else infinite */
     double end_jump_m;                   /* last minus first height: the record is not periodic */
     char notes[PROFILE_NOTES][PROFILE_NOTE_LENGTH]; /* each one line, lower case: steps taken and warnings */
     size_t note_count;
@@ -55,6 +55,14 @@ MUST_CHECK enum status_code profile_take(struct profile *out, struct scan *scan,
 void profile_free(struct profile *profile);
 
 /** Adds a line to the notes; beyond PROFILE_NOTES it is dropped. */
-void profile_note(struct profile *profile, const char *format, ...) PRINTF_LIKE(2, 3);
+PRINTF_LIKE(2, 3) static inline void profile_note(struct profile *profile, const char *format, ...)
+{
+    if (profile->note_count == PROFILE_NOTES)
+        return;
+    va_list args;
+    va_start(args, format);
+    vsnprintf(profile->notes[profile->note_count++], PROFILE_NOTE_LENGTH, format, args);
+    va_end(args);
+}
 
 #endif

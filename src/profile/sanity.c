@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "profile/sanity.h"
 
-#include "base/extremes.h"
 #include <math.h>
 
 static const double sanity_steepest = 10;     /* slope */
@@ -25,7 +24,7 @@ double sanity_digitising(const double *height_m, size_t points)
 {
     double largest = 0, least = INFINITY, sum = 0, tilt = rounded_tilt(height_m, points);
     for (size_t i = 0; i < points; i++)
-        largest = extremes_larger(largest, fabs(height_m[i]));
+        largest = fmax(largest, fabs(height_m[i]));
     double nothing = 1e-13 * largest; /* equal heights may differ by what conversion of units rounds */
     for (size_t i = 1; i < points; i++) {
         double d = fabs(height_m[i] - height_m[i - 1] - tilt);
@@ -68,8 +67,7 @@ static void check_units(struct profile *profile, double rq_m)
 {
     double length_m = (double)profile->points * profile->spacing_m, steepest = 0;
     for (size_t i = 1; i < profile->points; i++)
-        steepest =
-            extremes_larger(steepest, fabs(profile->height_m[i] - profile->height_m[i - 1]) / profile->spacing_m);
+        steepest = fmax(steepest, fabs(profile->height_m[i] - profile->height_m[i - 1]) / profile->spacing_m);
     if (rq_m > length_m)
         profile_note(profile, "Rq %.3g m is above the length of the scan, %.3g m: check x_unit and z_unit", rq_m,
                      length_m);

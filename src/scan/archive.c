@@ -8,36 +8,35 @@
 
 enum { ARCHIVE_SLACK = 64 /* bytes: an empty entry takes a few, too */ };
 
-bool archive_sniff(const struct scan_bytes *file)
+bool archive_sniff(const struct scan_file *file)
 {
     return file->length > 4 && memcmp(file->bytes, "PK\3\4", 4) == 0;
 }
 
-static enum status_code fail_open(const struct scan_bytes *file, zip_error_t *error, struct status *status)
+static enum status_code fail_open(const struct scan_file *file, zip_error_t *error)
 {
     return zip_error_code_zip(error) == ZIP_ER_MEMORY
-               ? status_memory(status)
-               : scan_fail(status, file, 0, "damaged zip archive (%s); copy the file again", zip_error_strerror(error));
+               ? status_memory(file->status)
+               : scan_fail(file, 0, "damaged zip archive (%s); copy the file again", zip_error_strerror(error));
 }
 
 /* May all entries be unpacked, one after another: are the claimed sizes within the limits, and do the packed bytes fit
  * into the file one behind another? Where they do not, entries share them, which makes a small file large. */
-static enum status_code check_entries(struct archive *archive, struct status *status)
+static enum status_code check_entries(struct archive *archive)
 {
-    const struct scan_bytes *file = archive->file;
+    const struct scan_file *file = archive->file;
     size_t total = 0, packed = 0, most = limit_most(LIMIT_UNPACKED_BYTES), ratio = limit_most(LIMIT_UNPACKED_RATIO);
     for (size_t i = 0; i < archive->count; i++) {
         zip_stat_t *entry = &archive->entries[i];
         if (zip_stat_index(archive->zip, i, 0, entry) != 0)
-            return fail_open(file, zip_get_error(archive->zip), status);
+            return fail_open(file, zip_get_error(archive->zip));
         if (entry->comp_size > file->length - packed)
-            return scan_fail(status, file, 0,
-                             "entries of the archive share their bytes: damaged, or made to fill a memory");
+            return scan_fail(file, 0, "entries of the archive share their bytes: damaged, or made to fill a memory");
         if (entry->size / ratio > entry->comp_size + ARCHIVE_SLACK)
-            return scan_fail(status, file, 0, "'%.80s' in the archive claims %zu bytes: damaged", entry->name,
+            return scan_fail(file, 0, "'%.80s' in the archive claims %zu bytes: damaged", entry->name,
                              (size_t)entry->size);
         if (entry->size > most - total)
-            return scan_fail(status, file, 0, "the archive unpacks to more than %zu bytes%s", most,
+            return scan_fail(file, 0, "the archive unpacks to more than %zu bytes%s", most,
                              limit_words(LIMIT_UNPACKED_BYTES).text);
         packed += entry->comp_size;
         total += entry->size;
@@ -45,7 +44,7 @@ static enum status_code check_entries(struct archive *archive, struct status *st
     return STATUS_OK;
 }
 
-enum status_code archive_open(struct archive *out, const struct scan_bytes *file, struct status *status)
+enum status_code archive_open(struct archive *out, const struct scan_file *file)
 {
     zip_error_t error;
     zip_error_init(&error);
@@ -54,15 +53,15 @@ enum status_code archive_open(struct archive *out, const struct scan_bytes *file
     out->zip = source ? zip_open_from_source(source, ZIP_RDONLY, &error) : NULL;
     if (!out->zip) {
         zip_source_free(source);
-        fail_open(file, &error, status);
+        fail_open(file, &error);
         zip_error_fini(&error);
-        return status->code;
+        return file->status->code;
     }
     out->count = (size_t)zip_get_num_entries(out->zip, 0);
     if (out->count > limit_most(LIMIT_MEMBERS))
-        return scan_fail(status, file, 0, "%zu files in the archive%s", out->count, limit_words(LIMIT_MEMBERS).text);
+        return scan_fail(file, 0, "%zu files in the archive%s", out->count, limit_words(LIMIT_MEMBERS).text);
     out->entries = calloc(out->count + 1, sizeof *out->entries);
-    return out->entries ? check_entries(out, status) : status_memory(status);
+    return out->entries ? check_entries(out) : status_memory(file->status);
 }
 
 void archive_close(struct archive *archive)
@@ -85,29 +84,27 @@ size_t archive_find(const struct archive *archive, const char *name, bool anywhe
 }
 
 enum status_code archive_read(struct text *text, const struct archive *archive, size_t index, size_t most,
-                              struct status *status)
+                              const struct scan_file *file)
 {
     const zip_stat_t *entry = &archive->entries[index];
     bool begun = entry->size > most;
     size_t size = begun ? most : (size_t)entry->size;
     if (entry->encryption_method != ZIP_EM_NONE)
-        return scan_fail(status, archive->file, 0, "'%.80s' in the archive is encrypted; unpack it", entry->name);
+        return scan_fail(file, 0, "'%.80s' in the archive is encrypted; unpack it", entry->name);
     if (entry->comp_method != ZIP_CM_STORE && entry->comp_method != ZIP_CM_DEFLATE)
-        return scan_fail(status, archive->file, 0,
-                         "'%.80s' in the archive is packed by method %u, and only deflate is read; unpack it",
+        return scan_fail(file, 0, "'%.80s' in the archive is packed by method %u, and only deflate is read; unpack it",
                          entry->name, entry->comp_method);
     *text = (struct text){.data = malloc(size + 1), .length = size, .capacity = size + 1};
     if (!text->data)
-        return *text = (struct text){0}, status_memory(status);
+        return *text = (struct text){0}, status_memory(file->status);
     text->data[size] = '\0';
-    zip_file_t *file = zip_fopen_index(archive->zip, index, 0);
+    zip_file_t *opened = zip_fopen_index(archive->zip, index, 0);
     char beyond; /* reading on behind the last byte compares size and checksum */
-    bool good =
-        file && zip_fread(file, text->data, size) == (zip_int64_t)size && (begun || zip_fread(file, &beyond, 1) == 0);
-    if (file)
-        zip_fclose(file);
+    bool good = opened && zip_fread(opened, text->data, size) == (zip_int64_t)size &&
+                (begun || zip_fread(opened, &beyond, 1) == 0);
+    if (opened)
+        zip_fclose(opened);
     if (!good)
-        return scan_fail(status, archive->file, 0, "'%.80s' in the archive is damaged; copy the file again",
-                         entry->name);
+        return scan_fail(file, 0, "'%.80s' in the archive is damaged; copy the file again", entry->name);
     return STATUS_OK;
 }

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-struct bytes bytes_begin(const struct scan_bytes *file, size_t offset)
+struct bytes bytes_begin(const struct scan_file *file, size_t offset)
 {
     bool overrun = offset > file->length;
     return (struct bytes){file->bytes + (overrun ? file->length : offset), file->bytes + file->length, overrun};

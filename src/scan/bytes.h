@@ -3,7 +3,7 @@
 #ifndef SCAN_BYTES_H
 #define SCAN_BYTES_H
 
-#include "scan/scan.h"
+#include "scan/reader.h"
 #include "scan/string_view.h"
 
 #include <stdint.h>
@@ -29,7 +29,7 @@ struct bytes {
     bool overrun;
 };
 
-struct bytes bytes_begin(const struct scan_bytes *file, size_t offset);
+struct bytes bytes_begin(const struct scan_file *file, size_t offset);
 size_t bytes_left(const struct bytes *bytes);
 void bytes_skip(struct bytes *bytes, size_t count);
 

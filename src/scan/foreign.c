@@ -111,7 +111,7 @@ static const struct foreign tiff_park = {.name = "Park Systems TIFF", .remedy = 
 static const struct foreign tiff_picture = {
     .name = "TIFF picture", .remedy = "if it holds heights, " BY_GWY, .kind = FOREIGN_DOCUMENT};
 
-bool foreign_is_binary(const struct scan_bytes *file)
+bool foreign_is_binary(const struct scan_file *file)
 {
     size_t length = file->length < FOREIGN_LOOKED_AT ? file->length : FOREIGN_LOOKED_AT;
     while (length == file->length && length > 0 && (file->bytes[length - 1] == '\0' || file->bytes[length - 1] == 0x1a))
@@ -136,7 +136,7 @@ static unsigned get_u16(const unsigned char *bytes, bool big)
 }
 
 /* Is tag 50434, Park's heights, in the first directory of this TIFF? */
-static bool is_park(const struct scan_bytes *file)
+static bool is_park(const struct scan_file *file)
 {
     enum { PARK_TAG = 50434, ENTRY = 12 };
     const unsigned char *bytes = (const unsigned char *)file->bytes;
@@ -155,7 +155,7 @@ static bool is_park(const struct scan_bytes *file)
 }
 
 /* The first row that fits; `archive` is open, or has no entries. */
-static const struct foreign *find_row(const struct scan_bytes *file, const struct archive *archive)
+static const struct foreign *find_row(const struct scan_file *file, const struct archive *archive)
 {
     bool binary = foreign_is_binary(file);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
@@ -175,11 +175,13 @@ static const struct foreign *find_row(const struct scan_bytes *file, const struc
     return NULL;
 }
 
-const struct foreign *foreign_find(const struct scan_bytes *file)
+const struct foreign *foreign_find(const struct scan_file *file)
 {
     struct archive archive = {.file = file};
     struct status ignored = {0};
-    bool opened = archive_sniff(file) && archive_open(&archive, file, &ignored) == STATUS_OK;
+    struct scan_file quiet = *file;
+    quiet.status = &ignored;
+    bool opened = archive_sniff(file) && archive_open(&archive, &quiet) == STATUS_OK;
     const struct foreign *row = find_row(file, opened ? &archive : &(struct archive){0});
     archive_close(&archive);
     return row;

@@ -3,7 +3,7 @@
 #ifndef SCAN_FOREIGN_H
 #define SCAN_FOREIGN_H
 
-#include "scan/scan.h"
+#include "scan/reader.h"
 
 enum foreign_kind {
     FOREIGN_SCAN,     /* holds a measurement */
@@ -23,10 +23,10 @@ struct foreign {
 
 /** What the bytes (the first of the file at least) and its name say; NULL: nothing known. A row without magic takes
  * binary content only. */
-const struct foreign *foreign_find(const struct scan_bytes *file);
+const struct foreign *foreign_find(const struct scan_file *file);
 
 /** Are there NUL bytes, or control characters that no text has, in the first bytes? */
-bool foreign_is_binary(const struct scan_bytes *file);
+bool foreign_is_binary(const struct scan_file *file);
 
 /** How to get a scan out of a file of which no row says it. */
 extern const char foreign_usual_remedy[];

@@ -16,7 +16,7 @@ static const struct scan_reader readers[] = {
 #undef SCAN_ROW
 };
 
-static const struct scan_reader *find_reader(const struct scan_bytes *file)
+static const struct scan_reader *find_reader(const struct scan_file *file)
 {
     for (size_t i = 0; i < sizeof readers / sizeof *readers; i++)
         if (readers[i].sniff(file))
@@ -25,7 +25,7 @@ static const struct scan_reader *find_reader(const struct scan_bytes *file)
 }
 
 /* Does the file begin with a UTF-16 byte order mark, and have an even number of bytes? */
-static bool is_utf16(const struct scan_bytes *file)
+static bool is_utf16(const struct scan_file *file)
 {
     return file->length >= 4 && file->length % 2 == 0 &&
            (memcmp(file->bytes, "\xFF\xFE", 2) == 0 || memcmp(file->bytes, "\xFE\xFF", 2) == 0);
@@ -41,7 +41,7 @@ static const char *const other_names[] = {"readme",    "license", "licence", "co
 static const char table_endings[] = ".csv .tsv .dat .asc .xyz .prf .prn .pro .sdf .smd .gsf .grd .sur .al3d";
 
 /* What a text is that is certainly no scan; NULL: it may be one. */
-static const char *other_text(const struct scan_bytes *file, bool whole)
+static const char *other_text(const struct scan_file *file, bool whole)
 {
     const char *slash = strrchr(file->path, '/'), *name = slash ? slash + 1 : file->path;
     for (size_t i = 0; i < sizeof other_names / sizeof *other_names; i++) {
@@ -56,7 +56,7 @@ static const char *other_text(const struct scan_bytes *file, bool whole)
     return "text without a row of numbers";
 }
 
-struct format format_of(const struct scan_bytes *file, bool whole)
+struct format format_of(const struct scan_file *file, bool whole)
 {
     if (file->length == 0)
         return (struct format){.kind = FORMAT_UNKNOWN};
@@ -81,34 +81,34 @@ struct format format_of(const struct scan_bytes *file, bool whole)
                            other ? other : reader->name, reader, NULL};
 }
 
-const char *scan_is_other(const struct scan_bytes *file, bool whole)
+const char *scan_is_other(const struct scan_bytes *bytes, bool whole)
 {
-    struct format format = format_of(file, whole);
+    struct format format =
+        format_of(&(struct scan_file){.bytes = bytes->bytes, .length = bytes->length, .path = bytes->path}, whole);
     return format.kind == FORMAT_OTHER ? format.name : NULL;
 }
 
-bool scan_tells_at_end(const struct scan_bytes *file)
+bool scan_tells_at_end(const char *bytes, size_t length)
 {
-    return archive_sniff(file) ||
-           (file->length > 4 && (memcmp(file->bytes, "II*\0", 4) == 0 || memcmp(file->bytes, "MM\0*", 4) == 0));
+    return length > 4 &&
+           (memcmp(bytes, "PK\3\4", 4) == 0 || memcmp(bytes, "II*\0", 4) == 0 || memcmp(bytes, "MM\0*", 4) == 0);
 }
 
-enum status_code format_fail_foreign(const struct scan_bytes *file, const struct foreign *foreign,
-                                     struct status *status)
+enum status_code format_fail_foreign(const struct scan_file *file, const struct foreign *foreign)
 {
     if (foreign->kind == FOREIGN_DOCUMENT && !foreign->remedy)
-        return scan_fail(status, file, 0, "it is no scan: %s", foreign->name);
-    return scan_fail(status, file, 0, "the format is not read here: %s; %s", foreign->name,
+        return scan_fail(file, 0, "it is no scan: %s", foreign->name);
+    return scan_fail(file, 0, "the format is not read here: %s; %s", foreign->name,
                      foreign->remedy ? foreign->remedy : foreign_usual_remedy);
 }
 
-static enum status_code fail_binary(const struct scan_bytes *file, struct status *status)
+static enum status_code fail_binary(const struct scan_file *file)
 {
-    return scan_fail(status, file, 0, "is a binary file of no known format; %s", foreign_usual_remedy);
+    return scan_fail(file, 0, "is a binary file of no known format; %s", foreign_usual_remedy);
 }
 
 /* Is there a NUL among the bytes? Those at the end do not count: some programs end a text so. */
-static bool has_nul(const struct scan_bytes *file)
+static bool has_nul(const struct scan_file *file)
 {
     size_t length = file->length;
     while (length > 0 && (file->bytes[length - 1] == '\0' || file->bytes[length - 1] == 0x1a))
@@ -117,12 +117,11 @@ static bool has_nul(const struct scan_bytes *file)
 }
 
 /* The same file, which some Windows program wrote in UTF-16, in UTF-8. */
-static enum status_code read_utf16(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
-                                   struct status *status)
+static enum status_code read_utf16(struct scan *out, const struct scan_file *file)
 {
     iconv_t convert = iconv_open("UTF-8", "UTF-16");
     if (convert == (iconv_t)-1)
-        return scan_fail(status, file, 0, "cannot convert from UTF-16 (%s); save it as UTF-8", strerror(errno));
+        return scan_fail(file, 0, "cannot convert from UTF-16 (%s); save it as UTF-8", strerror(errno));
     struct text text = {0};
     char *from = (char *)file->bytes; /* iconv takes the mark off */
     for (size_t left = file->length; left > 0;) {
@@ -137,31 +136,32 @@ static enum status_code read_utf16(struct scan *out, const struct scan_bytes *fi
         }
     }
     iconv_close(convert);
-    struct scan_bytes utf8 = {text_string(&text), text.length, file->path};
-    enum status_code code = text.failed ? status_memory(status) : format_read(out, &utf8, options, status);
+    struct scan_file utf8 = {text_string(&text), text.length, file->path, file->options, file->status};
+    enum status_code code = text.failed ? status_memory(file->status) : format_read(out, &utf8);
     text_free(&text);
     return code;
 }
 
-enum status_code format_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
-                             struct status *status)
+enum status_code format_read(struct scan *out, const struct scan_file *file)
 {
     if (file->length == 0)
-        return scan_fail(status, file, 0, "the file is empty");
+        return scan_fail(file, 0, "the file is empty");
     if (is_utf16(file))
-        return read_utf16(out, file, options, status);
+        return read_utf16(out, file);
     struct format format = format_of(file, false);
     if (format.kind == FORMAT_PACKED)
-        return scan_fail(status, file, 0, "a packed file within a packed file%s", limit_words(LIMIT_PACKED_DEPTH).text);
+        return scan_fail(file, 0, "a packed file within a packed file%s", limit_words(LIMIT_PACKED_DEPTH).text);
     if (format.foreign)
-        return format_fail_foreign(file, format.foreign, status);
+        return format_fail_foreign(file, format.foreign);
     if (!format.reader)
-        return fail_binary(file, status);
+        return fail_binary(file);
     out->format = format.reader->name;
     bool text = format.reader->read == scan_text_read;
-    if (format.reader->read(out, file, options, status) == STATUS_SCAN && text && has_nul(file)) {
-        *status = (struct status){0};
-        return fail_binary(file, status);
+    if (format.reader->read(out, file) == STATUS_SCAN && text && has_nul(file)) {
+        *file->status = (struct status){0};
+        return fail_binary(file);
     }
-    return status->code;
+    if (file->status->code == STATUS_OK)
+        scan_warn_units(out, file);
+    return file->status->code;
 }

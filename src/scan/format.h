@@ -3,6 +3,7 @@
 #ifndef SCAN_FORMAT_H
 #define SCAN_FORMAT_H
 
+#include "base/text.h"
 #include "scan/foreign.h"
 #include "scan/reader.h"
 
@@ -23,20 +24,16 @@ struct format {
 };
 
 /** What these bytes, all of the file (`whole`) or its first, are by themselves and by its name. */
-struct format format_of(const struct scan_bytes *file, bool whole);
+struct format format_of(const struct scan_file *file, bool whole);
 
 /** Reads a file that is not packed, or what was. */
-MUST_CHECK enum status_code format_read(struct scan *out, const struct scan_bytes *file,
-                                        const struct scan_options *options, struct status *status);
+MUST_CHECK enum status_code format_read(struct scan *out, const struct scan_file *file);
 
 /** STATUS_SCAN: what the file is, and how to get a scan out of it. */
-enum status_code format_fail_foreign(const struct scan_bytes *file, const struct foreign *foreign,
-                                     struct status *status);
+enum status_code format_fail_foreign(const struct scan_file *file, const struct foreign *foreign);
 
-/** Readers of packed files: a zip archive with scans of any other format in it, and one scan packed by gzip. */
-enum status_code scan_zip_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
-                               struct status *status);
-enum status_code scan_gz_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
-                              struct status *status);
+/** Packed files: reads a zip archive with scans of any other format in it; unpacks one scan packed by gzip. */
+enum status_code scan_zip_read(struct scan *out, const struct scan_file *file);
+enum status_code scan_gz_unpack(struct text *text, const struct scan_file *file);
 
 #endif

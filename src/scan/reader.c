@@ -17,7 +17,7 @@ void scan_printable(char *string)
             *string = '?';
 }
 
-enum status_code scan_fail(struct status *status, const struct scan_bytes *file, size_t line, const char *format, ...)
+enum status_code scan_fail(const struct scan_file *file, size_t line, const char *format, ...)
 {
     char message[512];
     va_list args;
@@ -25,11 +25,11 @@ enum status_code scan_fail(struct status *status, const struct scan_bytes *file,
     vsnprintf(message, sizeof message, format, args);
     va_end(args);
     if (line > 0)
-        status_fail(status, STATUS_SCAN, "%.440s:%zu: %s", file->path, line, message);
+        status_fail(file->status, STATUS_SCAN, "%.440s:%zu: %s", file->path, line, message);
     else
-        status_fail(status, STATUS_SCAN, "%.440s: %s", file->path, message);
-    scan_printable(status->message);
-    return status->code;
+        status_fail(file->status, STATUS_SCAN, "%.440s: %s", file->path, message);
+    scan_printable(file->status->message);
+    return file->status->code;
 }
 
 struct scan_quote scan_quote(struct string_view view)
@@ -73,44 +73,41 @@ static const char *said(const char *name)
 }
 
 /* The file calls z a slope, and the scene does not ask to integrate it; or the other way round. */
-static enum status_code fail_quantity(const struct scan *out, const char *z, bool beside, const struct scan_bytes *file,
-                                      const struct scan_options *options, struct status *status)
+static enum status_code fail_quantity(const struct scan *out, const char *z, bool beside, const struct scan_file *file)
 {
     char where[32] = "z", source[320] = "";
     if (out->z_column > 0)
         snprintf(where, sizeof where, "column %zu", out->z_column);
     if (beside)
-        snprintf(source, sizeof source, " by its sidecar '%.255s'", options->sidecar->name);
-    if (options->quantity == SCAN_SLOPE)
-        return scan_fail(status, file, 0, "%s has heights in %.16s%s, not slopes; remove `quantity: slope`", where, z,
-                         source);
-    return scan_fail(status, file, 0,
+        snprintf(source, sizeof source, " by its sidecar '%.255s'", file->options->sidecar->name);
+    if (file->options->quantity == SCAN_SLOPE)
+        return scan_fail(file, 0, "%s has heights in %.16s%s, not slopes; remove `quantity: slope`", where, z, source);
+    return scan_fail(file, 0,
                      "%s is a slope%s%.16s%s, not heights; to integrate it add `quantity: slope` to this surface in "
                      "scene.yaml, or give --quantity slope%s",
                      where, z ? " in " : "", z ? z : "", source,
                      out->z_column > 0 ? "; or choose the heights by `column`" : "");
 }
 
-static enum status_code fail_units(const struct scan *out, const char *x, const char *z, const struct scan_bytes *file,
-                                   struct status *status)
+static enum status_code fail_units(const struct scan *out, const char *x, const char *z, const struct scan_file *file)
 {
     static const char lengths[] = "m, mm, um, nm, pm, A, in, mil or uin";
     static const char slopes[] = "rad, mrad, urad, nrad, deg, arcsec, um/mm or 1 (z is a slope)";
     bool slope = out->quantity == SCAN_SLOPE, x_wrong = x && !*out->x_unit, z_wrong = z && !*out->z_unit;
     if (x_wrong || z_wrong)
-        return scan_fail(status, file, 0, "'%.16s' is no unit of %s; give %s as %s", x_wrong ? x : z,
+        return scan_fail(file, 0, "'%.16s' is no unit of %s; give %s as %s", x_wrong ? x : z,
                          slope && !x_wrong ? "slope" : "length", x_wrong ? "x_unit" : "z_unit",
                          slope && !x_wrong ? slopes : lengths);
     if (*out->x_unit)
-        return scan_fail(status, file, 0,
+        return scan_fail(file, 0,
                          "no unit for z; add `z_unit: %s` (or %s, ...) to this surface in scene.yaml, or give "
                          "--z-unit %s",
                          slope ? "urad" : "um", slope ? "mrad, rad" : "mm, nm", slope ? "urad" : "um");
     if (*out->z_unit)
-        return scan_fail(status, file, 0,
+        return scan_fail(file, 0,
                          "no unit for x; add `x_unit: mm` (or um, nm, ...) to this surface in scene.yaml, or give "
                          "--x-unit mm");
-    return scan_fail(status, file, 0,
+    return scan_fail(file, 0,
                      "no unit for x nor for z; add `x_unit: mm` and `z_unit: %s` (or what they are in) to this surface "
                      "in scene.yaml, or give --x-unit mm --z-unit %s",
                      slope ? "urad" : "um", slope ? "urad" : "um");
@@ -127,14 +124,14 @@ static bool is_slope_unit(const char *name)
 }
 
 enum status_code scan_units(struct scan *out, const char *x_named, const char *z_named, double *x_m, double *z_m,
-                            const struct scan_bytes *file, const struct scan_options *options, struct status *status)
+                            const struct scan_file *file)
 {
-    const struct text_header *beside = options->sidecar ? &options->sidecar->header : NULL;
+    const struct text_header *beside = file->options->sidecar ? &file->options->sidecar->header : NULL;
     const char *x = said(x_named), *z = said(z_named);
     if (x && !find_unit(x, SCAN_HEIGHT).name)
-        return scan_fail(status, file, 0, "x is in '%.16s' by the file, which is no unit of length", x);
+        return scan_fail(file, 0, "x is in '%.16s' by the file, which is no unit of length", x);
     if (z && !find_unit(z, SCAN_HEIGHT).name && !is_slope_unit(z))
-        return scan_fail(status, file, 0, "z is in '%.16s' by the file, which is no unit of length", z);
+        return scan_fail(file, 0, "z is in '%.16s' by the file, which is no unit of length", z);
     out->units_lacking = !x || !z;
     bool slope = out->quantity == SCAN_SLOPE || is_slope_unit(z), x_beside = false, z_beside = false;
     if (!x && beside && (x = text_header_x_unit(beside, out->x_column)))
@@ -146,24 +143,38 @@ enum status_code scan_units(struct scan *out, const char *x_named, const char *z
         slope = slope || is_slope_unit(z);
     }
     bool said_height = z && !slope;
-    x = x ? x : said(options->x_unit);
-    z = z ? z : said(options->z_unit);
+    x = x ? x : said(file->options->x_unit);
+    z = z ? z : said(file->options->z_unit);
     slope = slope || (is_slope_unit(z) && !said_height);
-    if (slope ? options->quantity != SCAN_SLOPE : said_height && options->quantity == SCAN_SLOPE)
-        return fail_quantity(out, z, z_beside, file, options, status);
-    out->quantity = options->quantity;
+    if (slope ? file->options->quantity != SCAN_SLOPE : said_height && file->options->quantity == SCAN_SLOPE)
+        return fail_quantity(out, z, z_beside, file);
+    out->quantity = file->options->quantity;
     struct scan_unit x_unit = find_unit(x, SCAN_HEIGHT), z_unit = find_unit(z, out->quantity);
     *x_m = x_unit.si;
     *z_m = z_unit.si;
     scan_set_units(out, x_unit.name ? x_unit.name : "", z_unit.name ? z_unit.name : "");
     if (!(*x_m > 0 && *z_m > 0))
-        return fail_units(out, x, z, file, status);
+        return fail_units(out, x, z, file);
     out->units_beside = x_beside || z_beside;
     if (out->units_beside)
-        scan_warn(out, "the sidecar '%.120s' gave the unit%s: %s%s%s%s%s", options->sidecar->name,
+        scan_warn(out, "the sidecar '%.120s' gave the unit%s: %s%s%s%s%s", file->options->sidecar->name,
                   x_beside && z_beside ? "s" : "", x_beside ? "x in " : "", x_beside ? out->x_unit : "",
                   x_beside && z_beside ? ", " : "", z_beside ? "z in " : "", z_beside ? out->z_unit : "");
     return STATUS_OK;
+}
+
+static void warn_unit(struct scan *scan, char axis, const char *named, const char *scene, enum scan_quantity quantity)
+{
+    double used = find_unit(named, quantity).si;
+    if (said(scene) && used > 0 && find_unit(scene, quantity).si != used)
+        scan_warn(scan, "the file%s names its %c unit, %s: the scene's %c_unit is not used",
+                  scan->units_beside ? " or its sidecar" : "", axis, named, axis);
+}
+
+void scan_warn_units(struct scan *out, const struct scan_file *file)
+{
+    warn_unit(out, 'x', out->x_unit, file->options->x_unit, SCAN_HEIGHT);
+    warn_unit(out, 'z', out->z_unit, file->options->z_unit, out->quantity);
 }
 
 void scan_set_units(struct scan *out, const char *x_unit, const char *z_unit)
@@ -172,43 +183,41 @@ void scan_set_units(struct scan *out, const char *x_unit, const char *z_unit)
     snprintf(out->z_unit, sizeof out->z_unit, "%s", z_unit);
 }
 
-enum status_code scan_check_points(size_t nx, size_t ny, const struct scan_bytes *file, struct status *status)
+enum status_code scan_check_points(size_t nx, size_t ny, const struct scan_file *file)
 {
     if (nx == 0 || ny == 0)
-        return scan_fail(status, file, 0, "the header says %zu x %zu points: nothing measured", nx, ny);
+        return scan_fail(file, 0, "the header says %zu x %zu points: nothing measured", nx, ny);
     if (ny > limit_most(LIMIT_POINTS) / nx)
-        return scan_fail(status, file, 0, "%zu x %zu points%s", nx, ny, limit_words(LIMIT_POINTS).text);
+        return scan_fail(file, 0, "%zu x %zu points%s", nx, ny, limit_words(LIMIT_POINTS).text);
     return STATUS_OK;
 }
 
-enum status_code scan_reserve(struct scan *out, size_t nx, size_t ny, size_t room, const struct scan_bytes *file,
-                              struct status *status)
+enum status_code scan_reserve(struct scan *out, size_t nx, size_t ny, size_t room, const struct scan_file *file)
 {
     if (nx > 0 && ny > room / nx)
-        return scan_fail(status, file, 0, "the header says %zu x %zu points, the file ends after %zu; copy it again",
-                         nx, ny, room);
-    if (scan_check_points(nx, ny, file, status) != STATUS_OK)
-        return status->code;
+        return scan_fail(file, 0, "the header says %zu x %zu points, the file ends after %zu; copy it again", nx, ny,
+                         room);
+    if (scan_check_points(nx, ny, file) != STATUS_OK)
+        return file->status->code;
     out->z_m = malloc(nx * ny * sizeof *out->z_m);
     if (!out->z_m)
-        return status_memory(status);
+        return status_memory(file->status);
     out->nx = nx;
     out->ny = ny;
     out->kind = ny > 1 ? SCAN_AREAL : SCAN_PROFILE;
     return STATUS_OK;
 }
 
-enum status_code scan_reserve_x(struct scan *out, size_t n, size_t room, const struct scan_bytes *file,
-                                struct status *status)
+enum status_code scan_reserve_x(struct scan *out, size_t n, size_t room, const struct scan_file *file)
 {
-    if (scan_reserve(out, n, 1, room, file, status) != STATUS_OK)
-        return status->code;
+    if (scan_reserve(out, n, 1, room, file) != STATUS_OK)
+        return file->status->code;
     out->x_m = malloc(n * sizeof *out->x_m);
-    return out->x_m ? STATUS_OK : status_memory(status);
+    return out->x_m ? STATUS_OK : status_memory(file->status);
 }
 
 enum status_code scan_take_key(const struct scan_key *keys, struct string_view line, size_t line_number,
-                               const struct scan_bytes *file, struct status *status)
+                               const struct scan_file *file)
 {
     const char *equals = memchr(line.start, '=', string_view_length(line));
     struct string_view key = string_view_trim((struct string_view){line.start, equals ? equals : line.start});
@@ -220,8 +229,7 @@ enum status_code scan_take_key(const struct scan_key *keys, struct string_view l
     if (keys->unit)
         scan_copy(keys->unit, SCAN_UNIT_SIZE, value);
     else if (!(keys->count ? number_read_size(value, keys->count) : number_read(value, keys->number)))
-        return scan_fail(status, file, line_number, "%s = '%s' is no number it can have", keys->key,
-                         scan_quote(value).text);
+        return scan_fail(file, line_number, "%s = '%s' is no number it can have", keys->key, scan_quote(value).text);
     return STATUS_OK;
 }
 
@@ -241,7 +249,7 @@ bool scan_word(struct string_view *text, struct string_view *word)
     return word->end > word->start;
 }
 
-size_t scan_line(const struct scan_bytes *file, const char *at)
+size_t scan_line(const struct scan_file *file, const char *at)
 {
     struct lines lines = lines_begin(scan_view(file));
     for (struct string_view line; lines_next(&lines, &line);)
@@ -259,14 +267,13 @@ bool scan_is_missing(struct string_view cell)
            string_view_equals(cell, "BAD");
 }
 
-enum status_code scan_fill(struct scan *out, struct string_view *text, double z_m, const struct scan_bytes *file,
-                           struct status *status)
+enum status_code scan_fill(struct scan *out, struct string_view *text, double z_m, const struct scan_file *file)
 {
     size_t count = out->nx * out->ny;
     for (size_t i = 0; i < count; i++) {
         struct string_view word;
         if (!scan_word(text, &word))
-            return scan_fail(status, file, scan_line(file, text->start),
+            return scan_fail(file, scan_line(file, text->start),
                              "the heights end after %zu of %zu; copy the file again", i, count);
         double value;
         if (number_scan(word, NUMBER_POINT, NULL, &value) == word.end && isfinite(value))
@@ -274,7 +281,7 @@ enum status_code scan_fill(struct scan *out, struct string_view *text, double z_
         else if (scan_is_missing(word))
             out->z_m[i] = NAN;
         else
-            return scan_fail(status, file, scan_line(file, word.start), "'%s' among the heights; correct or remove it",
+            return scan_fail(file, scan_line(file, word.start), "'%s' among the heights; correct or remove it",
                              scan_quote(word).text);
     }
     return STATUS_OK;

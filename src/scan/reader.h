@@ -6,9 +6,17 @@
 #include "scan/scan.h"
 #include "scan/string_view.h"
 
+/** What a reader is given: the bytes of a file as in struct scan_bytes, what is asked of it, and where errors go. */
+struct scan_file {
+    const char *bytes;
+    size_t length;
+    const char *path;
+    const struct scan_options *options; /* NULL where the bytes are only looked at */
+    struct status *status;              /* the same */
+};
+
 /** Stores STATUS_SCAN with "path:line: " (line 0: "path: ") before the message; control characters become '?'. */
-enum status_code scan_fail(struct status *status, const struct scan_bytes *file, size_t line, const char *format, ...)
-    PRINTF_LIKE(4, 5);
+enum status_code scan_fail(const struct scan_file *file, size_t line, const char *format, ...) PRINTF_LIKE(3, 4);
 
 /** Control characters of `string` become '?'. */
 void scan_printable(char *string);
@@ -28,7 +36,8 @@ struct scan_unit {
     const char *name;
     double si;
 };
-/** The unit of that quantity spelled so; name NULL and 0 when there is none. */
+/** The unit of that quantity spelled so; name NULL and 0 when there is none. Of slopes: "rad", "mrad", "urad", "nrad"
+ * (an angle counts as its tangent, as is the custom for slope errors), "um/mm", "um/m", "nm/mm"..., "1". */
 struct scan_unit scan_unit_find(struct string_view name, enum scan_quantity quantity);
 /** The unit of so many metres, or of that slope; NULL when it has no name. */
 const char *scan_unit_of(double factor, enum scan_quantity quantity);
@@ -38,25 +47,24 @@ const char *scan_unit_of(double factor, enum scan_quantity quantity);
  * words than by its unit. Fills out->x_unit, out->z_unit and out->quantity. Error: STATUS_SCAN, one message that says
  * every scene line that is lacking; a slope that the scene does not call one, or heights that it calls slopes. */
 MUST_CHECK enum status_code scan_units(struct scan *out, const char *x_named, const char *z_named, double *x_m,
-                                       double *z_m, const struct scan_bytes *file, const struct scan_options *options,
-                                       struct status *status);
+                                       double *z_m, const struct scan_file *file);
 /** Sets the unit of both axes where the format fixes it. */
 void scan_set_units(struct scan *out, const char *x_unit, const char *z_unit);
+/** Warns of units of the scene that are not used, because the file or its sidecar names others. */
+void scan_warn_units(struct scan *out, const struct scan_file *file);
 
 /** Are ny rows of nx points within LIMIT_POINTS? To be asked before anything is unpacked for them. Error: STATUS_SCAN.
  */
-MUST_CHECK enum status_code scan_check_points(size_t nx, size_t ny, const struct scan_bytes *file,
-                                              struct status *status);
+MUST_CHECK enum status_code scan_check_points(size_t nx, size_t ny, const struct scan_file *file);
 
 /** Room for ny rows of nx heights, which the caller fills; kind areal when ny > 1. `room` is the largest number of
  * points that the bytes left can hold: a header that claims more, or more than LIMIT_POINTS, is an error before
  * anything is allocated. */
 MUST_CHECK enum status_code scan_reserve(struct scan *out, size_t nx, size_t ny, size_t room,
-                                         const struct scan_bytes *file, struct status *status);
+                                         const struct scan_file *file);
 
 /** The same for a profile of n points with their positions. */
-MUST_CHECK enum status_code scan_reserve_x(struct scan *out, size_t n, size_t room, const struct scan_bytes *file,
-                                           struct status *status);
+MUST_CHECK enum status_code scan_reserve_x(struct scan *out, size_t n, size_t room, const struct scan_file *file);
 
 /** A key of a header, and where its value goes: one of the three; a unit has SCAN_UNIT_SIZE bytes. */
 struct scan_key {
@@ -67,7 +75,7 @@ struct scan_key {
 };
 /** Takes over `line`, `Key = value`, where it is one of the keys, which end in one that is NULL. Error: STATUS_SCAN. */
 MUST_CHECK enum status_code scan_take_key(const struct scan_key *keys, struct string_view line, size_t line_number,
-                                          const struct scan_bytes *file, struct status *status);
+                                          const struct scan_file *file);
 
 /** Is `cell` what instruments write where they measured nothing: BAD, NaN or stars? */
 bool scan_is_missing(struct string_view cell);
@@ -75,15 +83,15 @@ bool scan_is_missing(struct string_view cell);
 /** Fills the heights that scan_reserve() made from `text`, numbers between blanks or line ends, or missing points.
  * Moves text->start behind the last. Error: STATUS_SCAN with the line: too few, or no number. */
 MUST_CHECK enum status_code scan_fill(struct scan *out, struct string_view *text, double z_m,
-                                      const struct scan_bytes *file, struct status *status);
+                                      const struct scan_file *file);
 
 /** Cuts the next word (no blanks, no line ends) off `text`; false when nothing is left. */
 bool scan_word(struct string_view *text, struct string_view *word);
 
 /** The line, from 1, of the byte at `at`. */
-size_t scan_line(const struct scan_bytes *file, const char *at);
+size_t scan_line(const struct scan_file *file, const char *at);
 
-static inline struct string_view scan_view(const struct scan_bytes *file)
+static inline struct string_view scan_view(const struct scan_file *file)
 {
     return (struct string_view){file->bytes, file->bytes + file->length};
 }
@@ -111,25 +119,23 @@ size_t scan_disorder(const double *x, size_t n);
 
 /* Do these bytes look like that format (cheap)? And reading them. */
 #define SCAN_DECLARE(prefix, name)                                                                                     \
-    bool scan_##prefix##_sniff(const struct scan_bytes *file);                                                         \
-    enum status_code scan_##prefix##_read(struct scan *out, const struct scan_bytes *file,                             \
-                                          const struct scan_options *options, struct status *status);
+    bool scan_##prefix##_sniff(const struct scan_file *file);                                                          \
+    enum status_code scan_##prefix##_read(struct scan *out, const struct scan_file *file);
 SCAN_FORMATS(SCAN_DECLARE)
 #undef SCAN_DECLARE
 
 struct scan_reader {
     const char *name;
-    bool (*sniff)(const struct scan_bytes *file);
-    enum status_code (*read)(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
-                             struct status *status);
+    bool (*sniff)(const struct scan_file *file);
+    enum status_code (*read)(struct scan *out, const struct scan_file *file);
 };
 
 /** Is there a row of numbers in this text? */
-bool scan_text_has_numbers(const struct scan_bytes *file);
+bool scan_text_has_numbers(const struct scan_file *file);
 
 struct text_header;
 /** Takes over what the lines of a file say that are units or other keys (text_header_add()); false, and nothing, where
  * a line is a row of numbers: that is a scan. */
-bool scan_text_read_keys(struct text_header *out, const struct scan_bytes *file);
+bool scan_text_read_keys(struct text_header *out, const struct scan_file *file);
 
 #endif

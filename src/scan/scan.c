@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scan/scan.h"
-#include "base/extremes.h"
 #include "base/text.h"
 #include "scan/format.h"
 #include "scan/gwyddion.h"
@@ -26,13 +25,13 @@ static void reverse(double *values, size_t n)
     }
 }
 
-static enum status_code check_positions(struct scan *scan, const struct scan_bytes *file, struct status *status)
+static enum status_code check_positions(struct scan *scan, const struct scan_file *file)
 {
     if (scan->x_m) {
         size_t bad = scan_disorder(scan->x_m, scan->nx);
         if (bad < scan->nx)
-            return scan_fail(status, file, 0,
-                             "x of point %zu does not go on from the point before; sort the points by x", bad + 1);
+            return scan_fail(file, 0, "x of point %zu does not go on from the point before; sort the points by x",
+                             bad + 1);
         if (scan->x_m[1] < scan->x_m[0]) {
             reverse(scan->x_m, scan->nx);
             for (size_t row = 0; row < scan->ny; row++)
@@ -42,50 +41,48 @@ static enum status_code check_positions(struct scan *scan, const struct scan_byt
         scan->dx_m = (scan->x_m[scan->nx - 1] - scan->x_m[0]) / (double)(scan->nx - 1);
     }
     if (!(scan->dx_m > 0 && isfinite(scan->dx_m)))
-        return scan_fail(status, file, 0, "a spacing of %g m is no spacing", scan->dx_m);
+        return scan_fail(file, 0, "a spacing of %g m is no spacing", scan->dx_m);
     if (scan->kind == SCAN_AREAL && !(scan->dy_m > 0 && isfinite(scan->dy_m)))
-        return scan_fail(status, file, 0, "a row spacing of %g m is no spacing", scan->dy_m);
+        return scan_fail(file, 0, "a row spacing of %g m is no spacing", scan->dy_m);
     return STATUS_OK;
 }
 
-static enum status_code check_length(double length_m, const char *what, char axis, const struct scan_bytes *file,
-                                     struct status *status)
+static enum status_code check_length(double length_m, const char *what, char axis, const struct scan_file *file)
 {
     if (length_m >= scan_least_m * (1 - 1e-9) && length_m <= scan_most_m * (1 + 1e-9)) /* positions are rounded */
         return STATUS_OK;
-    return scan_fail(status, file, 0, "%s of %.3g m; allowed is %g to %g m: is the unit of %c right?", what, length_m,
+    return scan_fail(file, 0, "%s of %.3g m; allowed is %g to %g m: is the unit of %c right?", what, length_m,
                      scan_least_m, scan_most_m, axis);
 }
 
 /* Squares of what lies beyond would overflow or vanish. */
-static enum status_code check_lengths(const struct scan *scan, const struct scan_bytes *file, struct status *status)
+static enum status_code check_lengths(const struct scan *scan, const struct scan_file *file)
 {
     double step_m = scan->dx_m, largest_m = 0, highest_m = -INFINITY, lowest_m = INFINITY;
     for (size_t i = 1; scan->x_m && i < scan->nx; i++)
-        step_m = extremes_smaller(step_m, scan->x_m[i] - scan->x_m[i - 1]);
+        step_m = fmin(step_m, scan->x_m[i] - scan->x_m[i - 1]);
     for (size_t i = 0; i < scan->nx * scan->ny; i++) { /* missing points are passed over */
-        largest_m = extremes_larger(largest_m, fabs(scan->z_m[i]));
-        highest_m = extremes_larger(highest_m, scan->z_m[i]);
-        lowest_m = extremes_smaller(lowest_m, scan->z_m[i]);
+        largest_m = fmax(largest_m, fabs(scan->z_m[i]));
+        highest_m = fmax(highest_m, scan->z_m[i]);
+        lowest_m = fmin(lowest_m, scan->z_m[i]);
     }
-    if (check_length(step_m, "a spacing", 'x', file, status) != STATUS_OK ||
-        check_length((double)scan->nx * scan->dx_m, "a length", 'x', file, status) != STATUS_OK)
-        return status->code;
-    if (scan->kind == SCAN_AREAL &&
-        (check_length(scan->dy_m, "a row spacing", 'y', file, status) != STATUS_OK ||
-         check_length((double)scan->ny * scan->dy_m, "a width", 'y', file, status) != STATUS_OK))
-        return status->code;
+    if (check_length(step_m, "a spacing", 'x', file) != STATUS_OK ||
+        check_length((double)scan->nx * scan->dx_m, "a length", 'x', file) != STATUS_OK)
+        return file->status->code;
+    if (scan->kind == SCAN_AREAL && (check_length(scan->dy_m, "a row spacing", 'y', file) != STATUS_OK ||
+                                     check_length((double)scan->ny * scan->dy_m, "a width", 'y', file) != STATUS_OK))
+        return file->status->code;
     if (largest_m > scan_most_m)
-        return check_length(largest_m, "heights", 'z', file, status);
-    return highest_m == lowest_m ? STATUS_OK : check_length(highest_m - lowest_m, "heights", 'z', file, status);
+        return check_length(largest_m, "heights", 'z', file);
+    return highest_m == lowest_m ? STATUS_OK : check_length(highest_m - lowest_m, "heights", 'z', file);
 }
 
 /* The slopes dz/dx in scan->z_m become heights by the trapezoidal rule, from 0 at the first point; a missing point
  * stays missing and is bridged. */
-static enum status_code integrate(struct scan *scan, const struct scan_bytes *file, struct status *status)
+static enum status_code integrate(struct scan *scan, const struct scan_file *file)
 {
     if (scan->kind != SCAN_PROFILE)
-        return scan_fail(status, file, 0, "a map of slopes; only profiles can be integrated to heights");
+        return scan_fail(file, 0, "a map of slopes; only profiles can be integrated to heights");
     double z_m = 0, slope = NAN;
     size_t last = 0; /* the measured point before */
     for (size_t i = 0; i < scan->nx; i++) {
@@ -104,86 +101,77 @@ static enum status_code integrate(struct scan *scan, const struct scan_bytes *fi
 }
 
 /* What scan.h promises about every scan, whichever reader made it. */
-static enum status_code check(struct scan *scan, const struct scan_bytes *file, struct status *status)
+static enum status_code check(struct scan *scan, const struct scan_file *file)
 {
     size_t points = scan->nx * scan->ny;
     scan->dy_m = scan->kind == SCAN_AREAL ? scan->dy_m : 0.0;
     if (scan->nx < SCAN_POINTS || points < SCAN_POINTS)
-        return scan_fail(status, file, 0, "only %zu points in a row; a scan needs at least %d", scan->nx, SCAN_POINTS);
-    if (check_positions(scan, file, status) != STATUS_OK ||
-        (scan->quantity == SCAN_SLOPE && integrate(scan, file, status) != STATUS_OK))
-        return status->code;
+        return scan_fail(file, 0, "only %zu points in a row; a scan needs at least %d", scan->nx, SCAN_POINTS);
+    if (check_positions(scan, file) != STATUS_OK ||
+        (scan->quantity == SCAN_SLOPE && integrate(scan, file) != STATUS_OK))
+        return file->status->code;
     scan->missing = 0; /* what follows is about heights, those of slopes too */
     for (size_t i = 0; i < points; i++) {
         if (isinf(scan->z_m[i]))
-            return scan_fail(status, file, 0, "the height of point %zu is infinite", i + 1);
+            return scan_fail(file, 0, "the height of point %zu is infinite", i + 1);
         scan->missing += isnan(scan->z_m[i]) ? 1 : 0;
     }
     if (points - scan->missing < SCAN_POINTS)
-        return scan_fail(status, file, 0, "%zu of %zu heights are missing", scan->missing, points);
-    return check_lengths(scan, file, status);
-}
-
-static void warn_unit(struct scan *scan, char axis, const char *named, const struct scan_options *options)
-{
-    enum scan_quantity quantity = axis == 'z' ? scan->quantity : SCAN_HEIGHT;
-    double used = scan_unit_find(string_view_of(named), quantity).si;
-    const char *scene = axis == 'x' ? options->x_unit : options->z_unit;
-    if (scene && *scene && used > 0 && scan_unit_find(string_view_of(scene), quantity).si != used)
-        scan_warn(scan, "the file%s names its %c unit, %s: the scene's %c_unit is not used",
-                  scan->units_beside ? " or its sidecar" : "", axis, named, axis);
+        return scan_fail(file, 0, "%zu of %zu heights are missing", scan->missing, points);
+    return check_lengths(scan, file);
 }
 
 /* What the scene asks of a file whose format settles it. */
-static enum status_code check_asked(const struct scan *scan, const struct scan_bytes *file,
-                                    const struct scan_options *options, struct status *status)
+static enum status_code check_asked(const struct scan *scan, const struct scan_file *file)
 {
+    const struct scan_options *options = file->options;
     bool column = (options->x_column && *options->x_column) || (options->z_column && *options->z_column);
     if (column && scan->z_column == 0)
-        return scan_fail(status, file, 0, "a file of format %s has no columns to choose from; remove `column`",
-                         scan->format);
+        return scan_fail(file, 0, "a file of format %s has no columns to choose from; remove `column`", scan->format);
     if (options->quantity == SCAN_SLOPE && scan->quantity != SCAN_SLOPE)
-        return scan_fail(status, file, 0, "a file of format %s has heights, not slopes; remove `quantity: slope`",
+        return scan_fail(file, 0, "a file of format %s has heights, not slopes; remove `quantity: slope`",
                          scan->format);
     return STATUS_OK;
 }
 
-static enum status_code read_any(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
-                                 struct status *status)
+static enum status_code read_any(struct scan *out, const struct scan_file *file)
 {
     struct format format = format_of(file, false);
     if (format.kind != FORMAT_PACKED)
-        return format_read(out, file, options, status);
+        return format_read(out, file);
     out->format = format.name;
-    return strcmp(format.name, "gz") == 0 ? scan_gz_read(out, file, options, status)
-                                          : scan_zip_read(out, file, options, status);
+    if (strcmp(format.name, "zip") == 0)
+        return scan_zip_read(out, file);
+    struct text text = {0};
+    enum status_code code = scan_gz_unpack(&text, file);
+    const struct scan_file inner = {text_string(&text), text.length, file->path, file->options, file->status};
+    if (code == STATUS_OK)
+        code = format_read(out, &inner);
+    text_free(&text);
+    return code;
 }
 
-enum status_code scan_read_bytes(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
+enum status_code scan_read_bytes(struct scan *out, const struct scan_bytes *bytes, const struct scan_options *options,
                                  struct status *status)
 {
+    const struct scan_file file = {bytes->bytes, bytes->length, bytes->path, options, status};
     *out = (struct scan){.ny = 1};
-    if (read_any(out, file, options, status) != STATUS_OK || check_asked(out, file, options, status) != STATUS_OK ||
-        check(out, file, status) != STATUS_OK)
+    if (read_any(out, &file) != STATUS_OK || check_asked(out, &file) != STATUS_OK)
         return status->code;
-    warn_unit(out, 'x', out->x_unit, options);
-    warn_unit(out, 'z', out->z_unit, options);
-    return STATUS_OK;
+    return check(out, &file);
 }
 
 /* Reads what Gwyddion makes of a binary file that no reader knows. `problem` says why none does. */
-static enum status_code read_converted(struct scan *out, const struct scan_bytes *file, const char *path,
-                                       const struct scan_options *options, const struct status *problem,
-                                       struct status *status)
+static enum status_code read_converted(struct scan *out, const struct scan_file *file, const char *path,
+                                       const struct status *problem, struct status *status)
 {
     const struct foreign *foreign = foreign_find(file);
     struct text text = {0};
     struct status failed = {0};
     enum status_code code = gwyddion_convert(&text, path, &failed);
     struct scan_bytes converted = {text_string(&text), text.length, file->path};
-    scan_free(out);
     if (code == STATUS_OK)
-        code = scan_read_bytes(out, &converted, options, &failed);
+        code = scan_read_bytes(out, &converted, file->options, &failed);
     text_free(&text);
     if (code == STATUS_SCAN || code == STATUS_IO) /* what the user can do is said there */
         return status_fail(status, STATUS_SCAN, "%s (%.200s)", problem->message, failed.message);
@@ -195,22 +183,25 @@ static enum status_code read_converted(struct scan *out, const struct scan_bytes
 }
 
 /* Is it a measurement, as far as one can tell, in a binary format that no reader knows? */
-static bool is_foreign_scan(const struct scan_bytes *file)
+static bool is_foreign_scan(const struct scan_file *file)
 {
     enum format_kind kind = format_of(file, false).kind;
     return kind == FORMAT_FOREIGN || (kind == FORMAT_UNKNOWN && foreign_is_binary(file));
 }
 
-enum status_code scan_read_beside(struct scan *out, const struct scan_bytes *file, const char *path,
+enum status_code scan_read_beside(struct scan *out, const struct scan_bytes *bytes, const char *path,
                                   const struct scan_options *options, struct status *status)
 {
     struct status problem = {0};
-    enum status_code code = scan_read_bytes(out, file, options, &problem);
-    if (code == STATUS_SCAN && !options->no_programs && is_foreign_scan(file) && gwyddion_exists())
-        return read_converted(out, file, path, options, &problem, status);
+    enum status_code code = scan_read_bytes(out, bytes, options, &problem);
+    const struct scan_file file = {bytes->bytes, bytes->length, bytes->path, options, &problem};
     struct sidecar sidecar;
     char *found = NULL;
-    bool refused_text = code == STATUS_SCAN && out->z_column == 0 && !foreign_is_binary(file);
+    bool refused_text = code == STATUS_SCAN && out->z_column == 0 && !foreign_is_binary(&file);
+    if (code == STATUS_SCAN && !options->no_programs && is_foreign_scan(&file) && gwyddion_exists()) {
+        scan_free(out);
+        return read_converted(out, &file, path, &problem, status);
+    }
     if (code != STATUS_MEMORY && (out->units_lacking || refused_text) &&
         sidecar_find(&sidecar, &found, path, status) != STATUS_OK)
         return status->code;
@@ -219,7 +210,7 @@ enum status_code scan_read_beside(struct scan *out, const struct scan_bytes *fil
         with.sidecar = &sidecar;
         scan_free(out);
         problem = (struct status){0};
-        code = scan_read_bytes(out, file, &with, &problem);
+        code = scan_read_bytes(out, bytes, &with, &problem);
         if (out->units_beside)
             out->sidecar = found;
     }

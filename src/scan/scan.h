@@ -85,7 +85,7 @@ MUST_CHECK enum status_code scan_read_bytes(struct scan *out, const struct scan_
  * the first): "PNG picture", "text without a row of numbers"; NULL: it may be one. */
 const char *scan_is_other(const struct scan_bytes *file, bool whole);
 /** Do the first bytes not tell what the file is, but the last ones (zip, TIFF)? */
-bool scan_tells_at_end(const struct scan_bytes *file);
+bool scan_tells_at_end(const char *bytes, size_t length);
 void scan_free(struct scan *scan);
 /** Exchanges rows and columns of a map, so that its columns can be taken as profiles. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code scan_transpose(struct scan *scan, struct status *status);
@@ -94,9 +94,6 @@ void scan_warn(struct scan *scan, const char *format, ...) PRINTF_LIKE(2, 3);
 
 /** Metres per unit for "m", "mm", "um", "µm", "micron(s)", "nm", "pm", "A"/"Å", "in"/"inch", "mil", "uin"/"µin"...
  * in any encoding they come in (UTF-8 both mu signs; latin-1 0xB5); 0 when the name is no length. */
-double scan_unit_m(const char *name, size_t length);
-/** dz/dx per unit of slope for "rad", "mrad", "urad", "nrad" (an angle counts as its tangent, as is the custom for
- * slope errors), "um/mm", "um/m", "nm/mm"..., "1"; 0 when the name is none. */
-double scan_unit_slope(const char *name, size_t length);
+double scan_unit_m(const char *name);
 
 #endif

@@ -15,7 +15,7 @@ struct al3d_header {
     double tags, nx, ny, offset, dx, dy, invalid;
 };
 
-bool scan_al3d_sniff(const struct scan_bytes *file)
+bool scan_al3d_sniff(const struct scan_file *file)
 {
     return file->length >= AL3D_MAGIC && memcmp(file->bytes, magic, AL3D_MAGIC) == 0;
 }
@@ -41,21 +41,19 @@ static void read_header(struct al3d_header *header, struct bytes *bytes)
     }
 }
 
-enum status_code scan_al3d_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
-                                struct status *status)
+enum status_code scan_al3d_read(struct scan *out, const struct scan_file *file)
 {
-    (void)options;
     struct al3d_header header = {.invalid = NAN};
     struct bytes bytes = bytes_begin(file, AL3D_MAGIC);
     read_header(&header, &bytes);
     if (!(header.nx >= 1 && header.nx <= UINT32_MAX && header.ny >= 1 && header.ny <= UINT32_MAX))
-        return scan_fail(status, file, 0, "no numbers of points in the tags Cols and Rows");
+        return scan_fail(file, 0, "no numbers of points in the tags Cols and Rows");
     if (!(header.offset >= AL3D_MAGIC && header.offset <= (double)file->length))
-        return scan_fail(status, file, 0, "no depth image in the file (DepthImageOffset); export the scan with it");
+        return scan_fail(file, 0, "no depth image in the file (DepthImageOffset); export the scan with it");
     size_t nx = (size_t)header.nx, ny = (size_t)header.ny, stride = (nx * sizeof(float) + 7) / 8 * 8;
     bytes = bytes_begin(file, (size_t)header.offset);
-    if (scan_reserve(out, nx, ny, bytes_left(&bytes) / stride * nx, file, status) != STATUS_OK)
-        return status->code;
+    if (scan_reserve(out, nx, ny, bytes_left(&bytes) / stride * nx, file) != STATUS_OK)
+        return file->status->code;
     for (size_t row = 0; row < ny; row++) {
         for (size_t i = 0; i < nx; i++) {
             double value = (double)bytes_f32(&bytes);

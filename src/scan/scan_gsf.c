@@ -15,13 +15,12 @@ struct gsf_header {
     char xy_unit[SCAN_UNIT_SIZE], z_unit[SCAN_UNIT_SIZE];
 };
 
-bool scan_gsf_sniff(const struct scan_bytes *file)
+bool scan_gsf_sniff(const struct scan_file *file)
 {
     return file->length >= strlen(magic) && memcmp(file->bytes, magic, strlen(magic)) == 0;
 }
 
-static enum status_code read_header(struct gsf_header *header, struct string_view text, const struct scan_bytes *file,
-                                    struct status *status)
+static enum status_code read_header(struct gsf_header *header, struct string_view text, const struct scan_file *file)
 {
     const struct scan_key keys[] = {{"XRes", .count = &header->nx},
                                     {"YRes", .count = &header->ny},
@@ -32,26 +31,25 @@ static enum status_code read_header(struct gsf_header *header, struct string_vie
                                     {0}};
     struct lines lines = lines_begin(text);
     for (struct string_view line; lines_next(&lines, &line);)
-        if (scan_take_key(keys, line, lines.number, file, status) != STATUS_OK)
-            return status->code;
+        if (scan_take_key(keys, line, lines.number, file) != STATUS_OK)
+            return file->status->code;
     return STATUS_OK;
 }
 
-enum status_code scan_gsf_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
-                               struct status *status)
+enum status_code scan_gsf_read(struct scan *out, const struct scan_file *file)
 {
     struct gsf_header header = {0};
     double x_m, z_m;
     const char *stop = memchr(file->bytes, '\0', file->length);
     if (!stop)
-        return scan_fail(status, file, 0, "no NUL behind the header: the file is cut off");
+        return scan_fail(file, 0, "no NUL behind the header: the file is cut off");
     size_t length = (size_t)(stop - file->bytes);
-    if (read_header(&header, (struct string_view){file->bytes, stop}, file, status) != STATUS_OK ||
-        scan_units(out, header.xy_unit, header.z_unit, &x_m, &z_m, file, options, status) != STATUS_OK)
-        return status->code;
+    if (read_header(&header, (struct string_view){file->bytes, stop}, file) != STATUS_OK ||
+        scan_units(out, header.xy_unit, header.z_unit, &x_m, &z_m, file) != STATUS_OK)
+        return file->status->code;
     struct bytes bytes = bytes_begin(file, length + 4 - length % 4);
-    if (scan_reserve(out, header.nx, header.ny, bytes_left(&bytes) / sizeof(float), file, status) != STATUS_OK)
-        return status->code;
+    if (scan_reserve(out, header.nx, header.ny, bytes_left(&bytes) / sizeof(float), file) != STATUS_OK)
+        return file->status->code;
     for (size_t i = 0; i < header.nx * header.ny; i++)
         out->z_m[i] = (double)bytes_f32(&bytes) * z_m;
     out->dx_m = header.width / (double)header.nx * x_m;

@@ -34,7 +34,7 @@ struct found {
     size_t maps;
 };
 
-bool scan_gwy_sniff(const struct scan_bytes *file)
+bool scan_gwy_sniff(const struct scan_file *file)
 {
     return file->length >= sizeof magic && memcmp(file->bytes, magic, sizeof magic) == 0; /* the NUL too */
 }
@@ -168,7 +168,7 @@ static bool next_field(struct bytes *inner, const char *end, struct field *out, 
     return false;
 }
 
-static enum status_code find_fields(struct found *out, const struct scan_bytes *file, struct status *status)
+static enum status_code find_fields(struct found *out, const struct scan_file *file)
 {
     struct bytes bytes = bytes_begin(file, 4), inner; /* behind GWYP */
     struct field field;
@@ -183,11 +183,11 @@ static enum status_code find_fields(struct found *out, const struct scan_bytes *
         if (field.number == out->map.number)
             out->mask = field;
     if (inner.overrun || bytes.overrun || damaged)
-        return scan_fail(status, file, 0, "the file is cut off or damaged; copy it again");
+        return scan_fail(file, 0, "the file is cut off or damaged; copy it again");
     if (out->maps == 0)
-        return scan_fail(status, file, 0, "no map in it (/0/data); export its profiles from Gwyddion as text");
+        return scan_fail(file, 0, "no map in it (/0/data); export its profiles from Gwyddion as text");
     if (out->mask.count > 0 && (out->mask.nx != out->map.nx || out->mask.ny != out->map.ny))
-        return scan_fail(status, file, 0, "the mask is of %u x %u points, the map of %u x %u; copy the file again",
+        return scan_fail(file, 0, "the mask is of %u x %u points, the map of %u x %u; copy the file again",
                          out->mask.nx, out->mask.ny, out->map.nx, out->map.ny);
     return STATUS_OK;
 }
@@ -205,16 +205,15 @@ static void take_mask(struct scan *out, struct field *mask)
         scan_warn(out, "%zu points under the mask of Gwyddion are taken as missing", masked);
 }
 
-enum status_code scan_gwy_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
-                               struct status *status)
+enum status_code scan_gwy_read(struct scan *out, const struct scan_file *file)
 {
     struct found found;
     struct field *map = &found.map;
     double x_m, z_m;
-    if (find_fields(&found, file, status) != STATUS_OK ||
-        scan_units(out, map->xy_unit, map->z_unit, &x_m, &z_m, file, options, status) != STATUS_OK ||
-        scan_reserve(out, map->nx, map->ny, map->count, file, status) != STATUS_OK)
-        return status->code;
+    if (find_fields(&found, file) != STATUS_OK ||
+        scan_units(out, map->xy_unit, map->z_unit, &x_m, &z_m, file) != STATUS_OK ||
+        scan_reserve(out, map->nx, map->ny, map->count, file) != STATUS_OK)
+        return file->status->code;
     for (size_t i = 0; i < map->count; i++)
         out->z_m[i] = bytes_f64(&map->data) * z_m;
     out->dx_m = map->width / (double)map->nx * x_m;

@@ -8,7 +8,7 @@
 #include <zlib.h>
 
 /* Unpacks every member of the file, which are one after another, into `text`. */
-static enum status_code unpack(struct text *text, const struct scan_bytes *file, struct status *status)
+enum status_code scan_gz_unpack(struct text *text, const struct scan_file *file)
 {
     z_stream stream = {.next_in = (Bytef *)file->bytes};
     const char *end = file->bytes + file->length;
@@ -16,7 +16,7 @@ static enum status_code unpack(struct text *text, const struct scan_bytes *file,
     bool ended = false;
     size_t most = limit_most(LIMIT_UNPACKED_BYTES);
     if (code != Z_OK)
-        return status_memory(status);
+        return status_memory(file->status);
     enum { PIECE = 65536 };
     unsigned char *piece = malloc(PIECE);
     text->failed = text->failed || !piece;
@@ -36,23 +36,10 @@ static enum status_code unpack(struct text *text, const struct scan_bytes *file,
     free(piece);
     inflateEnd(&stream);
     if (text->failed || code == Z_MEM_ERROR)
-        return status_memory(status);
+        return status_memory(file->status);
     if (text->length > most)
-        return scan_fail(status, file, 0, "it unpacks to more than %zu bytes%s", most,
-                         limit_words(LIMIT_UNPACKED_BYTES).text);
+        return scan_fail(file, 0, "it unpacks to more than %zu bytes%s", most, limit_words(LIMIT_UNPACKED_BYTES).text);
     if (!ended)
-        return scan_fail(status, file, 0, "damaged or cut off within the gzip data; copy the file again");
+        return scan_fail(file, 0, "damaged or cut off within the gzip data; copy the file again");
     return STATUS_OK;
-}
-
-enum status_code scan_gz_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
-                              struct status *status)
-{
-    struct text text = {0};
-    enum status_code code = unpack(&text, file, status);
-    struct scan_bytes inner = {text_string(&text), text.length, file->path};
-    if (code == STATUS_OK)
-        code = format_read(out, &inner, options, status);
-    text_free(&text);
-    return code;
 }

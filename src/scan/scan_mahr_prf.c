@@ -10,23 +10,21 @@ static const char magic[] = "[p3dlin]", trajectory[] = "[Trajec]";
 enum { MAHR_COUNT_AT = 0x14, MAHR_DATA_BEHIND = 49 };
 static const double mahr_unit_m = 1e-3;
 
-bool scan_mahr_prf_sniff(const struct scan_bytes *file)
+bool scan_mahr_prf_sniff(const struct scan_file *file)
 {
     return string_view_starts(scan_view(file), magic);
 }
 
-enum status_code scan_mahr_prf_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
-                                    struct status *status)
+enum status_code scan_mahr_prf_read(struct scan *out, const struct scan_file *file)
 {
-    (void)options;
     struct bytes count = bytes_begin(file, MAHR_COUNT_AT);
     size_t n = bytes_u32(&count);
     const char *found = memmem(file->bytes, file->length, trajectory, strlen(trajectory));
     if (count.overrun || !found)
-        return scan_fail(status, file, 0, "no %s section: the file is cut off; export it again", trajectory);
+        return scan_fail(file, 0, "no %s section: the file is cut off; export it again", trajectory);
     struct bytes bytes = bytes_begin(file, (size_t)(found - file->bytes) + MAHR_DATA_BEHIND);
-    if (scan_reserve_x(out, n, bytes_left(&bytes) / (3 * sizeof(double)), file, status) != STATUS_OK)
-        return status->code;
+    if (scan_reserve_x(out, n, bytes_left(&bytes) / (3 * sizeof(double)), file) != STATUS_OK)
+        return file->status->code;
     for (size_t i = 0; i < n; i++)
         out->x_m[i] = bytes_f64(&bytes) * mahr_unit_m;
     bytes_skip(&bytes, n * sizeof(double)); /* y, across the profile */

@@ -10,7 +10,7 @@
 static const double mahr_unit_m = 1e-3;
 enum { MAHR_SHORTEST = 8 }; /* bytes of the shortest line of a point, `0=1 2 3` and its end */
 
-bool scan_mahr_text_sniff(const struct scan_bytes *file)
+bool scan_mahr_text_sniff(const struct scan_file *file)
 {
     return string_view_starts(scan_view(file), "[PROFILE_HEADER]");
 }
@@ -34,8 +34,7 @@ static bool read_point(struct string_view line, double *x, double *z)
 }
 
 /* The points from `lines` on, until a section begins or the file ends. */
-static enum status_code read_points(struct scan *out, struct lines lines, const struct scan_bytes *file,
-                                    struct status *status)
+static enum status_code read_points(struct scan *out, struct lines lines, const struct scan_file *file)
 {
     size_t n = 0;
     for (struct string_view line; lines_next(&lines, &line);) {
@@ -45,37 +44,34 @@ static enum status_code read_points(struct scan *out, struct lines lines, const 
         if (*line.start == '[')
             break;
         if (n == out->nx)
-            return scan_fail(status, file, lines.number, "more points than NO_POINTS says, %zu; export the scan again",
+            return scan_fail(file, lines.number, "more points than NO_POINTS says, %zu; export the scan again",
                              out->nx);
         if (!read_point(line, &out->x_m[n], &out->z_m[n]))
-            return scan_fail(status, file, lines.number, "'%s' is no line `index=x y z ...`; correct or remove it",
+            return scan_fail(file, lines.number, "'%s' is no line `index=x y z ...`; correct or remove it",
                              scan_quote(line).text);
         n++;
     }
     if (n < out->nx)
-        return scan_fail(status, file, lines.number, "the points end after %zu of %zu; export the scan again", n,
-                         out->nx);
+        return scan_fail(file, lines.number, "the points end after %zu of %zu; export the scan again", n, out->nx);
     return STATUS_OK;
 }
 
-enum status_code scan_mahr_text_read(struct scan *out, const struct scan_bytes *file,
-                                     const struct scan_options *options, struct status *status)
+enum status_code scan_mahr_text_read(struct scan *out, const struct scan_file *file)
 {
-    (void)options;
     size_t n = 0;
     struct lines lines = lines_begin(scan_view(file));
     for (struct string_view line; lines_next(&lines, &line);) {
         line = string_view_trim(line);
         if (string_view_starts(line, "NO_POINTS=") &&
             !number_read_size((struct string_view){line.start + strlen("NO_POINTS="), line.end}, &n))
-            return scan_fail(status, file, lines.number, "NO_POINTS is no number of points");
+            return scan_fail(file, lines.number, "NO_POINTS is no number of points");
         if (!string_view_equals(line, "[PROFILE_VALUES]"))
             continue;
         size_t room = (size_t)(lines.end - lines.next + 1) / MAHR_SHORTEST;
-        if (scan_reserve_x(out, n, room, file, status) != STATUS_OK)
-            return status->code;
+        if (scan_reserve_x(out, n, room, file) != STATUS_OK)
+            return file->status->code;
         scan_set_units(out, "mm", "mm");
-        return read_points(out, lines, file, status);
+        return read_points(out, lines, file);
     }
-    return scan_fail(status, file, lines.number, "no section [PROFILE_VALUES]; export the scan with its profile");
+    return scan_fail(file, lines.number, "no section [PROFILE_VALUES]; export the scan with its profile");
 }

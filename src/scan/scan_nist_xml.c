@@ -17,7 +17,7 @@ static const struct {
     {"WAVINESS_DATA_POINT_VALUES", "nist-xml (WAVINESS_DATA_POINT_VALUES)"},
 };
 
-bool scan_nist_xml_sniff(const struct scan_bytes *file)
+bool scan_nist_xml_sniff(const struct scan_file *file)
 {
     size_t length = file->length < NIST_SNIFF ? file->length : NIST_SNIFF;
     return string_view_starts(scan_view(file), "<") && memmem(file->bytes, length, "<DATAFILE>", 10) != NULL &&
@@ -43,8 +43,7 @@ static struct string_view element(struct string_view text, const char *tag)
     return string_view_trim((struct string_view){rest.start, stop ? stop : rest.start});
 }
 
-enum status_code scan_nist_xml_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
-                                    struct status *status)
+enum status_code scan_nist_xml_read(struct scan *out, const struct scan_file *file)
 {
     struct string_view text = scan_view(file), data = {text.end, text.end}, word = data;
     text.start = find(text, "<DATAFILE>");
@@ -54,22 +53,22 @@ enum status_code scan_nist_xml_read(struct scan *out, const struct scan_bytes *f
         (void)scan_word(&data, &word);
     }
     if (word.start == word.end)
-        return scan_fail(status, file, 0, "no heights in <DATA_POINT_VALUES>");
+        return scan_fail(file, 0, "no heights in <DATA_POINT_VALUES>");
     data.start = word.start;
     size_t n;
     double spacing, x_m, z_m;
     if (!number_read_size(element(text, "NUMPOINTS"), &n))
-        return scan_fail(status, file, 0, "no number of points in <NUMPOINTS>");
+        return scan_fail(file, 0, "no number of points in <NUMPOINTS>");
     if (!number_read(element(text, "SPACING"), &spacing))
-        return scan_fail(status, file, 0, "no spacing in <SPACING>");
+        return scan_fail(file, 0, "no spacing in <SPACING>");
     char unit[SCAN_UNIT_SIZE];
     scan_copy(unit, sizeof unit, element(text, "UNITS"));
-    if (scan_units(out, unit, unit, &x_m, &z_m, file, options, status) != STATUS_OK ||
-        scan_reserve(out, n, 1, (string_view_length(data) + 1) / 2, file, status) != STATUS_OK ||
-        scan_fill(out, &data, z_m, file, status) != STATUS_OK)
-        return status->code;
+    if (scan_units(out, unit, unit, &x_m, &z_m, file) != STATUS_OK ||
+        scan_reserve(out, n, 1, (string_view_length(data) + 1) / 2, file) != STATUS_OK ||
+        scan_fill(out, &data, z_m, file) != STATUS_OK)
+        return file->status->code;
     if (scan_word(&data, &word))
-        return scan_fail(status, file, scan_line(file, word.start), "more heights than <NUMPOINTS> says, %zu", n);
+        return scan_fail(file, scan_line(file, word.start), "more heights than <NUMPOINTS> says, %zu", n);
     out->dx_m = spacing * x_m;
     return STATUS_OK;
 }

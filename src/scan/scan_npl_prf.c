@@ -14,7 +14,7 @@ struct npl_axis {
     double factor;
 };
 
-bool scan_npl_prf_sniff(const struct scan_bytes *file)
+bool scan_npl_prf_sniff(const struct scan_file *file)
 {
     struct string_view text = scan_view(file), word;
     size_t length = file->length < NPL_SNIFF ? file->length : NPL_SNIFF;
@@ -38,10 +38,8 @@ static bool read_axis(struct npl_axis *axis, struct string_view line)
     return axis->unit.name && scan_word(&line, &word) && number_read(word, &axis->factor);
 }
 
-enum status_code scan_npl_prf_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
-                                   struct status *status)
+enum status_code scan_npl_prf_read(struct scan *out, const struct scan_file *file)
 {
-    (void)options;
     struct npl_axis x = {0}, z = {0};
     double spacing = 0;
     size_t records = 0;
@@ -58,19 +56,19 @@ enum status_code scan_npl_prf_read(struct scan *out, const struct scan_bytes *fi
         else if (records == 1 && string_view_starts(line, "SPACING CX "))
             good = number_read((struct string_view){line.start + strlen("SPACING CX "), line.end}, &spacing);
         if (!good)
-            return scan_fail(status, file, lines.number, "'%s' is not as PRF has it; export the scan again",
+            return scan_fail(file, lines.number, "'%s' is not as PRF has it; export the scan again",
                              scan_quote(line).text);
     }
     if (records < 2 || !x.unit.name || !z.unit.name || !(spacing > 0))
-        return scan_fail(status, file, lines.number,
+        return scan_fail(file, lines.number,
                          "no CX, CZ or `SPACING CX` above the heights: only evenly spaced PRF profiles can be read");
     struct string_view data = {lines.next, lines.end};
-    if (scan_reserve(out, z.n, 1, (string_view_length(data) + 1) / 2, file, status) != STATUS_OK ||
-        scan_fill(out, &data, z.factor * z.unit.si, file, status) != STATUS_OK)
-        return status->code;
+    if (scan_reserve(out, z.n, 1, (string_view_length(data) + 1) / 2, file) != STATUS_OK ||
+        scan_fill(out, &data, z.factor * z.unit.si, file) != STATUS_OK)
+        return file->status->code;
     struct string_view word;
     if (scan_word(&data, &word) && !string_view_equals(word, "EOR"))
-        return scan_fail(status, file, scan_line(file, word.start), "'%s' where the record should end (EOR)",
+        return scan_fail(file, scan_line(file, word.start), "'%s' where the record should end (EOR)",
                          scan_quote(word).text);
     out->dx_m = spacing * x.factor * x.unit.si;
     scan_set_units(out, x.unit.name, z.unit.name);

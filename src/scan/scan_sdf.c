@@ -16,7 +16,7 @@ struct sdf_header {
     double x_scale, y_scale, z_scale;
 };
 
-bool scan_sdf_sniff(const struct scan_bytes *file)
+bool scan_sdf_sniff(const struct scan_file *file)
 {
     if (file->length < 8 || (file->bytes[0] != 'a' && file->bytes[0] != 'b'))
         return false;
@@ -28,23 +28,22 @@ bool scan_sdf_sniff(const struct scan_bytes *file)
 }
 
 static enum status_code take_header(struct scan *out, const struct sdf_header *header, size_t room,
-                                    const struct scan_bytes *file, struct status *status)
+                                    const struct scan_file *file)
 {
     if (header->compression != 0)
-        return scan_fail(status, file, 0, "compressed SDF (Compression = %zu) cannot be read; export it uncompressed",
+        return scan_fail(file, 0, "compressed SDF (Compression = %zu) cannot be read; export it uncompressed",
                          header->compression);
     if (!isfinite(header->z_scale) || header->z_scale == 0)
-        return scan_fail(status, file, 0, "a Zscale of %g gives no heights", header->z_scale);
-    if (scan_reserve(out, header->nx, header->ny, room, file, status) != STATUS_OK)
-        return status->code;
+        return scan_fail(file, 0, "a Zscale of %g gives no heights", header->z_scale);
+    if (scan_reserve(out, header->nx, header->ny, room, file) != STATUS_OK)
+        return file->status->code;
     out->dx_m = header->x_scale;
     out->dy_m = header->y_scale;
     scan_set_units(out, "m", "m");
     return STATUS_OK;
 }
 
-static enum status_code read_text_header(struct sdf_header *header, struct lines *lines, const struct scan_bytes *file,
-                                         struct status *status)
+static enum status_code read_text_header(struct sdf_header *header, struct lines *lines, const struct scan_file *file)
 {
     const struct scan_key keys[] = {{"NumPoints", .count = &header->nx},
                                     {"NumProfiles", .count = &header->ny},
@@ -58,24 +57,24 @@ static enum status_code read_text_header(struct sdf_header *header, struct lines
     while (lines_next(lines, &line)) {
         if (string_view_equals(string_view_trim(line), "*"))
             return STATUS_OK;
-        if (scan_take_key(keys, line, lines->number, file, status) != STATUS_OK)
-            return status->code;
+        if (scan_take_key(keys, line, lines->number, file) != STATUS_OK)
+            return file->status->code;
     }
-    return scan_fail(status, file, lines->number, "no line `*` between header and heights");
+    return scan_fail(file, lines->number, "no line `*` between header and heights");
 }
 
-static enum status_code read_text(struct scan *out, const struct scan_bytes *file, struct status *status)
+static enum status_code read_text(struct scan *out, const struct scan_file *file)
 {
     struct sdf_header header = {0};
     struct lines lines = lines_begin(scan_view(file));
-    if (read_text_header(&header, &lines, file, status) != STATUS_OK)
-        return status->code;
+    if (read_text_header(&header, &lines, file) != STATUS_OK)
+        return file->status->code;
     struct string_view data = {lines.next, lines.end}, word;
-    if (take_header(out, &header, (string_view_length(data) + 1) / 2, file, status) != STATUS_OK ||
-        scan_fill(out, &data, header.z_scale, file, status) != STATUS_OK)
-        return status->code;
+    if (take_header(out, &header, (string_view_length(data) + 1) / 2, file) != STATUS_OK ||
+        scan_fill(out, &data, header.z_scale, file) != STATUS_OK)
+        return file->status->code;
     if (scan_word(&data, &word) && *word.start != '*')
-        return scan_fail(status, file, scan_line(file, word.start),
+        return scan_fail(file, scan_line(file, word.start),
                          "more heights than NumPoints x NumProfiles, %zu x %zu; export the scan again", header.nx,
                          header.ny);
     return STATUS_OK;
@@ -89,7 +88,7 @@ static double missing_mark(size_t type)
     return marks[type];
 }
 
-static enum status_code read_binary(struct scan *out, const struct scan_bytes *file, struct status *status)
+static enum status_code read_binary(struct scan *out, const struct scan_file *file)
 {
     struct bytes bytes = bytes_begin(file, 8 + 10 + 12 + 12); /* version, maker, two dates */
     struct sdf_header header = {0};
@@ -103,12 +102,12 @@ static enum status_code read_binary(struct scan *out, const struct scan_bytes *f
     header.type = bytes_u8(&bytes);
     bytes_skip(&bytes, 1); /* kind of check sum */
     if (bytes.overrun)
-        return scan_fail(status, file, 0, "the file ends within its header of %d bytes", SDF_BINARY_HEADER);
+        return scan_fail(file, 0, "the file ends within its header of %d bytes", SDF_BINARY_HEADER);
     if (header.type >= BYTES_COUNT)
-        return scan_fail(status, file, 0, "data type %zu is none of ISO 25178-71", header.type);
+        return scan_fail(file, 0, "data type %zu is none of ISO 25178-71", header.type);
     enum bytes_type type = (enum bytes_type)header.type;
-    if (take_header(out, &header, bytes_left(&bytes) / bytes_size(type), file, status) != STATUS_OK)
-        return status->code;
+    if (take_header(out, &header, bytes_left(&bytes) / bytes_size(type), file) != STATUS_OK)
+        return file->status->code;
     /* Olympus writes 8 bytes more between header and heights */
     size_t points = header.nx * header.ny;
     if (bytes_left(&bytes) == points * bytes_size(type) + SDF_OLYMPUS_EXTRA)
@@ -121,9 +120,7 @@ static enum status_code read_binary(struct scan *out, const struct scan_bytes *f
     return STATUS_OK;
 }
 
-enum status_code scan_sdf_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
-                               struct status *status)
+enum status_code scan_sdf_read(struct scan *out, const struct scan_file *file)
 {
-    (void)options;
-    return file->bytes[0] == 'a' ? read_text(out, file, status) : read_binary(out, file, status);
+    return file->bytes[0] == 'a' ? read_text(out, file) : read_binary(out, file);
 }

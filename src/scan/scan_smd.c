@@ -16,7 +16,7 @@ struct smd_axis {
     double scale, increment;
 };
 
-bool scan_smd_sniff(const struct scan_bytes *file)
+bool scan_smd_sniff(const struct scan_file *file)
 {
     return string_view_starts(scan_view(file), "ISO 5436") && memchr(file->bytes, etx, file->length) != NULL;
 }
@@ -59,8 +59,7 @@ static struct string_view next_record(struct string_view *rest)
     return record;
 }
 
-static enum status_code read_header(struct smd_axis axis[3], struct string_view header, const struct scan_bytes *file,
-                                    struct status *status)
+static enum status_code read_header(struct smd_axis axis[3], struct string_view header, const struct scan_file *file)
 {
     struct lines lines = lines_begin(header);
     for (struct string_view line; lines_next(&lines, &line);) {
@@ -69,13 +68,13 @@ static enum status_code read_header(struct smd_axis axis[3], struct string_view 
             continue;
         const char *name = strchr("XYZ", field.start[1]);
         if (!name || !*name || !read_axis(&axis[name - "XYZ"], line))
-            return scan_fail(status, file, lines.number, "axis '%s' is not as ISO 5436-2 has it; export the scan again",
+            return scan_fail(file, lines.number, "axis '%s' is not as ISO 5436-2 has it; export the scan again",
                              scan_quote(field).text);
     }
     if (!axis[0].unit.name || !axis[2].unit.name)
-        return scan_fail(status, file, 0, "no axes CX and CZ in the header");
+        return scan_fail(file, 0, "no axes CX and CZ in the header");
     if (axis[0].type != 'I' || (axis[1].unit.name && axis[1].type != 'I') || axis[2].type != 'A')
-        return scan_fail(status, file, 0, "positions stored point by point: only evenly spaced SMD scans can be read");
+        return scan_fail(file, 0, "positions stored point by point: only evenly spaced SMD scans can be read");
     return STATUS_OK;
 }
 
@@ -90,25 +89,22 @@ static void compare_checksum(struct scan *out, struct string_view text, const ch
         scan_warn(out, "the checksum is %u, the file says %zu: it was changed after it was written", sum, stored);
 }
 
-enum status_code scan_smd_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
-                               struct status *status)
+enum status_code scan_smd_read(struct scan *out, const struct scan_file *file)
 {
-    (void)options;
     struct smd_axis axis[3] = {0};
     struct string_view rest = scan_view(file);
     struct string_view header = next_record(&rest);
     (void)next_record(&rest); /* remarks */
     struct string_view heights = next_record(&rest);
-    if (read_header(axis, header, file, status) != STATUS_OK)
-        return status->code;
+    if (read_header(axis, header, file) != STATUS_OK)
+        return file->status->code;
     size_t nx = axis[0].n, ny = axis[1].unit.name ? axis[1].n : 1;
-    if (scan_reserve(out, nx, ny, (string_view_length(heights) + 1) / 2, file, status) != STATUS_OK ||
-        scan_fill(out, &heights, axis[2].scale * axis[2].unit.si, file, status) != STATUS_OK)
-        return status->code;
+    if (scan_reserve(out, nx, ny, (string_view_length(heights) + 1) / 2, file) != STATUS_OK ||
+        scan_fill(out, &heights, axis[2].scale * axis[2].unit.si, file) != STATUS_OK)
+        return file->status->code;
     struct string_view word;
     if (scan_word(&heights, &word))
-        return scan_fail(status, file, scan_line(file, word.start), "more heights than the header says, %zu x %zu", nx,
-                         ny);
+        return scan_fail(file, scan_line(file, word.start), "more heights than the header says, %zu x %zu", nx, ny);
     out->dx_m = axis[0].increment * axis[0].scale * axis[0].unit.si;
     out->dy_m = axis[1].increment * axis[1].scale * axis[1].unit.si;
     scan_set_units(out, axis[0].unit.name, axis[2].unit.name);

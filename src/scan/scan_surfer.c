@@ -16,20 +16,19 @@ struct surfer_grid {
     double dx, dy, blank;
 };
 
-bool scan_surfer_sniff(const struct scan_bytes *file)
+bool scan_surfer_sniff(const struct scan_file *file)
 {
     struct string_view text = scan_view(file);
     return string_view_starts(text, "DSAA") || string_view_starts(text, "DSBB") || string_view_starts(text, "DSRB");
 }
 
 static enum status_code take_grid(struct scan *out, const struct surfer_grid *grid, size_t room, double *z_m,
-                                  const struct scan_bytes *file, const struct scan_options *options,
-                                  struct status *status)
+                                  const struct scan_file *file)
 {
     double x_m;
-    if (scan_units(out, NULL, NULL, &x_m, z_m, file, options, status) != STATUS_OK ||
-        scan_reserve(out, grid->nx, grid->ny, room, file, status) != STATUS_OK)
-        return status->code;
+    if (scan_units(out, NULL, NULL, &x_m, z_m, file) != STATUS_OK ||
+        scan_reserve(out, grid->nx, grid->ny, room, file) != STATUS_OK)
+        return file->status->code;
     out->dx_m = grid->dx * x_m;
     out->dy_m = grid->dy * x_m;
     return STATUS_OK;
@@ -46,44 +45,41 @@ static double step(double low, double high, size_t n)
     return n > 1 ? (high - low) / (double)(n - 1) : 0.0;
 }
 
-static enum status_code read_text(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
-                                  struct status *status)
+static enum status_code read_text(struct scan *out, const struct scan_file *file)
 {
     struct string_view text = {file->bytes + 4, file->bytes + file->length}, word;
     double head[8], z_m; /* nx ny xlo xhi ylo yhi zlo zhi */
     for (size_t i = 0; i < 8; i++)
         if (!scan_word(&text, &word) || !number_read(word, &head[i]))
-            return scan_fail(status, file, scan_line(file, text.start), "'%s' in the header of the grid",
+            return scan_fail(file, scan_line(file, text.start), "'%s' in the header of the grid",
                              scan_quote(word).text);
     if (!(head[0] >= 1 && head[0] <= UINT32_MAX && head[1] >= 1 && head[1] <= UINT32_MAX))
-        return scan_fail(status, file, 2, "%g x %g points: nothing measured", head[0], head[1]);
+        return scan_fail(file, 2, "%g x %g points: nothing measured", head[0], head[1]);
     struct surfer_grid grid = {(size_t)head[0], (size_t)head[1], 0, 0, surfer_blank};
     grid.dx = step(head[2], head[3], grid.nx);
     grid.dy = step(head[4], head[5], grid.ny);
-    if (take_grid(out, &grid, (string_view_length(text) + 1) / 2, &z_m, file, options, status) != STATUS_OK ||
-        scan_fill(out, &text, 1.0, file, status) != STATUS_OK)
-        return status->code;
+    if (take_grid(out, &grid, (string_view_length(text) + 1) / 2, &z_m, file) != STATUS_OK ||
+        scan_fill(out, &text, 1.0, file) != STATUS_OK)
+        return file->status->code;
     blank_out(out, grid.blank, z_m);
     if (scan_word(&text, &word))
-        return scan_fail(status, file, scan_line(file, word.start), "more heights than the header says");
+        return scan_fail(file, scan_line(file, word.start), "more heights than the header says");
     return STATUS_OK;
 }
 
 static enum status_code read_values(struct scan *out, const struct surfer_grid *grid, struct bytes *bytes,
-                                    enum bytes_type type, const struct scan_bytes *file,
-                                    const struct scan_options *options, struct status *status)
+                                    enum bytes_type type, const struct scan_file *file)
 {
     double z_m;
-    if (take_grid(out, grid, bytes_left(bytes) / bytes_size(type), &z_m, file, options, status) != STATUS_OK)
-        return status->code;
+    if (take_grid(out, grid, bytes_left(bytes) / bytes_size(type), &z_m, file) != STATUS_OK)
+        return file->status->code;
     for (size_t i = 0; i < grid->nx * grid->ny; i++)
         out->z_m[i] = bytes_number(bytes, type);
     blank_out(out, grid->blank, z_m);
     return STATUS_OK;
 }
 
-static enum status_code read_version6(struct scan *out, const struct scan_bytes *file,
-                                      const struct scan_options *options, struct status *status)
+static enum status_code read_version6(struct scan *out, const struct scan_file *file)
 {
     struct bytes bytes = bytes_begin(file, 4);
     struct surfer_grid grid = {.blank = surfer_blank};
@@ -94,11 +90,10 @@ static enum status_code read_version6(struct scan *out, const struct scan_bytes 
     bytes_skip(&bytes, 2 * sizeof(double)); /* range of z */
     grid.dx = step(x_low, x_high, grid.nx);
     grid.dy = step(y_low, y_high, grid.ny);
-    return read_values(out, &grid, &bytes, BYTES_F32, file, options, status);
+    return read_values(out, &grid, &bytes, BYTES_F32, file);
 }
 
-static enum status_code read_version7(struct scan *out, const struct scan_bytes *file,
-                                      const struct scan_options *options, struct status *status)
+static enum status_code read_version7(struct scan *out, const struct scan_file *file)
 {
     struct bytes bytes = bytes_begin(file, 0);
     struct surfer_grid grid = {0};
@@ -107,7 +102,7 @@ static enum status_code read_version7(struct scan *out, const struct scan_bytes 
         struct bytes inside = bytes;
         bytes_skip(&bytes, size);
         if (tag == SURFER_DATA && grid.nx > 0)
-            return read_values(out, &grid, &inside, BYTES_F64, file, options, status);
+            return read_values(out, &grid, &inside, BYTES_F64, file);
         if (tag != SURFER_GRID)
             continue;
         grid.ny = bytes_u32(&inside);
@@ -118,14 +113,12 @@ static enum status_code read_version7(struct scan *out, const struct scan_bytes 
         bytes_skip(&inside, 3 * sizeof(double)); /* range of z, rotation */
         grid.blank = bytes_f64(&inside);
     }
-    return scan_fail(status, file, 0, "no grid and data sections: the file is cut off");
+    return scan_fail(file, 0, "no grid and data sections: the file is cut off");
 }
 
-enum status_code scan_surfer_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
-                                  struct status *status)
+enum status_code scan_surfer_read(struct scan *out, const struct scan_file *file)
 {
     if (string_view_starts(scan_view(file), "DSAA"))
-        return read_text(out, file, options, status);
-    return string_view_starts(scan_view(file), "DSBB") ? read_version6(out, file, options, status)
-                                                       : read_version7(out, file, options, status);
+        return read_text(out, file);
+    return string_view_starts(scan_view(file), "DSBB") ? read_version6(out, file) : read_version7(out, file);
 }

@@ -27,8 +27,7 @@ struct table {
     size_t announced;             /* how many rows the line right above them says follow */
     size_t announced_line;        /* and its line, 0 when there is none */
     struct text_header header;    /* of the preamble */
-    const struct scan_bytes *file;
-    const struct scan_options *options;
+    const struct scan_file *file;
 };
 
 /* Text that goes by another name. */
@@ -40,7 +39,7 @@ static const struct {
 };
 
 /* The file's name among those, else `other`. */
-static const char *name_of(const struct scan_bytes *file, const char *other)
+static const char *name_of(const struct scan_file *file, const char *other)
 {
     for (size_t i = 0; i < sizeof text_names / sizeof *text_names; i++)
         if (string_view_starts(scan_view(file), text_names[i].start))
@@ -48,7 +47,7 @@ static const char *name_of(const struct scan_bytes *file, const char *other)
     return other;
 }
 
-bool scan_text_sniff(const struct scan_bytes *file)
+bool scan_text_sniff(const struct scan_file *file)
 {
     return name_of(file, NULL) || !foreign_is_binary(file);
 }
@@ -128,7 +127,7 @@ static char find_delimiter(struct string_view line, size_t *columns)
     return 0;
 }
 
-static struct string_view text_of(const struct scan_bytes *file)
+static struct string_view text_of(const struct scan_file *file)
 {
     struct string_view text = scan_view(file);
     if (string_view_starts(text, "\xEF\xBB\xBF"))
@@ -159,13 +158,13 @@ static bool reserve(struct table *table, size_t *capacity, size_t most, size_t l
     return true;
 }
 
-static enum status_code fail_row(const struct table *table, const struct row *row, size_t line, struct status *status)
+static enum status_code fail_row(const struct table *table, const struct row *row, size_t line)
 {
     if (row->bad.start)
-        return scan_fail(status, table->file, line, "'%s' in a column of numbers; correct or remove this line",
+        return scan_fail(table->file, line, "'%s' in a column of numbers; correct or remove this line",
                          scan_quote(row->bad).text);
-    return scan_fail(status, table->file, line, "%zu columns where line %zu has %zu; correct or remove this line",
-                     row->count, table->first_line, table->columns);
+    return scan_fail(table->file, line, "%zu columns where line %zu has %zu; correct or remove this line", row->count,
+                     table->first_line, table->columns);
 }
 
 /* Is `content`, trimmed and not empty, a comment below the first row? */
@@ -187,21 +186,20 @@ static bool is_blank(const struct table *table, struct string_view content)
     return content.start == content.end;
 }
 
-static enum status_code fail_line(const struct table *table, size_t number, struct string_view line,
-                                  struct status *status)
+static enum status_code fail_line(const struct table *table, size_t number, struct string_view line)
 {
-    return scan_fail(status, table->file, number, "a line of %zu bytes%s", string_view_length(line),
+    return scan_fail(table->file, number, "a line of %zu bytes%s", string_view_length(line),
                      limit_words(LIMIT_LINE_BYTES).text);
 }
 
 /* The rows from `lines` on; the first is there already known to be one. */
-static enum status_code read_rows(struct table *table, struct lines lines, struct status *status)
+static enum status_code read_rows(struct table *table, struct lines lines)
 {
     size_t capacity = 0, blank = 0, most = most_rows(table);
     unsigned decimal = 0;
     for (struct string_view line; lines_next(&lines, &line);) {
         if (string_view_length(line) > limit_most(LIMIT_LINE_BYTES))
-            return fail_line(table, lines.number, line, status);
+            return fail_line(table, lines.number, line);
         struct string_view content = string_view_trim(line);
         if (is_blank(table, content)) {
             blank = blank ? blank : lines.number;
@@ -210,19 +208,18 @@ static enum status_code read_rows(struct table *table, struct lines lines, struc
         if (is_comment(table, content))
             continue;
         if (blank && table->columns == 1)
-            return scan_fail(status, table->file, blank,
-                             "a blank line among the heights; remove it, or fill in the height");
+            return scan_fail(table->file, blank, "a blank line among the heights; remove it, or fill in the height");
         if (table->rows >= most)
-            return scan_fail(status, table->file, lines.number, "too many rows%s",
+            return scan_fail(table->file, lines.number, "too many rows%s",
                              limit_words(most == limit_most(LIMIT_POINTS) ? LIMIT_POINTS : LIMIT_CELLS).text);
         if (!reserve(table, &capacity, most, string_view_length(line)))
-            return status_memory(status);
+            return status_memory(table->file->status);
         struct row row = {.cell = table->cell + table->rows * table->columns, .room = table->columns};
         if (!read_row(&row, table->delimiter == ' ' ? content : line, table->delimiter) || row.count != table->columns)
-            return fail_row(table, &row, lines.number, status);
+            return fail_row(table, &row, lines.number);
         decimal |= row.decimal;
         if (decimal == (NUMBER_POINT | NUMBER_COMMA))
-            return scan_fail(status, table->file, lines.number,
+            return scan_fail(table->file, lines.number,
                              "both '.' and ',' as decimal signs; use one of them, and no thousands separator");
         table->last_line = lines.number;
         table->rows++;
@@ -262,11 +259,11 @@ static bool is_count(struct table *table, struct string_view content, struct lin
 }
 
 /* Are there as many rows as the line above them says? */
-static enum status_code check_count(const struct table *table, struct status *status)
+static enum status_code check_count(const struct table *table)
 {
     if (table->announced_line == 0 || table->announced == table->rows)
         return STATUS_OK;
-    return scan_fail(status, table->file, table->announced_line,
+    return scan_fail(table->file, table->announced_line,
                      "%zu points are announced, %zu follow; copy the file again, or remove this line", table->announced,
                      table->rows);
 }
@@ -279,19 +276,19 @@ static bool is_too_deep(struct string_view text, struct string_view line)
 
 /* Finds the first line that is a row of numbers and reads from there to the end; comments and, with two columns or
  * more, blank lines are passed over. */
-static enum status_code read_table(struct table *table, struct status *status)
+static enum status_code read_table(struct table *table)
 {
+    const struct sidecar *sidecar = table->file->options ? table->file->options->sidecar : NULL;
     table->text = text_of(table->file);
     struct lines lines = lines_begin(table->text), before = lines;
     struct string_view above = {NULL, NULL};
-    size_t above_line = 0,
-           skipped = table->options && table->options->sidecar ? table->options->sidecar->header.lines : 0;
+    size_t above_line = 0, skipped = sidecar ? sidecar->header.lines : 0;
     for (struct string_view line; lines_next(&lines, &line); before = lines) {
         bool comment;
         if (string_view_length(line) > limit_most(LIMIT_LINE_BYTES))
-            return fail_line(table, lines.number, line, status);
+            return fail_line(table, lines.number, line);
         if (is_too_deep(table->text, line))
-            return scan_fail(status, table->file, lines.number, "no line of numbers so far: not a scan%s",
+            return scan_fail(table->file, lines.number, "no line of numbers so far: not a scan%s",
                              limit_words(LIMIT_HEADER_BYTES).text);
         struct string_view content = text_header_uncomment(line, &comment);
         if (comment || content.start == content.end || lines.number <= skipped)
@@ -308,19 +305,19 @@ static enum status_code read_table(struct table *table, struct status *status)
         }
         struct row row = {0};
         if (above_line > 0 && above_line == lines.number - 1 && is_damaged_row(table, above, &row))
-            return fail_row(table, &row, above_line, status);
+            return fail_row(table, &row, above_line);
         if (table->columns > limit_most(LIMIT_COLUMNS))
-            return scan_fail(status, table->file, lines.number, "%zu columns%s", table->columns,
+            return scan_fail(table->file, lines.number, "%zu columns%s", table->columns,
                              limit_words(LIMIT_COLUMNS).text);
         table->first_line = lines.number;
         table->preamble = (struct string_view){table->text.start, before.next};
         table->header = text_header_read(table->preamble, table->delimiter, table->columns);
-        return read_rows(table, before, status) == STATUS_OK ? check_count(table, status) : status->code;
+        return read_rows(table, before) == STATUS_OK ? check_count(table) : table->file->status->code;
     }
-    return scan_fail(status, table->file, 0, "no line of numbers in it: not a scan");
+    return scan_fail(table->file, 0, "no line of numbers in it: not a scan");
 }
 
-bool scan_text_has_numbers(const struct scan_bytes *file)
+bool scan_text_has_numbers(const struct scan_file *file)
 {
     size_t columns;
     struct string_view text = text_of(file);
@@ -335,13 +332,15 @@ bool scan_text_has_numbers(const struct scan_bytes *file)
     return false;
 }
 
-bool scan_text_read_keys(struct text_header *out, const struct scan_bytes *file)
+bool scan_text_read_keys(struct text_header *out, const struct scan_file *file)
 {
-    struct table table = {.file = file};
     struct status ignored = {0};
+    struct scan_file looked_at = *file;
+    struct table table = {.file = &looked_at};
+    looked_at.status = &ignored;
     if (!scan_text_sniff(file))
         return false;
-    bool rows = read_table(&table, &ignored) == STATUS_OK || table.columns > 0;
+    bool rows = read_table(&table) == STATUS_OK || table.columns > 0;
     free(table.cell);
     return !rows && text_header_add(out, table.text);
 }
@@ -416,13 +415,12 @@ static bool is_given(const char *text)
     return text && *text;
 }
 
-static enum status_code take_accretech(struct scan *out, struct table *table, struct status *status)
+static enum status_code take_accretech(struct scan *out, struct table *table)
 {
     double x_m, z_m;
-    bool x_given = is_given(table->options->x_unit), z_given = is_given(table->options->z_unit);
-    if (scan_units(out, x_given ? "" : "mm", z_given ? "" : "um", &x_m, &z_m, table->file, table->options, status) !=
-        STATUS_OK)
-        return status->code;
+    bool x_given = is_given(table->file->options->x_unit), z_given = is_given(table->file->options->z_unit);
+    if (scan_units(out, x_given ? "" : "mm", z_given ? "" : "um", &x_m, &z_m, table->file) != STATUS_OK)
+        return table->file->status->code;
     size_t n = table->rows - 2;
     out->format = "accretech";
     out->dx_m = table->cell[0] / (double)(n - 1) * x_m;
@@ -437,15 +435,15 @@ static enum status_code take_accretech(struct scan *out, struct table *table, st
 
 /* scan_units() with what the header says of out->x_column and out->z_column; `x_unit` (NULL: none) goes before that. */
 static enum status_code take_units(struct scan *out, const struct table *table, const char *x_unit, double *x_m,
-                                   double *z_m, struct status *status)
+                                   double *z_m)
 {
     const struct text_header *header = &table->header;
     bool slope = text_header_is_slope(header, out->z_column);
     x_unit = x_unit ? x_unit : text_header_x_unit(header, out->x_column);
     const char *z_unit = text_header_z_unit(header, out->z_column, slope);
     out->quantity = slope ? SCAN_SLOPE : SCAN_HEIGHT;
-    if (scan_units(out, x_unit, z_unit, x_m, z_m, table->file, table->options, status) != STATUS_OK)
-        return status->code;
+    if (scan_units(out, x_unit, z_unit, x_m, z_m, table->file) != STATUS_OK)
+        return table->file->status->code;
     if (header->all_unit && x_unit == header->all_unit && z_unit == header->all_unit)
         scan_warn(out, "the file names one unit for x and z alike, %s", out->x_unit);
     return STATUS_OK;
@@ -476,18 +474,18 @@ static void drop_count(struct scan *out, struct table *table)
 }
 
 /* Column `z` alone, at the spacing that the header names. */
-static enum status_code take_heights(struct scan *out, struct table *table, size_t z, struct status *status)
+static enum status_code take_heights(struct scan *out, struct table *table, size_t z)
 {
     double x_m, z_m;
     out->z_column = z + 1;
     if (table->columns == 1 && table->header.spacing.value <= 0 && is_accretech(table))
-        return take_accretech(out, table, status);
+        return take_accretech(out, table);
     if (table->header.spacing.value <= 0)
-        return scan_fail(status, table->file, table->first_line,
+        return scan_fail(table->file, table->first_line,
                          "one column is heights only: no spacing; add a line `spacing 0.5 um` above the numbers, or a "
                          "column x");
-    if (take_units(out, table, table->header.spacing.unit, &x_m, &z_m, status) != STATUS_OK)
-        return status->code;
+    if (take_units(out, table, table->header.spacing.unit, &x_m, &z_m) != STATUS_OK)
+        return table->file->status->code;
     out->dx_m = table->header.spacing.value * x_m;
     drop_count(out, table);
     for (size_t i = 0; i < table->rows; i++)
@@ -496,30 +494,30 @@ static enum status_code take_heights(struct scan *out, struct table *table, size
     return STATUS_OK;
 }
 
-static enum status_code fail_disorder(const struct table *table, const double *x, size_t bad, struct status *status)
+static enum status_code fail_disorder(const struct table *table, const double *x, size_t bad)
 {
     bool repeated = bad > 0 && x[bad] == x[bad - 1];
-    return scan_fail(status, table->file, line_of_row(table, bad), "x %s; x has to go one way: sort or remove points%s",
+    return scan_fail(table->file, line_of_row(table, bad), "x %s; x has to go one way: sort or remove points%s",
                      repeated ? "is that of the point before" : "turns back",
                      table->delimiter == ',' ? ", or separate the columns by semicolons if the commas are decimal signs"
                                              : "");
 }
 
 /* The scan in columns `x` and `z`, without the points that the header's column `valid` marks by 0. */
-static enum status_code take_points(struct scan *out, struct table *table, size_t x, size_t z, struct status *status)
+static enum status_code take_points(struct scan *out, struct table *table, size_t x, size_t z)
 {
     const struct text_header *header = &table->header;
     double x_m, z_m;
     size_t rows = table->rows, columns = table->columns;
     if (z >= columns)
-        return scan_fail(status, table->file, table->first_line, "no column of heights beside x");
+        return scan_fail(table->file, table->first_line, "no column of heights beside x");
     out->x_column = x + 1;
     out->z_column = z + 1;
-    if (take_units(out, table, NULL, &x_m, &z_m, status) != STATUS_OK)
-        return status->code;
+    if (take_units(out, table, NULL, &x_m, &z_m) != STATUS_OK)
+        return table->file->status->code;
     out->x_m = malloc(rows * sizeof *out->x_m);
     if (!out->x_m)
-        return status_memory(status);
+        return status_memory(table->file->status);
     for (size_t i = 0; i < rows; i++) {
         const double *row = table->cell + i * columns;
         bool valid = header->valid >= columns || row[header->valid] != 0;
@@ -528,14 +526,14 @@ static enum status_code take_points(struct scan *out, struct table *table, size_
     }
     size_t bad = scan_disorder(out->x_m, rows);
     if (bad < rows && isnan(out->x_m[bad]))
-        return scan_fail(status, table->file, line_of_row(table, bad), "no x here; fill it in or remove this line");
+        return scan_fail(table->file, line_of_row(table, bad), "no x here; fill it in or remove this line");
     if (bad < rows)
-        return fail_disorder(table, out->x_m, bad, status);
+        return fail_disorder(table, out->x_m, bad);
     keep_heights(out, table, rows);
     const char *unit = header->spacing.unit ? header->spacing.unit : out->x_unit;
     if (header->spacing.value > 0)
-        out->nominal_dx_m = header->spacing.value * scan_unit_m(unit, strlen(unit));
-    if (columns > (header->valid < columns ? 3 : 2) && !is_given(table->options->z_column))
+        out->nominal_dx_m = header->spacing.value * scan_unit_m(unit);
+    if (columns > (header->valid < columns ? 3 : 2) && !is_given(table->file->options->z_column))
         scan_warn(out, "%zu columns: column %zu read as x, column %zu as z, the others ignored", columns, x + 1, z + 1);
     return STATUS_OK;
 }
@@ -575,7 +573,8 @@ static bool has_even_steps(const struct table *table)
 static size_t find_x(const struct table *table)
 {
     const struct text_header *header = &table->header;
-    bool first_named = header->unit[0] || (table->options->sidecar && table->options->sidecar->header.unit[0]);
+    bool first_named =
+        header->unit[0] || (table->file->options->sidecar && table->file->options->sidecar->header.unit[0]);
     if (table->columns < 3 || header->valid <= 2 || first_named || !goes_one_way(table, 1))
         return 0;
     return (header->unit[1] && header->unit[2]) || counts_up(table) ? 1 : 0;
@@ -592,44 +591,42 @@ static bool is_matrix(const struct table *table)
 }
 
 /* A column that the scene names by its number or its title. */
-static enum status_code choose_column(size_t *column, const char *name, const struct table *table,
-                                      struct status *status)
+static enum status_code choose_column(size_t *column, const char *name, const struct table *table)
 {
     size_t columns = table->columns, number = 0;
     const char *s = columns == 1 ? "" : "s";
     if (!number_read_size((struct string_view){name, name + strlen(name)}, &number)) {
         number = text_header_find(table->preamble, table->delimiter, columns, name);
         if (number == 0)
-            return scan_fail(status, table->file, 0,
-                             "no column is titled '%.60s'; there %s %zu column%s: give a number", name,
+            return scan_fail(table->file, 0, "no column is titled '%.60s'; there %s %zu column%s: give a number", name,
                              columns == 1 ? "is" : "are", columns, s);
         if (number == SIZE_MAX)
-            return scan_fail(status, table->file, 0,
-                             "more than one column is titled '%.60s'; give its number, 1 to %zu", name, columns);
+            return scan_fail(table->file, 0, "more than one column is titled '%.60s'; give its number, 1 to %zu", name,
+                             columns);
     }
     if (number < 1 || number > columns)
-        return scan_fail(status, table->file, table->first_line, "there is no column %zu: there %s %zu column%s",
-                         number, columns == 1 ? "is" : "are", columns, s);
+        return scan_fail(table->file, table->first_line, "there is no column %zu: there %s %zu column%s", number,
+                         columns == 1 ? "is" : "are", columns, s);
     *column = number - 1;
     return STATUS_OK;
 }
 
 /* The columns that the scene chooses: z, and perhaps x. Where the header's x is z itself or no x at all, its spacing
  * will do. */
-static enum status_code take_chosen(struct scan *out, struct table *table, struct status *status)
+static enum status_code take_chosen(struct scan *out, struct table *table)
 {
     size_t z, x = table->columns > 1 ? find_x(table) : 0;
-    bool x_given = is_given(table->options->x_column);
-    if (choose_column(&z, table->options->z_column, table, status) != STATUS_OK ||
-        (x_given && choose_column(&x, table->options->x_column, table, status) != STATUS_OK))
-        return status->code;
+    bool x_given = is_given(table->file->options->x_column);
+    if (choose_column(&z, table->file->options->z_column, table) != STATUS_OK ||
+        (x_given && choose_column(&x, table->file->options->x_column, table) != STATUS_OK))
+        return table->file->status->code;
     bool no_x = x == z || (table->header.spacing.value > 0 && !goes_one_way(table, x));
     if (!x_given && no_x && (table->columns == 1 || table->header.spacing.value > 0))
-        return take_heights(out, table, z, status);
+        return take_heights(out, table, z);
     if (x == z)
-        return scan_fail(status, table->file, table->first_line,
+        return scan_fail(table->file, table->first_line,
                          "column %zu cannot be x and z; choose both, as in `column: [1, 2]`", z + 1);
-    return take_points(out, table, x, z, status);
+    return take_points(out, table, x, z);
 }
 
 enum { LIST_COLUMNS = 3 };
@@ -688,28 +685,28 @@ static size_t place(const struct direction *direction, size_t index)
     return direction->step < 0 ? direction->n - 1 - index : index;
 }
 
-static enum status_code take_list(struct scan *out, const struct table *table, struct status *status)
+static enum status_code take_list(struct scan *out, const struct table *table)
 {
     double x_m, z_m;
     struct direction fast, slow;
     find_directions(table, &fast, &slow);
     if (table->rows % fast.n != 0)
-        return scan_fail(status, table->file, table->last_line, "the last row of points is not complete: %zu of %zu",
+        return scan_fail(table->file, table->last_line, "the last row of points is not complete: %zu of %zu",
                          table->rows % fast.n, fast.n);
     out->x_column = 1;
     out->z_column = LIST_COLUMNS;
-    if (take_units(out, table, NULL, &x_m, &z_m, status) != STATUS_OK)
-        return status->code;
+    if (take_units(out, table, NULL, &x_m, &z_m) != STATUS_OK)
+        return table->file->status->code;
     const char *y_unit = table->header.unit[1] ? table->header.unit[1] : table->header.y_unit;
-    double y_m = y_unit ? scan_unit_m(y_unit, strlen(y_unit)) : x_m;
+    double y_m = y_unit ? scan_unit_m(y_unit) : x_m;
     bool along_x = fast.column == 0 || slow.n == 1; /* one run is a profile, wherever it goes */
     const struct direction *x = along_x ? &fast : &slow, *y = along_x ? &slow : &fast;
-    if (scan_reserve(out, x->n, y->n, table->rows, table->file, status) != STATUS_OK)
-        return status->code;
+    if (scan_reserve(out, x->n, y->n, table->rows, table->file) != STATUS_OK)
+        return table->file->status->code;
     for (size_t row = 0; row < table->rows; row++) {
         size_t f = row % fast.n, s = row / fast.n;
         if (!on_grid(table, row, &fast, f) || !on_grid(table, row, &slow, s))
-            return scan_fail(status, table->file, line_of_row(table, row),
+            return scan_fail(table->file, line_of_row(table, row),
                              "this point is not on the grid of the points before; only maps on a grid can be read");
         size_t ix = place(x, along_x ? f : s), iy = place(y, along_x ? s : f);
         out->z_m[iy * x->n + ix] = at(table, row, 2) * z_m;
@@ -729,7 +726,7 @@ static bool sizes_fit(const struct table *table)
     return (header->columns == columns && header->rows == rows) || (header->columns == rows && header->rows == columns);
 }
 
-static enum status_code take_matrix(struct scan *out, const struct table *table, struct status *status)
+static enum status_code take_matrix(struct scan *out, const struct table *table)
 {
     const struct text_header *header = &table->header;
     double x_m, z_m;
@@ -740,48 +737,47 @@ static enum status_code take_matrix(struct scan *out, const struct table *table,
         height = (struct text_quantity){step.value * (double)table->rows, step.unit};
     }
     if (!(width.value > 0 && height.value > 0))
-        return scan_fail(status, table->file, table->first_line,
+        return scan_fail(table->file, table->first_line,
                          "a matrix of %zu x %zu heights without its pixel size; add a line `pixel size = 0.5 um` above "
                          "the numbers, or keep two columns, x and z",
                          table->columns, table->rows);
     if (!sizes_fit(table))
-        return scan_fail(status, table->file, table->first_line, "%zu x %zu heights where the header says %g x %g",
+        return scan_fail(table->file, table->first_line, "%zu x %zu heights where the header says %g x %g",
                          table->columns, table->rows, header->columns, header->rows);
-    if (take_units(out, table, width.unit, &x_m, &z_m, status) != STATUS_OK ||
-        scan_reserve(out, table->columns, table->rows, table->columns * table->rows, table->file, status) != STATUS_OK)
-        return status->code;
+    if (take_units(out, table, width.unit, &x_m, &z_m) != STATUS_OK ||
+        scan_reserve(out, table->columns, table->rows, table->columns * table->rows, table->file) != STATUS_OK)
+        return table->file->status->code;
     for (size_t i = 0; i < table->columns * table->rows; i++)
         out->z_m[i] = table->cell[i] * header->z_factor * z_m;
-    double y_m = height.unit ? scan_unit_m(height.unit, strlen(height.unit)) : x_m;
+    double y_m = height.unit ? scan_unit_m(height.unit) : x_m;
     out->dx_m = width.value / (double)table->columns * x_m;
     out->dy_m = height.value / (double)table->rows * y_m;
     return STATUS_OK;
 }
 
-static enum status_code take_table(struct scan *out, struct table *table, struct status *status)
+static enum status_code take_table(struct scan *out, struct table *table)
 {
-    if (is_given(table->options->z_column) && table->rows >= TEXT_POINTS)
-        return take_chosen(out, table, status);
+    if (is_given(table->file->options->z_column) && table->rows >= TEXT_POINTS)
+        return take_chosen(out, table);
     if (is_list(table))
-        return take_list(out, table, status);
+        return take_list(out, table);
     if (is_matrix(table))
-        return take_matrix(out, table, status);
+        return take_matrix(out, table);
     if (table->rows < TEXT_POINTS)
-        return scan_fail(status, table->file, table->last_line, "only %zu points; a scan needs at least %d",
-                         table->rows, TEXT_POINTS);
+        return scan_fail(table->file, table->last_line, "only %zu points; a scan needs at least %d", table->rows,
+                         TEXT_POINTS);
     if (table->columns == 1)
-        return take_heights(out, table, 0, status);
+        return take_heights(out, table, 0);
     size_t x = find_x(table);
-    return take_points(out, table, x, table->header.valid == x + 1 ? x + 2 : x + 1, status);
+    return take_points(out, table, x, table->header.valid == x + 1 ? x + 2 : x + 1);
 }
 
-enum status_code scan_text_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
-                                struct status *status)
+enum status_code scan_text_read(struct scan *out, const struct scan_file *file)
 {
-    struct table table = {.file = file, .options = options};
+    struct table table = {.file = file};
     out->format = name_of(file, out->format);
-    if (read_table(&table, status) == STATUS_OK && take_table(out, &table, status) == STATUS_OK)
+    if (read_table(&table) == STATUS_OK && take_table(out, &table) == STATUS_OK)
         mark_sentinels(out);
     free(table.cell);
-    return status->code;
+    return file->status->code;
 }

@@ -67,14 +67,9 @@ struct scan_unit scan_unit_find(struct string_view name, enum scan_quantity quan
     return row->unit;
 }
 
-double scan_unit_m(const char *name, size_t length)
+double scan_unit_m(const char *name)
 {
-    return scan_unit_find((struct string_view){name, name + length}, SCAN_HEIGHT).si;
-}
-
-double scan_unit_slope(const char *name, size_t length)
-{
-    return scan_unit_find((struct string_view){name, name + length}, SCAN_SLOPE).si;
+    return scan_unit_find(string_view_of(name), SCAN_HEIGHT).si;
 }
 
 const char *scan_unit_of(double factor, enum scan_quantity quantity)

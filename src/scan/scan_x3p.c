@@ -45,14 +45,16 @@ struct x3p {
 };
 
 /* An archive with main.xml in it; of a damaged one just the name in its bytes tells. */
-bool scan_x3p_sniff(const struct scan_bytes *file)
+bool scan_x3p_sniff(const struct scan_file *file)
 {
     struct archive archive;
     struct status ignored = {0};
+    struct scan_file quiet = *file;
+    quiet.status = &ignored;
     if (!archive_sniff(file) || !memmem(file->bytes, file->length, "main.xml", 8))
         return false;
     bool found =
-        archive_open(&archive, file, &ignored) != STATUS_OK || archive_find(&archive, "main.xml", true) < archive.count;
+        archive_open(&archive, &quiet) != STATUS_OK || archive_find(&archive, "main.xml", true) < archive.count;
     archive_close(&archive);
     return found;
 }
@@ -66,14 +68,13 @@ struct parse {
     size_t depth, elements;             /* open ones; all, with attributes */
     char text[X3P_TEXT];                /* of the innermost element */
     size_t length;
-    const struct scan_bytes *file;
-    struct status *status;
+    const struct scan_file *file;
 };
 
 static void stop(struct parse *parse, const char *problem, const char *remedy)
 {
-    scan_fail(parse->status, parse->file, 0, "main.xml, line %lu: %s%s",
-              (unsigned long)XML_GetCurrentLineNumber(parse->parser), problem, remedy);
+    scan_fail(parse->file, 0, "main.xml, line %lu: %s%s", (unsigned long)XML_GetCurrentLineNumber(parse->parser),
+              problem, remedy);
     XML_StopParser(parse->parser, XML_FALSE);
 }
 
@@ -168,7 +169,7 @@ static void XMLCALL on_end(void *user, const XML_Char *name)
 {
     (void)name;
     struct parse *parse = user;
-    if (parse->status->code != STATUS_OK) /* stopped at this element's start */
+    if (parse->file->status->code != STATUS_OK) /* stopped at this element's start */
         return;
     struct string_view text = {parse->text, parse->text + parse->length};
     while (text.start < text.end && isspace((unsigned char)*text.start))
@@ -193,15 +194,14 @@ static void XMLCALL on_doctype(void *user, const XML_Char *name, const XML_Char 
 }
 
 /* main.xml; `out->datum` is to be freed whatever comes back. */
-static enum status_code read_xml(struct main_xml *out, const struct text *xml, const struct scan_bytes *file,
-                                 struct status *status)
+static enum status_code read_xml(struct main_xml *out, const struct text *xml, const struct scan_file *file)
 {
     *out = (struct main_xml){0};
     for (size_t i = 0; i < 3; i++)
         out->axis[i] = (struct x3p_axis){'A', 'D', 1.0, 0.0};
-    struct parse parse = {.out = out, .parser = XML_ParserCreate(NULL), .file = file, .status = status};
+    struct parse parse = {.out = out, .parser = XML_ParserCreate(NULL), .file = file};
     if (!parse.parser)
-        return status_memory(status);
+        return status_memory(file->status);
     XML_SetUserData(parse.parser, &parse);
     XML_SetElementHandler(parse.parser, on_start, on_end);
     XML_SetCharacterDataHandler(parse.parser, on_text);
@@ -219,11 +219,11 @@ static enum status_code read_xml(struct main_xml *out, const struct text *xml, c
         }
     }
     if (out->datum.failed)
-        (void)status_memory(status);
-    else if (good != XML_STATUS_OK && status->code == STATUS_OK)
+        (void)status_memory(file->status);
+    else if (good != XML_STATUS_OK && file->status->code == STATUS_OK)
         stop(&parse, XML_ErrorString(XML_GetErrorCode(parse.parser)), export_again);
     XML_ParserFree(parse.parser);
-    return status->code;
+    return file->status->code;
 }
 
 static bool stored(const struct x3p_axis *axis)
@@ -234,7 +234,7 @@ static bool stored(const struct x3p_axis *axis)
 /* Unpacks up to `most` bytes of the file a link in main.xml names, which is relative to main.xml; *whole: that is all.
  */
 static enum status_code read_link(struct text *text, bool *whole, const struct x3p *x3p, const char *link, size_t most,
-                                  const struct scan_bytes *file, struct status *status)
+                                  const struct scan_file *file)
 {
     char path[512];
     snprintf(path, sizeof path, "%s%s", x3p->folder, link);
@@ -242,9 +242,9 @@ static enum status_code read_link(struct text *text, bool *whole, const struct x
     if (index == count)
         index = archive_find(&x3p->archive, link, false);
     if (index == count)
-        return scan_fail(status, file, 0, "no '%.80s' in the archive, which main.xml names", link);
+        return scan_fail(file, 0, "no '%.80s' in the archive, which main.xml names", link);
     *whole = x3p->archive.entries[index].size <= most;
-    return archive_read(text, &x3p->archive, index, most, status);
+    return archive_read(text, &x3p->archive, index, most, file);
 }
 
 static void compare_md5(struct scan *out, const struct text *text, const char *expected, const char *what)
@@ -255,49 +255,47 @@ static void compare_md5(struct scan *out, const struct text *text, const char *e
         scan_warn(out, "the checksum of %s does not fit: it was changed after it was written", what);
 }
 
-static enum status_code open_main(struct x3p *x3p, const struct scan_bytes *file, struct scan *out,
-                                  struct status *status)
+static enum status_code open_main(struct x3p *x3p, const struct scan_file *file, struct scan *out)
 {
-    if (archive_open(&x3p->archive, file, status) != STATUS_OK)
-        return status->code;
+    if (archive_open(&x3p->archive, file) != STATUS_OK)
+        return file->status->code;
     size_t index = archive_find(&x3p->archive, "main.xml", true), count = x3p->archive.count;
     if (index == count)
-        return scan_fail(status, file, 0, "no main.xml in the archive");
+        return scan_fail(file, 0, "no main.xml in the archive");
     if (x3p->archive.entries[index].size > limit_most(LIMIT_XML_BYTES))
-        return scan_fail(status, file, 0, "main.xml is too large%s", limit_words(LIMIT_XML_BYTES).text);
+        return scan_fail(file, 0, "main.xml is too large%s", limit_words(LIMIT_XML_BYTES).text);
     const char *name = x3p->archive.entries[index].name, *slash = strrchr(name, '/');
     scan_copy(x3p->folder, sizeof x3p->folder, (struct string_view){name, slash ? slash + 1 : name});
-    if (archive_read(&x3p->main, &x3p->archive, index, SIZE_MAX, status) != STATUS_OK ||
-        read_xml(&x3p->xml, &x3p->main, file, status) != STATUS_OK)
-        return status->code;
+    if (archive_read(&x3p->main, &x3p->archive, index, SIZE_MAX, file) != STATUS_OK ||
+        read_xml(&x3p->xml, &x3p->main, file) != STATUS_OK)
+        return file->status->code;
     struct text sum = {0};
     index = archive_find(&x3p->archive, "md5checksum.hex", true);
-    if (index < count && archive_read(&sum, &x3p->archive, index, X3P_TEXT, status) == STATUS_OK)
+    if (index < count && archive_read(&sum, &x3p->archive, index, X3P_TEXT, file) == STATUS_OK)
         compare_md5(out, &x3p->main, text_string(&sum), "main.xml");
     text_free(&sum);
-    return status->code;
+    return file->status->code;
 }
 
 /* Points a row and rows, checked to be what can be read. */
-static enum status_code read_size(const struct main_xml *xml, size_t *nx, size_t *ny, const struct scan_bytes *file,
-                                  struct status *status)
+static enum status_code read_size(const struct main_xml *xml, size_t *nx, size_t *ny, const struct scan_file *file)
 {
     bool profile = strcmp(xml->feature, "PRF") == 0;
     if (!profile && strcmp(xml->feature, "SUR") != 0)
-        return scan_fail(status, file, 0, "feature type '%s' is neither profile (PRF) nor surface (SUR); export one",
+        return scan_fail(file, 0, "feature type '%s' is neither profile (PRF) nor surface (SUR); export one",
                          scan_quote((struct string_view){xml->feature, xml->feature + strlen(xml->feature)}).text);
     double x = xml->list > 0 ? xml->list : xml->size[0], y = xml->list > 0 ? 1 : xml->size[1];
     double z = xml->list > 0 || xml->size[2] == 0 ? 1 : xml->size[2];
     if (!(x >= 1 && x <= 1e12 && y >= 1 && y <= 1e12) || z != 1 || (profile && y != 1))
-        return scan_fail(status, file, 0, "%g x %g x %g points are no %s", x, y, z,
+        return scan_fail(file, 0, "%g x %g x %g points are no %s", x, y, z,
                          profile ? "profile" : "surface of one layer");
     if (!stored(&xml->axis[2]))
-        return scan_fail(status, file, 0, "no heights: CZ is no absolute axis");
+        return scan_fail(file, 0, "no heights: CZ is no absolute axis");
     if (y > 1 && (stored(&xml->axis[0]) || stored(&xml->axis[1])))
-        return scan_fail(status, file, 0, "positions stored point by point: only surfaces on a grid can be read");
+        return scan_fail(file, 0, "positions stored point by point: only surfaces on a grid can be read");
     *nx = (size_t)x;
     *ny = (size_t)y;
-    return scan_check_points(*nx, *ny, file, status);
+    return scan_check_points(*nx, *ny, file);
 }
 
 /* The type that a letter of X3P stands for. */
@@ -319,12 +317,12 @@ static double scaled(const struct x3p_axis *axis, double value)
 
 /* The types of the stored axes, and the bytes a point takes. */
 static enum status_code find_types(enum bytes_type type[3], size_t *size, const struct x3p_axis axis[3],
-                                   const struct scan_bytes *file, struct status *status)
+                                   const struct scan_file *file)
 {
     *size = 0;
     for (size_t i = 0; i < 3; i++) {
         if (!find_type(axis[i].type, &type[i]))
-            return scan_fail(status, file, 0, "data type '%c' is none of ISO 25178-72", axis[i].type);
+            return scan_fail(file, 0, "data type '%c' is none of ISO 25178-72", axis[i].type);
         *size += stored(&axis[i]) ? bytes_size(type[i]) : 0;
     }
     return STATUS_OK;
@@ -332,24 +330,23 @@ static enum status_code find_types(enum bytes_type type[3], size_t *size, const 
 
 /* The points, in the file that main.xml names or, where it names none, in main.xml itself. */
 static enum status_code read_values(struct scan *out, struct x3p *x3p, size_t nx, size_t ny,
-                                    const struct scan_bytes *file, struct status *status)
+                                    const struct scan_file *file)
 {
     const struct main_xml *xml = &x3p->xml;
     const struct x3p_axis *axis = xml->axis;
     enum bytes_type type[3];
     bool listed = !*xml->data_link, whole = false;
     size_t size = 1;
-    if (!listed && (find_types(type, &size, axis, file, status) != STATUS_OK ||
-                    read_link(&x3p->points, &whole, x3p, xml->data_link, nx * ny * size, file, status) != STATUS_OK))
-        return status->code;
+    if (!listed && (find_types(type, &size, axis, file) != STATUS_OK ||
+                    read_link(&x3p->points, &whole, x3p, xml->data_link, nx * ny * size, file) != STATUS_OK))
+        return file->status->code;
     if (whole)
         compare_md5(out, &x3p->points, xml->data_md5, xml->data_link);
     struct bytes bytes = {text_string(&x3p->points), text_string(&x3p->points) + x3p->points.length, false};
     const struct datum *datum = (const struct datum *)(const void *)xml->datum.data;
     size_t room = listed ? xml->datum.length / sizeof *datum : bytes_left(&bytes) / size;
-    if ((stored(&axis[0]) ? scan_reserve_x(out, nx, room, file, status)
-                          : scan_reserve(out, nx, ny, room, file, status)) != STATUS_OK)
-        return status->code;
+    if ((stored(&axis[0]) ? scan_reserve_x(out, nx, room, file) : scan_reserve(out, nx, ny, room, file)) != STATUS_OK)
+        return file->status->code;
     for (size_t i = 0; i < nx * ny; i++) {
         double value[3] = {0};
         for (size_t k = 0; k < 3; k++)
@@ -364,43 +361,39 @@ static enum status_code read_values(struct scan *out, struct x3p *x3p, size_t nx
 }
 
 /* valid.bin: bit i, from the lowest of the first byte on, says whether point i was measured. */
-static enum status_code read_valid(struct scan *out, struct x3p *x3p, const struct scan_bytes *file,
-                                   struct status *status)
+static enum status_code read_valid(struct scan *out, struct x3p *x3p, const struct scan_file *file)
 {
     if (!*x3p->xml.valid_link)
         return STATUS_OK;
     bool whole;
     size_t points = out->nx * out->ny;
-    if (read_link(&x3p->valid, &whole, x3p, x3p->xml.valid_link, points, file, status) != STATUS_OK)
-        return status->code;
+    if (read_link(&x3p->valid, &whole, x3p, x3p->xml.valid_link, points, file) != STATUS_OK)
+        return file->status->code;
     if (x3p->valid.length < (points + 7) / 8)
-        return scan_fail(status, file, 0, "'%.80s' holds fewer bits than there are points", x3p->xml.valid_link);
+        return scan_fail(file, 0, "'%.80s' holds fewer bits than there are points", x3p->xml.valid_link);
     for (size_t i = 0; i < points; i++)
         if (!((unsigned char)x3p->valid.data[i / 8] >> i % 8 & 1))
             out->z_m[i] = NAN;
     return STATUS_OK;
 }
 
-static enum status_code read_points(struct scan *out, struct x3p *x3p, const struct scan_bytes *file,
-                                    struct status *status)
+static enum status_code read_points(struct scan *out, struct x3p *x3p, const struct scan_file *file)
 {
     size_t nx = 0, ny = 0;
-    if (open_main(x3p, file, out, status) != STATUS_OK || read_size(&x3p->xml, &nx, &ny, file, status) != STATUS_OK)
-        return status->code;
-    if (read_values(out, x3p, nx, ny, file, status) != STATUS_OK)
-        return status->code;
+    if (open_main(x3p, file, out) != STATUS_OK || read_size(&x3p->xml, &nx, &ny, file) != STATUS_OK)
+        return file->status->code;
+    if (read_values(out, x3p, nx, ny, file) != STATUS_OK)
+        return file->status->code;
     out->dx_m = x3p->xml.axis[0].increment;
     out->dy_m = x3p->xml.axis[1].increment;
     scan_set_units(out, "m", "m");
-    return read_valid(out, x3p, file, status);
+    return read_valid(out, x3p, file);
 }
 
-enum status_code scan_x3p_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
-                               struct status *status)
+enum status_code scan_x3p_read(struct scan *out, const struct scan_file *file)
 {
-    (void)options;
     struct x3p x3p = {0};
-    enum status_code code = read_points(out, &x3p, file, status);
+    enum status_code code = read_points(out, &x3p, file);
     text_free(&x3p.main);
     text_free(&x3p.points);
     text_free(&x3p.valid);

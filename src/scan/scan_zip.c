@@ -18,7 +18,7 @@ enum { ZIP_NAMED = 5, ZIP_BEGINNING = 65536 };
 struct entry {
     struct text text;
     char path[512]; /* for messages: archive(entry) */
-    struct scan_bytes file;
+    struct scan_file file;
     enum format_kind kind; /* FORMAT_FOREIGN where it cannot be read */
     bool empty;            /* a folder, or nothing in it */
     bool words;            /* a text without numbers */
@@ -36,58 +36,72 @@ static bool is_hidden(const char *name)
     return (slash ? slash[1] : *name) == '.' || strncmp(name, "__MACOSX/", 9) == 0;
 }
 
-/* Unpacks entry `index`, up to `most` bytes. */
+/* Unpacks entry `index`, up to `most` bytes; errors go where `file` says. */
 static enum status_code unpack(struct entry *out, const struct archive *archive, size_t index, size_t most,
-                               struct status *status)
+                               const struct scan_file *file)
 {
     const char *name = archive->entries[index].name;
     bool empty = archive->entries[index].size == 0 || *name == '\0' || name[strlen(name) - 1] == '/' || is_hidden(name);
     *out = (struct entry){.empty = empty, .kind = empty ? FORMAT_OTHER : FORMAT_FOREIGN};
-    snprintf(out->path, sizeof out->path, "%.300s(%.200s)", archive->file->path, name);
-    if (!out->empty && archive_read(&out->text, archive, index, most, status) != STATUS_OK)
-        return status->code;
-    out->file = (struct scan_bytes){text_string(&out->text), out->text.length, out->path};
+    snprintf(out->path, sizeof out->path, "%.300s(%.200s)", file->path, name);
+    if (!out->empty && archive_read(&out->text, archive, index, most, file) != STATUS_OK)
+        return file->status->code;
+    out->file = (struct scan_file){text_string(&out->text), out->text.length, out->path, file->options, file->status};
     return STATUS_OK;
 }
 
 /* Do the first bytes of an entry not tell what it is? */
-static bool is_doubtful(const struct scan_bytes *file)
+static bool is_doubtful(const struct scan_file *file)
 {
-    return scan_tells_at_end(file) || (scan_text_sniff(file) && !scan_text_has_numbers(file));
+    return scan_tells_at_end(file->bytes, file->length) || (scan_text_sniff(file) && !scan_text_has_numbers(file));
 }
 
 /* Tells the kind of entry `index`, as a rule by its beginning. Error: it is FORMAT_FOREIGN, damaged or a measurement
  * in a format that is not read; or STATUS_MEMORY. */
-static enum status_code look_at(struct entry *out, const struct archive *archive, size_t index, struct status *status)
+static enum status_code look_at(struct entry *out, const struct archive *archive, size_t index,
+                                const struct scan_file *file)
 {
-    if (unpack(out, archive, index, ZIP_BEGINNING, status) != STATUS_OK || out->empty)
-        return status->code;
+    if (unpack(out, archive, index, ZIP_BEGINNING, file) != STATUS_OK || out->empty)
+        return file->status->code;
     bool whole = out->text.length == archive->entries[index].size;
     if (!whole && is_doubtful(&out->file)) {
         entry_free(out);
-        if (unpack(out, archive, index, SIZE_MAX, status) != STATUS_OK)
-            return status->code;
+        if (unpack(out, archive, index, SIZE_MAX, file) != STATUS_OK)
+            return file->status->code;
         whole = true;
     }
-    struct scan_bytes named = out->file;
+    struct scan_file named = out->file;
     named.path = archive->entries[index].name;
     struct format format = format_of(&named, whole);
     out->kind = format.kind == FORMAT_UNKNOWN || format.kind == FORMAT_PACKED ? FORMAT_OTHER : format.kind;
     out->words = out->kind == FORMAT_OTHER && format.reader;
-    return out->kind == FORMAT_FOREIGN ? format_fail_foreign(&out->file, format.foreign, status) : STATUS_OK;
+    return out->kind == FORMAT_FOREIGN ? format_fail_foreign(&out->file, format.foreign) : STATUS_OK;
 }
 
-static enum status_code fail_text(const struct archive *archive, size_t index, struct status *status)
+/* The same of an entry of which only its kind counts, and why it cannot be read does not. */
+static struct entry peek(const struct archive *archive, size_t index)
+{
+    struct entry entry;
+    struct status problem = {0};
+    struct scan_file quiet = *archive->file;
+    quiet.status = &problem;
+    if (look_at(&entry, archive, index, &quiet) == STATUS_MEMORY)
+        (void)status_memory(archive->file->status);
+    entry_free(&entry);
+    return entry;
+}
+
+static enum status_code fail_text(const struct archive *archive, size_t index)
 {
     char path[512];
-    snprintf(path, sizeof path, "%.300s(%.200s)", archive->file->path, archive->entries[index].name);
-    const struct scan_bytes entry = {"", 0, path};
-    return scan_fail(status, &entry, 0, "no line of numbers in it: not a scan");
+    struct scan_file entry = *archive->file;
+    snprintf(path, sizeof path, "%.300s(%.200s)", entry.path, archive->entries[index].name);
+    entry.path = path;
+    return scan_fail(&entry, 0, "no line of numbers in it: not a scan");
 }
 
 /* What is in an archive, all in all. */
 struct survey {
-    enum format_kind *kinds; /* of each entry; NULL: nobody looked yet */
     size_t scans, texts, unreadable, others;
     char names[120];   /* of the first others */
     char text[64];     /* name of the first text */
@@ -101,105 +115,91 @@ static void note_other(struct survey *survey, const char *name)
         snprintf(survey->names + used, sizeof survey->names - used, "%s%.60s", used > 0 ? ", " : "", name);
 }
 
-static enum status_code look(struct survey *out, const struct archive *archive, struct status *status)
+static struct survey look(const struct archive *archive)
 {
-    *out = (struct survey){.kinds = calloc(archive->count + 1, sizeof *out->kinds), .first_text = SIZE_MAX};
-    if (!out->kinds)
-        return status_memory(status);
-    for (size_t i = 0; i < archive->count && status->code == STATUS_OK; i++) {
-        struct entry entry;
-        struct status problem = {0};
+    struct survey out = {.first_text = SIZE_MAX};
+    for (size_t i = 0; i < archive->count && archive->file->status->code == STATUS_OK; i++) {
         const char *name = archive->entries[i].name;
-        if (look_at(&entry, archive, i, &problem) == STATUS_MEMORY)
-            (void)status_memory(status);
+        struct entry entry = peek(archive, i);
         if (entry.kind == FORMAT_OTHER && !entry.empty) {
-            note_other(out, name);
-            if (out->first_text == SIZE_MAX && entry.words)
-                out->first_text = i;
+            note_other(&out, name);
+            if (out.first_text == SIZE_MAX && entry.words)
+                out.first_text = i;
         }
-        out->kinds[i] = entry.kind;
-        out->scans += entry.kind == FORMAT_SCAN ? 1 : 0;
-        out->unreadable += entry.kind == FORMAT_FOREIGN ? 1 : 0;
-        if (entry.kind == FORMAT_TEXT && out->texts++ == 0)
-            snprintf(out->text, sizeof out->text, "%.60s", name);
-        entry_free(&entry);
+        out.scans += entry.kind == FORMAT_SCAN ? 1 : 0;
+        out.unreadable += entry.kind == FORMAT_FOREIGN ? 1 : 0;
+        if (entry.kind == FORMAT_TEXT && out.texts++ == 0)
+            snprintf(out.text, sizeof out.text, "%.60s", name);
     }
-    return status->code;
+    return out;
 }
 
 /* Moves *at to the next scan from there on, or what may be one and cannot be read; false when there is none, or no
  * memory. */
-static bool seek(size_t *at, const struct archive *archive, const struct survey *survey, struct status *status)
+static bool seek(size_t *at, const struct archive *archive, bool texts)
 {
     size_t count = archive->count;
-    bool texts = survey->kinds ? survey->scans == 0 : *at > count; /* these only where nothing else is there */
     for (*at += texts && *at < count ? count : 0; *at < (texts ? 2 * count : count); ++*at) {
-        struct entry entry = {.kind = survey->kinds ? survey->kinds[*at % count] : FORMAT_OTHER};
-        struct status problem = {0};
-        if (!survey->kinds && look_at(&entry, archive, *at % count, &problem) == STATUS_MEMORY)
-            (void)status_memory(status);
-        entry_free(&entry);
-        if (entry.kind == FORMAT_FOREIGN || entry.kind == (texts ? FORMAT_TEXT : FORMAT_SCAN))
-            return status->code == STATUS_OK;
+        enum format_kind kind = peek(archive, *at % count).kind;
+        if (archive->file->status->code == STATUS_MEMORY)
+            return false;
+        if (kind == FORMAT_FOREIGN || kind == (texts ? FORMAT_TEXT : FORMAT_SCAN))
+            return true;
     }
     return false;
 }
 
-static enum status_code read_scan(struct scan *out, const struct archive *archive, const struct survey *survey,
-                                  const struct scan_options *options, struct status *status)
+static enum status_code read_scan(struct scan *out, const struct archive *archive, bool texts)
 {
-    size_t at = options->entry;
-    if (!seek(&at, archive, survey, status))
-        return status->code != STATUS_OK ? status->code
-                                         : scan_fail(status, archive->file, 0, "no scan in this zip archive");
+    const struct scan_file *file = archive->file;
+    size_t at = file->options->entry;
+    if (!seek(&at, archive, texts))
+        return file->status->code != STATUS_OK ? file->status->code : scan_fail(file, 0, "no scan in this zip archive");
     struct entry entry;
     size_t index = at % archive->count;
-    enum status_code code = look_at(&entry, archive, index, status); /* why it cannot be read */
+    enum status_code code = look_at(&entry, archive, index, file); /* why it cannot be read */
     entry_free(&entry);
     if (code == STATUS_OK) {
-        code = unpack(&entry, archive, index, SIZE_MAX, status);
+        code = unpack(&entry, archive, index, SIZE_MAX, file);
         if (code == STATUS_OK)
-            code = format_read(out, &entry.file, options, status);
+            code = format_read(out, &entry.file);
         entry_free(&entry);
     }
     snprintf(out->part, sizeof out->part, "%.100s", archive->entries[index].name);
     scan_printable(out->part);
     at++;
-    struct status problem = {0};
-    if (code != STATUS_MEMORY && seek(&at, archive, survey, &problem))
+    if (code != STATUS_MEMORY && seek(&at, archive, texts))
         out->next_entry = at;
-    return problem.code == STATUS_OK ? code : status_memory(status);
+    return file->status->code;
 }
 
-static enum status_code read_archive(struct scan *out, struct survey *survey, const struct archive *archive,
-                                     const struct scan_options *options, struct status *status)
+static enum status_code read_archive(struct scan *out, const struct archive *archive)
 {
-    bool first = options->entry == 0;
-    if (first && look(survey, archive, status) != STATUS_OK)
-        return status->code;
-    if (first && survey->scans + survey->texts + survey->unreadable == 0 && survey->first_text != SIZE_MAX)
-        return fail_text(archive, survey->first_text, status);
-    if (read_scan(out, archive, survey, options, status) != STATUS_OK)
-        return status->code;
-    if (survey->scans > 0 && survey->texts > 0)
-        scan_warn(out, "%zu text%s in the archive (%s%s) passed over beside its %zu other scan%s", survey->texts,
-                  survey->texts == 1 ? "" : "s", survey->text, survey->texts == 1 ? "" : ", ...", survey->scans,
-                  survey->scans == 1 ? "" : "s");
-    if (survey->others > 0)
-        scan_warn(out, "passed over in the archive, no scan%s: %s%s", survey->others == 1 ? "" : "s", survey->names,
-                  survey->others > ZIP_NAMED ? ", ..." : "");
+    size_t entry = archive->file->options->entry;
+    if (entry > 0)
+        return read_scan(out, archive, entry > archive->count);
+    const struct survey survey = look(archive);
+    if (archive->file->status->code != STATUS_OK)
+        return archive->file->status->code;
+    if (survey.scans + survey.texts + survey.unreadable == 0 && survey.first_text != SIZE_MAX)
+        return fail_text(archive, survey.first_text);
+    if (read_scan(out, archive, survey.scans == 0) != STATUS_OK)
+        return archive->file->status->code;
+    if (survey.scans > 0 && survey.texts > 0)
+        scan_warn(out, "%zu text%s in the archive (%s%s) passed over beside its %zu other scan%s", survey.texts,
+                  survey.texts == 1 ? "" : "s", survey.text, survey.texts == 1 ? "" : ", ...", survey.scans,
+                  survey.scans == 1 ? "" : "s");
+    if (survey.others > 0)
+        scan_warn(out, "passed over in the archive, no scan%s: %s%s", survey.others == 1 ? "" : "s", survey.names,
+                  survey.others > ZIP_NAMED ? ", ..." : "");
     return STATUS_OK;
 }
 
-enum status_code scan_zip_read(struct scan *out, const struct scan_bytes *file, const struct scan_options *options,
-                               struct status *status)
+enum status_code scan_zip_read(struct scan *out, const struct scan_file *file)
 {
     struct archive archive;
-    struct survey survey = {.kinds = NULL};
-    enum status_code code = archive_open(&archive, file, status);
-    if (code == STATUS_OK)
-        code = read_archive(out, &survey, &archive, options, status);
-    free(survey.kinds);
+    if (archive_open(&archive, file) == STATUS_OK)
+        (void)read_archive(out, &archive);
     archive_close(&archive);
-    return code;
+    return file->status->code;
 }

@@ -124,7 +124,7 @@ bool sidecar_read_text(struct sidecar *out, const struct text *bytes, const char
     snprintf(out->name, sizeof out->name, "%s", slash ? slash + 1 : path);
     if (start[strspn(start, "\xEF\xBB\xBF \t\r\n")] == '{')
         return parse_json(&out->header, bytes);
-    return scan_text_read_keys(&out->header, &(struct scan_bytes){start, bytes->length, ""});
+    return scan_text_read_keys(&out->header, &(struct scan_file){.bytes = start, .length = bytes->length, .path = ""});
 }
 
 bool sidecar_read(struct sidecar *out, const char *path)

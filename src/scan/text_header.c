@@ -435,14 +435,14 @@ const char *text_header_z_unit(const struct text_header *header, size_t column, 
 {
     const char *y_unit = column == 1 || column == 2 ? header->y_unit : NULL;
     const char *unit = either(either(column_unit(header, column), header->z_unit), either(y_unit, header->all_unit));
-    if (!unit || !slope || scan_unit_slope(unit, strlen(unit)) > 0)
+    if (!unit || !slope || scan_unit_find(string_view_of(unit), SCAN_SLOPE).name)
         return unit;
-    return header->factors ? scan_unit_of(scan_unit_m(unit, strlen(unit)), SCAN_SLOPE) : NULL;
+    return header->factors ? scan_unit_of(scan_unit_m(unit), SCAN_SLOPE) : NULL;
 }
 
 bool text_header_is_slope(const struct text_header *header, size_t column)
 {
     const char *unit = text_header_z_unit(header, column, false);
     return header->z_slope || (column > 0 && column <= TEXT_HEADER_COLUMNS && header->slope[column - 1]) ||
-           (unit && scan_unit_slope(unit, strlen(unit)) > 0);
+           (unit && scan_unit_find(string_view_of(unit), SCAN_SLOPE).name);
 }

@@ -117,7 +117,7 @@ static enum status_code refuse_unit(const struct reading *in, size_t column, str
     bool other = column != MEASURED_LOAD && is_unit(&unit, text, resistances & ~asked);
     return status_fail(in->status, STATUS_SCENE,
                        "'%s' is no unit of %s%s; understood: %s; columns are load, resistance and perhaps its error",
-                       scene_words_show(text.start, string_view_length(text)).text,
+                       scene_words_show_view(text).text,
                        column == MEASURED_LOAD    ? "load"
                        : column == MEASURED_ERROR ? "the error"
                        : asked & UNIT_RESISTANCE  ? "electrical resistance"
@@ -132,8 +132,7 @@ static enum status_code settle(const struct reading *in, size_t column, const st
     size_t length = string_view_length(cell->text);
     if (known->known && !unit_equal(&known->unit, &cell->unit))
         return status_fail(in->status, STATUS_SCENE, "'%s' as unit of %s, but line %zu says '%s'; correct one of them",
-                           scene_words_show(cell->text.start, length).text, column_names[column], known->line,
-                           known->text);
+                           scene_words_show_view(cell->text).text, column_names[column], known->line, known->text);
     if (known->known)
         return STATUS_OK;
     *known = (struct measured_unit){.known = true, .unit = cell->unit, .line = in->line};
@@ -359,7 +358,7 @@ static enum status_code row_read(const struct reading *in, struct measured_row *
         const char *end = number_scan(cell, NUMBER_POINT, NULL, &row->value[c]);
         if (!end || (end < cell.end && *end == ',') || !isfinite(row->value[c]))
             return status_fail(in->status, STATUS_SCENE, "'%s' is no number; write it as 1.5e-3",
-                               scene_words_show(cell.start, string_view_length(cell)).text);
+                               scene_words_show_view(cell).text);
         struct cell_unit unit = {.text = rest_from(cell, end)};
         if (unit.text.start == unit.text.end)
             continue;
@@ -406,9 +405,9 @@ static bool is_broken_row(struct string_view line, bool above)
 static enum status_code refuse_broken(const struct reading *in, struct string_view line)
 {
     struct string_view first = split(line, delimiter_of(line), false).cell[0];
-    return status_fail(
-        in->status, STATUS_SCENE, "'%s' is no %s; correct the row or remove it, or put # before a remark",
-        scene_words_show(first.start, string_view_length(first)).text, column_names[in->order[MEASURED_LOAD] > 0]);
+    return status_fail(in->status, STATUS_SCENE,
+                       "'%s' is no %s; correct the row or remove it, or put # before a remark",
+                       scene_words_show_view(first).text, column_names[in->order[MEASURED_LOAD] > 0]);
 }
 
 /* Does the line begin as a row does, perhaps quoted? */

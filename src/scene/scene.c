@@ -2,14 +2,15 @@
 #include "scene/scene.h"
 #include "joint/electron.h"
 #include "scene/scene_asked.h"
+#include "scene/scene_files.h"
 #include "scene/scene_keys.h"
-#include "scene/scene_listing.h"
 #include "scene/scene_surfaces.h"
 #include "scene/scene_words.h"
 
 #include <errno.h>
 #include <libgen.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -100,7 +101,7 @@ static enum status_code override_effects(struct scene *scene, struct scene_sourc
     scene_keys_effect_names(names);
     size_t length;
     for (const char *rest = words; (word = scene_words_next(&rest, &length));) {
-        struct scene_words_shown shown = scene_words_show(word, length);
+        struct scene_words_shown shown = scene_words_show_view((struct string_view){word, word + length});
         size_t effect = scene_words_find(word, length, names, EFFECT_COUNT);
         if (effect == EFFECT_COUNT)
             return status_fail(source->status, STATUS_USAGE, "--effects: unknown effect '%s'; %s", shown.text,
@@ -113,24 +114,33 @@ static enum status_code override_effects(struct scene *scene, struct scene_sourc
                                         "--effects names none; give 'auto' or names such as 'electrical,thermal'");
 }
 
+/* Effect `effect`, asked for in the scene or else by the command line, lacks what the text says. */
+PRINTF_LIKE(3, 4)
+static bool fail_effect(struct scene_source *source, int effect, const char *lacks, ...)
+{
+    char what[400];
+    va_list args;
+    va_start(args, lacks);
+    vsnprintf(what, sizeof what, lacks, args);
+    va_end(args);
+    if (source->effect_line[effect])
+        return scene_source_fail(source, source->effect_line[effect], "effect '%s' needs %s or leave the effect out",
+                                 effect_rows[effect].name, what);
+    (void)status_fail(source->status, STATUS_SCENE, "--effects: '%s' needs %s in scene.yaml, or leave the effect out",
+                      effect_rows[effect].name, what);
+    return false;
+}
+
 /* Effects run that a key calls for, unless the command line lists others; none runs without its key. */
-static enum status_code call_effects(struct scene *scene, struct scene_source *source, bool listed)
+static bool call_effects(struct scene *scene, struct scene_source *source, bool listed)
 {
     for (int i = 0; i < EFFECT_COUNT; i++) {
         const struct effect_row *row = &effect_rows[i];
         unsigned bit = EFFECT_BIT(i);
         if (!row->key)
             continue;
-        if (source->call_line[i] == 0 && (scene->effects & bit)) {
-            if (source->effect_line[i] > 0)
-                scene_source_fail(source, source->effect_line[i],
-                                  "effect '%s' needs '%s'; add that key or leave the effect out", row->name, row->key);
-            else
-                (void)status_fail(source->status, STATUS_SCENE,
-                                  "--effects: '%s' needs '%s' in scene.yaml; add that key or leave the effect out",
-                                  row->name, row->key);
-            return source->status->code;
-        }
+        if (source->call_line[i] == 0 && (scene->effects & bit))
+            return fail_effect(source, i, "'%s'; add that key", row->key);
         if (source->call_line[i] == 0 || (listed && !scene->effects_auto && !(scene->effects & bit)))
             continue;
         scene->called |= bit;
@@ -142,10 +152,9 @@ static enum status_code call_effects(struct scene *scene, struct scene_source *s
             if ((row->needs_effects & EFFECT_BIT(needed)) && source->effect_line[needed] == 0)
                 source->effect_line[needed] = source->effect_line[i];
     }
-    if ((scene->called & EFFECT_BIT(EFFECT_HEATING)) && isnan(scene->nominal_area_m2))
-        scene_source_fail(source, source->call_line[EFFECT_HEATING],
-                          "'current' flows through which area? add 'nominal_area'");
-    return source->status->code;
+    return !(scene->called & EFFECT_BIT(EFFECT_HEATING)) || !isnan(scene->nominal_area_m2) ||
+           scene_source_fail(source, source->call_line[EFFECT_HEATING],
+                             "'current' flows through which area? add 'nominal_area'");
 }
 
 static enum status_code override_values(struct scene *scene, struct scene_source *source,
@@ -156,7 +165,7 @@ static enum status_code override_values(struct scene *scene, struct scene_source
     size_t count = scene_surfaces_materials(names, NULL, 0);
     if (!material)
         return status_fail(source->status, STATUS_USAGE, "--material: unknown material '%s'; %s",
-                           scene_words_show(word, strlen(word)).text, scene_words_hint(word, names, count, count).text);
+                           scene_words_show(word).text, scene_words_hint(word, names, count, count).text);
     if (word && isnan(material->youngs_modulus_Pa))
         return status_fail(source->status, STATUS_USAGE, "--material: '%s' bears no load; give the material of a body",
                            material->name);
@@ -172,7 +181,8 @@ static enum status_code override_values(struct scene *scene, struct scene_source
     if (overrides->effects) /* as they are listed there */
         scene->direct.called = scene->effects_auto ? scene->direct.called : scene->effects & EFFECT_BIT(EFFECT_DIRECT);
     scene->direct.called = scene->direct.called || overrides->direct || (scene->effects & EFFECT_BIT(EFFECT_DIRECT));
-    return call_effects(scene, source, overrides->effects);
+    (void)call_effects(scene, source, overrides->effects);
+    return source->status->code;
 }
 
 static enum status_code override_units(struct scene *scene, const struct scene_overrides *overrides,
@@ -183,7 +193,7 @@ static enum status_code override_units(struct scene *scene, const struct scene_o
         const char *unit = units[axis];
         if (unit && (*unit == '\0' || strlen(unit) >= sizeof scene->surfaces->x_unit))
             return status_fail(status, STATUS_USAGE, "--%c-unit is '%s'; give a unit of length such as mm or um",
-                               "xz"[axis], scene_words_show(unit, strlen(unit)).text);
+                               "xz"[axis], scene_words_show(unit).text);
         for (size_t i = 0; unit && i <= scene->surface_count; i++) {
             struct scene_surface *surface = i ? &scene->surfaces[i - 1] : &scene->counterface_surface;
             strcpy(axis ? surface->z_unit : surface->x_unit, unit);
@@ -193,62 +203,49 @@ static enum status_code override_units(struct scene *scene, const struct scene_o
 }
 
 /* Fails when the bodies of surface `owner` (NULL: the scene) lack what an effect needs that is asked for by name. */
-static enum status_code check_effects(const struct scene *scene, struct scene_source *source,
-                                      const struct scene_bodies *bodies, const char *owner)
+static bool check_effects(const struct scene *scene, struct scene_source *source, const struct scene_bodies *bodies,
+                          const char *owner)
 {
     char whose[140] = "";
     if (owner)
-        snprintf(whose, sizeof whose, " of surface '%s'", scene_words_show(owner, strlen(owner)).text);
+        snprintf(whose, sizeof whose, " of surface '%s'", scene_words_show(owner).text);
     for (int i = 0; i < EFFECT_COUNT && !scene->effects_auto; i++) {
         const struct effect_row *effect = &effect_rows[i];
         const char *body;
         const struct material_property *property =
             scene->effects & EFFECT_BIT(i) ? scene_surfaces_lack(&body, bodies, effect) : NULL;
-        bool none = isnan(bodies->material.youngs_modulus_Pa);
-        if (!property)
-            continue;
-        if (source->effect_line[i] && none)
-            scene_source_fail(source, source->effect_line[i],
-                              "effect '%s' needs a material; add 'material' or leave the effect out", effect->name);
-        else if (source->effect_line[i])
-            scene_source_fail(source, source->effect_line[i],
-                              "effect '%s' needs '%s'; add it to '%s'%s or leave the effect out", effect->name,
-                              property->name, body, whose);
-        if (none)
-            return status_fail(source->status, STATUS_SCENE,
-                               "--effects: '%s' needs a material; add --material or 'material' in scene.yaml",
-                               effect->name);
-        return status_fail(source->status, STATUS_SCENE, "--effects: '%s' needs '%s'; add it to '%s'%s in '%s'",
-                           effect->name, property->name, body, whose, scene->path ? scene->path : "scene.yaml");
+        if (property && isnan(bodies->material.youngs_modulus_Pa))
+            return fail_effect(source, i, "a material; add 'material'");
+        if (property)
+            return fail_effect(source, i, "'%s'; add it to '%s'%s", property->name, body, whose);
     }
-    return STATUS_OK;
+    return true;
 }
 
 /* One body's mean free path, unless it has one. */
-static enum status_code give_mean_free_path(struct material *material, const struct scene *scene,
-                                            struct scene_source *source)
+static bool give_mean_free_path(struct material *material, const struct scene *scene, struct scene_source *source)
 {
     if (scene->mean_free_path == SCENE_MEAN_FREE_PATH_THESIS || !isnan(material->mean_free_path_m) ||
         isnan(material->youngs_modulus_Pa))
-        return STATUS_OK;
+        return true;
     if (scene->mean_free_path == SCENE_MEAN_FREE_PATH_GIVEN) {
         material->mean_free_path_m = source->mean_free_path_m;
-        return STATUS_OK;
+        return true;
     }
     const struct electron_metal *metal = material->electrons ? electron_metal_find(material->electrons) : NULL;
     if (metal && material->resistivity_ohm_m > 0) {
         material->mean_free_path_m = electron_mean_free_path(metal->density_per_m3, material->resistivity_ohm_m);
-        return STATUS_OK;
+        return true;
     }
-    scene_source_fail(source, source->mean_free_path_line,
-                      "'mean_free_path' is 'electron', which is not known of '%s'; give its length, such as 40 nm",
-                      scene_words_show(material->name, strlen(material->name)).text);
-    return source->status->code;
+    return scene_source_fail(
+        source, source->mean_free_path_line,
+        "'mean_free_path' is 'electron', which is not known of '%s'; give its length, such as 40 nm",
+        scene_words_show(material->name).text);
 }
 
 /* Completes bodies with the scene's, and checks them. `owner`: the surface's name, NULL: the scene's own. */
-static enum status_code complete_bodies(struct scene_bodies *bodies, const struct scene *scene,
-                                        struct scene_source *source, const char *owner)
+static bool complete_bodies(struct scene_bodies *bodies, const struct scene *scene, struct scene_source *source,
+                            const char *owner)
 {
     const struct scene_bodies *whole = &scene->bodies;
     bool own = bodies->material_given || bodies->counterface_given;
@@ -264,58 +261,63 @@ static enum status_code complete_bodies(struct scene_bodies *bodies, const struc
     if (bodies->counterface_same)
         bodies->counterface = bodies->material;
     bool elastic = bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC;
-    if (isnan(bodies->material.youngs_modulus_Pa) && elastic && !bodies->counterface_same) {
-        scene_source_fail(source, bodies->counterface_line ? bodies->counterface_line : whole->counterface_line,
-                          "'counterface' is '%s', but no material is given to press it on; add 'material'",
-                          scene_words_show(bodies->counterface.name, strlen(bodies->counterface.name)).text);
-        return source->status->code;
-    }
-    if (check_effects(scene, source, bodies, own ? owner : NULL) != STATUS_OK ||
-        give_mean_free_path(&bodies->material, scene, source) != STATUS_OK)
-        return source->status->code;
-    return elastic ? give_mean_free_path(&bodies->counterface, scene, source) : STATUS_OK;
+    if (isnan(bodies->material.youngs_modulus_Pa) && elastic && !bodies->counterface_same)
+        return scene_source_fail(source, bodies->counterface_line ? bodies->counterface_line : whole->counterface_line,
+                                 "'counterface' is '%s', but no material is given to press it on; add 'material'",
+                                 scene_words_show(bodies->counterface.name).text);
+    return check_effects(scene, source, bodies, own ? owner : NULL) &&
+           give_mean_free_path(&bodies->material, scene, source) &&
+           (!elastic || give_mean_free_path(&bodies->counterface, scene, source));
+}
+
+/* Is any material given, of the scene or of a surface? */
+static bool has_material(const struct scene *scene)
+{
+    for (size_t i = 0; i < scene->surface_count; i++)
+        if (!isnan(scene->surfaces[i].bodies->material.youngs_modulus_Pa))
+            return true;
+    return !isnan(scene->bodies.material.youngs_modulus_Pa);
 }
 
 /* The bodies of every surface; the scene's own count where a surface uses them. */
-static enum status_code complete_all_bodies(struct scene *scene, struct scene_source *source)
+static bool complete_all_bodies(struct scene *scene, struct scene_source *source)
 {
     bool used = scene->surface_count == 0;
     for (size_t i = 0; i < scene->surface_count; i++)
         used = used || !scene->surfaces[i].bodies || !scene->surfaces[i].bodies->material_given;
-    if (used && complete_bodies(&scene->bodies, scene, source, NULL) != STATUS_OK)
-        return source->status->code;
+    if (used && !complete_bodies(&scene->bodies, scene, source, NULL))
+        return false;
     scene->shared_bodies = malloc(sizeof *scene->shared_bodies);
     if (!scene->shared_bodies)
-        return status_memory(source->status);
+        return scene_source_memory(source);
     *scene->shared_bodies = scene->bodies;
     scene->shared_bodies->material_given = scene->shared_bodies->counterface_given = false; /* not a surface's own */
     for (size_t i = 0; i < scene->surface_count; i++) {
         struct scene_surface *surface = &scene->surfaces[i];
         if (!surface->bodies)
             surface->bodies = scene->shared_bodies;
-        else if (complete_bodies(surface->bodies, scene, source, surface->name) != STATUS_OK)
-            return source->status->code;
+        else if (!complete_bodies(surface->bodies, scene, source, surface->name))
+            return false;
     }
-    if (source->hardness_line > 0 && !scene_has_material(scene))
-        scene_source_fail(source, source->hardness_line, "'hardness' stands without a material; add 'material'");
-    return source->status->code;
+    return source->hardness_line == 0 || has_material(scene) ||
+           scene_source_fail(source, source->hardness_line, "'hardness' stands without a material; add 'material'");
 }
 
 /* Can loads of that kind be turned into P/(A_n E') on every surface? */
-static enum status_code check_load_kind(const struct scene *scene, struct scene_source *source, const char *key,
-                                        enum unit_quantity kind, size_t line)
+static bool check_load_kind(const struct scene *scene, struct scene_source *source, const char *key,
+                            enum unit_quantity kind, size_t line)
 {
     const struct scene_bodies *lacking = scene->surface_count == 0 ? &scene->bodies : NULL;
     for (size_t i = 0; i < scene->surface_count && !lacking; i++)
         if (isnan(scene->surfaces[i].bodies->material.youngs_modulus_Pa))
             lacking = scene->surfaces[i].bodies;
     if (kind == UNIT_FORCE && isnan(scene->nominal_area_m2))
-        scene_source_fail(source, line, "'%s' is a force, but on which area? add 'nominal_area'", key);
-    else if (kind != UNIT_NUMBER && lacking && isnan(lacking->material.youngs_modulus_Pa))
-        scene_source_fail(source, line,
-                          "'%s' is %s, which without a material is no P/(A_n E'); add 'material', or give P/(A_n E')",
-                          key, unit_quantity_name(kind));
-    return source->status->code;
+        return scene_source_fail(source, line, "'%s' is a force, but on which area? add 'nominal_area'", key);
+    return kind == UNIT_NUMBER || !lacking || !isnan(lacking->material.youngs_modulus_Pa) ||
+           scene_source_fail(source, line,
+                             "'%s' is %s, which without a material is no P/(A_n E'); add 'material', or give "
+                             "P/(A_n E')",
+                             key, unit_quantity_name(kind));
 }
 
 /* Is E' the same for all surfaces? */
@@ -343,7 +345,7 @@ static double operating_load(const struct scene *scene, const struct material_pa
            scene_load_divisor(scene, scene->load.kind, pair);
 }
 
-static enum status_code check_operating_load(const struct scene *scene, struct scene_source *source)
+static bool check_operating_load(const struct scene *scene, struct scene_source *source)
 {
     const struct scene_load *load = &scene->load;
     const struct scene_operating *operating = &scene->operating;
@@ -352,45 +354,41 @@ static enum status_code check_operating_load(const struct scene *scene, struct s
         least = i == 0 ? load->values[i] : fmin(least, load->values[i]);
         most = i == 0 ? load->values[i] : fmax(most, load->values[i]);
     }
-    if (operating->load == 0 ||
-        check_load_kind(scene, source, "operating_load", operating->kind, source->operating_line) != STATUS_OK)
-        return source->status->code;
-    if ((operating->kind == UNIT_NUMBER) != (load->kind == UNIT_NUMBER) && !has_one_modulus(scene)) {
-        scene_source_fail(source, source->operating_line,
-                          "'operating_load' is %s and the loads are %s, which differ from material to material; give "
-                          "both alike",
-                          unit_quantity_name(operating->kind),
-                          load->kind == UNIT_NUMBER ? "P/(A_n E')" : unit_quantity_name(load->kind));
-        return source->status->code;
-    }
+    if (operating->load == 0)
+        return true;
+    if (!check_load_kind(scene, source, "operating_load", operating->kind, source->operating_line))
+        return false;
+    if ((operating->kind == UNIT_NUMBER) != (load->kind == UNIT_NUMBER) && !has_one_modulus(scene))
+        return scene_source_fail(
+            source, source->operating_line,
+            "'operating_load' is %s and the loads are %s, which differ from material to material; give "
+            "both alike",
+            unit_quantity_name(operating->kind),
+            load->kind == UNIT_NUMBER ? "P/(A_n E')" : unit_quantity_name(load->kind));
     struct material_pair pair = scene_pair(first_bodies(scene));
     double value = operating_load(scene, &pair);
-    if (!(value >= least && value <= most))
-        scene_source_fail(source, source->operating_line, "'operating_load' is %g%s%s, outside the loads, %g to %g",
-                          value, load->kind == UNIT_NUMBER ? "" : " ", unit_si(load->kind), least, most);
-    return source->status->code;
+    return (value >= least && value <= most) ||
+           scene_source_fail(source, source->operating_line, "'operating_load' is %g%s%s, outside the loads, %g to %g",
+                             value, load->kind == UNIT_NUMBER ? "" : " ", unit_si(load->kind), least, most);
 }
 
-static enum status_code check_loads(const struct scene *scene, struct scene_source *source)
+static bool check_loads(const struct scene *scene, struct scene_source *source)
 {
-    if (check_load_kind(scene, source, "load", scene->load.kind, scene->load.kind_line) != STATUS_OK ||
-        check_load_kind(scene, source, "loads", scene->direct.kind, scene->direct.kind_line) != STATUS_OK)
-        return source->status->code;
-    return check_operating_load(scene, source);
+    return check_load_kind(scene, source, "load", scene->load.kind, scene->load.kind_line) &&
+           check_load_kind(scene, source, "loads", scene->direct.kind, scene->direct.kind_line) &&
+           check_operating_load(scene, source);
 }
 
-static enum status_code check_baseline(const struct scene *scene, struct scene_source *source)
+static bool check_baseline(const struct scene *scene, struct scene_source *source)
 {
     if (!scene->baseline || scene->surface_count == 0)
-        return STATUS_OK;
+        return true;
     for (size_t i = 0; i < scene->surface_count; i++)
         if (strcmp(scene->surfaces[i].name, scene->baseline) == 0)
-            return STATUS_OK;
+            return true;
     const char *first = scene->surfaces[0].name;
-    scene_source_fail(source, source->baseline_line, "'baseline' is '%s', no surface's name; the first is '%s'",
-                      scene_words_show(scene->baseline, strlen(scene->baseline)).text,
-                      scene_words_show(first, strlen(first)).text);
-    return STATUS_SCENE;
+    return scene_source_fail(source, source->baseline_line, "'baseline' is '%s', no surface's name; the first is '%s'",
+                             scene_words_show(scene->baseline).text, scene_words_show(first).text);
 }
 
 static enum status_code complete(struct scene *scene, struct scene_source *source,
@@ -399,10 +397,9 @@ static enum status_code complete(struct scene *scene, struct scene_source *sourc
     struct status *status = source->status;
     if (override_values(scene, source, overrides) != STATUS_OK)
         return status->code;
-    if ((scene->surface_count == 0 && scene_listing_read(scene, status) != STATUS_OK) ||
-        complete_all_bodies(scene, source) != STATUS_OK || check_loads(scene, source) != STATUS_OK ||
-        scene_asked_complete(scene, source) != STATUS_OK || override_units(scene, overrides, status) != STATUS_OK ||
-        check_baseline(scene, source) != STATUS_OK)
+    if ((scene->surface_count == 0 && scene_files_list(scene, status) != STATUS_OK) ||
+        !complete_all_bodies(scene, source) || !check_loads(scene, source) || !scene_asked_complete(scene, source) ||
+        override_units(scene, overrides, status) != STATUS_OK || !check_baseline(scene, source))
         return status->code;
     if (!scene->title)
         scene->title = directory_title(scene->directory);
@@ -446,9 +443,9 @@ enum status_code scene_read_text(struct scene *out, const char *directory, const
 void scene_free(struct scene *scene)
 {
     for (size_t i = 0; i < scene->surface_count; i++)
-        scene_surfaces_free(&scene->surfaces[i], scene->shared_bodies);
+        scene_files_free(&scene->surfaces[i], scene->shared_bodies);
     free(scene->surfaces);
-    scene_surfaces_free(&scene->counterface_surface, NULL);
+    scene_files_free(&scene->counterface_surface, NULL);
     free(scene->shared_bodies);
     free(scene->measured.file);
     free(scene->targets);
@@ -489,14 +486,6 @@ struct material_pair scene_pair(const struct scene_bodies *bodies)
     if (bodies->hardness_Pa > 0)
         pair.hardness_Pa = bodies->hardness_Pa;
     return pair;
-}
-
-bool scene_has_material(const struct scene *scene)
-{
-    for (size_t i = 0; i < scene->surface_count; i++)
-        if (!isnan(scene->surfaces[i].bodies->material.youngs_modulus_Pa))
-            return true;
-    return !isnan(scene->bodies.material.youngs_modulus_Pa);
 }
 
 double scene_load_divisor(const struct scene *scene, enum unit_quantity kind, const struct material_pair *pair)

@@ -221,8 +221,6 @@ char *scene_file_path(const struct scene *scene, const char *file);
 /** The pair of bodies of a surface, or of the scene; material_pair_unknown() without a material, or without bodies
  * (NULL). */
 struct material_pair scene_pair(const struct scene_bodies *bodies);
-/** Is any material given, of the scene or of a surface? */
-bool scene_has_material(const struct scene *scene);
 
 /** What a load of `kind` is divided by, to be P/(A_n E'); NaN where the nominal area or E' is not known. */
 double scene_load_divisor(const struct scene *scene, enum unit_quantity kind, const struct material_pair *pair);

@@ -163,10 +163,9 @@ static bool check_effects(const struct scene *scene, struct scene_source *source
                 return scene_source_fail(source, asked->line, "'%s' needs a material; add 'material' or leave '%s' out",
                                          asked->row->name, asked->row->name);
             if (property)
-                return scene_source_fail(source, asked->line,
-                                         "'%s' needs '%s' of surface '%s'; add it to the material or leave '%s' out",
-                                         asked->row->name, property->name,
-                                         scene_words_show(surface->name, strlen(surface->name)).text, asked->row->name);
+                return scene_source_fail(
+                    source, asked->line, "'%s' needs '%s' of surface '%s'; add it to the material or leave '%s' out",
+                    asked->row->name, property->name, scene_words_show(surface->name).text, asked->row->name);
         }
     }
     return true;
@@ -194,15 +193,15 @@ static bool complete(const struct scene *scene, struct scene_source *source, str
     return check_effects(scene, source, asked);
 }
 
-enum status_code scene_asked_complete(struct scene *scene, struct scene_source *source)
+bool scene_asked_complete(struct scene *scene, struct scene_source *source)
 {
     for (size_t t = 0; t < scene->target_count; t++)
         if (!complete(scene, source, &scene->targets[t]))
-            return source->status->code;
+            return false;
     for (size_t l = 0; l < scene->limit_count; l++)
         if (!complete(scene, source, &scene->limits[l]))
-            return source->status->code;
-    return STATUS_OK;
+            return false;
+    return true;
 }
 
 double scene_asked_shown(const struct scene_asked *asked, double value)

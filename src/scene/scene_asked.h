@@ -10,7 +10,7 @@
 bool scene_asked_targets(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
 bool scene_asked_limits(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
 
-/** Turns what was read into the models' quantities, now that the nominal area is known. Error: STATUS_SCENE. */
-MUST_CHECK enum status_code scene_asked_complete(struct scene *scene, struct scene_source *source);
+/** Turns what was read into the models' quantities, now that the nominal area is known. */
+MUST_CHECK bool scene_asked_complete(struct scene *scene, struct scene_source *source);
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/scene_files.h"
 #include "base/limits.h"
+#include "base/text.h"
 #include "scan/sidecar.h"
 #include "scene/scene_words.h"
 
@@ -22,11 +23,6 @@ char *scene_file_path(const struct scene *scene, const char *file)
     char *path;
     bool joined = length == 0 || directory[length - 1] == '/';
     return asprintf(&path, "%s%s%s", directory, joined ? "" : "/", file) < 0 ? NULL : path;
-}
-
-bool scene_files_is_pattern(const char *path)
-{
-    return strpbrk(path, "*?[") != NULL;
 }
 
 enum status_code scene_files_add(struct scene_surface *surface, const char *file, struct status *status)
@@ -51,7 +47,8 @@ static int compare_numbers(const char **a, const char **b)
     return memcmp(first, second, length);
 }
 
-int scene_files_order(const char *a, const char *b)
+/* Natural order: runs of digits by value, the rest by bytes; 2 before 10. */
+static int natural_order(const char *a, const char *b)
 {
     const char *first = a, *second = b;
     while (*first && *second) {
@@ -70,7 +67,7 @@ int scene_files_order(const char *a, const char *b)
 
 static int compare_naturally(const void *a, const void *b)
 {
-    return scene_files_order(*(char *const *)a, *(char *const *)b);
+    return natural_order(*(char *const *)a, *(char *const *)b);
 }
 
 static int compare_bytes(const void *a, const void *b)
@@ -142,10 +139,9 @@ enum status_code scene_files_match(struct scene_surface *surface, const struct s
     int count = path ? scandir(path, &entries, NULL, NULL) : 0;
     int directory = path ? open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC) : -1;
     if (path && (count < 0 || directory < 0))
-        code = status_fail(status, STATUS_IO, "cannot list '%s': %s", scene_words_show(path, strlen(path)).text,
-                           strerror(errno));
+        code = status_fail(status, STATUS_IO, "cannot list '%s': %s", scene_words_show(path).text, strerror(errno));
     if (count > 0 && (size_t)count > limit_most(LIMIT_FILES))
-        code = status_fail(status, STATUS_SCENE, "%d files in '%s'%s", count, scene_words_show(path, strlen(path)).text,
+        code = status_fail(status, STATUS_SCENE, "%d files in '%s'%s", count, scene_words_show(path).text,
                            limit_words(LIMIT_FILES).text);
     for (int i = 0; i < count; i++) {
         char *file = NULL;
@@ -168,4 +164,239 @@ enum status_code scene_files_match(struct scene_surface *surface, const struct s
         drop_sidecars(surface, scene, first);
     qsort(surface->files + first, surface->file_count - first, sizeof *surface->files, compare_naturally);
     return STATUS_OK;
+}
+
+char *scene_files_name(const char *file, bool ending)
+{
+    const char *start = basename(file), *dot = strrchr(start, '.');
+    return !ending && dot && dot > start ? strndup(start, (size_t)(dot - start)) : strdup(start);
+}
+
+void scene_files_free(struct scene_surface *surface, const struct scene_bodies *shared)
+{
+    if (surface->bodies != shared)
+        free(surface->bodies);
+    free(surface->x_column);
+    free(surface->z_column);
+    for (size_t i = 0; i < surface->file_count; i++)
+        free(surface->files[i]);
+    free(surface->files);
+    free(surface->name);
+}
+
+static int compare_surfaces(const void *a, const void *b)
+{
+    const struct scene_surface *first = a, *second = b;
+    int order = natural_order(first->name, second->name);
+    return order ? order : strcmp(first->files[0], second->files[0]);
+}
+
+/* Gives surfaces that share a name the ending of their file, until all differ (file names do). */
+static enum status_code tell_apart(struct scene *scene, struct status *status)
+{
+    struct scene_surface *all = scene->surfaces;
+    for (bool again = true; again;) {
+        again = false;
+        qsort(all, scene->surface_count, sizeof *all, compare_surfaces);
+        for (size_t i = 0, end; i < scene->surface_count; i = end) {
+            for (end = i + 1; end < scene->surface_count && strcmp(all[i].name, all[end].name) == 0;)
+                end++;
+            for (size_t j = i; end > i + 1 && j < end; j++) {
+                if (strchr(all[j].files[0], '/')) /* a directory's name is all it has */
+                    continue;
+                free(all[j].name);
+                if (!(all[j].name = scene_files_name(all[j].files[0], true)))
+                    return status_memory(status);
+                again = true;
+            }
+        }
+    }
+    return STATUS_OK;
+}
+
+/* The file's identity, however its path is spelt; false where there is none. */
+static bool find_file(struct stat *info, const struct scene *scene, const char *file)
+{
+    char *path = scene_file_path(scene, file);
+    bool found = path && stat(path, info) == 0;
+    free(path);
+    return found;
+}
+
+static bool is_same(const struct scene *scene, const char *a, const char *b)
+{
+    struct stat first, second;
+    return find_file(&first, scene, a) && find_file(&second, scene, b) && first.st_dev == second.st_dev &&
+           first.st_ino == second.st_ino;
+}
+
+/* Is the file spoken for: the scene itself, the counterface's scan, or measurements? */
+static bool is_taken(const struct scene *scene, const char *file)
+{
+    for (size_t i = 0; i < scene->counterface_surface.file_count; i++)
+        if (is_same(scene, scene->counterface_surface.files[i], file))
+            return true;
+    return strcmp(file, "scene.yaml") == 0 || (scene->measured.file && is_same(scene, scene->measured.file, file));
+}
+
+/* A file that is no scan, and what it is. */
+struct other {
+    const char *kind;
+    char *file;
+};
+
+/* By kind, then by name. */
+static int compare_others(const void *a, const void *b)
+{
+    const struct other *first = a, *second = b;
+    int order = strcmp(first->kind, second->kind);
+    return order ? order : natural_order(first->file, second->file);
+}
+
+/* "passed over: 2 PNG pictures (a.png, b.png)", a line a kind. */
+static enum status_code tell_others(struct scene *scene, struct other *others, size_t count, struct status *status)
+{
+    enum { NAMED = 8 };
+    struct text lines = {0};
+    qsort(others, count, sizeof *others, compare_others);
+    for (size_t i = 0, end; i < count; i = end) {
+        for (end = i + 1; end < count && strcmp(others[end].kind, others[i].kind) == 0;)
+            end++;
+        text_add(&lines, "%spassed over, no scan%s: %zu x %s (", i > 0 ? "\n" : "", end - i == 1 ? "" : "s", end - i,
+                 others[i].kind);
+        for (size_t k = i; k < end && k < i + NAMED; k++) {
+            text_add(&lines, "%s", k > i ? ", " : "");
+            text_add_shown(&lines, others[k].file);
+        }
+        text_add(&lines, "%s)", end - i > NAMED ? ", ..." : "");
+    }
+    if (lines.failed)
+        return text_free(&lines), status_memory(status);
+    scene->passed_over = lines.data;
+    return STATUS_OK;
+}
+
+/* What a file is that is no scan; NULL: it may be one. Only its beginning is read where that tells. */
+static const char *kind_of_other(const struct scene *scene, const char *name, struct status *status)
+{
+    enum { BEGINNING = 65536 };
+    char *bytes = malloc(BEGINNING + 1), *path = scene_file_path(scene, name);
+    int descriptor =
+        path ? open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC) : -1; /* a file of a kernel may wait for news */
+    FILE *file = descriptor < 0 ? NULL : fdopen(descriptor, "rb");
+    const char *kind = NULL;
+    struct text all = {0};
+    if (!bytes || !path)
+        status_memory(status);
+    if (bytes && file) {
+        size_t length = fread(bytes, 1, BEGINNING, file);
+        bytes[length] = '\0';
+        struct scan_bytes content = {bytes, length, path};
+        bool whole = length < BEGINNING;
+        if (!whole && scan_tells_at_end(bytes, length) &&
+            text_read_file(&all, path, &(struct status){0}) == STATUS_OK) {
+            content = (struct scan_bytes){text_string(&all), all.length, path};
+            whole = true;
+        }
+        kind = scan_is_other(&content, whole);
+    }
+    if (file)
+        fclose(file);
+    text_free(&all);
+    free(path);
+    free(bytes);
+    return kind;
+}
+
+/* Takes out the files that are no scans, such as pictures and documents, and the surfaces that then have none. */
+static enum status_code drop_others(struct scene *scene, struct status *status)
+{
+    size_t kept = 0, count = 0, files = 0;
+    for (size_t i = 0; i < scene->surface_count; i++)
+        files += scene->surfaces[i].file_count;
+    struct other *others = calloc(files + 1, sizeof *others);
+    if (!others)
+        return status_memory(status);
+    for (size_t i = 0; i < scene->surface_count; i++) {
+        struct scene_surface surface = scene->surfaces[i];
+        size_t left = 0;
+        for (size_t f = 0; f < surface.file_count; f++) {
+            const char *kind = kind_of_other(scene, surface.files[f], status);
+            if (kind)
+                others[count++] = (struct other){kind, surface.files[f]};
+            else
+                surface.files[left++] = surface.files[f];
+        }
+        surface.file_count = left;
+        if (left == 0)
+            scene_files_free(&surface, NULL);
+        else
+            scene->surfaces[kept++] = surface;
+    }
+    scene->surface_count = kept;
+    if (status->code == STATUS_OK && count > 0)
+        (void)tell_others(scene, others, count, status);
+    for (size_t i = 0; i < count; i++)
+        free(others[i].file);
+    free(others);
+    return status->code;
+}
+
+/* Takes out the files that are spoken for. */
+static void drop_taken(struct scene_surface *surface, const struct scene *scene)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < surface->file_count; i++) {
+        if (is_taken(scene, surface->files[i]))
+            free(surface->files[i]);
+        else
+            surface->files[kept++] = surface->files[i];
+    }
+    surface->file_count = kept;
+}
+
+/* A surface of one file, or of all that are in a folder, its repeated scans. */
+static enum status_code add_surface(struct scene *scene, const char *name, bool folder, struct status *status)
+{
+    struct scene_surface *surface = &scene->surfaces[scene->surface_count++];
+    *surface = (struct scene_surface){.name = folder ? strdup(name) : scene_files_name(name, false)};
+    char *pattern = NULL;
+    if (!surface->name || (folder && asprintf(&pattern, "%s/*", name) < 0))
+        return status_memory(status);
+    enum status_code code =
+        folder ? scene_files_match(surface, scene, pattern, S_IFREG, status) : scene_files_add(surface, name, status);
+    free(pattern);
+    drop_taken(surface, scene);
+    return code;
+}
+
+/* Is the folder open, and no report of this program? */
+static bool may_hold_scans(const struct scene *scene, const char *folder)
+{
+    char *path = scene_file_path(scene, folder), *results = NULL;
+    bool may = path && asprintf(&results, "%s/results.json", path) >= 0 && access(path, R_OK | X_OK) == 0 &&
+               access(results, F_OK) != 0;
+    free(results);
+    free(path);
+    return may;
+}
+
+enum status_code scene_files_list(struct scene *scene, struct status *status)
+{
+    struct scene_surface files = {0}, folders = {0};
+    if (scene_files_match(&files, scene, "*", S_IFREG, status) == STATUS_OK &&
+        scene_files_match(&folders, scene, "*", S_IFDIR, status) == STATUS_OK) {
+        scene->surfaces = calloc(files.file_count + folders.file_count + 1, sizeof *scene->surfaces);
+        if (!scene->surfaces)
+            (void)status_memory(status);
+    }
+    for (size_t i = 0; i < files.file_count && status->code == STATUS_OK; i++)
+        (void)add_surface(scene, files.files[i], false, status);
+    for (size_t i = 0; i < folders.file_count && status->code == STATUS_OK; i++)
+        if (may_hold_scans(scene, folders.files[i]))
+            (void)add_surface(scene, folders.files[i], true, status);
+    scene_files_free(&files, NULL);
+    scene_files_free(&folders, NULL);
+    return status->code == STATUS_OK && drop_others(scene, status) == STATUS_OK ? tell_apart(scene, status)
+                                                                                : status->code;
 }

@@ -2,6 +2,7 @@
 #include "scene/scene_keys.h"
 #include "base/limits.h"
 #include "scene/scene_asked.h"
+#include "scene/scene_files.h"
 #include "scene/scene_surfaces.h"
 #include "scene/scene_words.h"
 
@@ -192,7 +193,7 @@ static bool read_load_unit(struct scene_source *source, const struct scene_key *
     return scene_source_short_text(source, &short_text, value) &&
            ((unit_read(&unit, text, strlen(text)) && unit_of(&unit, UNIT_LOADS)) ||
             scene_source_fail(source, scene_source_line(value), "'%s' is '%s'; understood: %s", key->name,
-                              scene_words_show(text, strlen(text)).text, unit_known(UNIT_LOADS).text));
+                              scene_words_show(text).text, unit_known(UNIT_LOADS).text));
 }
 
 /* Puts plain loads into `unit:`. Pascals leave the charts over P/(A_n E'), another unit of force or pressure does not.
@@ -318,7 +319,7 @@ static bool read_measured_file(struct scene_source *source, const struct scene_k
                                  one.file_count);
     if (good && !(*file = strdup(one.files[0])))
         good = scene_source_memory(source);
-    scene_surfaces_free(&one, NULL);
+    scene_files_free(&one, NULL);
     return good;
 }
 
@@ -328,8 +329,8 @@ static bool check_unit(struct scene_source *source, const struct scene_key *key,
     struct unit unit;
     const char *text = key->field;
     return key->line == 0 || (unit_read(&unit, text, strlen(text)) && unit_of(&unit, quantities)) ||
-           scene_source_fail(source, key->line, "'%s' is '%s'; understood: %s", key->name,
-                             scene_words_show(text, strlen(text)).text, unit_known(quantities).text);
+           scene_source_fail(source, key->line, "'%s' is '%s'; understood: %s", key->name, scene_words_show(text).text,
+                             unit_known(quantities).text);
 }
 
 static bool read_measured(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)

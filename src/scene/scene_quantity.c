@@ -5,6 +5,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 /* The lowest bit: what a number without a unit is. */
 static enum unit_quantity first_of(unsigned quantities)
@@ -44,7 +45,10 @@ struct scene_quantity_help scene_quantity_help(unsigned quantities)
 {
     struct scene_quantity_help out;
     const char *si = unit_si(first_of(quantities));
-    snprintf(out.text, sizeof out.text, "a number%s%s or one with its unit: %s", *si ? " in " : "", si,
-             unit_known(quantities & ~(unsigned)UNIT_NUMBER).text);
+    if (quantities == UNIT_NUMBER)
+        strcpy(out.text, "a number such as 1.5e-6");
+    else
+        snprintf(out.text, sizeof out.text, "a number%s%s or one with its unit: %s", *si ? " in " : "", si,
+                 unit_known(quantities & ~(unsigned)UNIT_NUMBER).text);
     return out;
 }

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/scene_source.h"
-#include "scan/number.h"
 #include "scene/scene_words.h"
 
 #include <assert.h>
@@ -121,6 +120,14 @@ static size_t find_word(const yaml_node_t *node, const char *const *words, size_
                : scene_words_find((const char *)node->data.scalar.value, node->data.scalar.length, words, count);
 }
 
+/* The scalar's characters; nothing of a list or a mapping. */
+static struct string_view scalar_of(const yaml_node_t *node)
+{
+    const char *text = (const char *)node->data.scalar.value;
+    return node->type == YAML_SCALAR_NODE ? (struct string_view){text, text + node->data.scalar.length}
+                                          : (struct string_view){0};
+}
+
 /* A key without a value, or one of the ways YAML spells "nothing". */
 static bool is_null(const yaml_node_t *node)
 {
@@ -172,7 +179,7 @@ bool scene_source_wrong_type(struct scene_source *source, const yaml_node_t *nod
     if (node->type != YAML_SCALAR_NODE)
         return scene_source_fail(source, line, "'%s' is a %s; give %s", what,
                                  node->type == YAML_SEQUENCE_NODE ? "list" : "mapping", expected);
-    struct scene_words_shown shown = scene_words_show((const char *)node->data.scalar.value, node->data.scalar.length);
+    struct scene_words_shown shown = scene_words_show_view(scalar_of(node));
     return scene_source_fail(source, line, "'%s' is '%s'; give %s", what, shown.text, expected);
 }
 
@@ -181,7 +188,7 @@ bool scene_source_unknown(struct scene_source *source, const yaml_node_t *node, 
 {
     const char *word = (const char *)node->data.scalar.value;
     return scene_source_fail(source, scene_source_line(node), "unknown %s '%s'; %s", what,
-                             scene_words_show(word, node->data.scalar.length).text,
+                             scene_words_show_view(scalar_of(node)).text,
                              scene_words_hint(word, names, count, all).text);
 }
 
@@ -260,33 +267,6 @@ bool scene_source_has(struct scene_source *source, const yaml_node_t *node, cons
     return false;
 }
 
-/* The scalar's characters; nothing of a list or a mapping. */
-static struct string_view scalar_of(const yaml_node_t *node)
-{
-    const char *text = (const char *)node->data.scalar.value;
-    return node->type == YAML_SCALAR_NODE ? (struct string_view){text, text + node->data.scalar.length}
-                                          : (struct string_view){0};
-}
-
-/* A decimal number and nothing else: no inf, nan, hexadecimal or 1_000, nor Fortran's exponent. */
-static bool read_number(struct scene_source *source, const struct scene_key *key, const yaml_node_t *node,
-                        const char *expected, double *number)
-{
-    struct string_view text = scalar_of(node);
-    if (!text.start || number_scan(text, NUMBER_POINT, NULL, number) != text.end || strpbrk(text.start, "dD"))
-        return scene_source_wrong_type(source, node, key->name, expected);
-    if (!(*number >= key->least && *number <= key->most))
-        return scene_source_fail(source, scene_source_line(node), "'%s' is %s; allowed is %g to %g", key->name,
-                                 scene_words_show(text.start, string_view_length(text)).text, key->least, key->most);
-    return true;
-}
-
-bool scene_source_number(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
-{
-    return (key->word && scene_source_is(value, key->word)) ||
-           read_number(source, key, value, "a number such as 1.5e-6", key->field);
-}
-
 bool scene_source_quantity_of(struct scene_quantity *out, struct scene_source *source, const struct scene_key *key,
                               const yaml_node_t *value)
 {
@@ -296,8 +276,7 @@ bool scene_source_quantity_of(struct scene_quantity *out, struct scene_source *s
     const char *si = unit_si(out->kind);
     if (!(out->value >= key->least && out->value <= key->most))
         return scene_source_fail(source, scene_source_line(value), "'%s' is %s; allowed is %g to %g%s%s", key->name,
-                                 scene_words_show(text.start, string_view_length(text)).text, key->least, key->most,
-                                 *si ? " " : "", si);
+                                 scene_words_show_view(text).text, key->least, key->most, *si ? " " : "", si);
     return true;
 }
 
@@ -314,13 +293,14 @@ bool scene_source_quantity(struct scene_source *source, const struct scene_key *
 
 bool scene_source_whole(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
 {
-    static const char expected[] = "a whole number";
-    double number = 0.0;
-    if (!read_number(source, key, value, expected, &number))
+    struct string_view text = scalar_of(value);
+    struct scene_quantity number;
+    bool is_number = text.start && scene_quantity_read(&number, text, UNIT_NUMBER);
+    if (!is_number || (isfinite(number.value) && number.value != floor(number.value)))
+        return scene_source_wrong_type(source, value, key->name, "a whole number");
+    if (!scene_source_quantity_of(&number, source, key, value))
         return false;
-    if (number != floor(number))
-        return scene_source_wrong_type(source, value, key->name, expected);
-    *(size_t *)key->field = (size_t)number;
+    *(size_t *)key->field = (size_t)number.value;
     return true;
 }
 

@@ -71,8 +71,7 @@ bool scene_source_unknown(struct scene_source *source, const yaml_node_t *node, 
 bool scene_source_memory(struct scene_source *source);
 
 /** To stand in scene_key.read; the field is a double, a size_t, an enum, a malloc'ed char *, a char array. */
-bool scene_source_number(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
-/** A number in SI or with its unit. */
+/** A number in SI or, where the quantities have units, with its unit. */
 bool scene_source_quantity(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
 /** The same, with all there is to know of it. */
 bool scene_source_quantity_of(struct scene_quantity *out, struct scene_source *source, const struct scene_key *key,
@@ -83,11 +82,12 @@ bool scene_source_text(struct scene_source *source, const struct scene_key *key,
 bool scene_source_short_text(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
 
 /* Parts of a key's row. */
-#define SCENE_COUNT(array)                    (sizeof(array) / sizeof *(array))
-#define SCENE_NUMBER(number, lowest, highest) scene_source_number, &(number), .least = (lowest), .most = (highest)
+#define SCENE_COUNT(array) (sizeof(array) / sizeof *(array))
 #define SCENE_QUANTITY(number, kinds, lowest, highest)                                                                 \
     scene_source_quantity, &(number), .quantities = (kinds), .least = (lowest), .most = (highest)
-#define SCENE_WHOLE(number, lowest, highest) scene_source_whole, &(number), .least = (lowest), .most = (highest)
+#define SCENE_NUMBER(number, lowest, highest) SCENE_QUANTITY(number, UNIT_NUMBER, lowest, highest)
+#define SCENE_WHOLE(number, lowest, highest)                                                                           \
+    scene_source_whole, &(number), .quantities = UNIT_NUMBER, .least = (lowest), .most = (highest)
 #define SCENE_CHOICE(choice, spellings)                                                                                \
     scene_source_choice, &(choice), .choices = (spellings), .choice_count = SCENE_COUNT(spellings)
 #define SCENE_SHORT_TEXT(array) scene_source_short_text, (array), .most = sizeof(array)

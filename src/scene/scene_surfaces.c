@@ -37,7 +37,9 @@ static bool read_material_name(struct scene_source *source, const struct scene_k
                              "'%s' is '%s', which bears no load; give the material of a body", key->name, found->name);
 }
 
-bool scene_surfaces_material(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+/* A built-in name or a mapping of properties, into a struct material. The key's choices are named in the message about
+ * an unknown name. */
+static bool read_material(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
 {
     struct material *material = key->field;
     if (value->type == YAML_SCALAR_NODE)
@@ -82,14 +84,14 @@ static bool add_files(struct scene_source *source, struct scene_surface *surface
                       const char *file)
 {
     size_t before = surface->file_count, line = scene_source_line(node);
-    struct scene_words_shown shown = scene_words_show(file, strlen(file));
+    struct scene_words_shown shown = scene_words_show(file);
     struct stat info;
     char *path = scene_file_path(source->scene, file);
     if (!path)
         return scene_source_memory(source);
     int failed = stat(path, &info), reason = errno;
     free(path);
-    if (!failed || !scene_files_is_pattern(file)) {
+    if (!failed || !strpbrk(file, "*?[")) {
         if (scene_files_add(surface, file, source->status) != STATUS_OK)
             return false;
         if (failed)
@@ -174,7 +176,7 @@ static bool read_body(struct scene_source *source, const struct scene_key *key, 
 {
     static const char *const words[] = {"rigid", "same"}; /* besides materials */
     struct scene_bodies *bodies = key->field;
-    struct scene_key material = {key->name, scene_surfaces_material, &bodies->counterface, .choices = words,
+    struct scene_key material = {key->name, read_material, &bodies->counterface, .choices = words,
                                  .choice_count = SCENE_COUNT(words)};
     bodies->counterface_given = true;
     bodies->counterface_line = scene_source_line(value);
@@ -182,7 +184,7 @@ static bool read_body(struct scene_source *source, const struct scene_key *key, 
         return true;
     bodies->counterface_kind = MATERIAL_COUNTERFACE_ELASTIC;
     bodies->counterface_same = scene_source_is(value, "same");
-    return bodies->counterface_same || scene_surfaces_material(source, &material, value);
+    return bodies->counterface_same || read_material(source, &material, value);
 }
 
 bool scene_surfaces_body(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
@@ -191,7 +193,7 @@ bool scene_surfaces_body(struct scene_source *source, const struct scene_key *ke
     struct scene_key material = *key;
     material.field = &bodies->material;
     bodies->material_given = true;
-    return scene_surfaces_material(source, &material, value);
+    return read_material(source, &material, value);
 }
 
 bool scene_surfaces_counterface(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
@@ -236,7 +238,7 @@ static bool read_surface(struct scene_source *source, const yaml_node_t *node, s
         *surface->bodies = own;
     }
     if (!surface->name)
-        surface->name = scene_surfaces_name(surface->files[0], false);
+        surface->name = scene_files_name(surface->files[0], false);
     return surface->name || scene_source_memory(source);
 }
 
@@ -264,7 +266,7 @@ static bool check_names(struct scene_source *source, const yaml_node_t *list)
             good = scene_source_fail(
                 source, scene_source_line(scene_source_item(source, list, (size_t)(second - scene->surfaces))),
                 "two surfaces are named '%s', the first in line %zu; give each its own 'name'",
-                scene_words_show(second->name, strlen(second->name)).text,
+                scene_words_show(second->name).text,
                 scene_source_line(scene_source_item(source, list, (size_t)(first - scene->surfaces))));
     }
     free(surfaces);
@@ -302,22 +304,4 @@ const struct material_property *scene_surfaces_lack(const char **body, const str
             return property;
     }
     return NULL;
-}
-
-char *scene_surfaces_name(const char *file, bool ending)
-{
-    const char *start = basename(file), *dot = strrchr(start, '.');
-    return !ending && dot && dot > start ? strndup(start, (size_t)(dot - start)) : strdup(start);
-}
-
-void scene_surfaces_free(struct scene_surface *surface, const struct scene_bodies *shared)
-{
-    if (surface->bodies != shared)
-        free(surface->bodies);
-    free(surface->x_column);
-    free(surface->z_column);
-    for (size_t i = 0; i < surface->file_count; i++)
-        free(surface->files[i]);
-    free(surface->files);
-    free(surface->name);
 }

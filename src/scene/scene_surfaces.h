@@ -13,10 +13,7 @@ bool scene_surfaces_read(struct scene_source *source, const struct scene_key *ke
 /** rigid | same | a material's name | a mapping of properties | {surface: file, material: ..., x_unit, z_unit}, into
  * source->scene. */
 bool scene_surfaces_counterface(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
-/** A built-in name or a mapping of properties, into a struct material. The key's choices are named in the message about
- * an unknown name. */
-bool scene_surfaces_material(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
-/** The same, into a struct scene_bodies. */
+/** A built-in name or a mapping of properties, into a struct scene_bodies. */
 bool scene_surfaces_body(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
 /** One file or a list of them, each checked to exist, into a struct scene_surface. */
 bool scene_surfaces_files(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
@@ -27,9 +24,5 @@ size_t scene_surfaces_materials(const char *names[SCENE_SURFACES_MATERIALS], con
 /** A property that the effect needs and one of the bodies does not have, and which body; NULL: they have all. */
 const struct material_property *scene_surfaces_lack(const char **body, const struct scene_bodies *bodies,
                                                     const struct effect_row *effect);
-/** The name of a surface read from `file`: its last component, without the ending unless `ending`; malloc'ed. */
-char *scene_surfaces_name(const char *file, bool ending);
-/** Frees what one surface holds, its bodies unless they are the `shared` ones. */
-void scene_surfaces_free(struct scene_surface *surface, const struct scene_bodies *shared);
 
 #endif

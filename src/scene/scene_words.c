@@ -7,9 +7,16 @@
 #include <string.h>
 #include <sys/param.h>
 
-struct scene_words_shown scene_words_show(const char *text, size_t length)
+struct scene_words_shown scene_words_show(const char *text)
+{
+    return scene_words_show_view(string_view_of(text));
+}
+
+struct scene_words_shown scene_words_show_view(struct string_view view)
 {
     struct scene_words_shown shown;
+    const char *text = view.start;
+    size_t length = string_view_length(view);
     size_t most = sizeof shown.text - sizeof "...";
     bool whole = length <= most;
     if (!whole) {

@@ -3,14 +3,14 @@
 #ifndef SCENE_SCENE_WORDS_H
 #define SCENE_SCENE_WORDS_H
 
-#include <stdbool.h>
-#include <stddef.h>
+#include "scan/string_view.h"
 
 /** Text fit for a one-line message: control characters as '?', the end of a long one as "...". */
 struct scene_words_shown {
     char text[84];
 };
-struct scene_words_shown scene_words_show(const char *text, size_t length);
+struct scene_words_shown scene_words_show(const char *text);
+struct scene_words_shown scene_words_show_view(struct string_view text);
 
 /** "did you mean 'x'?" when one of the `all` names is near `word`, else "allowed: a, b, c", the first `count` of them.
  */

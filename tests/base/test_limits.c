@@ -70,13 +70,13 @@ static void expect_scan(struct text text, bool over, enum limit limit, size_t nx
 }
 
 /* The same of a scene in a directory, unless `text` is NULL of this text; `surfaces`: as many it has. */
-static void expect_scene(const struct scene_directory *directory, const char *text, bool over, enum limit limit,
+static void expect_scene(const struct directory *directory, const char *text, bool over, enum limit limit,
                          size_t surfaces)
 {
     struct scene scene;
     struct status status = {0};
     if (text)
-        scene_directory_write(directory, "scene.yaml", text, strlen(text));
+        directory_write(directory, "scene.yaml", text);
     enum status_code code = scene_read(&scene, directory->path, NULL, &status);
     if (code != (over ? STATUS_SCENE : STATUS_OK))
         fail_msg("'%s' at the limit '%s'", status.message, limit_rows[limit].name);
@@ -148,13 +148,13 @@ TEST_CASE(test_maps)
 
 TEST_CASE(test_files)
 {
-    struct scene_directory directory = scene_directory_make();
+    struct directory directory = directory_make();
     for (size_t over = 0; over < 2; over++) {
         struct text text = table(4, 2, 0);
         char path[512];
         while (text.length < SMALL_FILE_BYTES + over)
             text_add(&text, "\n");
-        scene_directory_write(&directory, "a.dat", text.data, text.length);
+        directory_write(&directory, "a.dat", text.data);
         snprintf(path, sizeof path, "%s/a.dat", directory.path);
         text_free(&text);
         FILE *file = fopen(path, "rb");
@@ -184,7 +184,7 @@ TEST_CASE(test_files)
         expect_limit(streamed.message, LIMIT_FILE_BYTES);
         expect_limit(piped.message, LIMIT_FILE_BYTES);
     }
-    scene_directory_remove(&directory);
+    directory_remove(&directory);
 }
 
 /* The scene, a directory that is listed, one inside it. */
@@ -192,7 +192,7 @@ TEST_CASE(test_directories)
 {
     for (size_t over = 0; over < 2; over++)
         for (size_t inside = 0; inside < 2; inside++) {
-            struct scene_directory directory = scene_directory_make();
+            struct directory directory = directory_make();
             char path[512], name[32];
             snprintf(path, sizeof path, "%s/s", directory.path);
             assert_int_equal(inside ? mkdir(path, 0777) : 0, 0);
@@ -201,13 +201,13 @@ TEST_CASE(test_directories)
                 scene_directory_add(&directory, name);
             }
             expect_scene(&directory, NULL, over, LIMIT_FILES, inside ? 1 : SMALL_FILES - 2);
-            scene_directory_remove(&directory);
+            directory_remove(&directory);
         }
 }
 
 TEST_CASE(test_scene_files)
 {
-    struct scene_directory directory = scene_directory_make();
+    struct directory directory = directory_make();
     scene_directory_add(&directory, "a.csv");
     for (size_t over = 0; over < 2; over++) {
         struct text text = {0};
@@ -216,7 +216,7 @@ TEST_CASE(test_scene_files)
         text_add(&text, "surfaces:\n");
         for (size_t i = 0; i < SMALL_SCENE_FILES / 2 + over; i++)
             text_add(&text, "  - {name: s%zu, file: [a.csv, ./a.csv]}\n", i);
-        scene_directory_write(&directory, "scene.yaml", text.data, text.length);
+        directory_write(&directory, "scene.yaml", text.data);
         assert_int_equal(scene_read(&scene, directory.path, NULL, &status), over ? STATUS_SCENE : STATUS_OK);
         if (over)
             assert_non_null(strstr(status.message, "more than 4 files in one scene; split it"));
@@ -224,7 +224,7 @@ TEST_CASE(test_scene_files)
         scene_free(&scene);
         text_free(&text);
     }
-    scene_directory_remove(&directory);
+    directory_remove(&directory);
 }
 
 /* Lines of a measured file, whatever is in them, and bytes of one: a heading, a row, a remark. */
@@ -253,13 +253,13 @@ TEST_CASE(test_measured)
 /* What a scene asks for. */
 TEST_CASE(test_scenes)
 {
-    struct scene_directory directory = scene_directory_make();
+    struct directory directory = directory_make();
     scene_directory_add(&directory, "a.csv");
     expect_scene(&directory, "surfaces: [{file: a.csv, name: abcdefghijklmnopqrst}]\n", false, LIMIT_NAME_BYTES, 1);
     expect_scene(&directory, "surfaces: [{file: a.csv, name: abcdefghijklmnopqrstu}]\n", true, LIMIT_NAME_BYTES, 0);
     expect_scene(&directory, "direct: {grid: 64, seeds: 4}\n", false, LIMIT_DIRECT_POINTS, 1);
     expect_scene(&directory, "direct: {grid: 66, seeds: 4}\n", true, LIMIT_DIRECT_POINTS, 0);
-    scene_directory_remove(&directory);
+    directory_remove(&directory);
 }
 
 static const char heights[] = "x [um],z [um]\n0,0.5\n0.5,-1.25\n1,2.75\n1.5,0.125\n2,8\n2.5,-3.5\n";

@@ -1,19 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fuzz/fuzz.h"
 
-#include "base/text.h"
 #include "scan/format.h"
-#include <math.h>
-#include <zlib.h>
+#include "scan/zip_support.h"
 
-enum { FORMATS = 32, MOST_PARTS = 8, MOST_MEMBERS = 16 };
+enum { FORMATS = 32, MOST_PARTS = 8, MOST_MEMBERS = 16, MOST_NAME = 1024 };
 
 static struct {
     const char *format;
     size_t runs, scans; /* those that were a scan */
 } counts[FORMATS];
 
-static void count(const char *format, bool scan)
+static void count_run(const char *format, bool scan)
 {
     size_t i = 0;
     while (i < FORMATS - 1 && counts[i].format && strcmp(counts[i].format, format) != 0)
@@ -56,74 +54,24 @@ static void require_sound(const struct scan *scan)
         FUZZ_REQUIRE(*scan->warnings[i] && !strchr(scan->warnings[i], '\n'));
 }
 
-static void put(struct text *out, uint32_t value, unsigned bytes)
-{
-    for (; bytes > 0; bytes--, value >>= 8) {
-        char byte = (char)(value & 0xff);
-        text_add_bytes(out, &byte, 1);
-    }
-}
-
 /* A zip archive of the members, each a line with its name behind '=', then its bytes up to the next line that begins
  * so: what is inside an archive is read only where its checksum is right, which no mutation of the archive keeps. */
-static void pack_zip(struct text *out, const char *at, const char *end)
+static struct text pack_zip(const char *at, const char *end)
 {
-    struct text directory = {0};
-    uint32_t members = 0;
-    while (at < end && *at == '=' && members < MOST_MEMBERS) {
-        const char *name = at + 1, *stop = memchr(name, '\n', (size_t)(end - name));
-        stop = stop ? stop : end;
-        const char *content = stop < end ? stop + 1 : end, *next = memmem(content, (size_t)(end - content), "\n=", 2);
-        next = next ? next : end;
-        struct text common = {0};
-        put(&common, 0, 2 + 4); /* stored, no time */
-        put(&common, (uint32_t)crc32(0, (const Bytef *)content, (uInt)(next - content)), 4);
-        put(&common, (uint32_t)(next - content), 4);
-        put(&common, (uint32_t)(next - content), 4);
-        put(&common, (uint32_t)(stop - name), 2);
-        put(&common, 0, 2);
-        text_add(&directory, "PK\001\002");
-        put(&directory, 20, 2);
-        put(&directory, 20, 4);
-        text_add_bytes(&directory, common.data, common.length);
-        put(&directory, 0, 4);
-        put(&directory, 0, 4);
-        put(&directory, 0, 2);
-        put(&directory, (uint32_t)out->length, 4);
-        text_add_bytes(&directory, name, (size_t)(stop - name));
-        text_add(out, "PK\003\004");
-        put(out, 20, 4);
-        text_add_bytes(out, common.data, common.length);
-        text_add_bytes(out, name, (size_t)(stop - name));
-        text_add_bytes(out, content, (size_t)(next - content));
-        text_free(&common);
-        members++;
-        at = next < end ? next + 1 : end;
+    struct packed members[MOST_MEMBERS];
+    char names[MOST_MEMBERS][MOST_NAME] = {{0}};
+    size_t count = 0;
+    for (; at < end && *at == '=' && count < MOST_MEMBERS; count++) {
+        const char *stop = memchr(at, '\n', (size_t)(end - at)), *content = stop ? stop + 1 : end;
+        const char *next = memmem(content, (size_t)(end - content), "\n=", 2);
+        snprintf(names[count], MOST_NAME, "%.*s", (int)((stop ? stop : end) - at - 1), at + 1);
+        members[count] = pack(names[count], content, (size_t)((next ? next : end) - content), false);
+        at = next ? next + 1 : end;
     }
-    uint32_t start = (uint32_t)out->length;
-    text_add_bytes(out, text_string(&directory), directory.length);
-    text_add(out, "PK\005\006");
-    put(out, 0, 4);
-    put(out, members, 2);
-    put(out, members, 2);
-    put(out, (uint32_t)directory.length, 4);
-    put(out, start, 4);
-    put(out, 0, 2);
-    text_free(&directory);
-}
-
-static void pack_gzip(struct text *out, const char *at, const char *end)
-{
-    Bytef packed[1024];
-    z_stream stream = {.next_in = (Bytef *)(uintptr_t)at, .avail_in = (uInt)(end - at)};
-    FUZZ_REQUIRE(deflateInit2(&stream, 1, Z_DEFLATED, 16 + 9, 1, Z_DEFAULT_STRATEGY) == Z_OK);
-    for (int code = Z_OK; code == Z_OK;) {
-        stream.next_out = packed;
-        stream.avail_out = sizeof packed;
-        code = deflate(&stream, Z_FINISH);
-        text_add_bytes(out, (const char *)packed, sizeof packed - stream.avail_out);
-    }
-    deflateEnd(&stream);
+    struct text text = zip_of(members, count);
+    while (count > 0)
+        text_free(&members[--count].bytes);
+    return text;
 }
 
 /* A file on the heap, so that AddressSanitizer sees every read beyond its end. Inputs that begin with "zip:" or "gz:"
@@ -132,9 +80,9 @@ static char *file_of(const char *bytes, size_t *length)
 {
     struct text packed = {0};
     if (*length > 4 && memcmp(bytes, "zip:", 4) == 0)
-        pack_zip(&packed, bytes + 4, bytes + *length);
+        packed = pack_zip(bytes + 4, bytes + *length);
     else if (*length > 3 && memcmp(bytes, "gz:", 3) == 0)
-        pack_gzip(&packed, bytes + 3, bytes + *length);
+        packed = gzip(bytes + 3, *length - 3);
     const char *from = packed.length > 0 ? packed.data : bytes;
     *length = packed.length > 0 ? packed.length : *length;
     char *copy = malloc(*length + 1);
@@ -158,7 +106,7 @@ void fuzz_scan(const uint8_t *bytes, size_t length)
     const char *only = getenv("ROUGHCONTACT_FUZZ_FORMAT"); /* one reader alone */
     char *copy = file_of((const char *)bytes, &length);
     const struct scan_bytes file = {copy, length, "file.dat"};
-    const char *format = format_of(&file, true).name;
+    const char *format = format_of(&(struct scan_file){.bytes = copy, .length = length, .path = file.path}, true).name;
     bool any = false;
     size_t parts = 0;
     if (only && (!format || strcmp(format, only) != 0)) {
@@ -182,6 +130,6 @@ void fuzz_scan(const uint8_t *bytes, size_t length)
         FUZZ_REQUIRE(options.entry == 0 || options.entry > entry); /* an archive has an end */
         scan_free(&scan);
     } while (options.entry > 0 && ++parts < MOST_PARTS);
-    count(format ? format : "none", any);
+    count_run(format ? format : "none", any);
     free(copy);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The committed corpus of the fuzz drivers, through the same functions: what once crashed or was hard to reach stays
- * tested with every compiler. A broken promise aborts. */
+ * tested with every compiler. Each file is replayed as it is, cut off, and changed in ways that are the same in every
+ * run. A broken promise aborts. */
 #include "fuzz/fuzz.h"
 
 #include "base/text.h"
@@ -10,7 +11,75 @@
 #include <stdio.h>
 #include <sys/stat.h>
 
-static size_t replay(const char *path, void (*target)(const uint8_t *bytes, size_t length))
+enum { CHANGED = 60, CUT = 20 }; /* versions of each file */
+
+typedef void fuzz_target(const uint8_t *bytes, size_t length);
+
+/* xorshift64*: the same changes on every machine. */
+static size_t below(uint64_t *seed, size_t limit)
+{
+    *seed ^= *seed >> 12;
+    *seed ^= *seed << 25;
+    *seed ^= *seed >> 27;
+    return (size_t)((*seed * 2685821657736338717u >> 16) % limit);
+}
+
+/* A stretch of the text: nothing, a byte, a word between blanks and punctuation, or a line with its end. */
+static const char *pick(const struct text *text, size_t *length, uint64_t *seed)
+{
+    static const char *const separators[] = {" \n,:;[]{}\"<>", "\n"};
+    size_t kind = below(seed, 4), start = below(seed, text->length + 1), end = start;
+    end += kind == 1 && end < text->length ? 1 : 0;
+    for (; kind >= 2 && start > 0 && !strchr(separators[kind - 2], text->data[start - 1]); start--)
+        ;
+    for (; kind >= 2 && end < text->length && !strchr(separators[kind - 2], text->data[end]); end++)
+        ;
+    *length = end - start + (kind == 3 && end < text->length);
+    return text->data + start;
+}
+
+/* Puts something else in the place of one stretch: a byte, a number or sign, or another stretch. */
+static void change(struct text *text, uint64_t *seed)
+{
+    static const char *const pieces[] = {"0",    "-1",    "1e999",    "nan", "12", "~",  "same",
+                                         "auto", "4 mm2", "10 N",     "&a ", "*a", "- ", ": ",
+                                         "\t",   "#",     "\xff\xff", ".",   ",",  "\"", "[1, 2]"};
+    size_t length, other_length;
+    const char *old = pick(text, &length, seed), *other = pick(text, &other_length, seed);
+    const char *piece = pieces[below(seed, sizeof pieces / sizeof *pieces)], byte = (char)below(seed, 256);
+    size_t start = (size_t)(old - text->data), how = below(seed, 3);
+    struct text changed = {0};
+    text_add_bytes(&changed, text->data, start);
+    if (how == 0)
+        text_add_bytes(&changed, other, other_length);
+    else if (how == 1)
+        text_add_bytes(&changed, &byte, 1);
+    else
+        text_add_bytes(&changed, piece, strlen(piece));
+    text_add_bytes(&changed, old + length, text->length - start - length);
+    text_free(text);
+    *text = changed;
+}
+
+/* The file as it is, and what becomes of it. */
+static void run(const struct text *bytes, fuzz_target *target)
+{
+    static uint64_t seed = 20240229;
+    const uint8_t *data = (const uint8_t *)text_string(bytes);
+    target(data, bytes->length);
+    for (size_t k = 1; k < CUT; k++)
+        target(data, bytes->length * k / CUT);
+    for (int i = 0; i < CHANGED; i++) {
+        struct text text = {0};
+        text_add_bytes(&text, text_string(bytes), bytes->length);
+        for (size_t changes = 1 + below(&seed, 3); changes > 0 && text.length > 0; changes--)
+            change(&text, &seed);
+        target((const uint8_t *)text_string(&text), text.length);
+        text_free(&text);
+    }
+}
+
+static size_t replay(const char *path, fuzz_target *target)
 {
     struct dirent **entries = NULL;
     int count = scandir(path, &entries, NULL, alphasort);
@@ -33,7 +102,7 @@ static size_t replay(const char *path, void (*target)(const uint8_t *bytes, size
         struct status status = {0};
         assert_int_equal(text_read_file(&bytes, name, &status), STATUS_OK);
         fprintf(stderr, "%s\n", strrchr(name, '/') + 1); /* the last of these is the one that aborted */
-        target((const uint8_t *)text_string(&bytes), bytes.length);
+        run(&bytes, target);
         files++;
         text_free(&bytes);
     }

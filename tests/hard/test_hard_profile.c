@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Scans and scenes that strain the way from heights to loads: offsets, tilt, prime lengths, quantised heights. */
+/* Scans and scenes that strain the way from heights to loads: offsets, tilt, quantised heights. */
 #include "hard_support.h"
 #include "profile/profile.h"
 #include "scene/scene.h"
@@ -52,69 +52,31 @@ static double *heights(size_t points, double offset_m, double tilt)
     return height_m;
 }
 
-/** A 100 mm offset under 10 nm of roughness: what is left is what doubles at 100 mm hold, 1.4e-17 m. */
-static void offset_of_a_tenth_of_a_metre(void **state)
+/** A 100 mm offset under 10 nm of roughness: what is left is what doubles at 100 mm hold, 1.4e-17 m. A tilt of 45
+ * degrees: the line takes it out and leaves the roughness. */
+static void offset_and_tilt(void **state)
 {
     (void)state;
-    static const enum level levels[] = {LEVEL_MEAN, LEVEL_LINE, LEVEL_PARABOLA};
-    static const size_t lengths[] = {3000, 100003};
-    for (int l = 0; l < 3; l++)
-        for (int n = 0; n < 2; n++)
-            for (int sign = -1; sign <= 1; sign += 2) {
-                double *low = heights(lengths[n], 0, 0), *high = heights(lengths[n], sign * 0.1, 0);
-                struct profile plain = profile_of(low, lengths[n], levels[l]);
-                struct profile lifted = profile_of(high, lengths[n], levels[l]);
-                check_same_roughness(&lifted, &plain, 2e-7, lengths[n] < 5000 ? 1e-5 : INFINITY);
-                assert_within(lifted.tilt, plain.tilt, 1e-12);
+    static const struct {
+        size_t points;
+        double offset_m, tilt, rtol, rtol_m4, tilt_error;
+    } rows[] = {
+        {3000, 0.1, 0, 2e-7, 1e-5, 1e-12}, {100003, 0.1, 0, 2e-7, INFINITY, 1e-12}, {3000, 0, 1, 1e-9, 1e-8, 1e-13}};
+    for (int level = LEVEL_MEAN; level <= LEVEL_PARABOLA; level++)
+        for (int r = 0; r < 3; r++)
+            for (int sign = -1; sign <= 1 && (level > LEVEL_MEAN || rows[r].tilt == 0); sign += 2) {
+                size_t points = rows[r].points;
+                double tilt = sign * rows[r].tilt;
+                double *low = heights(points, 0, 0), *high = heights(points, sign * rows[r].offset_m, tilt);
+                struct profile plain = profile_of(low, points, (enum level)level);
+                struct profile lifted = profile_of(high, points, (enum level)level);
+                check_same_roughness(&lifted, &plain, rows[r].rtol, rows[r].rtol_m4);
+                assert_within(lifted.tilt, tilt + plain.tilt, rows[r].tilt_error);
                 profile_free(&plain);
                 profile_free(&lifted);
                 free(low);
                 free(high);
             }
-}
-
-/** A 45 degree tilt: the line takes it out and leaves the roughness. */
-static void tilt_of_45_degrees(void **state)
-{
-    (void)state;
-    static const enum level levels[] = {LEVEL_LINE, LEVEL_PARABOLA};
-    for (int l = 0; l < 2; l++)
-        for (int sign = -1; sign <= 1; sign += 2) {
-            double *low = heights(3000, 0, 0), *high = heights(3000, 0, sign);
-            struct profile plain = profile_of(low, 3000, levels[l]), tilted = profile_of(high, 3000, levels[l]);
-            assert_within(tilted.tilt, sign + plain.tilt, 1e-13);
-            check_same_roughness(&tilted, &plain, 1e-9, 1e-8);
-            profile_free(&plain);
-            profile_free(&tilted);
-            free(low);
-            free(high);
-        }
-}
-
-/** 1 000 003 points: a prime, so no factor helps the transform. The mean square is all there. */
-static void prime_number_of_points(void **state)
-{
-    (void)state;
-    enum { POINTS = 1000003 };
-    double *height_m = heights(POINTS, 0, 0), mean = 0, square = 0;
-    uint64_t random = 1;
-    for (size_t i = 0; i < POINTS; i++) {
-        random = random * 6364136223846793005u + 1442695040888963407u;
-        height_m[i] += 1e-9 * ((double)(random >> 11) * 0x1p-53 - 0.5);
-        mean += height_m[i] / POINTS;
-    }
-    for (size_t i = 0; i < POINTS; i++)
-        square += (height_m[i] - mean) * (height_m[i] - mean) / POINTS;
-    struct spectrum spectrum;
-    struct status status = {0};
-    assert_int_equal(spectrum_compute(&spectrum, height_m, POINTS, spacing_m, SPECTRUM_WINDOW_NONE, &status),
-                     STATUS_OK);
-    assert_int_equal(spectrum.count, POINTS / 2);
-    assert_false(spectrum.has_nyquist);
-    assert_near(spectrum_moment(&spectrum, 0), square, 1e-12);
-    assert_near(spectrum.amplitude_m[6], 5e-9 / sqrt(7), 1e-3); /* the noise adds 1e-12 m a harmonic */
-    spectrum_free(&spectrum);
-    free(height_m);
 }
 
 /** Everything that is made of a levelled profile is finite, or says that it does not exist. */
@@ -169,21 +131,6 @@ static void quantised_heights(void **state)
         }
 }
 
-/** A flat scan is refused, whatever its offset. */
-static void flat_scan(void **state)
-{
-    (void)state;
-    static const double offsets[] = {0, 0.1, -1e-9};
-    for (int i = 0; i < 3; i++) {
-        double height_m[] = {offsets[i], offsets[i], offsets[i], offsets[i]};
-        struct scan scan = {.kind = SCAN_PROFILE, .nx = 4, .ny = 1, .dx_m = spacing_m, .z_m = height_m};
-        struct profile profile;
-        struct status status = {0};
-        assert_int_equal(profile_make(&profile, &scan, 0, &profile_defaults, &status), STATUS_SCAN);
-        profile_free(&profile);
-    }
-}
-
 /** An exact power law comes back, without scatter and without a knee, over the convergence study's parameters. */
 static void exact_power_laws(void **state)
 {
@@ -224,33 +171,13 @@ static void duplicate_and_unsorted_loads(void **state)
             assert_true(loads[i] == expected[i] / (in_pascal ? 4 : 1));
         free(loads);
     }
-    struct scene scene = {.load = {.from = 1e-30, .to = 1e6, .points = 1000, .kind = UNIT_NUMBER}};
-    struct status status = {0};
-    double *loads;
-    size_t count, operating;
-    assert_int_equal(
-        scene_loads(&loads, &count, &operating, &scene, &(struct material_pair){.effective_modulus_Pa = 1}, &status),
-        STATUS_OK);
-    assert_true(count == 1000 && loads[0] == 1e-30 && loads[999] == 1e6);
-    for (size_t i = 1; i < count; i++)
-        assert_true(loads[i] > loads[i - 1]);
-    free(loads);
-    scene.load.from = scene.load.to; /* a range of one load */
-    assert_int_equal(
-        scene_loads(&loads, &count, &operating, &scene, &(struct material_pair){.effective_modulus_Pa = 1}, &status),
-        STATUS_OK);
-    assert_true(count == 1 && loads[0] == 1e6);
-    free(loads);
 }
 
 int main(int argc, char **argv)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(offset_of_a_tenth_of_a_metre),
-        cmocka_unit_test(tilt_of_45_degrees),
-        cmocka_unit_test(prime_number_of_points),
+        cmocka_unit_test(offset_and_tilt),
         cmocka_unit_test(quantised_heights),
-        cmocka_unit_test(flat_scan),
         cmocka_unit_test(exact_power_laws),
         cmocka_unit_test(duplicate_and_unsorted_loads),
     };

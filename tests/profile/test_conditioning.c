@@ -7,21 +7,8 @@
 
 enum { POINTS = 8192 };
 
-struct fixture {
-    double z[POINTS], x[POINTS];
-};
-
-static int setup(void **state)
-{
-    *state = calloc(1, sizeof(struct fixture));
-    return *state ? 0 : -1;
-}
-
-static int teardown(void **state)
-{
-    free(*state);
-    return 0;
-}
+/* The scan that a test fills. */
+static double x[POINTS], z[POINTS];
 
 /* A smooth record: waves of 64.37 um and 1 um at 1 um spacing; no two heights are alike. */
 #define WAVE 64.37
@@ -31,35 +18,32 @@ static double transmission(double wavelength_m, double cutoff_m)
     return pow(2, -pow(cutoff_m / wavelength_m, 2));
 }
 
-static void make_smooth(double *z)
+static void make_smooth(void)
 {
     for (size_t i = 0; i < POINTS; i++)
         z[i] = 1e-6 * sin(2 * M_PI * ((double)i + 0.5) / WAVE);
 }
 
-static struct profile condition(double *z, double spacing_m, struct profile_options options)
+static struct profile condition(double spacing_m, struct profile_options options)
 {
     struct scan scan = scan_on(NULL, z, POINTS, spacing_m);
     return profile_good(&scan, &options);
 }
 
-#define PLACED(name) TEST_WITH(name, setup, teardown)
-
 /* Dektak prints x to 0.1 um and its spacing in the header; a header that does not fit is not believed. */
-PLACED(test_header_spacing_of_rounded_positions)
+TEST_CASE(test_header_spacing_of_rounded_positions)
 {
-    struct fixture *f = *state;
     static const struct {
         double nominal_m, expected_m;
         const char *note;
     } rows[] = {{0.156e-6, 0.156e-6, "the header's spacing of 0.156 um"},
                 {0, 0.15625e-6, "its mean spacing of 0.1562"},
                 {0.5e-6, 0.15625e-6, "its mean spacing of 0.1562"}};
-    make_smooth(f->z);
+    make_smooth();
     for (size_t i = 0; i < POINTS; i++)
-        f->x[i] = round((double)i * 1.5625) * 1e-7;
+        x[i] = round((double)i * 1.5625) * 1e-7;
     for (size_t r = 0; r < 3; r++) {
-        struct scan scan = scan_on(f->x, f->z, POINTS, 0);
+        struct scan scan = scan_on(x, z, POINTS, 0);
         scan.nominal_dx_m = rows[r].nominal_m;
         struct profile profile = profile_good(&scan, &profile_defaults);
         assert_int_equal(profile.grid, PROFILE_ROUNDED);
@@ -83,44 +67,42 @@ TEST_CASE(test_reader_hands_the_header_spacing_over)
 }
 
 /* lambda_s and lambda_c leave of a wave what both transmissions say. */
-PLACED(test_filters)
+TEST_CASE(test_filters)
 {
-    struct fixture *f = *state;
-    make_smooth(f->z);
+    make_smooth();
     struct profile_options options = {.lambda_s_m = 40e-6, .lambda_c_m = 100e-6};
-    struct profile profile = condition(f->z, 1e-6, options);
+    struct profile profile = condition(1e-6, options);
     double left = transmission(WAVE * 1e-6, 40e-6) * (1 - transmission(WAVE * 1e-6, 100e-6));
     for (size_t i = 300; i < POINTS - 300; i++)
-        assert_within(profile.height_m[i], left * f->z[i], 1e-14);
+        assert_within(profile.height_m[i], left * z[i], 1e-14);
     assert_note(&profile, "low-pass lambda_s = 40 um");
     assert_note(&profile, "high-pass lambda_c = 100 um");
     assert_near(profile.end_jump_m, profile.height_m[POINTS - 1] - profile.height_m[0], 0);
     profile_free(&profile);
-    profile = condition(f->z, 1e-6, (struct profile_options){.lambda_s_m = 1e-6});
+    profile = condition(1e-6, (struct profile_options){.lambda_s_m = 1e-6});
     assert_note(&profile, "below twice the spacing");
     profile_free(&profile);
-    struct scan scan = scan_on(NULL, f->z, POINTS, 1e-6);
+    struct scan scan = scan_on(NULL, z, POINTS, 1e-6);
     assert_profile_refused(&scan, &(struct profile_options){.lambda_c_m = 0.01},
                            "lambda_c is 0.01 m, longer than the scan");
-    scan = scan_on(NULL, f->z, POINTS, 1e-12);
+    scan = scan_on(NULL, z, POINTS, 1e-12);
     assert_profile_refused(&scan, &(struct profile_options){.lambda_s_m = 1e3}, "no roughness is left between");
     for (size_t i = 0; i < POINTS; i++) /* such as a row of a map whose other rows are rough */
-        f->z[i] *= 1e-300;
+        z[i] *= 1e-300;
     assert_profile_refused(&scan, &(struct profile_options){.lambda_s_m = 0}, "differ by no more than");
 }
 
 /* Uneven points: kept as measured until a filter makes them something else. */
-PLACED(test_measured_points)
+TEST_CASE(test_measured_points)
 {
-    struct fixture *f = *state;
     uint64_t seed = 1;
-    make_smooth(f->z);
+    make_smooth();
     for (size_t i = 0; i < POINTS; i++)
-        f->x[i] = ((double)i + 0.3 * noise(&seed)) * 1e-6;
-    struct scan scan = scan_on(f->x, f->z, POINTS, 0);
+        x[i] = ((double)i + 0.3 * noise(&seed)) * 1e-6;
+    struct scan scan = scan_on(x, z, POINTS, 0);
     struct profile profile = profile_good(&scan, &(struct profile_options){.level = LEVEL_NONE});
-    assert_memory_equal(profile.measured_x_m, f->x, sizeof f->x);
-    assert_memory_equal(profile.measured_z_m, f->z, sizeof f->z);
+    assert_memory_equal(profile.measured_x_m, x, sizeof x);
+    assert_memory_equal(profile.measured_z_m, z, sizeof z);
     assert_note(&profile, "x is uneven");
     profile_free(&profile);
     profile = profile_good(&scan, &(struct profile_options){.lambda_s_m = 8e-6});
@@ -129,87 +111,82 @@ PLACED(test_measured_points)
     profile_free(&profile);
 }
 
-PLACED(test_a_good_profile_needs_no_note)
+TEST_CASE(test_a_good_profile_needs_no_note)
 {
-    struct fixture *f = *state;
-    make_smooth(f->z);
+    make_smooth();
     struct profile_options options = profile_defaults;
     options.tip_radius_m = 2e-6;
-    struct profile profile = condition(f->z, 1e-6, options);
+    struct profile profile = condition(1e-6, options);
     assert_int_equal(profile.note_count, 0);
     profile_free(&profile);
 }
 
-PLACED(test_units_that_cannot_be)
+TEST_CASE(test_units_that_cannot_be)
 {
-    struct fixture *f = *state;
-    make_smooth(f->z);
-    struct profile profile = condition(f->z, 1e-12, profile_defaults);
+    make_smooth();
+    struct profile profile = condition(1e-12, profile_defaults);
     assert_note(&profile, "is above the length of the scan");
     profile_free(&profile);
-    profile = condition(f->z, 1e-9, profile_defaults);
+    profile = condition(1e-9, profile_defaults);
     assert_note(&profile, "the steepest slope is 97.6 (89 degrees)");
     profile_free(&profile);
 }
 
 /* Heights rounded to q: found whatever the offset, and told where q²/(2 h^4) is a fifth of m4. */
-PLACED(test_digitising)
+TEST_CASE(test_digitising)
 {
-    struct fixture *f = *state;
     static const double offsets_m[] = {0, 3e-3, -7e-2};
     for (size_t o = 0; o < 3; o++) {
-        make_smooth(f->z);
+        make_smooth();
         for (size_t i = 0; i < POINTS; i++) /* a 12.9 nm converter, printed to 1 nm */
-            f->z[i] = offsets_m[o] + round(round(f->z[i] / 12.9e-9) * 12.9) * 1e-9;
-        assert_near(sanity_digitising(f->z, POINTS), 12.9e-9, 0.02);
-        struct profile profile = condition(f->z, 1e-6, profile_defaults);
+            z[i] = offsets_m[o] + round(round(z[i] / 12.9e-9) * 12.9) * 1e-9;
+        assert_near(sanity_digitising(z, POINTS), 12.9e-9, 0.02);
+        struct profile profile = condition(1e-6, profile_defaults);
         assert_note(&profile, "heights come in steps of 12.");
         profile_free(&profile);
     }
-    make_smooth(f->z);
-    assert_near(sanity_digitising(f->z, POINTS), 0, 0);
+    make_smooth();
+    assert_near(sanity_digitising(z, POINTS), 0, 0);
     for (size_t i = 0; i < POINTS; i++)
-        f->z[i] = round(f->z[i] / 1e-9) * 1e-9; /* seen, but it makes 1 % of m4 */
-    struct profile profile = condition(f->z, 1e-6, profile_defaults);
+        z[i] = round(z[i] / 1e-9) * 1e-9; /* seen, but it makes 1 % of m4 */
+    struct profile profile = condition(1e-6, profile_defaults);
     assert_null(find_note(&profile, "steps of"));
     profile_free(&profile);
     uint64_t seed = 3;
     for (size_t i = 0; i < POINTS; i++)
-        f->z[i] = 1e-6 * noise(&seed);
-    assert_near(sanity_digitising(f->z, POINTS), 0, 0);
+        z[i] = 1e-6 * noise(&seed);
+    assert_near(sanity_digitising(z, POINTS), 0, 0);
 }
 
 /* The tilt is off: a steep one makes all differences of neighbours alike, which is no digitiser; one that the
  * instrument took out leaves them off the multiples of its step, which are there all the same. */
-PLACED(test_digitising_under_a_tilt)
+TEST_CASE(test_digitising_under_a_tilt)
 {
-    struct fixture *f = *state;
     static const double tilts_m[] = {0, 7.7e-9, -4.3e-7, 5e-6}; /* a point */
     for (size_t t = 0; t < sizeof tilts_m / sizeof *tilts_m; t++) {
-        make_smooth(f->z);
+        make_smooth();
         for (size_t i = 0; i < POINTS; i++)
-            f->z[i] = f->z[i] * 1.001 + tilts_m[t] * (double)i;
-        assert_near(sanity_digitising(f->z, POINTS), 0, 0);
-        make_smooth(f->z);
+            z[i] = z[i] * 1.001 + tilts_m[t] * (double)i;
+        assert_near(sanity_digitising(z, POINTS), 0, 0);
+        make_smooth();
         for (size_t i = 0; i < POINTS; i++) /* tilted, then digitised */
-            f->z[i] = 12.9e-9 * round((f->z[i] + tilts_m[t] * (double)i) / 12.9e-9);
-        assert_near(sanity_digitising(f->z, POINTS), 12.9e-9, 1e-6);
-        make_smooth(f->z);
+            z[i] = 12.9e-9 * round((z[i] + tilts_m[t] * (double)i) / 12.9e-9);
+        assert_near(sanity_digitising(z, POINTS), 12.9e-9, 1e-6);
+        make_smooth();
         for (size_t i = 0; i < POINTS; i++) /* digitised, then a tilt taken out */
-            f->z[i] = 12.9e-9 * round(f->z[i] / 12.9e-9) - tilts_m[t] * (double)i;
-        assert_near(sanity_digitising(f->z, POINTS), 12.9e-9, 1e-6);
+            z[i] = 12.9e-9 * round(z[i] / 12.9e-9) - tilts_m[t] * (double)i;
+        assert_near(sanity_digitising(z, POINTS), 12.9e-9, 1e-6);
     }
 }
 
 /* White noise of 10 nm under the waves: m4 falls nearly 16 times with every other point; a filter ends the warning. */
-PLACED(test_noise)
+TEST_CASE(test_noise)
 {
-    struct fixture *f = *state;
     uint64_t seed = 2;
-    make_smooth(f->z);
+    make_smooth();
     for (size_t i = 0; i < POINTS; i++)
-        f->z[i] += 1e-7 * noise(&seed);
-    struct profile profile = condition(f->z, 1e-6, profile_defaults);
+        z[i] += 1e-7 * noise(&seed);
+    struct profile profile = condition(1e-6, profile_defaults);
     const char *note = find_note(&profile, "m4 is noise of the shortest wavelengths: ");
     assert_non_null(note);
     double ratio = strtod(note + strlen("m4 is noise of the shortest wavelengths: "), NULL);
@@ -217,41 +194,38 @@ PLACED(test_noise)
     assert_null(find_note(&profile, "lambda_s_m")); /* the scene's key by the name it has now */
     assert_non_null(find_note(&profile, "give lambda_s"));
     profile_free(&profile);
-    profile = condition(f->z, 1e-6, (struct profile_options){.lambda_s_m = 8e-6});
+    profile = condition(1e-6, (struct profile_options){.lambda_s_m = 8e-6});
     assert_null(find_note(&profile, "m4 is noise"));
     profile_free(&profile);
 }
 
 /* Waves of 64.37 um and 1 um: RMS radius of curvature sqrt(2) (64.37/2 pi)² = 148 um. */
-PLACED(test_tip_radius)
+TEST_CASE(test_tip_radius)
 {
-    struct fixture *f = *state;
-    make_smooth(f->z);
+    make_smooth();
     static const struct {
         double tip_m;
         bool warns;
     } rows[] = {{0, false}, {140e-6, false}, {150e-6, true}};
     for (size_t r = 0; r < 3; r++) {
-        struct profile profile = condition(f->z, 1e-6, (struct profile_options){.tip_radius_m = rows[r].tip_m});
+        struct profile profile = condition(1e-6, (struct profile_options){.tip_radius_m = rows[r].tip_m});
         assert_int_equal(find_note(&profile, "the RMS radius of curvature, 149 um, is below the tip radius") != NULL,
                          rows[r].warns);
         profile_free(&profile);
     }
-    struct profile profile =
-        condition(f->z, 1e-6, (struct profile_options){.lambda_s_m = 2.5e-6, .tip_radius_m = 5e-6});
+    struct profile profile = condition(1e-6, (struct profile_options){.lambda_s_m = 2.5e-6, .tip_radius_m = 5e-6});
     assert_note(&profile, "the shortest wavelength, 2.5 um, is below the tip radius, 5 um");
     profile_free(&profile);
 }
 
-PLACED(test_ends_and_few_points)
+TEST_CASE(test_ends_and_few_points)
 {
-    struct fixture *f = *state;
     for (size_t i = 0; i < POINTS; i++) /* a flat line whose last point is off */
-        f->z[i] = 1e-8 * sin((double)i) + (i == POINTS - 1 ? 1e-6 : 0);
-    struct profile profile = condition(f->z, 1e-6, profile_defaults);
+        z[i] = 1e-8 * sin((double)i) + (i == POINTS - 1 ? 1e-6 : 0);
+    struct profile profile = condition(1e-6, profile_defaults);
     assert_note(&profile, "the ends of the record differ by 0.99");
     profile_free(&profile);
-    struct scan scan = scan_on(NULL, f->z, 63, 1e-6);
+    struct scan scan = scan_on(NULL, z, 63, 1e-6);
     profile = profile_good(&scan, &profile_defaults);
     assert_note(&profile, "only 63 points; the spectrum has 31 harmonics");
     profile_free(&profile);

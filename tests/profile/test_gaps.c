@@ -31,8 +31,6 @@ TEST_CASE(test_gaps_in_a_sinusoid)
             worst = fmax(worst, fabs(profile.height_m[i] - whole[i]));
         assert_true(worst > 0 && worst <= allowed);
         assert_int_equal(profile.points, POINTS);
-        assert_int_equal(profile.bridged, missing);
-        assert_int_equal(profile.trimmed, 0);
         char words[80];
         snprintf(words, sizeof words,
                  "%zu missing points in 5 gaps were bridged by straight lines, the longest over %zu ", missing, gap);
@@ -74,11 +72,10 @@ TEST_CASE(test_missing_ends_are_cut_off)
         struct scan scan = scan_on(with_x ? x : NULL, z, POINTS, 1e-6);
         struct profile profile = profile_good(&scan, &as_it_is);
         assert_int_equal(profile.points, POINTS - 80);
-        assert_int_equal(profile.trimmed, 80);
-        assert_int_equal(profile.bridged, 0);
         assert_near(profile.spacing_m, 1e-6, 1e-12);
         assert_memory_equal(profile.height_m, z + 30, (POINTS - 80) * sizeof *z);
         assert_note(&profile, "80 missing points at the ends were cut off");
+        assert_null(find_note(&profile, "bridged"));
         profile_free(&profile);
     }
 }
@@ -99,7 +96,7 @@ TEST_CASE(test_too_many_are_refused)
                            "201 of 2000 heights are missing, 10.1 % where 10 % may be; allow more with "
                            "`max_missing`");
     profile = profile_good(&scan, &(struct profile_options){.max_missing = 0.2});
-    assert_int_equal(profile.bridged, 201);
+    assert_note(&profile, "201 missing points in 201 gaps");
     profile_free(&profile);
     for (size_t i = 0; i < POINTS - 2; i++)
         z[i] = NAN;

@@ -163,23 +163,6 @@ TEST_CASE(test_what_is_no_rounding)
     }
 }
 
-/* A part that stands at 45 degrees under the stylus: the cosine comes back whole. */
-TEST_CASE(test_a_tilt_of_45_degrees)
-{
-    const double amplitude_m = 1e-7, spacing_m = 1e-6;
-    for (size_t i = 0; i < 2000; i++) {
-        x_m[i] = (double)i * spacing_m;
-        z_m[i] = amplitude_m * cos(2 * M_PI * 8 * ((double)i + 0.5) / 2000); /* even: no slope of its own */
-        z_m[i] += x_m[i] + 0.05;
-    }
-    struct profile profile = make(sample(2000, true), LEVEL_LINE);
-    assert_near(profile.tilt, 1, 1e-12);
-    for (size_t i = 0; i < 2000; i++)
-        assert_within(profile.height_m[i], amplitude_m * cos(2 * M_PI * 8 * ((double)i + 0.5) / 2000), 1e-15);
-    assert_within(profile.end_jump_m, 0, 1e-15);
-    profile_free(&profile);
-}
-
 TEST_CASE(test_the_end_jump_is_that_of_the_levelled_profile)
 {
     for (size_t i = 0; i < 400; i++) { /* a step in the middle: its line has slope 1.5 s/N (1 - 1/N²)^-1 */
@@ -212,16 +195,6 @@ TEST_CASE(test_a_row_of_a_map)
 static void assert_refused(struct scan scan, enum level level, const char *words)
 {
     assert_profile_refused(&scan, &(struct profile_options){.level = level}, words);
-}
-
-TEST_CASE(test_missing_heights_are_refused)
-{
-    for (size_t i = 0; i < 50; i++) {
-        x_m[i] = (double)i * 1e-6;
-        z_m[i] = i % 25 == 3 ? NAN : smooth(x_m[i]);
-    }
-    assert_refused(sample(50, true), LEVEL_LINE, "2 of 50 heights are missing");
-    assert_refused(sample(50, true), LEVEL_LINE, "gaps filled");
 }
 
 TEST_CASE(test_flat_scans_are_refused)

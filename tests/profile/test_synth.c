@@ -26,15 +26,22 @@ static double root_mean_square(const double *height_m, size_t points)
     return (double)sqrtl(sum / (long double)points);
 }
 
-/* The law, its scatter and Rq come back from the spectrum and the fit in the band; levelling changes nothing. */
-static void assert_comes_back(const struct synth_def *def)
+static struct spectrum spectrum_of(const double *height_m, const struct synth_def *def)
 {
-    double *height_m = make(def), *levelled_m = make(def);
     struct spectrum spectrum;
     struct status status = {0};
     assert_int_equal(spectrum_compute(&spectrum, height_m, def->points, def->length_m / (double)def->points,
                                       SPECTRUM_WINDOW_NONE, &status),
                      STATUS_OK);
+    return spectrum;
+}
+
+/* The law, its scatter and Rq come back from the spectrum and the fit in the band; levelling changes nothing. */
+static void assert_comes_back(const struct synth_def *def)
+{
+    double *height_m = make(def), *levelled_m = make(def);
+    struct spectrum spectrum = spectrum_of(height_m, def);
+    struct status status = {0};
     const double band_m[2] = {def->lambda_s_m, INFINITY};
     struct power_law law = power_law_fit(&spectrum, band_m);
     assert_near(law.alpha, def->alpha, 1e-9);
@@ -87,14 +94,10 @@ TEST_CASE(test_the_law_comes_back)
 TEST_CASE(test_the_cut_off)
 {
     struct synth_def def = synth_def_default();
-    struct status status = {0};
     def.scatter_decades = 0;
     def.lambda_s_m = def.length_m / 40;
     double *height_m = make(&def);
-    struct spectrum spectrum;
-    assert_int_equal(spectrum_compute(&spectrum, height_m, def.points, def.length_m / (double)def.points,
-                                      SPECTRUM_WINDOW_NONE, &status),
-                     STATUS_OK);
+    struct spectrum spectrum = spectrum_of(height_m, &def);
     for (size_t n = 1; n <= 80; n++) {
         double law_m = def.alpha * pow(def.length_m / (double)n, def.gamma), ratio = (double)n / 40;
         assert_near(spectrum.amplitude_m[n - 1], n <= 40 ? law_m : law_m * pow(2, 1 - ratio * ratio), 1e-10);
@@ -146,82 +149,63 @@ static void assert_refused(const struct synth_def *def, const char *words)
 
 TEST_CASE(test_what_cannot_be_made_is_refused)
 {
-    const struct synth_def good = synth_def_default();
-    struct synth_def def = good;
-    def.points = 7;
-    assert_refused(&def, "--points must be 8");
-    def.points = 100000001;
-    assert_refused(&def, "--points must be 8 to 100000000");
-    def = good;
-    def.rq_m = 1; /* a metre of roughness */
-    assert_refused(&def, "gives an Rq of 1 m (it can reach");
-    assert_refused(&def, "change --length");
-    def.rq_m = 1e-15;
-    assert_refused(&def, "change --length");
+    static const struct {
+        size_t member;
+        double values[4];
+        size_t count;
+        const char *words;
+    } rows[] = {
+        {offsetof(struct synth_def, alpha), {0, -1, NAN, INFINITY}, 4, "must be positive"},
+        {offsetof(struct synth_def, length_m), {0, -1, NAN, INFINITY}, 4, "must be positive"},
+        {offsetof(struct synth_def, rq_m), {-1, NAN}, 2, "not negative"},
+        {offsetof(struct synth_def, scatter_decades), {-1, NAN}, 2, "not negative"},
+        {offsetof(struct synth_def, lambda_s_m), {-1, NAN}, 2, "not negative"},
+        {offsetof(struct synth_def, scatter_decades), {2.01}, 1, "at most 2 decades"},
+        {offsetof(struct synth_def, rq_m), {1}, 1, "gives an Rq of 1 m (it can reach"}, /* a metre of roughness */
+        {offsetof(struct synth_def, rq_m), {1, 1e-15}, 2, "change --length"},
+        {offsetof(struct synth_def, lambda_s_m), {3e-4 / 5}, 1, "only 5 harmonics are longer than --lambda-s"},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        for (size_t k = 0; k < rows[i].count; k++) {
+            struct synth_def def = synth_def_default();
+            *(double *)((char *)&def + rows[i].member) = rows[i].values[k];
+            assert_refused(&def, rows[i].words);
+        }
+    struct synth_def def = synth_def_default();
     def.scaled = true;
     def.rq_m = 1e31;
     assert_refused(&def, "Rq would be above");
-    def = good;
-    def.scatter_decades = 2.01;
-    assert_refused(&def, "at most 2 decades");
-    def = good;
-    def.lambda_s_m = good.length_m / 5;
-    assert_refused(&def, "only 5 harmonics are longer than --lambda-s");
-    const size_t positive[] = {offsetof(struct synth_def, alpha), offsetof(struct synth_def, length_m)};
-    for (size_t i = 0; i < sizeof positive / sizeof *positive; i++)
-        for (int k = 0; k < 4; k++) {
-            def = good;
-            *(double *)((char *)&def + positive[i]) = (double[]){0, -1, NAN, INFINITY}[k];
-            assert_refused(&def, "must be positive");
-        }
-    const size_t not_negative[] = {offsetof(struct synth_def, rq_m), offsetof(struct synth_def, scatter_decades),
-                                   offsetof(struct synth_def, lambda_s_m)};
-    for (size_t i = 0; i < sizeof not_negative / sizeof *not_negative; i++)
-        for (int k = 0; k < 2; k++) {
-            def = good;
-            *(double *)((char *)&def + not_negative[i]) = (double[]){-1, NAN}[k];
-            assert_refused(&def, "not negative");
-        }
-}
-
-static double length_m(const char *value)
-{
-    char *unit;
-    double number = strtod(value, &unit);
-    double scale = scan_unit_m(unit, strlen(unit));
-    assert_true(scale > 0);
-    return number * scale;
+    for (int k = 0; k < 2; k++) {
+        def = synth_def_default();
+        def.points = k ? 7 : 100000001;
+        assert_refused(&def, "--points must be 8 to 100000000");
+    }
 }
 
 /* One line of surfaces/make.sh into settings; returns the file it makes. */
 static const char *parse_synth_line(char *line, struct synth_def *def)
 {
+    const struct {
+        const char *option;
+        double *number;
+    } options[] = {{"--lambda-s", &def->lambda_s_m}, {"--rq", &def->rq_m},     {"--length", &def->length_m},
+                   {"--alpha", &def->alpha},         {"--gamma", &def->gamma}, {"--scatter", &def->scatter_decades}};
     const char *file = NULL;
     *def = synth_def_default();
     strtok(line, " \n");
     for (const char *option; (option = strtok(NULL, " \n"));) {
-        const char *value = strtok(NULL, " \n");
+        char *value = strtok(NULL, " \n"), *unit;
         assert_non_null(value);
-        if (strcmp(option, "--lambda-s") == 0)
-            def->lambda_s_m = length_m(value);
-        else if (strcmp(option, "--rq") == 0)
-            def->rq_m = length_m(value);
-        else if (strcmp(option, "--length") == 0)
-            def->length_m = length_m(value);
-        else if (strcmp(option, "--alpha") == 0)
-            def->alpha = strtod(value, NULL);
-        else if (strcmp(option, "--gamma") == 0)
-            def->gamma = strtod(value, NULL);
-        else if (strcmp(option, "--scatter") == 0)
-            def->scatter_decades = strtod(value, NULL);
-        else if (strcmp(option, "--seed") == 0)
-            def->seed = strtoul(value, NULL, 10);
+        double number = strtod(value, &unit);
+        for (size_t i = 0; i < sizeof options / sizeof *options; i++)
+            if (strcmp(option, options[i].option) == 0)
+                *options[i].number = number * (*unit ? scan_unit_m(unit) : 1);
+        if (strcmp(option, "--seed") == 0)
+            def->seed = (unsigned long)number;
         else if (strcmp(option, "--points") == 0)
-            def->points = strtoul(value, NULL, 10);
+            def->points = (size_t)number;
         else if (strcmp(option, "-o") == 0)
             file = value;
-        else
-            fail_msg("option '%s' of surfaces/make.sh is not known here", option);
     }
     assert_non_null(file);
     return file;

@@ -82,19 +82,4 @@ static inline void assert_text_sample(const char *string, const char *format, en
     assert_sample(&text, format, kind, missing, options);
 }
 
-/* Every shorter version of `sample` is refused, or at least sound; then mutations. */
-static inline void fuzz_sample(const struct text *sample, uint64_t seed)
-{
-    struct scan_options options = {.x_unit = "mm", .z_unit = "um"};
-    size_t step = sample->length / 500 + 1;
-    for (size_t length = 1; length < sample->length; length += step) {
-        struct scan scan;
-        struct status status = {0};
-        if (read_bytes(&scan, text_string(sample), length, &options, &status) == STATUS_OK)
-            assert_sound(&scan);
-        scan_free(&scan);
-    }
-    fuzz(text_string(sample), sample->length, 3000, seed);
-}
-
 #endif

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Shared by the tests of the readers: reading from text in memory, figures of a scan, mutations, the real scans. */
+/* Shared by the tests of the readers: reading from text in memory, figures of a scan, the real scans. */
 #ifndef TEST_SCAN_SUPPORT_H
 #define TEST_SCAN_SUPPORT_H
 
 #include "scan/scan.h"
 #include "support.h"
 
+#include <gsl/gsl_fit.h>
 #include <stdio.h>
 #include <sys/stat.h>
 
@@ -84,26 +85,16 @@ static inline double scan_x(const struct scan *scan, size_t i)
 /* Rq in metres after the least-squares line over the points that are not missing; 1/n. */
 static inline double rq_of_profile(const struct scan *scan)
 {
-    double n = 0, x = 0, z = 0, xx = 0, xz = 0, sum = 0;
+    double *x = malloc(2 * scan->nx * sizeof *x), *z = x + scan->nx, c0, c1, v00, v01, v11, sum;
+    size_t n = 0;
     for (size_t i = 0; i < scan->nx; i++) {
-        if (isnan(scan->z_m[i]))
-            continue;
-        n++, x += scan_x(scan, i), z += scan->z_m[i];
+        x[n] = scan_x(scan, i);
+        z[n] = scan->z_m[i];
+        n += isnan(z[n]) ? 0 : 1;
     }
-    x /= n, z /= n;
-    for (size_t i = 0; i < scan->nx; i++) {
-        if (isnan(scan->z_m[i]))
-            continue;
-        double dx = scan_x(scan, i) - x;
-        xx += dx * dx, xz += dx * (scan->z_m[i] - z);
-    }
-    for (size_t i = 0; i < scan->nx; i++) {
-        if (isnan(scan->z_m[i]))
-            continue;
-        double r = scan->z_m[i] - z - xz / xx * (scan_x(scan, i) - x);
-        sum += r * r;
-    }
-    return sqrt(sum / n);
+    gsl_fit_linear(x, 1, z, 1, n, &c0, &c1, &v00, &v01, &v11, &sum);
+    free(x);
+    return sqrt(sum / (double)n);
 }
 
 /* Sq in metres after the least-squares plane over the points that are not missing; 1/n. */
@@ -138,67 +129,6 @@ static inline void range_of(const struct scan *scan, double *low, double *high)
     for (size_t i = 0; i < scan->nx * scan->ny; i++) {
         *low = fmin(*low, scan->z_m[i]);
         *high = fmax(*high, scan->z_m[i]);
-    }
-}
-
-/* A small generator of our own: the same mutations everywhere (splitmix64). */
-static inline uint64_t random_next(uint64_t *state)
-{
-    uint64_t z = *state += 0x9E3779B97F4A7C15u;
-    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-    return z ^ (z >> 31);
-}
-
-/* Reads `rounds` mutations of a sample: bytes changed, a piece cut out, doubled or the end cut off. Each is either a
- * sound scan or refused with one line; the sanitizers watch the rest. */
-static inline void fuzz(const char *sample, size_t length, size_t rounds, uint64_t seed)
-{
-    static const char interesting[] = "0123456789.,;-+eE \t\r\n\0\xff\x7f#*[]<>\"nN";
-    for (size_t round = 0; round < rounds; round++) {
-        char *copy = malloc(2 * length + 1);
-        assert_non_null(copy);
-        memcpy(copy, sample, length);
-        size_t size = length;
-        for (size_t edits = 1 + random_next(&seed) % 4; edits > 0 && size > 0; edits--) {
-            size_t at = random_next(&seed) % size, span = 1 + random_next(&seed) % 16;
-            span = span > size - at ? size - at : span;
-            switch (random_next(&seed) % 6) {
-            case 0:
-                copy[at] = (char)random_next(&seed);
-                break;
-            case 1:
-                copy[at] = interesting[random_next(&seed) % (sizeof interesting - 1)];
-                break;
-            case 2:
-                memmove(copy + at, copy + at + span, size - at - span);
-                size -= span;
-                break;
-            case 3:
-                if (size + span > 2 * length)
-                    break;
-                memmove(copy + at + span, copy + at, size - at);
-                size += span;
-                break;
-            case 4:
-                size = at;
-                break;
-            default:
-                memset(copy + at, (int)(random_next(&seed) % 256), span);
-                break;
-            }
-        }
-        struct scan scan;
-        struct status status = {0};
-        struct scan_options options = {.x_unit = "mm", .z_unit = "um"};
-        if (read_bytes(&scan, copy, size, &options, &status) == STATUS_OK) {
-            assert_sound(&scan);
-        } else {
-            assert_int_equal(status.code, STATUS_SCAN);
-            assert_null(strchr(status.message, '\n'));
-        }
-        scan_free(&scan);
-        free(copy);
     }
 }
 

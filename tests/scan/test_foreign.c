@@ -62,8 +62,8 @@ TEST_CASE(test_files)
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
         for (size_t length = 0; length <= files[i].length; length++) { /* every prefix */
             struct scan_bytes file = bytes_copy(files[i].bytes, length);
-            file.path = files[i].path;
-            const struct foreign *foreign = foreign_find(&file);
+            const struct foreign *foreign =
+                foreign_find(&(struct scan_file){.bytes = file.bytes, .length = length, .path = files[i].path});
             if (length == files[i].length && (foreign == NULL) != (files[i].name == NULL))
                 fail_msg("row %zu, %s: %s", i, files[i].path, foreign ? foreign->name : "not known");
             if (length == files[i].length && foreign) {
@@ -93,7 +93,8 @@ TEST_CASE(test_archives)
                                          {NULL, NULL, 0}};
         struct text text = zip(members, false);
         struct scan_bytes file = bytes_copy(text.data, text.length);
-        const struct foreign *foreign = foreign_find(&file);
+        const struct foreign *foreign =
+            foreign_find(&(struct scan_file){.bytes = file.bytes, .length = file.length, .path = file.path});
         assert_int_equal(foreign == NULL, archives[i].name == NULL);
         if (foreign) {
             assert_string_equal(foreign->name, archives[i].name);

@@ -55,7 +55,6 @@ TEST_CASE(test_several)
     for (int deflated = 0; deflated < 2; deflated++) {
         struct text text = zip(texts, deflated);
         assert_parts(&text, text_parts, "passed over in the archive, no scans: README.md, photo.jpg, notes.txt");
-        fuzz_sample(&text, 500 + (uint64_t)deflated);
         text_free(&text);
     }
     /* beside other formats a text is a description */
@@ -111,7 +110,6 @@ TEST_CASE(test_the_others_are_read)
             assert_int_equal(options.entry > 0, i + 1 < FILES);
             scan_free(&scan);
         }
-        fuzz_sample(&text, 540 + (uint64_t)texts);
         text_free(&text);
         for (size_t i = 0; i < FILES; i++)
             text_free(&all[i].bytes);
@@ -164,7 +162,6 @@ TEST_CASE(test_gzip)
 {
     struct text text = gzip(csv, sizeof csv - 1);
     assert_sample(&text, "text", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
-    fuzz_sample(&text, 510);
     assert_prefixes_refused(&text);
     assert_refused_bytes(text.data, text.length - 1, &no_units, "damaged or cut off within the gzip data");
     struct text twice = gzip(text.data, text.length);
@@ -255,7 +252,6 @@ TEST_CASE(test_gwy)
     struct text text = gwy(&inner);
     assert_sample(&text, "gwy", SCAN_AREAL, SAMPLE_POINTS, &no_units);
     assert_prefixes_refused(&text);
-    fuzz_sample(&text, 520);
     struct text packed = gzip(text.data, text.length);
     assert_sample(&packed, "gwy", SCAN_AREAL, SAMPLE_POINTS, &no_units);
     text_free(&packed);
@@ -269,7 +265,6 @@ TEST_CASE(test_gwy)
     put_field_object(&inner, "/2/mask", 0, "", SAMPLE_POINTS);
     text = gwy(&inner);
     assert_sample(&text, "gwy", SCAN_AREAL, 2, &no_units);
-    fuzz_sample(&text, 530);
     struct scan scan;
     struct status status = {0};
     assert_int_equal(read_bytes(&scan, text.data, text.length, &no_units, &status), STATUS_OK);

@@ -180,9 +180,8 @@ TEST_CASE(test_binary)
     static const char png[] = "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x20";
     assert_refused_bytes(png, sizeof png - 1, &no_units, "it is no scan: PNG picture");
     char noise[4096];
-    uint64_t seed = 3;
     for (size_t i = 0; i < sizeof noise; i++)
-        noise[i] = (char)random_next(&seed);
+        noise[i] = (char)(i * i * 37 >> 4);
     assert_refused_bytes(noise, sizeof noise, &no_units,
                          "is a binary file of no known format; export it as text (x z columns), .sdf, .sur or .x3p");
     /* text at first, data behind it: the first letter of those would be no help */
@@ -196,18 +195,15 @@ TEST_CASE(test_binary)
 
 TEST_CASE(test_no_file)
 {
-    struct scan scan;
-    struct status status = {0};
-    assert_int_equal(scan_read(&scan, "/", &no_units, &status), STATUS_IO);
-    assert_non_null(strstr(status.message, "is a directory"));
-    scan_free(&scan);
-    status = (struct status){0};
-    assert_int_equal(scan_read(&scan, TEST_DATA "/no such file", &no_units, &status), STATUS_IO);
-    assert_non_null(strstr(status.message, "no such file"));
-    scan_free(&scan);
-    status = (struct status){0};
-    assert_int_equal(scan_read(&scan, "/dev/null", &no_units, &status), STATUS_IO);
-    scan_free(&scan);
+    static const char *const paths[][2] = {
+        {"/", "is a directory"}, {TEST_DATA "/no such file", "no such file"}, {"/dev/null", "/dev/null"}};
+    for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) {
+        struct scan scan;
+        struct status status = {0};
+        assert_int_equal(scan_read(&scan, paths[i][0], &no_units, &status), STATUS_IO);
+        assert_non_null(strstr(status.message, paths[i][1]));
+        scan_free(&scan);
+    }
 }
 
 TEST_CASE(test_hostile_name)
@@ -233,20 +229,6 @@ TEST_CASE(test_warnings_overflow)
     assert_int_equal(scan.warning_count, SCAN_WARNINGS);
     assert_string_equal(scan.warnings[6], "number?7");
     assert_string_equal(scan.warnings[7], "and 5 more warnings");
-}
-
-TEST_CASE(test_mutations)
-{
-    static const char *const samples[] = {
-        "x [mm],z [um]\r\n0,0.5\r\n1,-1.25\r\n2,2.75\r\n3,0.125\r\n4,1e-3\r\n",
-        "\xEF\xBB\xBFx (mm);z (\xC2\xB5m)\n[mm];[um]\n0;0,5\n1,5;-1,25\n2;2,75\n3;0,125\n\n\n",
-        "# spacing 0.5 um\n% z [um]\n0.5\n-1.25\n2.75\n0.12345678901234567\n",
-        "Scan Type,Standard\nResolution,0.156 um/sample\n\nLateral um,Raw "
-        "Micrometer,\n0.0,-0.5,,\n0.2,0.4,,\n0.3,1,,\n",
-        "0 1\t2\n0\t1\n1\t2\n2\t3\n3\t4\n",
-    };
-    for (size_t i = 0; i < sizeof samples / sizeof *samples; i++)
-        fuzz(samples[i], strlen(samples[i]), 2000, 17 + i);
 }
 
 /* What instruments write where they measured nothing, and empty cells, are missing points. */

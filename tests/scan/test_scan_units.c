@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which unit a header gives to which axis, slopes and heights, the choice of columns, and sidecars. */
-#include "base/text.h"
+#include "directory.h"
 #include "scan_support.h"
-
-#include <ftw.h>
-#include <unistd.h>
 
 #define COMMA "0,1\n1,2\n2,3\n3,1\n"
 #define TAB   "0\t1\n1\t2\n2\t3\n3\t1\n"
@@ -12,9 +9,8 @@
 #define INDEX "0 5 1\n1 5 2\n2 6 1\n3 5 1\n"
 #define ONE   "1\n2\n3\n1\n"
 
-static void test_headers(void **state)
+TEST_CASE(test_headers)
 {
-    (void)state;
     static const struct {
         const char *text, *x_unit, *z_unit; /* NULL: not said */
     } rows[] = {
@@ -91,9 +87,8 @@ static void refuse_with(const char *text, const struct scan_options *options, co
 }
 
 /* The trapezoidal rule is exact for slopes that are straight lines: dz/dx = s x gives z = s x^2 / 2. */
-static void test_slopes(void **state)
+TEST_CASE(test_slopes)
 {
-    (void)state;
     static const struct {
         const char *text, *z_unit; /* of the scene */
         double slope;              /* s in 1/m, times the x of the file in m */
@@ -134,9 +129,8 @@ static void test_slopes(void **state)
 }
 
 /* What lengths a scan may have holds for the heights that slopes give, not for the slopes. */
-static void test_absurd_slopes(void **state)
+TEST_CASE(test_absurd_slopes)
 {
-    (void)state;
     struct scan_options slope = {.quantity = SCAN_SLOPE};
     refuse_with("x [m],z [rad]\n0,0\n1e25,1e25\n2e25,-3e25\n3e25,1e25\n", &slope,
                 "heights of 1.5e+50 m; allowed is 1e-30 to 1e+30 m");
@@ -148,9 +142,8 @@ static void test_absurd_slopes(void **state)
     scan_free(&scan);
 }
 
-static void test_slopes_refused(void **state)
+TEST_CASE(test_slopes_refused)
 {
-    (void)state;
     struct scan_options slope = {.quantity = SCAN_SLOPE}, urad = {.z_unit = "urad", .quantity = SCAN_SLOPE},
                         um = {.z_unit = "um", .quantity = SCAN_SLOPE}, height = {.x_unit = "mm", .z_unit = "um"};
     refuse_with("x [mm],z [um]\n" COMMA, &urad, "column 2 has heights in um, not slopes; remove `quantity: slope`");
@@ -161,26 +154,14 @@ static void test_slopes_refused(void **state)
     refuse_with("aISO-1.0\nNumPoints = 4\nNumProfiles = 1\nXscale = 1E-6\nYscale = 1E-6\nZscale = 1E-6\n"
                 "Compression = 0\nDataType = 7\nCheckType = 0\n*\n1\n2\n3\n1\n",
                 &slope, "a file of format sdf has heights, not slopes");
-    assert_within(scan_unit_slope("\xC2\xB5rad", 5), 1e-6, 0);
-    assert_within(scan_unit_slope("um", 2), 0, 0);
-    static const struct {
-        const char *name;
-        double slope;
-    } units[] = {{"rad", 1},      {"Radians", 1}, {"mrad", 1e-3},    {"milliradian", 1e-3}, {"microrad", 1e-6},
-                 {"urad", 1e-6},  {"nrad", 1e-9}, {"nanorad", 1e-9}, {"mm/m", 1e-3},        {"um/mm", 1e-3},
-                 {"nm/um", 1e-3}, {"um/m", 1e-6}, {"nm/mm", 1e-6},   {"nm/m", 1e-9},        {"m/m", 1}};
-    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
-        assert_within(scan_unit_slope(units[i].name, strlen(units[i].name)), units[i].slope, 0);
-    assert_within(scan_unit_m("urad", 4), 0, 0);
 }
 
 #define FIVE                                                                                                           \
     "X (mm)\tA (nm)\tHeight (nm)\tB (nm)\tB (um)\n0\t1\t10\t7\t1\n1\t2\t30\t8\t1\n2\t3\tNaN\t9\t1\n3\t1\t40\t7\t2\n"
 #define TWO "X (mm)\tA (nm)\tHeight (um)\n0\t1\t10\n1\t2\t30\n2\t3\t20\n3\t1\t40\n"
 
-static void test_columns(void **state)
+TEST_CASE(test_columns)
 {
-    (void)state;
     static const struct {
         const char *text, *x, *z;
         double dx_m, last_m;
@@ -229,47 +210,15 @@ static void test_columns(void **state)
                 &two, "a file of format sdf has no columns to choose from; remove `column`");
 }
 
-static char folder[256];
+static const struct directory *folder;
 
-static int make_folder(void **state)
-{
-    (void)state;
-    const char *temporary = getenv("TMPDIR");
-    snprintf(folder, sizeof folder, "%s/roughcontact-sidecar-XXXXXX", temporary ? temporary : P_tmpdir);
-    return mkdtemp(folder) ? 0 : -1;
-}
+#define IN_FOLDER(name) TEST_WITH(name, directory_setup, directory_teardown)
 
-static int unlink_one(const char *path, const struct stat *info, int kind, struct FTW *walk)
+/* Reads s.dat of the folder; the message is in `status` where it is refused. */
+static enum status_code take(struct scan *scan, const struct scan_options *options, struct status *status)
 {
-    (void)info, (void)kind, (void)walk;
-    return remove(path);
-}
-
-static int remove_folder(void **state)
-{
-    (void)state;
-    return nftw(folder, unlink_one, 8, FTW_DEPTH | FTW_PHYS);
-}
-
-static void put(const char *name, const char *content)
-{
-    char path[512];
-    struct status status = {0};
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    if (content)
-        assert_int_equal(text_write_file(path, content, strlen(content), &status), STATUS_OK);
-    else
-        assert_int_equal(remove(path), 0);
-}
-
-/* Reads `name` of the folder; the message is in `status` where it is refused. */
-static enum status_code take(struct scan *scan, const char *name, const struct scan_options *options,
-                             struct status *status)
-{
-    char path[512];
     *status = (struct status){0};
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    return scan_read(scan, path, options, status);
+    return scan_read(scan, directory_path(folder, "s.dat"), options, status);
 }
 
 /* Expects x in mm and z in nm; `sidecar` is the file that gave them, NULL for none. */
@@ -277,7 +226,7 @@ static void expect_units(const struct scan_options *options, const char *z_unit,
 {
     struct scan scan;
     struct status status;
-    if (take(&scan, "s.dat", options, &status) != STATUS_OK)
+    if (take(&scan, options, &status) != STATUS_OK)
         fail_msg("%s, with %s", status.message, sidecar ? sidecar : "no sidecar");
     assert_string_equal(scan.x_unit, "mm");
     assert_string_equal(scan.z_unit, z_unit);
@@ -297,15 +246,15 @@ static void expect_refusal(const struct scan_options *options, const char *messa
 {
     struct scan scan;
     struct status status;
-    assert_int_equal(take(&scan, "s.dat", options, &status), STATUS_SCAN);
+    assert_int_equal(take(&scan, options, &status), STATUS_SCAN);
     if (!strstr(status.message, message))
         fail_msg("'%s' should hold '%s'", status.message, message);
     scan_free(&scan);
 }
 
-static void test_sidecars(void **state)
+IN_FOLDER(test_sidecars)
 {
-    (void)state;
+    folder = *state;
     static const struct {
         const char *name, *content;
     } good[] = {
@@ -327,31 +276,31 @@ static void test_sidecars(void **state)
         {"s.json", "{\"X1_FACTOR\": 0.001, \"Y1_FACTOR\": 1e-9}"}, /* heights or slopes? */
         {"s.json", "{\"X1_FACTOR\": 0.001, \"Y1_FACTOR\": 3.3e-9, \"FILE_FORMAT\": 2}"},
     };
-    put("s.dat", BLANK);
+    directory_write(folder, "s.dat", BLANK);
     expect_refusal(&no_units, "no unit for x nor for z");
     for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
-        put(good[i].name, good[i].content);
+        directory_write(folder, good[i].name, good[i].content);
         expect_units(&no_units, "nm", good[i].name);
-        put(good[i].name, NULL);
+        remove(directory_path(folder, good[i].name));
     }
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-        put(bad[i].name, bad[i].content);
+        directory_write(folder, bad[i].name, bad[i].content);
         expect_refusal(&no_units, "no unit for");
-        put(bad[i].name, NULL);
+        remove(directory_path(folder, bad[i].name));
     }
     /* before the scene, behind the file */
     struct scan_options scene = {.x_unit = "mm", .z_unit = "um"};
     struct scan scan;
     struct status status;
-    put("s.txt", "z unit: nm\n");
+    directory_write(folder, "s.txt", "z unit: nm\n");
     expect_units(&scene, "nm", "s.txt");
-    assert_int_equal(take(&scan, "s.dat", &scene, &status), STATUS_OK);
+    assert_int_equal(take(&scan, &scene, &status), STATUS_OK);
     assert_string_equal(scan.warnings[1],
                         "the file or its sidecar names its z unit, nm: the scene's z_unit is not used");
     scan_free(&scan);
-    put("s.dat", "x [mm] z [pm]\n" BLANK);
+    directory_write(folder, "s.dat", "x [mm] z [pm]\n" BLANK);
     expect_units(&scene, "pm", NULL);
-    put("s.dat", "X unit: mm\n" BLANK);
+    directory_write(folder, "s.dat", "X unit: mm\n" BLANK);
     expect_units(&no_units, "nm", "s.txt");
 }
 
@@ -359,14 +308,14 @@ static const char dabam[] = "{\"FILE_FORMAT\": 1, \"X1_FACTOR\": 0.001, \"Y1_FAC
                             "\"PLOT_TITLE_Y2\": \"Height (um)\", \"Y3_FACTOR\": 0.001,\n"
                             "\"PLOT_TITLE_Y3\": \"Residual slope (um)\"}\n";
 
-static void test_dabam(void **state)
+IN_FOLDER(test_dabam)
 {
-    (void)state;
+    folder = *state;
     struct scan_options slope = {.quantity = SCAN_SLOPE}, second = {.z_column = "3"},
                         third = {.z_column = "4", .quantity = SCAN_SLOPE}, um = {.z_unit = "um"},
                         second_slope = {.z_column = "3", .quantity = SCAN_SLOPE};
-    put("s.dat", "0 0 5 0\n1 2 6 4\n2 4 7 8\n3 6 9 12\n");
-    put("s.txt", dabam);
+    directory_write(folder, "s.dat", "0 0 5 0\n1 2 6 4\n2 4 7 8\n3 6 9 12\n");
+    directory_write(folder, "s.txt", dabam);
     expect_refusal(&no_units, "column 2 is a slope in urad by its sidecar 's.txt', not heights; to integrate it add "
                               "`quantity: slope`");
     expect_refusal(&um, "column 2 is a slope in urad by its sidecar");
@@ -376,45 +325,48 @@ static void test_dabam(void **state)
     expect_units(&third, "mrad", "s.txt");
     struct scan scan;
     struct status status;
-    assert_int_equal(take(&scan, "s.dat", &slope, &status), STATUS_OK);
+    assert_int_equal(take(&scan, &slope, &status), STATUS_OK);
     for (size_t i = 0; i < 4; i++) /* 2 urad per mm */
         assert_within(scan.z_m[i], 1e-9 * (double)(i * i), 1e-22);
     scan_free(&scan);
     /* pairs of columns, each y with an x of its own */
     struct scan_options pair = {.x_column = "3", .z_column = "4"};
-    put("s.dat", "0 0 0 1\n1 2 1 2\n2 4 2 3\n3 6 3 4\n");
-    put("s.txt",
+    directory_write(folder, "s.dat", "0 0 0 1\n1 2 1 2\n2 4 2 3\n3 6 3 4\n");
+    directory_write(
+        folder, "s.txt",
         "{\"FILE_FORMAT\": 4, \"X1_FACTOR\": 1, \"Y1_FACTOR\": 1, \"X2_FACTOR\": 0.001, \"Y2_FACTOR\": 1e-10,\n"
         "\"PLOT_TITLE_Y2\": \"heights\"}");
     expect_units(&pair, "A", "s.txt");
     /* numbers as strings; lines of the header that look like points */
-    put("s.txt",
+    directory_write(
+        folder, "s.txt",
         "{\"FILE_FORMAT\": \"2\", \"FILE_HEADER_LINES\": \"3\", \"X1_FACTOR\": \"1e-3\", \"Y1_FACTOR\": 1e-9}");
-    put("s.dat", "7 8 9\n2 4\n1 1\n0 0\n1 2\n2 4\n3 6\n");
+    directory_write(folder, "s.dat", "7 8 9\n2 4\n1 1\n0 0\n1 2\n2 4\n3 6\n");
     expect_units(&no_units, "nm", "s.txt");
-    assert_int_equal(take(&scan, "s.dat", &no_units, &status), STATUS_OK);
+    assert_int_equal(take(&scan, &no_units, &status), STATUS_OK);
     assert_int_equal(scan.nx, 4);
     assert_within(scan.z_m[3], 6e-9, 1e-22);
     scan_free(&scan);
-    put("s.txt", "{\"FILE_FORMAT\": 2, \"FILE_HEADER_LINES\": 0, \"X1_FACTOR\": 1e-3, \"Y1_FACTOR\": 1e-9}");
+    directory_write(folder, "s.txt",
+                    "{\"FILE_FORMAT\": 2, \"FILE_HEADER_LINES\": 0, \"X1_FACTOR\": 1e-3, \"Y1_FACTOR\": 1e-9}");
     expect_refusal(&no_units, "s.dat:2: 2 columns where line 1 has 3");
 }
 
 /* A sidecar cut off anywhere gives units or none; the sanitizers watch the rest. */
-static void test_cut_sidecars(void **state)
+IN_FOLDER(test_cut_sidecars)
 {
-    (void)state;
+    folder = *state;
     static const char lines[] = "x unit: mm, z unit: um/mm\nunits: mm/\n";
     const char *const contents[] = {dabam, lines};
-    put("s.dat", "0 0 5 0\n1 2 6 4\n2 4 7 8\n3 6 9 12\n");
+    directory_write(folder, "s.dat", "0 0 5 0\n1 2 6 4\n2 4 7 8\n3 6 9 12\n");
     for (size_t k = 0; k < 2; k++)
         for (size_t length = strlen(contents[k]); length > 0; length--) {
             struct scan_options options = {.x_unit = "um", .z_unit = "urad", .quantity = SCAN_SLOPE};
             struct scan scan;
             struct status status;
             char *cut = strndup(contents[k], length);
-            put("s.txt", cut);
-            if (take(&scan, "s.dat", &options, &status) == STATUS_OK)
+            directory_write(folder, "s.txt", cut);
+            if (take(&scan, &options, &status) == STATUS_OK)
                 assert_sound(&scan);
             else
                 assert_int_equal(status.code, STATUS_SCAN);
@@ -424,9 +376,8 @@ static void test_cut_sidecars(void **state)
 }
 
 /* Column 4 of the real file has the slopes of column 2: integrated they are its heights, but for the quadrature. */
-static void test_real_slopes(void **state)
+TEST_CASE(test_real_slopes)
 {
-    (void)state;
     NEED_REAL_SCANS();
     struct scan heights, slopes;
     struct status status = {0};
@@ -438,20 +389,4 @@ static void test_real_slopes(void **state)
     assert_near(rq_of_profile(&slopes), rq_of_profile(&heights), 1e-3);
     scan_free(&heights);
     scan_free(&slopes);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_headers),
-        cmocka_unit_test(test_slopes),
-        cmocka_unit_test(test_absurd_slopes),
-        cmocka_unit_test(test_slopes_refused),
-        cmocka_unit_test(test_columns),
-        cmocka_unit_test_setup_teardown(test_sidecars, make_folder, remove_folder),
-        cmocka_unit_test_setup_teardown(test_dabam, make_folder, remove_folder),
-        cmocka_unit_test_setup_teardown(test_cut_sidecars, make_folder, remove_folder),
-        cmocka_unit_test(test_real_slopes),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

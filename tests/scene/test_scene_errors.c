@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Every way a scene can be wrong: the message names file, line and key, and what to do. */
+#include "scene/scene_quantity.h"
 #include "scene_directory.h"
 
 struct wrong {
@@ -42,51 +43,28 @@ static const struct wrong rows[] = {
     {"load:\n  from: 1e-6\n  too: 1\n", 3, "unknown key 'too'; did you mean 'to'?"},
     {"convergence: {alfa: 1}\n", 1, "unknown key 'alfa'; did you mean 'alpha'?"},
     {"material:\n  E_pa: 1e9\n", 2, "unknown key 'E_pa'; did you mean 'E_Pa'?"},
-    {"counterface:\n  E_Pa: 1e9\n  mu: 0.3\n", 3, "unknown key 'mu'; did you mean 'nu'?"},
     {"surfaces:\n  - file: a.csv\n    x_units: mm\n", 3, "unknown key 'x_units'; did you mean 'x_unit'?"},
     {"\"ti\\ntle\\e\": 1\n", 1, "unknown key 'ti?tle?'; did you mean 'title'?"},
     /* Numbers. */
-    {"tolerance: abc\n", 1, "'tolerance' is 'abc'; give a number such as 1.5e-6"},
     {"tolerance: [1e-3]\n", 1, "'tolerance' is a list; give a number such as 1.5e-6"},
     {"tolerance: {a: 1}\n", 1, "'tolerance' is a mapping; give a number such as 1.5e-6"},
-    {"tolerance: .nan\n", 1, "'tolerance' is '.nan'; give a number such as 1.5e-6"},
-    {"tolerance: .inf\n", 1, "'tolerance' is '.inf'; give a number such as 1.5e-6"},
-    {"tolerance: nan\n", 1, "'tolerance' is 'nan'; give a number such as 1.5e-6"},
-    {"tolerance: 0x1p-9\n", 1, "'tolerance' is '0x1p-9'; give a number such as 1.5e-6"},
-    {"tolerance: 1_0e-3\n", 1, "'tolerance' is '1_0e-3'; give a number such as 1.5e-6"},
-    {"tolerance: 0,001\n", 1, "'tolerance' is '0,001'; give a number such as 1.5e-6"},
-    {"tolerance: 1e\n", 1, "'tolerance' is '1e'; give a number such as 1.5e-6"},
-    {"tolerance: .\n", 1, "'tolerance' is '.'; give a number such as 1.5e-6"},
-    {"tolerance: 1d-3\n", 1, "'tolerance' is '1d-3'; give a number such as 1.5e-6"},
-    {"tolerance: 1e-3 m\n", 1, "'tolerance' is '1e-3 m'; give a number such as 1.5e-6"},
     {"tolerance: 0\n", 1, "'tolerance' is 0; allowed is 1e-14 to 0.1"},
     {"tolerance: 0.11\n", 1, "'tolerance' is 0.11; allowed is 1e-14 to 0.1"},
-    {"max_missing: 0.95\n", 1, "'max_missing' is 0.95; allowed is 0 to 0.9"},
     {"tip_radius_m: -2e-6\n", 1, "'tip_radius_m' is -2e-6; allowed is 1e-12 to 1 m"},
     {"%YAML 1.1\n---\ntitle: x\n", 1, "a directive of YAML (%); a scene needs none, remove it"},
-    {"# x\n%TAG ! tag:x\n---\ntitle: x\n", 2, "a directive of YAML (%); a scene needs none, remove it"},
     {"title: x\n...\n%TAG ! tag:x\n---\ntitle: x\n", 3, "a directive of YAML (%); a scene needs none, remove it"},
-    {"lambda_s_m: 0\n", 1, "'lambda_s_m' is 0; allowed is 1e-12 to 1000 m"},
     {"lambda_c_m: 8e-6\nlambda_s_m: 8e-6\n", 1,
      "'lambda_c' is 8e-06 m, not above 'lambda_s', 8e-06 m; nothing would be left between them"},
-    {"nominal_area_m2: -1\n", 1, "'nominal_area_m2' is -1; allowed is 1e-18 to 1e+06 m2"},
     {"nominal_area_m2: 1e999\n", 1, "'nominal_area_m2' is 1e999; allowed is 1e-18 to 1e+06 m2"},
     {"nominal_area_m2: 1e-999\n", 1, "'nominal_area_m2' is 1e-999; allowed is 1e-18 to 1e+06 m2"},
-    {"convergence: {gamma: -0.1}\n", 1, "'gamma' is -0.1; allowed is 0 to 5"},
     {"convergence: {scales: 0}\n", 1, "'scales' is 0; allowed is 1 to 1e+06"},
     {"convergence: {scales: 1.5}\n", 1, "'scales' is '1.5'; give a whole number"},
-    {"convergence: 5\n", 1, "'convergence' is '5'; give 'key: value' pairs"},
     {"fit_band_m: [1e-5]\n", 1, "'fit_band_m' is a list; give two wavelengths [shortest, longest] in m"},
-    {"fit_band_m: 1e-5\n", 1, "'fit_band_m' is '1e-5'; give two wavelengths [shortest, longest] in m"},
     {"fit_band_m:\n- 3e-4\n- 8e-6\n", 2, "'fit_band_m' is [0.0003, 8e-06]; give the shorter wavelength first"},
-    {"fit_band_m: [0, 1]\n", 1, "'fit_band_m' is 0; allowed is 1e-12 to 1000 m"},
     /* Words. */
     {"level: lines\n", 1, "unknown level 'lines'; did you mean 'line'?"},
     {"window: hamming\n", 1, "unknown window 'hamming'; allowed: auto, none, hann"},
-    {"fit: all\n", 1, "unknown fit 'all'; allowed: auto, thesis"},
     {"moments: [spectral]\n", 1, "'moments' is a list; give one word"},
-    {"closure: bem\n", 1, "unknown closure 'bem'; allowed: thesis, numeric"},
-    {"data: none\n", 1, "unknown data 'none'; allowed: auto, full"},
     {"models: [multiscale,\n  greenwood]\n", 2, "unknown model 'greenwood'; allowed: multiscale, statistical, ..."},
     {"models: []\n", 1, "'models' names none; remove the line for the default ones"},
     {"effects:\n  - thermal\n  - electric\n", 3, "unknown effect 'electric'; did you mean 'electrical'?"},
@@ -100,18 +78,12 @@ static const struct wrong rows[] = {
      "mohm mm2, uohm cm2"},
     {"measured: {file: a.csv, quantity: tcr, resistance_unit: mohm}\n", 1,
      "'resistance_unit' is 'mohm'; understood: K/W, mK/W; K m2/W, K mm2/W, K cm2/W"},
-    {"baseline: c\n", 1, "'baseline' is 'c', no surface's name; the first is 'a'"},
     /* Loads. */
-    {"load: 1e-3\n", 1, "'load' is '1e-3'; give 'key: value' pairs"},
-    {"load: {from: 0}\n", 1, "'from' is 0; allowed is 1e-100 to 1e+100"},
     {"load:\n  from: 1e-2\n  to: 1e-3\n", 3, "'from' is 0.01, above 'to', 0.001; exchange them"},
-    {"load:\n  from: 1\n", 2, "'from' is 1, above 'to', 0.1; exchange them"},
     {"load: {points: 100001}\n", 1, "'points' is 100001; allowed is 1 to 100000"},
     {"load: {points: 1}\n", 1, "'points' is 1, too few from 1e-06 to 0.1; give 2 or more, or 'values'"},
     {"load: {unit: bar}\n", 1,
      "'unit: bar' leaves the default loads without meaning; add 'from' and 'to', or 'values'"},
-    {"load:\n  unit: Pa\n  from: 1e5\n", 2,
-     "'unit: Pa' leaves the default loads without meaning; add 'from' and 'to', or 'values'"},
     {"load: {values: []}\n", 1, "'values' holds 0 loads; allowed is 1 to 100000"},
     {"load:\n  values:\n  - 1e-3\n  - -1e-3\n", 4, "'values' is -1e-3; allowed is 1e-100 to 1e+100"},
     {"load: {values: [1, [2]]}\n", 1,
@@ -121,12 +93,10 @@ static const struct wrong rows[] = {
     /* Materials. */
     {"material: tim\n", 1, "unknown material 'tim'; did you mean 'tin'?"},
     {"title: a\ncounterface: unobtainium\n", 2, "unknown counterface 'unobtainium'; allowed: rigid, same, tin, ..."},
-    {"counterface: rigit\n", 1, "unknown counterface 'rigit'; did you mean 'rigid'?"},
     {"material: rigid\n", 1, "unknown material 'rigid'; allowed: tin, copper, ..."},
     {"material: [tin]\n", 1, "'material' is a list; give a name or a mapping of properties"},
     {"title: a\nmaterial: {}\n", 2, "'material' has no 'E'; add it"},
     {"title: a\nmaterial:\n  E_Pa: 1e9\n", 3, "'material' has no 'nu'; add it"},
-    {"counterface: {nu: 0.3}\n", 1, "'counterface' has no 'E'; add it"},
     {"material: {E_Pa: 70, nu: 0.3}\n", 1, "'E_Pa' is 70; allowed is 1e+06 to 1e+13 Pa"},
     {"material: {E_Pa: 70e9, nu: 0.6}\n", 1, "'nu' is 0.6; allowed is 0 to 0.5"},
     {"material: {E_Pa: 70e9, nu: , Sy_Pa: 1e6}\n", 1, "'nu' has no value; give one or remove the line"},
@@ -136,8 +106,6 @@ static const struct wrong rows[] = {
     {DULL "effects: plasticity\n", 2, "effect 'plasticity' needs 'Sy'; add it to 'material' or leave the effect out"},
     {"effects:\n- separation\n- electrical\n" DULL, 3,
      "effect 'electrical' needs 'resistivity'; add it to 'material' or leave the effect out"},
-    {"effects: [thermal]\nmaterial: tin\ncounterface: {E_Pa: 70e9, nu: 0.3}\n", 1,
-     "effect 'thermal' needs 'conductivity'; add it to 'counterface' or leave the effect out"},
     {"effects: [separation,\n scale-dependent]\nmaterial: {E_Pa: 70e9, nu: 0.3, conductivity_W_per_mK: 9, "
      "density_kg_per_m3: 9, sound_speed_m_per_s: 9}\n",
      2, "effect 'scale-dependent' needs 'specific_heat'; add it to 'material' or leave the effect out"},
@@ -146,9 +114,6 @@ static const struct wrong rows[] = {
     /* Effects that a key calls for, and what such a key may say. */
     {"material: tin\neffects: [separation, gap]\n", 2,
      "effect 'gap' needs 'gap'; add that key or leave the effect out"},
-    {"effects:\n- electrical\n- film\nmaterial: tin\n", 3,
-     "effect 'film' needs 'film'; add that key or leave the effect out"},
-    {"material: tin\neffects: plating\n", 2, "effect 'plating' needs 'plating'; add that key or leave the effect out"},
     {"material: tin\neffects: heating\n", 2, "effect 'heating' needs 'current'; add that key or leave the effect out"},
     {"material: tin\ncurrent: 5 A\n", 2, "'current' flows through which area? add 'nominal_area'"},
     {"effects: [electrical]\nfilm: 0\nmaterial: {E_Pa: 70e9, nu: 0.3, resistivity_ohm_m: 1e-7}\n"
@@ -157,49 +122,20 @@ static const struct wrong rows[] = {
     {"effects: [separation]\nfilm: 0\n", 2,
      "effect 'electrical' needs a material; add 'material' or leave the effect out"},
     {"gap: {gas: xenon}\n", 1, "unknown gas 'xenon'; allowed: air, nitrogen, helium, argon, vacuum"},
-    {"gap: {gas: air,\n pressure: 5 mm}\n", 2,
-     "'pressure' is '5 mm'; give a number in Pa or one with its unit: " PRESSURES},
     {"gap: {accommodation: 1.2}\n", 1, "'accommodation' is 1.2; allowed is 0.001 to 1"},
     {"gap: {conductivity: 0.8 W/m/K,\n gas: air}\n", 2,
      "'gas' stands beside 'conductivity', which is of what fills the gaps; remove one"},
-    {"gap: air\n", 1, "'gap' is 'air'; give 'key: value' pairs"},
-    {"film: 1 ohm\n", 1,
-     "'film' is '1 ohm'; give a number in ohm m2 or one with its unit: ohm m2 (Ω·m²), ohm mm2, mohm mm2, "
-     "uohm cm2"},
-    {"film: -1\n", 1, "'film' is -1; allowed is 0 to 1e+06 ohm m2"},
     {"title: a\nplating: {thickness: 1 um}\n", 2, "'plating' has no 'resistivity'; add it"},
     {"plating: {resistivity: 2e-8}\n", 1, "'plating' has no 'thickness'; add it"},
     {"plating: {thickness: 1 um, resistivity: 2e-8, sides: two}\n", 1, "unknown sides 'two'; allowed: one, both"},
-    {"current: 0\n", 1, "'current' is 0; allowed is 1e-12 to 1e+09 A"},
     /* Every key with a dimension takes its unit, and no other; it goes by one name. */
-    {"nominal_area: 4 mm\n", 1,
-     "'nominal_area' is '4 mm'; give a number in m2 or one with its unit: m2, cm2, mm2, um2, in2"},
-    {"title: x\nnominal_area: 4 furlongs2\n", 2,
-     "'nominal_area' is '4 furlongs2'; give a number in m2 or one with its unit: m2, cm2, mm2, um2, in2"},
-    {"nominal_area: mm2\n", 1,
-     "'nominal_area' is 'mm2'; give a number in m2 or one with its unit: m2, cm2, mm2, um2, in2"},
     {"nominal_area: [4 mm2]\n", 1,
      "'nominal_area' is a list; give a number in m2 or one with its unit: m2, cm2, mm2, um2, in2"},
-    {"nominal_area: 4 1\n", 1,
-     "'nominal_area' is '4 1'; give a number in m2 or one with its unit: m2, cm2, mm2, um2, in2"},
     {"nominal_area: 0 mm2\n", 1, "'nominal_area' is 0 mm2; allowed is 1e-18 to 1e+06 m2"},
     {"nominal_area_m2: 1e-6\nnominal_area: 1 mm2\n", 2,
      "'nominal_area' is given twice, first by its other name in line 1; remove one"},
-    {"nominal_area: 1e-6\n\nnominal_area: 1 mm2\n", 3, "'nominal_area' is given twice, first in line 1; remove one"},
-    {"material: tin\nhardness: 40 mm\n", 2,
-     "'hardness' is '40 mm'; give a number in Pa or one with its unit: " PRESSURES},
     {"material: tin\nhardness: 40 mPa\n", 2, "'hardness' is 40 mPa; allowed is 1000 to 1e+12 Pa"},
-    {"lambda_s: 8 s\n", 1, "'lambda_s' is '8 s'; give " LENGTHS},
-    {"fit_band: [8 um, 3 mm2]\n", 1, "'fit_band' is '3 mm2'; give " LENGTHS},
-    {"fit_band: [8 mm, 3 um]\n", 1, "'fit_band' is [0.008, 3e-06]; give the shorter wavelength first"},
     {"max_missing: 95 %\n", 1, "'max_missing' is 95 %; allowed is 0 to 0.9"},
-    {"material: {E: 70 GPa, nu: 0.3, E_Pa: 7e10}\n", 1,
-     "'E_Pa' is given twice, first by its other name in line 1; remove one"},
-    {"material: {E: 70 N, nu: 0.3}\n", 1, "'E' is '70 N'; give a number in Pa or one with its unit: " PRESSURES},
-    {"material:\n  E: 70 GPa\n  nu: 0.3\n  conductivity: 90 W/mK\n", 4,
-     "'conductivity' is '90 W/mK'; give a number in W/m/K or one with its unit: W/m/K, W/cm/K"},
-    {"direct: {budget: 3 m}\n", 1, "'budget' is '3 m'; give a number in s or one with its unit: s, ms, min, h"},
-    {"tolerance: 1 %\n", 1, "'tolerance' is '1 %'; give a number such as 1.5e-6"},
     /* Loads with units. */
     {"material: tin\nload: {from: 1 N, to: 10 N}\n", 2, "'load' is a force, but on which area? add 'nominal_area'"},
     {"load: {from: 1 MPa, to: 10 MPa}\n", 1,
@@ -220,8 +156,6 @@ static const struct wrong rows[] = {
     {"\noperating_load: 5 MPa\n", 2,
      "'operating_load' is a pressure, which without a material is no P/(A_n E'); add 'material', or give P/(A_n "
      "E')"},
-    {"operating_load: 5 s\n", 1,
-     "'operating_load' is '5 s'; give a number or one with its unit: N, mN, cN, kN, gf, kgf, lbf; " PRESSURES},
     {AREA "load: {from: 1 N, to: 10 N}\noperating_load: 1e-4\nsurfaces: [{file: a.csv}, {file: b.csv, material: "
           "copper}]\n",
      4,
@@ -240,7 +174,6 @@ static const struct wrong rows[] = {
     {"\nmaterial: nickel\nmean_free_path: electron\n", 3,
      "'mean_free_path' is 'electron', which is not known of 'nickel'; give its length, such as 40 nm"},
     {"material: tin\nmean_free_path: electrons\n", 2, "unknown mean_free_path 'electrons'; did you mean 'electron'?"},
-    {"material: tin\nmean_free_path: 40 kg\n", 2, "'mean_free_path' is '40 kg'; give " LENGTHS},
     /* A surface's own bodies. */
     {"effects: electrical\nsurfaces:\n  - {file: a.csv, material: tin}\n  - {file: b.csv, material: {E: 1 GPa, nu: "
      "0.3}}\n",
@@ -248,8 +181,6 @@ static const struct wrong rows[] = {
     {"effects: electrical\nsurfaces:\n  - {file: a.csv, material: tin}\n  - {file: b.csv}\n", 1,
      "effect 'electrical' needs a material; add 'material' or leave the effect out"},
     {"surfaces:\n  - {file: a.csv, material: tim}\n", 2, "unknown material 'tim'; did you mean 'tin'?"},
-    {"surfaces:\n  - {file: a.csv, hardness: 40 s}\n", 2,
-     "'hardness' is '40 s'; give a number in Pa or one with its unit: " PRESSURES},
     {"surfaces:\n  - {file: a.csv, counterface: copper}\n", 2,
      "'counterface' is 'copper', but no material is given to press it on; add 'material'"},
     {"load: {from: 1 Pa, to: 9 Pa}\nsurfaces:\n  - {file: a.csv, material: tin}\n  - {file: b.csv}\n", 1,
@@ -266,31 +197,20 @@ static const struct wrong rows[] = {
     {"surfaces:\n  - {name: x, file: ..}\n", 2, "surface file '..' is no regular file; name a scan"},
     {"surfaces:\n  - {name: 1, file: a.csv}\n  - {name: 2, file: a.csv}\n  - {name: \"1\", file: b.csv}\n", 4,
      "two surfaces are named '1', the first in line 2; give each its own 'name'"},
-    {"surfaces:\n  - {file: a.csv}\n  - {file: a.csv}\n", 3,
-     "two surfaces are named 'a', the first in line 2; give each its own 'name'"},
     {"surfaces:\n  - {file: a.csv, quantity: angle}\n", 2, "unknown quantity 'angle'; allowed: height, slope"},
     {"surfaces:\n  - {file: a.csv, column: 0}\n", 2, "'column' is '0'; give a column's number, from 1, or its title"},
-    {"surfaces:\n  - {file: a.csv, column: [1, -2]}\n", 2,
-     "'column' is '-2'; give a column's number, from 1, or its title"},
     {"surfaces:\n  - file: a.csv\n    column: 1.5\n", 3,
      "'column' is '1.5'; give a column's number, from 1, or its title"},
     {"surfaces:\n  - {file: a.csv, column: [1, 2, 3]}\n", 2,
      "'column' is no column; give one, as in `column: 3`, or x and z, as in `column: [1, 3]`"},
-    {"surfaces:\n  - {file: a.csv, column: {x: 1}}\n", 2,
-     "'column' is no column; give one, as in `column: 3`, or x and z, as in `column: [1, 3]`"},
-    {"counterface: {surface: b.csv, quantity: slops}\n", 1, "unknown quantity 'slops'; did you mean 'slope'?"},
     {"surfaces:\n  - {file: a.csv, z_unit: micrometremicrometre}\n", 2, "'z_unit' is longer than 15 bytes; shorten it"},
     {"surfaces:\n  - {file: a.csv}\n\nbaseline: b\n", 4, "'baseline' is 'b', no surface's name; the first is 'a'"},
     /* Targets and limits: what is asked, in which unit, and whether the models will compute it. */
     {"targets: []\n", 1, "'targets' names none; remove the line, or give one such as {ecr: 1 mohm}"},
     {"targets: 5\n", 1, "'targets' is '5'; give 'key: value' pairs"},
-    {"targets:\n- {erc: 1 mohm}\n", 2, "unknown key 'erc'; allowed: ecr, tcr, conductance, area, temperature"},
     {"targets: [{foo: 1}]\n", 1, "unknown key 'foo'; allowed: ecr, tcr, conductance, area, temperature"},
-    {"targets: [{area: 60 degC}]\n", 1, "'area' is '60 degC'; give a number or one with its unit: %"},
     {"targets: [{area: 110 %}]\n", 1, "'area' is 110 %; allowed is 1e-12 to 1"},
     {"targets: [{ecr: 0}]\n", 1, "'ecr' is 0; allowed is 1e-30 to 1e+30 ohm"},
-    {"targets: [{conductance: 5 K/W}]\n", 1,
-     "'conductance' is '5 K/W'; give a number in W/m2/K or one with its unit: W/m2/K, kW/m2/K, W/cm2/K"},
     {"targets: [{temperature: 60 degC}]\n", 1,
      "'temperature' is what a current heats the spots to; add 'current' or leave it out"},
     {"material: tin\ntargets:\n  - ecr: 1 mohm\n", 3,
@@ -309,51 +229,102 @@ static const struct wrong rows[] = {
     {"limits:\n  ecr: 2 mohm\n", 2, "'ecr' is '2 mohm'; give 'key: value' pairs"},
     {"limits:\n  area: {}\n", 2, "'area' has no limit; give 'most' or 'least'"},
     {"limits:\n  area: {max: 1}\n", 2, "unknown key 'max'; allowed: most, least"},
-    {"limits:\n  area: {most: 2}\n", 2, "'most' is 2; allowed is 1e-12 to 1"},
     {"limits:\n  ecr:\n    most: 2 mohm\nmaterial: tin\n", 3,
      "'ecr' is a resistance, but on which area? add 'nominal_area', or give it times an area (ohm m2)"},
 };
 
-TEST_CASE(test_every_message)
+/* `text` in a directory of two scans is refused by that message. */
+static void check_message(const struct directory *directory, const char *text, size_t line, const char *message)
 {
-    struct scene_directory directory = scene_directory_make();
+    struct scene scene;
+    struct status status = {0};
+    char expected[sizeof status.message];
+    directory_write(directory, "scene.yaml", text);
+    snprintf(expected, sizeof expected, "%s/scene.yaml:%zu: %s", directory->path, line, message);
+    if (scene_read(&scene, directory->path, NULL, &status) != STATUS_SCENE)
+        fail_msg("accepted: %s", text);
+    size_t before = strlen(expected) - strlen("...");
+    if (strcmp(expected + before, "...") == 0)
+        expected[before] = status.message[before] = '\0';
+    assert_string_equal(status.message, expected);
+    scene_free(&scene);
+}
+
+static struct directory two_scans(void)
+{
+    struct directory directory = directory_make();
     scene_directory_add(&directory, "a.csv");
     scene_directory_add(&directory, "b.csv");
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        scene_directory_says(&directory, rows[i].text);
-        struct scene scene;
-        struct status status = {0};
-        char expected[sizeof status.message];
-        snprintf(expected, sizeof expected, "%s/scene.yaml:%zu: %s", directory.path, rows[i].line, rows[i].expected);
-        if (scene_read(&scene, directory.path, NULL, &status) != STATUS_SCENE)
-            fail_msg("accepted: %s", rows[i].text);
-        size_t before = strlen(expected) - strlen("...");
-        if (strcmp(expected + before, "...") == 0)
-            expected[before] = status.message[before] = '\0';
-        assert_string_equal(status.message, expected);
-        scene_free(&scene);
-    }
-    scene_directory_remove(&directory);
+    return directory;
+}
+
+TEST_CASE(test_every_message)
+{
+    struct directory directory = two_scans();
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        check_message(&directory, rows[i].text, rows[i].line, rows[i].expected);
+    directory_remove(&directory);
+}
+
+/* Every key with a dimension takes its units, and no other; what is no decimal number is none. */
+TEST_CASE(test_quantities)
+{
+    static const struct {
+        const char *text; /* with @ for the value, in its first line */
+        const char *key;
+        unsigned quantities;
+        const char *values[14];
+    } keys[] = {
+        {"tolerance: @\n",
+         "tolerance",
+         UNIT_NUMBER,
+         {"abc", ".nan", ".inf", "nan", "0x1p-9", "1_0e-3", "0,001", "1e", ".", "1d-3", "1e-3 m", "1 %"}},
+        {"nominal_area: @\n", "nominal_area", UNIT_AREA, {"4 mm", "4 furlongs2", "mm2", "4 1"}},
+        {"hardness: @\nmaterial: tin\n", "hardness", UNIT_PRESSURE, {"40 mm"}},
+        {"surfaces: [{file: a.csv, hardness: @}]\n", "hardness", UNIT_PRESSURE, {"40 s"}},
+        {"lambda_s: @\n", "lambda_s", UNIT_DISTANCE, {"8 s"}},
+        {"fit_band: [8 um, @]\n", "fit_band", UNIT_DISTANCE, {"3 mm2"}},
+        {"mean_free_path: @\nmaterial: tin\n", "mean_free_path", UNIT_DISTANCE, {"40 kg"}},
+        {"material: {E: @, nu: 0.3}\n", "E", UNIT_PRESSURE, {"70 N"}},
+        {"material: {E: 70 GPa, nu: 0.3, conductivity: @}\n", "conductivity", UNIT_CONDUCTIVITY, {"90 W/mK"}},
+        {"direct: {budget: @}\n", "budget", UNIT_TIME, {"3 m"}},
+        {"gap: {gas: air, pressure: @}\n", "pressure", UNIT_PRESSURE, {"5 mm"}},
+        {"film: @\n", "film", UNIT_RESISTANCE_AREA, {"1 ohm"}},
+        {"targets: [{area: @}]\n", "area", UNIT_NUMBER | UNIT_PERCENT, {"60 degC"}},
+        {"targets: [{conductance: @}]\n", "conductance", UNIT_CONDUCTANCE_AREA, {"5 K/W"}},
+        {"operating_load: @\n", "operating_load", UNIT_LOADS, {"5 s"}},
+    };
+    struct directory directory = two_scans();
+    for (size_t k = 0; k < sizeof keys / sizeof *keys; k++)
+        for (const char *const *value = keys[k].values; *value; value++) {
+            char text[256], message[800];
+            const char *place = strchr(keys[k].text, '@');
+            snprintf(text, sizeof text, "%.*s%s%s", (int)(place - keys[k].text), keys[k].text, *value, place + 1);
+            snprintf(message, sizeof message, "'%s' is '%s'; give %s", keys[k].key, *value,
+                     scene_quantity_help(keys[k].quantities).text);
+            check_message(&directory, text, 1, message);
+        }
+    directory_remove(&directory);
 }
 
 /* Texts too large to write down: `count` times `part` between `start` and `end`. */
 static void check_large(const char *start, const char *part, size_t count, const char *end, const char *expected)
 {
-    struct scene_directory directory = scene_directory_make();
+    struct directory directory = directory_make();
     scene_directory_add(&directory, "a");
     struct text text = {0};
     text_add(&text, "%s", start);
     for (size_t i = 0; i < count; i++)
         text_add(&text, "%s", part);
     text_add(&text, "%s", end);
-    scene_directory_write(&directory, "scene.yaml", text.data, text.length);
+    directory_write(&directory, "scene.yaml", text.data);
     struct scene scene;
     struct status status = {0};
     assert_int_equal(scene_read(&scene, directory.path, NULL, &status), STATUS_SCENE);
     assert_non_null(strstr(status.message, expected));
     scene_free(&scene);
     text_free(&text);
-    scene_directory_remove(&directory);
+    directory_remove(&directory);
 }
 
 TEST_CASE(test_sizes)
@@ -381,7 +352,7 @@ TEST_CASE(test_aliases_do_not_multiply)
 
 TEST_CASE(test_scene_that_is_no_file)
 {
-    struct scene_directory directory = scene_directory_make();
+    struct directory directory = directory_make();
     struct scene scene;
     struct status status = {0};
     char path[512];
@@ -397,5 +368,5 @@ TEST_CASE(test_scene_that_is_no_file)
     assert_int_equal(scene_read(&scene, directory.path, NULL, &status), STATUS_SCENE);
     assert_non_null(strstr(status.message, "/scene.yaml' is no regular file; remove it"));
     scene_free(&scene);
-    scene_directory_remove(&directory);
+    directory_remove(&directory);
 }

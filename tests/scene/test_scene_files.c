@@ -1,0 +1,211 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Surfaces out of the files of a directory. */
+#include "scene_directory.h"
+
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
+/* Makes the files, which '|' separates: a folder ends in '/'; behind '=' stands what a file is: U it says units, D the
+ * same in JSON, N units above numbers. */
+static void lay_out(const struct directory *directory, const char *files)
+{
+    static const char units[] = "x unit: mm\nz unit: nm\n", json[] = "{\"X1_FACTOR\": 0.001, \"Y1_FACTOR\": 1e-9}",
+                      numbers[] = "x unit: mm\nz unit: nm\n0 1\n1 2\n2 1\n";
+    char *all = strdup(files), *rest = all;
+    for (char *name; (name = strsep(&rest, "|"));) {
+        char *kind = strchr(name, '=');
+        if (kind)
+            *kind++ = '\0';
+        if (*name == '\0')
+            continue;
+        if (name[strlen(name) - 1] == '/')
+            assert_int_equal(mkdir(directory_path(directory, name), 0777), 0);
+        else
+            directory_write(directory, name, !kind ? "0 1\n" : *kind == 'U' ? units : *kind == 'D' ? json : numbers);
+    }
+    free(all);
+}
+
+/* Each surface's name and files, behind one another. */
+static void assert_surfaces(const struct scene *scene, const char *expected)
+{
+    struct text text = {0};
+    for (size_t i = 0; i < scene->surface_count; i++) {
+        text_add(&text, "%s%s:", i > 0 ? "|" : "", scene->surfaces[i].name);
+        for (size_t k = 0; k < scene->surfaces[i].file_count; k++)
+            text_add(&text, " %s", scene->surfaces[i].files[k]);
+    }
+    assert_string_equal(text_string(&text), expected);
+    text_free(&text);
+}
+
+#define TEXTS(count) "passed over, no scan" count " x text without a row of numbers "
+
+static const struct {
+    const char *files, *scene, *surfaces, *passed_over; /* NULL: none */
+} listings[] = {
+    {"", NULL, "", NULL},
+    /* natural order */
+    {"s10.csv|s2.csv|s1.csv|s02.csv|s2b10.csv|s2b9.csv|S3.csv|s18446744073709551617.csv|t.csv|10.csv|9.csv|"
+     "s18446744073709551616.csv",
+     NULL,
+     "9: 9.csv|10: 10.csv|S3: S3.csv|s1: s1.csv|s02: s02.csv|s2: s2.csv|s2b9: s2b9.csv|s2b10: s2b10.csv|s10: s10.csv|"
+     "s18446744073709551616: s18446744073709551616.csv|s18446744073709551617: s18446744073709551617.csv|t: t.csv",
+     NULL},
+    /* those of one stem keep their endings */
+    {"a.csv|a.txt|b.csv|c|c.x|c.x.y|d.|e.tar.gz", NULL,
+     "a.csv: a.csv|a.txt: a.txt|b: b.csv|c: c|c.x: c.x|c.x.y: c.x.y|d: d.|e.tar: e.tar.gz", NULL},
+    /* hostile names */
+    {"a b.csv|\n.csv|\xff\xfe.csv|$(x).csv|scene.yaml.bak|-o.csv", NULL,
+     "\n: \n.csv|$(x): $(x).csv|-o: -o.csv|a b: a b.csv|scene.yaml: scene.yaml.bak|\xff\xfe: \xff\xfe.csv", NULL},
+    /* a sub-directory is a surface of its files; one without any, a report and a hidden one are none */
+    {"b/|a/|.hidden/|empty/|report/|deep/|deep/er/|only/|b/run-10.csv|b/run-2.csv|b/.x.csv|a/x.csv|b.csv|.hidden/x|"
+     "report/x|report/results.json|deep/er/x|only/ref.csv|b/run-2.txt=U",
+     "counterface: {surface: only/ref.csv}\n", "a: a/x.csv|b: b/run-2.csv b/run-10.csv|b.csv: b.csv", NULL},
+    /* patterns */
+    {"r/|run-3.csv/|run-10.csv|run-9.csv|run-x.txt|r/run-1.csv|[1].csv|.run-1.csv",
+     "surfaces:\n  - {name: a, file: \"run-*.csv\"}\n  - {name: b, file: [\"[1].csv\", \"r/*-?.c[st]v\"]}\n",
+     "a: run-9.csv run-10.csv|b: [1].csv r/run-1.csv", NULL},
+    /* files that only say units of a scan beside them are no surfaces; alone they are passed over (d.txt is of d, not
+     * of d.1; two of them make no scan); with numbers in them they are surfaces */
+    {"a.dat|b.csv|c.csv|d.1.csv|g.csv|a.txt=D|a.hdr=U|b.csv.json=D|c.txt=N|d.txt=U|e.txt=U|f.json=D|f.txt=U|g.txt=U",
+     "counterface: {surface: g.csv}\n", "a: a.dat|b: b.csv|c.csv: c.csv|c.txt: c.txt|d.1: d.1.csv",
+     TEXTS("s: 4") "(d.txt, e.txt, f.json, f.txt)"},
+    /* in a folder, too: of names with an ending and without, among others that begin alike */
+    {"s/|s/a|s/a.txt=U|s/b.csv.hdr=U|s/b.txt=U", NULL, "s: s/a", TEXTS("s: 2") "(s/b.csv.hdr, s/b.txt)"},
+    {"s/|s/a-1.csv|s/a.txt=U|s/b.csv.hdr=U|s/b.txt=U", NULL, "s: s/a-1.csv",
+     TEXTS("s: 3") "(s/a.txt, s/b.csv.hdr, s/b.txt)"},
+    {"s/|s/a.csv|s/a.txt=U|s/b.csv.hdr=U|s/b.txt=U", NULL, "s: s/a.csv", TEXTS("s: 2") "(s/b.csv.hdr, s/b.txt)"},
+    {"s/|s/b.csv|s/a.txt=U|s/b.csv.hdr=U|s/b.txt=U", NULL, "s: s/b.csv", TEXTS(": 1") "(s/a.txt)"},
+    {"s/|s/b.c.csv|s/a.txt=U|s/b.csv.hdr=U|s/b.txt=U", NULL, "s: s/b.c.csv",
+     TEXTS("s: 3") "(s/a.txt, s/b.csv.hdr, s/b.txt)"},
+    {"s/|s/ab.csv|s/a.txt=U|s/b.csv.hdr=U|s/b.txt=U", NULL, "s: s/ab.csv",
+     TEXTS("s: 3") "(s/a.txt, s/b.csv.hdr, s/b.txt)"},
+};
+
+TEST_CASE(test_listings)
+{
+    for (size_t i = 0; i < COUNT(listings); i++) {
+        struct directory directory = directory_make();
+        lay_out(&directory, listings[i].files);
+        if (listings[i].scene)
+            directory_write(&directory, "scene.yaml", listings[i].scene);
+        struct scene scene = scene_directory_read(directory.path, NULL);
+        assert_surfaces(&scene, listings[i].surfaces);
+        assert_string_equal(scene.passed_over ? scene.passed_over : "",
+                            listings[i].passed_over ? listings[i].passed_over : "");
+        scene_free(&scene);
+        directory_remove(&directory);
+    }
+}
+
+TEST_CASE(test_patterns_of_nothing)
+{
+    static const char *const bad[][2] = {
+        {"surfaces:\n  - {file: a}\n  - {file: \"x*.csv\"}\n", "scene.yaml:2: cannot find surface file 'a'"},
+        {"surfaces:\n  - {file: \"run-*.csv\"}\n  - {name: b,\n     file: \"x*.csv\"}\n",
+         "scene.yaml:4: 'x*.csv' matches no file; paths start at the scene's directory"},
+        {"surfaces:\n  - {file: \"nowhere/*\"}\n", "scene.yaml:2: cannot list '"},
+        {"surfaces:\n  - {file: \"r*/run-1.csv\"}\n", "scene.yaml:2: cannot list '"}};
+    struct directory directory = directory_make();
+    lay_out(&directory, "run-1.csv|r/|r/run-1.csv");
+    for (size_t i = 0; i < COUNT(bad); i++) {
+        struct scene scene;
+        struct status status = {0};
+        directory_write(&directory, "scene.yaml", bad[i][0]);
+        assert_int_equal(scene_read(&scene, directory.path, NULL, &status), STATUS_SCENE);
+        assert_non_null(strstr(status.message, bad[i][1]));
+        scene_free(&scene);
+    }
+    directory_remove(&directory);
+}
+
+TEST_CASE(test_what_is_no_scan)
+{
+    struct directory directory = directory_make();
+    lay_out(&directory, "scan.csv|.hidden.csv|folder.csv/");
+    directory_write(&directory, "scene.yaml", "{}");
+    assert_int_equal(mkfifo(directory_path(&directory, "pipe.csv"), 0600), 0);
+    assert_int_equal(symlink("nowhere", directory_path(&directory, "dangling.csv")), 0);
+    assert_int_equal(symlink(directory_path(&directory, ".hidden.csv"), directory_path(&directory, "link.csv")), 0);
+    struct scene scene = scene_directory_read(directory.path, NULL); /* a link to a file is as good as the file */
+    assert_surfaces(&scene, "link: link.csv|scan: scan.csv");
+    scene_free(&scene);
+    directory_remove(&directory);
+}
+
+/* The counterface's scan and the measurements are no surfaces, however their paths are spelt; units given for all
+ * surfaces are the counterface's too. */
+TEST_CASE(test_files_spoken_for)
+{
+    static const char *const spellings[] = {"", "./", ".//./"};
+    const struct scene_overrides units = {.x_unit = "mm", .z_unit = "um"};
+    struct directory directory = directory_make();
+    lay_out(&directory, "a.csv|b.csv|m.csv");
+    for (size_t i = 0; i < COUNT(spellings); i++) {
+        char text[256];
+        snprintf(text, sizeof text, "counterface: {surface: %sb.csv}\nmeasured: {file: %sm.csv}\n", spellings[i],
+                 spellings[i]);
+        directory_write(&directory, "scene.yaml", text);
+        struct scene scene = scene_directory_read(directory.path, &units);
+        assert_surfaces(&scene, "a: a.csv");
+        assert_string_equal(scene.counterface_surface.x_unit, "mm");
+        assert_string_equal(scene.counterface_surface.z_unit, "um");
+        scene_free(&scene);
+    }
+    directory_remove(&directory);
+}
+
+TEST_CASE(test_columns_and_quantity)
+{
+    static const char text[] = "counterface: {surface: b.csv, quantity: slope, column: [t, Slope (urad)]}\n"
+                               "surfaces:\n  - {name: p, file: a.csv}\n"
+                               "  - {name: q, file: a.csv, quantity: slope, column: 3}\n"
+                               "  - {name: r, file: a.csv, quantity: height, column: [1, 4]}\n";
+    struct scene scene = scene_of(text);
+    const struct scene_surface *surface[] = {&scene.surfaces[0], &scene.surfaces[1], &scene.surfaces[2],
+                                             &scene.counterface_surface};
+    static const struct {
+        enum scan_quantity quantity;
+        const char *x, *z;
+    } expected[] = {
+        {SCAN_HEIGHT, NULL, NULL}, {SCAN_SLOPE, NULL, "3"}, {SCAN_HEIGHT, "1", "4"}, {SCAN_SLOPE, "t", "Slope (urad)"}};
+    for (size_t i = 0; i < COUNT(expected); i++) {
+        assert_int_equal(surface[i]->quantity, expected[i].quantity);
+        assert_string_equal(surface[i]->x_column ? surface[i]->x_column : "-", expected[i].x ? expected[i].x : "-");
+        assert_string_equal(surface[i]->z_column ? surface[i]->z_column : "-", expected[i].z ? expected[i].z : "-");
+    }
+    scene_free(&scene);
+}
+
+TEST_CASE(test_many_files)
+{
+    struct directory directory = directory_make();
+    enum { MANY = 1000 };
+    char name[32];
+    for (int i = MANY; i > 0; i--) {
+        snprintf(name, sizeof name, "%d.csv", i);
+        scene_directory_add(&directory, name);
+    }
+    struct scene scene = scene_directory_read(directory.path, NULL);
+    assert_int_equal(scene.surface_count, MANY);
+    for (int i = 0; i < MANY; i++)
+        assert_int_equal(atoi(scene.surfaces[i].name), i + 1);
+    scene_free(&scene);
+    directory_remove(&directory);
+}
+
+TEST_CASE(test_no_directory)
+{
+    static const char *const paths[][2] = {
+        {"/nowhere/at/all", "cannot open directory '/nowhere/at/all': No such file or directory"},
+        {"", "cannot open directory '': No such file or directory"},
+        {TEST_DATA "/scene/bare/left.csv",
+         "'" TEST_DATA "/scene/bare/left.csv' is no directory; name the one that holds the scans"}};
+    for (size_t i = 0; i < COUNT(paths); i++) {
+        struct scene scene;
+        struct status status = {0};
+        assert_int_equal(scene_read(&scene, paths[i][0], NULL, &status), STATUS_IO);
+        assert_string_equal(status.message, paths[i][1]);
+        scene_free(&scene);
+    }
+}
