@@ -62,8 +62,6 @@ void command_list(FILE *stream);
 int command_run_help(const struct command_row *row);
 /** The row of that name; NULL: none, and `status` says which there are. */
 const struct command_row *command_find(const char *name, struct status *status);
-/** The templates'. */
-MUST_CHECK enum status_code command_templates(struct text *out, struct status *status);
 
 /** Version and what the program is made of, a line each. */
 void command_version(struct text *out);

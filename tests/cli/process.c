@@ -142,6 +142,12 @@ void process_expect_only(struct process process, int status, const char *file, i
     process_free(&process);
 }
 
+void process_expect_parts(struct process process, bool out, const char *const *parts, const char *file, int line)
+{
+    support_parts(out ? process.out : process.err, parts, true, file, line);
+    process_free(&process);
+}
+
 void process_expect_failure(struct process process, int status, size_t lines, const char *message, const char *file,
                             int line)
 {
@@ -299,6 +305,24 @@ char *workspace_digest(const char *place, const char *path)
     walk(place, path, &hash, NULL);
     hash_finish(&hash, digits);
     return strdup(digits);
+}
+
+void workspace_expect_digest(const char *place, const char *path, const char *digest, const char *file, int line)
+{
+    char *now = workspace_digest(place, path);
+    if (strcmp(now, digest) != 0) {
+        print_error("'%s' is not what it was\n", path);
+        _fail(file, line);
+    }
+    free(now);
+}
+
+struct table workspace_table(const char *place, const char *path)
+{
+    char *whole = path_of(place, path);
+    struct table table = table_read_path(whole);
+    free(whole);
+    return table;
 }
 
 size_t workspace_count(const char *place, const char *prefix)

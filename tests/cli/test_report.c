@@ -268,8 +268,7 @@ TEST_IN_WORKSPACE(test_measured)
     char *markdown = workspace_read(place, "out/d/report.md");
     expect_no_part(markdown, "Measured");
     free(markdown);
-    snprintf(text, sizeof text, "%s/out/d/data/contact.csv", place);
-    struct table contact = table_read_path(text);
+    struct table contact = workspace_table(place, "out/d/data/contact.csv");
     size_t gw = 0; /* its first row */
     while (strcmp(table_text(&contact, gw, "model"), "gw") != 0)
         gw++;
