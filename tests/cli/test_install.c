@@ -70,6 +70,11 @@ TEST_IN_WORKSPACE(test_install)
     assert_false(workspace_has(place, "out"));
     const char *const self_test[] = {program, "self-test", NULL};
     run_list(place, self_test);
+    /* a number that is off is named, and which one of its group is worst */
+    free(workspace_shell(place, "cd first/share/roughcontact; sed -i s/6.3663e-07/6.3e-07/ selftest.csv; "
+                                "sed -i s/1.98e-06/1.98001e-06/ selftest.csv"));
+    expect_output(process_expect(process_end(process_start_list(place, self_test, NULL)), 1, __FILE__, __LINE__),
+                  "WRONG: 2 of them; triangle, t is 1.98", "numbers: this build does NOT compute correctly here");
     assert_int_equal(unlink_in(place, "first/share/roughcontact/selftest.csv"), 0);
     process_expect_failure(process_end(process_start_list(place, self_test, NULL)), 4, 1,
                            "first/share/roughcontact/selftest.csv'; install the program with cmake --install", __FILE__,
