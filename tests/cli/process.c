@@ -346,6 +346,32 @@ void process_expect_numbers(const char *text, const char *where)
     }
 }
 
+/* What must stand nowhere; what is not in the list is ASCII or may be seen. */
+static bool is_forbidden(unsigned long code)
+{
+    return (code < 0x20 && code != '\n' && code != '\t') || (code >= 0x7f && code < 0xa0) || code == 0xad ||
+           (code >= 0x200b && code <= 0x200f) || (code >= 0x2028 && code <= 0x202e) ||
+           (code >= 0x2060 && code <= 0x206f) || code == 0x61c || code == 0xfeff ||
+           (code >= 0xe0000 && code <= 0xe0fff) || (code >= 0xd800 && code <= 0xdfff) || (code & 0xfffe) == 0xfffe;
+}
+
+void process_expect_clean(const char *text, size_t length, const char *where, bool tabs)
+{
+    for (size_t i = 0; i < length;) {
+        const unsigned char *s = (const unsigned char *)text + i;
+        size_t more = *s >= 0xf0 ? 3 : *s >= 0xe0 ? 2 : *s >= 0xc0 ? 1 : 0;
+        unsigned long code = more ? *s & (0x3fu >> more) : *s;
+        bool good = more > 0 || *s < 0x80;
+        for (size_t k = 1; k <= more; k++) {
+            good = good && i + k < length && (s[k] & 0xc0) == 0x80;
+            code = code << 6 | (s[k] & 0x3fu);
+        }
+        if (!good || is_forbidden(code) || (code == '\t' && !tabs))
+            fail_msg("%s: byte %zu is 0x%02x, of U+%04lX, before: %.40s", where, i, *s, code, text + i + more + 1);
+        i += more + 1;
+    }
+}
+
 static size_t files_seen;
 
 static int expect_numbers_in(const char *path, const struct stat *info, int type, struct FTW *level)

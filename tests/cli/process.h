@@ -69,6 +69,9 @@ void process_expect_failure(struct process process, int status, size_t lines, co
 void process_expect_in_file(const char *place, const char *path, const char *const *parts, bool there, const char *file,
                             int line);
 
+/** Fails the test unless `text`, read from `where`, is valid UTF-8 that shows what it holds: no control characters,
+ * none that turn the direction or take no room; `tabs`: but tabs. */
+void process_expect_clean(const char *text, size_t length, const char *where, bool tabs);
 /** Fails the test when `text`, read from `where`, holds nan or inf as a word of its own, with a sign or without. */
 void process_expect_numbers(const char *text, const char *where);
 /** The same of every file below `path`, but gnuplot's templates. Returns their number. */

@@ -5,15 +5,12 @@
 #include <inttypes.h>
 
 #include "base/version.h"
+#include "cli/command.h"
 #include "contact/effect.h"
 #include "contact/model.h"
 #include "material/material.h"
 #include <jansson.h>
 #include <stdio.h>
-
-static const char *const commands[] = {"report", "direct",    "plan",      "inspect", "synth",
-                                       "models", "materials", "self-test", "help"};
-enum { COMMANDS = sizeof commands / sizeof *commands };
 
 TEST_IN_WORKSPACE(test_help)
 {
@@ -22,7 +19,7 @@ TEST_IN_WORKSPACE(test_help)
     for (size_t i = 0; i < 3; i++) {
         struct process process = expect_exit(place, 0, spellings[i]);
         for (size_t c = 0; c < COMMANDS; c++)
-            expect_part(process.out, commands[c]);
+            expect_part(process.out, command_rows[c].name);
         expect_part(
             process.out,
             "Exit status:\n0 done; 1 report written but some scan was refused; 2 usage;\n"
@@ -33,20 +30,20 @@ TEST_IN_WORKSPACE(test_help)
     }
     for (size_t c = 0; c < COMMANDS; c++) {
         char usage[64];
-        snprintf(usage, sizeof usage, "Usage: roughcontact %s", commands[c]);
-        struct process process = expect_exit(place, 0, commands[c], "--help");
+        snprintf(usage, sizeof usage, "Usage: roughcontact %s", command_rows[c].name);
+        struct process process = expect_exit(place, 0, command_rows[c].name, "--help");
         expect_part(process.out, usage);
-        if (strcmp(commands[c], "help") != 0)
+        if (strcmp(command_rows[c].name, "help") != 0)
             expect_part(process.out, "(default");
         assert_string_equal(process.err, "");
-        const char *const same[][2] = {{commands[c], "-h"}, {"help", commands[c]}};
+        const char *const same[][2] = {{command_rows[c].name, "-h"}, {"help", command_rows[c].name}};
         for (size_t i = 0; i < 2; i++) {
             struct process again = expect_exit(place, 0, same[i][0], same[i][1]);
             assert_string_equal(again.out, process.out);
             process_free(&again);
         }
         process_free(&process);
-        expect_output(expect_exit(place, 0, commands[c], "--usage"), usage);
+        expect_output(expect_exit(place, 0, command_rows[c].name, "--usage"), usage);
     }
     expect_failure(place, 2, 1, "unknown command 'materals'; did you mean 'materials'?", "help", "materals");
     expect_failure(place, 2, 3, "one command at a time: 'plan' is too many", "help", "report", "plan");
