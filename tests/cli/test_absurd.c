@@ -304,15 +304,3 @@ TEST_IN_WORKSPACE(test_inspect)
                   "power law   - (no power law found)", "Pdq - ");
     expect_output(expect_exit(place, 0, "inspect", "--json", "bad.csv"), "\"gamma\": null");
 }
-
-/* What synth writes is a scan that can be read again. */
-TEST_IN_WORKSPACE(test_synth)
-{
-    static const char *const laws[][2] = {{"--alpha=1e300", "Rq would be above 1e+30 m"},
-                                          {"--gamma=-300", "Rq would be above 1e+30 m"},
-                                          {"--rq=1e200m", "Rq would be above 1e+30 m"},
-                                          {"--length=1e300m", "--length must be up to 1e+30 m"},
-                                          {"--length=1e-300m", "--length must be up to 1e+30 m"}};
-    for (size_t i = 0; i < sizeof laws / sizeof *laws; i++)
-        expect_failure(*state, 2, 1, laws[i][1], "synth", laws[i][0]);
-}

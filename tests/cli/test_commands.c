@@ -304,6 +304,11 @@ TEST_IN_WORKSPACE(test_synth_refuses)
         {"--gamma", "nan", "--gamma must be a number, not 'nan'", 3},
         {"--alpha", "-1", "--alpha and --length must be positive", 1},
         {"--scatter", "-1", "not negative", 1},
+        {"--alpha", "1e300", "Rq would be above 1e+30 m", 1}, /* what is written can be read again */
+        {"--gamma", "-300", "Rq would be above 1e+30 m", 1},
+        {"--rq", "1e200m", "Rq would be above 1e+30 m", 1},
+        {"--length", "1e300m", "--length must be up to 1e+30 m", 1},
+        {"--length", "1e-300m", "--length must be up to 1e+30 m", 1},
         {"--lambda-s", "1m", "harmonic", 1},
         {"--bogus", "1", "unrecognized option '--bogus'", 3},
     };
