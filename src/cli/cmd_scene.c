@@ -105,25 +105,7 @@ static const struct argp_option plan_options[] = {
     {0},
 };
 
-static error_t parse_plan(int key, char *value, struct argp_state *state)
-{
-    struct arguments *arguments = state->input;
-    (void)value;
-    switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = arguments;
-        return 0;
-    case KEY_BRIEF:
-        arguments->run.brief = true;
-        return 0;
-    case KEY_JSON:
-        arguments->json = true;
-        return 0;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
-}
-
+/** Of both: `plan` has some of the options of `report`. */
 static error_t parse_report(int key, char *value, struct argp_state *state)
 {
     struct arguments *arguments = state->input;
@@ -233,7 +215,7 @@ static int report(char **written, struct arguments *arguments, struct scene *sce
     int columns, rows, exit_status = COMMAND_DONE;
     command_terminal_size(&columns, &rows);
     snprintf(size, sizeof size, "%d,%d", columns, rows > 34 ? 34 : rows - 1);
-    if (command_templates(&templates, status) != STATUS_OK) {
+    if (command_share(&templates, "templates", status) != STATUS_OK) {
         text_free(&templates);
         return fail(arguments, NULL, status);
     }
@@ -274,28 +256,18 @@ static int report(char **written, struct arguments *arguments, struct scene *sce
     return exit_status;
 }
 
-/** A check of nothing must not pass. */
-static int fail_no_limits(const struct arguments *arguments, struct status *status)
-{
-    (void)status_fail(status, STATUS_USAGE,
-                      "--check: the scene has no 'limits' to check; add them, or leave --check out");
-    return fail(arguments, NULL, status);
-}
-
 static int run(int argc, char **argv, const struct argp *argp, bool direct)
 {
     struct arguments arguments = {.overrides.direct = direct};
     struct status status = {0};
     struct scene scene = {0};
     command_parse(argp, argc, argv, &arguments);
-    int exit_status;
     char *written = NULL;
-    if (scene_read(&scene, arguments.directory, &arguments.overrides, &status) != STATUS_OK)
-        exit_status = fail(&arguments, NULL, &status);
-    else if (arguments.check && scene.limit_count == 0)
-        exit_status = fail_no_limits(&arguments, &status);
-    else
-        exit_status = report(&written, &arguments, &scene, &status);
+    enum status_code rc = scene_read(&scene, arguments.directory, &arguments.overrides, &status);
+    if (rc == STATUS_OK && arguments.check && scene.limit_count == 0) /* a check of nothing must not pass */
+        rc = status_fail(&status, STATUS_USAGE,
+                         "--check: the scene has no 'limits' to check; add them, or leave --check out");
+    int exit_status = rc == STATUS_OK ? report(&written, &arguments, &scene, &status) : fail(&arguments, NULL, &status);
     scene_free(&scene);
     exit_status = command_finish(exit_status, written);
     free(written);
@@ -360,7 +332,7 @@ static void print_plan(const struct results *results, double rough_seconds, bool
 
 const struct argp command_plan_argp = {
     .options = plan_options,
-    .parser = parse_plan,
+    .parser = parse_report,
     .args_doc = "DIR",
     .doc = "Says what `report DIR` would simulate, why, and roughly how long. Reads the scans and runs no model.",
     .children = scene_child};

@@ -5,7 +5,9 @@
 #include "contact/model.h"
 #include "selftest/selftest.h"
 
+#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 struct arguments {
@@ -44,51 +46,53 @@ const struct argp command_self_test_argp = {
         "Computes numbers that are known from elsewhere (softgauges, closed forms, other programs) and compares. They "
         "stand in PREFIX/share/roughcontact/selftest.csv; nothing is written. Ends with 1 where a number is off."};
 
-static void print_number(const struct selftest_reference *reference, double value)
-{
-    printf("  %-20s %-24s", reference->of, reference->quantity);
-    for (int i = 0; i < 3; i++)
-        printf(" %-9.4g", reference->at[i]);
-    printf(" %24.17g %24.17g  %.2g of %.2g%s\n", value, reference->expected,
-           selftest_error(reference, value) * reference->tolerance, reference->tolerance,
-           selftest_error(reference, value) <= 1 ? "" : "  WRONG");
-}
+/** Numbers that are told together: references of a table, one behind the other. */
+struct group {
+    const struct selftest_reference *references;
+    double *values;
+    size_t count, wrong, worst; /* how many are off, and which one most; all where `problem` says why */
+    struct status problem;
+};
 
-static void print_group(const struct selftest_group *group, const struct selftest_result *result, bool verbose)
+static void print_group(const struct group *group, bool verbose)
 {
-    const struct selftest_reference *worst = &group->references[result->worst_place];
+    const struct selftest_reference *worst = &group->references[group->worst];
     printf("%-12s %3zu number%s  ", group->references->group, group->count, group->count == 1 ? " " : "s");
-    if (result->problem.code != STATUS_OK)
-        printf("WRONG: %s\n", result->problem.message);
-    else if (result->wrong > 0)
-        printf("WRONG: %zu of them; %s, %s is %.17g, not %.17g\n", result->wrong, worst->of, worst->quantity,
-               result->values[result->worst_place], worst->expected);
+    if (group->problem.code != STATUS_OK)
+        printf("WRONG: %s\n", group->problem.message);
+    else if (group->wrong > 0)
+        printf("WRONG: %zu of them; %s, %s is %.17g, not %.17g\n", group->wrong, worst->of, worst->quantity,
+               group->values[group->worst], worst->expected);
     else
-        printf("right  largest error %.2g of its tolerance  (%s)\n", result->worst, group->references->source);
-    for (size_t i = 0; i < group->count && verbose && result->problem.code == STATUS_OK; i++)
-        print_number(&group->references[i], result->values[i]);
+        printf("right  largest error %.2g of its tolerance  (%s)\n", selftest_error(worst, group->values[group->worst]),
+               group->references->source);
+    for (size_t i = 0; i < group->count && verbose && group->problem.code == STATUS_OK; i++) {
+        const struct selftest_reference *reference = &group->references[i];
+        double value = group->values[i], error = selftest_error(reference, value);
+        printf("  %-20s %-24s %-9.4g %-9.4g %-9.4g %24.17g %24.17g  %.2g of %.2g%s\n", reference->of,
+               reference->quantity, reference->at[0], reference->at[1], reference->at[2], value, reference->expected,
+               error * reference->tolerance, reference->tolerance, error <= 1 ? "" : "  WRONG");
+    }
 }
 
-static json_t *group_json(const struct selftest_group *group, const struct selftest_result *result)
+static json_t *group_json(const struct group *group)
 {
+    bool computed = group->problem.code == STATUS_OK;
     json_t *numbers = json_array();
     for (size_t i = 0; i < group->count; i++) {
         const struct selftest_reference *reference = &group->references[i];
-        json_t *at = json_array();
-        for (int k = 0; k < 3; k++)
-            json_array_append_new(at, json_real(reference->at[k]));
         json_array_append_new(
-            numbers,
-            json_pack("{s:s, s:s, s:o, s:o, s:o, s:o, s:b}", "of", reference->of, "quantity", reference->quantity,
-                      "arguments", at, "value",
-                      result->problem.code == STATUS_OK ? command_json_number(result->values[i]) : json_null(),
-                      "expected", json_real(reference->expected), "relative_tolerance", json_real(reference->tolerance),
-                      "right", result->problem.code == STATUS_OK && selftest_error(reference, result->values[i]) <= 1));
+            numbers, json_pack("{s:s, s:s, s:[f, f, f], s:o, s:f, s:f, s:b}", "of", reference->of, "quantity",
+                               reference->quantity, "arguments", reference->at[0], reference->at[1], reference->at[2],
+                               "value", command_json_number(computed ? group->values[i] : NAN), "expected",
+                               reference->expected, "relative_tolerance", reference->tolerance, "right",
+                               computed && selftest_error(reference, group->values[i]) <= 1));
     }
+    double worst = selftest_error(&group->references[group->worst], group->values[group->worst]);
     return json_pack("{s:s, s:s, s:b, s:o, s:o, s:o}", "group", group->references->group, "source",
-                     group->references->source, "right", result->wrong == 0, "problem",
-                     command_json_optional(result->problem.code == STATUS_OK ? NULL : result->problem.message),
-                     "largest_error_over_tolerance", command_json_number(result->worst), "numbers", numbers);
+                     group->references->source, "right", group->wrong == 0, "problem",
+                     command_json_optional(computed ? NULL : group->problem.message), "largest_error_over_tolerance",
+                     command_json_number(computed ? worst : INFINITY), "numbers", numbers);
 }
 
 /** The models that nothing here speaks of, a blank between two. */
@@ -99,26 +103,50 @@ static void add_uncovered(struct text *out, const struct selftest_table *table)
             text_add(out, "%s%s", out->length > 0 ? " " : "", model_rows[m]->name);
 }
 
+/** Computes the group that begins at reference `first`. */
+static struct group run_group(const struct selftest_table *table, size_t first, double *values)
+{
+    struct group group = {.references = &table->references[first], .values = values};
+    for (; first + group.count < table->count; group.count++) {
+        const struct selftest_reference *reference = &group.references[group.count];
+        double *value = &values[group.count];
+        if (strcmp(reference->group, group.references->group) != 0)
+            break;
+        *value = NAN;
+        if (group.problem.code != STATUS_OK || selftest_value(value, reference, table, &group.problem) != STATUS_OK)
+            continue;
+        group.wrong += !(selftest_error(reference, *value) <= 1);
+        if (selftest_error(reference, *value) > selftest_error(&group.references[group.worst], values[group.worst]))
+            group.worst = group.count;
+    }
+    if (group.problem.code != STATUS_OK)
+        group.wrong = group.count;
+    return group;
+}
+
 /** Runs one group after another, and prints each or adds it to `groups`. Returns how many numbers are wrong in
  * `wrong`. */
 static enum status_code run_groups(size_t *wrong, json_t *groups, const struct selftest_table *table, bool verbose,
                                    struct status *status)
 {
-    struct selftest_group group;
-    for (size_t first = 0; first < table->count; first += group.count) {
-        struct selftest_result result;
-        group = selftest_group(table, first);
-        enum status_code rc = selftest_run(&result, table, &group, status);
-        if (rc == STATUS_OK && groups)
-            json_array_append_new(groups, group_json(&group, &result));
-        else if (rc == STATUS_OK)
-            print_group(&group, &result, verbose);
-        *wrong += result.wrong;
-        selftest_result_free(&result);
-        if (rc != STATUS_OK)
-            return rc;
+    double *values = calloc(table->count, sizeof *values);
+    if (!values)
+        return status_memory(status);
+    for (size_t first = 0; first < table->count;) {
+        struct group group = run_group(table, first, values + first);
+        if (group.problem.code == STATUS_IO) { /* the table is of another version */
+            *status = group.problem;
+            break;
+        }
+        if (groups)
+            json_array_append_new(groups, group_json(&group));
+        else
+            print_group(&group, verbose);
+        *wrong += group.wrong;
+        first += group.count;
     }
-    return STATUS_OK;
+    free(values);
+    return status->code;
 }
 
 static bool print_end(size_t wrong, json_t *groups, const struct selftest_table *table)

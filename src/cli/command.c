@@ -44,11 +44,6 @@ enum status_code command_share(struct text *out, const char *name, struct status
     return STATUS_OK;
 }
 
-enum status_code command_templates(struct text *out, struct status *status)
-{
-    return command_share(out, "templates", status);
-}
-
 enum { KEY_USAGE = 0x1000 };
 
 static const struct argp_option common_options[] = {

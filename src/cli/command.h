@@ -17,11 +17,11 @@ enum command_exit {
     COMMAND_SCENE = 3,
     COMMAND_NOTHING = 4, /* nothing could be reported, or not on standard output */
     COMMAND_MISSED = 5,  /* report --check: a report was written, but a surface misses a limit */
+    COMMAND_STATUSES,
 };
 
-/** What each of them means, `command_status_count` of them, in the order of their numbers. */
-extern const char *const command_statuses[];
-extern const size_t command_status_count;
+/** What each of them means. */
+extern const char *const command_statuses[COMMAND_STATUSES];
 
 struct command_row {
     const char *name;
@@ -30,8 +30,8 @@ struct command_row {
     int (*run)(int argc, char **argv); /* argv[0] is "roughcontact NAME" */
     const struct argp *argp;           /* its options */
 };
-extern const struct command_row command_rows[];
-extern const size_t command_count;
+enum { COMMANDS = 9 };
+extern const struct command_row command_rows[COMMANDS];
 
 /** All of the program but main(): picks the command and returns the exit status. */
 int command_main(int argc, char **argv);
@@ -56,14 +56,6 @@ extern const struct argp command_common_argp;
 void command_parse(const struct argp *argp, int argc, char **argv, void *input);
 /** For ARGP_KEY_ARG of a command that takes none: fails. */
 error_t command_no_argument(const char *value, struct argp_state *state);
-/** The list of commands, as --help prints it. */
-void command_list(FILE *stream);
-/** Runs one of the commands with the help it has about itself. */
-int command_run_help(const struct command_row *row);
-/** The row of that name; NULL: none, and `status` says which there are. */
-const struct command_row *command_find(const char *name, struct status *status);
-/** The templates'. */
-MUST_CHECK enum status_code command_templates(struct text *out, struct status *status);
 
 /** Version and what the program is made of, a line each. */
 void command_version(struct text *out);

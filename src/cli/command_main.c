@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-const struct command_row command_rows[] = {
+const struct command_row command_rows[COMMANDS] = {
     {"report", "DIR [-o OUT]", "read the scans in DIR, run the models, write the report", command_report,
      &command_report_argp},
     {"direct", "DIR [-o OUT]", "the report, with a direct solution beside the models", command_direct,
@@ -22,10 +22,8 @@ const struct command_row command_rows[] = {
     {"self-test", "", "does this build compute correctly here?", command_self_test, &command_self_test_argp},
     {"help", "[COMMAND]", "this list, or what COMMAND takes", command_help, &command_help_argp},
 };
-const size_t command_count = sizeof command_rows / sizeof command_rows[0];
-enum { COMMANDS = sizeof command_rows / sizeof command_rows[0] };
 
-const char *const command_statuses[] = {
+const char *const command_statuses[COMMAND_STATUSES] = {
     [COMMAND_DONE] = "done",
     [COMMAND_REFUSED] = "report written but some scan was refused",
     [COMMAND_USAGE] = "usage",
@@ -33,9 +31,9 @@ const char *const command_statuses[] = {
     [COMMAND_NOTHING] = "nothing could be reported, or not on standard output",
     [COMMAND_MISSED] = "report --check: a limit is missed",
 };
-const size_t command_status_count = sizeof command_statuses / sizeof command_statuses[0];
 
-void command_list(FILE *stream)
+/** The list of commands, as --help prints it. */
+static void list_commands(FILE *stream)
 {
     fputs("Usage: roughcontact COMMAND [OPTION...]\n"
           "Contact of measured rough surfaces: area, separation, electrical and thermal resistance against load.\n\n",
@@ -44,13 +42,14 @@ void command_list(FILE *stream)
         fprintf(stream, "  roughcontact %-9s %-13s %s\n", command_rows[i].name, command_rows[i].arguments,
                 command_rows[i].summary);
     fputs("\nEvery command has --help (-h); --version names the libraries. Exit status:", stream);
-    for (size_t i = 0; i < command_status_count; i++)
-        fprintf(stream, "%s%zu %s%s", i % 3 == 0 ? "\n" : " ", i, command_statuses[i],
-                i + 1 < command_status_count ? ";" : ".\n");
+    for (int i = 0; i < COMMAND_STATUSES; i++)
+        fprintf(stream, "%s%d %s%s", i % 3 == 0 ? "\n" : " ", i, command_statuses[i],
+                i + 1 < COMMAND_STATUSES ? ";" : ".\n");
     fputs("self-test ends with 1 where a number is off; 128 + its number: ended by a signal.\n", stream);
 }
 
-const struct command_row *command_find(const char *name, struct status *status)
+/** The row of that name; NULL: none, and `status` says which there are. */
+static const struct command_row *find(const char *name, struct status *status)
 {
     const char *names[COMMANDS];
     for (int i = 0; i < COMMANDS; i++)
@@ -71,11 +70,34 @@ static int run(const struct command_row *row, int argc, char **argv)
     return row->run(argc, argv);
 }
 
-int command_run_help(const struct command_row *row)
+static error_t parse_help(int key, char *value, struct argp_state *state)
 {
+    const char **command = state->input;
+    if (key != ARGP_KEY_ARG)
+        return ARGP_ERR_UNKNOWN;
+    if (*command)
+        argp_error(state, "one command at a time: '%s' is too many", value);
+    *command = value;
+    return 0;
+}
+
+const struct argp command_help_argp = {
+    .parser = parse_help,
+    .args_doc = "[COMMAND]",
+    .doc = "Lists the commands; of COMMAND, says what it does and takes, as COMMAND --help does."};
+
+int command_help(int argc, char **argv)
+{
+    const char *command = NULL;
     char option[] = "--help";
-    char *argv[] = {NULL, option, NULL};
-    return run(row, 2, argv);
+    struct status status = {0};
+    command_parse(&command_help_argp, argc, argv, &command);
+    if (command) {
+        const struct command_row *row = find(command, &status);
+        return row ? run(row, 2, (char *[]){NULL, option, NULL}) : command_fail(&status);
+    }
+    list_commands(stdout);
+    return command_finish(COMMAND_DONE, NULL);
 }
 
 int command_main(int argc, char **argv)
@@ -85,11 +107,11 @@ int command_main(int argc, char **argv)
     const char *name = argc > 1 ? argv[1] : "";
     struct status status = {0};
     if (argc <= 1) {
-        command_list(stderr);
+        list_commands(stderr);
         return COMMAND_USAGE;
     }
     if (strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0) {
-        command_list(stdout);
+        list_commands(stdout);
         return command_finish(COMMAND_DONE, NULL);
     }
     if (strcmp(name, "--version") == 0 || strcmp(name, "-V") == 0) {
@@ -99,6 +121,6 @@ int command_main(int argc, char **argv)
         text_free(&version);
         return command_finish(COMMAND_DONE, NULL);
     }
-    const struct command_row *row = command_find(name, &status);
+    const struct command_row *row = find(name, &status);
     return row ? run(row, argc - 1, argv + 1) : command_fail(&status);
 }

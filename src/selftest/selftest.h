@@ -31,33 +31,14 @@ struct selftest_table {
     double scans[SELFTEST_SCANS];
 };
 
-/** Numbers that are told together: references of a table, one behind the other. */
-struct selftest_group {
-    const struct selftest_reference *references;
-    size_t count;
-};
-
-/** How a group came out. Owned: selftest_result_free(). */
-struct selftest_result {
-    double *values; /* as many as the group has references */
-    size_t wrong;   /* how many are off by more than their tolerance, or are no numbers; all where `problem` says why */
-    double worst;   /* the largest error as a share of its tolerance; infinite where a number is none */
-    size_t worst_place;
-    struct status problem; /* STATUS_OK: it could be computed */
-};
-
 /** Reads the table. Errors: STATUS_IO with path and line: not there, cut off, not to be read; STATUS_MEMORY. */
 MUST_CHECK enum status_code selftest_table_read(struct selftest_table *out, const char *path, struct status *status);
 void selftest_table_free(struct selftest_table *table);
 
-/** The group that begins at reference `first`. */
-struct selftest_group selftest_group(const struct selftest_table *table, size_t first);
-
-/** Computes the numbers of a group. Errors: STATUS_MEMORY; STATUS_IO: the table asks for what nothing here computes.
- * What else went wrong is in out->problem. */
-MUST_CHECK enum status_code selftest_run(struct selftest_result *out, const struct selftest_table *table,
-                                         const struct selftest_group *group, struct status *status);
-void selftest_result_free(struct selftest_result *result);
+/** Computes the number of one reference. Errors: those of what it tests; STATUS_IO: the table asks for what nothing
+ * here computes. */
+MUST_CHECK enum status_code selftest_value(double *value, const struct selftest_reference *reference,
+                                           const struct selftest_table *table, struct status *status);
 
 /** Error of one number as a share of its tolerance; infinite for one that is not finite. */
 double selftest_error(const struct selftest_reference *reference, double value);

@@ -101,15 +101,6 @@ void selftest_table_free(struct selftest_table *table)
     table->references = NULL;
 }
 
-struct selftest_group selftest_group(const struct selftest_table *table, size_t first)
-{
-    struct selftest_group group = {&table->references[first], 1};
-    while (first + group.count < table->count &&
-           strcmp(group.references[group.count].group, group.references->group) == 0)
-        group.count++;
-    return group;
-}
-
 bool selftest_covers_model(const struct selftest_table *table, const char *name)
 {
     for (size_t i = 0; i < table->count; i++)

@@ -142,6 +142,12 @@ void process_expect_only(struct process process, int status, const char *file, i
     process_free(&process);
 }
 
+void process_expect_parts(struct process process, bool out, const char *const *parts, const char *file, int line)
+{
+    support_parts(out ? process.out : process.err, parts, true, file, line);
+    process_free(&process);
+}
+
 void process_expect_failure(struct process process, int status, size_t lines, const char *message, const char *file,
                             int line)
 {
@@ -301,6 +307,24 @@ char *workspace_digest(const char *place, const char *path)
     return strdup(digits);
 }
 
+void workspace_expect_digest(const char *place, const char *path, const char *digest, const char *file, int line)
+{
+    char *now = workspace_digest(place, path);
+    if (strcmp(now, digest) != 0) {
+        print_error("'%s' is not what it was\n", path);
+        _fail(file, line);
+    }
+    free(now);
+}
+
+struct table workspace_table(const char *place, const char *path)
+{
+    char *whole = path_of(place, path);
+    struct table table = table_read_path(whole);
+    free(whole);
+    return table;
+}
+
 size_t workspace_count(const char *place, const char *prefix)
 {
     return walk(place, ".", NULL, prefix);
@@ -319,6 +343,32 @@ void process_expect_numbers(const char *text, const char *where)
                 fail_msg("%s: %.100s", where, from);
             }
         at += length ? length : 1;
+    }
+}
+
+/* What must stand nowhere; what is not in the list is ASCII or may be seen. */
+static bool is_forbidden(unsigned long code)
+{
+    return (code < 0x20 && code != '\n' && code != '\t') || (code >= 0x7f && code < 0xa0) || code == 0xad ||
+           (code >= 0x200b && code <= 0x200f) || (code >= 0x2028 && code <= 0x202e) ||
+           (code >= 0x2060 && code <= 0x206f) || code == 0x61c || code == 0xfeff ||
+           (code >= 0xe0000 && code <= 0xe0fff) || (code >= 0xd800 && code <= 0xdfff) || (code & 0xfffe) == 0xfffe;
+}
+
+void process_expect_clean(const char *text, size_t length, const char *where, bool tabs)
+{
+    for (size_t i = 0; i < length;) {
+        const unsigned char *s = (const unsigned char *)text + i;
+        size_t more = *s >= 0xf0 ? 3 : *s >= 0xe0 ? 2 : *s >= 0xc0 ? 1 : 0;
+        unsigned long code = more ? *s & (0x3fu >> more) : *s;
+        bool good = more > 0 || *s < 0x80;
+        for (size_t k = 1; k <= more; k++) {
+            good = good && i + k < length && (s[k] & 0xc0) == 0x80;
+            code = code << 6 | (s[k] & 0x3fu);
+        }
+        if (!good || is_forbidden(code) || (code == '\t' && !tabs))
+            fail_msg("%s: byte %zu is 0x%02x, of U+%04lX, before: %.40s", where, i, *s, code, text + i + more + 1);
+        i += more + 1;
     }
 }
 

@@ -26,8 +26,7 @@ struct process_running {
 int workspace_make(void **state);
 int workspace_remove(void **state);
 /** A cmocka test with a workspace. */
-#define TEST_IN_WORKSPACE(name)  TEST_WITH(name, workspace_make, workspace_remove)
-#define workspace_test(function) cmocka_unit_test_setup_teardown(function, workspace_make, workspace_remove)
+#define TEST_IN_WORKSPACE(name) TEST_WITH(name, workspace_make, workspace_remove)
 
 /** Starts the program in the workspace. */
 #define process_start(place, ...) process_start_list((place), (const char *const[]){PROGRAM, __VA_ARGS__, NULL}, NULL)
@@ -44,6 +43,15 @@ struct process process_expect(struct process process, int status, const char *fi
 /** The same where its output does not matter. */
 #define run_to_exit(place, status, ...) process_expect_only(process_run(place, __VA_ARGS__), status, __FILE__, __LINE__)
 void process_expect_only(struct process process, int status, const char *file, int line);
+/** Fails the test unless stdout, or stderr, of a process that ended holds every one of these parts; frees it. */
+#define expect_output(process, ...)                                                                                    \
+    process_expect_parts((process), true, (const char *const[]){__VA_ARGS__, NULL}, __FILE__, __LINE__)
+#define expect_errors(process, ...)                                                                                    \
+    process_expect_parts((process), false, (const char *const[]){__VA_ARGS__, NULL}, __FILE__, __LINE__)
+void process_expect_parts(struct process process, bool out, const char *const *parts, const char *file, int line);
+/** Runs any program, which must end with 0. */
+#define run_list(place, arguments)                                                                                     \
+    process_expect_only(process_end(process_start_list((place), (arguments), NULL)), 0, __FILE__, __LINE__)
 /** Runs the program and fails the test unless it exits with `status`, with nothing on stdout and `lines` lines on
  * stderr that hold `message`. */
 #define expect_failure(place, status, lines, message, ...)                                                             \
@@ -61,6 +69,9 @@ void process_expect_failure(struct process process, int status, size_t lines, co
 void process_expect_in_file(const char *place, const char *path, const char *const *parts, bool there, const char *file,
                             int line);
 
+/** Fails the test unless `text`, read from `where`, is valid UTF-8 that shows what it holds: no control characters,
+ * none that turn the direction or take no room; `tabs`: but tabs. */
+void process_expect_clean(const char *text, size_t length, const char *where, bool tabs);
 /** Fails the test when `text`, read from `where`, holds nan or inf as a word of its own, with a sign or without. */
 void process_expect_numbers(const char *text, const char *where);
 /** The same of every file below `path`, but gnuplot's templates. Returns their number. */
@@ -75,6 +86,11 @@ bool workspace_has(const char *place, const char *path);
 void workspace_scan(const char *place, const char *path, size_t points, unsigned seed);
 /** SHA-256 over the names and contents of everything below `path`, as a text to free: the same for the same bytes. */
 char *workspace_digest(const char *place, const char *path);
+/** Fails the test unless that is `digest`. */
+#define expect_digest(place, path, digest) workspace_expect_digest((place), (path), (digest), __FILE__, __LINE__)
+void workspace_expect_digest(const char *place, const char *path, const char *digest, const char *file, int line);
+/** A table that the program wrote below the workspace. */
+struct table workspace_table(const char *place, const char *path);
 /** How many entries, at any depth, have a name that begins with `prefix`. */
 size_t workspace_count(const char *place, const char *prefix);
 /** Does a shell's command line succeed in the workspace? */

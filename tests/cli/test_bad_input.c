@@ -74,17 +74,13 @@ TEST_IN_WORKSPACE(test_bad_inputs)
             workspace_write(here, "d/a.csv", bad->scan);
         char *alone = workspace_digest(here, ".");
         expect_failure(here, bad->status, bad->lines, bad->message, "report", "d");
-        char *after = workspace_digest(here, ".");
-        assert_string_equal(alone, after); /* no out/, nothing hidden */
+        expect_digest(here, ".", alone); /* no out/, nothing hidden */
         leave_report(here);
         char *before = workspace_digest(here, ".");
         expect_failure(here, bad->status, bad->lines, bad->message, "report", "d");
-        char *left = workspace_digest(here, ".");
-        assert_string_equal(before, left);
+        expect_digest(here, ".", before);
         free(alone);
-        free(after);
         free(before);
-        free(left);
         free(here);
     }
 }
@@ -113,10 +109,8 @@ TEST_IN_WORKSPACE(test_where_it_cannot_write)
     expect_failure(place, 4, 1, "cannot make a directory in '/proc/'", "report", "d", "-o", "/proc/report");
     expect_failure(place, 2, 1, "'' is no name for a report's directory", "report", "d", "-o", "");
     expect_failure(place, 2, 1, "'.' is no name", "report", "d", "-o", ".");
-    char *after = workspace_digest(place, ".");
-    assert_string_equal(before, after);
+    expect_digest(place, ".", before);
     free(before);
-    free(after);
     if (geteuid() == 0)
         return; /* whom no mode stops */
     workspace_folder(place, "closed");
@@ -148,10 +142,8 @@ TEST_IN_WORKSPACE(test_foreign_files)
     expect_failure(place, 4, 1, "'plots' holds 'report.md', and no manifest.txt", "report", "d", "-o", "plots");
     expect_failure(place, 4, 1, "'out/d' holds 'figures/src.csv', a directory, which is not part", "report", "d");
     expect_failure(place, 4, 1, "'d' holds 'a.csv'", "report", "d", "-o", "d");
-    char *after = workspace_digest(place, ".");
-    assert_string_equal(before, after);
+    expect_digest(place, ".", before);
     free(before);
-    free(after);
 }
 
 TEST_IN_WORKSPACE(test_without_gnuplot)
@@ -167,10 +159,8 @@ TEST_IN_WORKSPACE(test_without_gnuplot)
     expect_part(inspect.out, "Rq ");
     expect_part(inspect.err, "no charts: no gnuplot in PATH");
     process_free(&inspect);
-    char *after = workspace_digest(place, ".");
-    assert_string_equal(before, after);
+    expect_digest(place, ".", before);
     free(before);
-    free(after);
     free(path);
 }
 
@@ -183,19 +173,13 @@ TEST_IN_WORKSPACE(test_one_bad_scan_stops_no_other)
     struct process process = expect_exit(place, 1, "report", "d", "--material", "tin", "--effects", "plasticity");
     expect_part(process.err, "surface 'b' refused: b.csv:4: 'x' in a column of numbers; correct or remove this line\n");
     expect_part(process.out, "\nout/d/report.html\n");
-    char *markdown = workspace_read(place, "out/d/report.md"), *html = workspace_read(place, "out/d/report.html");
-    char *json = workspace_read(place, "out/d/results.json"), *csv = workspace_read(place, "out/d/data/surfaces.csv");
-    expect_parts(markdown, "1 surface was refused", "'x' in a column of numbers");
-    expect_part(html, "b.csv:4: 'x' in a column of numbers");
-    expect_parts(json, "\"surface\": \"b\"",
-                 "\"error\": \"b.csv:4: 'x' in a column of numbers; correct or remove this line\"");
-    expect_parts(csv, "\na,a.csv,200,", "\nc,c.csv,200,");
-    expect_no_part(csv, "b.csv");
     process_free(&process);
-    free(markdown);
-    free(html);
-    free(json);
-    free(csv);
+    expect_in_file(place, "out/d/report.md", "1 surface was refused", "'x' in a column of numbers");
+    expect_in_file(place, "out/d/report.html", "b.csv:4: 'x' in a column of numbers");
+    expect_in_file(place, "out/d/results.json", "\"surface\": \"b\"",
+                   "\"error\": \"b.csv:4: 'x' in a column of numbers; correct or remove this line\"");
+    expect_in_file(place, "out/d/data/surfaces.csv", "\na,a.csv,200,", "\nc,c.csv,200,");
+    expect_not_in_file(place, "out/d/data/surfaces.csv", "b.csv");
 }
 
 /* Nor does one of several scans of a surface; the exit status says that not all is there, of `plan` too. */
@@ -212,13 +196,9 @@ TEST_IN_WORKSPACE(test_one_bad_scan_of_a_surface)
     expect_part(process.err, said);
     expect_no_part(process.err, "predicted, ");
     process_free(&process);
-    process = expect_exit(place, 1, "plan", "d");
-    expect_part(process.err, said);
-    process_free(&process);
+    expect_errors(expect_exit(place, 1, "plan", "d"), said);
     workspace_write(place, "d/s/a.csv", "x [um],z [um]\n0,1\n1,2\n2,y\n");
     workspace_write(place, "d/s/c.csv", "x [um],z [um]\n0,1\n1,2\n2,z\n");
-    process = expect_exit(place, 4, "report", "d", "--no-cost");
-    expect_parts(process.err, "surface 's' refused: s/a.csv:4: 'y'", "surface 's': s/b.csv:4: 'x'",
-                 "surface 's': s/c.csv:4: 'z'");
-    process_free(&process);
+    expect_errors(expect_exit(place, 4, "report", "d", "--no-cost"), "surface 's' refused: s/a.csv:4: 'y'",
+                  "surface 's': s/b.csv:4: 'x'", "surface 's': s/c.csv:4: 'z'");
 }

@@ -286,9 +286,7 @@ TEST_IN_WORKSPACE(test_points_as_announced)
                                  .at = SIZE_MAX}};
     struct text text = zip_of(members, 2);
     write_bytes(place, "a.x3p", &text);
-    struct process process = process_expect(RUN(place, "inspect", "--no-chart", "a.x3p"), 0, __FILE__, __LINE__);
-    expect_part(process.out, "4096");
-    process_free(&process);
+    expect_output(process_expect(RUN(place, "inspect", "--no-chart", "a.x3p"), 0, __FILE__, __LINE__), "4096");
     text_free(&members[0].bytes);
     text_free(&members[1].bytes);
     text_free(&heights);
@@ -519,7 +517,6 @@ TEST_IN_WORKSPACE(test_limits_are_printed)
     }
     assert_int_equal(*line, 0);
     process_free(&process);
-    process = expect_exit(place, 0, "inspect", "--limits", "--json");
-    expect_part(process.out, "\"name\": \"points\",\n  \"most\": 100000000,");
-    process_free(&process);
+    expect_output(expect_exit(place, 0, "inspect", "--limits", "--json"),
+                  "\"name\": \"points\",\n  \"most\": 100000000,");
 }

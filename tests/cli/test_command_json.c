@@ -126,6 +126,8 @@ TEST_IN_WORKSPACE(test_materials)
     const char *place = *state;
     json_t *json = run_json(place, 0, "materials", NULL);
     struct process text = expect_exit(place, 0, "materials");
+    for (size_t p = 0; p < material_property_count; p++)
+        expect_part(text.out, material_properties[p].key);
     char *line = strchr(text.out, '\n');
     assert_int_equal(json_array_size(json), material_table_count);
     for (size_t i = 0; i < material_table_count; i++) {
@@ -370,8 +372,7 @@ TEST_IN_WORKSPACE(test_self_test)
     char *before = workspace_digest(place, ".");
     struct process text = expect_exit(place, 0, "self-test"), verbose = expect_exit(place, 0, "self-test", "--verbose");
     json_t *json = run_json(place, 0, "self-test", NULL), *group;
-    char *after = workspace_digest(place, ".");
-    assert_string_equal(before, after);
+    expect_digest(place, ".", before);
     size_t index, numbers = 0;
     assert_true(json_is_true(json_object_get(json, "right")));
     assert_true(json_is_string(json_object_get(json, "models_not_covered")));
@@ -396,7 +397,6 @@ TEST_IN_WORKSPACE(test_self_test)
     expect_failure(place, 2, 3, "roughcontact self-test: no argument is taken", "self-test", "x");
     json_decref(json);
     free(before);
-    free(after);
     process_free(&text);
     process_free(&verbose);
 }

@@ -104,28 +104,9 @@ static void scan_tags(const char *html)
     assert_true(tags > 500);
 }
 
-/** Bytes of a UTF-8 character, 0 when it is none or a control character. */
-static size_t character(const unsigned char *s)
+static void assert_clean_text(const char *text, const char *where)
 {
-    size_t more = *s >= 0xf0 ? 3 : *s >= 0xe0 ? 2 : *s >= 0xc0 ? 1 : 0;
-    if (*s < 0x80)
-        return *s >= 0x20 || *s == '\n' || *s == '\t' || *s == '\f' || *s == '\r';
-    if (!more || (*s == 0xc2 && s[1] < 0xa0))
-        return 0;
-    for (size_t i = 1; i <= more; i++)
-        if ((s[i] & 0xc0) != 0x80)
-            return 0;
-    return more + 1;
-}
-
-static void assert_clean_text(const char *text, const char *what)
-{
-    for (const unsigned char *s = (const unsigned char *)text; *s;) {
-        size_t length = character(s);
-        if (!length)
-            fail_msg("%s: byte 0x%02x before: %.60s", what, *s, (const char *)s);
-        s += length;
-    }
+    process_expect_clean(text, strlen(text), where, true);
 }
 
 /** Every row of a Markdown table has as many cells as its header. */

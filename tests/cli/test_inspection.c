@@ -268,6 +268,11 @@ TEST_IN_WORKSPACE(test_standard_input)
     }
     process_free(&file);
     process_free(&packed);
+    workspace_write(place, "bad.csv", "hello\n");
+    struct process bad = process_expect(inspect_input(place, "--json - <bad.csv"), 4, __FILE__, __LINE__);
+    expect_output(bad, "\"error\": \"-: no line of numbers in it: not a scan\"");
+    workspace_folder(place, "empty");
+    expect_failure(place, 4, 1, "no scan in 'empty'", "inspect", "empty");
     process_expect_failure(inspect_input(place, "- </dev/null"), 4, 1, "-: the file is empty", __FILE__, __LINE__);
     process_expect_failure(inspect_input(place, "- <d"), 4, 1, "cannot read '-': Is a directory", __FILE__, __LINE__);
     process_expect_failure(inspect_input(place, "- <&-"), 4, 1, "cannot read '-': ", __FILE__, __LINE__);

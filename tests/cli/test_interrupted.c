@@ -56,7 +56,7 @@ static struct process interrupt(const char *place, int signal_number)
     return process_end(running);
 }
 
-static void test_signals(void **state)
+TEST_IN_WORKSPACE(test_signals)
 {
     const char *place = *state;
     write_slow_scene(place);
@@ -67,14 +67,12 @@ static void test_signals(void **state)
         process_expect_failure(interrupt(place, signals[i]), 128 + signals[i], 1,
                                "roughcontact: stopped by a signal; 'out/slow' is as it was before\n", __FILE__,
                                __LINE__);
-        char *after = workspace_digest(place, ".");
-        assert_string_equal(before, after);
-        free(after);
+        expect_digest(place, ".", before);
     }
     free(before);
 }
 
-static void test_kill(void **state)
+TEST_IN_WORKSPACE(test_kill)
 {
     const char *place = *state;
     write_slow_scene(place);
@@ -83,18 +81,13 @@ static void test_kill(void **state)
     struct process process = interrupt(place, SIGKILL);
     assert_int_equal(process.status, 128 + SIGKILL);
     process_free(&process);
-    char *after = workspace_digest(place, "out/slow");
-    assert_string_equal(before, after);
+    expect_digest(place, "out/slow", before);
     /* what is left behind disturbs no later run, which removes it */
     assert_int_equal(workspace_count(place, ".roughcontact-"), 1);
-    process = expect_exit(place, 0, "report", "--no-cost", "good", "-o", "out/slow", "-m", "tin", "-e", "plasticity");
-    process_free(&process);
-    free(after);
-    after = workspace_digest(place, "out/slow");
-    assert_string_equal(before, after);
+    run_to_exit(place, 0, "report", "--no-cost", "good", "-o", "out/slow", "-m", "tin", "-e", "plasticity");
+    expect_digest(place, "out/slow", before);
     assert_int_equal(workspace_count(place, ".roughcontact-"), 0);
     free(before);
-    free(after);
 }
 
 /** Puts a gnuplot first in PATH that never ends and takes no signal; its id is then in the file `hangs`. Returns PATH
@@ -133,7 +126,7 @@ static bool holds_staging(const char *id)
     return found;
 }
 
-static void test_a_hanging_gnuplot(void **state)
+TEST_IN_WORKSPACE(test_a_hanging_gnuplot)
 {
     const char *place = *state;
     write_report(place);
@@ -161,10 +154,8 @@ static void test_a_hanging_gnuplot(void **state)
         free(id);
     }
     assert_int_equal(setenv("PATH", path, 1), 0);
-    char *after = workspace_digest(place, "out");
-    assert_string_equal(before, after);
+    expect_digest(place, "out", before);
     free(before);
-    free(after);
     free(path);
 }
 
@@ -174,7 +165,7 @@ static void test_a_hanging_gnuplot(void **state)
         place, (const char *const[]){"sh", "-c", lines " exec \"$0\" \"$@\"", PROGRAM, __VA_ARGS__, NULL}, NULL))
 
 /** The report is there though nobody can be told; the line on stderr says so. */
-static void test_no_standard_output(void **state)
+TEST_IN_WORKSPACE(test_no_standard_output)
 {
     const char *place = *state;
     static const char written[] = "the report is written, in 'out/slow/report.html'\n";
@@ -208,17 +199,24 @@ static void test_no_standard_output(void **state)
         free(two);
         process_free(&process);
     }
-    static const char *const commands[] = {"models", "materials", "--help", "inspect"};
+    static const char *const commands[][3] = {{"models"},
+                                              {"materials"},
+                                              {"--help"},
+                                              {"synth"},
+                                              {"inspect", "good/a.csv"},
+                                              {"inspect", "--json", "good/a.csv"}};
     for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
-        struct process process = staged(place, "exec >&-;", commands[i], i == 3 ? "good/a.csv" : NULL);
-        assert_int_equal(process.status, 4);
-        assert_string_equal(process.err, "roughcontact: cannot write to standard output: Bad file descriptor\n");
-        process_free(&process);
+        const char *const *words = commands[i];
+        process_expect_failure(staged(place, "exec >&-;", words[0], words[1], words[2]), 4, 1,
+                               "roughcontact: cannot write to standard output: Bad file descriptor\n", __FILE__,
+                               __LINE__);
+        process_expect_failure(staged(place, "exec >/dev/full;", words[0], words[1], words[2]), 4, 1,
+                               "cannot write to standard output: No space left on device\n", __FILE__, __LINE__);
     }
 }
 
 /** As little stack as the system gives. */
-static void test_little_stack(void **state)
+TEST_IN_WORKSPACE(test_little_stack)
 {
     const char *place = *state;
     workspace_scan(place, "good/a.csv", 2000, 1);
@@ -228,7 +226,7 @@ static void test_little_stack(void **state)
     process_free(&process);
 }
 
-static void test_mount_point(void **state)
+TEST_IN_WORKSPACE(test_mount_point)
 {
     workspace_scan(*state, "good/a.csv", 200, 1);
     expect_failure(*state, 4, 1, "'/proc' is a mount point", "report", "good", "-o", "/proc");
@@ -242,7 +240,7 @@ static void expect_content(const char *place, const char *path, const char *cont
 }
 
 /** The user's files in OUT outlive every run, those too that come while one lasts. */
-static void test_files_of_the_user(void **state)
+TEST_IN_WORKSPACE(test_files_of_the_user)
 {
     const char *place = *state;
     static const char *const files[] = {"out/slow/figures/holiday.svg", "out/slow/data/mine.csv", "out/slow/notes.md"};
@@ -252,8 +250,7 @@ static void test_files_of_the_user(void **state)
     char *manifest = workspace_read(place, "out/slow/manifest.txt");
     expect_part(manifest, "\nfigures/6-05.svg\n");
     workspace_write(place, "good/scene.yaml", "models: [multiscale]\neffects: []\n");
-    struct process process = expect_exit(place, 0, "report", "--no-cost", "good", "-o", "out/slow");
-    process_free(&process);
+    run_to_exit(place, 0, "report", "--no-cost", "good", "-o", "out/slow");
     char *smaller = workspace_read(place, "out/slow/manifest.txt");
     assert_string_not_equal(manifest, smaller); /* the files that are no longer written are gone */
     for (const char *line = strchr(manifest, '\n') + 1; *line; line = strchr(line, '\n') + 1) {
@@ -274,7 +271,7 @@ static void test_files_of_the_user(void **state)
     wait_a_little();
     assert_true(workspace_count(place, ".roughcontact-") > 0);
     workspace_write(place, files[2], files[2]);
-    process = process_expect(process_end(running), 0, __FILE__, __LINE__);
+    struct process process = process_expect(process_end(running), 0, __FILE__, __LINE__);
     process_free(&process);
     for (size_t i = 0; i < sizeof files / sizeof *files; i++)
         expect_content(place, files[i], files[i]);
@@ -283,7 +280,7 @@ static void test_files_of_the_user(void **state)
 }
 
 /** No room for files: as on a full disk, every write beyond some size fails. */
-static void test_no_room(void **state)
+TEST_IN_WORKSPACE(test_no_room)
 {
     const char *place = *state;
 #ifdef __SANITIZE_THREAD__
@@ -301,15 +298,13 @@ static void test_no_room(void **state)
         struct process_running running = process_start(place, "report", "--no-cost", "good", "-o", "out/slow");
         assert_int_equal(setrlimit(RLIMIT_FSIZE, &usual), 0);
         process_expect_failure(process_end(running), 4, 1, "ulimit -f", __FILE__, __LINE__);
-        char *after = workspace_digest(place, ".");
-        assert_string_equal(before, after);
-        free(after);
+        expect_digest(place, ".", before);
     }
     free(before);
 }
 
 /** A file that is written stays as it was where the new one is too large. */
-static void test_no_room_for_a_scan(void **state)
+TEST_IN_WORKSPACE(test_no_room_for_a_scan)
 {
     const char *place = *state;
     workspace_write(place, "a.csv", "before\n");
@@ -318,45 +313,23 @@ static void test_no_room_for_a_scan(void **state)
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
         process_expect_failure(staged(place, "ulimit -f 1;", "synth", "-o", files[i]), 4, 1, "ulimit -f", __FILE__,
                                __LINE__);
-        char *after = workspace_digest(place, ".");
-        assert_string_equal(before, after);
-        free(after);
+        expect_digest(place, ".", before);
     }
-    struct process process = expect_exit(place, 0, "synth", "-o", "a.csv");
-    process_free(&process);
-    char *text = workspace_read(place, "a.csv");
-    expect_part(text, "x [um],z [um]\n");
-    free(text);
+    run_to_exit(place, 0, "synth", "-o", "a.csv");
+    expect_in_file(place, "a.csv", "x [um],z [um]\n");
     free(before);
     assert_int_equal(workspace_count(place, ".roughcontact-"), 0);
 }
 
-static void test_full_output(void **state)
+/** Also where these tests run in the background. */
+static int take_signals(void **state)
 {
-    const char *place = *state;
-    workspace_scan(place, "a.csv", 200, 1);
-    static const char *const commands[][5] = {
-        {PROGRAM, "models"}, {PROGRAM, "materials"},        {PROGRAM, "--help"},
-        {PROGRAM, "synth"},  {PROGRAM, "inspect", "a.csv"}, {PROGRAM, "inspect", "--json", "a.csv"},
-    };
-    for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
-        process_expect_failure(process_end(process_start_list(place, commands[i], "/dev/full")), 4, 1,
-                               "cannot write to standard output: No space left on device", __FILE__, __LINE__);
-    }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        workspace_test(test_signals),           workspace_test(test_kill),
-        workspace_test(test_a_hanging_gnuplot), workspace_test(test_no_standard_output),
-        workspace_test(test_little_stack),      workspace_test(test_mount_point),
-        workspace_test(test_files_of_the_user), workspace_test(test_no_room),
-        workspace_test(test_full_output),       workspace_test(test_no_room_for_a_scan),
-    };
+    (void)state;
     static const int used[] = {SIGINT, SIGTERM, SIGHUP};
     for (size_t i = 0; i < sizeof used / sizeof *used; i++)
-        if (signal(used[i], SIG_DFL) == SIG_ERR) /* also where these tests run in the background */
+        if (signal(used[i], SIG_DFL) == SIG_ERR)
             return 1;
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return 0;
 }
+
+TEST_GROUP(take_signals, NULL)

@@ -76,7 +76,7 @@ TEST_IN_WORKSPACE(manual_and_completion_have_every_option)
     const char *place = *state;
     char *manual = manual_read(), part[1024];
     size_t options = 0;
-    for (size_t c = 0; c < command_count; c++) {
+    for (size_t c = 0; c < COMMANDS; c++) {
         const struct command_row *row = &command_rows[c];
         snprintf(part, sizeof part, "\nroughcontact %s %s%s[OPTION...]\n", row->name, row->arguments,
                  *row->arguments ? " " : "");
@@ -138,7 +138,7 @@ TEST_IN_WORKSPACE(manual_has_chapters_and_statuses)
     static const char *const chapters[] = {"NAME",        "SYNOPSIS", "DESCRIPTION", "COMMANDS", "SCENE",
                                            "EXIT STATUS", "FILES",    "ENVIRONMENT", "EXAMPLES", "SEE ALSO"};
     char *manual = manual_read(), *commands = workspace_read(PROJECT_SOURCE, "docs/commands.md"), part[256];
-    for (size_t i = 0; i < command_status_count; i++) {
+    for (size_t i = 0; i < COMMAND_STATUSES; i++) {
         snprintf(part, sizeof part, "\n.TP\n%zu\n%s\n", i, command_statuses[i]);
         expect_part(manual, part);
         snprintf(part, sizeof part, "\n| %zu | %s |\n", i, command_statuses[i]);

@@ -54,16 +54,12 @@ TEST_IN_WORKSPACE(test_passed_over)
     workspace_scan(place, "d/1.csv", 200, 1);
     workspace_scan(place, "d/2.csv", 200, 2);
     write_others(place);
-    struct process process = expect_exit(place, 0, "plan", "d");
-    expect_part(process.err, others);
-    process_free(&process);
-    process = expect_exit(place, 0, "report", "--no-cost", "d");
-    expect_part(process.err, others);
-    process_free(&process);
+    expect_errors(expect_exit(place, 0, "plan", "d"), others);
+    expect_errors(expect_exit(place, 0, "report", "--no-cost", "d"), others);
     expect_in_file(place, "out/d/report.md", "**Passed over.**", "2 x PNG picture (a.png, b.png)");
     expect_not_in_file(place, "out/d/report.md", "**Refused.**");
     expect_in_file(place, "out/d/results.json", "passed over, no scans: 2 x PNG picture (a.png, b.png)");
-    process = expect_exit(place, 0, "inspect", "d");
+    struct process process = expect_exit(place, 0, "inspect", "d");
     expect_part(process.err, others);
     expect_parts(process.out, "d/1.csv\n  format ", "d/2.csv\n  format ");
     process_free(&process);
@@ -133,12 +129,9 @@ TEST_IN_WORKSPACE(test_packed)
     process = process_end(process_start_list(place, (const char *const[]){"gzip", "1.csv", NULL}, NULL));
     assert_int_equal(process.status, 0);
     process_free(&process);
-    process = expect_exit(place, 0, "inspect", "three.zip");
-    expect_parts(process.out, "three.zip(1.csv)\n", "three.zip(2.csv)\n", "three.zip(3.csv)\n");
-    process_free(&process);
-    process = expect_exit(place, 0, "inspect", "1.csv.gz");
-    expect_part(process.out, "points      200");
-    process_free(&process);
+    expect_output(expect_exit(place, 0, "inspect", "three.zip"), "three.zip(1.csv)\n", "three.zip(2.csv)\n",
+                  "three.zip(3.csv)\n");
+    expect_output(expect_exit(place, 0, "inspect", "1.csv.gz"), "points      200");
 
     /* three scans of one surface: the same as the three files */
     char *name = NULL;
@@ -157,10 +150,9 @@ TEST_IN_WORKSPACE(test_packed)
     expect_part(process.err, "'2.csv' in the archive is damaged; copy the file again\n");
     process_free(&process);
     write_bytes(place, "dz/s.zip", bytes.data, bytes.length);
-    process = expect_exit(place, 1, "report", "--no-cost", "dz");
-    expect_part(process.err, "'2.csv' in the archive is damaged; copy the file again - refused; the others of the "
-                             "archive are used\n");
-    process_free(&process);
+    expect_errors(expect_exit(place, 1, "report", "--no-cost", "dz"),
+                  "'2.csv' in the archive is damaged; copy the file again - refused; the others of the "
+                  "archive are used\n");
     workspace_scan(place, "df/1.csv", 200, 1);
     workspace_scan(place, "df/3.csv", 200, 3);
     workspace_write(place, "df/scene.yaml", "surfaces: [{name: s, file: [1.csv, 3.csv]}]\n");
@@ -175,30 +167,6 @@ TEST_IN_WORKSPACE(test_packed)
     run_to_exit(place, 0, "report", "--no-cost", "z");
     run_to_exit(place, 0, "report", "--no-cost", "f");
     expect_same_files(place, "out/z/data/contact.csv", "out/f/data/contact.csv");
-}
-
-/** Runs `inspect` with the file `input` as standard input. */
-static struct process inspect_input(const char *place, const char *input, const char *option)
-{
-    return process_end(process_start_list(
-        place, (const char *const[]){"sh", "-c", "\"$0\" inspect \"$1\" - < \"$2\"", PROGRAM, option, input, NULL},
-        NULL));
-}
-
-TEST_IN_WORKSPACE(test_standard_input)
-{
-    const char *place = *state;
-    workspace_write(place, "a.csv", ROUGH);
-    workspace_write(place, "bad.csv", "hello\n");
-    struct process process = inspect_input(place, "a.csv", "--no-chart");
-    assert_int_equal(process.status, 0);
-    expect_part(process.out, "-\n  format      text");
-    process_free(&process);
-    process = inspect_input(place, "bad.csv", "--json");
-    assert_int_equal(process.status, 4);
-    expect_part(process.out, "\"error\": \"-: no line of numbers in it: not a scan\"");
-    process_free(&process);
-    expect_failure(place, 4, 1, "no scan in 'empty'", "inspect", (workspace_folder(place, "empty"), "empty"));
 }
 
 /** A directory of its own in front of PATH, with a program gwyddion of these lines. */
@@ -252,12 +220,10 @@ TEST_IN_WORKSPACE(test_gwyddion)
                                        "case \"$2\" in /*) ;; *) exit 1 ;; esac\n"
                                        "mkdir -p \"$HOME/.gwyddion/ui\"\n"
                                        "cp \"$(dirname \"$2\")/converted\" \"${1#*=}\"\n");
-    struct process process = expect_exit(place, 0, "inspect", "--", "-a.opd");
-    expect_part(process.out, "converted by the program Gwyddion from a Wyko OPD file");
-    process_free(&process);
-    process = expect_exit(place, 0, "inspect", "b.bin");
-    expect_part(process.out, "converted by the program Gwyddion from a format that is not read here");
-    process_free(&process);
+    expect_output(expect_exit(place, 0, "inspect", "--", "-a.opd"),
+                  "converted by the program Gwyddion from a Wyko OPD file");
+    expect_output(expect_exit(place, 0, "inspect", "b.bin"),
+                  "converted by the program Gwyddion from a format that is not read here");
     static const char *const headed[] = {"fileType      Image\n", "UK SOFT\r\n"}; /* text as far as one looks */
     for (size_t i = 0; i < sizeof headed / sizeof *headed; i++) {
         struct text text = {0};
@@ -265,9 +231,8 @@ TEST_IN_WORKSPACE(test_gwyddion)
         text_add_bytes(&text, "\0\1\2\3", 4);
         write_bytes(place, "d.mi", text.data, text.length);
         text_free(&text);
-        process = expect_exit(place, 0, "inspect", "d.mi");
-        expect_part(process.out, "converted by the program Gwyddion from a Molecular Imaging");
-        process_free(&process);
+        expect_output(expect_exit(place, 0, "inspect", "d.mi"),
+                      "converted by the program Gwyddion from a Molecular Imaging");
     }
     expect_failure(place, 4, 1, "c.png: it is no scan: PNG picture", "inspect", "c.png");
     workspace_write(place, "converted", "hello\n");
@@ -288,7 +253,7 @@ TEST_IN_WORKSPACE(test_gwyddion)
         nanosleep(&pause, NULL);
     nanosleep(&pause, NULL);
     kill(running.pid, SIGTERM);
-    process = process_end(running);
+    struct process process = process_end(running);
     assert_int_equal(process.status, 128 + SIGTERM);
     process_free(&process);
     char *pid = workspace_read(place, "pid");

@@ -28,8 +28,7 @@ TEST_IN_WORKSPACE(test_package)
     }
     const char *const pack[] = {
         CPACK_PROGRAM, "-G", "DEB", "-B", "packages", "--config", BUILD_DIRECTORY "/CPackConfig.cmake", NULL};
-    struct process process = process_expect(process_end(process_start_list(place, pack, NULL)), 0, __FILE__, __LINE__);
-    process_free(&process);
+    run_list(place, pack);
 
     /* what each depends on, and holds */
     char *text = workspace_shell(place, "dpkg-deb -f packages/roughcontact_*.deb");
@@ -60,8 +59,7 @@ TEST_IN_WORKSPACE(test_package)
     workspace_scan(place, "d/a.csv", 300, 1);
     run_to_exit(place, 0, "report", "d", "-o", "built", "--no-cost");
     const char *const report[] = {program, "report", "d", "-o", "unpacked", "--no-cost", NULL};
-    process = process_expect(process_end(process_start_list(place, report, NULL)), 0, __FILE__, __LINE__);
-    process_free(&process);
+    run_list(place, report);
     char *one = workspace_digest(place, "built"), *two = workspace_digest(place, "unpacked");
     assert_string_equal(one, two);
     free(one);

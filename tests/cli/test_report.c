@@ -13,25 +13,16 @@ static void copy_file(const char *place, const char *path, const char *from)
     free(content);
 }
 
-/** The number in row `surface` and column `column` of a CSV file without quoted fields. */
-static double csv_number(const char *csv, const char *surface, const char *column)
+/** The number of a surface in out/d/data/surfaces.csv. */
+static double surface_number(const char *place, const char *surface, const char *column)
 {
-    size_t index = 0, length = strlen(column);
-    const char *at = csv;
-    while (strncmp(at, column, length) != 0 || !strchr(",\n", at[length])) {
-        at += strcspn(at, ",\n");
-        if (*at++ != ',')
-            fail_msg("no column '%s'", column);
-        index++;
-    }
-    char start[128];
-    snprintf(start, sizeof start, "\n%s,", surface);
-    const char *row = strstr(csv, start);
-    if (!row)
-        fail_msg("no surface '%s'", surface);
-    for (row++; index > 0; index--)
-        row += strcspn(row, ",") + 1;
-    return strtod(row, NULL);
+    struct table table = workspace_table(place, "out/d/data/surfaces.csv");
+    double number = NAN;
+    for (size_t row = 0; row < table.rows; row++)
+        if (strcmp(table_text(&table, row, "surface"), surface) == 0)
+            number = table_number(&table, row, column);
+    table_free(&table);
+    return number;
 }
 
 TEST_IN_WORKSPACE(test_real_scans)
@@ -63,10 +54,8 @@ TEST_IN_WORKSPACE(test_real_scans)
                     "  - {name: WAAM, file: WAAM Profile.txt, x_unit: um, z_unit: um}\n"
                     "  - {name: stylus, file: stylus_nounits_xy-4.txt, x_unit: mm, z_unit: mm}\n");
     run_to_exit(place, 0, "report", "d", "--material", "copper", "--effects", "electrical", "--tolerance", "1e-3");
-    char *csv = workspace_read(place, "out/d/data/surfaces.csv");
     for (size_t i = 0; i < sizeof scans / sizeof *scans; i++)
-        assert_near(csv_number(csv, scans[i].surface, "rq_m"), scans[i].rq_m, 1e-5);
-    free(csv);
+        assert_near(surface_number(place, scans[i].surface, "rq_m"), scans[i].rq_m, 1e-5);
 }
 
 TEST_IN_WORKSPACE(test_overrides)
@@ -75,10 +64,8 @@ TEST_IN_WORKSPACE(test_overrides)
     workspace_scan(place, "d/a.csv", 200, 1);
     workspace_write(place, "d/scene.yaml", "material: tin\neffects: [thermal]\ntolerance: 1e-8\n");
     run_to_exit(place, 0, "report", "d");
-    char *contact = workspace_read(place, "out/d/data/contact.csv");
-    expect_part(contact, "tcr_K_m2_per_W");
-    expect_no_part(contact, "ecr_ohm_m2");
-    free(contact);
+    expect_in_file(place, "out/d/data/contact.csv", "tcr_K_m2_per_W");
+    expect_not_in_file(place, "out/d/data/contact.csv", "ecr_ohm_m2");
 
     run_to_exit(place, 0, "report", "d", "--material=copper", "--effects", "electrical", "--tolerance", "1e-3");
     char *markdown = workspace_read(place, "out/d/report.md");
@@ -101,10 +88,8 @@ TEST_IN_WORKSPACE(test_units)
     workspace_write(place, "d/a.csv", "0,1\n1,3\n2,2\n3,5\n4,1\n5,4\n6,2\n7,6\n8,3\n9,1\n10,2\n11,5\n");
     expect_failure(place, 4, 2, "give --x-unit mm --z-unit um", "report", "d");
     run_to_exit(place, 0, "report", "d", "--x-unit", "um", "--z-unit", "nm", "-m", "tin", "-e", "plasticity");
-    char *csv = workspace_read(place, "out/d/data/surfaces.csv");
-    assert_near(csv_number(csv, "a", "spacing_m"), 1e-6, 1e-12);
-    assert_true(csv_number(csv, "a", "rq_m") < 5e-9);
-    free(csv);
+    assert_near(surface_number(place, "a", "spacing_m"), 1e-6, 1e-12);
+    assert_true(surface_number(place, "a", "rq_m") < 5e-9);
 }
 
 TEST_IN_WORKSPACE(test_wrong_options)
@@ -265,11 +250,8 @@ TEST_IN_WORKSPACE(test_measured)
     snprintf(text, sizeof text, scene, "");
     workspace_write(place, "d/scene.yaml", text);
     run_to_exit(place, 0, "report", "d", "--no-cost");
-    char *markdown = workspace_read(place, "out/d/report.md");
-    expect_no_part(markdown, "Measured");
-    free(markdown);
-    snprintf(text, sizeof text, "%s/out/d/data/contact.csv", place);
-    struct table contact = table_read_path(text);
+    expect_not_in_file(place, "out/d/report.md", "Measured");
+    struct table contact = workspace_table(place, "out/d/data/contact.csv");
     size_t gw = 0; /* its first row */
     while (strcmp(table_text(&contact, gw, "model"), "gw") != 0)
         gw++;

@@ -27,10 +27,10 @@ static void sleep_for(double seconds)
         wait_a_little();
 }
 
-/* Starts a program that no signal but SIGKILL ends. Returns its id. */
-static pid_t start_stubborn(void)
+/* Starts a shell with these lines. Returns its id. */
+static pid_t start(char *lines)
 {
-    char shell[] = "/bin/sh", option[] = "-c", lines[] = "trap '' INT TERM HUP; exec sleep 1000";
+    char shell[] = "/bin/sh", option[] = "-c";
     char *const arguments[] = {shell, option, lines, NULL};
     int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
     pid_t process = 0;
@@ -52,6 +52,7 @@ static void begin(pid_t process)
 /* Never looks at what it is asked, and goes on writing. */
 static int deaf(int argc, char **argv)
 {
+    char stubborn[] = "trap '' INT TERM HUP; exec sleep 1000"; /* no signal but SIGKILL ends it */
     (void)argc, (void)argv;
     (void)signals_stop(100);
     struct temporary staging;
@@ -60,7 +61,7 @@ static int deaf(int argc, char **argv)
         mkdirat(staging.directory, "data", 0700) != 0)
         return 72;
     temporary_note("'out' is as it was before");
-    begin(start_stubborn());
+    begin(start(stubborn));
     for (int i = 0;; i = (i + 1) % 100) {
         char path[300];
         snprintf(path, sizeof path, "data/%d", i);
@@ -125,179 +126,71 @@ static int ends(int argc, char **argv)
 /* Ends as the program that it runs. */
 static int follows(int argc, char **argv)
 {
+    char lines[] = "exit 3";
     (void)argc, (void)argv;
-    char shell[] = "/bin/sh", option[] = "-c", lines[] = "exit 3";
-    char *const arguments[] = {shell, option, lines, NULL};
-    int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
-    pid_t process = 0;
-    struct program_task task = {arguments, shell, place.path, (const char *const[]){NULL}, NULL, nothing, nothing};
-    if (program_start(&process, &task) != 0 || program_wait(process, INFINITY, -1) != PROGRAM_ENDED)
+    pid_t process = start(lines);
+    if (program_wait(process, INFINITY, -1) != PROGRAM_ENDED)
         return 70;
     begin(0);
     int how = program_end(process);
     return WIFEXITED(how) ? WEXITSTATUS(how) : 71;
 }
 
-/* Runs `body` in a process of its own and sends it `signal_number` `times`. Returns what waitpid() says of it; of what
- * it wrote to stderr as well as the id in `begun`. */
-static int run(int (*body)(int argc, char **argv), int signal_number, int times, char *said, pid_t *other)
+/* How a process ended: what waitpid() says of it, what it wrote to stderr, and the id in `begun`. */
+struct end {
+    int state;
+    char said[256];
+    pid_t other;
+};
+
+/* Runs `body` in a process of its own, whose stderr is `errors`, until it has begun. */
+static pid_t start_body(int (*body)(int argc, char **argv), int errors)
 {
-    int errors[2], state;
-    assert_int_equal(pipe2(errors, O_CLOEXEC), 0);
     pid_t child = fork();
     assert_true(child >= 0);
     if (child == 0) {
-        dup2(errors[1], STDERR_FILENO);
-        close(errors[1]);
+        dup2(errors, STDERR_FILENO);
         exit(signals_run(body, 0, NULL));
     }
-    close(errors[1]);
+    close(errors);
     while (!directory_has(&place, "begun"))
         wait_a_little();
+    return child;
+}
+
+/* The same, to its end; sends it `signal_number` `times`. */
+static struct end run(int (*body)(int argc, char **argv), int signal_number, int times)
+{
+    int errors[2];
+    struct end end = {0};
+    assert_int_equal(pipe2(errors, O_CLOEXEC), 0);
+    pid_t child = start_body(body, errors[1]);
     struct text id = directory_read(&place, "begun");
-    *other = (pid_t)strtol(text_string(&id), NULL, 10);
+    end.other = (pid_t)strtol(text_string(&id), NULL, 10);
     text_free(&id);
     double before = clock_seconds();
     for (int i = 0; i < times; i++) {
         assert_int_equal(kill(child, signal_number), 0);
         sleep_for(0.05);
     }
-    ssize_t length = read(errors[0], said, 200);
-    said[length > 0 ? length : 0] = '\0';
-    assert_int_equal(waitpid(child, &state, 0), child);
+    assert_true(read(errors[0], end.said, sizeof end.said - 1) >= 0);
+    assert_int_equal(waitpid(child, &end.state, 0), child);
     assert_true(clock_seconds() - before < 60); /* it would never end */
     close(errors[0]);
     remove(directory_path(&place, "begun"));
-    return state;
+    return end;
+}
+
+static void assert_ended(int state, int exit_status)
+{
+    assert_true(WIFEXITED(state));
+    assert_int_equal(WEXITSTATUS(state), exit_status);
 }
 
 static void assert_signalled(int state, int signal_number)
 {
     assert_true(WIFSIGNALED(state));
     assert_int_equal(WTERMSIG(state), signal_number);
-}
-
-static void test_what_does_not_listen_is_ended(void **state)
-{
-    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
-    char said[256];
-    pid_t other;
-    (void)state;
-    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
-        assert_signalled(run(deaf, signals[i], 1, said, &other), signals[i]);
-        assert_string_equal(said, "roughcontact: stopped by a signal; 'out' is as it was before\n");
-        assert_int_equal(directory_entries(&place, ""), 0);
-        int end;
-        assert_int_equal(waitpid(other, &end, 0), other); /* orphans come to this process: make() */
-        assert_signalled(end, SIGKILL);
-        assert_int_equal(waitpid(-1, &end, WNOHANG), -1); /* nothing else is left */
-    }
-}
-
-static void test_what_listens_ends_in_order(void **state)
-{
-    char said[256];
-    pid_t other;
-    (void)state;
-    assert_signalled(run(orderly, SIGTERM, 1, said, &other), SIGTERM);
-    assert_true(directory_has(&place, "finished"));
-    assert_string_equal(said, "roughcontact: stopped by a signal\n");
-}
-
-static void test_a_second_signal_ends_at_once(void **state)
-{
-    char said[256];
-    pid_t other;
-    (void)state;
-    assert_signalled(run(slow, SIGINT, 2, said, &other), SIGINT);
-    assert_string_equal(said, "roughcontact: stopped by a signal\n");
-}
-
-static void test_what_is_begun_is_finished(void **state)
-{
-    char said[256];
-    pid_t other;
-    (void)state;
-    assert_signalled(run(holds, SIGTERM, 3, said, &other), SIGTERM);
-    assert_true(directory_has(&place, "finished"));
-    assert_string_equal(said, "roughcontact: stopped by a signal; the report is in 'out'\n");
-}
-
-static void test_nothing_asked_is_no_time(void **state)
-{
-    char said[256];
-    pid_t other;
-    (void)state;
-    assert_signalled(run(hangs, SIGHUP, 1, said, &other), SIGHUP);
-}
-
-static void test_the_status_of_a_body_that_ends(void **state)
-{
-    char said[256];
-    pid_t other;
-    (void)state;
-    int end = run(ends, 0, 0, said, &other);
-    assert_true(WIFEXITED(end));
-    assert_int_equal(WEXITSTATUS(end), 5);
-    assert_string_equal(said, "");
-}
-
-/* Some leave SIGCHLD ignored to what they start; how a program ended would then be lost, and its id be another's. */
-static void test_what_was_started_is_known_to_have_ended(void **state)
-{
-    char said[256];
-    pid_t other;
-    (void)state;
-    assert_true(signal(SIGCHLD, SIG_IGN) != SIG_ERR);
-    pid_t child = fork();
-    assert_true(child >= 0);
-    if (child == 0)
-        exit(signals_run(follows, 0, NULL));
-    assert_true(signal(SIGCHLD, SIG_DFL) != SIG_ERR);
-    int end;
-    assert_int_equal(waitpid(child, &end, 0), child);
-    assert_true(WIFEXITED(end));
-    assert_int_equal(WEXITSTATUS(end), 3);
-    end = run(follows, 0, 0, said, &other);
-    assert_int_equal(WEXITSTATUS(end), 3);
-}
-
-/* As under nohup. */
-static void test_an_ignored_signal_stays_ignored(void **state)
-{
-    char said[256];
-    pid_t other;
-    (void)state;
-    assert_true(signal(SIGHUP, SIG_IGN) != SIG_ERR);
-    pid_t child = fork();
-    assert_true(child >= 0);
-    if (child == 0)
-        exit(signals_run(orderly, 0, NULL));
-    while (!directory_has(&place, "begun"))
-        wait_a_little();
-    assert_int_equal(kill(child, SIGHUP), 0);
-    sleep_for(0.2);
-    assert_int_equal(waitpid(child, NULL, WNOHANG), 0);
-    assert_false(directory_has(&place, "finished"));
-    assert_int_equal(kill(child, SIGTERM), 0);
-    int end;
-    assert_int_equal(waitpid(child, &end, 0), child);
-    assert_signalled(end, SIGTERM);
-    remove(directory_path(&place, "begun"));
-    assert_true(signal(SIGHUP, SIG_DFL) != SIG_ERR);
-    assert_signalled(run(orderly, SIGHUP, 1, said, &other), SIGHUP);
-}
-
-/* kill -9 leaves no time for anything; who was started goes all the same. */
-static void test_a_killed_program_takes_others_with_it(void **state)
-{
-    char said[256];
-    pid_t other;
-    int end;
-    (void)state;
-    assert_signalled(run(deaf, SIGKILL, 1, said, &other), SIGKILL);
-    assert_int_equal(waitpid(other, &end, 0), other);
-    assert_signalled(end, SIGKILL);
 }
 
 static int make(void **state)
@@ -307,30 +200,111 @@ static int make(void **state)
     return prctl(PR_SET_CHILD_SUBREAPER, 1);
 }
 
-static int end(void **state)
+static int clean(void **state)
 {
     (void)state;
     directory_remove(&place);
     return 0;
 }
 
-int main(void)
+#define SIGNAL_TEST(name) TEST_WITH(name, make, clean)
+
+SIGNAL_TEST(what_does_not_listen_is_ended)
 {
-#define TEST(function) cmocka_unit_test_setup_teardown(function, make, end)
-    const struct CMUnitTest tests[] = {
-        TEST(test_what_does_not_listen_is_ended),
-        TEST(test_what_listens_ends_in_order),
-        TEST(test_a_second_signal_ends_at_once),
-        TEST(test_what_is_begun_is_finished),
-        TEST(test_nothing_asked_is_no_time),
-        TEST(test_the_status_of_a_body_that_ends),
-        TEST(test_what_was_started_is_known_to_have_ended),
-        TEST(test_an_ignored_signal_stays_ignored),
-        TEST(test_a_killed_program_takes_others_with_it),
-    };
+    static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
+    for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
+        struct end end = run(deaf, signals[i], 1);
+        assert_signalled(end.state, signals[i]);
+        assert_string_equal(end.said, "roughcontact: stopped by a signal; 'out' is as it was before\n");
+        assert_int_equal(directory_entries(&place, ""), 0);
+        int other;
+        assert_int_equal(waitpid(end.other, &other, 0), end.other); /* orphans come to this process: make() */
+        assert_signalled(other, SIGKILL);
+        assert_int_equal(waitpid(-1, &other, WNOHANG), -1); /* nothing else is left */
+    }
+}
+
+/* What listens ends in order, a second signal ends at once, what is begun is finished, nothing asked is no time. */
+SIGNAL_TEST(each_has_the_time_it_asked_for)
+{
+    static const struct {
+        int (*body)(int argc, char **argv);
+        int signal_number, times;
+        bool finishes;
+        const char *said;
+    } cases[] = {{orderly, SIGTERM, 1, true, "roughcontact: stopped by a signal\n"},
+                 {slow, SIGINT, 2, false, "roughcontact: stopped by a signal\n"},
+                 {holds, SIGTERM, 3, true, "roughcontact: stopped by a signal; the report is in 'out'\n"},
+                 {hangs, SIGHUP, 1, false, "roughcontact: stopped by a signal\n"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct end end = run(cases[i].body, cases[i].signal_number, cases[i].times);
+        assert_signalled(end.state, cases[i].signal_number);
+        assert_string_equal(end.said, cases[i].said);
+        assert_int_equal(directory_has(&place, "finished"), cases[i].finishes);
+        remove(directory_path(&place, "finished"));
+    }
+}
+
+SIGNAL_TEST(the_status_is_that_of_a_body_that_ends)
+{
+    struct end end = run(ends, 0, 0);
+    assert_ended(end.state, 5);
+    assert_string_equal(end.said, "");
+}
+
+/* Some leave SIGCHLD ignored to what they start; how a program ended would then be lost, and its id be another's. */
+SIGNAL_TEST(what_was_started_is_known_to_have_ended)
+{
+    int end;
+    assert_true(signal(SIGCHLD, SIG_IGN) != SIG_ERR);
+    pid_t child = fork();
+    assert_true(child >= 0);
+    if (child == 0)
+        exit(signals_run(follows, 0, NULL));
+    assert_true(signal(SIGCHLD, SIG_DFL) != SIG_ERR);
+    assert_int_equal(waitpid(child, &end, 0), child);
+    assert_ended(end, 3);
+    remove(directory_path(&place, "begun"));
+    assert_ended(run(follows, 0, 0).state, 3);
+}
+
+/* As under nohup. */
+SIGNAL_TEST(an_ignored_signal_stays_ignored)
+{
+    int end;
+    assert_true(signal(SIGHUP, SIG_IGN) != SIG_ERR);
+    pid_t child = start_body(orderly, dup(STDERR_FILENO));
+    assert_int_equal(kill(child, SIGHUP), 0);
+    sleep_for(0.2);
+    assert_int_equal(waitpid(child, NULL, WNOHANG), 0);
+    assert_false(directory_has(&place, "finished"));
+    assert_int_equal(kill(child, SIGTERM), 0);
+    assert_int_equal(waitpid(child, &end, 0), child);
+    assert_signalled(end, SIGTERM);
+    remove(directory_path(&place, "begun"));
+    assert_true(signal(SIGHUP, SIG_DFL) != SIG_ERR);
+    assert_signalled(run(orderly, SIGHUP, 1).state, SIGHUP);
+}
+
+/* kill -9 leaves no time for anything; who was started goes all the same. */
+SIGNAL_TEST(a_killed_program_takes_others_with_it)
+{
+    struct end end = run(deaf, SIGKILL, 1);
+    assert_signalled(end.state, SIGKILL);
+    int other;
+    assert_int_equal(waitpid(end.other, &other, 0), end.other);
+    assert_signalled(other, SIGKILL);
+}
+
+/** Also where these tests run in the background. */
+static int take_signals(void **state)
+{
+    (void)state;
     static const int used[] = {SIGINT, SIGTERM, SIGHUP};
     for (size_t i = 0; i < sizeof used / sizeof *used; i++)
-        if (signal(used[i], SIG_DFL) == SIG_ERR) /* also where these tests run in the background */
+        if (signal(used[i], SIG_DFL) == SIG_ERR)
             return 1;
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return 0;
 }
+
+TEST_GROUP(take_signals, NULL)

@@ -150,12 +150,8 @@ static void write_scene(const char *place)
     workspace_write(place, "in/scene.yaml", scene);
 }
 
-static size_t next_seed;
-
-static void one_folder_is_reported_or_refused(void **state)
+static void expect_reported_or_refused(const char *place, size_t seed)
 {
-    const char *place = *state;
-    size_t seed = next_seed++;
     random_state = seed;
     print_message("seed %zu\n", seed);
     for (size_t surface = 1 + below(3); surface > 0; surface--)
@@ -182,14 +178,11 @@ static size_t number_of(const char *name, size_t usual)
     return said ? strtoul(said, NULL, 10) : usual;
 }
 
-int main(void)
+TEST_IN_WORKSPACE(folders_are_reported_or_refused)
 {
-    size_t count = number_of("ROUGHCONTACT_WILD", 300);
-    struct CMUnitTest *tests = calloc(count, sizeof *tests);
-    next_seed = number_of("ROUGHCONTACT_WILD_FIRST", 1);
-    for (size_t i = 0; tests && i < count; i++)
-        tests[i] = (struct CMUnitTest)workspace_test(one_folder_is_reported_or_refused);
-    int failed = tests ? _cmocka_run_group_tests("wild scans", tests, count, NULL, NULL) : 1;
-    free(tests);
-    return failed;
+    size_t first = number_of("ROUGHCONTACT_WILD_FIRST", 1), count = number_of("ROUGHCONTACT_WILD", 300);
+    for (size_t seed = first; seed < first + count; seed++) {
+        expect_reported_or_refused(*state, seed);
+        assert_true(workspace_remove(state) == 0 && workspace_make(state) == 0); /* the next begins with an empty one */
+    }
 }
