@@ -12,15 +12,15 @@ enum { GRID_LEAST = 64, GRID_USUAL = 256, GRID_MOST = 1024, FINE_MOST = 2048, SI
 /** Points that the shortest wave needs: gap within 3e-4, constriction within 0.5 %, area within 1 %. */
 const double direct_plan_points_a_wave = 6;
 
-/** m0 and m2 of a spectrum, low-passed like the law's taper where `cut`. */
-static void moments(double out[2], const struct spectrum *spectrum, double lambda_s_m, bool cut)
+/** m0, m1 and m2 of a spectrum, low-passed like the law's taper where `cut`. */
+static void moments(double out[3], const struct spectrum *spectrum, double lambda_s_m, bool cut)
 {
-    out[0] = out[1] = 0;
+    out[0] = out[1] = out[2] = 0;
     for (size_t i = 0; i < spectrum->count; i++) {
         double frequency = spectrum_frequency(spectrum, i), above = lambda_s_m * frequency;
         double power = spectrum_power(spectrum, i) * (cut && above > 1 ? exp(-2 * M_LN2 * (above * above - 1)) : 1);
-        out[0] += power;
-        out[1] += power * pow(2 * M_PI * frequency, 2);
+        for (int k = 0; k < 3; k++, power *= 2 * M_PI * frequency)
+            out[k] += power;
     }
 }
 
@@ -28,10 +28,10 @@ static void moments(double out[2], const struct spectrum *spectrum, double lambd
  * 2 p/(E' g), g the root mean square gradient. */
 static void range_of_loads(double range[2], const struct direct_plan *plan, const struct direct_plan_task *task)
 {
-    double points = (double)plan->grid * (double)plan->grid, known[2] = {0, task->slope * task->slope};
+    double points = (double)plan->grid * (double)plan->grid, known[3] = {0, 0, task->slope * task->slope};
     if (task->spectrum && (plan->coarse || plan->side > 0))
         moments(known, task->spectrum, plan->lambda_s_m, true);
-    double gradient = sqrt(2 * known[1]);
+    double gradient = sqrt(2 * known[2]);
     range[0] = 1.3 * DIRECT_ENSEMBLE_POINTS / (2 * points) * gradient;
     range[1] = 0.8 * gradient;
 }
@@ -229,13 +229,13 @@ void direct_plan_give_up(struct direct_plan *plan, const char *problem)
 
 enum status_code direct_plan_match(struct direct_plan *plan, const struct spectrum *spectrum, struct status *status)
 {
-    double known[2];
+    double known[3];
     struct status problem = {0};
     struct direct_spectrum areal = {0};
     if (!plan->possible || plan->side > 0)
         return STATUS_OK;
     moments(known, spectrum, plan->lambda_s_m, plan->coarse);
-    enum status_code rc = direct_law_match(&plan->law, known[0], known[1], plan->length_m, plan->lambda_s_m, &problem);
+    enum status_code rc = direct_law_match(&plan->law, known, plan->length_m, plan->lambda_s_m, &problem);
     if (rc == STATUS_OK)
         rc = direct_spectrum_of_law(&areal, &plan->law, &problem);
     direct_spectrum_free(&areal);

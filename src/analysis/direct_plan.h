@@ -62,7 +62,7 @@ extern const double direct_plan_points_a_wave;
 void direct_plan_make(struct direct_plan *out, const struct direct_plan_task *task);
 
 /** Matches the law to the scan's spectrum: the power law with the cut-off lambda_s whose rows have the spectrum's own
- * m0 and m2; where the grid is too coarse for the scan's cut-off, those of the spectrum low-passed at the grid's. What
+ * m0, m1 and m2; where the grid is too coarse for the scan's cut-off, those of the spectrum low-passed at the grid's. What
  * cannot be matched makes the plan impossible. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code direct_plan_match(struct direct_plan *plan, const struct spectrum *spectrum,
                                               struct status *status);

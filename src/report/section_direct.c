@@ -31,11 +31,14 @@ static void resolution(struct text *out, const struct direct_study *study, const
     }
     text_add(out,
              " %zu isotropic surface%s of %zu × %zu points, as long as the scan, whose rows have its mean square "
-             "height and slope: ",
+             "height and slope and the moment between: ",
              plan->seeds, plan->seeds == 1 ? "" : "s", plan->grid, plan->grid);
     number_format_between(out, "Δ = α λ^γ with γ = ", plan->law.gamma, 4, "");
     number_format_between(out, ", α = ", plan->law.alpha, 3, "");
-    number_format_between(out, " (SI) down to λs = ", plan->lambda_s_m * 1e6, 3, " µm");
+    text_add(out, " (SI)");
+    if (plan->law.roll_off > 1)
+        number_format_between(out, " from ", plan->length_m / plan->law.roll_off * 1e6, 3, " µm, level above,");
+    number_format_between(out, " down to λs = ", plan->lambda_s_m * 1e6, 3, " µm");
     if (plan->coarse)
         text_add(out, ", which is what this grid resolves and not all that the scan holds");
     else if (plan->of_spacing)

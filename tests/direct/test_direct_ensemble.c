@@ -151,7 +151,7 @@ TEST_CASE(errors_and_stop)
 TEST_CASE(predictions)
 {
     double load[13];
-    struct direct_law law = {1, 1.297, 3e-4 / (128.0 / 6), 3e-4};
+    struct direct_law law = {1, 1.297, 3e-4 / (128.0 / 6), 3e-4, 1};
     struct direct_spectrum spectrum;
     struct status status = {0};
     double m0 = 0;

@@ -132,18 +132,18 @@ static struct direct_law law_of(const struct direct_map *map)
 {
     struct direct_law law;
     struct status status = {0};
-    double moments[2] = {0};
+    double moments[3] = {0};
     for (size_t row = 0; row < map->n; row++) {
         struct spectrum one;
         assert_int_equal(
             spectrum_compute(&one, map->height_m + row * map->n, map->n, map->spacing_m, SPECTRUM_WINDOW_NONE, &status),
             STATUS_OK);
-        for (int k = 0; k < 2; k++)
-            moments[k] += spectrum_moment(&one, k) / (double)map->n;
+        for (size_t i = 0; i < one.count; i++)
+            for (int k = 0; k < 3; k++)
+                moments[k] += pow(2 * M_PI * spectrum_frequency(&one, i), k) * spectrum_power(&one, i) / (double)map->n;
         spectrum_free(&one);
     }
-    if (direct_law_match(&law, moments[0], moments[1], (double)map->n * map->spacing_m, 6 * map->spacing_m, &status) !=
-        STATUS_OK)
+    if (direct_law_match(&law, moments, (double)map->n * map->spacing_m, 6 * map->spacing_m, &status) != STATUS_OK)
         fail_msg("%s", status.message);
     return law;
 }

@@ -18,7 +18,7 @@ static const struct direct_team *team;
 
 static struct direct_spectrum spectrum_of_law(void)
 {
-    struct direct_law law = {1, 1.2, 1.0 / 20, 1};
+    struct direct_law law = {1, 1.2, 1.0 / 20, 1, 1};
     struct direct_spectrum spectrum;
     struct status status = {0};
     double slope = 0;
