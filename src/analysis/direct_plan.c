@@ -29,7 +29,7 @@ static void moments(double out[3], const struct spectrum *spectrum, double lambd
 static void range_of_loads(double range[2], const struct direct_plan *plan, const struct direct_plan_task *task)
 {
     double points = (double)plan->grid * (double)plan->grid, known[3] = {0, 0, task->slope * task->slope};
-    if (task->spectrum && (plan->coarse || plan->side > 0))
+    if (task->spectrum && plan->coarse)
         moments(known, task->spectrum, plan->lambda_s_m, true);
     double gradient = sqrt(2 * known[2]);
     range[0] = 1.3 * DIRECT_ENSEMBLE_POINTS / (2 * points) * gradient;
@@ -114,8 +114,9 @@ static void count_work(struct direct_plan *plan)
     add_ensemble(plan, &capped);
     add_ensemble(plan, &other);
     add_ensemble(plan, &picture);
-    if (plan->side > 0) { /* the map's every second point tells its error */
+    if (plan->side > 0) { /* the parts of a map that tell its error */
         leading.n = capped.n = plan->grid / 2;
+        leading.seeds = capped.seeds = (plan->mirrored ? 5 : 1) + (size_t)(plan->lambda_s_m > 0);
         add_ensemble(plan, &leading);
         add_ensemble(plan, &capped);
     }
@@ -125,17 +126,18 @@ static void count_work(struct direct_plan *plan)
 static void try(struct direct_plan *plan, const struct direct_plan_task *task, size_t size, size_t seeds, bool fine,
                 bool capped_fine)
 {
-    bool map = task->side > 0;
+    bool map = task->map.nx > 0;
     plan->side = map ? size : 0;
-    plan->grid = map ? 2 * size : size;
+    plan->grid = map ? direct_map_side(&task->map, size) : size;
+    plan->mirrored = plan->grid > size;
     plan->seeds = map ? 1 : seeds;
     plan->fewer = map || seeds < 2 ? 1 : seeds < 6 ? 2 : (seeds + 2) / 3; /* one has no scatter to tell */
     plan->fine_times = fine && !map && 2 * plan->grid <= FINE_MOST ? 2 : 0;
     plan->capped_fine_times = capped_fine ? plan->fine_times : 0;
-    plan->length_m = map ? 2 * task->length_m * (double)size / (double)task->side : task->length_m;
+    plan->length_m = map ? task->map.dx_m * (double)plan->grid : task->length_m;
     double resolved_m = direct_plan_points_a_wave * plan->length_m / (double)plan->grid;
     plan->coarse = !map && resolved_m > task->lambda_s_m * (1 + 1e-9);
-    plan->lambda_s_m = plan->coarse || map ? resolved_m : task->lambda_s_m;
+    plan->lambda_s_m = map ? task->map.cutoff * task->map.dx_m : plan->coarse ? resolved_m : task->lambda_s_m;
     plan->of_spacing = task->of_spacing && !plan->coarse && !map;
     plan->heights = task->heights && !map;
     plan->gaussian = task->gaussian && !map;
@@ -162,8 +164,8 @@ static size_t smooth(size_t most)
 static size_t usual_size(const struct direct_plan_task *task)
 {
     size_t grid = GRID_USUAL;
-    if (task->side > 0)
-        return smooth(task->side < SIDE_MOST ? task->side : SIDE_MOST);
+    if (task->map.nx > 0)
+        return task->map.periodic ? task->map.nx : smooth(task->map.nx < SIDE_MOST ? task->map.nx : SIDE_MOST);
     while (grid < GRID_MOST && (double)grid < direct_plan_points_a_wave * task->length_m / task->lambda_s_m)
         grid *= 2;
     return grid;
@@ -179,7 +181,7 @@ static void choose(struct direct_plan *plan, const struct direct_plan_task *task
                 {8, false, false},   {6, false, false},    {4, false, false}, {3, false, false}, {2, false, false}};
     enum { WAYS = sizeof ways / sizeof *ways };
     const struct scene_direct *direct = task->direct;
-    bool map = task->side > 0, free_size = map || direct->grid == 0;
+    bool map = task->map.nx > 0, free_size = map || direct->grid == 0;
     size_t size = free_size ? usual_size(task) : direct->grid, least = map ? GRID_LEAST / 2 : GRID_LEAST;
     struct direct_plan before = {0};
     plan->over_budget = direct->budget_s > 0;

@@ -197,7 +197,7 @@ static void a_map_is_one_surface(void **state)
     (void)state;
     struct direct_plan plan;
     struct direct_plan_task task = a_task(&(struct scene_direct){.grid = 64, .seeds = 5});
-    task.side = 101;
+    task.map = (struct direct_map_def){101, 101, 3e-4 / 101, 3e-4 / 101, false, 6};
     direct_plan_make(&plan, &task);
     assert_int_equal(plan.side, 100); /* transforms of 101 points are slow */
     assert_int_equal(plan.grid, 200);
@@ -205,7 +205,14 @@ static void a_map_is_one_surface(void **state)
     assert_int_equal(plan.fine_times, 0);
     assert_false(plan.heights);
     assert_near(plan.length_m, 2 * 3e-4 * 100 / 101, 1e-12);
-    assert_int_equal(plan.solutions, 2 * plan.loads + 1); /* every second point, and the picture */
+    assert_int_equal(plan.solutions, 7 * plan.loads + 1); /* with the parts that tell its error, and the picture */
+    assert_near(plan.lambda_s_m, 6 * task.map.dx_m, 1e-12);
+    task.map = (struct direct_map_def){100, 100, 3e-6, 3e-6, true, 0}; /* clean and whole: neither filter nor mirror */
+    direct_plan_make(&plan, &task);
+    assert_int_equal(plan.grid, 100);
+    assert_near(plan.length_m, 3e-4, 1e-12);
+    assert_int_equal(plan.solutions, 2 * plan.loads + 1);
+    assert_true(plan.lambda_s_m == 0);
 }
 
 static void no_load_is_said(void **state)

@@ -58,15 +58,15 @@ TEST_CASE(means_of_single_solutions)
             square += pow(found.seed_point[k * LOADS + i].quantities.gap_m - gap, 2);
         assert_int_equal(point->state, least < 100 ? DIRECT_ENSEMBLE_FEW_POINTS : DIRECT_ENSEMBLE_GIVEN);
         if (point->state != DIRECT_ENSEMBLE_GIVEN) {
-            assert_true(isnan(point->area_ratio.value) && isnan(point->gap_m.value));
+            assert_true(isnan(point->mean[DIRECT_AREA].value) && isnan(point->mean[DIRECT_GAP].value));
             continue;
         }
         double ratio = two.gap_m / one.gap_m;
-        assert_near(point->gap_m.fine_ratio, ratio, 1e-5);
-        assert_near(point->gap_m.value, gap * ratio, 1e-5);
-        assert_near(point->gap_m.standard_error, sqrt(square / 5 / 6) * ratio, 1e-5);
-        assert_near(point->constriction_m.fine_ratio, finer_length / length, 1e-5);
-        assert_near(point->area_ratio.fine_ratio, two.area_ratio / one.area_ratio, 1e-9);
+        assert_near(point->mean[DIRECT_GAP].fine_ratio, ratio, 1e-5);
+        assert_near(point->mean[DIRECT_GAP].value, gap * ratio, 1e-5);
+        assert_near(point->mean[DIRECT_GAP].standard_error, sqrt(square / 5 / 6) * ratio, 1e-5);
+        assert_near(point->mean[DIRECT_CONSTRICTION].fine_ratio, finer_length / length, 1e-5);
+        assert_near(point->mean[DIRECT_AREA].fine_ratio, two.area_ratio / one.area_ratio, 1e-9);
     }
     assert_int_equal(found.point[0].state, DIRECT_ENSEMBLE_FEW_POINTS);
     assert_int_equal(found.point[LOADS - 1].state, DIRECT_ENSEMBLE_GIVEN);
@@ -99,8 +99,8 @@ TEST_CASE(threads_do_not_matter)
                 assert_true(first.seed_point[k].constriction_m == found.seed_point[k].constriction_m);
                 assert_int_equal(first.seed_point[k].convolutions, found.seed_point[k].convolutions);
             }
-            assert_true(first.point[3].gap_m.value == found.point[3].gap_m.value);
-            assert_true(first.point[3].area_ratio.fine_ratio == found.point[3].area_ratio.fine_ratio);
+            assert_true(first.point[3].mean[DIRECT_GAP].value == found.point[3].mean[DIRECT_GAP].value);
+            assert_true(first.point[3].mean[DIRECT_AREA].fine_ratio == found.point[3].mean[DIRECT_AREA].fine_ratio);
             assert_int_equal(first.fine_convolutions, found.fine_convolutions);
             direct_ensemble_free(&found);
         }
@@ -118,14 +118,14 @@ TEST_CASE(ladder_with_a_hardness)
     for (size_t i = 0; i < LOADS; i++) {
         assert_true((found.point[i].state == DIRECT_ENSEMBLE_COMPLETE) == (loads[i] >= 0.3));
         if (found.point[i].state == DIRECT_ENSEMBLE_GIVEN)
-            assert_true(found.point[i].area_ratio.value > loads[i] / 0.3 - 0.05);
+            assert_true(found.point[i].mean[DIRECT_AREA].value > loads[i] / 0.3 - 0.05);
         if (found.point[i].state == DIRECT_ENSEMBLE_GIVEN) { /* the finer grid corrects these too */
-            assert_true(found.point[i].gap_m.fine_ratio != 1);
-            assert_within(found.point[i].gap_m.fine_ratio, 1, 0.05);
+            assert_true(found.point[i].mean[DIRECT_GAP].fine_ratio != 1);
+            assert_within(found.point[i].mean[DIRECT_GAP].fine_ratio, 1, 0.05);
         }
         assert_true(found.seed_point[i].exists == (loads[i] < 0.3));
     }
-    assert_true(isnan(found.point[LOADS - 1].gap_m.value));
+    assert_true(isnan(found.point[LOADS - 1].mean[DIRECT_GAP].value));
     direct_ensemble_free(&found);
 }
 
@@ -209,9 +209,10 @@ TEST_CASE(predictions_of_a_map)
     double *height = recipe_surface(128), *square = malloc(SIDE * SIDE * sizeof *square), load[13];
     struct status status = {0};
     struct direct_map map;
+    struct direct_map_def def = {SIDE, SIDE, 1.0 / 128, 1.0 / 128, false, 0};
     for (size_t k = 0; k < SIDE * SIDE; k++)
         square[k] = height[k / SIDE * 128 + k % SIDE];
-    assert_int_equal(direct_map_make(&map, square, SIDE, SIDE, 1.0 / 128, 1.0 / 128, SIDE, 6, &status), STATUS_OK);
+    assert_int_equal(direct_map_make(&map, square, &def, SIDE, &status), STATUS_OK);
     double gradient = gradient_of(map.height_m, map.n, map.spacing_m);
     for (int capped = 0; capped < 2; capped++) {
         struct direct_contact contact;

@@ -52,9 +52,10 @@ static struct ratios ratios_of(const char *model, const struct direct_law *law,
         fail_msg("%s: %s", model, status.message);
     assert_true(curve.exists && curve.count >= 1);
     spectrum_free(&rows);
-    return (struct ratios){points[0].value[QUANTITY_AREA] / point->area_ratio.value,
-                           points[0].value[QUANTITY_SEPARATION] / point->gap_m.value,
-                           points[0].value[QUANTITY_ECR] / (2 * pair.resistivity_ohm_m * point->constriction_m.value)};
+    return (struct ratios){points[0].value[QUANTITY_AREA] / point->mean[DIRECT_AREA].value,
+                           points[0].value[QUANTITY_SEPARATION] / point->mean[DIRECT_GAP].value,
+                           points[0].value[QUANTITY_ECR] /
+                               (2 * pair.resistivity_ohm_m * point->mean[DIRECT_CONSTRICTION].value)};
 }
 
 /** Ratios with the laws as fitted, measured with another program: A, gap and ECR of both models. Standard errors there

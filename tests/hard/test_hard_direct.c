@@ -259,23 +259,21 @@ static void coarse_grid(void **state)
         fail_msg("%s", status.message);
     for (size_t i = 0; i < 31; i++) {
         const struct direct_ensemble_point *point = &found.point[i];
-        const struct direct_mean *means[] = {&point->area_ratio, &point->gap_m, &point->constriction_m,
-                                             &point->patches_per_m2};
         size_t least = SIZE_MAX;
         for (size_t k = 0; k < found.seeds; k++) {
             size_t points = found.seed_point[k * 31 + i].quantities.contact_points;
             least = points < least ? points : least;
         }
         assert_int_equal(point->state, least < 100 ? DIRECT_ENSEMBLE_FEW_POINTS : DIRECT_ENSEMBLE_GIVEN);
-        for (size_t m = 0; m < 4; m++) {
-            assert_true((least < 100) == isnan(means[m]->value));
-            assert_true((least < 100) == isnan(means[m]->standard_error));
+        for (size_t m = 0; m < DIRECT_QUANTITIES; m++) {
+            assert_true((least < 100) == isnan(point->mean[m].value));
+            assert_true((least < 100) == isnan(point->mean[m].standard_error));
         }
         given += least >= 100;
         few += least < 100;
     }
     assert_true(given > 3 && few > 10);
-    assert_true(found.point[30].area_ratio.value == 1 && found.point[30].constriction_m.value == 0);
+    assert_true(found.point[30].mean[DIRECT_AREA].value == 1 && found.point[30].mean[DIRECT_CONSTRICTION].value == 0);
     direct_ensemble_free(&found);
     direct_spectrum_free(&spectrum);
 }
