@@ -77,7 +77,7 @@ static void describe_direct(char *out, size_t size, const struct direct_plan *pl
 {
     int used = snprintf(out, size, "%zu x %zu points, ", plan->grid, plan->grid);
     if (plan->side > 0)
-        used += snprintf(out + used, size - (size_t)used, "the map mirrored, ");
+        used += snprintf(out + used, size - (size_t)used, plan->mirrored ? "the map mirrored, " : "the map, ");
     else
         used += snprintf(out + used, size - (size_t)used, "%zu surface%s%s, ", plan->seeds, plan->seeds == 1 ? "" : "s",
                          plan->fine_times > 1 ? " and a finer grid" : "");
