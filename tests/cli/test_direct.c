@@ -277,7 +277,7 @@ TEST_IN_WORKSPACE(test_map)
     char *page = workspace_read(place, "out/report.md");
     expect_parts(page, "the map itself: the first square of 20 points a side",
                  "the direct solution is true at this resolution",
-                 "± is the difference that every second point of the map alone would make.");
+                 "± is what every second point alone, the low-pass and so small a part of a surface change.");
     char *ratio = workspace_read(place, "out/figures/direct-ratio-area.csv"); /* the band has rows: low < 1 < high */
     double load, low, high;
     assert_int_equal(sscanf(strchr(ratio, '\n') + 1, "%lf,%lf,%lf", &load, &low, &high), 3);
