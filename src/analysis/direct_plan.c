@@ -82,7 +82,7 @@ static void add_ensemble(struct direct_plan *plan, const struct direct_predict_d
         return;
     struct direct_prediction prediction = direct_predict(def);
     plan->solutions += def->loads * (def->seeds + (def->fine_times > 1));
-    plan->convolutions += prediction.convolutions + prediction.fine_convolutions;
+    plan->convolutions += prediction.convolutions;
     plan->seconds += prediction.seconds;
     plan->bytes = fmax(plan->bytes, prediction.bytes);
 }
@@ -93,7 +93,6 @@ static void count_work(struct direct_plan *plan)
                                          .fine_times = plan->fine_times,
                                          .loads = plan->loads,
                                          .seeds = plan->seeds,
-                                         .threads = 1,
                                          .resistance = plan->resistance,
                                          .heights = plan->heights && !plan->gaussian,
                                          .map = plan->side > 0},

@@ -341,7 +341,6 @@ static enum status_code run(struct maker *maker, struct status *status)
         if (direct_map_make(&maker->map, surface->direct_m, &surface->summary.map, study->plan.side, status) !=
             STATUS_OK)
             return status->code;
-        study->rms_m = maker->map.rms_m;
     } else if (direct_spectrum_of_law(&maker->spectrum, &study->plan.law, status) != STATUS_OK) {
         return status->code;
     }

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The models against a direct solution of the contact, on one and the same surface.
  *
- * A map is solved as it is, mirrored if it does not close on itself. For a profile, isotropic surfaces are made whose rows have the matched power law
- * and whose heights are distributed like the scan's; Gaussian ones with the same spectrum stand beside them. The models
- * are given the spectrum of those surfaces' rows, so that what differs is the models' error and not what a scan leaves
- * open about its surface. */
+ * A map is solved as it is, mirrored if it does not close on itself. For a profile, isotropic surfaces are made whose
+ * rows have the matched power law and whose heights are distributed like the scan's; Gaussian ones with the same
+ * spectrum stand beside them. The models are given the spectrum of those surfaces' rows, so that what differs is the
+ * models' error and not what a scan leaves open about its surface. */
 #ifndef ANALYSIS_DIRECT_STUDY_H
 #define ANALYSIS_DIRECT_STUDY_H
 

@@ -201,17 +201,6 @@ static enum status_code take_square(struct direct_map *map, double *height, size
     return status->code;
 }
 
-/** Root mean square about the mean. */
-static double rms(const double *z, size_t count)
-{
-    double mean = 0, square = 0;
-    for (size_t k = 0; k < count; k++)
-        mean += z[k] / (double)count;
-    for (size_t k = 0; k < count; k++)
-        square += (z[k] - mean) * (z[k] - mean) / (double)count;
-    return sqrt(square);
-}
-
 size_t direct_map_side(const struct direct_map_def *def, size_t most)
 {
     size_t n = def->nx < def->ny ? def->nx : def->ny;
@@ -239,7 +228,6 @@ enum status_code direct_map_make(struct direct_map *out, const double *height_m,
         for (size_t j = 0; j < side; j++)
             for (size_t i = 0; i < side; i++)
                 out->height_m[j * side + i] = square[(j < n ? j : side - 1 - j) * n + (i < n ? i : side - 1 - i)];
-        out->rms_m = rms(out->height_m, side * side);
     }
     free(square);
     if (status->code != STATUS_OK)

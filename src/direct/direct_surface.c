@@ -99,11 +99,11 @@ static double between(const struct direct_spectrum *spectrum, double r)
     return pow(fmax(r, spectrum->roll_off), -spectrum->exponent);
 }
 
-enum status_code direct_spectrum_of_rows(struct direct_spectrum *out, const double *row_m2, size_t count, double gamma,
-                                         double roll_off, struct status *status)
+enum status_code direct_spectrum_of_law(struct direct_spectrum *out, const struct direct_law *law,
+                                        struct status *status)
 {
-    assert(count > 0);
-    *out = (struct direct_spectrum){calloc(count + 2, sizeof(double)), count, 2 * gamma + 1, roll_off, true};
+    size_t count = direct_law_harmonics(law);
+    *out = (struct direct_spectrum){calloc(count + 2, sizeof(double)), count, 2 * law->gamma + 1, law->roll_off};
     if (!out->weight_m2)
         return status_memory(status);
     double *w = out->weight_m2, end = (double)((count + 1) * (count + 1));
@@ -120,29 +120,14 @@ enum status_code direct_spectrum_of_rows(struct direct_spectrum *out, const doub
             else
                 known += power * (1 - share) * w[below - 1];
         }
-        w[m - 1] = (row_m2[m - 1] / 2 - known) / factor;
-        out->positive &= w[m - 1] >= 0;
+        w[m - 1] = (pow(direct_law_amplitude(law, m), 2) / 4 - known) / factor;
+        if (!(w[m - 1] >= 0))
+            return status_fail(status, STATUS_MODEL,
+                               "no isotropic surface has rows of the law with gamma = %g: it would need negative "
+                               "powers",
+                               law->gamma);
     }
     return STATUS_OK;
-}
-
-enum status_code direct_spectrum_of_law(struct direct_spectrum *out, const struct direct_law *law,
-                                        struct status *status)
-{
-    *out = (struct direct_spectrum){0};
-    size_t count = direct_law_harmonics(law);
-    double *row_m2 = malloc(count * sizeof *row_m2);
-    if (!row_m2)
-        return status_memory(status);
-    for (size_t m = 1; m <= count; m++)
-        row_m2[m - 1] = pow(direct_law_amplitude(law, m), 2) / 2;
-    enum status_code rc = direct_spectrum_of_rows(out, row_m2, count, law->gamma, law->roll_off, status);
-    free(row_m2);
-    if (rc == STATUS_OK && !out->positive)
-        return status_fail(status, STATUS_MODEL,
-                           "no isotropic surface has rows of the law with gamma = %g: it would need negative powers",
-                           law->gamma);
-    return rc;
 }
 
 void direct_spectrum_free(struct direct_spectrum *spectrum)

@@ -47,16 +47,12 @@ struct direct_spectrum {
     size_t count;      /* M */
     double exponent;   /* 2 gamma + 1 */
     double roll_off;
-    bool positive; /* no v is negative: an isotropic surface with these rows exists */
 };
 
-/** The surface whose rows have the mean squares row_m2[m - 1] at harmonics m = 1 ... count: the discrete counterpart of
- * C2(q) = -1/pi int_q^inf C1'(k)/sqrt(k² - q²) dk (Nayak, Wear 26 (1973) 305), triangular and solved from m = count
- * down. gamma and roll_off set only the shape between whole r; the rows come out exactly whatever they are. Error:
- * STATUS_MEMORY. */
-MUST_CHECK enum status_code direct_spectrum_of_rows(struct direct_spectrum *out, const double *row_m2, size_t count,
-                                                    double gamma, double roll_off, struct status *status);
-/** The same of a law's rows. Errors: STATUS_MEMORY; STATUS_MODEL: no isotropic surface has them. */
+/** The surface with a law's rows: the discrete counterpart of C2(q) = -1/pi int_q^inf C1'(k)/sqrt(k² - q²) dk (Nayak,
+ * Wear 26 (1973) 305), triangular and solved from the shortest wave down. gamma and roll_off set only the shape between
+ * whole r; the rows come out exactly whatever they are. To be freed whatever comes back. Errors: STATUS_MEMORY;
+ * STATUS_MODEL: no isotropic surface has them. */
 MUST_CHECK enum status_code direct_spectrum_of_law(struct direct_spectrum *out, const struct direct_law *law,
                                                    struct status *status);
 void direct_spectrum_free(struct direct_spectrum *spectrum);

@@ -232,7 +232,8 @@ static struct direct_spectrum direct_case_spectrum(size_t n)
     struct direct_law law = {.lambda_s_m = 3e-4 / ((double)n / 6), .length_m = 3e-4};
     struct direct_spectrum spectrum;
     struct status status = {0};
-    must(direct_law_match(&law, (double[]){5.86e-14, 1e-30, 1.8e-4 * (double)n / 256}, law.length_m, law.lambda_s_m, &status));
+    must(direct_law_match(&law, (double[]){5.86e-14, 1e-30, 1.8e-4 * (double)n / 256}, law.length_m, law.lambda_s_m,
+                          &status));
     must(direct_spectrum_of_law(&spectrum, &law, &status));
     return spectrum;
 }
