@@ -12,12 +12,14 @@ enum { LEAST = 8, LEAST_LINE = 4 }; /* points a side of a square, and of a row o
 
 static const double cutoff_spacings = 6; /* what a map holds below is noise and steps to a solution */
 static const double noise_share = 0.02;  /* of the mean square slope, below that: the low-pass is needed */
-static const double closing_share = 0.9; /* of rows and of columns that close on themselves: the map does */
+static const double most_seam = 3;       /* mean square second difference across the join of a periodic map's ends, over
+                                            that inside: of any other it is far more */
 
 /** What the rows, or the columns, of a map say. */
 struct lines {
-    size_t count, closing; /* without a missing point; of these, periodic ones */
-    double slope, noise;   /* mean square slopes, and their share below the cut-off */
+    size_t count;        /* without a missing point */
+    double seam, inside; /* mean squares of their second differences, across the join of their ends and inside */
+    double slope, noise; /* mean square slopes, and their part below the cut-off */
 };
 
 /** Adds `count` lines of `points` heights `step` apart. */
@@ -44,7 +46,10 @@ static enum status_code look_along(struct lines *out, const double *height_m, si
             out->noise += spectrum_frequency(&spectrum, i) * cutoff_spacings > 1 ? slope : 0;
         }
         out->count++;
-        out->closing += periodic;
+        for (size_t i = 0; i < points; i++) {
+            double bend = line[i] - 2 * line[(i + 1) % points] + line[(i + 2) % points];
+            *(i + 2 < points ? &out->inside : &out->seam) += bend * bend / (i + 2 < points ? (double)points - 2 : 2);
+        }
         spectrum_free(&spectrum);
     }
     free(line);
@@ -110,8 +115,8 @@ enum status_code direct_map_condition(double *height_m, struct direct_map_def *d
     if (look_along(&along, height_m, ny, nx, nx, 1, status) != STATUS_OK ||
         look_along(&across, height_m, nx, 1, ny, nx, status) != STATUS_OK)
         return status->code;
-    def->periodic = along.count == ny && across.count == nx && (double)along.closing >= closing_share * (double)ny &&
-                    (double)across.closing >= closing_share * (double)nx;
+    def->periodic = along.count == ny && across.count == nx && along.seam <= most_seam * along.inside &&
+                    across.seam <= most_seam * across.inside;
     bool noisy = !(along.noise + across.noise <= noise_share * (along.slope + across.slope));
     def->cutoff = noisy || along.count + across.count == 0 ? cutoff_spacings : 0;
     if (def->cutoff <= 0)

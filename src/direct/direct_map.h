@@ -16,10 +16,11 @@ struct direct_map_def {
     double cutoff; /* of the low-pass that it has had, in spacings; 0: none */
 };
 
-/** Conditions ny rows of nx heights (NaN: missing, and stays so) in place. The map is periodic if nine tenths of its
- * rows and of its columns are: record_window_is_periodic(). Where more than 2 % of their mean square slope is shorter
- * than 6 spacings, or nothing tells, a Gaussian low-pass of ISO 16610-61 with that cut-off takes it out; beyond its
- * edges a map goes on as its mirror image. Error: STATUS_MEMORY. */
+/** Conditions ny rows of nx heights (NaN: missing, and stays so) in place. The map is periodic if over
+ * its rows, and over its columns, the mean square second difference across the join of their ends is at most 3 times
+ * that inside: record_window_is_periodic() asks the same of one record. Where more than 2 % of their mean square slope
+ * is shorter than 6 spacings, or nothing tells, a Gaussian low-pass of ISO 16610-61 with that cut-off takes it out;
+ * beyond its edges a map goes on as its mirror image. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code direct_map_condition(double *height_m, struct direct_map_def *def, struct status *status);
 
 /** Points a side of what is made of a square of at most `most` points: the whole of a periodic map, if every second
