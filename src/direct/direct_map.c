@@ -2,7 +2,7 @@
 #include "direct/direct_map.h"
 
 #include "profile/record_window.h"
-#include "spectrum/spectrum.h"
+#include "spectrum/areal.h"
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -121,13 +121,17 @@ enum status_code direct_map_condition(double *height_m, struct direct_map_def *d
     def->cutoff = noisy || along.count + across.count == 0 ? cutoff_spacings : 0;
     if (def->cutoff <= 0)
         return STATUS_OK;
-    double *smooth = malloc(nx * ny * sizeof *smooth);
-    if (!smooth)
+    const struct scan scan = {.nx = nx, .ny = ny, .z_m = height_m};
+    struct status none = {0};
+    double *flat = malloc(2 * nx * ny * sizeof *flat), *smooth = flat + nx * ny;
+    if (!flat)
         return status_memory(status);
-    if (low_pass(smooth, height_m, nx, ny, def->cutoff, def->periodic, status) == STATUS_OK)
+    if (areal_flatten(flat, &scan, &none) != STATUS_OK) /* else a slope would bend where it is mirrored */
+        memcpy(flat, height_m, nx * ny * sizeof *flat);
+    if (low_pass(smooth, flat, nx, ny, def->cutoff, def->periodic, status) == STATUS_OK)
         for (size_t k = 0; k < nx * ny; k++)
-            height_m[k] = isnan(height_m[k]) ? NAN : smooth[k];
-    free(smooth);
+            height_m[k] = isnan(height_m[k]) ? NAN : height_m[k] - flat[k] + smooth[k];
+    free(flat);
     return status->code;
 }
 
