@@ -236,7 +236,13 @@ static void hold(struct held out[3], bool skewed, size_t n, double noisy, uint64
         for (int q = DIRECT_AREA; q <= DIRECT_CONSTRICTION; q++) {
             const struct direct_mean *mean = &found.point[i].mean[q];
             double ratio = log(mean->value / direct_point_value(&truth[i], (enum direct_quantity)q));
-            double error = mean->standard_error / mean->value;
+            double part[DIRECT_MAP_PARTS], error = mean->standard_error / mean->value;
+            for (size_t k = 0; k < DIRECT_MAP_PARTS; k++)
+                part[k] = direct_point_value(&found.seed_point[k * MIRROR_LOADS + i], (enum direct_quantity)q);
+            double square = pow(part[0] - part[1], 2) + (noisy > 0 ? pow(part[2] - part[1], 2) : 0);
+            for (size_t k = 3; k < DIRECT_MAP_PARTS && n < N; k++) /* half of a standard deviation of four */
+                square += pow(part[k] - part[0], 2) / 3 / 4;
+            assert_near(mean->standard_error, sqrt(square), 1e-9);
             out[q].square += ratio * ratio;
             out[q].stated += error;
             out[q].held += fabs(ratio) <= 2 * error;
