@@ -52,9 +52,8 @@ enum { DIRECT_HEIGHTS = 65536, DIRECT_SIDE = 400 }; /* kept for the direct solut
 static enum status_code keep_direct(struct surface_record *record, const struct scan *scan,
                                     const struct profile *profile, struct status *status)
 {
-    size_t side = scan->nx < scan->ny ? scan->nx : scan->ny, room = DIRECT_HEIGHTS - record->direct_count;
+    size_t side = record->summary.map.nx, room = DIRECT_HEIGHTS - record->direct_count;
     size_t step = profile ? (profile->points + DIRECT_HEIGHTS - 1) / DIRECT_HEIGHTS : 1;
-    side = side < DIRECT_SIDE ? side : DIRECT_SIDE;
     size_t more = profile ? profile->points / step : side * side;
     if (profile && more > room)
         more = room;
@@ -175,7 +174,7 @@ static enum status_code add_profile(struct making *making, struct profile *profi
 static bool keeps_direct(const struct surface_record *record, const struct scene *scene)
 {
     return scene->direct.called && scene->counterface_surface.file_count == 0 &&
-           (record->summary.map_side == 0 || record->direct_count == 0);
+           (record->summary.map.nx == 0 || record->direct_count == 0);
 }
 
 /** How the scene wants scans to be made ready. */
@@ -202,6 +201,21 @@ static void note_rows_left_out(struct surface_summary *summary, const char *file
     text_free(&line);
 }
 
+/** Takes out of a map what neither a row nor a direct solution can hold: both are of the heights that are left. */
+static enum status_code condition_map(struct surface_record *record, struct direct_map_def *map, struct scan *scan,
+                                      struct status *status)
+{
+    size_t side = scan->nx < scan->ny ? scan->nx : scan->ny;
+    *map = (struct direct_map_def){.nx = scan->nx, .ny = scan->ny, .dx_m = scan->dx_m, .dy_m = scan->dy_m};
+    if (direct_map_condition(scan->z_m, map, status) != STATUS_OK)
+        return status->code;
+    record->summary.cutoff_m = fmax(record->summary.cutoff_m, map->cutoff * map->dx_m);
+    side = side < DIRECT_SIDE ? side : DIRECT_SIDE;
+    map->periodic = map->periodic && map->nx == side && map->ny == side;
+    map->nx = map->ny = side;
+    return STATUS_OK;
+}
+
 /** Every row of a scan (a profile has one, whose heights are taken over) into the surface. A row of a map that cannot
  * be used (all missing, flat) is left out and counted; the map is refused when none is left. */
 static enum status_code add_rows(struct surface_record *record, struct power_law_scans *scans, struct scan *scan,
@@ -210,10 +224,15 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
     char file[512];
     struct surface_summary *summary = &record->summary;
     const struct profile_options how = profile_options_of(scene);
+    struct direct_map_def map = {0};
     size_t unusable = 0, run_before = record->ensemble.count;
     struct status first = {0};
     if (repeats_add_scan(&record->ensemble, scene_file, status) != STATUS_OK)
         return status->code;
+    if (scan->kind == SCAN_AREAL && condition_map(record, &map, scan, status) != STATUS_OK)
+        return status->code;
+    struct profile_options had = how; /* what its heights have been through */
+    had.lambda_s_m = surface_lambda_s(summary, scene);
     snprintf(file, sizeof file, *scan->part ? "%.400s(%s)" : "%.400s%s", scene_file, scan->part);
     for (size_t row = 0; row < scan->ny; row++) {
         struct profile profile;
@@ -232,7 +251,7 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
         struct making making = {.record = record,
                                 .scan = scan,
                                 .profile = &profile,
-                                .how = &how,
+                                .how = &had,
                                 .scene = scene,
                                 .scans = scans,
                                 .window = spectrum_window_for(scene->window, rc == STATUS_OK && profile.periodic)};
@@ -254,18 +273,20 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
         return status_fail(status, first.code, "%s: %s", file, first.message);
     if (scan->kind == SCAN_AREAL && summary->scans == scan->ny - unusable &&
         scene->counterface_surface.file_count == 0) { /* the first file: it speaks for all */
-        summary->map_side = scan->nx < scan->ny ? scan->nx : scan->ny;
-        summary->map_dy_m = scan->dy_m;
+        summary->map = map;
         if (keeps_direct(record, scene) && keep_direct(record, scan, NULL, status) != STATUS_OK)
             return status->code;
     }
     size_t run = record->ensemble.count - run_before, used = scan->ny - unusable;
     const char *rows = scene->direction == SCAN_DIRECTION_X ? "rows" : "columns";
-    char note[200], models[100] = "";
+    char note[300], models[100] = "", filtered[100] = "";
     if (run < used)
         snprintf(models, sizeof models, ", and %zu of them, evenly spaced, go through the models", run);
-    snprintf(note, sizeof note, "a map; its %zu %s were averaged as profiles for spectrum and fit%s", used, rows,
-             models);
+    if (map.cutoff > 0)
+        snprintf(filtered, sizeof filtered, ", low-passed at %.3g um as more than 2 %% of its slopes are shorter",
+                 map.cutoff * map.dx_m * 1e6);
+    snprintf(note, sizeof note, "a map%s; its %zu %s were averaged as profiles for spectrum and fit%s", filtered, used,
+             rows, models);
     if (scan->kind == SCAN_AREAL)
         note_add(&summary->notes, file, note);
     if (unusable > 0)
@@ -572,16 +593,17 @@ static void note_band(struct surface_summary *summary, const struct power_law_ba
     text_free(&lines);
 }
 
-static struct power_law_scans_def fit_def(const struct scene *scene)
+static struct power_law_scans_def fit_def(const struct surface_summary *summary, const struct scene *scene)
 {
-    return (struct power_law_scans_def){scene->lambda_s_m, scene->fit_band_given ? scene->fit_band_m : NULL};
+    return (struct power_law_scans_def){surface_lambda_s(summary, scene),
+                                        scene->fit_band_given ? scene->fit_band_m : NULL};
 }
 
 /** Every scan's law in the band of their mean. */
 static enum status_code fit_alone(struct surface_record *record, const struct power_law_scans *scans,
                                   const struct scene *scene, struct status *status)
 {
-    const struct power_law_scans_def def = fit_def(scene);
+    const struct power_law_scans_def def = fit_def(&record->summary, scene);
     struct repeats *repeats = record->summary.repeats;
     size_t count = scans->scan_count;
     if (!repeats)
@@ -609,7 +631,7 @@ static enum status_code fit_alone(struct surface_record *record, const struct po
 static enum status_code fit_band(struct surface_record *record, struct power_law_scans *scans,
                                  const struct scene *scene, struct status *status)
 {
-    const struct power_law_scans_def def = fit_def(scene);
+    const struct power_law_scans_def def = fit_def(&record->summary, scene);
     if (power_law_scans_fit(&record->band, scans, &def, status) != STATUS_OK)
         return status->code;
     record->summary.power_law = power_law_of_band(&record->band);
@@ -628,7 +650,7 @@ static enum status_code describe(struct surface_record *record, struct power_law
     double started = clock_seconds();
     summary->harmonics = record->spectrum.count;
     summary->independent = fmax(1, scans->independent);
-    double shortest_m = fmax(2 * scene->lambda_s_m, scene->fit_band_m[0]);
+    double shortest_m = fmax(2 * surface_lambda_s(summary, scene), scene->fit_band_m[0]);
     summary->tail =
         convergence_tail(&record->spectrum, convergence_known(&record->spectrum, shortest_m, scans->step_m));
     if (scene->fit == POWER_LAW_THESIS) {

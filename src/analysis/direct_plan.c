@@ -12,15 +12,15 @@ enum { GRID_LEAST = 64, GRID_USUAL = 256, GRID_MOST = 1024, FINE_MOST = 2048, SI
 /** Points that the shortest wave needs: gap within 3e-4, constriction within 0.5 %, area within 1 %. */
 const double direct_plan_points_a_wave = 6;
 
-/** m0 and m2 of a spectrum, low-passed like the law's taper where `cut`. */
-static void moments(double out[2], const struct spectrum *spectrum, double lambda_s_m, bool cut)
+/** m0, m1 and m2 of a spectrum, low-passed like the law's taper where `cut`. */
+static void moments(double out[3], const struct spectrum *spectrum, double lambda_s_m, bool cut)
 {
-    out[0] = out[1] = 0;
+    out[0] = out[1] = out[2] = 0;
     for (size_t i = 0; i < spectrum->count; i++) {
         double frequency = spectrum_frequency(spectrum, i), above = lambda_s_m * frequency;
         double power = spectrum_power(spectrum, i) * (cut && above > 1 ? exp(-2 * M_LN2 * (above * above - 1)) : 1);
-        out[0] += power;
-        out[1] += power * pow(2 * M_PI * frequency, 2);
+        for (int k = 0; k < 3; k++, power *= 2 * M_PI * frequency)
+            out[k] += power;
     }
 }
 
@@ -28,10 +28,10 @@ static void moments(double out[2], const struct spectrum *spectrum, double lambd
  * 2 p/(E' g), g the root mean square gradient. */
 static void range_of_loads(double range[2], const struct direct_plan *plan, const struct direct_plan_task *task)
 {
-    double points = (double)plan->grid * (double)plan->grid, known[2] = {0, task->slope * task->slope};
-    if (task->spectrum && (plan->coarse || plan->side > 0))
+    double points = (double)plan->grid * (double)plan->grid, known[3] = {0, 0, task->slope * task->slope};
+    if (task->spectrum && plan->coarse)
         moments(known, task->spectrum, plan->lambda_s_m, true);
-    double gradient = sqrt(2 * known[1]);
+    double gradient = sqrt(2 * known[2]);
     range[0] = 1.3 * DIRECT_ENSEMBLE_POINTS / (2 * points) * gradient;
     range[1] = 0.8 * gradient;
 }
@@ -82,7 +82,7 @@ static void add_ensemble(struct direct_plan *plan, const struct direct_predict_d
         return;
     struct direct_prediction prediction = direct_predict(def);
     plan->solutions += def->loads * (def->seeds + (def->fine_times > 1));
-    plan->convolutions += prediction.convolutions + prediction.fine_convolutions;
+    plan->convolutions += prediction.convolutions;
     plan->seconds += prediction.seconds;
     plan->bytes = fmax(plan->bytes, prediction.bytes);
 }
@@ -93,7 +93,6 @@ static void count_work(struct direct_plan *plan)
                                          .fine_times = plan->fine_times,
                                          .loads = plan->loads,
                                          .seeds = plan->seeds,
-                                         .threads = 1,
                                          .resistance = plan->resistance,
                                          .heights = plan->heights && !plan->gaussian,
                                          .map = plan->side > 0},
@@ -114,8 +113,9 @@ static void count_work(struct direct_plan *plan)
     add_ensemble(plan, &capped);
     add_ensemble(plan, &other);
     add_ensemble(plan, &picture);
-    if (plan->side > 0) { /* the map's every second point tells its error */
+    if (plan->side > 0) { /* the parts of a map that tell its error */
         leading.n = capped.n = plan->grid / 2;
+        leading.seeds = capped.seeds = (plan->mirrored ? 5 : 1) + (size_t)(plan->lambda_s_m > 0);
         add_ensemble(plan, &leading);
         add_ensemble(plan, &capped);
     }
@@ -125,17 +125,18 @@ static void count_work(struct direct_plan *plan)
 static void try(struct direct_plan *plan, const struct direct_plan_task *task, size_t size, size_t seeds, bool fine,
                 bool capped_fine)
 {
-    bool map = task->side > 0;
+    bool map = task->map.nx > 0;
     plan->side = map ? size : 0;
-    plan->grid = map ? 2 * size : size;
+    plan->grid = map ? direct_map_side(&task->map, size) : size;
+    plan->mirrored = plan->grid > size;
     plan->seeds = map ? 1 : seeds;
     plan->fewer = map || seeds < 2 ? 1 : seeds < 6 ? 2 : (seeds + 2) / 3; /* one has no scatter to tell */
     plan->fine_times = fine && !map && 2 * plan->grid <= FINE_MOST ? 2 : 0;
     plan->capped_fine_times = capped_fine ? plan->fine_times : 0;
-    plan->length_m = map ? 2 * task->length_m * (double)size / (double)task->side : task->length_m;
+    plan->length_m = map ? task->map.dx_m * (double)plan->grid : task->length_m;
     double resolved_m = direct_plan_points_a_wave * plan->length_m / (double)plan->grid;
     plan->coarse = !map && resolved_m > task->lambda_s_m * (1 + 1e-9);
-    plan->lambda_s_m = plan->coarse || map ? resolved_m : task->lambda_s_m;
+    plan->lambda_s_m = map ? task->map.cutoff * task->map.dx_m : plan->coarse ? resolved_m : task->lambda_s_m;
     plan->of_spacing = task->of_spacing && !plan->coarse && !map;
     plan->heights = task->heights && !map;
     plan->gaussian = task->gaussian && !map;
@@ -162,8 +163,8 @@ static size_t smooth(size_t most)
 static size_t usual_size(const struct direct_plan_task *task)
 {
     size_t grid = GRID_USUAL;
-    if (task->side > 0)
-        return smooth(task->side < SIDE_MOST ? task->side : SIDE_MOST);
+    if (task->map.nx > 0)
+        return task->map.periodic ? task->map.nx : smooth(task->map.nx < SIDE_MOST ? task->map.nx : SIDE_MOST);
     while (grid < GRID_MOST && (double)grid < direct_plan_points_a_wave * task->length_m / task->lambda_s_m)
         grid *= 2;
     return grid;
@@ -179,7 +180,7 @@ static void choose(struct direct_plan *plan, const struct direct_plan_task *task
                 {8, false, false},   {6, false, false},    {4, false, false}, {3, false, false}, {2, false, false}};
     enum { WAYS = sizeof ways / sizeof *ways };
     const struct scene_direct *direct = task->direct;
-    bool map = task->side > 0, free_size = map || direct->grid == 0;
+    bool map = task->map.nx > 0, free_size = map || direct->grid == 0;
     size_t size = free_size ? usual_size(task) : direct->grid, least = map ? GRID_LEAST / 2 : GRID_LEAST;
     struct direct_plan before = {0};
     plan->over_budget = direct->budget_s > 0;
@@ -229,13 +230,13 @@ void direct_plan_give_up(struct direct_plan *plan, const char *problem)
 
 enum status_code direct_plan_match(struct direct_plan *plan, const struct spectrum *spectrum, struct status *status)
 {
-    double known[2];
+    double known[3];
     struct status problem = {0};
     struct direct_spectrum areal = {0};
     if (!plan->possible || plan->side > 0)
         return STATUS_OK;
     moments(known, spectrum, plan->lambda_s_m, plan->coarse);
-    enum status_code rc = direct_law_match(&plan->law, known[0], known[1], plan->length_m, plan->lambda_s_m, &problem);
+    enum status_code rc = direct_law_match(&plan->law, known, plan->length_m, plan->lambda_s_m, &problem);
     if (rc == STATUS_OK)
         rc = direct_spectrum_of_law(&areal, &plan->law, &problem);
     direct_spectrum_free(&areal);

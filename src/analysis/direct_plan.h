@@ -4,6 +4,7 @@
 #ifndef ANALYSIS_DIRECT_PLAN_H
 #define ANALYSIS_DIRECT_PLAN_H
 
+#include "direct/direct_map.h"
 #include "direct/direct_surface.h"
 #include "scene/scene.h"
 #include "spectrum/spectrum.h"
@@ -15,8 +16,8 @@ struct direct_plan_task {
     size_t operating;    /* which of `loads` the summary stands at */
     const double *loads; /* P/(A_n E'), ascending: the scene's */
     size_t load_count;
-    size_t side;                     /* points along the square that a map offers; 0: a profile */
-    double length_m;                 /* of a profile; of a map its spacing times `side` */
+    struct direct_map_def map;       /* the square that a map offers; nx 0: a profile */
+    double length_m;                 /* of a profile */
     double lambda_s_m;               /* shortest wavelength that the scan stands for */
     bool of_spacing;                 /* that is four spacings of it, as nothing says where its roughness ends */
     double slope;                    /* root mean square slope of the scan: sets the range of loads */
@@ -30,18 +31,19 @@ struct direct_plan_task {
 struct direct_plan {
     bool possible; /* false: `problem` says why not */
     char problem[320];
-    size_t side;       /* a map: points along the square taken, of which the grid has twice as many; 0: a profile */
-    size_t grid;       /* points a side */
-    size_t seeds;      /* surfaces; 1 of a map */
-    size_t fewer;      /* surfaces with the other heights (the scan's, or Gaussian), and with a hardness */
-    bool heights;      /* there are others */
-    bool gaussian;     /* models are held against surfaces with Gaussian heights, not with the scan's */
-    size_t fine_times; /* the first surface also on a grid so much finer; 0: not */
+    size_t side;              /* a map: points along the square taken; 0: a profile */
+    size_t grid;              /* points a side */
+    size_t seeds;             /* surfaces; 1 of a map */
+    size_t fewer;             /* surfaces with the other heights (the scan's, or Gaussian), and with a hardness */
+    bool heights;             /* there are others */
+    bool gaussian;            /* models are held against surfaces with Gaussian heights, not with the scan's */
+    size_t fine_times;        /* the first surface also on a grid so much finer; 0: not */
     size_t capped_fine_times; /* with a hardness too */
     double length_m;          /* L of the cell */
-    double lambda_s_m;        /* cut-off of the law: the scan's, or what the grid resolves */
-    bool coarse;              /* the latter */
-    bool of_spacing;          /* lambda_s is four spacings of the scan: nothing says where its roughness ends */
+    double lambda_s_m; /* cut-off of the law: the scan's, or what the grid resolves; of a map's low-pass, 0: none */
+    bool mirrored;     /* the grid holds a map's square and its mirror images */
+    bool coarse;       /* the latter */
+    bool of_spacing;   /* lambda_s is four spacings of the scan: nothing says where its roughness ends */
     struct direct_law law;
     double hardness; /* H/E' */
     bool resistance;
@@ -62,8 +64,8 @@ extern const double direct_plan_points_a_wave;
 void direct_plan_make(struct direct_plan *out, const struct direct_plan_task *task);
 
 /** Matches the law to the scan's spectrum: the power law with the cut-off lambda_s whose rows have the spectrum's own
- * m0 and m2; where the grid is too coarse for the scan's cut-off, those of the spectrum low-passed at the grid's. What
- * cannot be matched makes the plan impossible. Error: STATUS_MEMORY. */
+ * m0, m1 and m2; where the grid is too coarse for the scan's cut-off, those of the spectrum low-passed at the grid's.
+ * What cannot be matched makes the plan impossible. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code direct_plan_match(struct direct_plan *plan, const struct spectrum *spectrum,
                                               struct status *status);
 

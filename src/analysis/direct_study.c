@@ -2,7 +2,6 @@
 #include "analysis/direct_study.h"
 
 #include "base/clock.h"
-#include "direct/direct_map.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,7 +10,6 @@ const enum quantity direct_study_quantities[DIRECT_STUDY_QUANTITIES] = {QUANTITY
                                                                         QUANTITY_ECR};
 static const double contact_tolerance = 1e-6; /* finds the set of points that 1e-12 finds */
 static const double load_step = 0.01;         /* of a model's gap for its slope */
-static const double map_cutoff = 6;           /* spacings: what a map holds below is noise and steps to a solution */
 
 /** What the surfaces of a study are made of. */
 struct maker {
@@ -22,14 +20,6 @@ struct maker {
     struct direct_point *first; /* the leading kind's solutions, of the first surface in front */
     double coarse_share;        /* of their time, without the fine grid's */
 };
-
-static enum status_code make_map(struct direct_map *out, const struct surface_record *record,
-                                 const struct direct_plan *plan, struct status *status)
-{
-    size_t kept = (size_t)lround(sqrt((double)record->direct_count));
-    return direct_map_make(out, record->direct_m, kept, kept, record->summary.spacing_m, record->summary.map_dy_m,
-                           plan->side, map_cutoff, status);
-}
 
 /** Surfaces made with the heights of a short scan have a top that is too flat, which shows at light loads; Gaussian
  * ones lead while skewness and kurtosis are nearly theirs. */
@@ -52,8 +42,8 @@ static struct direct_plan_task plan_task(const struct surface_summary *surface, 
         .operating = plan->operating_place > 0 ? plan->operating_place - 1 : load_count / 2,
         .loads = loads,
         .load_count = load_count,
-        .side = surface->map_side,
-        .length_m = surface->map_side > 0 ? surface->spacing_m * (double)surface->map_side : surface->length_m,
+        .map = surface->map,
+        .length_m = surface->length_m,
         .lambda_s_m = fmin(scene->lambda_s_m > 0      ? scene->lambda_s_m
                            : scene->fit_band_m[0] > 0 ? fmax(scene->fit_band_m[0], resolved_m)
                                                       : resolved_m,
@@ -87,7 +77,7 @@ enum status_code direct_study_plan(struct surface_record *record, const struct s
     if (out->possible && out->side > 0) {
         struct status problem = {0};
         struct direct_map map = {0};
-        if (make_map(&map, record, out, &problem) == STATUS_MEMORY)
+        if (direct_map_make(&map, record->direct_m, &record->summary.map, out->side, &problem) == STATUS_MEMORY)
             return status_memory(status);
         direct_map_free(&map);
         if (problem.code != STATUS_OK)
@@ -134,6 +124,7 @@ static struct direct_ensemble_def ensemble_def(const struct maker *maker, enum d
     return (struct direct_ensemble_def){
         .ladder = {plan->load, capped ? plan->capped_loads : plan->loads, capped ? plan->hardness : INFINITY,
                    contact_tolerance, plan->resistance, maker->task->stop},
+        .map = plan->side > 0 ? &maker->map : NULL,
         .length_m = plan->length_m,
         .n = plan->grid,
         .fine_times = kind == leading ? plan->fine_times
@@ -149,90 +140,28 @@ static struct direct_ensemble_def ensemble_def(const struct maker *maker, enum d
     };
 }
 
-/** The ladder of the map on every point of its, or every `every`-th along both sides. */
-static enum status_code solve_grid(struct direct_point *out, const struct direct_map *map, size_t every,
-                                   const struct direct_ladder_def *ladder, const struct direct_team *team,
-                                   struct status *status)
-{
-    size_t n = map->n / every;
-    double *height_m = malloc(n * n * sizeof *height_m);
-    if (!height_m)
-        return status_memory(status);
-    for (size_t k = 0; k < n * n; k++)
-        height_m[k] = map->height_m[k / n * every * map->n + k % n * every];
-    return direct_ladder_of_heights(out, NULL, NULL, height_m, n, map->spacing_m * (double)every, ladder, team, status);
-}
-
-/** One surface has no scatter: its error is what doubling the spacing changes. */
-static struct direct_mean single(bool given, double value, double of_every_second)
-{
-    return given ? (struct direct_mean){value, fabs(value - of_every_second), 1} : (struct direct_mean){NAN, NAN, 1};
-}
-
-/** The ladder of a map, in the form of an ensemble of one. */
-static enum status_code solve_map(struct direct_ensemble_point *out, const struct maker *maker,
-                                  const struct direct_ladder_def *ladder, struct status *status)
-{
-    const struct direct_map *map = &maker->map;
-    struct direct_point *points = calloc(2 * ladder->loads, sizeof *points);
-    const struct direct_team *team = maker->task->team;
-    double cell_m2 = pow(map->spacing_m * (double)map->n, 2);
-    if (!points)
-        return status_memory(status);
-    enum status_code rc = solve_grid(points, map, 1, ladder, team, status);
-    if (rc == STATUS_OK)
-        rc = solve_grid(points + ladder->loads, map, 2, ladder, team, status);
-    for (size_t i = 0; i < ladder->loads && rc == STATUS_OK; i++) {
-        const struct direct_point *second = &points[ladder->loads + i];
-        const struct direct_quantities *q = &points[i].quantities, *r = &second->quantities;
-        bool given = points[i].exists && q->contact_points >= DIRECT_ENSEMBLE_POINTS;
-        out[i] = (struct direct_ensemble_point){
-            given               ? DIRECT_ENSEMBLE_GIVEN
-            : !points[i].exists ? DIRECT_ENSEMBLE_COMPLETE
-                                : DIRECT_ENSEMBLE_FEW_POINTS,
-            single(given, q->area_ratio, r->area_ratio),
-            single(given, q->gap_m, r->gap_m),
-            single(given, points[i].constriction_m, second->constriction_m),
-            single(given, (double)points[i].patches / cell_m2, (double)second->patches / cell_m2),
-        };
-    }
-    free(points);
-    return rc;
-}
-
 static enum status_code solve(struct maker *maker, enum direct_study_kind kind, struct status *status)
 {
     struct direct_study *study = maker->study;
     struct direct_study_curve *curve = &study->curves[kind];
     struct direct_ensemble_def def = ensemble_def(maker, kind);
+    struct direct_ensemble ensemble;
     if (def.ladder.loads == 0 || def.seeds == 0)
         return STATUS_OK;
     double started = clock_seconds();
-    *curve = (struct direct_study_curve){.loads = def.ladder.loads, .seeds = def.seeds};
-    if (study->plan.side > 0) {
-        curve->points = calloc(curve->loads, sizeof *curve->points);
-        if (!curve->points)
-            return status_memory(status);
-        if (solve_map(curve->points, maker, &def.ladder, status) != STATUS_OK)
-            return status->code;
-    } else {
-        struct direct_ensemble ensemble;
-        if (direct_ensemble_run(&ensemble, &def, status) != STATUS_OK)
-            return status->code;
-        curve->points = ensemble.point;
-        ensemble.point = NULL;
-        if (kind == study->leading) {
-            double coarse = (double)ensemble.convolutions;
-            maker->coarse_share = coarse / (coarse + 4 * (double)ensemble.fine_convolutions);
-            maker->first = ensemble.seed_point; /* the first surface comes first */
-            ensemble.seed_point = NULL;
-        }
-        if (kind == study->leading)
-            study->rms_m = ensemble.rms_m;
-        direct_ensemble_free(&ensemble);
+    if (direct_ensemble_run(&ensemble, &def, status) != STATUS_OK)
+        return status->code;
+    *curve = (struct direct_study_curve){ensemble.point, def.ladder.loads, def.seeds, clock_seconds() - started};
+    ensemble.point = NULL;
+    study->solutions += def.ladder.loads * ensemble.ladders;
+    if (kind == study->leading) {
+        double coarse = (double)ensemble.convolutions;
+        maker->coarse_share = coarse / (coarse + 4 * (double)ensemble.fine_convolutions);
+        maker->first = ensemble.seed_point; /* the first surface comes first */
+        ensemble.seed_point = NULL;
+        study->rms_m = ensemble.rms_m;
     }
-    curve->seconds = clock_seconds() - started;
-    study->solutions += def.ladder.loads * (def.seeds + (def.fine_times > 1 || study->plan.side > 0));
+    direct_ensemble_free(&ensemble);
     return STATUS_OK;
 }
 
@@ -245,18 +174,14 @@ static void borrow_scatter(struct direct_study *study, enum direct_study_kind ki
     struct direct_study_curve *curve = &study->curves[kind];
     if (!curve->points || kind == study->leading || curve->seeds >= FEW || leading->seeds <= curve->seeds)
         return;
-    for (size_t i = 0; i < curve->loads; i++) {
-        const struct direct_ensemble_point *from = &leading->points[i];
-        struct direct_ensemble_point *to = &curve->points[i];
-        const struct direct_mean *const known[] = {&from->area_ratio, &from->gap_m, &from->constriction_m};
-        struct direct_mean *const few[] = {&to->area_ratio, &to->gap_m, &to->constriction_m};
-        for (size_t q = kind == DIRECT_STUDY_CAPPED ? 1 : 0; q < sizeof few / sizeof *few; q++) {
-            double share =
-                known[q]->standard_error / known[q]->value * sqrt((double)leading->seeds / (double)curve->seeds);
-            if (few[q]->value > 0 && share > 0)
-                few[q]->standard_error = fmax(few[q]->standard_error, share * few[q]->value);
+    for (size_t i = 0; i < curve->loads; i++)
+        for (int q = kind == DIRECT_STUDY_CAPPED ? DIRECT_GAP : DIRECT_AREA; q <= DIRECT_CONSTRICTION; q++) {
+            const struct direct_mean *from = &leading->points[i].mean[q];
+            struct direct_mean *to = &curve->points[i].mean[q];
+            double share = from->standard_error / from->value * sqrt((double)leading->seeds / (double)curve->seeds);
+            if (to->value > 0 && share > 0)
+                to->standard_error = fmax(to->standard_error, share * to->value);
         }
-    }
 }
 
 /** Heights of the first surface. */
@@ -347,29 +272,20 @@ static enum status_code run_models(struct maker *maker, struct status *status)
     return rc;
 }
 
-/** A quantity of one surface's solution. */
-static double seed_value(const struct direct_point *point, enum quantity quantity)
-{
-    return quantity == QUANTITY_AREA         ? point->quantities.area_ratio
-           : quantity == QUANTITY_SEPARATION ? point->quantities.gap_m
-                                             : point->constriction_m;
-}
-
 /** Mean |ln| of what the grid of one surface's solution, or the scatter of `seeds` surfaces, moves a quantity by; and
  * the largest. */
 static double effort_error(double *largest, const struct maker *maker, const struct direct_point *coarse, size_t seeds,
-                           enum quantity quantity)
+                           enum direct_quantity q)
 {
-    *largest = 0;
-    static const struct material_pair unit = {.resistivity_ohm_m = 0.5, .conductivity_W_per_mK = 2};
     const struct direct_study *study = maker->study;
     double sum = 0, count = 0;
+    *largest = 0;
     for (size_t i = 0; i < study->plan.loads; i++) {
-        double error, value = direct_study_value(study, &unit, study->leading, quantity, i, &error);
-        double grid = coarse ? log(seed_value(&coarse[i], quantity) / seed_value(&maker->first[i], quantity))
-                             : direct_study_grid_error(study, study->leading, quantity, i);
-        double scatter = error / value * sqrt((double)study->plan.seeds / (double)seeds);
-        if (value > 0 && isfinite(grid) && isfinite(scatter)) {
+        const struct direct_mean *mean = &study->curves[study->leading].points[i].mean[q];
+        double grid = coarse ? log(direct_point_value(&coarse[i], q) / direct_point_value(&maker->first[i], q))
+                             : mean->fine_ratio - 1;
+        double scatter = mean->standard_error / mean->value * sqrt((double)study->plan.seeds / (double)seeds);
+        if (mean->value > 0 && isfinite(grid) && isfinite(scatter)) {
             sum += hypot(grid, scatter);
             *largest = fmax(*largest, hypot(grid, scatter));
             count++;
@@ -386,7 +302,7 @@ static enum status_code run_efforts(struct maker *maker, struct status *status)
     } efforts[] = {{4, 1}, {2, 1}, {1, 1}, {1, 4}, {1, 0}};
     struct direct_study *study = maker->study;
     const struct direct_study_curve *all = &study->curves[study->leading];
-    for (size_t e = 0; e < sizeof efforts / sizeof *efforts && maker->first; e++) {
+    for (size_t e = 0; e < sizeof efforts / sizeof *efforts && study->plan.side == 0; e++) {
         struct direct_ensemble_def def = ensemble_def(maker, study->leading);
         struct direct_study_effort *effort = &study->effort[study->efforts];
         struct direct_ensemble ensemble = {0};
@@ -408,7 +324,8 @@ static enum status_code run_efforts(struct maker *maker, struct status *status)
             effort->seconds = clock_seconds() - started;
         for (int k = 0; k < DIRECT_STUDY_QUANTITIES; k++) {
             enum quantity q = direct_study_quantities[k];
-            effort->error[q] = effort_error(&effort->largest[q], maker, ensemble.seed_point, seeds, q);
+            effort->error[q] =
+                effort_error(&effort->largest[q], maker, ensemble.seed_point, seeds, (enum direct_quantity)k);
         }
         study->efforts++;
         direct_ensemble_free(&ensemble);
@@ -421,9 +338,9 @@ static enum status_code run(struct maker *maker, struct status *status)
     struct direct_study *study = maker->study;
     const struct surface_record *surface = maker->task->surface;
     if (study->plan.side > 0) {
-        if (make_map(&maker->map, surface, &study->plan, status) != STATUS_OK)
+        if (direct_map_make(&maker->map, surface->direct_m, &surface->summary.map, study->plan.side, status) !=
+            STATUS_OK)
             return status->code;
-        study->rms_m = maker->map.rms_m;
     } else if (direct_spectrum_of_law(&maker->spectrum, &study->plan.law, status) != STATUS_OK) {
         return status->code;
     }
@@ -489,19 +406,19 @@ static const struct direct_mean *mean_of(const struct direct_study *study, const
     const struct direct_study_curve *curve = &study->curves[kind];
     if (!curve->points || i >= curve->loads)
         return NULL;
-    const struct direct_ensemble_point *point = &curve->points[i];
+    const struct direct_mean *mean = curve->points[i].mean;
     *factor = 1;
     switch ((int)quantity) {
     case QUANTITY_AREA:
-        return &point->area_ratio;
+        return &mean[DIRECT_AREA];
     case QUANTITY_SEPARATION:
-        return &point->gap_m;
+        return &mean[DIRECT_GAP];
     case QUANTITY_ECR:
         *factor = 2 * pair->resistivity_ohm_m; /* rho1 + rho2 */
-        return &point->constriction_m;
+        return &mean[DIRECT_CONSTRICTION];
     case QUANTITY_TCR:
         *factor = 2 / pair->conductivity_W_per_mK; /* 1/k1 + 1/k2 */
-        return &point->constriction_m;
+        return &mean[DIRECT_CONSTRICTION];
     default:
         return NULL;
     }

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The models against a direct solution of the contact, on one and the same surface.
  *
- * A map is solved as it is, mirrored. For a profile, isotropic surfaces are made whose rows have the matched power law
- * and whose heights are distributed like the scan's; Gaussian ones with the same spectrum stand beside them. The models
- * are given the spectrum of those surfaces' rows, so that what differs is the models' error and not what a scan leaves
- * open about its surface. */
+ * A map is solved as it is, mirrored if it does not close on itself. For a profile, isotropic surfaces are made whose
+ * rows have the matched power law and whose heights are distributed like the scan's; Gaussian ones with the same
+ * spectrum stand beside them. The models are given the spectrum of those surfaces' rows, so that what differs is the
+ * models' error and not what a scan leaves open about its surface. */
 #ifndef ANALYSIS_DIRECT_STUDY_H
 #define ANALYSIS_DIRECT_STUDY_H
 
@@ -88,7 +88,7 @@ void direct_study_free(struct direct_study *study);
 const char *direct_study_heights(const struct direct_study *study, enum direct_study_kind kind);
 /** A quantity at load `i` by one kind of direct solution, SI, NaN where there is none: the mean gap, ECR A_n =
  * (rho1 + rho2) l, TCR A_n = (1/k1 + 1/k2) l. *error (NULL: not wanted): standard error over the surfaces, NaN from
- * one; of a map the difference that every second point of it alone would make. */
+ * one; of a map as in direct_ensemble.h. */
 double direct_study_value(const struct direct_study *study, const struct material_pair *pair,
                           enum direct_study_kind kind, enum quantity quantity, size_t i, double *error);
 /** The share by which the fine grid differs from the coarse one there, which the value has been corrected by; 0: none.

@@ -62,8 +62,8 @@ struct surface_summary {
     struct curve_summary **models; /* [model]: of those that have run, NULL of others; the same: surface_model() */
     struct answer *answers;        /* [target][model]; owned, NULL: the scene has no targets */
     struct limit_check *limits;    /* one a limit of the scene; the same */
-    size_t map_side;               /* points along the square that a map offers; 0: profiles */
-    double map_dy_m;               /* from row to row of it */
+    struct direct_map_def map;     /* the square that a map offers to a direct solution; nx 0: profiles */
+    double cutoff_m;               /* of the low-pass that a map has had; 0: none */
     struct direct_plan *direct;    /* how its contact is solved directly; owned, NULL: it is not called for */
     struct surface_times times;
 };
@@ -82,7 +82,7 @@ struct surface_record {
     size_t band_count;
     struct sensitivity sensitivity; /* scans 0 where there is a rough counterface */
     double *direct_m;               /* where a direct solution is called for: heights of the profiles, or the square of
-                                       a map row after row, as measured; else NULL */
+                                       a map row after row, conditioned; else NULL */
     size_t direct_count;
     size_t preview_points;
     double *preview_x_m, *preview_z_m; /* the first scan's profile, thinned */
@@ -118,6 +118,9 @@ struct joint_task surface_joint(const struct surface_record *record, const struc
 
 /** The same at the middle load alone. */
 struct model_task surface_middle_task(const struct model_task *task);
+
+/** Cut-off of the low-pass that a surface's scans have had, by the scene's wish or as a map; 0: none. */
+double surface_lambda_s(const struct surface_summary *summary, const struct scene *scene);
 
 /** Will the fitted law of a described surface be carried on below its sampling limit, if the effect convergence runs?
  */

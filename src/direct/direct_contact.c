@@ -118,12 +118,8 @@ static double sum_on(const struct direct_contact *contact, const double *a)
 {
     const uint32_t *set = contact->set;
     double part[4] = {0};
-    size_t n = contact->set_count, k = 0;
-    for (; k + 4 <= n; k += 4)
-        for (size_t l = 0; l < 4; l++)
-            part[l] += a[set[k + l]];
-    for (; k < n; k++)
-        part[0] += a[set[k]];
+    for (size_t k = 0; k < contact->set_count; k++)
+        part[k % 4] += a[set[k]];
     return direct_team_sum(contact->kernel.team, (part[0] + part[1]) + (part[2] + part[3]));
 }
 
@@ -132,12 +128,8 @@ static double dot_on(const struct direct_contact *contact, const double *a, doub
 {
     const uint32_t *set = contact->set;
     double part[4] = {0};
-    size_t n = contact->set_count, k = 0;
-    for (; k + 4 <= n; k += 4)
-        for (size_t l = 0; l < 4; l++)
-            part[l] += (a[set[k + l]] - a0) * b[set[k + l]];
-    for (; k < n; k++)
-        part[0] += (a[set[k]] - a0) * b[set[k]];
+    for (size_t k = 0; k < contact->set_count; k++)
+        part[k % 4] += (a[set[k]] - a0) * b[set[k]];
     return direct_team_sum(contact->kernel.team, (part[0] + part[1]) + (part[2] + part[3]));
 }
 

@@ -35,6 +35,19 @@ static enum status_code solve_surface(struct direct_point *out, double *rms_m, c
     return rc;
 }
 
+/** A part of the map, if it has it. */
+static enum status_code solve_part(struct direct_point *out, double *rms_m, const struct direct_ensemble_def *def,
+                                   enum direct_map_part part, struct status *status)
+{
+    struct direct_map taken;
+    if (!direct_map_has(def->map, part))
+        return STATUS_OK;
+    if (direct_map_take(&taken, def->map, part, status) != STATUS_OK)
+        return status->code;
+    return direct_ladder_of_heights(out, rms_m, NULL, taken.height_m, taken.n, taken.spacing_m, &def->ladder, def->team,
+                                    status);
+}
+
 static enum status_code solve_task(void *context, size_t index, struct threads_turn *turn, struct status *status)
 {
     const struct tasks *tasks = context;
@@ -43,47 +56,53 @@ static enum status_code solve_task(void *context, size_t index, struct threads_t
     if (tasks->fine && index == 0)
         return solve_surface(tasks->fine, NULL, tasks->def, 0, tasks->def->fine_times, status);
     size_t seed = tasks->fine ? index - 1 : index;
-    return solve_surface(ensemble->seed_point + seed * ensemble->loads, seed == 0 ? &ensemble->rms_m : NULL, tasks->def,
-                         seed, 1, status);
+    struct direct_point *out = ensemble->seed_point + seed * ensemble->loads;
+    double *rms_m = seed == 0 ? &ensemble->rms_m : NULL;
+    return tasks->def->map ? solve_part(out, rms_m, tasks->def, (enum direct_map_part)seed, status)
+                           : solve_surface(out, rms_m, tasks->def, seed, 1, status);
 }
 
-/* The quantities that are averaged. */
-enum averaged { AREA, GAP, CONSTRICTION, PATCHES };
-
-static double value_of(const struct direct_point *point, enum averaged quantity)
+/** Mean and standard error over `count` surfaces. */
+static struct direct_mean mean_of(const struct direct_point *point, size_t count, size_t step,
+                                  enum direct_quantity quantity)
 {
-    const double values[] = {[AREA] = point->quantities.area_ratio,
-                             [GAP] = point->quantities.gap_m,
-                             [CONSTRICTION] = point->constriction_m,
-                             [PATCHES] = (double)point->patches};
-    return values[quantity];
-}
-
-/** Mean and standard error over the seeds. */
-static struct direct_mean mean_of(const struct direct_ensemble *ensemble, size_t load, enum averaged quantity)
-{
-    double sum = 0, square = 0, n = (double)ensemble->seeds;
-    for (size_t k = 0; k < ensemble->seeds; k++)
-        sum += value_of(&ensemble->seed_point[k * ensemble->loads + load], quantity);
-    for (size_t k = 0; k < ensemble->seeds; k++) {
-        double off = value_of(&ensemble->seed_point[k * ensemble->loads + load], quantity) - sum / n;
+    double sum = 0, square = 0, n = (double)count;
+    for (size_t k = 0; k < count; k++)
+        sum += direct_point_value(&point[k * step], quantity);
+    for (size_t k = 0; k < count; k++) {
+        double off = direct_point_value(&point[k * step], quantity) - sum / n;
         square += off * off;
     }
     return (struct direct_mean){sum / n, n > 1 ? sqrt(square / (n - 1) / n) : NAN, 1};
 }
 
-/** Corrected by the fine grid's ratio; a quantity that is 0 on the coarse grid is 0 on the fine one. The distance of
- * the mean planes, which may be 0 or less, by a difference. */
-static struct direct_mean corrected(const struct direct_ensemble *ensemble, const struct direct_point *fine,
-                                    size_t load, enum averaged quantity)
+/** Of the seeds, corrected by the fine grid's ratio; a quantity that is 0 on the coarse grid is 0 on the fine one. */
+static struct direct_mean over_seeds(const struct direct_ensemble *ensemble, const struct direct_point *fine,
+                                     size_t load, enum direct_quantity quantity)
 {
-    struct direct_mean mean = mean_of(ensemble, load, quantity);
-    double coarse = value_of(&ensemble->seed_point[load], quantity);
-    if (fine && coarse != 0)
-        mean.fine_ratio = value_of(&fine[load], quantity) / coarse;
+    const struct direct_point *coarse = &ensemble->seed_point[load];
+    struct direct_mean mean = mean_of(coarse, ensemble->seeds, ensemble->loads, quantity);
+    if (fine && direct_point_value(coarse, quantity) != 0)
+        mean.fine_ratio = direct_point_value(&fine[load], quantity) / direct_point_value(coarse, quantity);
     mean.value *= mean.fine_ratio;
     mean.standard_error *= mean.fine_ratio;
     return mean;
+}
+
+/** Of a map, with its error. */
+static struct direct_mean of_map(const struct direct_ensemble *ensemble, const struct direct_map *map, size_t load,
+                                 enum direct_quantity quantity)
+{
+    const struct direct_point *part = &ensemble->seed_point[load];
+    double value[DIRECT_MAP_PARTS];
+    for (size_t k = 0; k < DIRECT_MAP_PARTS; k++)
+        value[k] = direct_point_value(&part[k * ensemble->loads], quantity);
+    double error = value[DIRECT_MAP_WHOLE] - value[DIRECT_MAP_SECOND];
+    if (direct_map_has(map, DIRECT_MAP_WIDER))
+        error = hypot(error, value[DIRECT_MAP_WIDER] - value[DIRECT_MAP_SECOND]);
+    for (int k = DIRECT_MAP_QUARTER; k < DIRECT_MAP_PARTS && direct_map_has(map, DIRECT_MAP_QUARTER); k++)
+        error = hypot(error, (value[k] - value[DIRECT_MAP_WHOLE]) / sqrt(4 * 3)); /* half their scatter round it */
+    return (struct direct_mean){value[DIRECT_MAP_WHOLE], fabs(error), 1};
 }
 
 static enum direct_ensemble_state state_of(const struct direct_ensemble *ensemble, size_t load)
@@ -98,23 +117,16 @@ static enum direct_ensemble_state state_of(const struct direct_ensemble *ensembl
     return few ? DIRECT_ENSEMBLE_FEW_POINTS : DIRECT_ENSEMBLE_GIVEN;
 }
 
-static void summarise(struct direct_ensemble *ensemble, const struct direct_point *fine, double length_m)
+static void summarise(struct direct_ensemble *ensemble, const struct direct_point *fine,
+                      const struct direct_ensemble_def *def)
 {
-    static const struct direct_mean none = {NAN, NAN, NAN};
-    double cell_m2 = length_m * length_m;
     for (size_t load = 0; load < ensemble->loads; load++) {
         struct direct_ensemble_point *point = &ensemble->point[load];
-        *point = (struct direct_ensemble_point){
-            .area_ratio = none, .gap_m = none, .constriction_m = none, .patches_per_m2 = none};
         point->state = state_of(ensemble, load);
-        if (point->state != DIRECT_ENSEMBLE_GIVEN)
-            continue;
-        point->area_ratio = corrected(ensemble, fine, load, AREA);
-        point->gap_m = corrected(ensemble, fine, load, GAP);
-        point->constriction_m = corrected(ensemble, fine, load, CONSTRICTION);
-        point->patches_per_m2 = corrected(ensemble, fine, load, PATCHES);
-        point->patches_per_m2.value /= cell_m2;
-        point->patches_per_m2.standard_error /= cell_m2;
+        for (int q = 0; q < DIRECT_QUANTITIES; q++)
+            point->mean[q] = point->state != DIRECT_ENSEMBLE_GIVEN ? (struct direct_mean){NAN, NAN, NAN}
+                             : def->map ? of_map(ensemble, def->map, load, (enum direct_quantity)q)
+                                        : over_seeds(ensemble, fine, load, (enum direct_quantity)q);
     }
 }
 
@@ -123,19 +135,22 @@ enum status_code direct_ensemble_run(struct direct_ensemble *out, const struct d
 {
     assert(def->seeds > 0 && def->ladder.loads > 0);
     const struct threads threads = {def->team ? 1 : def->threads, def->ladder.stop};
-    size_t fine = def->fine_times > 1;
-    *out = (struct direct_ensemble){.loads = def->ladder.loads, .seeds = def->seeds, .rms_m = NAN};
+    size_t fine = def->fine_times > 1 && !def->map, surfaces = def->map ? DIRECT_MAP_PARTS : def->seeds;
+    *out = (struct direct_ensemble){.loads = def->ladder.loads, .seeds = def->map ? 1 : def->seeds, .rms_m = NAN};
     out->point = calloc(out->loads, sizeof *out->point);
-    out->seed_point = calloc(def->seeds * out->loads, sizeof *out->seed_point);
+    out->seed_point = calloc(surfaces * out->loads, sizeof *out->seed_point);
     struct tasks tasks = {def, out, fine ? calloc(out->loads, sizeof *tasks.fine) : NULL};
     if (!out->point || !out->seed_point || (fine && !tasks.fine))
         (void)status_memory(status);
-    else if (threads_run(&threads, fine + def->seeds, solve_task, &tasks, status) == STATUS_OK) {
-        for (size_t k = 0; k < def->seeds * out->loads; k++)
+    else if (threads_run(&threads, fine + surfaces, solve_task, &tasks, status) == STATUS_OK) {
+        out->ladders = fine;
+        for (size_t k = 0; k < surfaces; k++)
+            out->ladders += !def->map || direct_map_has(def->map, (enum direct_map_part)k);
+        for (size_t k = 0; k < surfaces * out->loads; k++)
             out->convolutions += out->seed_point[k].convolutions;
         for (size_t k = 0; tasks.fine && k < out->loads; k++)
             out->fine_convolutions += tasks.fine[k].convolutions;
-        summarise(out, tasks.fine, def->length_m);
+        summarise(out, tasks.fine, def);
     }
     free(tasks.fine);
     if (status->code != STATUS_OK)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Direct solutions of several surfaces with one spectrum: what one random surface scatters by, averaged out.
+/* Direct solutions of several surfaces with one spectrum: what one random surface scatters by, averaged out; or of one
+ * map, with the solutions that tell its error.
  *
  * Q = mean over seeds on the coarse grid x Q_fine/Q_coarse of the first seed: seeds scatter by 5 to 20 %, the grid by 1
  * to 3 %, so many coarse surfaces and one fine one are worth more than a few fine ones.
@@ -8,6 +9,7 @@
 #define DIRECT_ENSEMBLE_H
 
 #include "direct/direct_ladder.h"
+#include "direct/direct_map.h"
 #include "direct/direct_surface.h"
 
 /** Contact points below which a grid gives no number (112: A off by 1.5 %, 59: 2.8 %). */
@@ -15,9 +17,10 @@ enum { DIRECT_ENSEMBLE_POINTS = 100 };
 
 struct direct_ensemble_def {
     struct direct_ladder_def ladder;
-    double length_m;   /* L */
-    size_t n;          /* points a side, even; lambda_s/dx >= 6 and n >= 256 keep the errors below 1 % */
-    size_t fine_times; /* the first seed also on fine_times n points a side; 0 or 1: not */
+    const struct direct_map *map; /* this alone is solved; NULL: the surfaces that follow are made */
+    double length_m;              /* L */
+    size_t n;                     /* points a side, even; lambda_s/dx >= 6 and n >= 256 keep the errors below 1 % */
+    size_t fine_times;            /* the first seed also on fine_times n points a side; 0 or 1: not */
     direct_variance *variance;
     const void *context;   /* its */
     const double *given_m; /* heights whose distribution the surfaces take; NULL: Gaussian */
@@ -29,28 +32,30 @@ struct direct_ensemble_def {
 
 /** A mean over seeds, corrected for the grid. */
 struct direct_mean {
-    double value;          /* NaN: none */
-    double standard_error; /* of the mean; NaN from one seed, or its error by another measure */
-    double fine_ratio;     /* by which the grid has been corrected, 1 without a fine one */
+    double value; /* NaN: none */
+    double
+        standard_error; /* of the mean; NaN from one seed. Of a map: root of the sum of squares of what every second
+                           point alone changes, what a wider low-pass changes, and the standard error over quarters */
+    double fine_ratio;  /* by which the grid has been corrected, 1 without a fine one */
 };
 
 /** What hinders a number at one load. */
 enum direct_ensemble_state {
     DIRECT_ENSEMBLE_GIVEN,
-    DIRECT_ENSEMBLE_FEW_POINTS, /* some seed has fewer than DIRECT_ENSEMBLE_POINTS points in contact */
+    DIRECT_ENSEMBLE_FEW_POINTS, /* some seed, or the map, has fewer than DIRECT_ENSEMBLE_POINTS points in contact */
     DIRECT_ENSEMBLE_COMPLETE    /* p̄ >= H */
 };
 
 struct direct_ensemble_point {
     enum direct_ensemble_state state;
-    struct direct_mean area_ratio, gap_m, constriction_m, patches_per_m2;
+    struct direct_mean mean[DIRECT_QUANTITIES];
 };
 
 /** Owned: direct_ensemble_free(). */
 struct direct_ensemble {
     struct direct_ensemble_point *point; /* one a load */
-    struct direct_point *seed_point;     /* seeds x loads, as solved on the coarse grid */
-    size_t loads, seeds;                 /* done */
+    struct direct_point *seed_point;     /* seeds x loads, as solved on the coarse grid; of a map its parts' */
+    size_t loads, seeds, ladders;        /* done; ladders with the finer grid, or the parts of a map */
     size_t convolutions, fine_convolutions;
     double rms_m; /* Sq of the first seed's surface */
 };

@@ -6,6 +6,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+double direct_point_value(const struct direct_point *point, enum direct_quantity quantity)
+{
+    const double values[] = {[DIRECT_AREA] = point->quantities.area_ratio,
+                             [DIRECT_GAP] = point->quantities.gap_m,
+                             [DIRECT_CONSTRICTION] = point->constriction_m,
+                             [DIRECT_PATCHES] = (double)point->patches};
+    return values[quantity];
+}
+
 static enum status_code solve_load(struct direct_point *out, struct direct_contact *contact,
                                    const struct direct_ladder_def *def, double mean_pressure, struct status *status)
 {

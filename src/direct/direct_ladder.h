@@ -23,6 +23,10 @@ struct direct_point {
     size_t convolutions;
 };
 
+/** What is averaged of it. */
+enum direct_quantity { DIRECT_AREA, DIRECT_GAP, DIRECT_CONSTRICTION, DIRECT_PATCHES, DIRECT_QUANTITIES };
+double direct_point_value(const struct direct_point *point, enum direct_quantity quantity);
+
 /** Solves every load of the ladder: `loads` points. Errors: those of the solutions. */
 MUST_CHECK enum status_code direct_ladder_run(struct direct_point *out, struct direct_contact *contact,
                                               const struct direct_ladder_def *def, struct status *status);

@@ -1,13 +1,139 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "direct/direct_map.h"
 
-#include "direct/direct_kernel.h"
+#include "profile/record_window.h"
+#include "spectrum/areal.h"
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { LEAST = 8 }; /* points a side */
+enum { LEAST = 8, LEAST_LINE = 4 }; /* points a side of a square, and of a row or column that is looked at */
+
+static const double cutoff_spacings = 6; /* what a map holds below is noise and steps to a solution */
+static const double noise_share = 0.02;  /* of the mean square slope, below that: the low-pass is needed */
+static const double most_seam = 3;       /* mean square second difference across the join of a periodic map's ends, over
+                                            that inside: of any other it is far more */
+
+/** What the rows, or the columns, of a map say. */
+struct lines {
+    size_t count;        /* without a missing point */
+    double seam, inside; /* mean squares of their second differences, across the join of their ends and inside */
+    double slope, noise; /* mean square slopes, and their part below the cut-off */
+};
+
+/** Adds `count` lines of `points` heights `step` apart. */
+static enum status_code look_along(struct lines *out, const double *height_m, size_t count, size_t next, size_t points,
+                                   size_t step, struct status *status)
+{
+    double *line = malloc(points * sizeof *line);
+    if (!line)
+        return status_memory(status);
+    for (size_t k = 0; k < count && points >= LEAST_LINE && status->code == STATUS_OK; k++) {
+        struct spectrum spectrum;
+        bool whole = true;
+        for (size_t i = 0; i < points; i++) {
+            line[i] = height_m[k * next + i * step];
+            whole &= isfinite(line[i]) != 0;
+        }
+        bool periodic = whole && record_window_is_periodic(line, points);
+        enum spectrum_window window = spectrum_window_for(SPECTRUM_WINDOW_AUTO, periodic);
+        if (!whole || spectrum_compute(&spectrum, line, points, 1, window, status) != STATUS_OK)
+            continue;
+        for (size_t i = 0; i < spectrum.count; i++) {
+            double slope = pow(spectrum_frequency(&spectrum, i), 2) * spectrum_power(&spectrum, i);
+            out->slope += slope;
+            out->noise += spectrum_frequency(&spectrum, i) * cutoff_spacings > 1 ? slope : 0;
+        }
+        out->count++;
+        for (size_t i = 0; i < points; i++) {
+            double bend = line[i] - 2 * line[(i + 1) % points] + line[(i + 2) % points];
+            *(i + 2 < points ? &out->inside : &out->seam) += bend * bend / (i + 2 < points ? (double)points - 2 : 2);
+        }
+        spectrum_free(&spectrum);
+    }
+    free(line);
+    return status->code;
+}
+
+/** Convolves `lines` records of `points` values `step` apart with a Gaussian of `reach` weights to a side; beyond an
+ * end a record goes on as its mirror image, or of a periodic map at its other end. `room`: points + 2 reach. */
+static void smooth_along(double *field, size_t lines, size_t next, size_t points, size_t step, const double *weight,
+                         size_t reach, bool periodic, double *room)
+{
+    size_t period = periodic ? points : 2 * points;
+    for (size_t k = 0; k < lines; k++) {
+        double *line = field + k * next;
+        for (size_t i = 0; i < points + 2 * reach; i++) {
+            size_t at = (i + period * reach - reach) % period;
+            room[i] = line[(at < points ? at : period - 1 - at) * step];
+        }
+        for (size_t i = 0; i < points; i++) {
+            double sum = weight[0] * room[i + reach];
+            for (size_t r = 1; r <= reach; r++)
+                sum += weight[r] * (room[i + reach - r] + room[i + reach + r]);
+            line[i * step] = sum;
+        }
+    }
+}
+
+/** Gaussian low-pass of ISO 16610-61, transmission 1/2 at a wave of `cutoff` points in any direction, from the points
+ * that are there; NaN where none is near. */
+static enum status_code low_pass(double *smooth, const double *height, size_t nx, size_t ny, double cutoff,
+                                 bool periodic, struct status *status)
+{
+    size_t reach = (size_t)ceil(1.5 * cutoff), count = nx * ny, places = (nx > ny ? nx : ny) + 2 * reach;
+    double *there = malloc((count + places + reach + 1) * sizeof *there), *fields[] = {smooth, there};
+    double *room = there + count, *weight = room + places, sum = 0, offset = NAN;
+    if (!there)
+        return status_memory(status);
+    for (size_t r = 0; r <= reach; r++) {
+        weight[r] = exp(-pow(M_PI * (double)r / cutoff, 2) / M_LN2);
+        sum += weight[r] * (r > 0 ? 2 : 1);
+    }
+    for (size_t r = 0; r <= reach; r++)
+        weight[r] /= sum;
+    for (size_t k = 0; k < count; k++) {
+        offset = isnan(offset) ? height[k] : offset; /* of which what is left over has all its digits */
+        there[k] = isfinite(height[k]);
+        smooth[k] = there[k] > 0 ? height[k] - offset : 0;
+    }
+    for (int f = 0; f < 2; f++) {
+        smooth_along(fields[f], ny, nx, nx, 1, weight, reach, periodic, room);
+        smooth_along(fields[f], nx, 1, ny, nx, weight, reach, periodic, room);
+    }
+    for (size_t k = 0; k < count; k++)
+        smooth[k] = smooth[k] / there[k] + offset;
+    free(there);
+    return STATUS_OK;
+}
+
+enum status_code direct_map_condition(double *height_m, struct direct_map_def *def, struct status *status)
+{
+    struct lines along = {0}, across = {0};
+    size_t nx = def->nx, ny = def->ny;
+    if (look_along(&along, height_m, ny, nx, nx, 1, status) != STATUS_OK ||
+        look_along(&across, height_m, nx, 1, ny, nx, status) != STATUS_OK)
+        return status->code;
+    def->periodic = along.count == ny && across.count == nx && along.seam <= most_seam * along.inside &&
+                    across.seam <= most_seam * across.inside;
+    bool noisy = !(along.noise + across.noise <= noise_share * (along.slope + across.slope));
+    def->cutoff = noisy || along.count + across.count == 0 ? cutoff_spacings : 0;
+    if (def->cutoff <= 0)
+        return STATUS_OK;
+    const struct scan scan = {.nx = nx, .ny = ny, .z_m = height_m};
+    struct status none = {0};
+    double *flat = malloc(2 * nx * ny * sizeof *flat), *smooth = flat + nx * ny;
+    if (!flat)
+        return status_memory(status);
+    if (areal_flatten(flat, &scan, &none) != STATUS_OK) /* else a slope would bend where it is mirrored */
+        memcpy(flat, height_m, nx * ny * sizeof *flat);
+    if (low_pass(smooth, flat, nx, ny, def->cutoff, def->periodic, status) == STATUS_OK)
+        for (size_t k = 0; k < nx * ny; k++)
+            height_m[k] = isnan(height_m[k]) ? NAN : height_m[k] - flat[k] + smooth[k];
+    free(flat);
+    return status->code;
+}
 
 /** Height of the known point nearest to (i, j): rings of growing half width, until none further out can be nearer. */
 static double nearest(const double *height, const bool *missing, size_t n, size_t i, size_t j)
@@ -29,8 +155,8 @@ static double nearest(const double *height, const bool *missing, size_t n, size_
     return value;
 }
 
-/** Takes the least-squares plane off; about the middle of a full square its three sums part. */
-static void take_plane(double *height, size_t n)
+/** Takes the least-squares plane off, or only the mean; about the middle of a full square its three sums part. */
+static void take_plane(double *height, size_t n, bool mean_only)
 {
     double mean = 0, along = 0, across = 0, square = 0, middle = (double)(n - 1) / 2, count = (double)(n * n);
     for (size_t k = 0; k < n * n; k++)
@@ -38,12 +164,28 @@ static void take_plane(double *height, size_t n)
     mean += height[0];
     for (size_t k = 0; k < n * n; k++) {
         double x = (double)(k % n) - middle, y = (double)(k / n) - middle, z = height[k] - mean;
-        along += x * z;
-        across += y * z;
+        along += mean_only ? 0 : x * z;
+        across += mean_only ? 0 : y * z;
         square += x * x;
     }
     for (size_t k = 0; k < n * n; k++)
         height[k] -= mean + along / square * ((double)(k % n) - middle) + across / square * ((double)(k / n) - middle);
+}
+
+/** Missing points take the nearest one's height, smoothed as the map has been, so that no steps stand between them. */
+static enum status_code fill(double *height, const bool *missing, size_t n, double cutoff, struct status *status)
+{
+    double *smooth = malloc(n * n * sizeof *smooth);
+    if (!smooth)
+        return status_memory(status);
+    for (size_t k = 0; k < n * n; k++)
+        if (missing[k])
+            height[k] = nearest(height, missing, n, k % n, k / n);
+    if (cutoff > 0 && low_pass(smooth, height, n, n, cutoff, false, status) == STATUS_OK)
+        for (size_t k = 0; k < n * n; k++)
+            height[k] = missing[k] ? smooth[k] : height[k];
+    free(smooth);
+    return status->code;
 }
 
 /** The square, filled and level, into `height`. */
@@ -58,74 +200,43 @@ static enum status_code take_square(struct direct_map *map, double *height, size
         missing[k] = !isfinite(height[k]);
         map->filled += missing[k];
     }
-    if (2 * map->filled <= n * n) {
-        for (size_t k = 0; k < n * n; k++)
-            if (missing[k])
-                height[k] = nearest(height, missing, n, k % n, k / n);
-        take_plane(height, n);
-    }
-    free(missing);
     if (2 * map->filled > n * n)
-        return status_fail(status, STATUS_SCAN,
-                           "%zu of the map's %zu points are missing; fill them or take another part", map->filled,
-                           n * n);
-    return STATUS_OK;
+        (void)status_fail(status, STATUS_SCAN,
+                          "%zu of the map's %zu points are missing; fill them or take another part", map->filled,
+                          n * n);
+    else if (map->filled == 0 || fill(height, missing, n, map->cutoff, status) == STATUS_OK)
+        take_plane(height, n, !map->mirrored);
+    free(missing);
+    return status->code;
 }
 
-/** Gaussian low-pass of a periodic square, transmission 1/2 at a wave of `cutoff` points in any direction. */
-static enum status_code low_pass(double *height, size_t n, double cutoff, struct status *status)
+size_t direct_map_side(const struct direct_map_def *def, size_t most)
 {
-    struct direct_kernel kernel;
-    size_t side = n / 2 + 1;
-    if (direct_kernel_make(&kernel, NULL, n, n, 1, status) != STATUS_OK)
-        return status->code;
-    double *transmission = kernel.compliance; /* has the shape, and is not needed */
-    for (size_t k = 0; k < side * side; k++) {
-        double r = hypot((double)(k / side), (double)(k % side)) / (double)n * cutoff;
-        transmission[k] = exp2(-r * r) / (double)(n * n);
-    }
-    for (size_t j = 0; j < n; j++)
-        memcpy(kernel.field + j * kernel.stride, height + j * n, n * sizeof *height);
-    direct_kernel_convolve(&kernel, transmission);
-    for (size_t j = 0; j < n; j++)
-        memcpy(height + j * n, kernel.field + j * kernel.stride, n * sizeof *height);
-    direct_kernel_free(&kernel);
-    return STATUS_OK;
-}
-
-/** Root mean square about the mean. */
-static double rms(const double *z, size_t count)
-{
-    double mean = 0, square = 0;
-    for (size_t k = 0; k < count; k++)
-        mean += z[k] / (double)count;
-    for (size_t k = 0; k < count; k++)
-        square += (z[k] - mean) * (z[k] - mean) / (double)count;
-    return sqrt(square);
-}
-
-enum status_code direct_map_make(struct direct_map *out, const double *height_m, size_t nx, size_t ny, double dx_m,
-                                 double dy_m, size_t most, double cutoff, struct status *status)
-{
-    size_t n = nx < ny ? nx : ny;
+    size_t n = def->nx < def->ny ? def->nx : def->ny;
     n = n < most ? n : most;
-    *out = (struct direct_map){.n = 2 * n, .spacing_m = dx_m};
+    return def->periodic && n == def->nx && n == def->ny && n % 2 == 0 ? n : 2 * n;
+}
+
+enum status_code direct_map_make(struct direct_map *out, const double *height_m, const struct direct_map_def *def,
+                                 size_t most, struct status *status)
+{
+    size_t n = def->nx < def->ny ? def->nx : def->ny, side = direct_map_side(def, most);
+    n = n < most ? n : most;
+    *out = (struct direct_map){.n = side, .spacing_m = def->dx_m, .cutoff = def->cutoff, .mirrored = side > n};
     if (n < LEAST)
         return status_fail(status, STATUS_SCAN, "a square of %zu points a side is too small; %d are needed", n, LEAST);
-    if (!(dx_m > 0) || !(fabs(dy_m / dx_m - 1) <= 0.01))
+    if (!(def->dx_m > 0) || !(fabs(def->dy_m / def->dx_m - 1) <= 0.01))
         return status_fail(status, STATUS_SCAN,
-                           "spacings of %g m along and %g m across the rows are not the same; resample the map", dx_m,
-                           dy_m);
+                           "spacings of %g m along and %g m across the rows are not the same; resample the map",
+                           def->dx_m, def->dy_m);
     double *square = malloc(n * n * sizeof *square);
-    out->height_m = malloc(4 * n * n * sizeof *out->height_m);
+    out->height_m = malloc(side * side * sizeof *out->height_m);
     if (!square || !out->height_m)
         (void)status_memory(status);
-    else if (take_square(out, square, n, height_m, nx, status) == STATUS_OK) {
-        for (size_t j = 0; j < 2 * n; j++)
-            for (size_t i = 0; i < 2 * n; i++)
-                out->height_m[j * 2 * n + i] = square[(j < n ? j : 2 * n - 1 - j) * n + (i < n ? i : 2 * n - 1 - i)];
-        if (cutoff <= 0 || low_pass(out->height_m, 2 * n, cutoff, status) == STATUS_OK)
-            out->rms_m = rms(out->height_m, 4 * n * n);
+    else if (take_square(out, square, n, height_m, def->nx, status) == STATUS_OK) {
+        for (size_t j = 0; j < side; j++)
+            for (size_t i = 0; i < side; i++)
+                out->height_m[j * side + i] = square[(j < n ? j : side - 1 - j) * n + (i < n ? i : side - 1 - i)];
     }
     free(square);
     if (status->code != STATUS_OK)
@@ -137,4 +248,34 @@ void direct_map_free(struct direct_map *map)
 {
     free(map->height_m);
     *map = (struct direct_map){0};
+}
+
+bool direct_map_has(const struct direct_map *map, enum direct_map_part part)
+{
+    return part >= DIRECT_MAP_QUARTER ? map->mirrored && map->n / 4 >= LEAST
+                                      : part != DIRECT_MAP_WIDER || map->cutoff > 0;
+}
+
+enum status_code direct_map_take(struct direct_map *out, const struct direct_map *map, enum direct_map_part part,
+                                 struct status *status)
+{
+    size_t every = part == DIRECT_MAP_WHOLE ? 1 : 2, half = map->n / 4, n = map->n / every;
+    if (part >= DIRECT_MAP_QUARTER) {
+        const struct direct_map_def def = {map->n, map->n, map->spacing_m, map->spacing_m, false, map->cutoff};
+        size_t quarter = (size_t)(part - DIRECT_MAP_QUARTER);
+        return direct_map_make(out, map->height_m + (quarter / 2 * map->n + quarter % 2) * half, &def, half, status);
+    }
+    *out = *map;
+    out->n = n;
+    out->spacing_m *= (double)every;
+    out->height_m = malloc(map->n * map->n * sizeof *out->height_m);
+    if (!out->height_m)
+        return status_memory(status);
+    memcpy(out->height_m, map->height_m, map->n * map->n * sizeof *out->height_m);
+    if (part == DIRECT_MAP_WIDER &&
+        low_pass(out->height_m, map->height_m, map->n, map->n, map->cutoff, true, status) != STATUS_OK)
+        direct_map_free(out);
+    for (size_t k = 0; k < n * n && out->height_m; k++)
+        out->height_m[k] = out->height_m[k / n * every * map->n + k % n * every];
+    return status->code;
 }

@@ -5,25 +5,59 @@
 #define DIRECT_MAP_H
 
 #include "base/status.h"
+#include <stdbool.h>
 #include <stddef.h>
+
+/** Rows and columns of heights, and what they were found to be. */
+struct direct_map_def {
+    size_t nx, ny;
+    double dx_m, dy_m;
+    bool periodic; /* the map closes on itself in both directions */
+    double cutoff; /* of the low-pass that it has had, in spacings; 0: none */
+};
+
+/** Conditions ny rows of nx heights (NaN: missing, and stays so) in place. The map is periodic if over
+ * its rows, and over its columns, the mean square second difference across the join of their ends is at most 3 times
+ * that inside: record_window_is_periodic() asks the same of one record. Where more than 2 % of their mean square slope
+ * is shorter than 6 spacings, or nothing tells, a Gaussian low-pass of ISO 16610-61 with that cut-off takes it out;
+ * beyond its edges a map goes on as its mirror image. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code direct_map_condition(double *height_m, struct direct_map_def *def, struct status *status);
+
+/** Points a side of what is made of a square of at most `most` points: the whole of a periodic map, if every second
+ * point closes too, else twice the square, mirrored. */
+size_t direct_map_side(const struct direct_map_def *def, size_t most);
 
 /** A square of heights that continues periodically. Owned: direct_map_free(). */
 struct direct_map {
     double *height_m; /* n x n */
-    size_t n;         /* twice the square taken from the map */
+    size_t n;
     double spacing_m;
-    double rms_m;  /* about its mean */
     size_t filled; /* missing points that took their nearest neighbour's height */
+    bool mirrored; /* n is twice the square taken from the map */
+    double cutoff; /* as in the definition */
 };
 
-/** From `ny` rows of `nx` heights (NaN: missing): the square of at most `most` points at the first corner; missing
- * points take the height of the nearest one (the first in reading order of several); the least-squares plane off;
- * mirrored to 2N x 2N, so that it continues without a step; Gaussian low-pass of ISO 16610-61 with the cut-off `cutoff`
- * spacings (0: none). Errors: STATUS_SCAN: fewer than 8 points a side, spacings that differ by more than 1 %, or more
- * than half the points missing; STATUS_MEMORY. */
-MUST_CHECK enum status_code direct_map_make(struct direct_map *out, const double *height_m, size_t nx, size_t ny,
-                                            double dx_m, double dy_m, size_t most, double cutoff,
-                                            struct status *status);
+/** From a conditioned map: the square of at most `most` points at the first corner; missing points take the height of
+ * the nearest one (the first in reading order of several), smoothed like the map. The whole of a periodic map stays as
+ * it is, its mean off; of any other the least-squares plane comes off, and it is mirrored to 2N x 2N, so that it
+ * continues without a step. Errors: STATUS_SCAN: fewer than 8 points a side, spacings that differ by more than 1 %, or
+ * more than half the points missing; STATUS_MEMORY. */
+MUST_CHECK enum status_code direct_map_make(struct direct_map *out, const double *height_m,
+                                            const struct direct_map_def *def, size_t most, struct status *status);
 void direct_map_free(struct direct_map *map);
+
+/** What tells the error of a map's solution: every second point; these after the same low-pass once more, which takes
+ * about as much as it did, of a map that has had one; and the quarters of a mirrored map, each a map of its own. */
+enum direct_map_part {
+    DIRECT_MAP_WHOLE,
+    DIRECT_MAP_SECOND,
+    DIRECT_MAP_WIDER,
+    DIRECT_MAP_QUARTER,
+    DIRECT_MAP_PARTS = DIRECT_MAP_QUARTER + 4
+};
+bool direct_map_has(const struct direct_map *map, enum direct_map_part part);
+/** Takes that part. Owned: direct_map_free(). Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code direct_map_take(struct direct_map *out, const struct direct_map *map,
+                                            enum direct_map_part part, struct status *status);
 
 #endif

@@ -43,20 +43,12 @@ static double ladder(const struct direct_predict_def *def, double n, double *sec
 struct direct_prediction direct_predict(const struct direct_predict_def *def)
 {
     static const double bytes_a_point = 60;
-    double n = (double)def->n, seeds = (double)def->seeds, threads = (double)def->threads, coarse, fine = 0;
-    struct direct_prediction out = {0};
-    double busy = fmin(threads, seeds);
-    out.convolutions = seeds * ladder(def, n, &coarse);
-    out.bytes = busy * bytes_a_point * n * n;
-    double synthesis = def->heights ? column_at(n, SYNTHESIS_SECONDS) : 0;
-    coarse += synthesis;
-    if (def->fine_times > 1) {
-        double times = (double)def->fine_times;
-        out.fine_convolutions = ladder(def, n * times, &fine);
-        fine += synthesis;
-        out.bytes = ((busy < threads ? busy : busy - 1) + times * times) * bytes_a_point * n * n;
-    }
-    /* The fine grid is begun first; the seeds share what is left of the threads' time. */
-    out.seconds = fmax((fine + seeds * coarse) / threads, fmax(fine, ceil(seeds / threads) * coarse));
+    double n = (double)def->n, times = def->fine_times > 1 ? (double)def->fine_times : 0, seeds = (double)def->seeds;
+    double coarse_seconds, fine_seconds = 0, synthesis = def->heights ? column_at(n, SYNTHESIS_SECONDS) : 0;
+    struct direct_prediction out = {.convolutions = seeds * ladder(def, n, &coarse_seconds),
+                                    .bytes = fmax(1, times * times) * bytes_a_point * n * n};
+    if (times > 0)
+        out.convolutions += ladder(def, n * times, &fine_seconds);
+    out.seconds = fine_seconds + seeds * coarse_seconds + (seeds + (times > 0)) * synthesis;
     return out;
 }

@@ -8,18 +8,16 @@
 
 /** A ladder of loads over several surfaces, as direct_ensemble.h solves it. */
 struct direct_predict_def {
-    size_t n, fine_times, loads, seeds, threads; /* fine_times 0 or 1: no finer grid; threads >= 1 */
-    bool capped;                                 /* with a hardness */
-    bool resistance;                             /* constriction too */
-    bool heights;                                /* the surfaces are given heights */
-    bool map;                                    /* it is a measured map */
+    size_t n, fine_times, loads, seeds; /* fine_times 0 or 1: no finer grid */
+    bool capped;                        /* with a hardness */
+    bool resistance;                    /* constriction too */
+    bool heights;                       /* the surfaces are given heights */
+    bool map;                           /* it is a measured map */
 };
 
 struct direct_prediction {
-    double convolutions; /* of all surfaces on the coarse grid */
-    double fine_convolutions;
-    double seconds; /* elapsed, with that many processors free */
-    double bytes;   /* held at once */
+    double convolutions, seconds; /* of all surfaces, on one processor */
+    double bytes;                 /* held at once */
 };
 
 /** From counts and times measured on a power law with lambda_s = 6 dx over loads from 1e-5 to 1e-2 E' (2026, one core

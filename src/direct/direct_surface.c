@@ -14,78 +14,104 @@ size_t direct_law_harmonics(const struct direct_law *law)
     return (size_t)fmax(1, floor(3.2 * law->length_m / law->lambda_s_m));
 }
 
-/** Delta_m/(alpha L^gamma). */
-static double shape(double gamma, double cut, size_t m)
+/** Delta_m/(alpha L^gamma); r: waves in the cell of its roll-off, cut: of its cut-off. */
+static double shape(double gamma, double r, double cut, size_t m)
 {
     double above = (double)m / cut; /* lambda_s/lambda */
-    return pow((double)m, -gamma) * (above > 1 ? exp(-M_LN2 * (above * above - 1)) : 1);
+    return pow(fmax((double)m, r), -gamma) * (above > 1 ? exp(-M_LN2 * (above * above - 1)) : 1);
 }
 
 double direct_law_amplitude(const struct direct_law *law, size_t m)
 {
-    return law->alpha * pow(law->length_m, law->gamma) * shape(law->gamma, law->length_m / law->lambda_s_m, m);
+    return law->alpha * pow(law->length_m, law->gamma) *
+           shape(law->gamma, law->roll_off, law->length_m / law->lambda_s_m, m);
 }
 
-/** sum of shape²/2, and the ratio of sum m² shape² to sum shape². */
-static double half_square(double gamma, double cut, size_t count, double *mean_square_m)
+/** sums[k] = sum of m^k shape². */
+static void sum_powers(double sums[3], double gamma, double r, double cut, size_t count)
 {
-    double square = 0, slope = 0;
+    sums[0] = sums[1] = sums[2] = 0;
     for (size_t m = 1; m <= count; m++) {
-        double amplitude = shape(gamma, cut, m);
-        square += amplitude * amplitude;
-        slope += amplitude * amplitude * (double)m * (double)m;
+        double power = pow(shape(gamma, r, cut, m), 2);
+        for (int k = 0; k < 3; k++, power *= (double)m)
+            sums[k] += power;
     }
-    *mean_square_m = slope / square;
-    return square / 2;
 }
 
-enum status_code direct_law_match(struct direct_law *out, double m0_m2, double m2, double length_m, double lambda_s_m,
+/** The exponent, within -2 ... 8, with which a law rolled off at r has sums[2]/sums[0] = `wanted`, which falls with it;
+ * its sums, and the range there is. False: none. */
+static bool match_gamma(double *gamma, double sums[3], double range[2], double r, double cut, size_t count,
+                        double wanted)
+{
+    double low = -2, high = 8;
+    sum_powers(sums, high, r, cut, count);
+    range[0] = sums[2] / sums[0];
+    sum_powers(sums, low, r, cut, count);
+    range[1] = sums[2] / sums[0];
+    *gamma = (low + high) / 2;
+    while (high - low > 8e-15 && *gamma > low && *gamma < high) {
+        sum_powers(sums, *gamma, r, cut, count);
+        if (sums[2] / sums[0] > wanted)
+            low = *gamma;
+        else
+            high = *gamma;
+        *gamma = (low + high) / 2;
+    }
+    return wanted >= range[0] && wanted <= range[1];
+}
+
+enum status_code direct_law_match(struct direct_law *out, const double moments[3], double length_m, double lambda_s_m,
                                   struct status *status)
 {
-    *out = (struct direct_law){NAN, NAN, lambda_s_m, length_m};
-    if (!(m0_m2 > 0 && m2 > 0 && length_m > 0 && lambda_s_m > 0 && lambda_s_m <= length_m))
+    double m0_m2 = moments[0], m2 = moments[2], sums[3], range[2];
+    *out = (struct direct_law){NAN, NAN, lambda_s_m, length_m, 1};
+    if (!(m0_m2 > 0 && moments[1] > 0 && m2 > 0 && length_m > 0 && lambda_s_m > 0 && lambda_s_m <= length_m))
         return status_fail(status, STATUS_MODEL,
-                           "no power law can be matched to m0 = %g m², m2 = %g, L = %g m and lambda_s = %g m", m0_m2,
-                           m2, length_m, lambda_s_m);
+                           "no power law can be matched to m0 = %g m², m1 = %g m, m2 = %g, L = %g m and lambda_s = "
+                           "%g m",
+                           m0_m2, moments[1], m2, length_m, lambda_s_m);
     size_t count = direct_law_harmonics(out);
-    double cut = length_m / lambda_s_m, low = -2, high = 8, at_low, at_high, at;
-    double wanted = m2 / m0_m2 * pow(length_m / (2 * M_PI), 2);
-    (void)half_square(low, cut, count, &at_low);
-    (void)half_square(high, cut, count, &at_high);
-    if (!(wanted <= at_low && wanted >= at_high))
+    double cut = length_m / lambda_s_m, low = 1, high = fmax(1, cut / 1.5), middle;
+    double wanted = m2 / m0_m2 * pow(length_m / (2 * M_PI), 2), share = moments[1] / sqrt(m0_m2 * m2);
+    if (!match_gamma(&out->gamma, sums, range, 1, cut, count, wanted))
         return status_fail(status, STATUS_MODEL,
                            "no power law cut off at %g m has the measured heights and slopes (rms %g m and %g): it "
                            "reaches slopes from %.3g to %.3g; choose another lambda_s",
-                           lambda_s_m, sqrt(m0_m2), sqrt(m2), sqrt(at_high * m2 / wanted), sqrt(at_low * m2 / wanted));
-    while (high - low > 1e-15 * 8) { /* falls with gamma */
-        double middle = (low + high) / 2;
-        (void)half_square(middle, cut, count, &at);
-        if (middle <= low || middle >= high)
-            break;
-        if (at > wanted)
+                           lambda_s_m, sqrt(m0_m2), sqrt(m2), sqrt(range[0] * m2 / wanted),
+                           sqrt(range[1] * m2 / wanted));
+    while (high - low > 1e-12 * high) { /* m1/sqrt(m0 m2) rises with the roll-off, until no gamma is steep enough */
+        middle = (low + high) / 2;
+        bool found = match_gamma(&out->gamma, sums, range, middle, cut, count, wanted);
+        if (found && sums[1] < share * sqrt(sums[0] * sums[2]))
             low = middle;
         else
             high = middle;
     }
-    out->gamma = (low + high) / 2;
-    out->alpha = sqrt(m0_m2 / half_square(out->gamma, cut, count, &at)) / pow(length_m, out->gamma);
+    out->roll_off = low;
+    (void)match_gamma(&out->gamma, sums, range, low, cut, count, wanted);
+    out->alpha = sqrt(2 * m0_m2 / sums[0]) / pow(length_m, out->gamma);
     return STATUS_OK;
 }
 
-enum status_code direct_spectrum_of_rows(struct direct_spectrum *out, const double *row_m2, size_t count, double gamma,
-                                         struct status *status)
+/** Variance over weight. */
+static double between(const struct direct_spectrum *spectrum, double r)
 {
-    assert(count > 0);
-    *out = (struct direct_spectrum){
-        .weight_m2 = calloc(count + 2, sizeof(double)), .count = count, .exponent = 2 * gamma + 1, .positive = true};
+    return pow(fmax(r, spectrum->roll_off), -spectrum->exponent);
+}
+
+enum status_code direct_spectrum_of_law(struct direct_spectrum *out, const struct direct_law *law,
+                                        struct status *status)
+{
+    size_t count = direct_law_harmonics(law);
+    *out = (struct direct_spectrum){calloc(count + 2, sizeof(double)), count, 2 * law->gamma + 1, law->roll_off};
     if (!out->weight_m2)
         return status_memory(status);
     double *w = out->weight_m2, end = (double)((count + 1) * (count + 1));
     for (size_t m = count; m >= 1; m--) {
         /* P1(m)/2 = v(m, 0) + 2 sum_{j > 0} v(m, j), of which the part with w_m is not known yet */
-        double known = 0, factor = pow((double)m, -out->exponent);
+        double known = 0, factor = between(out, (double)m);
         for (size_t j = 1; (double)(m * m + j * j) < end; j++) {
-            double r = sqrt((double)(m * m + j * j)), power = 2 * pow(r, -out->exponent);
+            double r = sqrt((double)(m * m + j * j)), power = 2 * between(out, r);
             size_t below = (size_t)r;
             double share = r - (double)below;
             known += power * share * w[below]; /* w_{below + 1} */
@@ -94,29 +120,14 @@ enum status_code direct_spectrum_of_rows(struct direct_spectrum *out, const doub
             else
                 known += power * (1 - share) * w[below - 1];
         }
-        w[m - 1] = (row_m2[m - 1] / 2 - known) / factor;
-        out->positive &= w[m - 1] >= 0;
+        w[m - 1] = (pow(direct_law_amplitude(law, m), 2) / 4 - known) / factor;
+        if (!(w[m - 1] >= 0))
+            return status_fail(status, STATUS_MODEL,
+                               "no isotropic surface has rows of the law with gamma = %g: it would need negative "
+                               "powers",
+                               law->gamma);
     }
     return STATUS_OK;
-}
-
-enum status_code direct_spectrum_of_law(struct direct_spectrum *out, const struct direct_law *law,
-                                        struct status *status)
-{
-    *out = (struct direct_spectrum){0};
-    size_t count = direct_law_harmonics(law);
-    double *row_m2 = malloc(count * sizeof *row_m2);
-    if (!row_m2)
-        return status_memory(status);
-    for (size_t m = 1; m <= count; m++)
-        row_m2[m - 1] = pow(direct_law_amplitude(law, m), 2) / 2;
-    enum status_code rc = direct_spectrum_of_rows(out, row_m2, count, law->gamma, status);
-    free(row_m2);
-    if (rc == STATUS_OK && !out->positive)
-        return status_fail(status, STATUS_MODEL,
-                           "no isotropic surface has rows of the law with gamma = %g: it would need negative powers",
-                           law->gamma);
-    return rc;
 }
 
 void direct_spectrum_free(struct direct_spectrum *spectrum)
@@ -132,8 +143,7 @@ double direct_spectrum_variance(double r, const void *context)
     if (below > spectrum->count || below < 1)
         return 0;
     double share = r - (double)below;
-    return ((1 - share) * spectrum->weight_m2[below - 1] + share * spectrum->weight_m2[below]) *
-           pow(r, -spectrum->exponent);
+    return ((1 - share) * spectrum->weight_m2[below - 1] + share * spectrum->weight_m2[below]) * between(spectrum, r);
 }
 
 /** splitmix64's finaliser (Steele, Lea and Flood 2014; Vigna). Whole numbers: the same everywhere. */

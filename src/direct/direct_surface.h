@@ -17,13 +17,14 @@
 /** Variance [m²] of a complex mode with r > 0 waves in the cell. */
 typedef double direct_variance(double r, const void *context);
 
-/** Delta = alpha lambda^gamma down to lambda_s, below which amplitudes fall as exp(-ln2 ((lambda_s/lambda)² - 1)), the
- * Gaussian filter of ISO 16610-21 relative to its value at lambda_s. */
+/** Delta = alpha lambda^gamma from L/roll_off, above which amplitudes stay, down to lambda_s, below which they fall as
+ * exp(-ln2 ((lambda_s/lambda)² - 1)), the Gaussian filter of ISO 16610-21 relative to its value at lambda_s. */
 struct direct_law {
     double alpha; /* m^(1-gamma) */
     double gamma;
     double lambda_s_m;
     double length_m; /* L */
+    double roll_off; /* waves in L; 1 or less: none */
 };
 
 /** Harmonics that a law has before its cut-off leaves less than 2e-3 of an amplitude: 3.2 L/lambda_s. */
@@ -31,27 +32,27 @@ size_t direct_law_harmonics(const struct direct_law *law);
 /** Delta_m [m], m = 1, 2, ... */
 double direct_law_amplitude(const struct direct_law *law, size_t m);
 
-/** The law with the cut-off lambda_s whose rows have the given m0 = sum Delta_m²/2 [m²] and m2 = sum (2 pi m/L)²
- * Delta_m²/2, which a fit through a measured spectrum's logarithms has not (the mean logarithm of a Gaussian surface's
- * power is exp(-0.577) of its mean power). One root in gamma, within -2 ... 8. Error: STATUS_MODEL: no such law. */
-MUST_CHECK enum status_code direct_law_match(struct direct_law *out, double m0_m2, double m2, double length_m,
+/** The law with the cut-off lambda_s whose rows have moments m_k = sum (2 pi m/L)^k Delta_m²/2, k = 0, 1, 2, which a
+ * fit through a measured spectrum's logarithms has not (the mean logarithm of a Gaussian surface's power is exp(-0.577)
+ * of its mean power). m0 rules separation, m2 the area at low load, m1 (elastic energy) the gap near closing. For a
+ * roll-off gamma, within -2 ... 8, follows from m2/m0, and the roll-off, within 1 ... L/(1.5 lambda_s), from m1; where
+ * none has it, the nearest one. Error: STATUS_MODEL: no such law. */
+MUST_CHECK enum status_code direct_law_match(struct direct_law *out, const double moments[3], double length_m,
                                              double lambda_s_m, struct status *status);
 
-/** Isotropic: v(r) = w(r) r^-(2 gamma + 1), w linear between w_1 ... w_M at whole r and 0 from M + 1 on (w_1 below r =
- * 1, which no mode has). Owned: direct_spectrum_free(). */
+/** Isotropic: v(r) = w(r) max(r, roll_off)^-(2 gamma + 1), w linear between w_1 ... w_M at whole r and 0 from M + 1 on
+ * (w_1 below r = 1, which no mode has). Owned: direct_spectrum_free(). */
 struct direct_spectrum {
     double *weight_m2; /* w_r at index r - 1 */
     size_t count;      /* M */
     double exponent;   /* 2 gamma + 1 */
-    bool positive;     /* no v is negative: an isotropic surface with these rows exists */
+    double roll_off;
 };
 
-/** The surface whose rows have the mean squares row_m2[m - 1] at harmonics m = 1 ... count: the discrete counterpart of
- * C2(q) = -1/pi int_q^inf C1'(k)/sqrt(k² - q²) dk (Nayak, Wear 26 (1973) 305), triangular and solved from m = count
- * down. gamma sets only the shape between whole r; the rows come out exactly whatever it is. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code direct_spectrum_of_rows(struct direct_spectrum *out, const double *row_m2, size_t count,
-                                                    double gamma, struct status *status);
-/** The same of a law's rows. Errors: STATUS_MEMORY; STATUS_MODEL: no isotropic surface has them. */
+/** The surface with a law's rows: the discrete counterpart of C2(q) = -1/pi int_q^inf C1'(k)/sqrt(k² - q²) dk (Nayak,
+ * Wear 26 (1973) 305), triangular and solved from the shortest wave down. gamma and roll_off set only the shape between
+ * whole r; the rows come out exactly whatever they are. To be freed whatever comes back. Errors: STATUS_MEMORY;
+ * STATUS_MODEL: no isotropic surface has them. */
 MUST_CHECK enum status_code direct_spectrum_of_law(struct direct_spectrum *out, const struct direct_law *law,
                                                    struct status *status);
 void direct_spectrum_free(struct direct_spectrum *spectrum);

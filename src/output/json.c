@@ -406,6 +406,7 @@ static json_t *direct_json(const struct direct_study *study, const struct result
     set(json, &guard, "lambda_s_m", plan->lambda_s_m);
     set(json, &guard, "alpha_SI", plan->side > 0 ? NAN : plan->law.alpha);
     set(json, &guard, "gamma", plan->side > 0 ? NAN : plan->law.gamma);
+    set(json, &guard, "roll_off_m", plan->side > 0 ? NAN : plan->length_m / plan->law.roll_off);
     set(json, &guard, "sq_m", study->rms_m);
     return json;
 }

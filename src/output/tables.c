@@ -488,8 +488,7 @@ static void put_direct(struct table *table, const struct results *results, const
             if (has_column(results, c) && direct_columns[c].error)
                 put_number(table, direct_columns[c].error, error);
         }
-        double cell_m2 = study->plan.length_m * study->plan.length_m;
-        put_number(table, "patches", curve->points[i].patches_per_m2.value * cell_m2);
+        put_number(table, "patches", curve->points[i].mean[DIRECT_PATCHES].value);
         text_add(&table->rows, ",%zu,%zu,%s", curve->seeds, study->plan.grid, direct_study_heights(study, kind));
         put_number(table, "hardness_Pa",
                    kind == DIRECT_STUDY_CAPPED

@@ -21,21 +21,27 @@ static void resolution(struct text *out, const struct direct_study *study, const
 {
     const struct direct_plan *plan = &study->plan;
     if (plan->side > 0) {
+        text_add(out, " the map itself: ");
         text_add(out,
-                 " the map itself: the first square of %zu points a side, its plane off, low-passed at 6 spacings and "
-                 "mirrored to %zu × %zu points, which makes it periodic. Below that there is nothing: the direct "
-                 "solution is true at this resolution. Its error is the difference that every second point alone would "
-                 "make.",
+                 plan->mirrored ? "the first square of %zu points a side, its plane off, mirrored to %zu × %zu points, "
+                                  "which makes it periodic"
+                                : "all of its %zu points a side (%zu × %zu), as it closes on itself",
                  plan->side, plan->grid, plan->grid);
+        if (plan->lambda_s_m > 0)
+            number_format_between(out, ", low-passed at ", plan->lambda_s_m * 1e6, 3, " µm");
+        text_add(out, ". Below that there is nothing: the direct solution is true at this resolution.");
         return;
     }
     text_add(out,
              " %zu isotropic surface%s of %zu × %zu points, as long as the scan, whose rows have its mean square "
-             "height and slope: ",
+             "height and slope and the moment between: ",
              plan->seeds, plan->seeds == 1 ? "" : "s", plan->grid, plan->grid);
     number_format_between(out, "Δ = α λ^γ with γ = ", plan->law.gamma, 4, "");
     number_format_between(out, ", α = ", plan->law.alpha, 3, "");
-    number_format_between(out, " (SI) down to λs = ", plan->lambda_s_m * 1e6, 3, " µm");
+    text_add(out, " (SI)");
+    if (plan->law.roll_off > 1)
+        number_format_between(out, " from ", plan->length_m / plan->law.roll_off * 1e6, 3, " µm, level above,");
+    number_format_between(out, " down to λs = ", plan->lambda_s_m * 1e6, 3, " µm");
     if (plan->coarse)
         text_add(out, ", which is what this grid resolves and not all that the scan holds");
     else if (plan->of_spacing)
@@ -87,7 +93,7 @@ static void introduction(struct text *out, const struct section_context *context
 /** What the error of a direct solution is. */
 static const char *error_words(const struct direct_study *study)
 {
-    return study->plan.side > 0 ? "the difference that every second point of the map alone would make"
+    return study->plan.side > 0 ? "what every second point alone, the low-pass and so small a part of a surface change"
                                 : "one standard error over the surfaces";
 }
 

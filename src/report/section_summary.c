@@ -587,6 +587,25 @@ static void surface_key(struct text *out, const struct section_context *context,
                       surface_model(s, leading)->exists ? surface_model(s, leading)->full_load : NAN);
 }
 
+/** Below a map's low-pass there is nothing, and area falls with what there is. */
+static void name_cutoffs(struct text *out, const struct section_context *context)
+{
+    double least = INFINITY, most = 0;
+    for (size_t i = 0; i < context->results->surface_count; i++) {
+        double cutoff_m = section_surface(context, i)->cutoff_m;
+        least = cutoff_m > 0 ? fmin(least, cutoff_m) : least;
+        most = fmax(most, cutoff_m);
+    }
+    if (!(most > 0))
+        return;
+    number_format_between(out,
+                          "\nMaps whose short waves are noise were low-passed: their A is that of waves longer than ",
+                          least * 1e6, 3, "");
+    if (most > least)
+        number_format_between(out, " to ", most * 1e6, 3, "");
+    text_add(out, " µm.\n");
+}
+
 static void key_table(struct text *out, const struct section_context *context)
 {
     struct text rule = {0};
@@ -623,6 +642,7 @@ static void key_table(struct text *out, const struct section_context *context)
             "alone makes.",
             quantity_rows[ranking->criterion].short_symbol);
     text_add(out, results_intervals(context->results) ? "\n" : "");
+    name_cutoffs(out, context);
 }
 
 static void write_summary(struct text *out, const struct section_context *context)

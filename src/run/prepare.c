@@ -77,7 +77,7 @@ static void describe_direct(struct text *out, const struct direct_plan *plan)
 {
     text_add(out, "%zu x %zu points, ", plan->grid, plan->grid);
     if (plan->side > 0)
-        text_add(out, "the map mirrored, ");
+        text_add(out, plan->mirrored ? "the map mirrored, " : "the map, ");
     else
         text_add(out, "%zu surface%s%s, ", plan->seeds, plan->seeds == 1 ? "" : "s",
                  plan->fine_times > 1 ? " and a finer grid" : "");

@@ -81,8 +81,9 @@ static enum status_code run_baseline(struct run *run, struct status *status)
     struct model_task task = surface_model_task(baseline, results->scene, results->plan,
                                                 results_loads(results, results->baseline), results->load_count);
     struct model_task one = surface_middle_task(&task);
-    double unsure_m = fmax(sensitivity_cutoff(baseline->summary.spacing_m, results->scene->lambda_s_m),
-                           results->scene->tip_radius_m); /* a tip rounds off what is shorter than its radius */
+    double unsure_m =
+        fmax(sensitivity_cutoff(baseline->summary.spacing_m, surface_lambda_s(&baseline->summary, results->scene)),
+             results->scene->tip_radius_m); /* a tip rounds off what is shorter than its radius */
     uint64_t models = 0;
     for (size_t m = 0; m < model_count; m++)
         models |= plan_runs_model(results->plan, m) ? MODEL_BIT(m) : 0;

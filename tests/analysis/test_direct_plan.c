@@ -39,20 +39,20 @@ static struct spectrum rough_spectrum(size_t count)
     return spectrum;
 }
 
-/** m0 and m2 of the law's rows over those of the spectrum, low-passed below `cut_m` as the law is. */
+/** m0, m1 and m2 of the law's rows over those of the spectrum, low-passed below `cut_m` as the law is. */
 static void assert_moments(const struct direct_law *law, const struct spectrum *spectrum, double cut_m)
 {
-    double of_law[2] = {0}, of_scan[2] = {0};
+    double of_law[3] = {0}, of_scan[3] = {0};
     for (size_t m = 1; m <= direct_law_harmonics(law); m++)
-        for (int k = 0; k < 2; k++)
-            of_law[k] += pow(2 * M_PI * (double)m / 3e-4, 2 * k) * pow(direct_law_amplitude(law, m), 2) / 2;
+        for (int k = 0; k < 3; k++)
+            of_law[k] += pow(2 * M_PI * (double)m / 3e-4, k) * pow(direct_law_amplitude(law, m), 2) / 2;
     for (size_t i = 0; i < spectrum->count; i++) {
         double above = cut_m * (double)(i + 1) / 3e-4, share = above > 1 ? exp(-log(2) * (above * above - 1)) : 1;
-        for (int k = 0; k < 2; k++)
-            of_scan[k] += pow(2 * M_PI * (double)(i + 1) / 3e-4, 2 * k) * pow(share * spectrum->amplitude_m[i], 2) / 2;
+        for (int k = 0; k < 3; k++)
+            of_scan[k] += pow(2 * M_PI * (double)(i + 1) / 3e-4, k) * pow(share * spectrum->amplitude_m[i], 2) / 2;
     }
-    assert_near(of_law[0], of_scan[0], 1e-9);
-    assert_near(of_law[1], of_scan[1], 1e-9);
+    for (int k = 0; k < 3; k++)
+        assert_near(of_law[k], of_scan[k], 1e-9);
 }
 
 static void the_law_has_the_scans_moments(void **state)
@@ -197,7 +197,7 @@ static void a_map_is_one_surface(void **state)
     (void)state;
     struct direct_plan plan;
     struct direct_plan_task task = a_task(&(struct scene_direct){.grid = 64, .seeds = 5});
-    task.side = 101;
+    task.map = (struct direct_map_def){101, 101, 3e-4 / 101, 3e-4 / 101, false, 6};
     direct_plan_make(&plan, &task);
     assert_int_equal(plan.side, 100); /* transforms of 101 points are slow */
     assert_int_equal(plan.grid, 200);
@@ -205,7 +205,14 @@ static void a_map_is_one_surface(void **state)
     assert_int_equal(plan.fine_times, 0);
     assert_false(plan.heights);
     assert_near(plan.length_m, 2 * 3e-4 * 100 / 101, 1e-12);
-    assert_int_equal(plan.solutions, 2 * plan.loads + 1); /* every second point, and the picture */
+    assert_int_equal(plan.solutions, 7 * plan.loads + 1); /* with the parts that tell its error, and the picture */
+    assert_near(plan.lambda_s_m, 6 * task.map.dx_m, 1e-12);
+    task.map = (struct direct_map_def){100, 100, 3e-6, 3e-6, true, 0}; /* clean and whole: neither filter nor mirror */
+    direct_plan_make(&plan, &task);
+    assert_int_equal(plan.grid, 100);
+    assert_near(plan.length_m, 3e-4, 1e-12);
+    assert_int_equal(plan.solutions, 2 * plan.loads + 1);
+    assert_true(plan.lambda_s_m == 0);
 }
 
 static void no_load_is_said(void **state)

@@ -229,10 +229,11 @@ static struct result loads_case(const struct material_pair *pair, enum asperity_
 /** A tin-like surface: gamma 1.3, Rq 0.24 um in 0.3 mm, lambda_s = 6 dx. */
 static struct direct_spectrum direct_case_spectrum(size_t n)
 {
-    struct direct_law law = {0, 0, 3e-4 / ((double)n / 6), 3e-4};
+    struct direct_law law = {.lambda_s_m = 3e-4 / ((double)n / 6), .length_m = 3e-4};
     struct direct_spectrum spectrum;
     struct status status = {0};
-    must(direct_law_match(&law, 5.86e-14, 1.8e-4 * (double)n / 256, law.length_m, law.lambda_s_m, &status));
+    must(direct_law_match(&law, (double[]){5.86e-14, 1e-30, 1.8e-4 * (double)n / 256}, law.length_m, law.lambda_s_m,
+                          &status));
     must(direct_spectrum_of_law(&spectrum, &law, &status));
     return spectrum;
 }

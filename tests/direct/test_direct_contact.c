@@ -367,7 +367,7 @@ TEST_CASE(effort_as_known)
 TEST_CASE(few_points_at_the_hardness)
 {
     enum { N = 256 };
-    struct direct_law law = {1, 1.297, 1.0 / 40, 1};
+    struct direct_law law = {1, 1.297, 1.0 / 40, 1, 1};
     struct direct_spectrum spectrum;
     struct status status = {0};
     double *height = malloc(N * N * sizeof *height);

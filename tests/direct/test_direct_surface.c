@@ -43,15 +43,15 @@ TEST_CASE(recipe_heights)
     table_free(&table);
 }
 
-/** A law's rows come back from the synthesised surface, harmonic by harmonic, whatever the exponent; so do those of
- * a spectrum that is no law at all. */
+/** A law's rows come back from the synthesised surface, harmonic by harmonic, whatever the exponent; one that rises has
+ * no isotropic surface. */
 TEST_CASE(rows_have_the_law)
 {
     enum { N = 128 };
     double *height = malloc(N * N * sizeof *height), power[N / 2];
     struct status status = {0};
     for (double gamma = 0.5; gamma <= 2; gamma += 0.25) {
-        struct direct_law law = {1e-3, gamma, 3e-4 / 19, 3e-4};
+        struct direct_law law = {1e-3, gamma, 3e-4 / 19, 3e-4, gamma < 1.2 ? 0 : 4.6}; /* without roll-off and with */
         struct direct_spectrum spectrum;
         size_t count = direct_law_harmonics(&law);
         assert_true(count == 60);
@@ -65,24 +65,10 @@ TEST_CASE(rows_have_the_law)
         }
         direct_spectrum_free(&spectrum);
     }
-    double rows[20];
-    struct direct_spectrum spectrum;
-    for (size_t m = 1; m <= 20; m++)
-        rows[m - 1] = 1 / (1 + pow((double)m / 5, 4));
-    assert_int_equal(direct_spectrum_of_rows(&spectrum, rows, 20, 1.3, &status), STATUS_OK);
-    assert_true(spectrum.positive);
-    assert_int_equal(direct_surface_make(height, N, direct_spectrum_variance, &spectrum, NULL, 0, 7, &status),
-                     STATUS_OK);
-    row_powers(power, 20, height, N);
-    for (size_t m = 1; m <= 20; m++)
-        assert_near(power[m - 1], rows[m - 1], 1e-11);
-    direct_spectrum_free(&spectrum);
-    rows[10] = 5; /* a peak: no isotropic surface */
-    assert_int_equal(direct_spectrum_of_rows(&spectrum, rows, 20, 1.3, &status), STATUS_OK);
-    assert_false(spectrum.positive);
-    assert_int_equal(direct_surface_make(height, N, direct_spectrum_variance, &spectrum, NULL, 0, 7, &status),
-                     STATUS_MODEL);
-    direct_spectrum_free(&spectrum);
+    struct direct_law rising = {1e-3, -1, 3e-4 / 19, 3e-4, 0};
+    struct direct_spectrum none;
+    assert_int_equal(direct_spectrum_of_law(&none, &rising, &status), STATUS_MODEL);
+    direct_spectrum_free(&none);
     free(height);
 }
 
@@ -92,7 +78,7 @@ TEST_CASE(weights_near_the_integral)
 {
     struct status status = {0};
     for (double gamma = 0.75; gamma < 1.7; gamma += 0.25) {
-        struct direct_law law = {1e-3, gamma, 3e-4 / 200, 3e-4};
+        struct direct_law law = {1e-3, gamma, 3e-4 / 200, 3e-4, 1};
         struct direct_spectrum spectrum;
         double b = pow(1e-3 * pow(3e-4, gamma), 2) / 4 * tgamma(gamma + 0.5) / (sqrt(M_PI) * tgamma(gamma));
         assert_int_equal(direct_spectrum_of_law(&spectrum, &law, &status), STATUS_OK);
@@ -102,27 +88,57 @@ TEST_CASE(weights_near_the_integral)
     }
 }
 
+/** m0, m1, m2 of a law's rows. */
+static void moments_of(double moments[3], const struct direct_law *law)
+{
+    moments[0] = moments[1] = moments[2] = 0;
+    for (size_t m = 1; m <= direct_law_harmonics(law); m++)
+        for (int k = 0; k < 3; k++)
+            moments[k] += pow(2 * M_PI * (double)m / law->length_m, k) * pow(direct_law_amplitude(law, m), 2) / 2;
+}
+
+/** A law comes back from its moments, with a roll-off and without; one that would need another end of the range takes
+ * the nearest; those of three surfaces as another program finds them. */
 TEST_CASE(matched_law)
 {
     struct direct_law found;
     struct status status = {0};
-    for (double gamma = 0.5; gamma <= 2; gamma += 0.1) {
-        struct direct_law law = {0.085, gamma, 8e-6, 3e-4};
-        double m0 = 0, m2 = 0;
-        for (size_t m = 1; m <= direct_law_harmonics(&law); m++) {
-            double power = pow(direct_law_amplitude(&law, m), 2) / 2;
-            m0 += power;
-            m2 += pow(2 * M_PI * (double)m / law.length_m, 2) * power;
+    struct table table = table_read("golden/strip/law3.csv");
+    double moments[3];
+    for (double gamma = 0.5; gamma <= 2; gamma += 0.5)
+        for (double roll_off = 1; roll_off < 12; roll_off += 2.3) {
+            struct direct_law law = {0.085, gamma, 8e-6, 3e-4, roll_off};
+            moments_of(moments, &law);
+            assert_int_equal(direct_law_match(&found, moments, 3e-4, 8e-6, &status), STATUS_OK);
+            assert_near(found.roll_off, roll_off, 1e-7);
+            assert_near(found.gamma, gamma, 1e-7);
+            assert_near(found.alpha, 0.085, 1e-6);
         }
-        assert_int_equal(direct_law_match(&found, m0, m2, 3e-4, 8e-6, &status), STATUS_OK);
-        assert_near(found.gamma, gamma, 1e-12);
-        assert_near(found.alpha, 0.085, 1e-10);
+    for (size_t row = 0; row < table.rows; row++) {
+        static const char *const names[] = {"m0_m2", "m1_m", "m2"};
+        for (int k = 0; k < 3; k++)
+            moments[k] = table_number(&table, row, names[k]);
+        assert_int_equal(direct_law_match(&found, moments, table_number(&table, row, "length_m"),
+                                          table_number(&table, row, "lambda_s_m"), &status),
+                         STATUS_OK);
+        assert_near(found.gamma, table_number(&table, row, "gamma"), 1e-8);
+        assert_near(found.roll_off, table_number(&table, row, "m_r"), 1e-8);
     }
-    assert_int_equal(direct_law_match(&found, 1e-12, 1e9, 3e-4, 8e-6, &status), STATUS_MODEL);
-    status = (struct status){0};
-    assert_int_equal(direct_law_match(&found, 1e-12, 1e-12, 3e-4, 8e-6, &status), STATUS_MODEL);
-    status = (struct status){0};
-    assert_int_equal(direct_law_match(&found, 1e-12, NAN, 3e-4, 8e-6, &status), STATUS_MODEL);
+    table_free(&table);
+    for (int end = 0; end < 2; end++) { /* m0 and m2 stand whatever m1 says */
+        double of_found[3], share = end ? 0.98 : 0.2;
+        moments[1] = share * sqrt(moments[0] * moments[2]);
+        assert_int_equal(direct_law_match(&found, moments, 5.12e-4, 8e-6, &status), STATUS_OK);
+        assert_true(end ? found.roll_off > 8 : found.roll_off == 1);
+        moments_of(of_found, &found);
+        assert_near(of_found[0], moments[0], 1e-9);
+        assert_near(of_found[2], moments[2], 1e-9);
+    }
+    static const double none[][3] = {{1e-12, 1e-3, 1e9}, {1e-12, 1e-12, 1e-12}, {1e-12, 1e-8, NAN}, {1e-12, 0, 1e-4}};
+    for (size_t k = 0; k < sizeof none / sizeof *none; k++) {
+        status = (struct status){0};
+        assert_int_equal(direct_law_match(&found, none[k], 3e-4, 8e-6, &status), STATUS_MODEL);
+    }
 }
 
 /** A finer grid holds the same surface: point for point by interpolation as by synthesis. */

@@ -8,7 +8,7 @@
 /** Heights of a square surface, cell length 1, of a law cut off at `waves` waves. To be freed. */
 static double *surface_of(double gamma, double waves, size_t n, uint64_t seed)
 {
-    struct direct_law law = {1e-3, gamma, 1 / waves, 1};
+    struct direct_law law = {1e-3, gamma, 1 / waves, 1, 1};
     struct direct_spectrum spectrum;
     struct status status = {0};
     double *height = malloc(n * n * sizeof *height);
@@ -181,7 +181,7 @@ static void exponents_at_both_ends(void **state)
     for (size_t e = 0; e < 3; e++) {
         double *height = surface_of(gammas[e], 20, N, 3), gradient = 0, last = 0;
         struct direct_contact contact = contact_of(height, N);
-        struct direct_law law = {1e-3, gammas[e], 1 / 20.0, 1};
+        struct direct_law law = {1e-3, gammas[e], 1 / 20.0, 1, 1};
         for (size_t m = 1; m <= direct_law_harmonics(&law); m++) /* 2 m2 of the rows */
             gradient += pow(2 * M_PI * (double)m * direct_law_amplitude(&law, m), 2);
         gradient = sqrt(gradient);
@@ -244,7 +244,7 @@ static struct direct_ensemble_def ensemble_of(const struct direct_spectrum *spec
 static void coarse_grid(void **state)
 {
     (void)state;
-    struct direct_law law = {1e-3, 1.3, 1 / 2.6, 1};
+    struct direct_law law = {1e-3, 1.3, 1 / 2.6, 1, 1};
     struct direct_spectrum spectrum;
     struct direct_ensemble found;
     struct status status = {0};
@@ -259,23 +259,21 @@ static void coarse_grid(void **state)
         fail_msg("%s", status.message);
     for (size_t i = 0; i < 31; i++) {
         const struct direct_ensemble_point *point = &found.point[i];
-        const struct direct_mean *means[] = {&point->area_ratio, &point->gap_m, &point->constriction_m,
-                                             &point->patches_per_m2};
         size_t least = SIZE_MAX;
         for (size_t k = 0; k < found.seeds; k++) {
             size_t points = found.seed_point[k * 31 + i].quantities.contact_points;
             least = points < least ? points : least;
         }
         assert_int_equal(point->state, least < 100 ? DIRECT_ENSEMBLE_FEW_POINTS : DIRECT_ENSEMBLE_GIVEN);
-        for (size_t m = 0; m < 4; m++) {
-            assert_true((least < 100) == isnan(means[m]->value));
-            assert_true((least < 100) == isnan(means[m]->standard_error));
+        for (size_t m = 0; m < DIRECT_QUANTITIES; m++) {
+            assert_true((least < 100) == isnan(point->mean[m].value));
+            assert_true((least < 100) == isnan(point->mean[m].standard_error));
         }
         given += least >= 100;
         few += least < 100;
     }
     assert_true(given > 3 && few > 10);
-    assert_true(found.point[30].area_ratio.value == 1 && found.point[30].constriction_m.value == 0);
+    assert_true(found.point[30].mean[DIRECT_AREA].value == 1 && found.point[30].mean[DIRECT_CONSTRICTION].value == 0);
     direct_ensemble_free(&found);
     direct_spectrum_free(&spectrum);
 }
@@ -286,7 +284,7 @@ static void no_answer(void **state)
     (void)state;
     enum { N = 32 };
     static const double load = 1e-3;
-    struct direct_law law = {1e-3, 1.3, 1 / 5.0, 1};
+    struct direct_law law = {1e-3, 1.3, 1 / 5.0, 1, 1};
     struct direct_spectrum spectrum;
     struct direct_ensemble found;
     struct status status = {0};

@@ -18,7 +18,7 @@ static const struct direct_team *team;
 
 static struct direct_spectrum spectrum_of_law(void)
 {
-    struct direct_law law = {1, 1.2, 1.0 / 20, 1};
+    struct direct_law law = {1, 1.2, 1.0 / 20, 1, 1};
     struct direct_spectrum spectrum;
     struct status status = {0};
     double slope = 0;
@@ -61,7 +61,7 @@ static void ensembles(void **state)
         assert_near(found.rms_m, expected.rms_m, 1e-12);
         expect_same(found.seed_point, expected.seed_point, found.seeds * LOADS);
         for (size_t i = 0; i < LOADS; i++) {
-            struct direct_mean one = found.point[i].gap_m, two = expected.point[i].gap_m;
+            struct direct_mean one = found.point[i].mean[DIRECT_GAP], two = expected.point[i].mean[DIRECT_GAP];
             assert_int_equal(found.point[i].state, expected.point[i].state);
             if (found.point[i].state != DIRECT_ENSEMBLE_GIVEN)
                 continue;
