@@ -185,7 +185,7 @@ TEST_IN_WORKSPACE(test_one_bad_scan_stops_no_other)
     expect_part(process.out, "\nout/d/report.html\n");
     char *markdown = workspace_read(place, "out/d/report.md"), *html = workspace_read(place, "out/d/report.html");
     char *json = workspace_read(place, "out/d/results.json"), *csv = workspace_read(place, "out/d/data/surfaces.csv");
-    expect_parts(markdown, "1 surface was refused", "'x' in a column of numbers");
+    expect_parts(markdown, "**1 refused**", "'x' in a column of numbers");
     expect_part(html, "b.csv:4: 'x' in a column of numbers");
     expect_parts(json, "\"surface\": \"b\"",
                  "\"error\": \"b.csv:4: 'x' in a column of numbers; correct or remove this line\"");
