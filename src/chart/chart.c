@@ -193,6 +193,10 @@ void chart_name_row(struct chart *chart, double y, const char *name)
     chart_end(chart);
     if (panel)
         json_array_append_new(panel->names, json_pack("{sf so}", "at", y, "label", shown(name)));
+    if (panel) { /* room above for what is marked */
+        reach(&panel->y, y - 0.4);
+        reach(&panel->y, y + 0.9);
+    }
 }
 
 bool chart_has_data(const struct chart *chart)
@@ -304,7 +308,7 @@ static struct layout layout_of(const struct chart *chart)
     for (size_t p = 0; p < chart->panels; p++)
         out.title = chart->panel[p].title[0] ? 26 : fmax(out.title, 10);
     out.panel = chart->panel_height > 0 ? chart->panel_height : out.columns == 1 ? 240 : 132;
-    out.legend_columns = (size_t)fmax(1, (WIDTH - 40) / (7.6 * (double)longest + 46));
+    out.legend_columns = (size_t)fmax(1, (WIDTH - 20) / (9.0 * (double)longest + 64));
     out.legend_rows = (entries + out.legend_columns - 1) / out.legend_columns;
     out.legend = entries > 0 ? LEGEND_ROW * (double)out.legend_rows + 8 : 0;
     out.height = (double)out.rows * (out.title + out.panel + BELOW) + out.legend + 4;
@@ -334,7 +338,7 @@ static json_t *panel_view(const struct chart *chart, const struct layout *layout
     size_t row = p / layout->columns, column = p % layout->columns;
     bool bare = chart->shares && column > 0; /* the numbers stand at the row's first panel */
     /* axes of its own take each panel their room; shared ones are numbered at the first of a row */
-    double names = json_array_size(panel->names) > 0 ? 150 : 0, gap = chart->shares ? BETWEEN : LEFT - 14;
+    double names = json_array_size(panel->names) > 0 ? 150 : 0, gap = chart->shares ? BETWEEN : LEFT - 4;
     double wide = (WIDTH - LEFT - RIGHT - (double)(layout->columns - 1) * gap) / (double)layout->columns;
     double left = LEFT + (double)column * (wide + gap);
     double top = (double)row * (layout->title + layout->panel + BELOW) + layout->title;

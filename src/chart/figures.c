@@ -316,7 +316,7 @@ static void make_models(struct chart *chart, const struct source *source)
     }
     if (asked.target)
         chart_mark(chart, true, asked_shown(&asked, asked.target->value), "asked");
-    chart->panel_height = 40 + 25 * (double)count;
+    chart->panel_height = 40 + 24 * (double)count;
     free(rows);
 }
 
@@ -389,7 +389,7 @@ static void make_spectra(struct chart *chart, const struct source *source)
         for (int i = 0; i < 2; i++)
             chart_row(chart, law->band_m[i] * 1e6, power_law_amplitude(law, law->band_m[i]) * 1e6, 0, 0);
         for (size_t i = 0; i + 1 < record->band.pieces; i++)
-            chart_mark(chart, true, record->band.knee_m[i] * 1e6, "knee");
+            chart_mark(chart, true, record->band.knee_m[i] * 1e6, "");
     }
 }
 
@@ -467,7 +467,8 @@ static void make_one_surface(struct chart *chart, const struct source *source)
         const struct axis x = axis_of(source, figure->x, surface);
         if (!(plan_quantities(source->results->plan) & QUANTITY_BIT(figure->y)))
             continue;
-        snprintf(title, sizeof title, "6-%02d  %s versus %s", figure->number, figure->y == QUANTITY_SEPARATION ? "Gap" : quantity_rows[figure->y].title,
+        snprintf(title, sizeof title, "6-%02d  %s versus %s", figure->number,
+                 figure->y == QUANTITY_SEPARATION ? "Gap" : quantity_rows[figure->y].title,
                  quantity_rows[figure->x].short_symbol);
         struct chart_panel *panel =
             chart_panel(chart, title, label_of(source, figure->x, label, sizeof label), quantity_rows[figure->y].label,
@@ -546,7 +547,7 @@ static void make_joint(struct chart *chart, const struct source *source)
         const char *label;
     } panels[] = {{QUANTITY_JOINT, "joint conductance (W/(m²·K))"},
                   {QUANTITY_GAP, "conductance of the gaps (W/(m²·K))"},
-                  {QUANTITY_JOINT_ECR, "ECR·Aₙ with film, plating (Ω·m²)"},
+                  {QUANTITY_JOINT_ECR, "joint ECR·Aₙ (Ω·m²)"},
                   {QUANTITY_TEMPERATURE, "hottest place (°C)"}};
     for (size_t p = 0; p < sizeof panels / sizeof *panels; p++) {
         enum quantity quantity = panels[p].quantity;
@@ -571,7 +572,7 @@ static void make_joint(struct chart *chart, const struct source *source)
             chart_curve(chart, &look);
             for (size_t i = 0; i < curve->count; i++) {
                 double at_C = curve->points[i].value[quantity] - 273.15;
-                if (!(at_C > melting_C(source)) && at_C < 3000)
+                if (!(at_C > melting_C(source)) && at_C < 1000)
                     chart_row(chart, x.scale * curve->points[i].value[QUANTITY_LOAD], at_C, 0, 0);
             }
         }

@@ -46,7 +46,7 @@ void view_interval(json_t *out, const char *name, double low, double high, int d
     number_format(&first, low, digits);
     number_format(&last, high, digits);
     if (isfinite(low) && isfinite(high) && strcmp(text_string(&first), text_string(&last)) != 0)
-        text_add(&text, "%s … %s", text_string(&first), text_string(&last));
+        text_add(&text, "%s\u00a0…\u00a0%s", text_string(&first), text_string(&last));
     text_free(&first);
     text_free(&last);
     set_text(out, name, &text);

@@ -160,8 +160,9 @@ TEST_CASE(a_target_is_answered_in_newtons)
     made_up_make_of(&made, made_up_models(), PLAIN, NULL);
     set_target(&made, &target, answers);
     struct text report = report_of(&made);
-    assert_says(&report, "**0.1\u00a0mΩ takes 10.0\u00a0N** (95 % 5.0 … 20) on *alpha*, 20.0\u00a0N (95 % 10 … 40) on "
-                         "*beta*, 40.0\u00a0N (95 % 20 … 80) on *gamma*.");
+    assert_says(&report, "**0.1\u00a0mΩ takes 10.0\u00a0N** (95 % 5.0\u00a0…\u00a020) on *alpha*, 20.0\u00a0N (95 % "
+                         "10\u00a0…\u00a040) on "
+                         "*beta*, 40.0\u00a0N (95 % 20\u00a0…\u00a080) on *gamma*.");
     assert_says(&report, "| beta | 0.200 | 20.0");
     text_free(&report);
     answers[made.comparison.leading].kind = ANSWER_NOT_REACHED;
