@@ -8,8 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/** Spots below which a contact is no matter for statistics. */
-static const double answers_least_spots = 10;
+const double answers_least_spots = 10;
 
 static const struct ensemble alone; /* one scan */
 static const struct answer no_answer = {.load = NAN, .low = NAN, .high = NAN, .spots_per_m2 = NAN};

@@ -47,6 +47,8 @@ struct limit_check {
 MUST_CHECK enum status_code answers_find(struct surface_record *record, const struct scene *scene,
                                          const struct plan *plan, const struct model_task *task, struct status *status);
 
+/** Spots below which a contact is no matter for statistics. */
+extern const double answers_least_spots;
 /** Spots in the nominal area; NaN: not known. */
 double answers_spots(const struct answer *answer, double nominal_area_m2);
 /** "not reached up to 0.1 N; beyond the model's validity; too few spots for statistics (9.1)": nothing, or what goes

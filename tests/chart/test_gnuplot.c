@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/program.h"
 #include "base/text.h"
-#include "chart/drawing_parts.h"
 #include "chart/gnuplot.h"
-#include "contact/model.h"
 #include "directory.h"
 
 #include <expat.h>
 #include <fcntl.h>
 #include <signal.h>
+
+#define PLACED(name) TEST_WITH(name, directory_setup, directory_teardown)
 
 /* Sends `commands` to one gnuplot and returns how it ended. */
 static enum status_code run(const struct directory *place, const char *commands, struct status *status)
@@ -28,6 +28,7 @@ static void run_well(const struct directory *place, const char *commands)
         fail_msg("%s\nafter: %s", status.message, commands);
 }
 
+<<<<<<< HEAD
 static size_t count(const char *text, const char *part)
 {
     size_t n = 0;
@@ -552,6 +553,8 @@ TEST_CASE(test_script_strings)
     }
 }
 
+=======
+>>>>>>> h7
 PLACED(test_a_missing_gnuplot_names_the_package)
 {
     char *path = strdup(getenv("PATH"));

@@ -99,15 +99,23 @@ TEST_CASE(columns_follow_from_the_others)
     }
     assert_true(gaps > 100 && equal > 50 && own > 30 && plated > 80 && hot > 10);
     table_free(&contact);
+<<<<<<< HEAD
     expect_parts(text_string(&report), "## The joint", "helium at 50.6625 kPa and 320 K, accommodation 0.5",
                  "A film of 3·10⁻¹³ Ω·m²", "The surface's side is plated, 0.8 µm of 2.2·10⁻⁸ Ω·m", "not of this metal");
     expect_parts(text_string(&report), "joint-conductance", "joint-gap", "joint-ecr", "joint-temperature");
     expect_no_parts(text_string(&report), "nan");
+=======
+    expect_parts(text_string(&report), "## The joint", "helium at 50.7 kPa and 320 K", "The film of 3.00·10⁻¹³ Ω·m²",
+                 "The plating of 0.800 µm", "at what voltage this metal softens is not known");
+    assert_non_null(strstr(text_string(&report), "](figures/joint.svg)"));
+    assert_null(strstr(text_string(&report), "nan"));
+>>>>>>> h7
     text_free(&report);
     expect_in_file(place, "out/results.json", "\"gap\": \"helium\"", "\"gap_pressure_Pa\": 50662.5",
                    "\"temperature_K\": 320", "\"plated_sides\": 1", "\"current_A\": 20", "\"joint_ecr_ohm_m2\": [");
 }
 
+<<<<<<< HEAD
 /** The table's cells against the row of contact.csv they come from, at the operating load. */
 TEST_CASE(the_table_is_of_the_data)
 {
@@ -155,13 +163,15 @@ TEST_CASE(the_table_is_of_the_data)
     text_free(&report);
 }
 
+=======
+>>>>>>> h7
 /** Off: no column, chart, section, word; a key alone brings its own. */
 TEST_CASE(nothing_that_is_not_called_for)
 {
     const struct directory *place = *state;
     struct text report = report_of(place, "");
     struct text plain = directory_read(place, "out/data/contact.csv");
-    expect_no_parts(text_string(&report), "## The joint", "joint-");
+    expect_no_parts(text_string(&report), "## The joint", "joint.svg");
     expect_no_parts(text_string(&plain), "spot", "joint");
     text_free(&report);
     static const struct {
@@ -207,24 +217,28 @@ TEST_CASE(sentences)
         assert_true(isnan(film) || film == number(&contact, i, "ecr_ohm_m2"));
     }
     table_free(&contact);
+<<<<<<< HEAD
     expect_parts(text_string(&report), "vacuum: the gaps carry no heat");
     expect_no_parts(text_string(&report), "What fills the gaps carries");
+=======
+    assert_non_null(strstr(text_string(&report), "The gaps are empty and carry no heat."));
+>>>>>>> h7
     text_free(&report);
     static const struct {
         const char *scene, *says;
     } rows[] = {
-        {"material: tin\nnominal_area: 1 mm2\ncurrent: 1 uA\n", "below what its metal softens or melts at"},
-        {"material: tin\nnominal_area: 1 mm2\ncurrent: 1 MA\n", "**its metal softens or melts** on 2 of 2 surfaces"},
-        {"material: tin\nnominal_area: 1 mm2\ncurrent: 1 MA\n", " | melts |"},
-        {"material: copper\ncounterface: tin\nnominal_area: 1 mm2\ncurrent: 1 uA\n", " | stays hard |"},
+        {"material: tin\nnominal_area: 1 mm2\ncurrent: 1 uA\n", ", and the metal does not soften."},
+        {"material: tin\nnominal_area: 1 mm2\ncurrent: 1 MA\n", "**the metal softens or melts** on 2"},
+        {"material: copper\ncounterface: tin\nnominal_area: 1 mm2\ncurrent: 1 uA\n",
+         ", and the metal does not soften."},
         {"material: copper\ncounterface: {E: 50 GPa, nu: 0.3, Sy: 1 MPa, resistivity: 1e-7}\nnominal_area: 1 mm2\n"
          "current: 1 uA\n",
-         "not of this metal"},
+         "at what voltage this metal softens is not known"},
         {"material: tin\ngap: {conductivity: 5000 W/m/K}\n", "**the finish matters more than the load**"},
-        {"material: tin\ngap: {gas: air, pressure: 1 Pa}\n", "**the load matters more than what fills the gaps**"},
-        {"material: tin\nplating: {thickness: 2 um, resistivity: 1e-8}\n", "The plating **helps**"},
-        {"material: tin\nplating: {thickness: 2 um, resistivity: 1e-6}\n", "The plating **does not help**"},
-        {"material: tin\nfilm: 1e-3 ohm m2\n", "The film is 100 % of the resistance"},
+        {"material: tin\ngap: {gas: air, pressure: 1 Pa}\n", "**the load matters more than the finish**"},
+        {"material: tin\nplating: {thickness: 2 um, resistivity: 1e-8}\n", ", so it helps"},
+        {"material: tin\nplating: {thickness: 2 um, resistivity: 1e-6}\n", ", so it does not help"},
+        {"material: tin\nfilm: 1e-3 ohm m2\n", " is 100 % of the resistance"},
     };
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
         char scene[1024];

@@ -260,71 +260,9 @@ TEST_CASE(a_short_scan_says_nothing)
     for (size_t row = 0; row < table.rows; row++)
         assert_string_equal(table_text(&table, row, "area_factor"), "");
     table_free(&table);
-    struct text report = directory_read(place, "out-wave/report.md");
-    assert_null(strstr(report.data, "What the answers hang on"));
-    assert_false(directory_has(place, "out-wave/figures/sensitivity-area.svg"));
-    text_free(&report);
-}
-
-/** The chart's areas and resistances at its shortest wavelength are those of the whole spectrum for models that know
- * nothing else (statistical ones by the moments of the spectrum); it ends at twice the spacing, and shades what a
- * stated cut-off or the tip leaves unsure. */
-TEST_CASE(the_chart_ends_at_the_whole_spectrum)
-{
-    const struct directory *place = *state;
-    static const struct {
-        const char *scene, *words, *argument;
-    } cases[] = {
-        {"material: tin\nmoments: spectral\n", NULL, NULL},
-        {"material: tin\nmoments: spectral\nlambda_s_m: 4e-6\n", "; shaded: below 4.00 µm, the cut-off λs.",
-         "to first 4e-06,"},
-        {"material: tin\nmoments: spectral\ntip_radius_m: 5e-6\n", "; shaded: below 5.00 µm, the tip's radius.",
-         "to first 5e-06,"},
-    };
-    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
-        write_scene(place, "in", cases[k].scene);
-        assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
-        static const char *const charts[2][2] = {{"area", "area_ratio"}, {"ecr", "ecr_ohm_m2"}};
-        for (int c = 0; c < 2; c++) {
-            char name[64], *rest;
-            snprintf(name, sizeof name, "out/figures/sensitivity-%s.csv", charts[c][0]);
-            struct text data = directory_read(place, name);
-            const char *model = NULL;
-            double x = NAN, y = NAN;
-            size_t blocks = 0;
-            for (char *line = strtok_r(data.data, "\n", &rest);; line = strtok_r(NULL, "\n", &rest)) {
-                if (!line || *line == '"') {
-                    if (model) { /* the end of its block */
-                        assert_near(x, 2 * spacing_m, 0.01);
-                        assert_near(y, at_middle(place, "out", model, charts[c][1]), 1e-8); /* nine digits */
-                    }
-                    if (!line)
-                        break;
-                    model = NULL;
-                    for (size_t m = 0; m < model_count; m++)
-                        if (strlen(line) == strlen(model_rows[m]->label) + 2 &&
-                            strncmp(line + 1, model_rows[m]->label, strlen(line) - 2) == 0)
-                            model = model_rows[m]->name;
-                    assert_non_null(model);
-                    blocks++;
-                    continue;
-                }
-                assert_int_equal(sscanf(line, "%lf,%lf", &x, &y), 2);
-            }
-            assert_in_range(blocks, 5, model_count - 1);
-            text_free(&data);
-            snprintf(name, sizeof name, "out/figures/sensitivity-%s.gp", charts[c][0]);
-            struct text script = directory_read(place, name);
-            assert_true(!cases[k].argument || strstr(script.data, cases[k].argument));
-            text_free(&script);
-        }
-        struct text report = directory_read(place, "out/report.md");
-        if (cases[k].words)
-            assert_non_null(strstr(report.data, cases[k].words));
-        else
-            assert_null(strstr(report.data, "shaded"));
-        text_free(&report);
-    }
+    struct text view = directory_read(place, "out-wave/view.json");
+    assert_null(strstr(text_string(&view), "length_factor"));
+    text_free(&view);
 }
 
 TEST_GROUP(place_setup, directory_teardown)
