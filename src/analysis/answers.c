@@ -299,7 +299,8 @@ static enum status_code answer_target(struct answer *out, const struct surface_r
                    needed = from ? from : QUANTITY_BIT(target->row->quantity),
                    quantities = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | needed;
     struct search search = {{row, *task, quantities, &record->ensemble}, *joint};
-    bool several = (record->ensemble.count > 1);
+    /* a model that says how far off it may be has more in its band than the scans' scatter */
+    bool several = record->ensemble.count > 1 && model_sd(row, QUANTITY_ECR) == 0;
     *out = no_answer;
     search.joint.effects = from ? joint->effects : 0;
     search.model.task.wanted &= quantities;
