@@ -142,28 +142,18 @@ TEST_IN_WORKSPACE(the_sentence_is_of_the_data)
                                    "surfaces: [{name: a, file: [a.csv, b.csv]}, {name: c, file: c.csv}]\n",
                                    NULL);
     process_free(&run);
-<<<<<<< HEAD
-    char *report = workspace_read(place, "out/report.md"), *table_text_at = strstr(report, "\n## Answers\n");
-    assert_non_null(table_text_at);
-    struct table table = workspace_table(place, "out/data/answers.csv");
-    size_t compared = 0;
-    for (size_t i = 0; i < table.rows; i++) {
-        if (strcmp(table_text(&table, i, "model"), "corrected-persson-plastic") != 0)
-=======
-    char path[4096], *text = workspace_read(place, "out/view.json");
+    char *text = workspace_read(place, "out/view.json");
     json_t *view = json_loads(text, 0, NULL), *answers = json_object_get(view, "answers"), *answer;
     const char *leading = json_string_value(json_object_get(view, "leading"));
     size_t compared = 0, k, m = 0;
     while (m < model_count && strcmp(model_rows[m]->label, leading) != 0)
         m++;
     assert_true(m < model_count);
-    snprintf(path, sizeof path, "%s/out/data/answers.csv", place);
-    struct table table = table_read_path(path);
+    struct table table = workspace_table(place, "out/data/answers.csv");
     json_array_foreach(answers, k, answer) for (size_t i = 0; i < table.rows; i++)
     {
         if (strcmp(table_text(&table, i, "model"), model_rows[m]->name) != 0 ||
             strcmp(table_text(&table, i, "surface"), json_string_value(json_object_get(answer, "surface"))) != 0)
->>>>>>> h7
             continue;
         double scale = table_number(&table, i, "load_N") / table_number(&table, i, "load_over_AnEp");
         const char *interval = json_string_value(json_object_get(answer, "interval"));

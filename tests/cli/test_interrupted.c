@@ -250,12 +250,7 @@ TEST_IN_WORKSPACE(test_files_of_the_user)
     char *manifest = workspace_read(place, "out/slow/manifest.txt");
     expect_part(manifest, "\nfigures/answer.svg\n");
     workspace_write(place, "good/scene.yaml", "models: [multiscale]\neffects: []\n");
-<<<<<<< HEAD
-    run_to_exit(place, 0, "report", "--no-cost", "good", "-o", "out/slow");
-=======
-    struct process process = expect_exit(place, 0, "report", "--no-cost", "--brief", "good", "-o", "out/slow");
-    process_free(&process);
->>>>>>> h7
+    run_to_exit(place, 0, "report", "--no-cost", "--brief", "good", "-o", "out/slow");
     char *smaller = workspace_read(place, "out/slow/manifest.txt");
     assert_string_not_equal(manifest, smaller); /* the files that are no longer written are gone */
     for (const char *line = strchr(manifest, '\n') + 1; *line; line = strchr(line, '\n') + 1) {

@@ -54,21 +54,10 @@ TEST_IN_WORKSPACE(test_passed_over)
     workspace_scan(place, "d/1.csv", 200, 1);
     workspace_scan(place, "d/2.csv", 200, 2);
     write_others(place);
-<<<<<<< HEAD
     expect_errors(expect_exit(place, 0, "plan", "d"), others);
     expect_errors(expect_exit(place, 0, "report", "--no-cost", "d"), others);
-    expect_in_file(place, "out/d/report.md", "**Passed over.**", "2 x PNG picture (a.png, b.png)");
-    expect_not_in_file(place, "out/d/report.md", "**Refused.**");
-=======
-    struct process process = expect_exit(place, 0, "plan", "d");
-    expect_part(process.err, others);
-    process_free(&process);
-    process = expect_exit(place, 0, "report", "--no-cost", "d");
-    expect_part(process.err, others);
-    process_free(&process);
     expect_in_file(place, "out/d/report.md", "2 x PNG picture (a.png, b.png)");
     expect_not_in_file(place, "out/d/report.md", "**Refused**");
->>>>>>> h7
     expect_in_file(place, "out/d/results.json", "passed over, no scans: 2 x PNG picture (a.png, b.png)");
     struct process process = expect_exit(place, 0, "inspect", "d");
     expect_part(process.err, others);
