@@ -49,6 +49,23 @@ double asked_shown(const struct asked *asked, double value)
     return asked->reciprocal ? asked->scale / value : asked->scale * value;
 }
 
+size_t asked_leading(const struct results *results, const struct asked *asked)
+{
+    size_t leading = plan_leading_model(results->plan), found = model_count;
+    for (size_t m = 0; m < model_count; m++) {
+        bool any = false;
+        for (size_t k = 0; k < results->usable_count; k++)
+            any = any || isfinite(comparison_middle(results, m, results->by_roughness[k]).value[asked->quantity]);
+        if (!plan_runs_model(results->plan, m) || !any)
+            continue;
+        if (m == leading)
+            return leading;
+        if (found == model_count || model_rows[m]->precedence > model_rows[found]->precedence)
+            found = m;
+    }
+    return found < model_count ? found : leading;
+}
+
 size_t asked_textbook(const struct results *results)
 {
     for (size_t m = 0; m < model_count; m++)

@@ -35,6 +35,9 @@ struct asked_load {
 };
 struct asked_load asked_load_of(const struct results *results, size_t surface);
 
+/** The model that the first page speaks of: the leading one, or, where that has no number of the asked quantity on any
+ * surface, the next in precedence that has. */
+size_t asked_leading(const struct results *results, const struct asked *asked);
 /** The model that handbooks print: plastic, of no elastic partner and not the thesis's; model_count: none runs. */
 size_t asked_textbook(const struct results *results);
 /** The running model that stands beside the leading one, of its material law and beyond the thesis: the next in

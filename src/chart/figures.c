@@ -742,8 +742,9 @@ enum { FIGURE_ROWS = sizeof figure_rows / sizeof *figure_rows };
 enum status_code figures_make(struct figures *out, const struct results *results, const struct comparison *comparison,
                               bool brief, struct status *status)
 {
+    const struct asked asked = asked_of(results);
     const struct source source = {results, comparison, &results->surfaces[results->baseline],
-                                  plan_leading_model(results->plan)};
+                                  asked_leading(results, &asked)};
     *out = (struct figures){.chart = calloc(FIGURE_ROWS + QUANTITY_FIGURES, sizeof *out->chart)};
     if (!out->chart)
         return status_memory(status);

@@ -174,8 +174,12 @@ static bool is_whole(const json_t *value)
 enum status_code view_make(json_t **out, const struct results *results, const struct comparison *comparison,
                            const struct figures *figures, struct status *status)
 {
-    const struct view_source source = {
-        results, comparison, figures, &results->surfaces[results->baseline], comparison->leading, asked_of(results)};
+    struct view_source source = {.results = results,
+                                 .comparison = comparison,
+                                 .figures = figures,
+                                 .baseline = &results->surfaces[results->baseline],
+                                 .asked = asked_of(results)};
+    source.leading = asked_leading(results, &source.asked);
     static void (*const parts[])(json_t * out, const struct view_source *source) = {
         view_first_page, view_surfaces, view_models,   view_joint,
         view_direct,     view_accuracy, view_findings, view_inputs};

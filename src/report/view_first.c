@@ -289,8 +289,8 @@ static double of_place(const struct view_source *source, size_t surface)
     return estimate_has_width(estimate, estimate->half_width) ? exp(estimate->half_width) : NAN;
 }
 
-/** The direct solution where there is one, else the model that stands beside the leading one, else the farthest valid
- * one of its material law. */
+/** The direct solution where there is one, else 95 % of what the model says of itself, else the one that stands beside
+ * the leading one, else the farthest valid one of its material law. */
 static double of_model(const struct view_source *source, size_t surface)
 {
     const struct results *results = source->results;
@@ -300,6 +300,9 @@ static double of_model(const struct view_source *source, size_t surface)
     double direct = surface == results->baseline ? asked_direct(results, quantity, load, &error) : NAN;
     if (direct > 0)
         return own.value[quantity] / direct;
+    double sd = model_sd(model_rows[source->leading], quantity);
+    if (sd > 0)
+        return exp(1.96 * sd);
     size_t beside = asked_beside(results);
     for (size_t m = 0; m < model_count; m++) {
         const struct contact_point at = comparison_middle(results, m, surface);
