@@ -156,7 +156,7 @@ TEST_IN_WORKSPACE(the_table_is_of_the_data)
     struct table table = workspace_table(place, "out/data/answers.csv");
     size_t compared = 0;
     for (size_t i = 0; i < table.rows; i++) {
-        if (strcmp(table_text(&table, i, "model"), "corrected-persson-plastic") != 0)
+        if (strcmp(table_text(&table, i, "model"), "strip-plastic") != 0)
             continue;
         char start[40];
         snprintf(start, sizeof start, "\n| %s", table_text(&table, i, "surface"));

@@ -123,7 +123,7 @@ TEST_IN_WORKSPACE(test_brief)
     static const char *const reporting[] = {"report", "direct"};
     for (int c = 0; c < 2; c++) {
         process = expect_exit(place, 0, reporting[c], "d", "--brief", "--no-cost", "--show", "-o", reporting[c]);
-        expect_part(process.out, "ECR against load, two-band elastic\n"); /* the page's chart, as text */
+        expect_part(process.out, "ECR against load, strip transfer\n"); /* the page's chart, as text */
         process_free(&process);
         char path[64];
         snprintf(path, sizeof path, "%s/report.md", reporting[c]);

@@ -7,7 +7,8 @@
 static const char surfaces_columns[] =
     "surface,files,points,spacing_m,scan_length_m,rq_m,ra_m,m0_m2,m2,m4_per_m2,nayak,asperity_density_per_m2,"
     "asperity_radius_m,asperity_sigma_m,asperity_offset_m,alpha_SI,gamma,gamma_stderr,fit_amplitude_m,"
-    "fit_amplitude_stderr_decades,fit_wavelength_m,fit_low_m,fit_high_m,fit_misfit_decades,beta_gw,beta_jg";
+    "fit_amplitude_stderr_decades,fit_wavelength_m,fit_low_m,fit_high_m,fit_misfit_decades,heights_factor_ecr,beta_gw,"
+    "beta_jg";
 static const char spectrum_columns[] = "surface,wavelength_m,amplitude_m,fit_m";
 static const char contact_columns[] =
     "surface,model,load_over_AnEp,pressure_Pa,area_ratio,separation_m,separation_over_sigma,"
