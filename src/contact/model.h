@@ -58,7 +58,7 @@ struct model_curve {
 
 struct model_row {
     const char *name;                    /* as in contact.csv and scenes */
-    const char *label;                   /* as in charts and tables */
+    const char *label;                   /* as in charts, tables and lists of names: no comma */
     const char *short_label;             /* as in the terminal's table */
     const char *family;                  /* asked for together in scenes */
     const char *family_title;            /* heading of its own section of the report; NULL: in chapter 6 alone */

@@ -156,7 +156,7 @@ const struct model_row model_corrected_persson = {
 
 const struct model_row model_corrected_persson_plastic = {
     .name = "corrected-persson-plastic",
-    .label = "Gaussian heights, hardness",
+    .label = "Gaussian heights with hardness",
     .short_label = "Gauss pl.",
     .family = "corrected-persson",
     .by_default = true,
@@ -206,7 +206,7 @@ const struct model_row model_strip = {
 
 const struct model_row model_strip_plastic = {
     .name = "strip-plastic",
-    .label = "strip transfer, hardness",
+    .label = "strip transfer with hardness",
     .short_label = "strip pl.",
     .family = "strip",
     .by_default = true,

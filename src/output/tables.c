@@ -341,9 +341,8 @@ static void fill_cost(struct table *table, const struct results *results)
     end_row(table);
     for (size_t i = 0; i < benchmark->count; i++) {
         const struct benchmark_row *row = &benchmark->rows[i];
-        text_add(&table->rows, "%s,", row->study);
-        text_add_csv(&table->rows, row->method);
-        text_add(&table->rows, ",%s,%llu", row->setting, (unsigned long long)row->evaluations);
+        text_add(&table->rows, "%s,%s,%s,%llu", row->study, row->method, row->setting,
+                 (unsigned long long)row->evaluations);
         put_number(table, "seconds", row->seconds);
         put_number(table, "max_relative_error", row->error);
         end_row(table);
