@@ -19,8 +19,8 @@ static double bound_yield(const struct surface_record *record, const struct scen
 {
     const struct model_row *row = model_rows[m];
     const struct surface_summary *summary = &record->summary;
-    if (!row->yield_bound)
-        return INFINITY;
+    if (!row->yield_bound) /* all yield: it runs where others call for it, or where it is named */
+        return scene->models_named ? INFINITY : 0;
     double most = row->yield_bound(row, task);
     for (size_t r = 0; r < record->ensemble.count; r++) {
         struct asperities asperities;
@@ -140,7 +140,7 @@ static void decide_plasticity(struct plan *plan, const struct surface_record *su
             if (!plan_runs_model(plan, m) || !row->plastic)
                 continue;
             double bound = largest(surfaces, count, m, yield_of);
-            if (needed && !(bound > tolerance))
+            if (needed ? !(bound > tolerance) : !row->yield_reason)
                 continue;
             if (!needed && used > 0)
                 used += (size_t)snprintf(reason + used, size - used, ", and ");

@@ -208,6 +208,10 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
         run_sensitivity(record, m, task, status) != STATUS_OK)
         return status->code;
     model->seconds = clock_seconds() - started;
+    if (several && record->ensemble.count - result.left_out < 2) { /* one scan alone says nothing of others */
+        free(record->bands[m]);
+        record->bands[m] = NULL;
+    }
     note_model(record, m, result.left_out);
     return STATUS_OK;
 }

@@ -314,8 +314,8 @@ static size_t assert_about(const double end[2], double value, double most)
 TEST_CASE(intervals_of_random_records)
 {
     enum { PARTS = 5, HARMONICS = 6, SETS = 60, MODELS = 5 };
-    static const char *const names[MODELS] = {"multiscale-elastic", "multiscale-plastic", "corrected-persson-plastic", "gw",
-                                              "cmy"};
+    static const char *const names[MODELS] = {"multiscale-elastic", "multiscale-plastic", "corrected-persson-plastic",
+                                              "gw", "cmy"};
     static const double loads[LOADS] = {1e-5, 1e-4, 1e-3, 3e-3, 1e-2};
     const struct material_pair pair = {.effective_modulus_Pa = 1e11,
                                        .yield_strength_Pa = 1e9,
@@ -364,7 +364,9 @@ TEST_CASE(intervals_of_random_records)
                 double value = quantity_shown(&points[i], model_shown(model, (enum quantity)q), set.sigma_m);
                 double most = q == QUANTITY_AREA ? 1 : INFINITY;
                 size_t there = assert_about(result.band[i].mean[q], value, most);
-                assert_int_equal(assert_about(result.band[i].next[q], value, most), rows ? 0 : there);
+                size_t next = assert_about(result.band[i].next[q], value, most);
+                if (next != (rows ? 0 : there)) /* wider, and so known where the mean's is just less than rounding */
+                    assert_true(next && log(result.band[i].next[q][1] / result.band[i].next[q][0]) < 1e-5);
                 known[q] += there;
                 if (strcmp(model->name, "cmy") == 0 && q == QUANTITY_AREA) { /* P/H, whatever the scan */
                     assert_int_equal(there, 0);

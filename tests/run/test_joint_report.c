@@ -114,7 +114,8 @@ TEST_CASE(the_table_is_of_the_data)
     const struct directory *place = *state;
     struct text report = report_of(place, JOINT "operating_load: 1e-6\nbaseline: a\n");
     struct table contact = directory_table(place, "out/data/contact.csv");
-    const char *section = strstr(text_string(&report), "## The joint"), *row = strstr(section, "\n| Persson");
+    const char *section = strstr(text_string(&report), "## The joint"),
+               *row = strstr(section, "\n| Gaussian heights |");
     assert_non_null(strstr(section, "Surface a at that load in every model"));
     assert_non_null(row);
     for (size_t i = 0, held = 0; i <= contact.rows; i++) {
@@ -123,7 +124,7 @@ TEST_CASE(the_table_is_of_the_data)
             break;
         }
         double load = number(&contact, i, "load_over_AnEp");
-        if (strcmp(table_text(&contact, i, "model"), "persson") != 0 ||
+        if (strcmp(table_text(&contact, i, "model"), "corrected-persson") != 0 ||
             strcmp(table_text(&contact, i, "surface"), "a") != 0 || fabs(load / 1e-6 - 1) > 0.5)
             continue;
         double h_g = number(&contact, i, "gap_W_per_m2K"), h_j = number(&contact, i, "joint_W_per_m2K"),
