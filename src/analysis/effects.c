@@ -228,19 +228,24 @@ static const double strip_seconds = 30e-9;
 static void decide_strips(struct plan *plan, const struct surface_record *surfaces, size_t count)
 {
     double cost = 0;
-    size_t lacking = 0;
+    size_t lacking = 0, dear = 0;
     for (size_t i = 0; i < count; i++) {
         const struct surface_summary *summary = &surfaces[i].summary;
+        bool lacks = summary->usable && !summary->has_strips;
         cost += summary->usable ? summary->strip_cost : 0;
-        lacking += summary->usable && !summary->has_strips;
+        dear += lacks && summary->strip_cost > 0;
+        lacking += lacks;
     }
     for (size_t m = 0; m < model_count && lacking > 0; m++)
         if (model_rows[m]->uses_strip)
             plan->models &= ~MODEL_BIT(m);
-    if (lacking > 0 && cost > 0)
+    if (dear > 0)
         snprintf(plan->area_reason, sizeof plan->area_reason,
                  "every report has it; strips of the scans would take about %.2g s: name the model strip to have them",
                  cost * strip_seconds);
+    else if (lacking > 0)
+        snprintf(plan->area_reason, sizeof plan->area_reason,
+                 "every report has it; no strip transfer, as %zu of %zu surfaces have no strips", lacking, count);
 }
 
 void effects_decide(struct plan *plan, const struct scene *scene, const struct surface_record *surfaces, size_t count)
