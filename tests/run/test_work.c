@@ -98,7 +98,8 @@ TEST_CASE(auto_skips_what_cannot_matter)
     assert_true(work.area > 0);
     assert_int_equal(work.plasticity, 0);
     expect_in_file(&directory_here, "out/report.md",
-                   "| plasticity | skipped | every scale is complete before it yields");
+                   "| plasticity | skipped | every scale is complete before it yields",
+                   ", and no spot bears more than ");
     assert_true(work_of(FILES "effects: auto\n").plasticity > 0);
 }
 
