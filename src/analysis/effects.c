@@ -229,6 +229,9 @@ static void decide_strips(struct plan *plan, const struct surface_record *surfac
 {
     double cost = 0;
     size_t lacking = 0, dear = 0;
+    uint64_t users = 0;
+    for (size_t m = 0; m < model_count; m++)
+        users |= model_rows[m]->uses_strip ? MODEL_BIT(m) : 0;
     for (size_t i = 0; i < count; i++) {
         const struct surface_summary *summary = &surfaces[i].summary;
         bool lacks = summary->usable && !summary->has_strips;
@@ -236,14 +239,14 @@ static void decide_strips(struct plan *plan, const struct surface_record *surfac
         dear += lacks && summary->strip_cost > 0;
         lacking += lacks;
     }
-    for (size_t m = 0; m < model_count && lacking > 0; m++)
-        if (model_rows[m]->uses_strip)
-            plan->models &= ~MODEL_BIT(m);
+    if (lacking == 0 || !(plan->models & users))
+        return;
+    plan->models &= ~users;
     if (dear > 0)
         snprintf(plan->area_reason, sizeof plan->area_reason,
                  "every report has it; strips of the scans would take about %.2g s: name the model strip to have them",
                  cost * strip_seconds);
-    else if (lacking > 0)
+    else
         snprintf(plan->area_reason, sizeof plan->area_reason,
                  "every report has it; no strip transfer, as %zu of %zu surfaces have no strips", lacking, count);
 }

@@ -244,8 +244,10 @@ static enum status_code solve_strips(struct surface_record *record, const struct
         return STATUS_OK;
     enum status_code rc = strips_solve(&record->strips, &record->ensemble, surrogates, stop, status);
     record->summary.has_strips = record->strips.joined != NULL;
-    if (rc == STATUS_OK && !record->strips.joined)
+    if (rc == STATUS_OK && !record->strips.joined) {
+        record->summary.strip_cost = 0; /* more of it would not help */
         surface_note(&record->summary, "no strip transfer: under no load do enough points of its scans touch");
+    }
     record->summary.strip_transforms = record->strips.transforms;
     record->summary.times.strips = clock_seconds() - started;
     return rc;
