@@ -527,6 +527,8 @@ enum status_code describe_conclude(struct surface_record *record, struct power_l
         return status->code;
     if (set->keeps_heights && strips_gather(&record->strips, set, status) != STATUS_OK)
         return status->code;
+    if (set->keeps_heights && record->strips.rows.rows == 0)
+        surface_note(&record->summary, "no strip transfer: its scans differ in spacing or points");
     record->summary.strip_cost = (double)strips_cost(&record->strips, STRIP_SURROGATES);
     record->summary.has_strips = strips_surrogates(&record->strips, scene) > 0;
     if (set->count == 1)

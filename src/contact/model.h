@@ -98,7 +98,8 @@ struct model_row {
      * STATUS_MEMORY. */
     enum status_code (*spots)(struct contact_spots *spots, const struct model_row *row, const struct model_task *task,
                               struct status *status);
-    /* Bounds for `effects: auto`, next to nothing to compute. NULL: not known, and so the effect runs. */
+    /* Bounds for `effects: auto`, next to nothing to compute. NULL: not known, and so the effect runs; plasticity where
+     * the model is named. */
     /** Of a plastic model: how far yielding can move any of its numbers from its elastic partner's, relative (of a
      * separation: to sigma), also beyond the loads, up to full contact; 0: it changes nothing. */
     double (*yield_bound)(const struct model_row *row, const struct model_task *task);
