@@ -332,12 +332,12 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
     return power_law_scans_end_file(scans, scan->ny - unusable, scan->kind == SCAN_AREAL, status);
 }
 
-/** Does a model that may run use strips? Two rough bodies have no heights in common. */
+/** Does a model that may run use strips? */
 static bool wants_strips(const struct scene *scene)
 {
     for (size_t m = 0; m < model_count; m++)
         if ((scene->models & MODEL_BIT(m)) && model_rows[m]->uses_strip)
-            return scene->counterface_surface.file_count == 0;
+            return true;
     return false;
 }
 
@@ -565,8 +565,6 @@ enum status_code describe_conclude(struct surface_record *record, struct power_l
         return status->code;
     if (set->keeps_heights && strips_gather(&record->strips, set, status) != STATUS_OK)
         return status->code;
-    record->summary.strip_cost = (double)strips_cost(&record->strips, STRIP_SURROGATES);
-    record->summary.has_strips = strips_surrogates(&record->strips, scene) > 0;
     if (set->count == 1)
         return keep_single(record, scans, scene, status);
     for (size_t p = 0; p < set->count; p++) {
@@ -791,8 +789,11 @@ static enum status_code conclude(struct surface_record *record, struct power_law
                                  const struct scene *scene, const struct surface_record *counterface,
                                  struct status *status)
 {
-    if (counterface && describe_counterface(record, scans, counterface, status) != STATUS_OK)
+    if (counterface && (describe_counterface(record, scans, counterface, status) != STATUS_OK ||
+                        strips_pair(&record->strips, &counterface->strips, status) != STATUS_OK))
         return status->code;
+    record->summary.strip_cost = (double)strips_cost(&record->strips, STRIP_SURROGATES);
+    record->summary.has_strips = strips_surrogates(&record->strips, scene) > 0;
     if (describe(record, scans, scene, status) != STATUS_OK)
         return status->code;
     if (describe_repeats(record, scene, status) != STATUS_OK)
