@@ -224,7 +224,7 @@ static void decide_uncertainty(struct plan *plan, const struct surface_record *s
 /** Of a point of a transform there and back, on one core of 2020. */
 static const double strip_seconds = 30e-9;
 
-/** Strips run unasked where all surfaces together keep within their budget. */
+/** Strips run where every surface has them: within their budget, or asked for. */
 static void decide_strips(struct plan *plan, const struct surface_record *surfaces, size_t count)
 {
     double cost = 0;
@@ -245,8 +245,7 @@ static void decide_strips(struct plan *plan, const struct surface_record *surfac
 
 void effects_decide(struct plan *plan, const struct scene *scene, const struct surface_record *surfaces, size_t count)
 {
-    if (!scene->models_named)
-        decide_strips(plan, surfaces, count);
+    decide_strips(plan, surfaces, count);
     if (!scene->effects_auto)
         return;
     if (plan_runs(plan, EFFECT_PLASTICITY))

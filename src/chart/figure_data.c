@@ -263,8 +263,8 @@ static void put_spectrum(struct figure_file *out, const struct surface_record *r
     drawing_begin(&out->drawing, "fitx", fit);
     put_point(out, shortest, power_law_amplitude(law, shortest), true, true);
     put_point(out, law->band_m[0], power_law_amplitude(law, law->band_m[0]), true, true);
-    if (record->band.bins > 0)
-        put_found(out, &record->band);
+    if (record->band && record->band->bins > 0)
+        put_found(out, record->band);
 }
 
 static void put_profile(struct figure_file *out, const struct surface_record *record, const char *style,

@@ -32,7 +32,7 @@ static enum status_code elastic(struct bearing_contact *out, size_t *count, cons
     if (status->code == STATUS_OK) {
         while (*count < loads && area[*count] > 0 && area[*count] <= corrected_persson_largest_area)
             ++*count;
-        corrected_persson_curve(point, area, *count, persson);
+        corrected_persson_curve(point, area, *count, persson, task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION));
     }
     for (size_t i = 0; i < *count; i++) {
         struct strip_ratio ratio = {0};

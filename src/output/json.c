@@ -280,7 +280,8 @@ static json_t *notes_json(const struct note_list *list)
 static json_t *fit_json(const struct surface_record *record, enum power_law_method method,
                         const struct cell_guard *guard)
 {
-    const struct power_law_band *band = &record->band;
+    static const struct power_law_band dropped;
+    const struct power_law_band *band = record->band ? record->band : &dropped;
     const struct power_law *law = &record->summary.power_law;
     json_t *json = json_pack("{s:s, s:s}", "method", power_law_method_names[method], "class",
                              power_law_band_class_names[law->found]);

@@ -90,7 +90,7 @@ TEST_CASE(models)
     assert_int_equal(persson_make(&persson, &spectrum, persson_energy_factor, &status), STATUS_OK);
     double sixth = corrected_persson_area(load[5], m2);
     struct corrected_persson_point at;
-    corrected_persson_curve(&at, &sixth, 1, &persson);
+    corrected_persson_curve(&at, &sixth, 1, &persson, true);
     double length_m = at.constriction_m;
     persson_free(&persson);
     for (size_t i = 0; i < curve[0].count; i++) {

@@ -188,7 +188,8 @@ static const struct wrong rows[] = {
     /* Surfaces. */
     {"surfaces:\n  - {file: a.csv, lay: 1.2}\n", 2, "'lay' is 1.2; allowed is 0 to 1"},
     {"lay: along\n", 1, "'lay' is 'along'; give a number such as 1.5e-6"},
-    {"surfaces:\n  - {file: a.csv, along: c.csv}\n", 2, "cannot find surface file 'c.csv'"},
+    {"surfaces:\n  - {file: a.csv, along: c.csv}\n", 2,
+     "cannot find surface file 'c.csv': No such file or directory; paths start at the scene's directory"},
     {"surfaces:\n  - {file: a.csv, along: b.csv,\n     lay: 0}\n", 3,
      "'lay' stands beside 'along', whose scans tell it; remove one of them"},
     {"surfaces: a.csv\n", 1, "'surfaces' is 'a.csv'; give a list of '- {name: ..., file: ...}'"},
