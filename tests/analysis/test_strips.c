@@ -138,8 +138,12 @@ TEST_CASE(pairs_solve_as_what_they_are)
         assert_within(ratio.constriction, 0, 0.4);
         assert_within(ratio.separation, 0, 0.4);
     }
-    for (int p = 0; p < 2; p++) {
+    for (size_t p = 0; p < 2; p++) { /* a scan alone: its own pairs */
+        const size_t which[] = {4 * p, 4 * p + 1, 4 * p + 2, 4 * p + 3};
+        struct strip alone;
+        assert_int_equal(strip_solve(&alone, &rough.rows, which, 4, STRIP_SURROGATES, NULL, &status), STATUS_OK);
         assert_non_null(two.members[p].strip);
+        assert_memory_equal(two.members[p].strip->own.value, alone.own.value, sizeof alone.own.value);
         free(two.members[p].strip);
     }
     free(two.members);
