@@ -565,6 +565,8 @@ enum status_code describe_conclude(struct surface_record *record, struct power_l
         return status->code;
     if (set->keeps_heights && strips_gather(&record->strips, set, status) != STATUS_OK)
         return status->code;
+    if (set->keeps_heights && record->strips.rows.rows == 0)
+        surface_note(&record->summary, "no strip transfer: its scans differ in spacing or points");
     if (set->count == 1)
         return keep_single(record, scans, scene, status);
     for (size_t p = 0; p < set->count; p++) {
@@ -794,6 +796,8 @@ static enum status_code conclude(struct surface_record *record, struct power_law
     if (counterface && (describe_counterface(record, scans, counterface, status) != STATUS_OK ||
                         strips_pair(&record->strips, &counterface->strips, status) != STATUS_OK))
         return status->code;
+    if (counterface && wants_strips(scene) && counterface->strips.rows.rows == 0)
+        surface_note(&record->summary, "no strip transfer: the counterface's scans differ in spacing or points");
     record->summary.strip_cost = (double)strips_cost(&record->strips, STRIP_SURROGATES);
     record->summary.has_strips = strips_surrogates(&record->strips, scene) > 0;
     if (describe(record, scans, scene, status) != STATUS_OK)
