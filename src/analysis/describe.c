@@ -216,6 +216,42 @@ static enum status_code condition_map(struct surface_record *record, struct dire
     return STATUS_OK;
 }
 
+/** Mean-square difference of a map's heights that lie so many points apart, less that of its plane. */
+static double mean_square_step(const struct scan *scan, size_t right, size_t down)
+{
+    double sum = 0, squares = 0, count = 0;
+    for (size_t row = down; row < scan->ny; row++)
+        for (size_t column = right; column < scan->nx; column++) {
+            double step = scan->z_m[row * scan->nx + column] - scan->z_m[(row - down) * scan->nx + column - right];
+            if (isnan(step))
+                continue;
+            sum += step;
+            squares += step * step;
+            count++;
+        }
+    return squares / count - sum / count * (sum / count);
+}
+
+/** r of the surface; what makes it doubtful is said. */
+static void set_lay(struct surface_summary *summary, double lay, const char *instead)
+{
+    summary->has_lay = isfinite(lay);
+    summary->lay = lay;
+    if (summary->has_lay && lay > 1.5)
+        surface_note(summary, "it is %.3g times as steep along as across its lay; %s", lay, instead);
+}
+
+/** A map knows its lay from its rows, taken across, and its columns, over steps of about the same length. */
+static void measure_lay(struct surface_summary *summary, const struct scan *scan)
+{
+    double right = fmax(1, round(scan->dy_m / scan->dx_m)), down = fmax(1, round(scan->dx_m / scan->dy_m));
+    if (right < (double)scan->nx && down < (double)scan->ny)
+        set_lay(summary,
+                sqrt(mean_square_step(scan, 0, (size_t)down) / mean_square_step(scan, (size_t)right, 0)) *
+                    (right * scan->dx_m) / (down * scan->dy_m),
+                "take its profiles in the other direction");
+}
+
 /** Every row of a scan (a profile has one, whose heights are taken over) into the surface. A row of a map that cannot
  * be used (all missing, flat) is left out and counted; the map is refused when none is left. */
 static enum status_code add_rows(struct surface_record *record, struct power_law_scans *scans, struct scan *scan,
@@ -271,6 +307,8 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
     }
     if (unusable == scan->ny)
         return status_fail(status, first.code, "%s: %s", file, first.message);
+    if (scan->kind == SCAN_AREAL && summary->scans == scan->ny - unusable)
+        measure_lay(summary, scan);
     if (scan->kind == SCAN_AREAL && summary->scans == scan->ny - unusable &&
         scene->counterface_surface.file_count == 0) { /* the first file: it speaks for all */
         summary->map = map;
@@ -294,12 +332,12 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
     return power_law_scans_end_file(scans, scan->ny - unusable, scan->kind == SCAN_AREAL, status);
 }
 
-/** Does a model that may run use strips? Two rough bodies have no heights in common. */
+/** Does a model that may run use strips? */
 static bool wants_strips(const struct scene *scene)
 {
     for (size_t m = 0; m < model_count; m++)
         if ((scene->models & MODEL_BIT(m)) && model_rows[m]->uses_strip)
-            return scene->counterface_surface.file_count == 0;
+            return true;
     return false;
 }
 
@@ -529,8 +567,6 @@ enum status_code describe_conclude(struct surface_record *record, struct power_l
         return status->code;
     if (set->keeps_heights && record->strips.rows.rows == 0)
         surface_note(&record->summary, "no strip transfer: its scans differ in spacing or points");
-    record->summary.strip_cost = (double)strips_cost(&record->strips, STRIP_SURROGATES);
-    record->summary.has_strips = strips_surrogates(&record->strips, scene) > 0;
     if (set->count == 1)
         return keep_single(record, scans, scene, status);
     for (size_t p = 0; p < set->count; p++) {
@@ -692,19 +728,87 @@ static const char **sorted_files(const struct scene_surface *surface)
     return files;
 }
 
+/** r from the scans along the lay, each of which has to be readable: the answer hangs on it. */
+static enum status_code take_along(struct surface_summary *summary, const struct scene *scene, struct hash *hash,
+                                   struct status *status)
+{
+    struct scene_surface surface = *summary->scene;
+    struct surface_record along = {.summary = {.scene = &surface}};
+    struct power_law_scans scans = {0};
+    struct status problem = {0};
+    surface.files = surface.along;
+    surface.file_count = surface.along_count;
+    enum status_code rc = STATUS_OK;
+    for (size_t f = 0; f < surface.file_count && rc == STATUS_OK; f++)
+        rc = describe_file(&along, &scans, scene, &surface, surface.files[f], hash, &problem);
+    double unlike = along.summary.spacing_m / summary->spacing_m;
+    if (rc == STATUS_OK)
+        set_lay(summary, sqrt(along.summary.roughness.m2 / summary->roughness.m2), "are 'file' and 'along' exchanged?");
+    if (rc == STATUS_OK && !(fabs(log(unlike)) < 0.1))
+        surface_note(summary,
+                     "its scans along the lay have %.3g times the spacing of those across: slopes so taken do "
+                     "not compare well",
+                     unlike);
+    surface_record_free(&along);
+    power_law_scans_free(&scans);
+    return rc == STATUS_OK ? STATUS_OK : status_fail(status, rc, "along: %s", problem.message);
+}
+
+static enum status_code find_lay(struct surface_summary *summary, const struct scene *scene, struct hash *hash,
+                                 struct status *status)
+{
+    const struct scene_surface *surface = summary->scene;
+    if (surface->along_count > 0)
+        return take_along(summary, scene, hash, status);
+    if (surface->lay_given || (scene->lay_given && !summary->has_lay))
+        set_lay(summary, surface->lay_given ? surface->lay : scene->lay, "");
+    return STATUS_OK;
+}
+
+static void stretch_member(struct member *member, double kappa)
+{
+    member->spectrum.length_m /= kappa;
+    member->spacing_m /= kappa;
+    member->roughness.m2 *= pow(kappa, 2);
+    member->roughness.m4_per_m2 *= pow(kappa, 4);
+}
+
+/** Makes of a surface with a lay the isotropic one of the same mean-square gradient that the models are asked about;
+ * what describes the scans stays as it was measured (equations: lay). */
+static void stretch(struct surface_record *record, double kappa)
+{
+    record->spectrum.length_m /= kappa;
+    record->strips.rows.spacing_m /= kappa;
+    record->summary.tail.wavelength_m /= kappa;
+    record->summary.asperities.density_per_m2 *= pow(kappa, 2);
+    record->summary.asperities.radius_m /= pow(kappa, 2);
+    for (size_t p = 0; p < record->ensemble.count; p++)
+        stretch_member(&record->ensemble.members[p], kappa);
+    for (int variant = 0; variant < SENSITIVITY_VARIANTS; variant++)
+        stretch_member(&record->sensitivity.variants[variant], kappa);
+}
+
 /** From what was gathered to the description of the surface. */
 static enum status_code conclude(struct surface_record *record, struct power_law_scans *scans,
                                  const struct scene *scene, const struct surface_record *counterface,
                                  struct status *status)
 {
-    if (counterface && describe_counterface(record, scans, counterface, status) != STATUS_OK)
+    if (counterface && (describe_counterface(record, scans, counterface, status) != STATUS_OK ||
+                        strips_pair(&record->strips, &counterface->strips, status) != STATUS_OK))
         return status->code;
+    if (counterface && wants_strips(scene) && counterface->strips.rows.rows == 0)
+        surface_note(&record->summary, "no strip transfer: the counterface's scans differ in spacing or points");
+    record->summary.strip_cost = (double)strips_cost(&record->strips, STRIP_SURROGATES);
+    record->summary.has_strips = strips_surrogates(&record->strips, scene) > 0;
     if (describe(record, scans, scene, status) != STATUS_OK)
         return status->code;
     if (describe_repeats(record, scene, status) != STATUS_OK)
         return status->code;
     bool found = scene->fit == POWER_LAW_AUTO && record->band->law != POWER_LAW_BAND_NONE;
-    return found ? fit_alone(record, scans, scene, status) : STATUS_OK;
+    if (found && fit_alone(record, scans, scene, status) != STATUS_OK)
+        return status->code;
+    stretch(record, surface_kappa(&record->summary));
+    return STATUS_OK;
 }
 
 /** The files of a surface, and which of them are refused. */
@@ -761,16 +865,15 @@ static void note_refused(struct surface_summary *summary, const struct files *fi
 
 /** Gathers the scans of a surface that can be used. Error: why there is none. */
 static enum status_code take_usable(struct surface_record *out, struct power_law_scans *scans,
-                                    const struct scene *scene, struct files *files, struct status *status)
+                                    const struct scene *scene, struct files *files, struct hash *hash,
+                                    struct status *status)
 {
-    struct hash hash = hash_start(), unused = hash_start();
+    struct hash unused = hash_start();
     bool again;
-    enum status_code rc = take_files(out, scans, scene, files, &hash, &again, status);
-    hash_finish(&hash, out->summary.hash);
+    enum status_code rc = take_files(out, scans, scene, files, hash, &again, status);
     while (rc == STATUS_OK && again && files->refused < files->count) { /* from the start, without those */
         struct surface_summary again_from = {
             .scene = out->summary.scene, .pair = out->summary.pair, .times = out->summary.times};
-        memcpy(again_from.hash, out->summary.hash, sizeof again_from.hash);
         surface_record_free(out);
         power_law_scans_free(scans);
         *scans = (struct power_law_scans){0};
@@ -795,14 +898,18 @@ enum status_code describe_surface(struct surface_record *out, const struct scene
 {
     struct surface_summary *summary = &out->summary;
     struct status problem = {0};
+    struct hash hash = hash_start();
     struct power_law_scans scans = {0};
     struct files files = {sorted_files(surface), surface->file_count, 0,
                           calloc(surface->file_count + 1, sizeof(char *))};
     summary->scene = surface;
     summary->pair = scene_pair(surface->bodies);
-    enum status_code rc =
-        files.name && files.refusal ? take_usable(out, &scans, scene, &files, &problem) : status_memory(&problem);
+    enum status_code rc = files.name && files.refusal ? take_usable(out, &scans, scene, &files, &hash, &problem)
+                                                      : status_memory(&problem);
     free_files(&files);
+    if (rc == STATUS_OK && surface != &scene->counterface_surface) /* whose lay is taken to be the surface's */
+        rc = find_lay(summary, scene, &hash, &problem);
+    hash_finish(&hash, summary->hash);
     if (rc == STATUS_OK)
         rc = describe_conclude(out, &scans, scene, &problem);
     if (rc == STATUS_OK) {

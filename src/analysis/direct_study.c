@@ -35,6 +35,7 @@ static struct direct_plan_task plan_task(const struct surface_summary *surface, 
     double hardness_Pa = !isnan(scene->direct.hardness_Pa) ? scene->direct.hardness_Pa : surface->pair.hardness_Pa;
     bool capped = plan_runs(plan, EFFECT_PLASTICITY) && hardness_Pa > 0;
     double resolved_m = 4 * surface->spacing_m; /* two points a wave is all a scan has, of which noise is half */
+    double kappa = surface->map.nx > 0 ? 1 : surface_kappa(surface); /* a map is solved as it is */
     bool heights = scene->counterface_surface.file_count == 0;
     return (struct direct_plan_task){
         .direct = &scene->direct,
@@ -43,13 +44,14 @@ static struct direct_plan_task plan_task(const struct surface_summary *surface, 
         .loads = loads,
         .load_count = load_count,
         .map = surface->map,
-        .length_m = surface->length_m,
+        .length_m = surface->length_m / kappa,
         .lambda_s_m = fmin(scene->lambda_s_m > 0      ? scene->lambda_s_m
                            : scene->fit_band_m[0] > 0 ? fmax(scene->fit_band_m[0], resolved_m)
                                                       : resolved_m,
-                           surface->length_m / 2),
+                           surface->length_m / 2) /
+                      kappa,
         .of_spacing = !(scene->lambda_s_m > 0 || scene->fit_band_m[0] > resolved_m),
-        .slope = sqrt(surface->roughness.m2),
+        .slope = sqrt(surface->roughness.m2) * kappa,
         .hardness = capped ? hardness_Pa / surface->pair.effective_modulus_Pa : INFINITY,
         .resistance = plan->running & (EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL)),
         .heights = heights,
@@ -112,6 +114,7 @@ static enum status_code find_rows(struct maker *maker, struct status *status)
             spectrum_average(&study->rows, &one, row);
         spectrum_free(&one);
     }
+    study->rows.length_m /= surface_kappa(&maker->task->surface->summary);
     return STATUS_OK;
 }
 

@@ -43,7 +43,8 @@ static enum status_code run_uncertainty(struct surface_record *record, const str
     struct model_task counted = *task;
     counted.evaluations = &summary->simulated_evaluations;
     double started = clock_seconds();
-    const struct uncertainty_scan scan = {record->height_m, summary->single_points, summary->spacing_m,
+    const struct uncertainty_scan scan = {record->height_m, summary->single_points,
+                                          summary->spacing_m / surface_kappa(summary),
                                           record_conditioning_of(scene, false), &counted};
     struct uncertainty *all = calloc(model_count, sizeof *all);
     if (!all)
@@ -195,6 +196,8 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     struct ensemble_result result = {.band = record->bands[m]};
     if (ensemble_curve(curve, &result, &record->ensemble, model_rows[m], task, status) != STATUS_OK)
         return status->code;
+    for (size_t k = 0; k < curve->kink_count; k++) /* as the scans have it */
+        curve->kinks[k].wavelength_m *= surface_kappa(&record->summary);
     const struct joint_task joint = surface_joint(record, scene, plan, task);
     if (joint_curve(curve, model_rows[m], task, &joint, status) != STATUS_OK) /* of several scans, the mean curve's */
         return status->code;
@@ -213,6 +216,33 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
         record->bands[m] = NULL;
     }
     note_model(record, m, result.left_out);
+    return STATUS_OK;
+}
+
+/** What a perfect lay would change in model `m`: with frequencies times kappa = sqrt(1/2) the surface is, in lengths
+ * that are 1/kappa times its own, this one of a modulus kappa E'. */
+static enum status_code run_perfect_lay(struct surface_record *record, size_t m, const struct model_task *task,
+                                        struct status *status)
+{
+    struct material_pair pair = record->summary.pair;
+    struct model_task one = surface_middle_task(task), lay = one;
+    double load = one.loads[0] / M_SQRT1_2, *out = record->summary.perfect_lay;
+    struct contact_point points[2][2] = {{{.value = {0}}}};
+    pair.effective_modulus_Pa *= M_SQRT1_2;
+    lay.loads = &load;
+    lay.pair = &pair;
+    out[0] = out[1] = NAN;
+    for (int k = 0; k < 2; k++) {
+        struct model_curve curve = {.points = points[k]};
+        const struct model_task *asked = k == 0 ? &one : &lay;
+        if (ensemble_curve(&curve, NULL, &record->ensemble, model_rows[m], asked, status) != STATUS_OK)
+            return status->code;
+        if (!curve.exists || curve.count == 0 || points[k][0].value[QUANTITY_LOAD] != asked->loads[0])
+            return STATUS_OK;
+    }
+    out[0] = points[1][0].value[QUANTITY_AREA] / points[0][0].value[QUANTITY_AREA];
+    if (points[0][0].value[QUANTITY_ECR] > 0)
+        out[1] = points[1][0].value[QUANTITY_ECR] / points[0][0].value[QUANTITY_ECR] / M_SQRT1_2;
     return STATUS_OK;
 }
 
@@ -267,6 +297,10 @@ enum status_code evaluate_models(struct surface_record *record, const struct sce
             return status->code;
     }
     task.evaluations = NULL;
+    size_t leading = plan_leading_model(plan);
+    if (!record->summary.has_lay && plan_runs_model(plan, leading) &&
+        run_perfect_lay(record, leading, &task, status) != STATUS_OK)
+        return status->code;
     if (plan_runs(plan, EFFECT_UNCERTAINTY) && record->height_m &&
         run_uncertainty(record, scene, plan, &task, status) != STATUS_OK)
         return status->code;

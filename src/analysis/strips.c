@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/strips.h"
 
+#include "direct/direct_surface.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -35,12 +37,56 @@ enum status_code strips_gather(struct strips *out, const struct ensemble *set, s
         memcpy(out->height_m + r * first->points, set->members[(2 * r + 1) * set->count / (2 * rows)].height_m,
                first->points * sizeof *out->height_m);
     out->rows = (struct strip_rows){out->height_m, rows, first->points, first->spacing_m, periodic};
+    out->pairings = 1;
+    return STATUS_OK;
+}
+
+/** Height of a row at `place` points from its beginning, wherever that is. */
+static double height_at(const struct strip_rows *rows, size_t row, double place)
+{
+    const double *height_m = rows->height_m + row * rows->points;
+    size_t n = rows->points, period = rows->periodic ? n : 2 * n;
+    double within = fmod(place, (double)period), share = within - floor(within);
+    size_t at[2] = {(size_t)within, ((size_t)within + 1) % period};
+    for (int k = 0; k < 2; k++)
+        at[k] = at[k] < n ? at[k] : 2 * n - 1 - at[k];
+    return share > 0 ? (1 - share) * height_m[at[0]] + share * height_m[at[1]] : height_m[at[0]];
+}
+
+enum { PAIRING_SEED = 0x70616972 };
+
+enum status_code strips_pair(struct strips *strips, const struct strips *other, struct status *status)
+{
+    const struct strip_rows own = strips->rows, *theirs = &other->rows;
+    if (own.rows == 0 || theirs->rows == 0) {
+        strips_free(strips);
+        return STATUS_OK;
+    }
+    size_t pairings = (STRIPS_PAIRINGS + own.rows - 1) / own.rows, rows = own.rows * pairings;
+    double *height_m = malloc(rows * own.points * sizeof *height_m), step = own.spacing_m / theirs->spacing_m;
+    if (!height_m)
+        return status_memory(status);
+    step = fabs(step - 1) < 1e-6 ? 1 : step;
+    for (size_t r = 0; r < rows; r++) {
+        size_t row = (size_t)(direct_random(PAIRING_SEED, 2 * r) * (double)theirs->rows);
+        double first = floor(direct_random(PAIRING_SEED, 2 * r + 1) * 2 * (double)theirs->points);
+        for (size_t i = 0; i < own.points; i++)
+            height_m[r * own.points + i] =
+                own.height_m[r / pairings * own.points + i] + height_at(theirs, row, first + (double)i * step);
+    }
+    free(strips->height_m);
+    strips->height_m = height_m;
+    strips->pairings = pairings;
+    strips->rows.height_m = height_m;
+    strips->rows.rows = rows;
+    strips->rows.periodic =
+        own.periodic && theirs->periodic && fabs((double)own.points * step / (double)theirs->points - 1) < 1e-6;
     return STATUS_OK;
 }
 
 uint64_t strips_cost(const struct strips *strips, size_t surrogates)
 {
-    size_t rows = strips->rows.rows, alone = rows > 1 ? rows : 0;
+    size_t rows = strips->rows.rows, alone = rows > strips->pairings ? rows : 0;
     return strip_cost(&strips->rows, rows, surrogates) + alone * strip_cost(&strips->rows, 1, surrogates);
 }
 
@@ -78,8 +124,9 @@ enum status_code strips_solve(struct strips *strips, struct ensemble *set, size_
     for (size_t r = 0; r < rows; r++)
         which[r] = r;
     enum status_code rc = solve(&strips->joined, strips, which, rows, surrogates, stop, status);
-    free(which);
     for (size_t p = 0; p < set->count && set->scan_count > 1 && rc == STATUS_OK; p++)
-        rc = solve(&set->members[p].strip, strips, &p, 1, surrogates, stop, status);
+        rc = solve(&set->members[p].strip, strips, which + p * strips->pairings, strips->pairings, surrogates, stop,
+                   status);
+    free(which);
     return rc;
 }

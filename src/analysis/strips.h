@@ -5,18 +5,28 @@
 
 #include "analysis/ensemble.h"
 
+enum { STRIPS_PAIRINGS = 8 };
+
 /** Owned: strips_free(). */
 struct strips {
     struct strip_rows rows; /* levelled; of a map at most 16, evenly spaced; rows 0: none */
-    double *height_m;       /* theirs */
-    struct strip *joined;   /* all rows in one strip; NULL: not solved */
-    uint64_t transforms;    /* pairs of transforms times points that solving took */
+    size_t pairings;      /* rows next to each other that are one scan's, each against another place of the counterface;
+                             1: it is smooth */
+    double *height_m;     /* theirs */
+    struct strip *joined; /* all rows in one strip; NULL: not solved */
+    uint64_t transforms;  /* pairs of transforms times points that solving took */
 };
 void strips_free(struct strips *strips);
 
 /** Takes the rows from members that keep their heights; none where they differ in points or spacing. Error:
  * STATUS_MEMORY. */
 MUST_CHECK enum status_code strips_gather(struct strips *out, const struct ensemble *set, struct status *status);
+
+/** Two rough bodies: puts heights z1(x) + z2(x + shift) in place of the rows, of a row of `other` and a shift that are
+ * drawn by hash, so often that there are STRIPS_PAIRINGS rows or more; none where `other` has none. Where that row ends
+ * it goes on as its mirror image, or around if it is periodic; between its points it is straight. Error: STATUS_MEMORY.
+ */
+MUST_CHECK enum status_code strips_pair(struct strips *strips, const struct strips *other, struct status *status);
 
 /** What strips_solve() takes at least (with one surrogate) and at most, by a count: pairs of transforms times points.
  */

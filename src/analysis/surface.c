@@ -84,6 +84,11 @@ struct model_task surface_model_task(const struct surface_record *record, const 
     };
 }
 
+double surface_kappa(const struct surface_summary *summary)
+{
+    return summary->has_lay ? sqrt((1 + summary->lay * summary->lay) / 2) : 1;
+}
+
 double surface_lambda_s(const struct surface_summary *summary, const struct scene *scene)
 {
     return fmax(scene->lambda_s_m, summary->cutoff_m);

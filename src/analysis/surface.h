@@ -64,14 +64,18 @@ struct surface_summary {
     struct limit_check *limits;    /* one a limit of the scene; the same */
     struct direct_map_def map;     /* the square that a map offers to a direct solution; nx 0: profiles */
     double cutoff_m;               /* of the low-pass that a map has had; 0: none */
-    struct direct_plan *direct;    /* how its contact is solved directly; owned, NULL: it is not called for */
+    bool has_lay;                  /* it is known */
+    double lay;                    /* rms slope along over across it: surface_kappa() */
+    double perfect_lay[2]; /* where none is known: area and ECR of the leading model at the operating load if the scans
+                              ran across a perfect one, over those as they are; NaN: no answer; 0: not asked */
+    struct direct_plan *direct; /* how its contact is solved directly; owned, NULL: it is not called for */
     struct surface_times times;
 };
 
 /** Everything of one surface. Owned: surface_record_free(). */
 struct surface_record {
     struct surface_summary summary;
-    struct spectrum spectrum;
+    struct spectrum spectrum;    /* its length over surface_kappa(), as those of the ensemble and the strips are */
     struct spectrum tapered;     /* rms amplitudes the law is fitted to; count 0: fit: thesis */
     struct power_law_band *band; /* the same law with its bins, knees and lines; NULL: fit: thesis, or dropped */
     struct ensemble ensemble;    /* scans to be run alone, until they have been; count 0: there is one */
@@ -118,6 +122,10 @@ struct joint_task surface_joint(const struct surface_record *record, const struc
 
 /** The same at the middle load alone. */
 struct model_task surface_middle_task(const struct model_task *task);
+
+/** What the frequencies of the scans, taken across a lay, are multiplied by in the models, which know no direction:
+ * sqrt((1 + r²)/2), r the rms slope along over across (equations: lay). */
+double surface_kappa(const struct surface_summary *summary);
 
 /** Cut-off of the low-pass that a surface's scans have had, by the scene's wish or as a map; 0: none. */
 double surface_lambda_s(const struct surface_summary *summary, const struct scene *scene);

@@ -306,12 +306,28 @@ static json_t *fit_json(const struct surface_record *record, enum power_law_meth
     return json;
 }
 
-static json_t *files_json(const struct scene_surface *surface)
+static json_t *files_json(char *const *names, size_t count)
 {
     json_t *files = json_array();
-    for (size_t f = 0; f < surface->file_count; f++)
-        json_array_append_new(files, string(surface->files[f]));
+    for (size_t f = 0; f < count; f++)
+        json_array_append_new(files, string(names[f]));
     return files;
+}
+
+/** r and what the scans' frequencies were multiplied by; where r is not known, what a perfect lay would change. */
+static json_t *lay_json(const struct surface_summary *s, const struct plan *plan, const struct cell_guard *guard)
+{
+    json_t *json = json_object();
+    set(json, guard, "r", s->has_lay ? s->lay : NAN);
+    set(json, guard, "kappa", surface_kappa(s));
+    if (s->scene->along_count > 0)
+        json_object_set_new(json, "along", files_json(s->scene->along, s->scene->along_count));
+    if (s->perfect_lay[0] != 0) {
+        set_word(json, "perfect_lay_model", model_rows[plan_leading_model(plan)]->name);
+        set(json, guard, "perfect_lay_area_factor", s->perfect_lay[0]);
+        set(json, guard, "perfect_lay_ecr_factor", s->perfect_lay[1]);
+    }
+    return json;
 }
 
 static json_t *surface_json(const struct results *results, size_t index)
@@ -329,7 +345,8 @@ static json_t *surface_json(const struct results *results, size_t index)
             json_object_set_new(models, model_rows[m]->name, model);
         }
     json_t *json = json_pack("{s:o, s:o, s:s, s:s, s:s}", "surface", string(s->scene->name), "files",
-                             files_json(s->scene), "sha256", s->hash, "format", s->format, "units", s->units);
+                             files_json(s->scene->files, s->scene->file_count), "sha256", s->hash, "format", s->format,
+                             "units", s->units);
     if (s->scene->bodies->material_given || s->scene->bodies->counterface_given) {
         json_object_set_new(json, "material", material_json(&s->scene->bodies->material, guard));
         json_object_set_new(json, "counterface", counterface_json(s->scene->bodies, guard));
@@ -342,6 +359,7 @@ static json_t *surface_json(const struct results *results, size_t index)
     set(json, guard, "rsk", roughness_skewness(&s->roughness));
     set(json, guard, "rku", roughness_kurtosis(&s->roughness));
     json_object_set_new(json, "fit", fit_json(record, scene->fit, guard));
+    json_object_set_new(json, "lay", lay_json(s, results->plan, guard));
     set_count(json, "scans", s->scans);
     set_count(json, "scans_periodic", s->periodic);
     set_count(json, "scans_windowed", s->windowed);
@@ -497,7 +515,7 @@ static json_t *outline_surface_json(const struct surface_summary *s, const struc
                                     const struct cell_guard *guard)
 {
     json_t *json = json_pack("{s:o, s:o, s:b, s:o, s:o}", "surface", string(s->scene->name), "files",
-                             files_json(s->scene), "usable", s->usable, "refused",
+                             files_json(s->scene->files, s->scene->file_count), "usable", s->usable, "refused",
                              s->refusal ? string(s->refusal) : json_null(), "notes", notes_json(&s->notes));
     if (!s->usable)
         return json;

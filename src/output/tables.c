@@ -151,9 +151,10 @@ static void put_spectrum(struct table *table, const struct surface_record *recor
     for (size_t i = 0; i < spectrum->count;) {
         const struct spectrum_bin bin = binned ? spectrum_bin_from(spectrum, i) : spectrum_bin_of(spectrum, i);
         put_surface(table, &record->summary);
-        put_number(table, "wavelength_m", bin.wavelength_m);
+        double wavelength_m = bin.wavelength_m * surface_kappa(&record->summary); /* as the scans have it */
+        put_number(table, "wavelength_m", wavelength_m);
         put_number(table, "amplitude_m", bin.amplitude_m);
-        put_number(table, "fit_m", power_law_amplitude(&record->summary.power_law, bin.wavelength_m));
+        put_number(table, "fit_m", power_law_amplitude(&record->summary.power_law, wavelength_m));
         if (binned) {
             snprintf(count, sizeof count, "%zu", bin.count);
             put_word(table, count);

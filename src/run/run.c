@@ -93,6 +93,8 @@ static enum status_code run_baseline(struct run *run, struct status *status)
     if (baseline->sensitivity.scans > 0) {
         if (sensitivity_curves_make(&run->sensitivity, &one, models, unsure_m, status) != STATUS_OK)
             return status->code;
+        for (size_t w = 0; w < SENSITIVITY_WAVELENGTHS; w++) /* as the scans have it */
+            run->sensitivity.wavelength_m[w] *= surface_kappa(&baseline->summary);
         results->sensitivity = &run->sensitivity;
     }
     if (results->measured) {

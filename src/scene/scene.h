@@ -32,6 +32,10 @@ struct scene_surface {
     char *name;   /* as printed; hostile until escaped */
     char **files; /* file_count paths as given: see scene_file_path() */
     size_t file_count;
+    char **along; /* along_count of scans along the lay, the same */
+    size_t along_count;
+    bool lay_given;
+    double lay;      /* rms slope along over across the lay; 0: a perfect one */
     char x_unit[16]; /* "" when the scene gives none */
     char z_unit[16];
     enum scan_quantity quantity; /* slopes are integrated to heights */
@@ -177,7 +181,9 @@ struct scene {
     char *baseline; /* surface name, NULL: the second smoothest */
     struct scene_convergence convergence;
     struct scene_direct direct;
-    enum scan_direction direction;            /* of the profiles taken from an areal map */
+    enum scan_direction direction; /* of the profiles taken from an areal map */
+    bool lay_given;
+    double lay;                               /* of surfaces that neither say theirs nor were measured along it */
     struct scene_surface counterface_surface; /* file_count 0: the counterface is smooth */
     struct scene_measured measured;
     struct scene_asked *targets, *limits; /* NULL: none */

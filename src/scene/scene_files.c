@@ -181,6 +181,9 @@ void scene_files_free(struct scene_surface *surface, const struct scene_bodies *
     for (size_t i = 0; i < surface->file_count; i++)
         free(surface->files[i]);
     free(surface->files);
+    for (size_t i = 0; i < surface->along_count; i++)
+        free(surface->along[i]);
+    free(surface->along);
     free(surface->name);
 }
 

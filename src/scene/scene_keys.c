@@ -487,6 +487,7 @@ bool scene_keys_read(struct scene_source *source, const yaml_node_t *root)
         {"material", scene_surfaces_body, .field = &scene->bodies},
         {"counterface", scene_surfaces_counterface, .field = &scene->bodies},
         {"direction", SCENE_CHOICE(scene->direction, scan_direction_names)},
+        {"lay", SCENE_NUMBER(scene->lay, 0.0, 1.0)},
         {"measured", read_measured, .field = &scene->measured},
         {"nominal_area", SCENE_QUANTITY(scene->nominal_area_m2, UNIT_AREA, 1e-18, 1e6), .word = "none",
          .alias = "nominal_area_m2"},
@@ -534,6 +535,7 @@ bool scene_keys_read(struct scene_source *source, const yaml_node_t *root)
         return scene_source_fail(source, scene_source_line_of(keys, "lambda_c"),
                                  "'lambda_c' is %g m, not above 'lambda_s', %g m; nothing would be left between them",
                                  scene->lambda_c_m, scene->lambda_s_m);
+    scene->lay_given = scene_source_line_of(keys, "lay") > 0;
     scene->level_given = scene_source_line_of(keys, "level") > 0;
     bool band = scene_source_line_of(keys, "fit_band") > 0;
     scene->fit_band_given = band && (scene->fit_band_m[0] > 0 || isfinite(scene->fit_band_m[1]));

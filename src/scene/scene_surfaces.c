@@ -215,12 +215,24 @@ bool scene_surfaces_counterface(struct scene_source *source, const struct scene_
     return surface->name || scene_source_memory(source);
 }
 
+/* Scans along the lay. */
+static bool read_along(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    struct scene_surface *surface = key->field, along = {0};
+    bool good = scene_surfaces_files(source, &(struct scene_key){.name = key->name, .field = &along}, value);
+    surface->along = along.files;
+    surface->along_count = along.file_count;
+    return good;
+}
+
 static bool read_surface(struct scene_source *source, const yaml_node_t *node, struct scene_surface *surface)
 {
     struct scene_bodies own = {.hardness_Pa = NAN};
     struct scene_key keys[] = {
         {"name", scene_source_text, .field = &surface->name},
         {"file", scene_surfaces_files, .field = surface},
+        {"along", read_along, .field = surface},
+        {"lay", SCENE_NUMBER(surface->lay, 0.0, 1.0)},
         {"material", scene_surfaces_body, .field = &own},
         {"counterface", read_body, .field = &own},
         {"hardness", SCENE_QUANTITY(own.hardness_Pa, UNIT_PRESSURE, 1e3, 1e12), .alias = "hardness_Pa"},
@@ -229,6 +241,10 @@ static bool read_surface(struct scene_source *source, const yaml_node_t *node, s
         return false;
     if (scene_source_line_of(keys, "file") == 0)
         return scene_source_fail(source, scene_source_line(node), "a surface has no 'file'; add one");
+    surface->lay_given = scene_source_line_of(keys, "lay") > 0;
+    if (surface->lay_given && surface->along_count > 0)
+        return scene_source_fail(source, scene_source_line_of(keys, "lay"),
+                                 "'lay' stands beside 'along', whose scans tell it; remove one of them");
     if (surface->name && strlen(surface->name) > limit_most(LIMIT_NAME_BYTES))
         return scene_source_fail(source, scene_source_line_of(keys, "name"), "a name of %zu bytes%s",
                                  strlen(surface->name), limit_words(LIMIT_NAME_BYTES).text);

@@ -94,6 +94,12 @@ TEST_WITH(two_rough_bodies_add_their_squares, directory_setup, directory_teardow
         assert_near(table_number(&rough, i, "amplitude_m"), M_SQRT2 * table_number(&smooth, i, "amplitude_m"), 1e-9);
     table_free(&smooth);
     table_free(&rough);
+    struct table contact = directory_table(place, "rough/data/contact.csv"); /* both heights are known, in pairs */
+    size_t strips = 0;
+    for (size_t i = 0; i < contact.rows; i++)
+        strips += strcmp(table_text(&contact, i, "model"), "strip") == 0;
+    assert_true(strips > 50);
+    table_free(&contact);
     expect_in_file(place, "rough/report.md", "rough counterface");
     struct run_outcome outcome;
     struct status status = {0};

@@ -18,6 +18,7 @@ static const struct {
     {offsetof(struct scene, fit_band_m[0]), 0, 8e-6},
     {offsetof(struct scene, fit_band_m[1]), INFINITY, 3e-4},
     {offsetof(struct scene, max_missing), 0.1, 0.25},
+    {offsetof(struct scene, lay), 0, 0.25},
     {offsetof(struct scene, lambda_s_m), 0, 2.5e-6},
     {offsetof(struct scene, lambda_c_m), 0, 8e-4},
     {offsetof(struct scene, tip_radius_m), 0, 2e-6},

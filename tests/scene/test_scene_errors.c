@@ -192,6 +192,12 @@ static const struct wrong rows[] = {
     {"load: {from: 1 Pa, to: 9 Pa}\nsurfaces:\n  - {file: a.csv, material: tin}\n  - {file: b.csv}\n", 1,
      "'load' is a pressure, which without a material is no P/(A_n E'); add 'material', or give P/(A_n E')"},
     /* Surfaces. */
+    {"surfaces:\n  - {file: a.csv, lay: 1.2}\n", 2, "'lay' is 1.2; allowed is 0 to 1"},
+    {"lay: along\n", 1, "'lay' is 'along'; give a number such as 1.5e-6"},
+    {"surfaces:\n  - {file: a.csv, along: c.csv}\n", 2,
+     "cannot find surface file 'c.csv': No such file or directory; paths start at the scene's directory"},
+    {"surfaces:\n  - {file: a.csv, along: b.csv,\n     lay: 0}\n", 3,
+     "'lay' stands beside 'along', whose scans tell it; remove one of them"},
     {"surfaces: a.csv\n", 1, "'surfaces' is 'a.csv'; give a list of '- {name: ..., file: ...}'"},
     {"surfaces: []\n", 1, "'surfaces' lists none; remove it to report every file of the directory"},
     {"surfaces:\n  - a.csv\n", 2, "'surfaces' is 'a.csv'; give 'key: value' pairs"},

@@ -1,0 +1,163 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A lay, through the whole program: given, measured along it, known of a map, and not known. */
+#include "run/pipeline.h"
+
+#include <jansson.h>
+
+enum { POINTS = 240, SCANS = 3 };
+
+/* A scene of one surface, with plasticity; `keys` are the surface's, `more` is the scene's. */
+static void run_scene(const struct directory *place, const char *out, const char *files, const char *keys,
+                      const char *more)
+{
+    struct text text = {0};
+    text_add(&text,
+             "material: tin\nhardness: 20 GPa\neffects: [plasticity, separation, electrical, uncertainty]\nload: "
+             "{from: 1e-5, to: 1e-1, points: 9}\nsurfaces: [{name: s, file: %s%s}]\n%s",
+             files, keys, more);
+    directory_write(place, "in/scene.yaml", text_string(&text));
+    text_free(&text);
+    assert_int_equal(pipeline_run(place, "in", out, 1), 0);
+}
+
+/* Scans `times` as high, `apart` as far apart as others of the same number. */
+static void write_scans(const struct directory *place, const char *prefix, double times, double apart)
+{
+    for (unsigned long seed = 1; seed <= SCANS; seed++) {
+        double height_m[POINTS];
+        char name[40];
+        struct status status = {0};
+        struct text csv = {0};
+        struct synth_def def = synth_def_default();
+        def.points = POINTS;
+        def.length_m = 5e-7 * POINTS;
+        def.seed = seed;
+        assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
+        text_add(&csv, "x [um],z [um]\n");
+        for (size_t i = 0; i < POINTS; i++)
+            text_add(&csv, "%.15g,%.15g\n", 0.5 * apart * (double)i, times * height_m[i] * 1e6);
+        snprintf(name, sizeof name, "in/%s%lu.csv", prefix, seed);
+        directory_write(place, name, text_string(&csv));
+        text_free(&csv);
+    }
+}
+
+static double lay_number(const struct directory *place, const char *out, const char *key)
+{
+    char name[100];
+    json_error_t error;
+    snprintf(name, sizeof name, "%s/results.json", out);
+    json_t *root = json_load_file(directory_path(place, name), 0, &error);
+    const json_t *surface = json_array_get(json_object_get(root, "surfaces"), 0);
+    double value = json_number_value(json_object_get(json_object_get(surface, "lay"), key));
+    json_decref(root);
+    return value;
+}
+
+/* All numbers of a table of two runs. */
+static void expect_same(const struct directory *place, const char *file, const char *one, const char *other,
+                        const char *const columns[4], double tolerance)
+{
+    char name[2][100];
+    snprintf(name[0], sizeof name[0], "%s/data/%s.csv", one, file);
+    snprintf(name[1], sizeof name[1], "%s/data/%s.csv", other, file);
+    struct table a = directory_table(place, name[0]), b = directory_table(place, name[1]);
+    assert_true(a.rows > 3);
+    assert_int_equal(a.rows, b.rows);
+    for (size_t row = 0; row < a.rows; row++)
+        for (size_t c = 0; c < 4 && columns[c]; c++) {
+            assert_int_equal(*table_text(&a, row, columns[c]) == '\0', *table_text(&b, row, columns[c]) == '\0');
+            if (*table_text(&a, row, columns[c]))
+                assert_near(table_number(&a, row, columns[c]), table_number(&b, row, columns[c]), tolerance);
+        }
+    table_free(&a);
+    table_free(&b);
+}
+
+/** A surface of lay r is the one whose waves are sqrt(2/(1 + r²)) times as long, in every model; what describes the
+ * scans stays as measured. Along scans 0.6 times as high are r = 0.6. */
+TEST_WITH(a_lay_stretches_the_waves, directory_setup, directory_teardown)
+{
+    static const struct {
+        const char *files, *stretched;
+        double r;
+        const char *keys;
+    } rows[] = {{"'a*.csv'", "'b*.csv'", 0, ", lay: 0"},
+                {"'a*.csv'", "'b*.csv'", 0.6, ", along: ['l*.csv']"},
+                {"a1.csv", "b1.csv", 0.6, ", lay: 0.6"}};
+    static const char *const curves[4] = {"load_over_AnEp", "area_ratio", "separation_m", "ecr_ohm_m2"},
+                             *const spectra[4] = {"wavelength_m", "amplitude_m", "fit_m"},
+                             *const bands[4] = {"area_ratio_mean_low_95", "ecr_ohm_m2_mean_high_95"},
+                             *const solved[4] = {"area_ratio", "gap_m", "ecr_ohm_m2"};
+    const struct directory *place = *state;
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        const char *direct = k == 2 ? "direct: {grid: 64, seeds: 2, loads: 3}\n" : "";
+        double kappa = sqrt((1 + rows[k].r * rows[k].r) / 2);
+        write_scans(place, "a", 1, 1);
+        write_scans(place, "l", 0.6, 1);
+        write_scans(place, "b", 1, 1 / kappa);
+        run_scene(place, "lay", rows[k].files, rows[k].keys, direct);
+        run_scene(place, "stretched", rows[k].stretched, "", direct);
+        expect_same(place, "contact", "lay", "stretched", curves, 2e-6);
+        expect_same(place, "bands", "lay", "stretched", bands, 1e-5);
+        if (*direct)
+            expect_same(place, "direct", "lay", "stretched", solved, 1e-3);
+        assert_near(lay_number(place, "lay", "r"), rows[k].r, 1e-9);
+        assert_near(lay_number(place, "lay", "kappa"), kappa, 1e-9);
+        run_scene(place, "isotropic", rows[k].files, "", "");
+        expect_same(place, "spectrum", "lay", "isotropic", spectra, 1e-12);
+    }
+}
+
+/** Where no lay is known, what a perfect one would change is what it does change where it is given. */
+TEST_WITH(an_unknown_lay_is_tried, directory_setup, directory_teardown)
+{
+    static const char *const files[] = {"'a*.csv'", "a1.csv"};
+    const struct directory *place = *state;
+    write_scans(place, "a", 1, 1);
+    for (int k = 0; k < 2; k++) {
+        double numbers[2][2] = {{0}};
+        run_scene(place, "unknown", files[k], "", "");
+        run_scene(place, "perfect", files[k], ", lay: 0", "");
+        for (int run = 0; run < 2; run++) {
+            struct table table = directory_table(place, run ? "perfect/data/contact.csv" : "unknown/data/contact.csv");
+            for (size_t row = 0; row < table.rows; row++)
+                if (strcmp(table_text(&table, row, "model"), "strip-plastic") == 0 &&
+                    fabs(table_number(&table, row, "load_over_AnEp") - 1e-3) < 1e-9) {
+                    numbers[run][0] = table_number(&table, row, "area_ratio");
+                    numbers[run][1] = table_number(&table, row, "ecr_ohm_m2");
+                }
+            table_free(&table);
+        }
+        assert_true(numbers[1][0] > 1.02 * numbers[0][0]);
+        assert_near(lay_number(place, "unknown", "perfect_lay_area_factor"), numbers[1][0] / numbers[0][0], 1e-6);
+        assert_near(lay_number(place, "unknown", "perfect_lay_ecr_factor"), numbers[1][1] / numbers[0][1], 1e-6);
+        assert_near(lay_number(place, "unknown", "kappa"), 1, 0);
+        assert_near(lay_number(place, "perfect", "perfect_lay_area_factor"), 0, 0); /* there is none */
+    }
+}
+
+/** A map of waves along x and weaker ones along y, on a plane, has the ratio of their slopes; turned, the inverse. */
+TEST_WITH(a_map_knows_its_lay, directory_setup, directory_teardown)
+{
+    enum { NX = 200, NY = 80 };
+    const struct directory *place = *state;
+    for (int turned = 0; turned < 2; turned++) {
+        struct text grid = {0};
+        text_add(&grid, "DSAA\n%d %d\n0 %.9g\n0 %.9g\n-1 1\n", NX, NY, 1e-6 * (NX - 1), 2e-6 * (NY - 1));
+        for (int row = 0; row < NY; row++)
+            for (int i = 0; i < NX; i++) {
+                double x = 1e-6 * i, y = 2e-6 * row, k = 2 * M_PI / 40e-6;
+                text_add(&grid, "%.17g%c",
+                         1e-7 * sin(k * (turned ? y : x)) + 0.4e-7 * sin(k * (turned ? x : y)) + 0.02 * x - 0.03 * y,
+                         i + 1 < NX ? ' ' : '\n');
+            }
+        directory_write(place, "in/map.grd", text_string(&grid));
+        text_free(&grid);
+        run_scene(place, "map", "map.grd", ", x_unit: m, z_unit: m", "");
+        assert_near(lay_number(place, "map", "r"), turned ? 2.5 : 0.4, 0.02);
+        struct text json = directory_read(place, "map/results.json");
+        assert_int_equal(turned, strstr(text_string(&json), "times as steep along as across its lay") != NULL);
+        text_free(&json);
+    }
+}
