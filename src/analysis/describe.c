@@ -649,6 +649,7 @@ static enum status_code describe(struct surface_record *record, struct power_law
     struct status none = {0};
     double started = clock_seconds();
     summary->harmonics = record->spectrum.count;
+    summary->longest_waves = spectrum_longest_waves(&record->spectrum);
     summary->independent = fmax(1, scans->independent);
     double shortest_m = fmax(2 * surface_lambda_s(summary, scene), scene->fit_band_m[0]);
     summary->tail =

@@ -118,6 +118,18 @@ double spectrum_power(const struct spectrum *spectrum, size_t i)
     return spectrum->has_nyquist && i + 1 == spectrum->count ? square : square / 2;
 }
 
+double spectrum_longest_waves(const struct spectrum *spectrum)
+{
+    double half = spectrum_moment(spectrum, 0) / 2, sum = 0;
+    for (size_t i = 0; i < spectrum->count; i++) {
+        double power = spectrum_power(spectrum, i);
+        if (power > 0 && sum + power >= half)
+            return (double)i + (half - sum) / power + 0.5;
+        sum += power;
+    }
+    return 0;
+}
+
 double spectrum_moment(const struct spectrum *spectrum, int k)
 {
     double moment = 0;
