@@ -2,6 +2,7 @@
 #include "spectrum/power_law_band.h"
 
 #include "spectrum/multitaper.h"
+#include "spectrum/spectrum.h"
 #include <assert.h>
 #include <gsl/gsl_sort_double.h>
 #include <gsl/gsl_statistics_double.h>
@@ -450,13 +451,14 @@ size_t power_law_band_lines(double wavelength_m[LOG_BIN_MOST], const struct powe
 
 double power_law_band_digitising_limit(const struct power_law_band_spectrum *spectrum, double step_m)
 {
-    double sum = 0, limit = step_m * step_m / 6;
-    if (!(step_m > 0))
-        return 0;
+    double all = 0, sum = 0;
+    for (size_t n = 1; n <= spectrum->count; n++)
+        all += spectrum->square_m2[n - 1] / 2;
+    double limit = fmax(step_m * step_m, spectrum_resolved * spectrum_resolved * all) / 6;
     for (size_t n = spectrum->count; n > 0; n--) {
         sum += spectrum->square_m2[n - 1] / 2;
         if (sum >= limit)
-            return spectrum->length_m / (double)n;
+            return n < spectrum->count ? spectrum->length_m / (double)n : 0;
     }
     return spectrum->length_m;
 }

@@ -102,9 +102,9 @@ MUST_CHECK enum status_code power_law_band_fit_in(struct power_law_band *out,
 /** Wavelengths of the lines, longest first: of each run of bins that are one, the highest bin's. Returns how many. */
 size_t power_law_band_lines(double wavelength_m[LOG_BIN_MOST], const struct power_law_band *band);
 
-/** Wavelength below which heights rounded to steps of step_m say nothing about the surface: where the mean square of
- * all shorter harmonics, sum Delta²/2, first reaches step²/6, twice that of rounding. L when they never do; 0 for no
- * step. */
+/** Wavelength below which heights rounded to steps of step_m, and at least of spectrum_resolved, say nothing about the
+ * surface: where the mean square of all shorter harmonics, sum Delta²/2, first reaches step²/6, twice that of rounding.
+ * L when they never do; 0 where all say something. */
 double power_law_band_digitising_limit(const struct power_law_band_spectrum *spectrum, double step_m);
 
 #endif

@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+const double spectrum_resolved = 1e-4;
+
 const char *const spectrum_window_names[SPECTRUM_WINDOW_COUNT] = {"auto", "none", "hann"};
 
 enum spectrum_window spectrum_window_for(enum spectrum_window asked, bool periodic)

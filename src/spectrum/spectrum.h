@@ -43,6 +43,9 @@ MUST_CHECK enum status_code spectrum_of_record(struct spectrum *out, struct fft_
  * harmonics and the first scan's length. `so_far` is how many scans `mean` holds. */
 void spectrum_average(struct spectrum *mean, const struct spectrum *other, size_t so_far);
 
+/** Of a root mean square height: what no instrument resolves beside it, and files and transforms round to. */
+extern const double spectrum_resolved;
+
 /** A copy with amplitudes of its own. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code spectrum_copy(struct spectrum *out, const struct spectrum *in, struct status *status);
 

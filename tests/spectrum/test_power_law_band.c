@@ -481,6 +481,11 @@ TEST_CASE(test_digitising_limit)
         sample->square_m2[n] = 2;
     sample->spectrum = (struct power_law_band_spectrum){sample->square_m2, 100, 1, 1, 0};
     assert_within(power_law_band_digitising_limit(&sample->spectrum, 0), 0, 0);
+    for (size_t n = 40; n < 100; n++) /* of 40 before: together 1.5e-4 of their root mean square, and 60 of 0.5e-4 */
+        sample->square_m2[n] = n < 41 ? 80e-8 * 2.25 / 6 : 80e-8 * 0.25 / 6 / 59;
+    assert_near(power_law_band_digitising_limit(&sample->spectrum, 0), 1.0 / 41, 1e-12);
+    for (size_t n = 40; n < 100; n++)
+        sample->square_m2[n] = 2;
     assert_near(power_law_band_digitising_limit(&sample->spectrum, sqrt(6 * 29.9)), 1.0 / 71, 1e-12);
     assert_near(power_law_band_digitising_limit(&sample->spectrum, sqrt(6 * 30.1)), 1.0 / 70, 1e-12);
     assert_near(power_law_band_digitising_limit(&sample->spectrum, sqrt(6 * 101)), 1, 1e-12);
