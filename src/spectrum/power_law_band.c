@@ -346,13 +346,15 @@ static void add_knee_errors(struct power_law_band_fit *fit, const struct selecti
         struct selection part = part_of(selection, candidate->first + (side == 0 ? KNEE_BINS : 0), bins - KNEE_BINS);
         struct power_law_band_fit shorter = fit_of(&part, spectrum->length_m, spectrum->scans);
         double amplitude_change = log10_law(&shorter, log10(whole.wavelength_m)) - whole.log10_amplitude;
-        fit->gamma_s = hypot(fit->gamma_s, shorter.gamma - whole.gamma);
-        fit->log10_amplitude_s = hypot(fit->log10_amplitude_s, amplitude_change);
+        fit->gamma_bias_s = hypot(fit->gamma_bias_s, shorter.gamma - whole.gamma);
+        fit->log10_amplitude_bias_s = hypot(fit->log10_amplitude_bias_s, amplitude_change);
     }
     if (candidate->knee[0] || candidate->knee[1]) {
-        fit->gamma_s = hypot(fit->gamma_s, knee_gamma_s);
-        fit->log10_amplitude_s = hypot(fit->log10_amplitude_s, knee_amplitude_s_decades);
+        fit->gamma_bias_s = hypot(fit->gamma_bias_s, knee_gamma_s);
+        fit->log10_amplitude_bias_s = hypot(fit->log10_amplitude_bias_s, knee_amplitude_s_decades);
     }
+    fit->gamma_s = hypot(fit->gamma_s, fit->gamma_bias_s);
+    fit->log10_amplitude_s = hypot(fit->log10_amplitude_s, fit->log10_amplitude_bias_s);
 }
 
 /** Widest first, then the one of longer waves. */

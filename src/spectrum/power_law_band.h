@@ -40,13 +40,14 @@ struct power_law_band_spectrum {
 
 /** The law in one band. NaN where the class is NONE. */
 struct power_law_band_fit {
-    double gamma, gamma_s;                     /* exponent and its standard error */
-    double log10_amplitude, log10_amplitude_s; /* of the rms amplitude [m] at wavelength_m; error in decades */
-    double wavelength_m;                       /* the band's middle, sqrt(shortest longest) */
-    double misfit_decades;                     /* tau: lack of fit beyond the scatter of a Gaussian random surface */
-    double band_m[2];                          /* shortest and longest wavelength */
-    size_t first_harmonic, last_harmonic;      /* the same: L/band_m[1], L/band_m[0] */
-    size_t bins;                               /* used */
+    double gamma, gamma_s;                       /* exponent and its standard error */
+    double log10_amplitude, log10_amplitude_s;   /* of the rms amplitude [m] at wavelength_m; error in decades */
+    double gamma_bias_s, log10_amplitude_bias_s; /* of these, what knees add, which more scans do not lessen */
+    double wavelength_m;                         /* the band's middle, sqrt(shortest longest) */
+    double misfit_decades;                       /* tau: lack of fit beyond the scatter of a Gaussian random surface */
+    double band_m[2];                            /* shortest and longest wavelength */
+    size_t first_harmonic, last_harmonic;        /* the same: L/band_m[1], L/band_m[0] */
+    size_t bins;                                 /* used */
 };
 
 /** A straight piece of the segmented spectrum. */

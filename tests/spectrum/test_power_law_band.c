@@ -234,6 +234,9 @@ TEST_CASE(test_knees_bound_the_band)
         assert_within(band->fit.gamma, 1.4, 4 * band->fit.gamma_s);
         assert_true(band->fit.gamma_s >= 0.04); /* a knee's share */
         assert_true(band->fit.log10_amplitude_s >= 0.02);
+        double bias_s = band->fit.gamma_bias_s, amplitude_bias_s = band->fit.log10_amplitude_bias_s;
+        assert_true(bias_s >= 0.04 && bias_s < band->fit.gamma_s);
+        assert_true(amplitude_bias_s >= 0.02 && amplitude_bias_s < band->fit.log10_amplitude_s);
         assert_int_equal(band->pieces, 3);
         assert_int_equal(band->chosen, 1);
         assert_within(log2(band->knee_m[0] / (1e-2 / 30)), 0, 1);
@@ -449,6 +452,7 @@ TEST_CASE(test_a_given_band)
     assert_int_equal(power_law_band_fit_in(&sample->band, &sample->spectrum, found->fit.band_m, &status), STATUS_OK);
     assert_near(band->fit.gamma, found->fit.gamma, 1e-13);
     assert_near(band->fit.gamma_s, found->fit.gamma_s, 1e-13);
+    assert_within(found->fit.gamma_bias_s, 0, 0); /* no knee */
     assert_near(band->alpha, found->alpha, 1e-12);
     assert_int_equal(band->law, found->law);
 
