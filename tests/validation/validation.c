@@ -362,7 +362,9 @@ static const char introduction[] =
     "the\n"
     "solution, where it has A < 0.9: rms of ln(answer/solution) of the area, the mean gap and the electrical contact\n"
     "resistance; (printed of all) where a model leaves some empty. 0.10 is 10 %, 0.69 a factor of 2. The statistical\n"
-    "models' gap is the distance of the mean planes.\n";
+    "models' gap is the distance of the mean planes. `longest_waves` in results.json says how many of its longest "
+    "waves a\n"
+    "scan holds: with fewer than four, what it cannot know is more than the intervals allow for.\n";
 
 int main(int count, char **word)
 {
