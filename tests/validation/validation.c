@@ -355,6 +355,7 @@ static void run(struct findings *out, const struct part *part, const char *direc
 }
 
 static const char introduction[] =
+    "<!-- SPDX-License-Identifier: GPL-3.0-or-later -->\n"
     "# Validation\n\n"
     "Made by `cmake --workflow --preset validation` (tests/validation): surfaces of nine height laws and three Hurst\n"
     "exponents (0.3, 0.6, 0.9), 256 x 256 points, cut-off at 8 spacings, are made by the program's own synthesis and\n"
