@@ -3,7 +3,7 @@
 _roughcontact()
 {
     local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
-    local commands='report direct plan inspect synth models materials self-test help'
+    local commands='report direct plan inspect view synth models materials self-test help'
     local scene='--material= -m --effects= -e --tolerance= -t --x-unit= --z-unit='
     local options='' kind=nothing words='' argument='' before=''
     COMPREPLY=()
@@ -18,7 +18,7 @@ _roughcontact()
     fi
     case $command in
     report | direct)
-        options="--output= -o --jobs= -j --show -s --no-cost --check --brief --json --verbose -v $scene"
+        options="--output= -o --jobs= -j --show -s --no-cost --check --brief --template= --json --verbose -v $scene"
         kind=directories ;;
     plan)
         options="--brief --json $scene"
@@ -27,6 +27,9 @@ _roughcontact()
         options='--json --no-chart --chart --x-unit= --z-unit= --quantity= --column= --level= --lambda-s= --lambda-c='
         options+=' --fit= --limits'
         kind=files ;;
+    view)
+        options='--json'
+        kind=directories ;;
     synth)
         options='--alpha= -a --gamma= -g --rq= -r --length= -l --points= -n --scatter= -c --lambda-s= -s --seed= -d'
         options+=' --output= -o' ;;
@@ -36,6 +39,7 @@ _roughcontact()
     esac
     case "$command $previous" in # the value of an option
     'synth --output' | 'synth -o') kind=files ;;
+    *' --template') kind=files ;;
     *' --output' | *' -o') kind=directories ;;
     *' --material' | *' -m')
         kind=words

@@ -29,7 +29,7 @@ int main(int argc, char **argv)
     const struct roughcontact_power_law *law = roughcontact_surface_power_law(surface);
     printf("Rq %.6g um, gamma %.4g +- %.2g\n", roughness->rq_m * 1e6, law->gamma, law->gamma_error);
     how.material = tin;
-    if (roughcontact_run(&curve, surface, "two-band-plastic", loads, count, &how, &status) != ROUGHCONTACT_OK)
+    if (roughcontact_run(&curve, surface, "strip-plastic", loads, count, &how, &status) != ROUGHCONTACT_OK)
         goto end;
     printf("%-12s %-12s %-12s %s\n", "P/A_n (Pa)", "A/A_n", "ECR (ohm m2)", "TCR (K m2/W)");
     for (size_t i = 0; i < count; i++) {

@@ -57,7 +57,7 @@ loads = (c_double * 5)(1e-6, 1e-5, 1e-4, 1e-3, 1e-2)  # P/(A_n E')
 scan = make("scan_read_file", sys.argv[1].encode(), byref(units))
 surface = make("surface_make", scan, None)
 how.material = make("material_new", b"tin")
-curve = make("run", surface, b"two-band-plastic", loads, c_size_t(len(loads)), byref(how))
+curve = make("run", surface, b"strip-plastic", loads, c_size_t(len(loads)), byref(how))
 
 for said, handle in ((library.roughcontact_scan_warning, scan), (library.roughcontact_surface_note, surface)):
     for i in itertools.takewhile(lambda i: said(handle, i), itertools.count()):

@@ -318,10 +318,11 @@ void made_up_again(struct made_up *made)
 {
     struct status status = {0};
     comparison_free(&made->comparison);
-    figure_list_free(&made->figures);
-    made->context.baseline = &made->surfaces[made->results.baseline];
+    figures_free(&made->figures);
+    json_decref(made->view);
     assert_int_equal(comparison_make(&made->comparison, &made->results, &status), STATUS_OK);
-    assert_int_equal(figure_list_make(&made->figures, &made->results, &status), STATUS_OK);
+    assert_int_equal(figures_make(&made->figures, &made->results, &made->comparison, false, &status), STATUS_OK);
+    assert_int_equal(view_make(&made->view, &made->results, &made->comparison, &made->figures, &status), STATUS_OK);
 }
 
 void made_up_make(struct made_up *made, void (*change)(struct surface_record *record, size_t index))
@@ -378,14 +379,14 @@ void made_up_make_of(struct made_up *made, uint64_t models, unsigned effects,
         make_sweeps(made);
     for (size_t i = 0; i < MADE_UP_SURFACES; i++)
         make_surface(made, i, change);
-    made->context = (struct section_context){&made->results, &made->comparison, NULL, &made->figures, false};
     made_up_again(made);
 }
 
 void made_up_free(struct made_up *made)
 {
     comparison_free(&made->comparison);
-    figure_list_free(&made->figures);
+    figures_free(&made->figures);
+    json_decref(made->view);
     for (size_t i = 0; i < MADE_UP_SURFACES; i++)
         surface_record_free(&made->surfaces[i]);
     benchmark_free(&made->benchmark);
@@ -396,12 +397,4 @@ void made_up_free(struct made_up *made)
 struct surface_summary *made_up_surface(struct made_up *made, size_t index)
 {
     return &made->surfaces[index].summary;
-}
-
-struct text made_up_section(const struct made_up *made, const struct section *section)
-{
-    struct text text = {0};
-    section->write(&text, &made->context);
-    assert_false(text.failed);
-    return text;
 }

@@ -4,8 +4,7 @@
 #ifndef TEST_MADE_UP_RESULTS_H
 #define TEST_MADE_UP_RESULTS_H
 
-#include "report/section.h"
-#include "results/comparison.h"
+#include "report/view.h"
 
 enum { MADE_UP_SURFACES = 4, MADE_UP_USABLE = 3, MADE_UP_LOADS = 9, MADE_UP_SCALES = 8, MADE_UP_MEASURED = 3 };
 
@@ -37,9 +36,9 @@ struct made_up {
     struct benchmark benchmark;
     double *sweeps;
     struct results results;
-    struct figure_list figures;
+    struct figures figures;
     struct comparison comparison;
-    struct section_context context;
+    json_t *view;
 };
 
 /** With everything a report can have: all effects, repeats, measured file, cost. `change`, unless NULL, may alter each
@@ -51,7 +50,7 @@ void made_up_make_of(struct made_up *out, uint64_t models, unsigned effects,
 /** The four models that results are made up of. */
 uint64_t made_up_models(void);
 void made_up_free(struct made_up *made);
-/** Makes comparison, baseline and figures anew, after a change to the plan, the scene, or what is in memory. */
+/** Makes comparison, figures and view anew, after a change to the plan, the scene, or what is in memory. */
 void made_up_again(struct made_up *made);
 
 /** Summary of surface `index`, to be changed. */
@@ -62,7 +61,5 @@ struct estimate made_up_single(double value, double s, bool logarithmic);
 size_t made_up_model(const char *name);
 /** Sets the second half of one curve of the convergence study to `last`; the first is 0.5. */
 void made_up_sweep(struct made_up *made, enum convergence_sweep sweep, const char *model, size_t value, double last);
-/** What a section writes; owned. */
-struct text made_up_section(const struct made_up *made, const struct section *section);
 
 #endif

@@ -8,8 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/** Spots below which a contact is no matter for statistics. */
-static const double answers_least_spots = 10;
+const double answers_least_spots = 10;
 
 static const struct ensemble alone; /* one scan */
 static const struct answer no_answer = {.load = NAN, .low = NAN, .high = NAN, .spots_per_m2 = NAN};
@@ -300,7 +299,8 @@ static enum status_code answer_target(struct answer *out, const struct surface_r
                    needed = from ? from : QUANTITY_BIT(target->row->quantity),
                    quantities = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | needed;
     struct search search = {{row, *task, quantities, &record->ensemble}, *joint};
-    bool several = (record->ensemble.count > 1);
+    /* a model that says how far off it may be has more in its band than the scans' scatter */
+    bool several = record->ensemble.count > 1 && model_sd(row, QUANTITY_ECR) == 0;
     *out = no_answer;
     search.joint.effects = from ? joint->effects : 0;
     search.model.task.wanted &= quantities;

@@ -42,11 +42,14 @@ struct limit_check {
 /** Fills record->summary.answers and .limits, once all models and intervals are there, and adds a search a target to
  * each model's work. Each target is solved on the model itself to the tolerance of `task`. Several scans: on every scan
  * alone, the geometric mean and the t interval of ln P; where some scan does not meet it between the loads, on the
- * surface's curve, without interval. One scan: the interval is where the ends of the quantity's band pass the target,
- * the model times the band's factor, which goes straight in ln P between the loads. Error: STATUS_MEMORY. */
+ * surface's curve, without interval. One scan, or a model that says how far off it may be: the interval is where the
+ * ends of the quantity's band pass the target, the model times the band's factor, which goes straight in ln P between
+ * the loads. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code answers_find(struct surface_record *record, const struct scene *scene,
                                          const struct plan *plan, const struct model_task *task, struct status *status);
 
+/** Spots below which a contact is no matter for statistics. */
+extern const double answers_least_spots;
 /** Spots in the nominal area; NaN: not known. */
 double answers_spots(const struct answer *answer, double nominal_area_m2);
 /** "not reached up to 0.1 N; beyond the model's validity; too few spots for statistics (9.1)": nothing, or what goes

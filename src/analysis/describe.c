@@ -527,6 +527,8 @@ enum status_code describe_conclude(struct surface_record *record, struct power_l
         return status->code;
     if (set->keeps_heights && strips_gather(&record->strips, set, status) != STATUS_OK)
         return status->code;
+    if (set->keeps_heights && record->strips.rows.rows == 0)
+        surface_note(&record->summary, "no strip transfer: its scans differ in spacing or points");
     record->summary.strip_cost = (double)strips_cost(&record->strips, STRIP_SURROGATES);
     record->summary.has_strips = strips_surrogates(&record->strips, scene) > 0;
     if (set->count == 1)
@@ -615,7 +617,7 @@ static enum status_code fit_alone(struct surface_record *record, const struct po
     enum status_code rc = STATUS_OK;
     for (size_t i = 0; i < count && rc == STATUS_OK; i++) {
         struct power_law_band alone;
-        rc = power_law_scans_fit_alone(&alone, scans, i, &def, &record->band, status);
+        rc = power_law_scans_fit_alone(&alone, scans, i, &def, record->band, status);
         struct power_law law = power_law_of_band(&alone);
         gamma[i] = law.gamma;
         psd_m3[i] = law.psd_m3;
@@ -634,10 +636,12 @@ static enum status_code fit_band(struct surface_record *record, struct power_law
                                  const struct scene *scene, struct status *status)
 {
     const struct power_law_scans_def def = fit_def(&record->summary, scene);
-    if (power_law_scans_fit(&record->band, scans, &def, status) != STATUS_OK)
+    if (!(record->band = malloc(sizeof *record->band)))
+        return status_memory(status);
+    if (power_law_scans_fit(record->band, scans, &def, status) != STATUS_OK)
         return status->code;
-    record->summary.power_law = power_law_of_band(&record->band);
-    note_band(&record->summary, &record->band);
+    record->summary.power_law = power_law_of_band(record->band);
+    note_band(&record->summary, record->band);
     record->tapered = scans->mean;
     scans->mean = (struct spectrum){0};
     return STATUS_OK;
@@ -702,7 +706,7 @@ static enum status_code conclude(struct surface_record *record, struct power_law
         return status->code;
     if (describe_repeats(record, scene, status) != STATUS_OK)
         return status->code;
-    bool found = scene->fit == POWER_LAW_AUTO && record->band.law != POWER_LAW_BAND_NONE;
+    bool found = scene->fit == POWER_LAW_AUTO && record->band->law != POWER_LAW_BAND_NONE;
     return found ? fit_alone(record, scans, scene, status) : STATUS_OK;
 }
 

@@ -19,8 +19,8 @@ static double bound_yield(const struct surface_record *record, const struct scen
 {
     const struct model_row *row = model_rows[m];
     const struct surface_summary *summary = &record->summary;
-    if (!row->yield_bound)
-        return INFINITY;
+    if (!row->yield_bound) /* all yield: it runs where others call for it, or where it is named */
+        return scene->models_named ? INFINITY : 0;
     double most = row->yield_bound(row, task);
     for (size_t r = 0; r < record->ensemble.count; r++) {
         struct asperities asperities;
@@ -140,7 +140,7 @@ static void decide_plasticity(struct plan *plan, const struct surface_record *su
             if (!plan_runs_model(plan, m) || !row->plastic)
                 continue;
             double bound = largest(surfaces, count, m, yield_of);
-            if (needed && !(bound > tolerance))
+            if (needed ? !(bound > tolerance) : !row->yield_reason)
                 continue;
             if (!needed && used > 0)
                 used += (size_t)snprintf(reason + used, size - used, ", and ");
@@ -224,29 +224,36 @@ static void decide_uncertainty(struct plan *plan, const struct surface_record *s
 /** Of a point of a transform there and back, on one core of 2020. */
 static const double strip_seconds = 30e-9;
 
-/** Strips run unasked where all surfaces together keep within their budget. */
+/** Strips run where every surface has them: within their budget, or asked for. */
 static void decide_strips(struct plan *plan, const struct surface_record *surfaces, size_t count)
 {
     double cost = 0;
-    size_t lacking = 0;
+    size_t lacking = 0, dear = 0;
+    uint64_t users = 0;
+    for (size_t m = 0; m < model_count; m++)
+        users |= model_rows[m]->uses_strip ? MODEL_BIT(m) : 0;
     for (size_t i = 0; i < count; i++) {
         const struct surface_summary *summary = &surfaces[i].summary;
+        bool lacks = summary->usable && !summary->has_strips;
         cost += summary->usable ? summary->strip_cost : 0;
-        lacking += summary->usable && !summary->has_strips;
+        dear += lacks && summary->strip_cost > 0;
+        lacking += lacks;
     }
-    for (size_t m = 0; m < model_count && lacking > 0; m++)
-        if (model_rows[m]->uses_strip)
-            plan->models &= ~MODEL_BIT(m);
-    if (lacking > 0 && cost > 0)
+    if (lacking == 0 || !(plan->models & users))
+        return;
+    plan->models &= ~users;
+    if (dear > 0)
         snprintf(plan->area_reason, sizeof plan->area_reason,
                  "every report has it; strips of the scans would take about %.2g s: name the model strip to have them",
                  cost * strip_seconds);
+    else
+        snprintf(plan->area_reason, sizeof plan->area_reason,
+                 "every report has it; no strip transfer, as %zu of %zu surfaces have no strips", lacking, count);
 }
 
 void effects_decide(struct plan *plan, const struct scene *scene, const struct surface_record *surfaces, size_t count)
 {
-    if (!scene->models_named)
-        decide_strips(plan, surfaces, count);
+    decide_strips(plan, surfaces, count);
     if (!scene->effects_auto)
         return;
     if (plan_runs(plan, EFFECT_PLASTICITY))

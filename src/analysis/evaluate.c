@@ -208,6 +208,10 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
         run_sensitivity(record, m, task, status) != STATUS_OK)
         return status->code;
     model->seconds = clock_seconds() - started;
+    if (several && record->ensemble.count - result.left_out < 2) { /* one scan alone says nothing of others */
+        free(record->bands[m]);
+        record->bands[m] = NULL;
+    }
     note_model(record, m, result.left_out);
     return STATUS_OK;
 }
@@ -240,6 +244,10 @@ static enum status_code solve_strips(struct surface_record *record, const struct
         return STATUS_OK;
     enum status_code rc = strips_solve(&record->strips, &record->ensemble, surrogates, stop, status);
     record->summary.has_strips = record->strips.joined != NULL;
+    if (rc == STATUS_OK && !record->strips.joined) {
+        record->summary.strip_cost = 0; /* more of it would not help */
+        surface_note(&record->summary, "no strip transfer: under no load do enough points of its scans touch");
+    }
     record->summary.strip_transforms = record->strips.transforms;
     record->summary.times.strips = clock_seconds() - started;
     return rc;

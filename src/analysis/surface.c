@@ -129,6 +129,7 @@ void surface_drop_arrays(struct surface_record *record)
     free(record->curves);
     free(record->bands);
     free(record->direct_m);
+    free(record->band);
     free(record->preview_x_m);
     free(record->preview_z_m);
     *record = (struct surface_record){.summary = record->summary};

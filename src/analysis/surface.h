@@ -76,10 +76,10 @@ struct surface_summary {
 struct surface_record {
     struct surface_summary summary;
     struct spectrum spectrum;
-    struct spectrum tapered;    /* rms amplitudes the law is fitted to; count 0: fit: thesis */
-    struct power_law_band band; /* the same law with its bins, knees and lines */
-    struct ensemble ensemble;   /* scans to be run alone, until they have been; count 0: there is one */
-    struct strips strips;       /* of its scans, where a model uses them; rows 0: none */
+    struct spectrum tapered;     /* rms amplitudes the law is fitted to; count 0: fit: thesis */
+    struct power_law_band *band; /* the same law with its bins, knees and lines; NULL: fit: thesis, or dropped */
+    struct ensemble ensemble;    /* scans to be run alone, until they have been; count 0: there is one */
+    struct strips strips;        /* of its scans, where a model uses them; rows 0: none */
     double *height_m; /* of the one scan, summary.single_points long, until the models have run; NULL: not kept */
     struct model_curve *curves;   /* model_count of them, NULL before any model ran */
     struct ensemble_band **bands; /* the same, each band_count long; NULL: none */

@@ -177,15 +177,13 @@ static bool has_meaning(const char *string, size_t at)
         return at == 0 || !isalnum((unsigned char)string[at - 1]) || !isalnum((unsigned char)string[at + 1]);
     if (c == ':')
         return string[at + 1] == '/';
-    return strchr("+-=.)", c) && strspn(string, "0123456789+-=.) ") >= at;
+    if (c == '.' || c == ')')
+        return (string[at + 1] == '\0' || string[at + 1] == ' ') && strspn(string, "0123456789 ") >= at;
+    return strchr("+-=", c) && strspn(string, "0123456789+-=.) ") >= at;
 }
 
-void text_add_markdown(struct text *text, const char *string)
+void text_add_markdown_shown(struct text *text, const char *all)
 {
-    struct text shown = {0};
-    text_add_shown(&shown, string);
-    text->failed = text->failed || shown.failed;
-    const char *all = text_string(&shown);
     for (size_t at = 0; all[at]; at++) {
         if (strchr("<>&\"", all[at])) {
             text_add(text, "&#%d;", all[at]);
@@ -195,6 +193,14 @@ void text_add_markdown(struct text *text, const char *string)
             text_add_bytes(text, "\\", 1);
         text_add_bytes(text, all + at, 1);
     }
+}
+
+void text_add_markdown(struct text *text, const char *string)
+{
+    struct text shown = {0};
+    text_add_shown(&shown, string);
+    text->failed = text->failed || shown.failed;
+    text_add_markdown_shown(text, text_string(&shown));
     text_free(&shown);
 }
 

@@ -252,33 +252,3 @@ enum status_code gnuplot_take_text(struct text *out, const char *path, struct st
     text_free(&drawn);
     return code == STATUS_OK && out->failed ? status_memory(status) : code;
 }
-
-void gnuplot_field(char *out, size_t size, const char *string)
-{
-    if (size < 3) { /* no room for the two quotes */
-        if (size > 0)
-            out[0] = '\0';
-        return;
-    }
-    size_t used = 0;
-    out[used++] = '"';
-    if (text_is_formula(string) && used + 2 < size)
-        out[used++] = '\'';
-    while (*string) {
-        struct text_shown shown = text_show(string);
-        char written[2 * sizeof shown.text];
-        size_t bytes = 0;
-        for (const char *c = shown.text; *c; c++) {
-            if (*c == '\\')
-                written[bytes++] = '\\';
-            written[bytes++] = *c == '"' ? '\'' : *c;
-        }
-        if (used + bytes + 2 > size)
-            break;
-        memcpy(out + used, written, bytes);
-        used += bytes;
-        string += shown.bytes;
-    }
-    out[used++] = '"';
-    out[used] = '\0';
-}

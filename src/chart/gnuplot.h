@@ -41,9 +41,4 @@ MUST_CHECK enum status_code gnuplot_finish(struct gnuplot *gnuplot, struct statu
  * Errors: STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code gnuplot_take_text(struct text *out, const char *path, struct status *status);
 
-/** Writes `string`, as it may be shown, as a legend text in a data file into `out`, one double-quoted field cut to fit
- * at a character's border: double quotes as single ones, backslashes doubled (gnuplot reads escapes there), an
- * apostrophe before what a spreadsheet would calculate. */
-void gnuplot_field(char *out, size_t size, const char *string);
-
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/limits.h"
 #include "base/temporary.h"
-#include "chart/drawing.h"
+#include "chart/chart.h"
 #include "chart/gnuplot.h"
 #include "cli/command.h"
 #include "cli/command_json.h"
@@ -157,16 +157,13 @@ static error_t parse(int key, char *value, struct argp_state *state)
 static const char *const chart_names[] = {"profile", "spectrum"};
 
 /** The data of a chart, thinned to what a terminal can show. */
-static void make_chart(struct drawing *out, const struct inspection *f, bool spectrum)
+static void make_chart(struct chart *out, const struct inspection *f, bool spectrum)
 {
     enum { MOST = 400 };
     size_t count = spectrum ? f->spectrum.count : f->profile.points, last = SIZE_MAX;
-    *out = (struct drawing){.kind = DRAWING_CURVES, .log_x = spectrum, .log_y = spectrum};
-    snprintf(out->name, sizeof out->name, "%s", chart_names[spectrum]);
-    snprintf(out->title, sizeof out->title, "%s", chart_names[spectrum]);
-    snprintf(out->x_label, sizeof out->x_label, "%s", spectrum ? "wavelength (um)" : "x (mm)");
-    snprintf(out->y_label, sizeof out->y_label, "%s", spectrum ? "amplitude (um)" : "z (um)");
-    drawing_begin(out, "s1", spectrum ? "amplitude" : "height");
+    chart_panel(out, chart_names[spectrum], spectrum ? "wavelength (um)" : "x (mm)",
+                spectrum ? "amplitude (um)" : "z (um)", spectrum, spectrum);
+    chart_curve(out, &(struct chart_curve){.legend = spectrum ? "amplitude (um)" : "height (um)", .colour = "#000000"});
     for (size_t k = 0; k < MOST; k++) {
         double share = (double)k / (MOST - 1);
         size_t i =
@@ -174,38 +171,33 @@ static void make_chart(struct drawing *out, const struct inspection *f, bool spe
         if (i == last)
             continue;
         last = i;
-        double point[] = {(double)i * f->profile.spacing_m * 1e3, spectrum ? 0 : f->profile.height_m[i] * 1e6};
-        if (spectrum) {
-            point[0] = 1e6 / spectrum_frequency(&f->spectrum, i);
-            point[1] = f->spectrum.amplitude_m[i] * 1e6;
-        }
-        if (!spectrum || point[1] > 0)
-            drawing_add(out, point, 2);
+        if (spectrum)
+            chart_row(out, 1e6 / spectrum_frequency(&f->spectrum, i), f->spectrum.amplitude_m[i] * 1e6, 0, 0);
+        else
+            chart_row(out, (double)i * f->profile.spacing_m * 1e3, f->profile.height_m[i] * 1e6, 0, 0);
     }
 }
 
 /** Writes a chart's data into `directory`, and adds what draws them. */
 static enum status_code write_chart(struct text *script, const char *directory, const struct inspection *f,
-                                    bool spectrum, const char *terminal_size, struct status *status)
+                                    bool spectrum, struct mustache_folder *templates, const char *terminal_size)
 {
-    struct drawing drawing;
-    struct text csv = {0};
+    struct chart chart = chart_make(chart_names[spectrum], "letters");
     char path[PATH_MAX + 32];
-    make_chart(&drawing, f, spectrum);
+    make_chart(&chart, f, spectrum);
     snprintf(path, sizeof path, "%s/%s.csv", directory, chart_names[spectrum]);
-    enum status_code rc = drawing_script(script, &drawing, terminal_size, status);
-    drawing_data(&csv, &drawing);
+    enum status_code rc = chart_script(script, &chart, templates, terminal_size);
     if (rc == STATUS_OK)
-        rc = csv.failed ? status_memory(status) : text_write_file(path, csv.data, csv.length, status);
-    text_free(&csv);
-    drawing_free(&drawing);
+        rc = chart.data.failed ? status_memory(templates->status)
+                               : text_write_file(path, text_string(&chart.data), chart.data.length, templates->status);
+    chart_free(&chart);
     return rc;
 }
 
 /** Draws profile and spectrum as text, sized to the terminal. */
 static enum status_code draw(const struct inspection *f, struct status *status)
 {
-    struct text script = {0}, charts = {0};
+    struct text script = {0}, charts = {0}, share = {0}, folder = {0};
     struct gnuplot gnuplot;
     struct temporary temporary;
     char size[40];
@@ -214,9 +206,13 @@ static enum status_code draw(const struct inspection *f, struct status *status)
     snprintf(size, sizeof size, "%d,%d", columns, rows > 24 ? 24 : rows - 1);
     if (temporary_make(&temporary, NULL, NULL, status) != STATUS_OK)
         return status->code;
-    enum status_code rc = write_chart(&script, temporary.path, f, false, size, status);
-    if (rc == STATUS_OK)
-        rc = write_chart(&script, temporary.path, f, true, size, status);
+    enum status_code rc = command_share(&share, "templates", status);
+    struct mustache_folder templates = chart_templates(&folder, text_string(&share), status);
+    for (int i = 0; i < 2 && rc == STATUS_OK; i++)
+        rc = write_chart(&script, temporary.path, f, i, &templates, size);
+    mustache_folder_free(&templates);
+    text_free(&share);
+    text_free(&folder);
     if (rc == STATUS_OK && (rc = gnuplot_start(&gnuplot, temporary.path, status)) == STATUS_OK) {
         gnuplot_send(&gnuplot, "%s", text_string(&script));
         rc = gnuplot_finish(&gnuplot, status);

@@ -22,7 +22,7 @@ struct arguments {
     bool show, verbose, check, json;
 };
 
-enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT, KEY_NO_COST, KEY_CHECK, KEY_BRIEF, KEY_JSON };
+enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT, KEY_NO_COST, KEY_CHECK, KEY_BRIEF, KEY_JSON, KEY_TEMPLATE };
 
 /* What both take: the directory, and what overrides its scene. */
 static const struct argp_option scene_options[] = {
@@ -94,6 +94,7 @@ static const struct argp_option report_options[] = {
     {"check", KEY_CHECK, 0, 0, "end with exit status 5 where a surface misses one of the scene's limits (default: not)",
      0},
     {"brief", KEY_BRIEF, 0, 0, "write the report's first page alone; data and results.json as ever (default: not)", 0},
+    {"template", KEY_TEMPLATE, "FILE", 0, "fill FILE in place of the program's report.md (docs/templates.md)", 0},
     {"json", KEY_JSON, 0, 0, "print what came out as one object, for scripts (default: a table)", 0},
     {"verbose", 'v', 0, 0, "end with where the time went (default: not)", 0},
     {0},
@@ -133,6 +134,9 @@ static error_t parse_report(int key, char *value, struct argp_state *state)
         return 0;
     case KEY_BRIEF:
         arguments->run.brief = true;
+        return 0;
+    case KEY_TEMPLATE:
+        arguments->run.template = value;
         return 0;
     case KEY_JSON:
         arguments->json = true;
@@ -234,8 +238,7 @@ static int report(char **written, struct arguments *arguments, struct scene *sce
     } else {
         fputs(text_string(&outcome.charts), stdout);
         if (!arguments->json)
-            printf("%s%s%s\n%s\n", text_string(&outcome.table), outcome.answers.length > 0 ? "\n" : "",
-                   text_string(&outcome.answers), outcome.path);
+            printf("%s\n%s\n", text_string(&outcome.table), outcome.path);
         if (outcome.refused + outcome.left_out > 0)
             exit_status = COMMAND_REFUSED;
         if (arguments->check && outcome.missed_count > 0) {

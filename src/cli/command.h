@@ -30,7 +30,7 @@ struct command_row {
     int (*run)(int argc, char **argv); /* argv[0] is "roughcontact NAME" */
     const struct argp *argp;           /* its options */
 };
-enum { COMMANDS = 9 };
+enum { COMMANDS = 10 };
 extern const struct command_row command_rows[COMMANDS];
 
 /** All of the program but main(): picks the command and returns the exit status. */
@@ -39,6 +39,7 @@ int command_main(int argc, char **argv);
 int command_report(int argc, char **argv);
 int command_direct(int argc, char **argv);
 int command_plan(int argc, char **argv);
+int command_view(int argc, char **argv);
 int command_inspect(int argc, char **argv);
 int command_synth(int argc, char **argv);
 int command_models(int argc, char **argv);
@@ -47,7 +48,8 @@ int command_self_test(int argc, char **argv);
 int command_help(int argc, char **argv);
 
 extern const struct argp command_report_argp, command_direct_argp, command_plan_argp, command_inspect_argp,
-    command_synth_argp, command_models_argp, command_materials_argp, command_self_test_argp, command_help_argp;
+    command_synth_argp, command_view_argp, command_models_argp, command_materials_argp, command_self_test_argp,
+    command_help_argp;
 
 /** What every command takes besides: -h and --help, which are the same, and --usage. */
 extern const struct argp command_common_argp;

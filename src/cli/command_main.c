@@ -15,6 +15,8 @@ const struct command_row command_rows[COMMANDS] = {
     {"plan", "DIR", "what would be simulated and why; runs nothing", command_plan, &command_plan_argp},
     {"inspect", "FILE|DIR...", "what is in a scan: format, spacing, roughness, power law", command_inspect,
      &command_inspect_argp},
+    {"view", "DIR|OUT", "the worded values that a report's templates are filled from", command_view,
+     &command_view_argp},
     {"synth", "[-o FILE]", "write a scan that obeys a given power law", command_synth, &command_synth_argp},
     {"models", "", "the models, their sources and where they are valid", command_models, &command_models_argp},
     {"materials", "", "the built-in materials and where their numbers are from", command_materials,

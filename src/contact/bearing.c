@@ -93,7 +93,9 @@ struct bearing_at bearing_counted(double area_ratio, const struct bearing *beari
 
 double bearing_area(double elastic_area_ratio, double load_over_hardness)
 {
-    return fmin(1, pow(pow(elastic_area_ratio, 4) + pow(load_over_hardness, 4), 0.25));
+    double most = fmax(elastic_area_ratio, load_over_hardness),
+           share = fmin(elastic_area_ratio, load_over_hardness) / most; /* the fourth powers alone may underflow */
+    return fmin(1, most * pow(1 + pow(share, 4), 0.25));
 }
 
 /** (a^-3 + b^-3)^(-1/3) of positive numbers, the smaller if one is without bound. */

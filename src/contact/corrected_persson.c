@@ -136,9 +136,11 @@ static double power(const struct place *a, const struct place *b)
 }
 
 void corrected_persson_curve(struct corrected_persson_point *out, const double *area_ratio, size_t count,
-                             const struct persson *persson)
+                             const struct persson *persson, bool with_separation)
 {
-    if (count == 0)
+    for (size_t i = 0; i < count && !with_separation; i++)
+        out[i] = (struct corrected_persson_point){place_at(area_ratio[i], persson).constriction_m, NAN};
+    if (count == 0 || !with_separation)
         return;
     double x = logit(corrected_persson_largest_area) + reach;
     struct place beyond = place_of_logit(x + step, persson), above = place_of_logit(x, persson);

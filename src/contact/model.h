@@ -58,7 +58,7 @@ struct model_curve {
 
 struct model_row {
     const char *name;                    /* as in contact.csv and scenes */
-    const char *label;                   /* as in charts and tables */
+    const char *label;                   /* as in charts, tables and lists of names: no comma */
     const char *short_label;             /* as in the terminal's table */
     const char *family;                  /* asked for together in scenes */
     const char *family_title;            /* heading of its own section of the report; NULL: in chapter 6 alone */
@@ -67,6 +67,8 @@ struct model_row {
     const struct model_row *elastic;     /* of a plastic model: the one it adds yield to; NULL: none */
     const struct model_row *counterpart; /* multiscale model of the same material law, which the thesis holds this one
                                             against; NULL: none */
+    const struct model_row *gaussian;    /* the same answer of Gaussian heights, over which this one's says what the
+                                            heights do; NULL: none */
     bool stacks_scales;                  /* every harmonic is a scale: the convergence study speaks of it */
     const struct asperity_model *asperity_model; /* it sums this over model_task.asperities; NULL: it needs none */
     bool uses_strip;                             /* works on model_task.strip, and model_task.rows where plastic */
@@ -96,7 +98,8 @@ struct model_row {
      * STATUS_MEMORY. */
     enum status_code (*spots)(struct contact_spots *spots, const struct model_row *row, const struct model_task *task,
                               struct status *status);
-    /* Bounds for `effects: auto`, next to nothing to compute. NULL: not known, and so the effect runs. */
+    /* Bounds for `effects: auto`, next to nothing to compute. NULL: not known, and so the effect runs; plasticity where
+     * the model is named. */
     /** Of a plastic model: how far yielding can move any of its numbers from its elastic partner's, relative (of a
      * separation: to sigma), also beyond the loads, up to full contact; 0: it changes nothing. */
     double (*yield_bound)(const struct model_row *row, const struct model_task *task);

@@ -32,7 +32,7 @@ static enum status_code elastic(struct bearing_contact *out, size_t *count, cons
     if (status->code == STATUS_OK) {
         while (*count < loads && area[*count] > 0 && area[*count] <= corrected_persson_largest_area)
             ++*count;
-        corrected_persson_curve(point, area, *count, persson);
+        corrected_persson_curve(point, area, *count, persson, task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION));
     }
     for (size_t i = 0; i < *count; i++) {
         struct strip_ratio ratio = {0};
@@ -83,12 +83,12 @@ static struct contact_point point_of(const struct bearing_contact *contact, doub
     return point;
 }
 
-/** (1 + r^4)^(1/4) - 1, r the pressure in contact over the hardness at the lightest load, where it is about the same
- * for all light ones; of any heights four times what Gaussian ones have. */
+/** Of the area: (1 + r^4)^(1/4) - 1, r the pressure in contact over the hardness at the largest area, where it is
+ * highest; of any heights four times what Gaussian ones have. */
 static double yield_bound(const struct model_row *row, const struct model_task *task)
 {
-    double m2 = spectrum_moment(task->spectrum, 1), load = task->loads[0];
-    double ratio = load * task->pair->effective_modulus_Pa / task->hardness_Pa / corrected_persson_area(load, m2) *
+    double m2 = spectrum_moment(task->spectrum, 1), area = corrected_persson_largest_area;
+    double ratio = corrected_persson_load(area, m2) / area * task->pair->effective_modulus_Pa / task->hardness_Pa *
                    (row->uses_strip ? 4 : 1);
     return m2 > 0 && task->hardness_Pa > 0 ? pow(1 + pow(ratio, 4), 0.25) - 1 : 0;
 }
@@ -156,7 +156,7 @@ const struct model_row model_corrected_persson = {
 
 const struct model_row model_corrected_persson_plastic = {
     .name = "corrected-persson-plastic",
-    .label = "Gaussian heights, hardness",
+    .label = "Gaussian heights with hardness",
     .short_label = "Gauss pl.",
     .family = "corrected-persson",
     .by_default = true,
@@ -186,6 +186,7 @@ const struct model_row model_strip = {
     .family = "strip",
     .by_default = true,
     .precedence = 7,
+    .gaussian = &model_corrected_persson,
     .uses_strip = true,
     .ln_sd = {0.2, 0.3, 0.3},
     .quantities = COMPUTES,
@@ -205,13 +206,14 @@ const struct model_row model_strip = {
 
 const struct model_row model_strip_plastic = {
     .name = "strip-plastic",
-    .label = "strip transfer, hardness",
+    .label = "strip transfer with hardness",
     .short_label = "strip pl.",
     .family = "strip",
     .by_default = true,
     .precedence = 8,
     .plastic = true,
     .elastic = &model_strip,
+    .gaussian = &model_corrected_persson_plastic,
     .yield_bound = yield_bound,
     .yield_reason = yield_reason,
     .uses_strip = true,

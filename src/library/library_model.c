@@ -188,6 +188,21 @@ static enum status_code solve(struct roughcontact_curve *out, const struct model
     return code;
 }
 
+/** The profile as a strip, malloc'ed, of a model that works on it. */
+static enum status_code solve_strip(struct strip **out, const struct model_row *row, const struct strip_rows *profile,
+                                    struct status *status)
+{
+    static const size_t only = 0;
+    struct status problem = {0};
+    if (!row->uses_strip)
+        return STATUS_OK;
+    if (!(*out = malloc(sizeof **out)))
+        return status_memory(status);
+    enum status_code code = strip_solve(*out, profile, &only, 1, STRIP_SURROGATES, NULL, &problem);
+    return code == STATUS_OK ? STATUS_OK
+                             : status_fail(status, code, "no %s for this surface: %s", row->name, problem.message);
+}
+
 static enum status_code run(struct roughcontact_curve **out, const struct roughcontact_surface *surface,
                             const char *model, const double *loads, size_t count,
                             const struct roughcontact_run_options *options, struct status *status)
@@ -197,6 +212,7 @@ static enum status_code run(struct roughcontact_curve **out, const struct roughc
     struct material_pair pair;
     const struct model_row *row = find_model(model);
     double *over_modulus = NULL;
+    struct strip *strip = NULL;
     if (!surface)
         return status_fail(status, STATUS_USAGE, "no surface is given");
     if (library_take(&own, sizeof own, options, "roughcontact_run_options_init", status) != STATUS_OK ||
@@ -205,6 +221,10 @@ static enum status_code run(struct roughcontact_curve **out, const struct roughc
         return status->code;
     struct roughcontact_curve *made = calloc(1, sizeof *made);
     enum status_code code = made ? take_loads(&over_modulus, loads, count, &own, &pair, status) : status_memory(status);
+    const struct profile *profile = &surface->profile;
+    const struct strip_rows rows = {profile->height_m, 1, profile->points, profile->spacing_m, profile->periodic};
+    if (code == STATUS_OK)
+        code = solve_strip(&strip, row, &rows, status);
     if (code == STATUS_OK) {
         const struct model_task task = {.spectrum = &surface->spectrum,
                                         .asperities = surface->has_asperities ? &surface->asperities : NULL,
@@ -214,10 +234,13 @@ static enum status_code run(struct roughcontact_curve **out, const struct roughc
                                         .wanted = find_wanted(&bodies),
                                         .tolerance = 1e-6, /* the scene's default */
                                         .sinusoid_fit = SINUSOID_FIT_THESIS,
-                                        .hardness_Pa = pair.hardness_Pa};
+                                        .hardness_Pa = pair.hardness_Pa,
+                                        .rows = &rows,
+                                        .strip = strip};
         code = solve(made, row, &task, status);
     }
     free(over_modulus);
+    free(strip);
     if (code == STATUS_OK)
         *out = made;
     else

@@ -188,7 +188,8 @@ struct roughcontact_curve;
 /** Runs a model at `count` loads, above 0 and ascending. Everything is computed that the materials give properties for:
  * separation always, ECR with resistivity_ohm_m, TCR with conductivity_W_per_mK, its scale-dependent form with what it
  * needs besides. Options NULL: the defaults. Errors: USAGE (no such model, a load out of order, a property that it
- * needs is missing), MODEL (the surface has no asperities in the model's sense), NUMBER, MEMORY. */
+ * needs is missing), MODEL (the surface has no asperities in the model's sense, or too little of it touches
+ * as a strip), NUMBER, MEMORY. `strip` and `strip-plastic` solve the profile anew in every call. */
 ROUGHCONTACT_API int roughcontact_run(struct roughcontact_curve **out, const struct roughcontact_surface *surface,
                                       const char *model, const double *loads, size_t count,
                                       const struct roughcontact_run_options *options,

@@ -4,6 +4,7 @@
 #include "analysis/direct_study.h"
 #include "base/version.h"
 #include "output/cell.h"
+#include "results/comparison.h"
 #include <errno.h>
 #include <jansson.h>
 #include <math.h>
@@ -280,7 +281,8 @@ static json_t *notes_json(const struct note_list *list)
 static json_t *fit_json(const struct surface_record *record, enum power_law_method method,
                         const struct cell_guard *guard)
 {
-    const struct power_law_band *band = &record->band;
+    static const struct power_law_band dropped;
+    const struct power_law_band *band = record->band ? record->band : &dropped;
     const struct power_law *law = &record->summary.power_law;
     json_t *json = json_pack("{s:s, s:s}", "method", power_law_method_names[method], "class",
                              power_law_band_class_names[law->found]);
@@ -312,15 +314,17 @@ static json_t *files_json(const struct scene_surface *surface)
     return files;
 }
 
-static json_t *surface_json(const struct surface_record *record, const struct scene *scene, const struct plan *plan,
-                            const struct cell_guard *guard)
+static json_t *surface_json(const struct results *results, size_t index)
 {
+    const struct surface_record *record = &results->surfaces[index];
     const struct surface_summary *s = &record->summary;
+    const struct scene *scene = results->scene;
+    const struct cell_guard of_surface = {s->scene->name, results->lost}, *guard = &of_surface;
     json_t *models = json_object();
     for (size_t m = 0; m < model_count; m++)
         if (surface_model(s, m)->exists) {
             json_t *model = curve_json(record->curves ? &record->curves[m] : NULL, surface_model(s, m), &s->pair, scene,
-                                       plan, guard);
+                                       results->plan, guard);
             set_intervals(model, surface_model(s, m), guard);
             json_object_set_new(models, model_rows[m]->name, model);
         }
@@ -334,6 +338,7 @@ static json_t *surface_json(const struct surface_record *record, const struct sc
     set_count(json, "points", s->points);
     for (size_t c = 0; c < cell_column_count; c++)
         set(json, guard, cell_columns[c].name, cell_column_of(s, c));
+    set(json, guard, "heights_factor_ecr", comparison_heights_factor(results, index));
     set(json, guard, "rsk", roughness_skewness(&s->roughness));
     set(json, guard, "rku", roughness_kurtosis(&s->roughness));
     json_object_set_new(json, "fit", fit_json(record, scene->fit, guard));
@@ -555,11 +560,9 @@ static bool print_surfaces(FILE *file, const struct results *results)
     const char *before = "\n";
     bool ok = fputs(",\n\"surfaces\": [", file) >= 0;
     for (size_t i = 0; i < results->surface_count && ok; i++) {
-        const struct surface_record *record = &results->surfaces[i];
-        if (!record->summary.usable)
+        if (!results->surfaces[i].summary.usable)
             continue;
-        const struct cell_guard guard = {record->summary.scene->name, results->lost};
-        ok = print(file, before, surface_json(record, results->scene, results->plan, &guard));
+        ok = print(file, before, surface_json(results, i));
         before = ",\n";
     }
     return ok && fputs("]", file) >= 0;
@@ -597,8 +600,9 @@ enum status_code json_write(const struct results *results, const char *directory
         return status_fail(status, STATUS_IO, "cannot write results.json: %s", strerror(errno));
     bool ok = print(file, "{\"program\": ", json_string("roughcontact")) &&
               print(file, ",\n\"version\": ", json_string(version_string())) &&
-              print(file, ",\n\"scene\": ", scene_json(results, &of_scene)) && print_surfaces(file, results) &&
-              print(file, ",\n\"refused\": ", refused_json(results)) &&
+              print(file, ",\n\"scene\": ", scene_json(results, &of_scene)) &&
+              print(file, ",\n\"leading\": ", json_string(model_rows[plan_leading_model(results->plan)]->name)) &&
+              print_surfaces(file, results) && print(file, ",\n\"refused\": ", refused_json(results)) &&
               (!scene->passed_over || print(file, ",\n\"passed_over\": ", lines_json(scene->passed_over))) &&
               (scene->target_count == 0 || print(file, ",\n\"answers\": ", answers_json(results, results->lost))) &&
               (scene->limit_count == 0 || print(file, ",\n\"limits\": ", limits_json(results, results->lost))) &&

@@ -3,6 +3,7 @@
 
 #include "analysis/direct_study.h"
 #include "output/cell.h"
+#include "results/comparison.h"
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
@@ -114,6 +115,7 @@ static void fill_surfaces(struct table *table, const struct results *results)
     for (size_t c = 0; c < cell_column_count; c++)
         if (in_table(c, asperities))
             text_add(&table->rows, ",%s", cell_columns[c].name);
+    text_add(&table->rows, ",heights_factor_ecr");
     for (size_t m = 0; m < model_count; m++)
         if (has_beta(plan, m))
             text_add(&table->rows, ",beta_%s", model_rows[m]->name);
@@ -133,6 +135,7 @@ static void fill_surfaces(struct table *table, const struct results *results)
         for (size_t c = 0; c < cell_column_count; c++)
             if (in_table(c, asperities))
                 put_number(table, cell_columns[c].name, cell_column_of(s, c));
+        put_number(table, "heights_factor_ecr", comparison_heights_factor(results, i));
         for (size_t m = 0; m < model_count; m++)
             if (has_beta(plan, m))
                 put_number(table, "beta", surface_model(s, m)->exists ? surface_model(s, m)->beta : NAN);

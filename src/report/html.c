@@ -2,8 +2,7 @@
 #include "report/html.h"
 
 #include "base/hash.h"
-#include "report/svg.h"
-#include "report/template.h"
+#include "base/mustache.h"
 
 #include <ctype.h>
 #include <limits.h>
@@ -27,7 +26,6 @@ struct page {
     unsigned level;  /* of the last entry in the contents: 0 (none), 2 or 3 */
     unsigned parts;  /* headings of the first level so far: below the second, sections are folded */
     bool in_folded;  /* inside the <details> of a section */
-    unsigned charts; /* so far */
     unsigned images; /* open, each but the outermost in the label of another */
     bool mixed;      /* the line holds more than charts */
     bool in_figures; /* inside the <div> of a run of figures */
@@ -250,8 +248,6 @@ static int leave_block(MD_BLOCKTYPE type, void *detail, void *user)
     return 0;
 }
 
-static const char picture_extension[] = ".png";
-
 static bool ends_with(const char *name, const char *extension)
 {
     size_t length = strlen(name), size = strlen(extension);
@@ -274,21 +270,6 @@ static void add_base64(struct text *out, const unsigned char *bytes, size_t leng
     }
 }
 
-static void add_data_uri(struct text *out, const char *type, const struct text *bytes)
-{
-    text_add(out, "data:%s;base64,", type);
-    add_base64(out, (const unsigned char *)text_string(bytes), bytes->length);
-}
-
-static void add_picture(struct text *out, const struct text *bytes, const char *label)
-{
-    text_add(out, "<img alt=\"");
-    text_add_bytes(out, label, strlen(label)); /* escaped already */
-    text_add(out, "\" src=\"");
-    add_data_uri(out, "image/png", bytes);
-    text_add(out, "\">");
-}
-
 /* The chart's file name, or NULL for a picture that is none of the report's charts. */
 static const char *chart_name(const char *source)
 {
@@ -297,56 +278,18 @@ static const char *chart_name(const char *source)
         return NULL;
     const char *name = source + strlen(directory);
     size_t length = strspn(name, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-");
-    bool chart = name[length] == '\0' && (ends_with(name, ".svg") || ends_with(name, picture_extension));
+    bool chart = name[length] == '\0' && ends_with(name, ".svg");
     return chart ? name : NULL;
 }
 
-/* The caption, "Figure 6-05." in bold where it begins so. */
+/* The caption, "Figures 6-05 to 6-09." in bold where it begins so. */
 static void add_caption(struct text *out, const char *label)
 {
-    const char *stop = strncmp(label, "Figure ", strlen("Figure ")) == 0 ? strstr(label, ". ") : NULL;
+    const char *stop = strncmp(label, "Figure", strlen("Figure")) == 0 ? strstr(label, ". ") : NULL;
     text_add(out, "\n<figcaption>");
     if (stop)
         text_add(out, "<b>%.*s</b>", (int)(stop + 1 - label), label);
     text_add(out, "%s</figcaption>", stop ? stop + 1 : label);
-}
-
-/* A box to tick for each curve that the legend names: page.html hides what is drawn in its colour. */
-static void add_switches(struct text *out, const struct svg_curves *curves)
-{
-    unsigned named = 0;
-    for (unsigned k = 0; k < curves->count; k++)
-        named += curves->curve[k].name.length > 0;
-    if (named < 2)
-        return;
-    text_add(out, "<details><summary>Curves</summary>");
-    for (unsigned k = 0; k < curves->count; k++)
-        if (curves->curve[k].name.length > 0) {
-            text_add(out, "<label style=\"accent-color:#%06x\"><input type=\"checkbox\" class=\"show%u\" checked> ",
-                     curves->curve[k].colour, k + 1);
-            text_add_bytes(out, curves->curve[k].name.data, curves->curve[k].name.length);
-            text_add(out, "</label>");
-        }
-    text_add(out, "</details>");
-}
-
-/* A button by which page.html's script gives the file of that name away. */
-static void add_download(struct text *out, const char *words, const char *name)
-{
-    text_add(out, "<button value=\"%s\">%s</button>", name, words);
-}
-
-/* The numbers as they stand in their file, for the script. */
-static void add_numbers(struct text *out, const struct text *data)
-{
-    text_add(out, "<span class=\"numbers\" hidden>");
-    for (const char *line = text_string(data), *end = line + data->length; line < end;) {
-        const char *next = memchr(line, '\n', (size_t)(end - line));
-        text_add_html(out, line, (size_t)((next ? next : end) - line));
-        text_add(out, "%s", next ? "\n" : "");
-        line = next ? next + 1 : end;
-    }
-    text_add(out, "</span>");
 }
 
 /* Reads figures/NAME. */
@@ -356,44 +299,23 @@ static enum status_code read_figure(struct text *out, struct text *path, struct 
     return path->failed ? status_memory(page->status) : text_read_file(out, text_string(path), page->status);
 }
 
-/* The figure's curves to switch, its numbers and its picture to take away. */
-static enum status_code add_tools(struct page *page, const char *name, const struct svg_curves *curves)
-{
-    struct text *out = &page->figures, path = {0}, numbers = {0}, data = {0};
-    text_add(&numbers, "%.*s.csv", (int)(strrchr(name, '.') - name), name);
-    enum status_code code = read_figure(&data, &path, page, text_string(&numbers));
-    text_add(out, "<div class=\"tools\">");
-    add_switches(out, curves);
-    add_download(out, "Data", text_string(&numbers));
-    add_download(out, "Picture", name);
-    add_numbers(out, &data);
-    text_add(out, "</div>\n");
-    text_free(&path);
-    text_free(&numbers);
-    text_free(&data);
-    return code;
-}
-
+/* The chart as a picture in the page: nothing in it can act, whatever names it holds. */
 static enum status_code add_chart(struct page *page, const char *name)
 {
-    struct text path = {0}, drawing = {0};
-    struct svg_curves curves = {0};
-    size_t before = page->line.length;
+    struct text path = {0}, drawing = {0}, *out = &page->line;
+    size_t before = out->length;
     enum status_code code = read_figure(&drawing, &path, page, name);
-    if (code == STATUS_OK && ends_with(name, picture_extension))
-        add_picture(&page->line, &drawing, text_string(&page->label));
-    else if (code == STATUS_OK)
-        code = svg_inline(&page->line, &drawing, text_string(&path), ++page->charts, text_string(&page->label), &curves,
-                          page->status);
     if (code == STATUS_OK) {
+        text_add(out, "<img alt=\"");
+        text_add_bytes(out, text_string(&page->label), page->label.length); /* escaped already */
+        text_add(out, "\" src=\"data:image/svg+xml;base64,");
+        add_base64(out, (const unsigned char *)text_string(&drawing), drawing.length);
+        text_add(out, "\">");
         text_add(&page->figures, "<figure>\n");
-        text_add_bytes(&page->figures, page->line.data + before, page->line.length - before);
+        text_add_bytes(&page->figures, text_string(out) + before, out->length - before);
         add_caption(&page->figures, text_string(&page->label));
-        text_add(&page->figures, "\n");
-        code = add_tools(page, name, &curves);
-        text_add(&page->figures, "</figure>\n");
+        text_add(&page->figures, "\n</figure>\n");
     }
-    svg_curves_free(&curves);
     text_free(&path);
     text_free(&drawing);
     return code;
@@ -490,20 +412,24 @@ static int add_words(MD_TEXTTYPE type, const MD_CHAR *bytes, MD_SIZE size, void 
     return 0;
 }
 
-static bool field(struct text *out, const char *name, void *context)
+static void escape_html(struct text *out, const char *string)
 {
-    const struct page *page = context;
-    if (strcmp(name, "title") == 0)
-        text_add_html(out, page->title, strlen(page->title));
-    else if (strcmp(name, "contents") == 0)
-        text_add_bytes(out, text_string(&page->contents), page->contents.length);
-    else if (strcmp(name, "body") == 0)
-        text_add_bytes(out, text_string(&page->body), page->body.length);
-    else if (strcmp(name, "script_hash") == 0)
-        add_base64(out, page->script_hash, sizeof page->script_hash);
-    else
-        return false;
-    return true;
+    text_add_html(out, string, strlen(string));
+}
+
+/* What page.html is filled from. */
+static json_t *page_view(const struct page *page)
+{
+    struct text hash = {0};
+    add_base64(&hash, page->script_hash, sizeof page->script_hash);
+    json_t *view = json_pack("{ss# ss# ss}", "contents", text_string(&page->contents), page->contents.length, "body",
+                             text_string(&page->body), page->body.length, "script_hash", text_string(&hash));
+    struct text title = {0};
+    text_add_shown(&title, page->title);
+    json_object_set_new(view, "title", json_string(text_string(&title)));
+    text_free(&title);
+    text_free(&hash);
+    return view;
 }
 
 static void hash_script(struct page *page, const char *skeleton)
@@ -527,14 +453,13 @@ enum status_code html_render(struct text *out, const char *markdown, const char 
     struct page page = {.title = title, .directory = directory, .status = status};
     struct text *const texts[] = {&page.body,  &page.contents, &page.ids,    &page.line,
                                   &page.words, &page.figures,  &page.target, &page.label};
-    struct text path = {0}, skeleton = {0};
+    struct mustache_folder folder = {templates, ".html", NULL, status};
+    const char *skeleton = mustache_folder_partial(&folder, "page");
     size_t length = strlen(markdown);
-    text_add(&path, "%s/page.html", templates);
-    bool memory = path.failed || length > UINT_MAX;
-    enum status_code code = memory ? status_memory(status) : text_read_file(&skeleton, text_string(&path), status);
-    if (code == STATUS_OK)
-        hash_script(&page, text_string(&skeleton));
+    bool memory = length > UINT_MAX;
+    enum status_code code = memory ? status_memory(status) : skeleton ? STATUS_OK : status->code;
     if (code == STATUS_OK) {
+        hash_script(&page, skeleton);
         int failed = md_parse(markdown, (MD_SIZE)length, &parser, &page);
         end_line(&page, page.in_folded ? fold_end : "", "");
         end_contents(&page);
@@ -542,12 +467,13 @@ enum status_code html_render(struct text *out, const char *markdown, const char 
             memory |= texts[i]->failed;
         code = status->code != STATUS_OK ? status->code : failed || memory ? status_memory(status) : STATUS_OK;
     }
-    if (code == STATUS_OK)
-        code = template_render(out, text_string(&skeleton), text_string(&path), &(struct template_source){field, &page},
-                               status);
+    if (code == STATUS_OK) {
+        json_t *view = page_view(&page);
+        code = view ? mustache_file(out, &folder, "page", view, escape_html) : status_memory(status);
+        json_decref(view);
+    }
+    mustache_folder_free(&folder);
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
         text_free(texts[i]);
-    text_free(&path);
-    text_free(&skeleton);
     return code;
 }

@@ -1,35 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "report/report.h"
 
+#include "base/mustache.h"
 #include "report/html.h"
-#include "report/section.h"
+#include <stdlib.h>
 #include <string.h>
-
-/** The parts of the report, in reading order. */
-enum part { PART_FIRST_PAGE, PART_CHAPTER, PART_TRUST, PART_APPENDICES };
-
-/** What goes before the first section of a part: a rule ends the first page (printed, it ends the sheet), and what
- * follows a second heading of the first level is folded (html.c). */
-static const char *const part_starts[] = {
-    [PART_FIRST_PAGE] = "",
-    [PART_CHAPTER] = "---\n\n",
-    [PART_TRUST] = "",
-    [PART_APPENDICES] = "# Appendices\n\n",
-};
-
-/* A section needs its row here, in reading order, and its file. */
-static const struct {
-    enum part part;
-    const struct section *section;
-} sections[] = {
-    {PART_FIRST_PAGE, &section_summary},  {PART_FIRST_PAGE, &section_answers},   {PART_FIRST_PAGE, &section_deciding},
-    {PART_FIRST_PAGE, &section_limits},   {PART_CHAPTER, &section_surfaces},     {PART_CHAPTER, &section_material},
-    {PART_CHAPTER, &section_convergence}, {PART_CHAPTER, &section_baseline},     {PART_CHAPTER, &section_beyond_thesis},
-    {PART_CHAPTER, &section_joint},       {PART_CHAPTER, &section_all_surfaces}, {PART_TRUST, &section_direct},
-    {PART_TRUST, &section_validity},      {PART_TRUST, &section_sensitivity},    {PART_TRUST, &section_repeats},
-    {PART_TRUST, &section_measured},      {PART_APPENDICES, &section_checks},    {PART_APPENDICES, &section_cost},
-    {PART_APPENDICES, &section_computed}, {PART_APPENDICES, &section_methods},   {PART_APPENDICES, &section_sources},
-};
 
 static enum status_code write_file(const char *directory, const char *name, const struct text *content,
                                    struct status *status)
@@ -38,54 +13,70 @@ static enum status_code write_file(const char *directory, const char *name, cons
     if (content->failed)
         return status_memory(status);
     text_add(&path, "%s/%s", directory, name);
-    enum status_code rc = text_write_file(text_string(&path), content->data, content->length, status);
+    enum status_code rc = text_write_file(text_string(&path), text_string(content), content->length, status);
     text_free(&path);
     return rc;
 }
 
-/** Leaves one empty line where texts and figures that are absent left several. */
+/** Leaves one empty line where parts that are absent left several, and no blanks at the ends of lines. */
 static void squeeze(struct text *markdown)
 {
-    size_t kept = 0, run = 0;
+    size_t kept = 0, run = 2;
     for (size_t i = 0; i < markdown->length; i++) {
-        run = markdown->data[i] == '\n' ? run + 1 : 0;
+        char c = markdown->data[i];
+        if (c == '\n')
+            while (kept > 0 && markdown->data[kept - 1] == ' ')
+                kept--;
+        run = c == '\n' ? run + 1 : 0;
         if (run <= 2)
-            markdown->data[kept++] = markdown->data[i];
+            markdown->data[kept++] = c;
     }
     if (markdown->data)
         markdown->data[kept] = '\0';
     markdown->length = kept;
 }
 
-void report_markdown(struct text *out, const struct section_context *context)
+enum status_code report_markdown(struct text *out, json_t *view, const struct report_options *options,
+                                 struct status *status)
 {
-    enum part part = PART_FIRST_PAGE;
-    for (size_t i = 0; i < sizeof sections / sizeof *sections; i++) {
-        const struct section *section = sections[i].section;
-        if ((context->brief && sections[i].part != PART_FIRST_PAGE) ||
-            (section->called_for && !section->called_for(context)))
-            continue;
-        text_add(out, "%s%s", out->length > 0 ? "\n\n" : "",
-                 sections[i].part != part ? part_starts[sections[i].part] : "");
-        part = sections[i].part;
-        section->write(out, context);
-    }
+    struct mustache_folder folder = {options->templates, ".md", NULL, status};
+    struct text own = {0};
+    enum status_code rc;
+    json_object_set_new(view, "brief", json_boolean(options->brief));
+    if (options->template) {
+        struct mustache how = {view, text_add_markdown_shown, mustache_folder_partial, &folder};
+        rc = text_read_file(&own, options->template, status);
+        if (rc == STATUS_OK)
+            rc = mustache_render(out, text_string(&own), options->template, &how, status);
+        text_free(&own);
+    } else
+        rc = mustache_file(out, &folder, "report", view, text_add_markdown_shown);
+    mustache_folder_free(&folder);
     squeeze(out);
+    return rc;
 }
 
-enum status_code report_write(const struct results *results, struct comparison *comparison,
-                              const struct figure_list *figures, bool brief, const char *directory,
-                              const char *templates, struct status *status)
+enum status_code report_write(json_t *view, const struct report_options *options, const char *directory,
+                              struct status *status)
 {
-    struct text markdown = {0}, html = {0};
-    const struct section_context context = {results, comparison, &results->surfaces[results->baseline], figures, brief};
-    report_markdown(&markdown, &context);
-    comparison_free(comparison); /* before the page is made, which takes most memory of all */
-    enum status_code rc = write_file(directory, "report.md", &markdown, status);
+    struct text markdown = {0}, html = {0}, tree = {0};
+    const char *title = json_string_value(json_object_get(view, "title"));
+    enum status_code rc = report_markdown(&markdown, view, options, status);
     if (rc == STATUS_OK)
-        rc = html_render(&html, text_string(&markdown), results->scene->title, directory, templates, status);
+        rc = write_file(directory, "report.md", &markdown, status);
+    if (rc == STATUS_OK)
+        rc = html_render(&html, text_string(&markdown), title, directory, options->templates, status);
     if (rc == STATUS_OK)
         rc = write_file(directory, "report.html", &html, status);
+    char *dumped = rc == STATUS_OK ? json_dumps(view, JSON_INDENT(1) | JSON_SORT_KEYS) : NULL;
+    if (rc == STATUS_OK && !dumped)
+        rc = status_memory(status);
+    if (rc == STATUS_OK) {
+        text_add(&tree, "%s\n", dumped);
+        rc = write_file(directory, "view.json", &tree, status);
+    }
+    free(dumped);
+    text_free(&tree);
     text_free(&markdown);
     text_free(&html);
     return rc;

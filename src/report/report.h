@@ -1,29 +1,28 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The report: Markdown section by section, HTML from the Markdown. Every number in it comes from the results. */
+/* The report: templates filled from the view; HTML made of the Markdown. */
 #ifndef REPORT_REPORT_H
 #define REPORT_REPORT_H
 
 #include "base/text.h"
-#include "chart/figure.h"
-#include "results/comparison.h"
+#include <jansson.h>
 
-/** Writes report.md and report.html into `directory`, whose `figures` are drawn; `comparison`, of the results, ends
- * here; brief: the first page alone. Errors: STATUS_IO, STATUS_MEMORY. */
-MUST_CHECK enum status_code report_write(const struct results *results, struct comparison *comparison,
-                                         const struct figure_list *figures, bool brief, const char *directory,
-                                         const char *templates, struct status *status);
+/** How a report is written. */
+struct report_options {
+    const char *templates; /* folder of the templates */
+    const char *template;  /* the user's own in place of report.md: a file; NULL: that */
+    bool brief;            /* the first page alone */
+};
 
-struct section_context;
-/** The report as Markdown: every section that is called for, in reading order. */
-void report_markdown(struct text *out, const struct section_context *context);
+/** Adds the report as Markdown. Errors: of the template (file, line), STATUS_IO, STATUS_MEMORY. */
+MUST_CHECK enum status_code report_markdown(struct text *out, json_t *view, const struct report_options *options,
+                                            struct status *status);
 
-/** The compact table for a terminal: surface, Rq, amplitude at one wavelength, gamma, beta, load to full contact of
- * each model. */
-void report_terminal_table(struct text *out, const struct results *results);
+/** Writes report.md, report.html and view.json into `directory`, whose figures are drawn. Errors: the same. */
+MUST_CHECK enum status_code report_write(json_t *view, const struct report_options *options, const char *directory,
+                                         struct status *status);
 
-/** The targets' and limits' sentences for a terminal, a line each; nothing where the scene has none. */
-void report_terminal_answers(struct text *out, const struct results *results);
-/** Names each surface that misses a limit, a line each, and returns how many lines those are. */
-size_t report_missed_limits(struct text *out, const struct results *results);
+/** The first page's sentence and table for a terminal of 80 columns. Errors: the same. */
+MUST_CHECK enum status_code report_terminal(struct text *out, const json_t *view, const char *templates,
+                                            struct status *status);
 
 #endif

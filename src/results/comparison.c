@@ -226,6 +226,15 @@ struct contact_point comparison_middle(const struct results *results, size_t mod
     return summary->exists ? summary->operating : quantity_nothing();
 }
 
+double comparison_heights_factor(const struct results *results, size_t surface)
+{
+    size_t leading = plan_leading_model(results->plan), gaussian = model_index(model_rows[leading]->gaussian);
+    if (!plan_runs_model(results->plan, gaussian))
+        return NAN;
+    return comparison_middle(results, leading, surface).value[QUANTITY_ECR] /
+           comparison_middle(results, gaussian, surface).value[QUANTITY_ECR];
+}
+
 /** Takes the surface's values at the operating load. */
 static void note_middle(struct comparison *out, const struct results *results, size_t index)
 {

@@ -104,6 +104,9 @@ bool comparison_told_apart(const struct comparison_pair *pair);
 
 /** What a model says of a surface at the middle load; quantity_nothing() where it has no point. */
 struct contact_point comparison_middle(const struct results *results, size_t model, size_t surface);
+/** ECR of the leading model over that of its `gaussian` at the surface's operating load: what the heights do; NaN: one
+ * of them has none. */
+double comparison_heights_factor(const struct results *results, size_t surface);
 /** Value of a quantity of a model's point, as tables and charts show it. */
 double comparison_value(const struct contact_point *point, enum quantity quantity, size_t model, double sigma_m);
 

@@ -4,11 +4,13 @@
 #include "analysis/direct_study.h"
 #include "base/clock.h"
 #include "base/threads.h"
-#include "chart/figure.h"
+#include "chart/figures.h"
+#include "chart/gnuplot.h"
 #include "output/json.h"
 #include "output/output.h"
 #include "output/tables.h"
 #include "report/report.h"
+#include "report/view.h"
 #include "run/messages.h"
 #include "run/prepare.h"
 #include <jansson.h>
@@ -29,7 +31,8 @@ struct run {
     struct sensitivity_curves sensitivity;
     struct measured_answers answers;
     struct comparison comparison;
-    struct figure_list figures;
+    struct figures figures;
+    json_t *view;
     double *sweeps;
     struct direct_study *direct; /* results->direct_count of them */
 };
@@ -139,6 +142,14 @@ static enum status_code run_direct(struct run *run, struct status *status)
     return STATUS_OK;
 }
 
+static const struct direct_study *direct_of_baseline(const struct results *results)
+{
+    for (size_t k = 0; k < results->direct_count; k++)
+        if (results->direct[k].surface == results->baseline)
+            return &results->direct[k];
+    return NULL;
+}
+
 /** What accuracy costs, on the baseline surface. */
 static enum status_code measure_cost(struct run *run, struct status *status)
 {
@@ -146,7 +157,7 @@ static enum status_code measure_cost(struct run *run, struct status *status)
     const struct results *results = run->results;
     const struct benchmark_task task = {
         &results->surfaces[results->baseline],     results->scene,      results->plan,
-        results_loads(results, results->baseline), results->load_count, figure_direct(results)};
+        results_loads(results, results->baseline), results->load_count, direct_of_baseline(results)};
     enum status_code rc = benchmark_measure(&run->benchmark, &task, status);
     run->benchmark.before = before;
     run->results->benchmark = &run->benchmark;
@@ -203,23 +214,20 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
         comparison_make(&run->comparison, run->results, status) != STATUS_OK || stopped(run))
         return status->code;
     out->times.tables = lap(&last);
-    if (figure_list_make(&run->figures, run->results, status) != STATUS_OK)
-        return status->code;
-    if (options->brief)
-        figure_list_keep_deciding(&run->figures);
-    if (figure_write_all(&run->figures, run->results, staging, options->terminal_size, status) != STATUS_OK ||
+    if (figures_make(&run->figures, run->results, &run->comparison, options->brief, status) != STATUS_OK ||
         stopped(run))
         return status->code;
     out->times.figures = lap(&last);
-    if (figure_draw_all(&run->figures, staging, options->jobs, &out->charts, &out->times.gnuplot, status) != STATUS_OK)
+    if (figures_draw(&run->figures, staging, options->templates, options->terminal_size, &out->charts,
+                     &out->times.gnuplot, status) != STATUS_OK)
         return status->code;
     last = clock_seconds();
-    if (report_write(run->results, &run->comparison, &run->figures, options->brief, staging, options->templates,
-                     status) != STATUS_OK)
+    const struct report_options how = {options->templates, options->template, options->brief};
+    if (view_make(&run->view, run->results, &run->comparison, &run->figures, status) != STATUS_OK ||
+        report_write(run->view, &how, staging, status) != STATUS_OK ||
+        report_terminal(&out->table, run->view, options->templates, status) != STATUS_OK)
         return status->code;
-    report_terminal_table(&out->table, run->results);
-    report_terminal_answers(&out->answers, run->results);
-    out->missed_count = report_missed_limits(&out->missed, run->results);
+    out->missed_count = view_missed_limits(&out->missed, run->results);
     out->times.report = lap(&last);
     return stopped(run) ? status->code : output_commit(&run->output, status);
 }
@@ -275,7 +283,8 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     sensitivity_curves_free(&run.sensitivity);
     measured_answers_free(&run.answers);
     comparison_free(&run.comparison);
-    figure_list_free(&run.figures);
+    figures_free(&run.figures);
+    json_decref(run.view);
     out->times.total = clock_seconds() - run.started;
     return rc;
 }
@@ -284,7 +293,6 @@ void run_outcome_free(struct run_outcome *outcome)
 {
     text_free(&outcome->messages);
     text_free(&outcome->table);
-    text_free(&outcome->answers);
     text_free(&outcome->missed);
     text_free(&outcome->charts);
     text_free(&outcome->work);

@@ -13,6 +13,7 @@
 struct run_options {
     const char *output;             /* OUT, NULL: out/<name of DIR> */
     const char *templates;          /* directory of the templates */
+    const char *template;           /* the user's own in place of report.md; NULL: that */
     const char *terminal_size;      /* "columns,rows" to draw the main charts as text, NULL: not */
     bool no_cost;                   /* leave out what accuracy costs */
     bool brief;                     /* the report's first page, with its figures, alone */
@@ -34,8 +35,7 @@ struct run_outcome {
     size_t surfaces, refused; /* of the scene */
     size_t left_out;          /* scans refused of surfaces that go on without, and numbers that came out infinite */
     struct text messages;     /* messages_add(): one line a refused surface and a warning */
-    struct text table;        /* the compact table for a terminal */
-    struct text answers;      /* to the scene's targets and limits, a line each */
+    struct text table;        /* the first page's table and sentence for a terminal */
     struct text missed;       /* one line a surface and limit that it misses */
     size_t missed_count;      /* of those */
     struct text charts;       /* when terminal_size was given */

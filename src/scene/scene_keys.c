@@ -67,6 +67,30 @@ static void add_name(const char *names[MODEL_NAMES], size_t *count, const char *
         names[(*count)++] = name;
 }
 
+/* Names of models that went, families among them. */
+static const struct {
+    const char *name, *now;
+} former_models[] = {
+    {"two-band", "strip"},          {"two-band-elastic", "strip"},    {"two-band-plastic", "strip-plastic"},
+    {"contacting-slopes", "strip"}, {"persson", "corrected-persson"}, {"sridhar-yovanovich", "strip"},
+};
+
+/* The name of a model that went stands in the list: fails. */
+static bool check_former_models(struct scene_source *source, const yaml_node_t *value)
+{
+    for (size_t i = 0; i < scene_source_item_count(value); i++) {
+        const yaml_node_t *item = scene_source_item(source, value, i);
+        const char *rest = item->type == YAML_SCALAR_NODE ? (const char *)item->data.scalar.value : "", *word;
+        for (size_t length; (word = scene_words_next(&rest, &length));)
+            for (size_t k = 0; k < sizeof former_models / sizeof *former_models; k++)
+                if (scene_words_find(word, length, &former_models[k].name, 1) == 0)
+                    return scene_source_fail(source, scene_source_line(item),
+                                             "model '%s' is no longer there; '%s' took its place",
+                                             former_models[k].name, former_models[k].now);
+    }
+    return true;
+}
+
 /* Families, each once, then single models. */
 static bool read_models(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
 {
@@ -76,7 +100,7 @@ static bool read_models(struct scene_source *source, const struct scene_key *key
         add_name(names, &count, model_rows[m]->family);
     for (size_t m = 0; m < model_count; m++)
         add_name(names, &count, model_rows[m]->name);
-    if (!read_set(source, key, "model", value, names, count, lines))
+    if (!check_former_models(source, value) || !read_set(source, key, "model", value, names, count, lines))
         return false;
     uint64_t *models = key->field;
     *models = 0;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The direct solution of a wave and of a sphere on small grids. */
+/* The direct solution of a wave and of a sphere on small grids, and of a profile. */
 #include "direct/direct_constriction.h"
 #include "direct/direct_quantities.h"
 #include "selftest/selftest_compute.h"
@@ -28,6 +28,10 @@ static enum status_code measure(double *value, const struct selftest_reference *
         return direct_constriction_of_contact(value, contact, 1e-10, NULL, &effort, status);
     if (strcmp(r->quantity, "gap over amplitude") == 0)
         *value = quantities.gap_m / amplitude;
+    else if (strcmp(r->quantity, "gap") == 0)
+        *value = quantities.gap_m;
+    else if (strcmp(r->quantity, "faces") == 0)
+        *value = (double)quantities.perimeter_faces;
     else if (strcmp(r->quantity, "contact points") == 0)
         *value = (double)quantities.contact_points;
     else if (strcmp(r->quantity, "corrected area") == 0)
@@ -39,13 +43,13 @@ static enum status_code measure(double *value, const struct selftest_reference *
     return STATUS_OK;
 }
 
-static enum status_code solve(double *value, const struct selftest_reference *r, const double *height, size_t ny,
-                              double pressure, struct status *status)
+static enum status_code solve(double *value, const struct selftest_reference *r, const double *height, size_t nx,
+                              size_t ny, double spacing_m, double pressure, struct status *status)
 {
     struct direct_contact contact;
     struct direct_contact_effort effort = {0};
     const struct direct_contact_load load = {.mean_pressure = pressure, .hardness = INFINITY, .tolerance = 1e-12};
-    if (direct_contact_make(&contact, NULL, height, SIDE, ny, 1.0 / SIDE, status) != STATUS_OK)
+    if (direct_contact_make(&contact, NULL, height, nx, ny, spacing_m, status) != STATUS_OK)
         return status->code;
     enum status_code rc = direct_contact_solve(&contact, &load, &effort, status);
     if (rc == STATUS_OK)
@@ -55,16 +59,17 @@ static enum status_code solve(double *value, const struct selftest_reference *r,
 }
 
 /** A wave: amplitude cos(2 pi x), its crest off the points; p* = pi E' amplitude/L. A sphere: a paraboloid of radius 1,
- * its apex off the points; P = 4 E' a³/(3 R). */
+ * its apex off the points; P = 4 E' a³/(3 R). A strip: the profile `plateau`, in one row. */
 enum status_code selftest_direct(double *value, const struct selftest_reference *r, const struct selftest_table *table,
                                  struct status *status)
 {
     double height[SIDE * SIDE], a = r->at[0];
-    (void)table;
+    if (strcmp(r->of, "strip") == 0)
+        return solve(value, r, table->plateau_m, SELFTEST_PLATEAU, 1, 1e-6, a, status);
     if (strcmp(r->of, "wave") == 0) {
         for (int i = 0; i < SIDE; i++)
             height[i] = height[SIDE + i] = amplitude * cos(2 * M_PI * (i + 0.3) / SIDE);
-        return solve(value, r, height, 2, a * M_PI * amplitude, status);
+        return solve(value, r, height, SIDE, 2, 1.0 / SIDE, a * M_PI * amplitude, status);
     }
     if (strcmp(r->of, "sphere") != 0)
         return selftest_unknown(r, status);
@@ -72,5 +77,5 @@ enum status_code selftest_direct(double *value, const struct selftest_reference 
         double x = (double)(k % SIDE) / SIDE - 0.5 - 0.357 / 256, y = (double)(k / SIDE) / SIDE - 0.5 - 0.123 / 256;
         height[k] = -(pow(remainder(x, 1), 2) + pow(remainder(y, 1), 2)) / 2;
     }
-    return solve(value, r, height, SIDE, 4.0 / 3 * a * a * a, status);
+    return solve(value, r, height, SIDE, SIDE, 1.0 / SIDE, 4.0 / 3 * a * a * a, status);
 }

@@ -29,6 +29,20 @@ static void make_law(struct surface *out, size_t waves)
     out->sigma_m = sqrt(spectrum_moment(&out->spectrum, 0));
 }
 
+/** The waves of the profile `plateau`, without the one of two points. */
+static enum status_code make_plateau(struct surface *out, const struct selftest_table *table, struct status *status)
+{
+    struct spectrum spectrum;
+    if (spectrum_compute(&spectrum, table->plateau_m, SELFTEST_PLATEAU, 1e-6, SPECTRUM_WINDOW_NONE, status) !=
+        STATUS_OK)
+        return status->code;
+    out->spectrum = (struct spectrum){out->amplitude_m, SELFTEST_PLATEAU / 2 - 1, spectrum.length_m, false};
+    memcpy(out->amplitude_m, spectrum.amplitude_m, out->spectrum.count * sizeof *out->amplitude_m);
+    out->sigma_m = sqrt(spectrum_moment(&out->spectrum, 0));
+    spectrum_free(&spectrum);
+    return STATUS_OK;
+}
+
 /** Of asperities the moments m0, m2, m4 alone are known. */
 static enum status_code make_asperities(struct surface *out, struct model_task *task, struct status *status)
 {
@@ -73,14 +87,13 @@ static enum status_code press(double *value, const struct selftest_reference *r,
 enum status_code selftest_model(double *value, const struct selftest_reference *r, const struct selftest_table *table,
                                 struct status *status)
 {
-    size_t m = 0, waves = r->at[1] > 0 ? (size_t)fmin(r->at[1], WAVES_MOST) : WAVES_MOST;
+    size_t m = 0, waves = (size_t)fmin(r->at[1], WAVES_MOST);
     while (m < model_count && strcmp(model_rows[m]->name, r->of) != 0)
         m++;
     if (m == model_count)
         return selftest_unknown(r, status);
     const struct model_row *row = model_rows[m];
     struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
-    (void)table;
     struct surface surface;
     struct model_task task = {.spectrum = &surface.spectrum,
                               .pair = &pair,
@@ -91,7 +104,10 @@ enum status_code selftest_model(double *value, const struct selftest_reference *
                               .tolerance = 1e-11,
                               .sinusoid_fit = SINUSOID_FIT_THESIS,
                               .hardness_Pa = r->at[2] > 0 ? r->at[2] * pair.yield_strength_Pa : NAN};
-    make_law(&surface, waves);
+    if (waves > 0)
+        make_law(&surface, waves);
+    else if (make_plateau(&surface, table, status) != STATUS_OK)
+        return status->code;
     if (row->asperity_model && make_asperities(&surface, &task, status) != STATUS_OK)
         return status->code;
     return press(value, r, row, &task, surface.sigma_m, status);

@@ -80,12 +80,9 @@ TEST_CASE(test_the_integrals_agree)
         const char *study, *method, *setting;
         double most;
     } rows[] = {
-        {"gw-integrals", "Simpson", "10000", 3e-4},
-        {"gw-integrals", "Gauss-Legendre", "1e-10", 1e-9},
-        {"jg-integrals", "Simpson", "10000", 1e-3},
-        {"jg-integrals", "Gauss-Legendre", "1e-10", 1e-9},
-        {"jg-integrals", "Gauss-Legendre", "1e-07", 1e-6},
-        {"jg-integrals", "Gauss-Legendre", "0.001", 1e-2},
+        {"gw-integrals", "Simpson", "10000", 3e-4},        {"gw-integrals", "Gauss-Legendre", "1e-10", 1e-9},
+        {"jg-integrals", "Simpson", "10000", 1e-3},        {"jg-integrals", "Gauss-Legendre", "1e-10", 1e-9},
+        {"jg-integrals", "Gauss-Legendre", "1e-07", 1e-6}, {"jg-integrals", "Gauss-Legendre", "0.001", 1e-2},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         double error = find(rows[i].study, rows[i].method, rows[i].setting)->error;
@@ -218,9 +215,7 @@ TEST_CASE(test_the_number_of_loads)
         assert_true(find("loads", model_rows[m]->name, "129")->error <= find("loads", model_rows[m]->name, "5")->error);
     }
     /* GW between 9 loads, from a run of its own at the 17 that halve their steps */
-    size_t gw = 0;
-    while (strcmp(model_rows[gw]->name, "gw") != 0)
-        gw++;
+    size_t gw = model_named("gw");
     double fine[17], error = 0;
     struct contact_point points[18];
     struct model_curve curve = {.points = points};
@@ -256,9 +251,7 @@ enum status_code __wrap_persson_make(struct persson *out, const struct spectrum 
 TEST_CASE(test_a_long_scan)
 {
     enum { WAVES = 150000 };
-    size_t waves[2], persson = 0;
-    while (strcmp(model_rows[persson]->name, "persson") != 0)
-        persson++;
+    size_t waves[2], persson = model_named("corrected-persson");
     for (int longer = 0; longer < 2; longer++) {
         struct surface_record *scan = malloc(sizeof *scan);
         struct benchmark rows = {0};
@@ -276,7 +269,7 @@ TEST_CASE(test_a_long_scan)
         most_waves = 0;
         assert_int_equal(benchmark_curves(&rows, &task, &status), STATUS_OK);
         waves[longer] = most_waves;
-        assert_non_null(benchmark_find(&rows, "loads", "persson", "129"));
+        assert_non_null(benchmark_find(&rows, "loads", "corrected-persson", "129"));
         benchmark_free(&rows);
         spectrum_free(&scan->spectrum);
         free(scan->curves);

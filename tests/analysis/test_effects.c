@@ -146,6 +146,8 @@ PLACED(test_yield_of_the_surface_its_scans_and_its_extension)
     record.summary.tail = tail(1, -0.1);
     assert_near(bounds_of(STACK)->yield, pow(3e-10, -0.1), 1e-9);
     plan.models |= MODEL_BIT(UNBOUNDED);
+    assert_near(bounds_of(UNBOUNDED)->yield, 0, 0);
+    scene.models_named = true;
     assert_true(isinf(bounds_of(UNBOUNDED)->yield));
 }
 
@@ -256,10 +258,16 @@ PLACED(test_who_has_no_say)
     assert_true(plan_runs(&plan, EFFECT_PLASTICITY) && plan_runs(&plan, EFFECT_SCALE_DEPENDENT));
 }
 
+/* Where none is named, one that is all yield runs if another calls for it. */
 PLACED(test_models_without_a_bound)
 {
     plan.models |= MODEL_BIT(UNBOUNDED);
     scene.tolerance = 1e-5; /* above the others' bounds */
+    decide(0, 0);
+    assert_false(plan_runs(&plan, EFFECT_PLASTICITY));
+    assert_string_equal(plan.effects[EFFECT_PLASTICITY].reason, "rests 0, and rests 5e-09");
+    plan.running = (1u << EFFECT_COUNT) - 1;
+    scene.models_named = true;
     decide(0, 0);
     assert_true(plan_runs(&plan, EFFECT_PLASTICITY) && plan_runs(&plan, EFFECT_SCALE_DEPENDENT));
     assert_string_equal(plan.effects[EFFECT_PLASTICITY].reason, "Unbounded yields");

@@ -174,7 +174,7 @@ TEST_IN_WORKSPACE(test_one_bad_scan_stops_no_other)
     expect_part(process.err, "surface 'b' refused: b.csv:4: 'x' in a column of numbers; correct or remove this line\n");
     expect_part(process.out, "\nout/d/report.html\n");
     process_free(&process);
-    expect_in_file(place, "out/d/report.md", "1 surface was refused", "'x' in a column of numbers");
+    expect_in_file(place, "out/d/report.md", "**1 refused**", "'x' in a column of numbers");
     expect_in_file(place, "out/d/report.html", "b.csv:4: 'x' in a column of numbers");
     expect_in_file(place, "out/d/results.json", "\"surface\": \"b\"",
                    "\"error\": \"b.csv:4: 'x' in a column of numbers; correct or remove this line\"");

@@ -88,7 +88,7 @@ TEST_IN_WORKSPACE(test_usage)
     const char *place = *state;
     expect_failure(place, 2, 1, "unknown command 'reprot'; did you mean 'report'?", "reprot", "d");
     expect_failure(place, 2, 1,
-                   "unknown command '--bogus'; allowed: report, direct, plan, inspect, synth, models, materials, "
+                   "unknown command '--bogus'; allowed: report, direct, plan, inspect, view, synth, models, materials, "
                    "self-test, help",
                    "--bogus");
     expect_failure(place, 2, 1, "unknown command 'a?b'",
@@ -123,16 +123,16 @@ TEST_IN_WORKSPACE(test_brief)
     static const char *const reporting[] = {"report", "direct"};
     for (int c = 0; c < 2; c++) {
         process = expect_exit(place, 0, reporting[c], "d", "--brief", "--no-cost", "--show", "-o", reporting[c]);
-        expect_part(process.out, "ECR against load, two-band elastic\n"); /* the page's chart, as text */
+        expect_part(process.out, "contact resistance ("); /* the page's chart, as text */
         process_free(&process);
         char path[64];
         snprintf(path, sizeof path, "%s/report.md", reporting[c]);
-        expect_in_file(place, path, "**What limits this answer**");
+        expect_in_file(place, path, "Least certain: ");
         expect_not_in_file(place, path, "\n## ");
     }
     assert_true(workspace_has(place, "direct/data/direct.csv"));
-    assert_true(workspace_has(place, "direct/figures/direct-ratio-ecr.svg"));
-    assert_false(workspace_has(place, "direct/figures/direct-ecr.svg"));
+    assert_true(workspace_has(place, "direct/figures/models.svg"));
+    assert_false(workspace_has(place, "direct/figures/direct.svg"));
 }
 
 TEST_IN_WORKSPACE(test_plan)
@@ -147,7 +147,7 @@ TEST_IN_WORKSPACE(test_plan)
     workspace_write(place, "d/scene.yaml", "load: {from: 1e-4, to: 1e-2, points: 7}\n");
     expect_output(expect_exit(place, 0, "plan", "d"), "\nNo material is given, so area and separation",
                   "no material is given, so no resistivity");
-    expect_output(expect_exit(place, 0, "report", "d", "--no-cost"), "No material is given, so area and separation");
+    expect_output(expect_exit(place, 0, "report", "d", "--no-cost"), "No material is given: loads stand as");
     workspace_write(place, "d/scene.yaml",
                     "material: tin\neffects: [electrical]\nload: {from: 1e-4, to: 1e-2, points: 7}\n");
     char *before = workspace_digest(place, ".");

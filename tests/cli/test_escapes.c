@@ -260,7 +260,7 @@ TEST_IN_WORKSPACE(test_legends)
     workspace_scan(place, "d/=]]>\x1b\u202E&<.csv", 100, 2);
     assert_process(expect_exit(place, 0, "report", "d", "--no-cost", "-m", "tin", "-e", "plasticity"), "report");
     assert_true(assert_files(place, "out/d") > 5);
-    expect_in_file(place, "out/d/figures/power-law.svg", "]]\u203A", "\\x1b\\u202e&amp;&lt;");
+    expect_in_file(place, "out/d/figures/spectra.svg", "]]\u203A", "\\x1b\\u202e&amp;&lt;");
 }
 
 /* A surface whose material says too little is named where an effect is left out. */

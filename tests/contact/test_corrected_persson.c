@@ -40,7 +40,7 @@ TEST_CASE(matches_reference)
         struct persson persson = made(&spectrum);
         double area = table_number(&table, i, "area_ratio"), load = table_number(&table, i, "load_over_AnEp");
         struct corrected_persson_point point;
-        corrected_persson_curve(&point, &area, 1, &persson);
+        corrected_persson_curve(&point, &area, 1, &persson, true);
         assert_near(corrected_persson_load(area, persson.m2), load, 1e-7);
         assert_near(corrected_persson_area(load, persson.m2), area, 1e-7);
         assert_near(point.constriction_m, table_number(&table, i, "constriction_length_m"), 1e-7);
@@ -88,9 +88,9 @@ TEST_CASE(separation_is_the_integral_of_constriction)
         double odds = exp(-12 + 15.4 * (double)i / (AREAS - 1));
         area[i] = odds / (1 + odds);
     }
-    corrected_persson_curve(all, area, AREAS, &persson);
+    corrected_persson_curve(all, area, AREAS, &persson, true);
     for (size_t i = 0; i < AREAS; i += 7) {
-        corrected_persson_curve(&alone, area + i, 1, &persson);
+        corrected_persson_curve(&alone, area + i, 1, &persson, true);
         assert_near(alone.constriction_m, all[i].constriction_m, 1e-14);
         assert_near(alone.separation_m, all[i].separation_m, 3e-5);
     }

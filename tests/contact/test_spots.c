@@ -131,5 +131,5 @@ TEST_CASE(stacked_scales_have_none)
     for (size_t m = 0; m < model_count; m++)
         assert_false(model_rows[m]->stacks_scales && model_rows[m]->spots);
     assert_null(model_rows[model_named("corrected-persson")]->spots);
-    assert_null(model_rows[model_named("persson")]->spots);
+    assert_null(model_rows[model_named("strip")]->spots);
 }

@@ -162,7 +162,7 @@ static void errors(double rms[3], const struct strip *strip, const struct persso
         assert_int_equal(strip_areas(area, loads, TRUTHS, strip, persson->m2, &status), STATUS_OK);
     for (size_t i = 0; !strip && i < TRUTHS; i++)
         area[i] = corrected_persson_area(loads[i], persson->m2);
-    corrected_persson_curve(point, area, TRUTHS, persson);
+    corrected_persson_curve(point, area, TRUTHS, persson, true);
     memset(rms, 0, 3 * sizeof *rms);
     for (size_t i = 0; i < TRUTHS; i++) {
         struct strip_ratio ratio = strip ? strip_ratio_at(strip, area[i]) : (struct strip_ratio){0};

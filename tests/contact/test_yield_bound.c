@@ -155,6 +155,46 @@ TEST_CASE(test_surfaces_without_asperities)
     assert_near(model_jg.yield_bound(&model_jg, &(struct model_task){.asperities = &surface, .pair = &pair}), 0, 0);
 }
 
+/* The corrected theory: no area differs by more, up to the largest. */
+TEST_CASE(test_the_bound_of_spots)
+{
+    static const char *const names[] = {"corrected-persson", "strip"};
+    struct strip strip = {.own = {.count = 1, .logit = {-20}, .value = {{-1, 0, 0}}}, .surrogates = 1};
+    double amplitude_m[] = {1e-7, 2e-8, 5e-9}, height_m[] = {0, 1e-7, 0, 2e-7};
+    struct spectrum spectrum = {amplitude_m, 3, 1e-5, false};
+    struct strip_rows rows = {height_m, 1, 4, 1e-6, true};
+    strip.surrogate[0] = strip.own;
+    make(1e9, 1e-3);
+    struct model_task task = task_of(0);
+    task.spectrum = &spectrum;
+    task.rows = &rows;
+    task.strip = &strip;
+    for (int k = 0; k < LOADS; k++)
+        loads[k] = 1e-4 * pow(1e4, k / (LOADS - 1.0));
+    for (int m = 0; m < 2; m++)
+        for (double over = 0.01; over < 3; over *= 3) { /* the slope over the hardness */
+            struct contact_point a[LOADS + 1], b[LOADS + 1];
+            struct model_curve elastic = {.points = a}, plastic = {.points = b};
+            struct status status = {0};
+            size_t row = model_named(names[m]);
+            task.hardness_Pa = sqrt(spectrum_moment(&spectrum, 1)) * pair.effective_modulus_Pa / over;
+            assert_int_equal(model_run(&elastic, model_rows[row], &task, &status), STATUS_OK);
+            assert_int_equal(model_run(&plastic, model_rows[row + 1], &task, &status), STATUS_OK);
+            double bound = model_rows[row + 1]->yield_bound(model_rows[row + 1], &task), most = 0;
+            assert_true(plastic.count > LOADS / 4);
+            for (size_t i = 0; i < plastic.count; i++)
+                most = fmax(most, b[i].value[QUANTITY_AREA] / a[i].value[QUANTITY_AREA] - 1);
+            assert_true(most <= bound);
+            assert_true(m == 1 || bound > 0.1 || bound < 1.3 * most);
+            if (over == 0.01) {
+                char words[80];
+                model_rows[row + 1]->yield_reason(words, sizeof words, bound, false);
+                assert_string_equal(words, m ? "no spot bears more than 0.06 of the hardness"
+                                             : "no spot bears more than 0.015 of the hardness");
+            }
+        }
+}
+
 /* The multiscale bound: p* over p_c of the steepest harmonic where that yields before it is complete, else 0. */
 TEST_CASE(test_the_bound_of_the_stack)
 {

@@ -165,7 +165,7 @@ TEST_CASE(rounding_and_traps_change_nothing)
 {
     char *bytes = uneven_scan();
     static const int modes[] = {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO};
-    static const char *const models[] = {"multiscale-plastic", "jg", "persson"};
+    static const char *const models[] = {"multiscale-plastic", "jg", "strip"};
     for (size_t m = 0; m < 3; m++) {
         char *expected = ask(bytes, models[m]);
         assert_non_null(expected);
@@ -187,7 +187,7 @@ TEST_CASE(rounding_and_traps_change_nothing)
 }
 
 enum { THREADS = 8, ROUNDS = 6, MODELS = 4 };
-static const char *const thread_models[MODELS] = {"multiscale-plastic", "jg", "corrected-persson-plastic", "contacting-slopes"};
+static const char *const thread_models[MODELS] = {"multiscale-plastic", "jg", "corrected-persson-plastic", "strip"};
 
 struct worker {
     const char *bytes;
@@ -207,7 +207,7 @@ static void *work(void *argument)
         char *text = ask(worker->bytes, thread_models[m]);
         worker->agreed += text && strcmp(text, worker->expected[m]) == 0;
         free(text);
-        if (roughcontact_run(&curve, worker->shared, "persson", &load, 1, NULL, NULL) == ROUGHCONTACT_OK)
+        if (roughcontact_run(&curve, worker->shared, "corrected-persson", &load, 1, NULL, NULL) == ROUGHCONTACT_OK)
             worker->agreed += roughcontact_curve_point(curve, 0)->area_ratio == worker->shared_area;
         roughcontact_curve_free(curve);
     }
@@ -225,7 +225,7 @@ TEST_CASE(threads_do_not_disturb_each_other)
     const double load = 1e-3;
     assert_int_equal(roughcontact_scan_read_bytes(&scan, bytes, strlen(bytes), "scan", NULL, NULL), ROUGHCONTACT_OK);
     assert_int_equal(roughcontact_surface_make(&shared, scan, NULL, NULL), ROUGHCONTACT_OK);
-    assert_int_equal(roughcontact_run(&curve, shared, "persson", &load, 1, NULL, NULL), ROUGHCONTACT_OK);
+    assert_int_equal(roughcontact_run(&curve, shared, "corrected-persson", &load, 1, NULL, NULL), ROUGHCONTACT_OK);
     struct worker workers[THREADS];
     pthread_t threads[THREADS];
     gsl_error_handler_t *before = gsl_set_error_handler(count_error);

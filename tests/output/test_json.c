@@ -122,13 +122,32 @@ TEST_CASE(test_the_json_names_program_scene_and_input)
     json_decref(root);
 }
 
+static double middle_ecr(const json_t *models, const char *model)
+{
+    const json_t *ecr = json_object_get(json_object_get(models, model), "ecr_ohm_m2");
+    return json_number_value(json_array_get(ecr, 121 / 2));
+}
+
+/* The leading model is named, and what the heights do to its resistance is that of the curves at the middle load. */
+TEST_CASE(test_the_leading_model_and_the_heights)
+{
+    json_t *root = read_json(*state, "out/results.json"), *elastic = read_json(*state, "out-electrical/results.json");
+    assert_string_equal(json_string_value(json_object_get(root, "leading")), "strip-plastic");
+    assert_string_equal(json_string_value(json_object_get(elastic, "leading")), "strip");
+    const json_t *surface = json_surface(elastic, "smooth"), *models = json_object_get(surface, "models");
+    assert_near(json_number_value(json_object_get(surface, "heights_factor_ecr")),
+                middle_ecr(models, "strip") / middle_ecr(models, "corrected-persson"), 1e-12);
+    json_decref(root);
+    json_decref(elastic);
+}
+
 TEST_CASE(test_effects_that_do_not_run_leave_nothing)
 {
     json_t *root = read_json(*state, "out-electrical/results.json");
     const json_t *models = json_object_get(json_surface(root, "smooth"), "models");
     for (size_t m = 0; m < model_count; m++)
         assert_false(model_rows[m]->plastic && json_object_get(models, model_rows[m]->name));
-    assert_true(json_object_size(models) >= 3); /* both of the thesis's, two-band */
+    assert_true(json_object_size(models) >= 4); /* both of the thesis's, Gaussian heights, strip */
     const json_t *curve = json_object_get(models, "multiscale-elastic");
     assert_non_null(json_object_get(curve, "ecr_ohm_m2"));
     assert_null(json_object_get(curve, "separation_m"));

@@ -119,31 +119,29 @@ static void assert_ids_unique(const char *page)
     assert_true(ids > 0);
 }
 
+#define SHOWN "src=\"data:image/svg+xml;base64,"
+
 TEST_CASE(figures)
 {
-    struct text page = rendered("# gpPt5\n\n![Figure 6-05. Area *A* \"x\"](figures/chart.svg)\n\n"
+    struct text page = rendered("# R\n\n![Figure 6-05. Area *A* \"x\"](figures/chart.svg)\n\n"
                                 "![Again](figures/chart.svg)\n\ntext\n\n![Third](figures/chart.svg)\n"
                                 "![Fourth](figures/chart.svg)\n");
     const char *body = body_of(&page);
     assert_ids_unique(text_string(&page));
     assert_int_equal(count(body, "<div class=\"figures\">"), 2);
-    assert_int_equal(count(body, "<figure>\n<svg viewBox=\"0 0 600 420\" role=\"img\" aria-label="), 4);
-    assert_int_equal(count(body, "</svg>\n<figcaption>"), 4);
-    assert_int_equal(count(body, "</figure>\n\n<figure>"), 1);
+    assert_int_equal(count(body, "<figure>\n<img alt=\""), 4);
+    assert_int_equal(count(body, SHOWN), 4);
+    assert_int_equal(count(body, "\">\n<figcaption>"), 4);
     expect_parts(body, "</figure>\n\n</div>\n<p>text</p>\n<div class=\"figures\">\n<figure>",
-                 "</figure>\n\n</div>\n</main>", "aria-label=\"Figure 6-05. Area A &quot;x&quot;\"",
-                 "<figcaption><b>Figure 6-05.</b> Area A &quot;x&quot;</figcaption>", "<figcaption>Again</figcaption>",
-                 "<use href=\"#fig2.gpPt6\"");
+                 "</figure>\n\n</div>\n</main>", "alt=\"Figure 6-05. Area A &quot;x&quot;\"",
+                 "<figcaption><b>Figure 6-05.</b> Area A &quot;x&quot;</figcaption>", "<figcaption>Again</figcaption>");
     text_free(&page);
 }
 
 TEST_CASE(images_among_text)
 {
-    assert_body("see ![that](figures/chart.svg) one\n",
-                "<p>see <svg viewBox=\"0 0 600 420\" role=\"img\" aria-label=\"that\">");
-    assert_body("![that](figures/chart.svg) one\n", "</svg> one</p>");
-    assert_body("![a <b>](figures/picture.png)\n",
-                "<figure>\n<img alt=\"a &lt;b&gt;\" src=\"data:image/png;base64,iVBORw0KGgo=\">");
+    assert_body("see ![that](figures/chart.svg) one\n", "<p>see <img alt=\"that\" " SHOWN);
+    assert_body("![that](figures/chart.svg) one\n", "\"> one</p>");
     assert_body("![words](figures/picture.gif)\n", "<p>words</p>");
     assert_body("a ![photo \"x\"](photo.png)\n", "<p>a photo &quot;x&quot;</p>");
     assert_body("![far](http://example.org/x.svg)\n", "<p>far</p>");
@@ -164,7 +162,7 @@ TEST_CASE(raw_html_is_text)
     assert_body("<script>alert(1)</script>\n", "<p>&lt;script&gt;alert(1)&lt;/script&gt;</p>");
     assert_body("a <b onclick=\"x\">b</b> &lt;i&gt; &#60;u>\n",
                 "a &lt;b onclick=&quot;x&quot;&gt;b&lt;/b&gt; &lt;i&gt; &lt;u&gt;");
-    assert_body("![<b>](figures/chart.svg)\n", "aria-label=\"&lt;b&gt;\"");
+    assert_body("![<b>](figures/chart.svg)\n", "alt=\"&lt;b&gt;\"");
     assert_not_in_page("<script>\n\n<table>\n\n<img src=x>\n", "<script");
 }
 
@@ -204,11 +202,11 @@ TEST_CASE(links)
     assert_body("www.example.org ~~a~~\n", "<p>www.example.org ~~a~~</p>");
 }
 
-static void assert_fails(const char *markdown, const char *templates, const char *message)
+static void assert_fails(enum status_code code, const char *markdown, const char *templates, const char *message)
 {
     struct text out = {0};
     struct status status = {0};
-    assert_int_equal(html_render(&out, markdown, "t", DIRECTORY, templates, &status), STATUS_IO);
+    assert_int_equal(html_render(&out, markdown, "t", DIRECTORY, templates, &status), code);
     if (!strstr(status.message, message))
         fail_msg("'%s' does not say '%s'", status.message, message);
     text_free(&out);
@@ -217,7 +215,7 @@ static void assert_fails(const char *markdown, const char *templates, const char
 TEST_CASE(nothing_from_outside)
 {
     static const char report[] = "# R\n\n![Figure 1. C](figures/chart.svg)\n\n![x](http://example.org/a.png)\n";
-    static const char *const unwanted[] = {"http:", "https:", " src=", "@import", "<link", "<script", "url(h", "{{"};
+    static const char *const unwanted[] = {"http:", "https:", " src=\"h", "@import", "<link", "<script", "url(h", "{{"};
     for (size_t i = 0; i < sizeof unwanted / sizeof *unwanted; i++)
         assert_not_in_page(report, unwanted[i]);
 }
@@ -249,22 +247,6 @@ TEST_CASE(verdicts)
     text_free(&page);
 }
 
-/* What a reader can do with a chart: hide a curve, take the numbers or the picture away. */
-TEST_CASE(tools_of_a_chart)
-{
-    struct text page = rendered("![C](figures/chart.svg)\n");
-    const char *body = body_of(&page);
-    assert_non_null(strstr(body, "<button value=\"chart.csv\">Data</button><button value=\"chart.svg\">Picture</button>"
-                                 "<span class=\"numbers\" hidden>x,y\n1,2\n</span></div>"));
-    assert_null(strstr(body, "href=\"data:")); /* neither numbers nor picture stand there twice */
-    expect_parts(body, "<label style=\"accent-color:#0072b2\"><input type=\"checkbox\" class=\"show1\" checked> ",
-                 "class=\"curve1\"");
-    text_free(&page);
-    assert_body("![P](figures/picture.png)\n",
-                "<button value=\"picture.png\">Picture</button><span class=\"numbers\" hidden>");
-    assert_fails("![a](figures/dataless.svg)\n", TEMPLATES, "figures/dataless.csv");
-}
-
 TEST_CASE(title_is_escaped)
 {
     struct text out = {0};
@@ -278,11 +260,10 @@ TEST_CASE(title_is_escaped)
 
 TEST_CASE(failures)
 {
-    assert_fails("![a](figures/missing.svg)\n", TEMPLATES, "figures/missing.svg");
-    assert_fails("a ![a](figures/missing.svg)\n", TEMPLATES, "figures/missing.svg");
-    assert_fails("![a](figures/broken.svg)\n", TEMPLATES, "figures/broken.svg:4: not a well-formed SVG drawing");
-    assert_fails("a\n", DIRECTORY "/none", "none/page.html");
-    assert_fails("a\n", DIRECTORY, "report/page.html:1: no field 'contnts'");
+    assert_fails(STATUS_IO, "![a](figures/missing.svg)\n", TEMPLATES, "figures/missing.svg");
+    assert_fails(STATUS_IO, "a ![a](figures/missing.svg)\n", TEMPLATES, "figures/missing.svg");
+    assert_fails(STATUS_IO, "a\n", DIRECTORY "/none", "none/page.html");
+    assert_fails(STATUS_USAGE, "a\n", DIRECTORY, "page, line 1: tag that is not closed");
 }
 
 TEST_CASE(same_bytes_every_time)
@@ -329,9 +310,8 @@ TEST_CASE(random_markdown)
                                         "[![a](figures/chart.svg)](d)",
                                         "    ",
                                         "\n1. "};
-    static const char *const pairs[][2] = {
-        {"<a ", "</a>"},     {"<figure>", "</figure>"},  {"<div ", "</div>"},       {"<ul>", "</ul>"},
-        {"<svg ", "</svg>"}, {"<details", "</details>"}, {"<summary", "</summary>"}};
+    static const char *const pairs[][2] = {{"<a ", "</a>"},   {"<figure>", "</figure>"},  {"<div ", "</div>"},
+                                           {"<ul>", "</ul>"}, {"<details", "</details>"}, {"<summary", "</summary>"}};
     uint64_t seed = 7;
     for (int round = 0; round < 1000; round++) {
         struct text markdown = {0};
@@ -341,7 +321,7 @@ TEST_CASE(random_markdown)
         }
         struct text page = rendered(text_string(&markdown));
         const char *text = text_string(&page);
-        expect_no_parts(text, "<script", "<img", "href=\"javascript");
+        expect_no_parts(text, "<script", "<img src", "href=\"javascript");
         for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
             if (count(text, pairs[i][0]) != count(text, pairs[i][1]))
                 fail_msg("%s without %s: %s", pairs[i][0], pairs[i][1], text_string(&markdown));

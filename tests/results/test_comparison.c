@@ -130,3 +130,29 @@ TEST_CASE(test_spreads)
     }
     comparison_free(&fake.comparison);
 }
+
+/* ECR of the leading strip over that of Gaussian heights of the same material law; nothing where one has no ECR or does
+ * not run, or where no strip leads. */
+TEST_CASE(test_heights_factor)
+{
+    static const char *const names[] = {"strip", "corrected-persson", "strip-plastic", "corrected-persson-plastic"};
+    static const double ecr[] = {6e-9, 2e-9, 5e-9, 4e-9};
+    struct fake fake;
+    make_fake(&fake);
+    assert_true(isnan(comparison_heights_factor(&fake.results, 1))); /* multiscale leads */
+    for (int i = 0; i < 4; i++) {
+        struct curve_summary *curve = fake_curve(&fake, 1, names[i]);
+        curve->exists = true;
+        curve->operating = quantity_nothing();
+        curve->operating.value[QUANTITY_ECR] = ecr[i];
+        fake.plan.models |= i < 2 ? MODEL_BIT(model_named(names[i])) : 0;
+    }
+    assert_near(comparison_heights_factor(&fake.results, 1), 3, 1e-12);
+    assert_true(isnan(comparison_heights_factor(&fake.results, 0))); /* has no strip */
+    fake.plan.models |= MODEL_BIT(model_named("strip-plastic"));
+    assert_true(isnan(comparison_heights_factor(&fake.results, 1))); /* its counterpart does not run */
+    fake.plan.models |= MODEL_BIT(model_named("corrected-persson-plastic"));
+    assert_near(comparison_heights_factor(&fake.results, 1), 1.25, 1e-12);
+    fake_curve(&fake, 1, "strip-plastic")->exists = false;
+    assert_true(isnan(comparison_heights_factor(&fake.results, 1)));
+}

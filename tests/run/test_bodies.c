@@ -95,18 +95,17 @@ PLACED(loads_are_shown_as_given)
     assert_int_equal(at_12, 2);
     table_free(&contact);
     struct text report = directory_read(place, "out/report.md");
-    expect_parts(text_string(&report), "**At 12.0 N (12.0 MPa)**", "at loads of 0.100 to 100 N",
-                 "| load in N | pressure (MPa) | model |");
+    expect_parts(text_string(&report), "**At 12.0 N the ", " full contact (N) |");
     const char *row = strstr(text_string(&report), "\n| b "), *end = row ? strchr(row + 1, '\n') : NULL;
     assert_non_null(end); /* compared there, not at the baseline's P/(A_n E') */
     assert_null(memmem(row, (size_t)(end - row), "| – | – ", strlen("| – | – ")));
     text_free(&report);
     expect_in_file(place, "out/results.json", "\"load_unit\": \"N\"");
-    expect_in_file(place, "out/figures/6-05.gp", "set xlabel 'load (N)'", "# axes: 1.000000e-01 1.000000e+02 ");
-    struct text data = directory_read(place, "out/figures/6-11.csv");
+    expect_in_file(place, "out/figures/area.gp", "set xlabel 'load (N)'");
+    struct text data = directory_read(place, "out/figures/area.csv");
     const char *second = text_string(&data); /* each surface's curve starts at 0.1 N, whatever its E' */
     for (int k = 0; k < 2; k++) {
-        second = strstr(second, "\"\n") ? strstr(second, "\"\n") + 2 : strchr(second, '\n') + 1;
+        second = strchr(second, '\n') + 1;
         assert_near(strtod(second, NULL), 0.1, 1e-12);
         second = strstr(second, "\n\n\n");
         second = second ? second + 3 : "";
@@ -144,7 +143,7 @@ PLACED(without_a_material)
     assert_true(compared >= 15);
     table_free(&none);
     table_free(&some);
-    expect_in_file(place, "none/report.md", results_without_material);
+    expect_in_file(place, "none/report.md", "No material is given");
     expect_not_in_file(place, "none/report.md", "MPa", "nan");
     expect_in_file(place, "none/results.json", "\"material\": null");
 }

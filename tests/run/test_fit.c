@@ -141,8 +141,7 @@ TEST_CASE(test_the_report_names_windows)
     directory_write(place, "three/scene.yaml",
                     "material: tin\nsurfaces: [{name: a, file: [a-1.csv, a-2.csv, a-3.csv]}]\n");
     assert_int_equal(pipeline_run(place, "three", "three-out", 1), 0);
-    expect_in_file(place, "three-out/report.md", "2 of 3 scans close on themselves",
-                   "no window for 2, Hann × √(8/3) for 1", "| a | 3 | 2 | none or Hann | law | 3.00 |");
+    expect_in_file(place, "three-out/report.md", "2 of 3 scans are periodic. The others have a Hann window.");
     expect_gamma_made(place, "three-out", "a");
     assert_true(number(place, "three-out", "a", "gamma_stderr") < 0.04); /* one alone: 0.044 */
 }
@@ -196,8 +195,7 @@ TEST_CASE(test_no_law)
         assert_true(isnan(number(place, "none-out", names[s], "gamma")) &&
                     isnan(number(place, "none-out", names[s], "fit_low_m")));
     }
-    expect_in_file(place, "none-out/report.md", "no power law found",
-                   "no power law of a decade was found in the spectrum on all 5 surfaces");
+    expect_in_file(place, "none-out/report.md", "no power law found", "No power law of a decade was found on 5.");
     struct table table = directory_table(place, "none-out/data/spectrum.csv");
     assert_string_equal(table_text(&table, 0, "fit_m"), "");
     table_free(&table);
@@ -245,8 +243,8 @@ TEST_CASE(test_what_lies_below_a_cut_off)
     directory_write(place, "cut/scene.yaml", scene);
     assert_int_equal(pipeline_run(place, "cut", "cut-out", 1), 0);
     struct text report = directory_read(place, "cut-out/report.md");
-    assert_non_null(strstr(text_string(&report), "their spectra do not tell"));
-    assert_null(strstr(text_string(&report), "of the area at P/(Aₙ E′)"));
+    assert_non_null(strstr(text_string(&report), "What lies below what is known, the spectra do not tell."));
+    assert_null(strstr(text_string(&report), "would take at most"));
     const char *found = strstr(text_string(&report), finding);
     assert_non_null(found);
     assert_int_equal(strncmp(found + strlen(finding), "not tested", 10), 0);
@@ -256,17 +254,11 @@ TEST_CASE(test_what_lies_below_a_cut_off)
     directory_write(place, "cut/scene.yaml", text_string(&given));
     assert_int_equal(pipeline_run(place, "cut", "cut-out", 1), 0);
     report = directory_read(place, "cut-out/report.md");
-    const char *table = strstr(text_string(&report), "| γ at the short end | ");
-    assert_non_null(table);
-    table = strstr(table, "\n| a ");
-    assert_non_null(table);
-    char *end;
-    assert_within(strtod(strstr(table + 3, " | ") + 3, &end), def.gamma, 0.1);
-    assert_near(strtod(end + strlen(" | "), NULL), 300. / 37, 1e-3);
+    assert_non_null(strstr(text_string(&report), "would take at most"));
     found = strstr(text_string(&report), finding);
     assert_non_null(found);
     assert_int_equal(strncmp(found + strlen(finding), "fails", 5), 0);
-    found = strstr(found, "would take at most ");
+    found = strstr(text_string(&report), "would take at most ");
     assert_non_null(found);
     assert_true(strtod(found + strlen("would take at most "), NULL) > 1);
     text_free(&report);

@@ -43,7 +43,7 @@ static double presses_of(size_t points, size_t loads)
     directory_write(&place, "in/scene.yaml", text_string(&scene));
     presses = 0;
     assert_int_equal(pipeline_run(&place, "in", "out", 1), 0);
-    expect_in_file(&place, "out/report.md", " Kinks, where a scale's contact becomes complete");
+    expect_in_file(&place, "out/report.md", " has a kink at ");
     text_free(&scene);
     text_free(&csv);
     free(height_m);

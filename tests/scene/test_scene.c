@@ -42,7 +42,7 @@ static void check_defaults(const struct scene *scene)
     check_numbers(scene, false);
     assert_int_equal(scene->models, NAMED("multiscale-elastic") | NAMED("multiscale-plastic") | NAMED("gw") |
                                         NAMED("jg") | NAMED("corrected-persson") | NAMED("corrected-persson-plastic") |
-                                        NAMED("contacting-slopes"));
+                                        NAMED("strip") | NAMED("strip-plastic") | NAMED("cmy"));
     assert_false(scene->models_named);
     assert_true(isnan(scene->bodies.hardness_Pa)); /* 2.84 S_y */
     assert_true(scene->effects_auto);

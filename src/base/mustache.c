@@ -1,0 +1,333 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/mustache.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* A template is cut into tokens first, as only a whole line tells whether a tag stands alone on it; then the tokens are
+ * walked over, a section's as often as it has items. */
+
+enum { DEPTH_MOST = 64, NAME_MOST = 200 };
+
+enum token_kind { TOKEN_TEXT, TOKEN_VARIABLE, TOKEN_RAW, TOKEN_SECTION, TOKEN_INVERTED, TOKEN_END, TOKEN_PARTIAL };
+
+struct token {
+    enum token_kind kind;
+    const char *start; /* of its text, or of its name */
+    size_t length;
+    const char *indent; /* of a partial that stands alone on its line: blanks before it */
+    size_t indent_length;
+    size_t end; /* of a section: the token that ends it */
+};
+
+struct tokens {
+    struct token *token;
+    size_t count, capacity;
+};
+
+struct render {
+    const struct mustache *how;
+    struct text *out;
+    struct status *status;
+    const json_t *stack[DEPTH_MOST]; /* what names are looked up in, the last first */
+    size_t depth, partials;
+};
+
+static enum status_code fail(struct status *status, const char *name, const char *source, const char *at,
+                             const char *what, const char *tag, size_t length)
+{
+    int line = 1;
+    for (const char *p = source; p < at; p++)
+        line += *p == '\n';
+    return status_fail(status, STATUS_USAGE, "%s, line %d: %s '%.*s'", name, line, what, (int)length, tag);
+}
+
+static enum status_code add_token(struct tokens *tokens, struct token token, struct status *status)
+{
+    if (tokens->count == tokens->capacity) {
+        size_t capacity = 2 * tokens->capacity + 64;
+        struct token *grown = realloc(tokens->token, capacity * sizeof *grown);
+        if (!grown)
+            return status_memory(status);
+        tokens->token = grown;
+        tokens->capacity = capacity;
+    }
+    tokens->token[tokens->count++] = token;
+    return STATUS_OK;
+}
+
+/** The tag's name without blanks around it. */
+static void trim(const char **start, size_t *length)
+{
+    while (*length > 0 && strchr(" \t\r\n", **start)) {
+        ++*start;
+        --*length;
+    }
+    while (*length > 0 && strchr(" \t\r\n", (*start)[*length - 1]))
+        --*length;
+}
+
+/** Delimiters: "{{" and "}}" until a tag {{=<% %>=}} says others. */
+struct delimiters {
+    char open[16], close[16];
+};
+
+static bool set_delimiters(struct delimiters *out, const char *text, size_t length)
+{
+    char copy[40] = "";
+    struct delimiters found = {"", ""};
+    if (length < 2 || length >= sizeof copy || text[length - 1] != '=')
+        return false;
+    memcpy(copy, text, length - 1);
+    if (sscanf(copy, " %15s %15s", found.open, found.close) != 2)
+        return false;
+    *out = found;
+    return true;
+}
+
+/** Does a tag of these borders stand alone on its line? Then *start and *end become those of the line. */
+static bool alone(const char *source, const char **start, const char **end)
+{
+    const char *first = *start, *last = *end;
+    while (first > source && (first[-1] == ' ' || first[-1] == '\t'))
+        first--;
+    while (*last == ' ' || *last == '\t')
+        last++;
+    if ((first > source && first[-1] != '\n') || (*last && *last != '\n' && strncmp(last, "\r\n", 2) != 0))
+        return false;
+    last += *last == '\r';
+    last += *last == '\n';
+    *start = first;
+    *end = last;
+    return true;
+}
+
+/** Cuts a template. */
+static enum status_code tokenize(struct tokens *out, const char *source, const char *name, struct status *status)
+{
+    static const char signs[] = "#^/>!={&";
+    static const enum token_kind kinds[] = {TOKEN_SECTION, TOKEN_INVERTED, TOKEN_END, TOKEN_PARTIAL,
+                                            TOKEN_TEXT,    TOKEN_TEXT,     TOKEN_RAW, TOKEN_RAW};
+    struct delimiters delimiters = {"{{", "}}"};
+    size_t open[DEPTH_MOST], depth = 0;
+    for (const char *p = source; *p;) {
+        const char *tag = strstr(p, delimiters.open);
+        if (!tag)
+            return depth > 0 ? fail(status, name, source, p, "section that does not end:", out->token[open[0]].start,
+                                    out->token[open[0]].length)
+                             : add_token(out, (struct token){.start = p, .length = strlen(p)}, status);
+        const char *inside = tag + strlen(delimiters.open), *sign = *inside ? strchr(signs, *inside) : NULL;
+        char closing[24];
+        snprintf(closing, sizeof closing, "%s%s", sign && *sign == '{' ? "}" : "", delimiters.close);
+        const char *close = strstr(inside, closing);
+        if (!close)
+            return fail(status, name, source, tag, "tag that is not closed:", tag, strcspn(tag, "\n"));
+        const char *start = tag, *end = close + strlen(closing);
+        struct token token = {sign ? kinds[sign - signs] : TOKEN_VARIABLE,
+                              inside + (sign != NULL),
+                              (size_t)(close - inside) - (sign != NULL),
+                              NULL,
+                              0,
+                              0};
+        bool line = sign && *sign != '{' && *sign != '&' && alone(source, &start, &end);
+        if (start < p)
+            start = p; /* two tags on one line: blanks before the second belong to the first */
+        if (add_token(out, (struct token){.start = p, .length = (size_t)(start - p)}, status) != STATUS_OK)
+            return status->code;
+        if (sign && *sign == '=' && !set_delimiters(&delimiters, token.start, token.length))
+            return fail(status, name, source, tag, "delimiters not understood:", token.start, token.length);
+        p = end;
+        if (token.kind == TOKEN_TEXT)
+            continue;
+        trim(&token.start, &token.length);
+        if (line && token.kind == TOKEN_PARTIAL) {
+            token.indent = start;
+            token.indent_length = (size_t)(tag - start);
+        }
+        if (token.kind == TOKEN_SECTION || token.kind == TOKEN_INVERTED) {
+            if (depth == DEPTH_MOST)
+                return fail(status, name, source, tag, "too many sections within each other:", token.start,
+                            token.length);
+            open[depth++] = out->count;
+        }
+        if (token.kind == TOKEN_END) {
+            const struct token *begun = depth > 0 ? &out->token[open[--depth]] : NULL;
+            if (!begun || begun->length != token.length || memcmp(begun->start, token.start, token.length) != 0)
+                return fail(status, name, source, tag, "section ended that is not open:", token.start, token.length);
+            out->token[open[depth]].end = out->count;
+        }
+        if (add_token(out, token, status) != STATUS_OK)
+            return status->code;
+    }
+    return depth > 0 ? fail(status, name, source, source + strlen(source),
+                            "section that does not end:", out->token[open[0]].start, out->token[open[0]].length)
+                     : STATUS_OK;
+}
+
+/** What a name stands for; NULL: nothing. The first part of a.b.c is looked up in all that is open, the rest in it. */
+static const json_t *look_up(const struct render *render, const char *start, size_t length)
+{
+    char name[NAME_MOST];
+    const json_t *found = NULL;
+    if (length == 1 && *start == '.')
+        return render->stack[render->depth - 1];
+    if (length >= sizeof name)
+        return NULL;
+    memcpy(name, start, length);
+    name[length] = '\0';
+    char *rest = strchr(name, '.');
+    if (rest)
+        *rest++ = '\0';
+    for (size_t d = render->depth; d-- > 0 && !found;)
+        found = json_object_get(render->stack[d], name);
+    while (found && rest) {
+        char *part = rest;
+        rest = strchr(part, '.');
+        if (rest)
+            *rest++ = '\0';
+        found = json_object_get(found, part);
+    }
+    return found;
+}
+
+static void add_value(struct render *render, const json_t *value, bool raw)
+{
+    char number[40];
+    const char *string = number;
+    if (json_is_string(value))
+        string = json_string_value(value);
+    else if (json_is_integer(value))
+        snprintf(number, sizeof number, "%lld", (long long)json_integer_value(value));
+    else if (json_is_real(value))
+        snprintf(number, sizeof number, "%.15g", json_real_value(value));
+    else if (json_is_boolean(value))
+        string = json_is_true(value) ? "true" : "false";
+    else
+        return;
+    if (raw)
+        text_add_bytes(render->out, string, strlen(string));
+    else
+        render->how->escape(render->out, string);
+}
+
+static bool holds(const json_t *value)
+{
+    return !(!value || json_is_null(value) || json_is_false(value) ||
+             (json_is_array(value) && json_array_size(value) == 0) ||
+             (json_is_string(value) && json_string_length(value) == 0));
+}
+
+static enum status_code render_text(struct render *render, const char *source, const char *name);
+
+static enum status_code render_partial(struct render *render, const struct token *token)
+{
+    char name[NAME_MOST];
+    struct text indented = {0};
+    snprintf(name, sizeof name, "%.*s", (int)token->length, token->start);
+    const char *source = render->how->partial ? render->how->partial(render->how->context, name) : NULL;
+    if (!source)
+        return render->status->code;
+    if (++render->partials > DEPTH_MOST)
+        return status_fail(render->status, STATUS_USAGE, "template '%s' holds itself without end", name);
+    for (const char *line = source; *line; line += strcspn(line, "\n"), line += *line == '\n') {
+        size_t length = strcspn(line, "\n");
+        text_add_bytes(&indented, token->indent_length ? token->indent : "", token->indent_length);
+        text_add_bytes(&indented, line, length + (line[length] == '\n'));
+    }
+    enum status_code rc = render_text(render, text_string(&indented), name);
+    text_free(&indented);
+    render->partials--;
+    return rc;
+}
+
+static enum status_code render_tokens(struct render *render, const struct tokens *tokens, size_t from, size_t to);
+
+static enum status_code render_section(struct render *render, const struct tokens *tokens, size_t at)
+{
+    const struct token *token = &tokens->token[at];
+    const json_t *value = look_up(render, token->start, token->length);
+    if (holds(value) == (token->kind == TOKEN_INVERTED))
+        return STATUS_OK;
+    if (token->kind == TOKEN_INVERTED)
+        return render_tokens(render, tokens, at + 1, token->end);
+    if (render->depth == DEPTH_MOST)
+        return status_fail(render->status, STATUS_USAGE, "too many sections within each other: '%.*s'",
+                           (int)token->length, token->start);
+    size_t items = json_is_array(value) ? json_array_size(value) : 1;
+    enum status_code rc = STATUS_OK;
+    for (size_t i = 0; i < items && rc == STATUS_OK; i++) {
+        render->stack[render->depth++] = json_is_array(value) ? json_array_get(value, i) : value;
+        rc = render_tokens(render, tokens, at + 1, token->end);
+        render->depth--;
+    }
+    return rc;
+}
+
+static enum status_code render_tokens(struct render *render, const struct tokens *tokens, size_t from, size_t to)
+{
+    enum status_code rc = STATUS_OK;
+    for (size_t i = from; i < to && rc == STATUS_OK; i++) {
+        const struct token *token = &tokens->token[i];
+        if (token->kind == TOKEN_TEXT)
+            text_add_bytes(render->out, token->start, token->length);
+        else if (token->kind == TOKEN_VARIABLE || token->kind == TOKEN_RAW)
+            add_value(render, look_up(render, token->start, token->length), token->kind == TOKEN_RAW);
+        else if (token->kind == TOKEN_PARTIAL)
+            rc = render_partial(render, token);
+        else if (token->kind != TOKEN_END) {
+            rc = render_section(render, tokens, i);
+            i = token->end;
+        }
+    }
+    return rc;
+}
+
+static enum status_code render_text(struct render *render, const char *source, const char *name)
+{
+    struct tokens tokens = {0};
+    enum status_code rc = tokenize(&tokens, source, name, render->status);
+    if (rc == STATUS_OK)
+        rc = render_tokens(render, &tokens, 0, tokens.count);
+    free(tokens.token);
+    return rc;
+}
+
+enum status_code mustache_render(struct text *out, const char *source, const char *name, const struct mustache *how,
+                                 struct status *status)
+{
+    struct render render = {.how = how, .out = out, .status = status, .stack = {how->view}, .depth = 1};
+    enum status_code rc = render_text(&render, source, name);
+    return rc == STATUS_OK && out->failed ? status_memory(status) : rc;
+}
+
+const char *mustache_folder_partial(void *context, const char *name)
+{
+    struct mustache_folder *folder = context;
+    const char *known = json_string_value(json_object_get(folder->read, name));
+    struct text path = {0}, content = {0};
+    if (known)
+        return known;
+    if (!folder->read)
+        folder->read = json_object();
+    text_add(&path, "%s/%s%s", folder->path, name, folder->ending);
+    if (text_read_file(&content, text_string(&path), folder->status) == STATUS_OK &&
+        json_object_set_new(folder->read, name, json_string(text_string(&content))) != 0)
+        (void)status_fail(folder->status, STATUS_USAGE, "%s: no text in UTF-8", text_string(&path));
+    text_free(&path);
+    text_free(&content);
+    return json_string_value(json_object_get(folder->read, name));
+}
+
+void mustache_folder_free(struct mustache_folder *folder)
+{
+    json_decref(folder->read);
+    folder->read = NULL;
+}
+
+enum status_code mustache_file(struct text *out, struct mustache_folder *folder, const char *name, const json_t *view,
+                               void (*escape)(struct text *out, const char *string))
+{
+    const char *source = mustache_folder_partial(folder, name);
+    struct mustache how = {view, escape, mustache_folder_partial, folder};
+    return source ? mustache_render(out, source, name, &how, folder->status) : folder->status->code;
+}

@@ -1,0 +1,251 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "chart/asked.h"
+
+#include "analysis/direct_study.h"
+#include "results/comparison.h"
+#include <math.h>
+#include <string.h>
+
+void asked_unit(char *out, size_t size, const char *unit)
+{
+    static const char *const words[][2] = {{"W/(m2*K)", "W/(m²·K)"},
+                                           {"W/(m2 K)", "W/(m²·K)"},
+                                           {"W/m2/K", "W/(m²·K)"},
+                                           {"W/m2K", "W/(m²·K)"},
+                                           {"ohm", "Ω"},
+                                           {"Ohm", "Ω"},
+                                           {"deg", "°"},
+                                           {"m2", "m²"},
+                                           {" m", "·m"},
+                                           {"*", "·"}};
+    size_t used = 0;
+    if (unit[0] == 'u' && unit[1]) {
+        used = (size_t)snprintf(out, size, "µ");
+        unit++;
+    }
+    while (*unit && used + 12 < size) {
+        size_t w = 0;
+        while (w < sizeof words / sizeof *words && strncmp(unit, words[w][0], strlen(words[w][0])) != 0)
+            w++;
+        if (w < sizeof words / sizeof *words) {
+            used += (size_t)snprintf(out + used, size - used, "%s", words[w][1]);
+            unit += strlen(words[w][0]);
+        } else
+            out[used++] = *unit++;
+    }
+    out[used] = '\0';
+}
+
+void asked_text(char *out, size_t size, const char *text)
+{
+    int number = (int)strcspn(text, " ");
+    char unit[UNIT_LENGTH + 16];
+    asked_unit(unit, sizeof unit, text[number] ? text + number + 1 : "");
+    snprintf(out, size, "%.*s%s%s", number, text, unit[0] ? "\u00a0" : "", unit);
+}
+
+double asked_shown(const struct asked *asked, double value)
+{
+    return asked->reciprocal ? asked->scale / value : asked->scale * value;
+}
+
+size_t asked_leading(const struct results *results, const struct asked *asked)
+{
+    size_t leading = plan_leading_model(results->plan), found = model_count;
+    for (size_t m = 0; m < model_count; m++) {
+        bool any = false;
+        for (size_t k = 0; k < results->usable_count; k++)
+            any = any || isfinite(comparison_middle(results, m, results->by_roughness[k]).value[asked->quantity]);
+        if (!plan_runs_model(results->plan, m) || !any)
+            continue;
+        if (m == leading)
+            return leading;
+        if (found == model_count || model_rows[m]->precedence > model_rows[found]->precedence)
+            found = m;
+    }
+    return found < model_count ? found : leading;
+}
+
+size_t asked_textbook(const struct results *results)
+{
+    for (size_t m = 0; m < model_count; m++)
+        if (plan_runs_model(results->plan, m) && model_rows[m]->plastic && !model_rows[m]->elastic &&
+            model_rows[m]->thesis_place == 0)
+            return m;
+    return model_count;
+}
+
+size_t asked_beside(const struct results *results)
+{
+    size_t leading = plan_leading_model(results->plan), found = model_count;
+    for (size_t m = 0; m < model_count; m++)
+        if (m != leading && m != asked_textbook(results) && plan_runs_model(results->plan, m) &&
+            model_rows[m]->thesis_place == 0 && model_rows[m]->plastic == model_rows[leading]->plastic &&
+            strcmp(model_rows[m]->family, model_rows[leading]->family) != 0 &&
+            (found == model_count || model_rows[m]->precedence > model_rows[found]->precedence))
+            found = m;
+    return found;
+}
+
+/** Takes the prefix of a unit in which the baseline's answer is between 1 and 1000. */
+static void choose_prefix(struct asked *asked, const struct results *results, const char *unit)
+{
+    static const struct {
+        const char *sign;
+        double factor;
+    } prefixes[] = {{"k", 1e3}, {"", 1}, {"m", 1e-3}, {"µ", 1e-6}, {"n", 1e-9}};
+    const struct contact_point at = comparison_middle(results, plan_leading_model(results->plan), results->baseline);
+    double value = fabs(asked->scale * at.value[asked->quantity]);
+    size_t p = 1;
+    if (value > 0 && isfinite(value))
+        for (p = 0; p + 1 < sizeof prefixes / sizeof *prefixes && value < prefixes[p].factor; p++)
+            ;
+    asked->scale /= prefixes[p].factor;
+    snprintf(asked->unit, sizeof asked->unit, "%s%s", prefixes[p].sign, unit);
+}
+
+static const char *words_of(enum quantity quantity, bool reciprocal)
+{
+    switch (quantity) {
+    case QUANTITY_AREA:
+        return "contact area";
+    case QUANTITY_ECR:
+    case QUANTITY_JOINT_ECR:
+        return "contact resistance";
+    case QUANTITY_TCR:
+    case QUANTITY_TCR_SCALE_DEPENDENT:
+        return reciprocal ? "contact conductance" : "thermal contact resistance";
+    case QUANTITY_JOINT:
+        return "joint conductance";
+    case QUANTITY_TEMPERATURE:
+        return "contact temperature";
+    default:
+        return quantity_rows[quantity].title;
+    }
+}
+
+static enum quantity chosen(const struct results *results, bool *reciprocal)
+{
+    unsigned computed = plan_quantities(results->plan);
+    *reciprocal = false;
+    if (results->measured)
+        return measured_quantity(results->measured, results->plan->running);
+    if (computed & QUANTITY_BIT(QUANTITY_JOINT))
+        return QUANTITY_JOINT;
+    if (computed & QUANTITY_BIT(QUANTITY_JOINT_ECR))
+        return QUANTITY_JOINT_ECR;
+    if (computed & QUANTITY_BIT(QUANTITY_ECR))
+        return QUANTITY_ECR;
+    *reciprocal = computed & QUANTITY_BIT(QUANTITY_TCR);
+    return *reciprocal ? QUANTITY_TCR : QUANTITY_AREA;
+}
+
+struct asked asked_of(const struct results *results)
+{
+    const struct scene *scene = results->scene;
+    struct asked out = {.scale = 1};
+    double area_m2 = scene->nominal_area_m2;
+    for (size_t t = 0; t < scene->target_count && !out.target; t++)
+        if (scene->targets[t].row->quantity < QUANTITY_TEMPERATURE)
+            out.target = &scene->targets[t];
+    if (out.target) {
+        out.quantity = out.target->row->quantity;
+        out.reciprocal = out.target->row->reciprocal;
+        out.scale = scene_asked_shown(out.target, 1);
+        asked_unit(out.unit, sizeof out.unit, out.target->unit_text);
+    } else
+        out.quantity = chosen(results, &out.reciprocal);
+    bool electrical = out.quantity == QUANTITY_ECR || out.quantity == QUANTITY_JOINT_ECR;
+    bool heat = out.quantity == QUANTITY_TCR || out.quantity == QUANTITY_TCR_SCALE_DEPENDENT;
+    out.more_is_better = out.quantity == QUANTITY_AREA || out.quantity == QUANTITY_JOINT || out.reciprocal;
+    snprintf(out.symbol, sizeof out.symbol, "%s", words_of(out.quantity, out.reciprocal));
+    if (out.target)
+        return out;
+    if (out.quantity == QUANTITY_AREA) {
+        out.scale = 100;
+        snprintf(out.unit, sizeof out.unit, "%%");
+    } else if ((electrical || (heat && !out.reciprocal)) && isfinite(area_m2)) {
+        out.scale = 1 / area_m2;
+        choose_prefix(&out, results, electrical ? "Ω" : "K/W");
+    } else
+        snprintf(out.unit, sizeof out.unit, "%s", out.reciprocal ? "W/(m²·K)" : quantity_rows[out.quantity].unit);
+    return out;
+}
+
+void asked_ends(double out[2], const struct asked *asked, const struct contact_point *point, const double (*of)[2])
+{
+    for (int side = 0; side < 2; side++) {
+        const double *value = point->value;
+        double end = of[asked->quantity][side];
+        if (asked->quantity == QUANTITY_JOINT)
+            end = 1 / of[QUANTITY_TCR][side] + value[QUANTITY_GAP];
+        else if (asked->quantity == QUANTITY_JOINT_ECR) {
+            double factor = value[QUANTITY_PLATING_FACTOR];
+            end = value[QUANTITY_JOINT_ECR] +
+                  (isfinite(factor) ? factor : 1) * (of[QUANTITY_ECR][side] - value[QUANTITY_ECR]);
+        }
+        out[side] = asked_shown(asked, end);
+    }
+    if (out[0] > out[1]) {
+        double low = out[1];
+        out[1] = out[0];
+        out[0] = low;
+    }
+}
+
+void asked_interval(double out[2], const struct asked *asked, const struct results *results, size_t model,
+                    size_t surface)
+{
+    const struct contact_point at = comparison_middle(results, model, surface);
+    const struct curve_summary *curve = surface_model(&results->surfaces[surface].summary, model);
+    double of[QUANTITY_COUNT][2];
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        for (int side = 0; side < 2; side++)
+            of[q][side] = estimate_end(curve_summary_estimate(curve, q), side);
+    asked_ends(out, asked, &at, (const double(*)[2])of);
+}
+
+struct asked_load asked_load_of(const struct results *results, size_t surface)
+{
+    struct results_load_axis axis = results_load_axis(results, surface);
+    const struct material_pair *pair = results_pair(results, surface);
+    double area_m2 = results->scene->nominal_area_m2;
+    struct asked_load out = {"", 1};
+    if (axis.unit) {
+        out.scale = axis.scale;
+        asked_unit(out.unit, sizeof out.unit, axis.unit);
+    } else if (!pair->unknown) {
+        out.scale = pair->effective_modulus_Pa * (isfinite(area_m2) ? area_m2 : 1e-6);
+        snprintf(out.unit, sizeof out.unit, "%s", isfinite(area_m2) ? "N" : "MPa");
+    }
+    return out;
+}
+
+double asked_direct(const struct results *results, enum quantity quantity, double load, double *error)
+{
+    double before = NAN, at_before = NAN;
+    *error = NAN;
+    for (size_t k = 0; k < results->direct_count; k++) {
+        const struct direct_study *study = &results->direct[k];
+        const struct material_pair *pair = results_pair(results, study->surface);
+        enum direct_study_kind kind = direct_study_kind_of(study, plan_leading_model(results->plan));
+        if (study->surface != results->baseline)
+            continue;
+        for (size_t i = 0; i < study->curves[kind].loads; i++) {
+            double own_error, value = direct_study_value(study, pair, kind, quantity, i, &own_error);
+            if (!(value > 0))
+                continue;
+            double share = fmax(isnan(own_error) ? 0 : own_error / value,
+                                direct_study_grid_error(study, kind, quantity, i)),
+                   at = study->plan.load[i];
+            if (at >= load) {
+                *error = share;
+                double weight = at > at_before ? log(load / at_before) / log(at / at_before) : 1;
+                return isnan(before) ? (at == load ? value : NAN) : before * pow(value / before, weight);
+            }
+            before = value;
+            at_before = at;
+        }
+    }
+    return NAN;
+}

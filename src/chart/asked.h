@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The quantity that the user asks for, in the user's unit: what the first page and its charts speak of. */
+#ifndef CHART_ASKED_H
+#define CHART_ASKED_H
+
+#include "results/results.h"
+
+struct asked {
+    const struct scene_asked *target; /* the first; NULL: none, and what follows is chosen */
+    enum quantity quantity;
+    bool reciprocal; /* its inverse is shown: 1/TCR is a conductance */
+    bool more_is_better;
+    double scale;    /* what is shown is scale * quantity, or scale / quantity */
+    char symbol[64]; /* "contact resistance" */
+    char unit[64];   /* may come from the scene; "": a ratio */
+};
+
+/** The first target's quantity; else what was measured; else the joint's conductance where gaps are filled or only heat
+ * flows; else ECR; else TCR; else the area. In mohm, K/W where the nominal area is known. */
+struct asked asked_of(const struct results *results);
+/** A value of its quantity as it is shown. */
+double asked_shown(const struct asked *asked, double value);
+
+/** An interval's ends at a point of a curve, as shown, low first: of a number of the joint, those of the resistance it
+ * is made of, with area and gap as they are. NaN: not known. `resistance`: ends of ECR, TCR and area at the point. */
+void asked_ends(double out[2], const struct asked *asked, const struct contact_point *point, const double (*of)[2]);
+/** The same where the summary stands, of a model on a surface. */
+void asked_interval(double out[2], const struct asked *asked, const struct results *results, size_t model,
+                    size_t surface);
+
+/** What loads stand in for the user: the scene's unit, else N with a nominal area, else MPa, else P/(A_n E'). */
+struct asked_load {
+    char unit[64]; /* "": P/(A_n E') */
+    double scale;  /* P/(A_n E') times it is the number shown */
+};
+struct asked_load asked_load_of(const struct results *results, size_t surface);
+
+/** The model that the first page speaks of: the leading one, or, where that has no number of the asked quantity on any
+ * surface, the next in precedence that has. */
+size_t asked_leading(const struct results *results, const struct asked *asked);
+/** The model that handbooks print: plastic, of no elastic partner and not the thesis's; model_count: none runs. */
+size_t asked_textbook(const struct results *results);
+/** The running model that stands beside the leading one, of its material law and beyond the thesis: the next in
+ * precedence; model_count: none. */
+size_t asked_beside(const struct results *results);
+
+/** The direct solution at a load of the baseline (P/(A_n E')), of the leading model's material law, straight in the
+ * logarithms between those solved; NaN: none. *error: its relative standard error. */
+double asked_direct(const struct results *results, enum quantity quantity, double load, double *error);
+/** A unit as people print it: "mohm" as "mΩ", "W/m2/K" as "W/(m²·K)". */
+void asked_unit(char *out, size_t size, const char *unit);
+/** The same of a number with its unit. */
+void asked_text(char *out, size_t size, const char *text);
+
+#endif

@@ -1,0 +1,428 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "chart/chart.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const struct chart_extent nothing = {INFINITY, -INFINITY};
+
+/* The canvas, in the unit of the drawing: 17 cm of a page are 720 of it, so that 14 are 9 pt. */
+enum { WIDTH = 720, FONT = 14, LEFT = 82, RIGHT = 14, BELOW = 50, BETWEEN = 20, LEGEND_ROW = 21 };
+
+static const struct {
+    const char *name;
+    size_t columns;
+} kinds[CHART_KINDS] = {[CHART_LINE] = {"line", 2},
+                        [CHART_BAND] = {"band", 3},
+                        [CHART_POINTS] = {"points", 2},
+                        [CHART_BARS] = {"bars", 4},
+                        [CHART_DOTS] = {"dots", 4}};
+
+struct chart chart_make(const char *name, const char *script)
+{
+    struct chart out = {.legend = json_array()};
+    snprintf(out.name, sizeof out.name, "%s", name);
+    snprintf(out.script, sizeof out.script, "%s", script);
+    out.panel = calloc(CHART_PANELS, sizeof *out.panel);
+    out.failed = !out.panel || !out.legend;
+    return out;
+}
+
+void chart_free(struct chart *chart)
+{
+    for (size_t p = 0; p < chart->panels; p++) {
+        json_decref(chart->panel[p].curves);
+        json_decref(chart->panel[p].marks);
+        json_decref(chart->panel[p].names);
+    }
+    json_decref(chart->legend);
+    free(chart->panel);
+    text_free(&chart->data);
+    *chart = (struct chart){0};
+}
+
+/** Text that may come from outside, as it may be shown. */
+static json_t *shown(const char *string)
+{
+    struct text text = {0};
+    text_add_shown(&text, string);
+    json_t *out = json_string(text_string(&text));
+    text_free(&text);
+    return out;
+}
+
+static struct chart_panel *last(struct chart *chart)
+{
+    return chart->panels > 0 ? &chart->panel[chart->panels - 1] : NULL;
+}
+
+/** A panel without curves goes. */
+static void drop_empty(struct chart *chart)
+{
+    struct chart_panel *panel = last(chart);
+    chart_end(chart);
+    if (!panel || json_array_size(panel->curves) > 0)
+        return;
+    json_decref(panel->curves);
+    json_decref(panel->marks);
+    json_decref(panel->names);
+    chart->panels--;
+}
+
+struct chart_panel *chart_panel(struct chart *chart, const char *title, const char *x_label, const char *y_label,
+                                bool log_x, bool log_y)
+{
+    drop_empty(chart);
+    if (chart->failed || chart->panels == CHART_PANELS)
+        return NULL;
+    struct chart_panel *panel = &chart->panel[chart->panels++];
+    *panel = (struct chart_panel){.log_x = log_x,
+                                  .log_y = log_y,
+                                  .x = nothing,
+                                  .y = nothing,
+                                  .x_most = nothing,
+                                  .y_most = nothing,
+                                  .curves = json_array(),
+                                  .marks = json_array(),
+                                  .names = json_array()};
+    snprintf(panel->title, sizeof panel->title, "%s", title);
+    snprintf(panel->x_label, sizeof panel->x_label, "%s", x_label);
+    snprintf(panel->y_label, sizeof panel->y_label, "%s", y_label);
+    return panel;
+}
+
+static void reach(struct chart_extent *extent, double value)
+{
+    extent->low = fmin(extent->low, value);
+    extent->high = fmax(extent->high, value);
+}
+
+static void join(struct chart_extent *all, const struct chart_extent *one)
+{
+    all->low = fmin(all->low, one->low);
+    all->high = fmax(all->high, one->high);
+}
+
+void chart_curve(struct chart *chart, const struct chart_curve *curve)
+{
+    chart_end(chart);
+    chart->curve = *curve;
+    snprintf(chart->legend_begun, sizeof chart->legend_begun, "%s", curve->legend);
+    snprintf(chart->colour_begun, sizeof chart->colour_begun, "%s", curve->colour);
+    chart->curve.legend = chart->legend_begun;
+    chart->curve.colour = chart->colour_begun;
+    chart->own_x = chart->own_y = nothing;
+}
+
+void chart_row(struct chart *chart, double x, double y, double from, double to)
+{
+    const struct chart_panel *panel = last(chart);
+    const double cell[] = {x, y, from, to};
+    if (!panel)
+        return;
+    bool across = chart->curve.kind == CHART_DOTS;
+    for (size_t c = 0; c < kinds[chart->curve.kind].columns; c++)
+        if (!isfinite(cell[c]) || (cell[c] <= 0 && (c == 0 || (across && c > 1) ? panel->log_x : panel->log_y)))
+            return;
+    if (chart->rows++ == 0) {
+        text_add(&chart->data, chart->blocks > 0 ? "\n\n# " : "# ");
+        text_add_shown(&chart->data, chart->curve.legend);
+        text_add(&chart->data, "\n");
+    }
+    for (size_t c = 0; c < kinds[chart->curve.kind].columns; c++) {
+        text_add(&chart->data, "%s%.9g", c > 0 ? "," : "", cell[c]);
+        reach(c == 0 || (across && c > 1) ? &chart->own_x : &chart->own_y, cell[c]);
+    }
+    text_add(&chart->data, "\n");
+}
+
+void chart_gap(struct chart *chart)
+{
+    size_t length = chart->data.length;
+    if (chart->rows > 0 && length > 1 && strncmp(chart->data.data + length - 2, "\n\n", 2) != 0)
+        text_add(&chart->data, "\n");
+}
+
+/** Puts a curve into the legend, once a name and look. */
+static void add_legend(struct chart *chart, json_t *curve)
+{
+    const char *title = json_string_value(json_object_get(curve, "title"));
+    size_t i;
+    json_t *known;
+    json_array_foreach(chart->legend, i,
+                       known) if (strcmp(json_string_value(json_object_get(known, "title")), title) == 0) return;
+    json_array_append(chart->legend, curve);
+}
+
+void chart_end(struct chart *chart)
+{
+    struct chart_panel *panel = last(chart);
+    const struct chart_curve *curve = &chart->curve;
+    if (chart->rows == 0 || !panel)
+        return;
+    enum chart_kind kind = curve->kind == CHART_LINE && chart->rows == 1 ? CHART_POINTS : curve->kind;
+    json_t *item = json_pack("{si sb ss si sf si sb so}", "index", (int)chart->blocks++, kinds[kind].name, 1, "colour",
+                             curve->colour, "dash", curve->dash ? curve->dash : 1, "width",
+                             curve->width > 0 ? curve->width : 2.0, "marker", curve->marker ? curve->marker : 7,
+                             "drawn_lines", kind == CHART_LINE || kind == CHART_BAND, "title", shown(curve->legend));
+    chart->failed = chart->failed || !item;
+    if (item && curve->legend[0])
+        add_legend(chart, item);
+    json_array_append_new(panel->curves, item);
+    join(&panel->x, &chart->own_x);
+    join(&panel->y, &chart->own_y);
+    chart->rows = 0;
+}
+
+void chart_mark(struct chart *chart, bool vertical, double at, const char *name)
+{
+    struct chart_panel *panel = last(chart);
+    chart_end(chart);
+    if (!panel || !isfinite(at) || (at <= 0 && (vertical ? panel->log_x : panel->log_y)))
+        return;
+    json_array_append_new(
+        panel->marks, json_pack("{sb sf so}", vertical ? "vertical" : "horizontal", 1, "at", at, "name", shown(name)));
+    reach(vertical ? &panel->x : &panel->y, at);
+}
+
+void chart_name_row(struct chart *chart, double y, const char *name)
+{
+    struct chart_panel *panel = last(chart);
+    chart_end(chart);
+    if (panel)
+        json_array_append_new(panel->names, json_pack("{sf so}", "at", y, "label", shown(name)));
+    if (panel) { /* room above for what is marked */
+        reach(&panel->y, y - 0.4);
+        reach(&panel->y, y + 0.9);
+    }
+}
+
+bool chart_has_data(const struct chart *chart)
+{
+    return chart->blocks > 0 || chart->rows > 0;
+}
+
+/** A tic's number: plain from 0.001 to 9999, else a power of ten; in ASCII on a terminal. */
+static json_t *tick_label(double at, bool logarithmic, bool letters)
+{
+    static const char *const raised[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    double size = fabs(at);
+    char plain[40];
+    struct text out = {0};
+    if (letters)
+        text_add(&out, "%.6g", at);
+    else if (size == 0 || (size >= 0.99e-3 && size < 9.9e3) || !logarithmic) {
+        snprintf(plain, sizeof plain, "%s%.6g", at < 0 ? "−" : "", size);
+        text_add(&out, "%s", plain);
+    } else {
+        int power = (int)floor(log10(size) + 1e-9), digit = (int)lround(size / pow(10, power));
+        if (digit != 1)
+            text_add(&out, "%d·", digit);
+        text_add(&out, "10%s", power < 0 ? "⁻" : "");
+        snprintf(plain, sizeof plain, "%d", abs(power));
+        for (const char *c = plain; *c; c++)
+            text_add(&out, "%s", raised[*c - '0']);
+    }
+    json_t *label = json_string(text_string(&out));
+    text_free(&out);
+    return label;
+}
+
+static void add_tick(json_t *ticks, double at, bool logarithmic, bool letters)
+{
+    json_array_append_new(ticks, json_pack("{sf so}", "at", at, "label", tick_label(at, logarithmic, letters)));
+}
+
+/** Few tics: of a logarithmic axis 1, 2, 5 within two decades, then decades, or every so many of them. */
+static json_t *ticks_of(const struct chart_extent *extent, bool logarithmic, bool letters, double most)
+{
+    json_t *ticks = json_array();
+    if (logarithmic) {
+        double decades = log10(extent->high / extent->low);
+        int step = (int)fmax(1, ceil(decades / most)), first = (int)floor(log10(extent->low));
+        for (int power = first; power <= log10(extent->high); power++)
+            for (int digit = 1; digit <= 5; digit += digit == 2 ? 3 : 1) {
+                double at = digit * pow(10, power);
+                bool wanted = digit == 1 ? (power % step + step) % step == 0 : decades <= 0.34 * most;
+                if (wanted && at >= extent->low * (1 - 1e-9) && at <= extent->high * (1 + 1e-9))
+                    add_tick(ticks, at, true, letters);
+            }
+        if (json_array_size(ticks) > 1)
+            return ticks;
+        json_array_clear(ticks);
+    }
+    double range = extent->high - extent->low, step = pow(10, floor(log10(range / most)));
+    while (range / step > most)
+        step *= range / step > 2.5 * most ? (range / step > 5 * most ? 10 : 5) : 2;
+    for (double k = ceil(extent->low / step - 1e-9); k <= extent->high / step + 1e-9; k++)
+        add_tick(ticks, k * step + 0.0, false, letters); /* no -0 */
+    return ticks;
+}
+
+/** The range an axis shows: what was drawn and a little more, cut to what it may show at most. */
+static struct chart_extent range_of(struct chart_extent data, const struct chart_extent *most, bool logarithmic)
+{
+    if (most->low <= most->high) {
+        data.low = fmax(data.low, most->low);
+        data.high = fmin(data.high, most->high);
+    }
+    if (!(data.low <= data.high))
+        data = (struct chart_extent){logarithmic ? 0.1 : 0, 1};
+    if (logarithmic) {
+        double room = fmax(0.03 * log10(data.high / data.low), data.high / data.low < 1.2 ? 0.15 : 0.02);
+        return (struct chart_extent){fmax(data.low / pow(10, room), DBL_MIN), fmin(data.high * pow(10, room), DBL_MAX)};
+    }
+    double room = data.high > data.low ? 0.04 * (data.high - data.low) : fmax(0.1 * fabs(data.high), 1e-9);
+    return (struct chart_extent){data.low - room, data.high + room};
+}
+
+/** Where things are, as shares of the canvas, y upwards. */
+struct layout {
+    size_t columns, rows, legend_columns, legend_rows;
+    double title, panel, height, legend;
+    bool letters; /* on a terminal */
+};
+
+/** Characters of a text in UTF-8. */
+static size_t characters(const char *string)
+{
+    size_t count = 0;
+    for (; *string; string++)
+        count += ((unsigned char)*string & 0xC0) != 0x80;
+    return count;
+}
+
+static struct layout layout_of(const struct chart *chart)
+{
+    struct layout out = {.columns = chart->panels > 4 ? 3 : chart->panels > 1 ? 2 : 1};
+    size_t longest = 8, entries = json_array_size(chart->legend), i;
+    json_t *entry;
+    json_array_foreach(chart->legend, i, entry)
+    {
+        size_t length = characters(json_string_value(json_object_get(entry, "title")));
+        longest = length > longest ? length : longest;
+    }
+    out.rows = (chart->panels + out.columns - 1) / out.columns;
+    for (size_t p = 0; p < chart->panels; p++)
+        out.title = chart->panel[p].title[0] ? 26 : fmax(out.title, 10);
+    out.panel = chart->panel_height > 0 ? chart->panel_height : out.columns == 1 ? 240 : 132;
+    out.legend_columns = (size_t)fmax(1, (WIDTH - 20) / (9.0 * (double)longest + 64));
+    out.legend_rows = (entries + out.legend_columns - 1) / out.legend_columns;
+    out.legend = entries > 0 ? LEGEND_ROW * (double)out.legend_rows + 8 : 0;
+    out.height = (double)out.rows * (out.title + out.panel + BELOW) + out.legend + 4;
+    return out;
+}
+
+/** Flags all items but the last. */
+static void mark_more(json_t *list, const char *flag)
+{
+    size_t i;
+    json_t *item;
+    json_array_foreach(list, i, item) json_object_set_new(item, flag, json_boolean(i + 1 < json_array_size(list)));
+}
+
+/** One panel's tree: place, axes, tics, curves. */
+static json_t *panel_view(const struct chart *chart, const struct layout *layout, size_t p)
+{
+    const struct chart_panel *panel = &chart->panel[p];
+    struct chart_extent x = panel->x, y = panel->y;
+    for (size_t q = 0; chart->shares && !panel->alone && q < chart->panels; q++)
+        if (!chart->panel[q].alone) {
+            join(&x, &chart->panel[q].x);
+            join(&y, &chart->panel[q].y);
+        }
+    x = range_of(x, &panel->x_most, panel->log_x);
+    y = range_of(y, &panel->y_most, panel->log_y);
+    size_t row = p / layout->columns, column = p % layout->columns;
+    bool bare = chart->shares && column > 0; /* the numbers stand at the row's first panel */
+    /* axes of its own take each panel their room; shared ones are numbered at the first of a row */
+    double names = json_array_size(panel->names) > 0 ? 150 : 0, gap = chart->shares ? BETWEEN : LEFT - 4;
+    double wide = (WIDTH - LEFT - RIGHT - (double)(layout->columns - 1) * gap) / (double)layout->columns;
+    double left = LEFT + (double)column * (wide + gap);
+    double top = (double)row * (layout->title + layout->panel + BELOW) + layout->title;
+    mark_more(panel->curves, "more");
+    json_t *ticks = json_array_size(panel->names) > 0
+                        ? json_incref(panel->names)
+                        : ticks_of(&y, panel->log_y, layout->letters, layout->panel < 150 ? 4 : 6);
+    json_t *x_ticks = ticks_of(&x, panel->log_x, layout->letters,
+                               layout->columns > 2   ? 3
+                               : layout->columns > 1 ? 5
+                                                     : 8);
+    mark_more(ticks, "more");
+    mark_more(x_ticks, "more");
+    return json_pack("{so so so sb sb sb sf sf sf sf sf sf sf sf so so sO sO sf}", "title", shown(panel->title),
+                     "x_label", shown(chart->shares && p + layout->columns < chart->panels ? "" : panel->x_label),
+                     "y_label", shown(bare ? "" : panel->y_label), "log_x", panel->log_x, "log_y", panel->log_y, "bare",
+                     bare, "x_low", x.low, "x_high", x.high, "y_low", y.low, "y_high", y.high, "left",
+                     (left + names) / WIDTH, "right", (left + wide) / WIDTH, "top", 1 - top / layout->height, "bottom",
+                     1 - (top + layout->panel) / layout->height, "y_ticks", ticks, "x_ticks", x_ticks, "curves",
+                     panel->curves, "marks", panel->marks, "title_y", 1 - (top - 12) / layout->height);
+}
+
+static void escape_gnuplot(struct text *out, const char *string)
+{
+    for (; *string; string++)
+        if (*string == '\'')
+            text_add(out, "’");
+        else if (strncmp(string, "]]>", 3) == 0) {
+            text_add(out, "]]›");
+            string += 2;
+        } else
+            text_add_bytes(out, string, 1);
+}
+
+struct mustache_folder chart_templates(struct text *path, const char *templates, struct status *status)
+{
+    text_add(path, "%s/charts", templates);
+    return (struct mustache_folder){text_string(path), ".gp", NULL, status};
+}
+
+enum status_code chart_script(struct text *out, struct chart *chart, struct mustache_folder *templates,
+                              const char *terminal_size)
+{
+    drop_empty(chart);
+    struct layout layout = layout_of(chart);
+    layout.letters = terminal_size != NULL;
+    json_t *view = json_pack("{ss si sf si sb sO sb sI sf}", "name", chart->name, "width", WIDTH, "height",
+                             ceil(layout.height), "font", FONT, "letters", terminal_size != NULL, "legend",
+                             chart->legend, "has_legend", layout.legend > 0, "legend_columns",
+                             (json_int_t)layout.legend_columns, "legend_top", (layout.legend - 4) / layout.height);
+    json_t *panels = json_array();
+    mark_more(chart->legend, "more_entries");
+    for (size_t p = 0; p < chart->panels; p++)
+        json_array_append_new(panels, panel_view(chart, &layout, p));
+    json_object_set_new(view, "panels", panels);
+    json_object_set_new(view, "size", json_string(terminal_size ? terminal_size : ""));
+    enum status_code rc =
+        !view || chart->failed
+            ? status_memory(templates->status)
+            : mustache_file(out, templates, terminal_size ? "letters" : chart->script, view, escape_gnuplot);
+    json_decref(view);
+    return rc;
+}
+
+static enum status_code write_part(const struct text *content, const char *directory, const char *name,
+                                   const char *ending, struct status *status)
+{
+    struct text path = {0};
+    text_add(&path, "%s/%s%s", directory, name, ending);
+    enum status_code rc = content->failed || path.failed
+                              ? status_memory(status)
+                              : text_write_file(text_string(&path), text_string(content), content->length, status);
+    text_free(&path);
+    return rc;
+}
+
+enum status_code chart_write(struct chart *chart, struct mustache_folder *templates, const char *directory)
+{
+    struct text script = {0};
+    enum status_code rc = chart_script(&script, chart, templates, NULL);
+    if (rc == STATUS_OK)
+        rc = write_part(&script, directory, chart->name, ".gp", templates->status);
+    if (rc == STATUS_OK)
+        rc = write_part(&chart->data, directory, chart->name, ".csv", templates->status);
+    text_free(&script);
+    return rc;
+}

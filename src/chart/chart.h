@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A chart of one or more panels: its data, a block a curve, and the tree of names and numbers that its script in
+ * templates/charts is filled from. Ranges, tics and places are reckoned here; how anything is drawn stands there. */
+#ifndef CHART_CHART_H
+#define CHART_CHART_H
+
+#include "base/mustache.h"
+
+/** What a chart draws of a curve, by its columns. */
+enum chart_kind {
+    CHART_LINE,   /* x, y */
+    CHART_BAND,   /* x, y from, y to */
+    CHART_POINTS, /* x, y */
+    CHART_BARS,   /* x, y, y from, y to */
+    CHART_DOTS,   /* x, y, x from, x to */
+    CHART_KINDS
+};
+
+struct chart_curve {
+    enum chart_kind kind;
+    const char *legend; /* "": none; may come from outside */
+    const char *colour; /* "#rrggbb" */
+    int dash;           /* gnuplot's dash type; 0: solid */
+    int marker;         /* gnuplot's point type; 0: 7 */
+    double width;       /* of a line; 0: 2 */
+};
+
+/** Least and largest value; low > high: none. */
+struct chart_extent {
+    double low, high;
+};
+
+enum { CHART_PANELS = 64, CHART_NAME = 32, CHART_TEXT = 160 };
+
+struct chart_panel {
+    char title[CHART_TEXT], x_label[CHART_TEXT], y_label[CHART_TEXT];
+    bool log_x, log_y;
+    bool alone;                         /* its axes are its own where the others share theirs */
+    struct chart_extent x, y;           /* of the data; grown by curves */
+    struct chart_extent x_most, y_most; /* what is beyond is cut off; low > high: nothing */
+    json_t *curves, *marks, *names;     /* owned */
+};
+
+struct chart {
+    char name[CHART_NAME];   /* of its files */
+    char numbers[64];        /* in chapter 6: "6-11 to 6-14"; "": none */
+    char script[CHART_NAME]; /* its template: NAME.gp */
+    bool shares;             /* all panels have one x and one y axis */
+    bool terminal;           /* drawn by report --show */
+    bool first_page;
+    double panel_height; /* 0: as is usual */
+    struct chart_panel *panel;
+    size_t panels;
+    json_t *legend; /* owned */
+    struct text data;
+    size_t blocks, rows; /* rows: of the block begun last */
+    struct chart_curve curve;
+    char legend_begun[256], colour_begun[8]; /* of that curve */
+    struct chart_extent own_x, own_y;        /* of the curve begun last */
+    bool failed;
+};
+
+/** Starts a chart. Owned: chart_free(). */
+struct chart chart_make(const char *name, const char *script);
+void chart_free(struct chart *chart);
+/** Starts a panel; what is not said by the format strings is set in what it returns. NULL: out of memory, or too many.
+ */
+struct chart_panel *chart_panel(struct chart *chart, const char *title, const char *x_label, const char *y_label,
+                                bool log_x, bool log_y);
+/** Starts a curve in the panel begun last; one without rows is left out. */
+void chart_curve(struct chart *chart, const struct chart_curve *curve);
+/** Adds a row: as many numbers as its kind has columns. What the axes cannot show is left out. */
+void chart_row(struct chart *chart, double x, double y, double from, double to);
+/** Parts the line begun. */
+void chart_gap(struct chart *chart);
+/** Ends the curve begun last; chart_curve(), chart_panel() and chart_write() do so themselves. */
+void chart_end(struct chart *chart);
+/** A line across the panel begun last, at x (or y), with its name. */
+void chart_mark(struct chart *chart, bool vertical, double at, const char *name);
+/** A name on the y axis of the panel begun last, in place of numbers. */
+void chart_name_row(struct chart *chart, double y, const char *name);
+/** Is there anything to see? */
+bool chart_has_data(const struct chart *chart);
+
+/** Adds the script that draws the chart: templates/charts/SCRIPT.gp, or with `terminal_size`, "columns,rows",
+ * letters.gp. Errors: of templates, STATUS_MEMORY. */
+MUST_CHECK enum status_code chart_script(struct text *out, struct chart *chart, struct mustache_folder *templates,
+                                         const char *terminal_size);
+/** Writes NAME.csv and NAME.gp into `directory`. Errors: the same, STATUS_IO. */
+MUST_CHECK enum status_code chart_write(struct chart *chart, struct mustache_folder *templates, const char *directory);
+/** The scripts' folder below the templates'. `path` is where its name goes. */
+struct mustache_folder chart_templates(struct text *path, const char *templates, struct status *status);
+
+#endif

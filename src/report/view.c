@@ -1,0 +1,193 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "report/view.h"
+
+#include "base/number_format.h"
+#include "base/version.h"
+#include <math.h>
+#include <string.h>
+
+void view_text(json_t *out, const char *name, const char *string)
+{
+    struct text text = {0};
+    text_add_shown(&text, string);
+    json_object_set_new(out, name, json_string(text_string(&text)));
+    text_free(&text);
+}
+
+static void set_text(json_t *out, const char *name, struct text *text)
+{
+    if (text->length > 0)
+        json_object_set_new(out, name, json_string(text_string(text)));
+    text_free(text);
+}
+
+/** Adds " unit", shown. */
+static void add_unit(struct text *text, const char *unit)
+{
+    if (!unit[0])
+        return;
+    text_add(text, "\u00a0");
+    text_add_shown(text, unit);
+}
+
+void view_number(json_t *out, const char *name, double value, int digits, const char *unit)
+{
+    struct text text = {0};
+    if (!isfinite(value))
+        return;
+    number_format(&text, value, digits);
+    add_unit(&text, unit);
+    set_text(out, name, &text);
+}
+
+void view_interval(json_t *out, const char *name, double low, double high, int digits)
+{
+    struct text text = {0}, first = {0}, last = {0};
+    number_format(&first, low, digits);
+    number_format(&last, high, digits);
+    if (isfinite(low) && isfinite(high) && strcmp(text_string(&first), text_string(&last)) != 0)
+        text_add(&text, "%s\u00a0…\u00a0%s", text_string(&first), text_string(&last));
+    text_free(&first);
+    text_free(&last);
+    set_text(out, name, &text);
+}
+
+void view_range(json_t *out, const char *name, double least, double most, int digits, const char *unit)
+{
+    struct text text = {0};
+    if (!isfinite(least) || !isfinite(most))
+        return;
+    number_format_range(&text, least, most, digits);
+    add_unit(&text, unit);
+    set_text(out, name, &text);
+}
+
+void view_count(json_t *out, const char *name, size_t count)
+{
+    json_object_set_new(out, name, json_integer((json_int_t)count));
+}
+
+void view_flag(json_t *out, const char *name, bool flag)
+{
+    json_object_set_new(out, name, json_boolean(flag));
+}
+
+json_t *view_item(json_t *array)
+{
+    json_t *item = json_object();
+    json_array_append_new(array, item);
+    return item;
+}
+
+json_t *view_list(json_t *out, const char *name)
+{
+    json_t *list = json_object_get(out, name);
+    if (list)
+        return list;
+    list = json_array();
+    json_object_set_new(out, name, list);
+    return list;
+}
+
+void view_separate(json_t *array)
+{
+    size_t i;
+    json_t *item;
+    json_array_foreach(array, i, item)
+    {
+        view_flag(item, "first", i == 0);
+        view_flag(item, "last", i + 1 == json_array_size(array));
+        view_flag(item, "more", i + 1 < json_array_size(array));
+    }
+}
+
+void view_load(json_t *out, const char *name, const struct view_source *source, size_t surface, double load)
+{
+    const struct asked_load as = asked_load_of(source->results, surface);
+    struct text text = {0};
+    if (!isfinite(load))
+        return;
+    if (!as.unit[0])
+        text_add(&text, "P/(Aₙ\u00a0E′) = ");
+    number_format(&text, load * as.scale, 3);
+    add_unit(&text, as.unit);
+    set_text(out, name, &text);
+}
+
+void view_cell_text(json_t *row, const char *string)
+{
+    json_t *cell = view_item(view_list(row, "cells"));
+    view_text(cell, "text", string);
+}
+
+void view_cell(json_t *row, double value, int digits)
+{
+    struct text text = {0};
+    number_format(&text, value, digits);
+    view_cell_text(row, text_string(&text));
+    text_free(&text);
+}
+
+const char *view_name(const struct view_source *source, size_t surface)
+{
+    return source->results->surfaces[surface].summary.scene->name;
+}
+
+const struct surface_summary *view_summary(const struct view_source *source, size_t surface)
+{
+    return &source->results->surfaces[surface].summary;
+}
+
+/** A chart that was drawn: its files, its numbers in chapter 6. */
+static void add_figures(json_t *out, const struct view_source *source)
+{
+    json_t *figures = json_object();
+    for (size_t i = 0; i < source->figures->count; i++) {
+        const struct chart *chart = &source->figures->chart[i];
+        char key[CHART_NAME];
+        size_t k = 0;
+        for (; chart->name[k]; k++) /* a name of the template's language has no hyphen here */
+            key[k] = chart->name[k] == '-' ? '_' : chart->name[k];
+        key[k] = '\0';
+        json_t *figure = json_pack("{ss}", "name", chart->name);
+        if (chart->numbers[0])
+            view_text(figure, "numbers", chart->numbers);
+        json_object_set_new(figures, key, figure);
+    }
+    json_object_set_new(out, "figures", figures);
+}
+
+/** Does every string of the tree stand? A tree with a hole is for want of memory. */
+static bool is_whole(const json_t *value)
+{
+    const char *key;
+    const json_t *member;
+    size_t i;
+    if (json_is_object(value)) {
+        json_object_foreach((json_t *)(uintptr_t)value, key, member) if (!is_whole(member)) return false;
+    } else if (json_is_array(value)) {
+        json_array_foreach(value, i, member) if (!is_whole(member)) return false;
+    }
+    return value != NULL;
+}
+
+enum status_code view_make(json_t **out, const struct results *results, const struct comparison *comparison,
+                           const struct figures *figures, struct status *status)
+{
+    struct view_source source = {.results = results,
+                                 .comparison = comparison,
+                                 .figures = figures,
+                                 .baseline = &results->surfaces[results->baseline],
+                                 .asked = asked_of(results)};
+    source.leading = asked_leading(results, &source.asked);
+    static void (*const parts[])(json_t * out, const struct view_source *source) = {
+        view_first_page, view_surfaces, view_models,   view_joint,
+        view_direct,     view_accuracy, view_findings, view_inputs};
+    *out = json_object();
+    view_text(*out, "title", results->scene->title);
+    view_text(*out, "version", version_string());
+    add_figures(*out, &source);
+    for (size_t p = 0; p < sizeof parts / sizeof *parts; p++)
+        parts[p](*out, &source);
+    return *out && is_whole(*out) ? STATUS_OK : status_memory(status);
+}

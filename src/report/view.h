@@ -1,0 +1,67 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The view: one JSON tree of worded numbers, flags and rows, which the templates are filled from (docs/templates.md).
+ * No sentence stands here but what messages are made of elsewhere: those are the templates'. */
+#ifndef REPORT_VIEW_H
+#define REPORT_VIEW_H
+
+#include "chart/figures.h"
+#include "results/comparison.h"
+#include <jansson.h>
+
+/** What the view is made from. */
+struct view_source {
+    const struct results *results;
+    const struct comparison *comparison;
+    const struct figures *figures;
+    const struct surface_record *baseline;
+    size_t leading;
+    struct asked asked;
+};
+
+/** The tree of a run, new. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code view_make(json_t **out, const struct results *results, const struct comparison *comparison,
+                                      const struct figures *figures, struct status *status);
+
+/* Its parts: each adds what its section needs, or nothing. Private to src/report. */
+void view_first_page(json_t *out, const struct view_source *source);
+void view_surfaces(json_t *out, const struct view_source *source);
+void view_models(json_t *out, const struct view_source *source);
+void view_joint(json_t *out, const struct view_source *source);
+void view_direct(json_t *out, const struct view_source *source);
+void view_accuracy(json_t *out, const struct view_source *source);
+void view_findings(json_t *out, const struct view_source *source);
+void view_inputs(json_t *out, const struct view_source *source);
+
+/** Rows that a table shows at most; data/ has all. */
+enum { VIEW_ROWS = 100 };
+
+/** Sets a text, as it may be shown. */
+void view_text(json_t *out, const char *name, const char *string);
+/** Sets a number as printed: `digits` significant ones, with its unit behind it ("": none); nothing where it is not
+ * finite. */
+void view_number(json_t *out, const char *name, double value, int digits, const char *unit);
+/** "0.15 … 1.1": nothing where an end is not known or both read alike. */
+void view_interval(json_t *out, const char *name, double low, double high, int digits);
+/** "0.15 to 1.1", or one number where both read alike; nothing where none is finite. */
+void view_range(json_t *out, const char *name, double least, double most, int digits, const char *unit);
+void view_count(json_t *out, const char *name, size_t count);
+void view_flag(json_t *out, const char *name, bool flag);
+/** A new object at the end of an array, or of the array `name` of an object, which is made if need be. */
+json_t *view_item(json_t *array);
+json_t *view_list(json_t *out, const char *name);
+/** Marks all items but the last with `more`, the first with `first`, the last with `last`. */
+void view_separate(json_t *array);
+/** A load of a surface as the user has it: "0.40 N". */
+void view_load(json_t *out, const char *name, const struct view_source *source, size_t surface, double load);
+/** A cell of a row of `cells`: a number or "–". */
+void view_cell(json_t *row, double value, int digits);
+void view_cell_text(json_t *row, const char *string);
+
+/** Name of a surface, as given. */
+const char *view_name(const struct view_source *source, size_t surface);
+const struct surface_summary *view_summary(const struct view_source *source, size_t surface);
+
+/** The targets' and limits' verdicts: names each surface that misses a limit, a line each; returns how many. */
+size_t view_missed_limits(struct text *out, const struct results *results);
+
+#endif

@@ -1,0 +1,128 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What accuracy costs, which effects ran and why, how hard cases were kept stable: the user's three questions. */
+#include "report/view.h"
+
+#include "base/number_format.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/** "12 ms", "1.4 s", "3 min". */
+static void put_seconds(json_t *out, const char *name, double seconds)
+{
+    if (seconds < 0.995)
+        view_number(out, name, seconds * 1e3, 2, "ms");
+    else if (seconds < 120)
+        view_number(out, name, seconds, 2, "s");
+    else
+        view_number(out, name, seconds / 60, 2, "min");
+}
+
+/** What the whole report would take at other tolerances: the curves' time as measured, the rest as it was. */
+static void put_tolerances(json_t *out, const struct view_source *source)
+{
+    const struct benchmark *cost = source->results->benchmark;
+    const struct benchmark_row *own = NULL;
+    json_t *list = view_list(out, "tolerances");
+    for (size_t i = 0; i < cost->count; i++)
+        if (strcmp(cost->rows[i].study, "tolerance") == 0 &&
+            fabs(log(atof(cost->rows[i].setting) / source->results->scene->tolerance)) < 0.01)
+            own = &cost->rows[i];
+    double rest = own && cost->before > own->seconds ? cost->before - own->seconds : 0;
+    for (size_t i = cost->count; i-- > 0;)
+        if (strcmp(cost->rows[i].study, "tolerance") == 0) {
+            json_t *item = view_item(list);
+            view_number(item, "tolerance", atof(cost->rows[i].setting), 1, "");
+            put_seconds(item, "curves", cost->rows[i].seconds);
+            put_seconds(item, "report", rest + cost->rows[i].seconds);
+            view_flag(item, "used", &cost->rows[i] == own);
+        }
+    view_separate(list);
+    put_seconds(out, "before", cost->before);
+    if (own && cost->before > 0)
+        view_number(out, "share_percent", 100 * own->seconds / cost->before, 2, "");
+    for (size_t i = 0; i < cost->count; i++)
+        if (cost->rows[i].chart == BENCHMARK_INTEGRALS && strcmp(cost->rows[i].method, "Simpson") == 0 &&
+            strcmp(cost->rows[i].setting, "1000") == 0)
+            view_number(out, "simpson_error", cost->rows[i].error, 2, "");
+}
+
+static void put_effects(json_t *out, const struct view_source *source)
+{
+    struct effects_row rows[EFFECTS_ROWS];
+    const struct results *results = source->results;
+    json_t *list = view_list(out, "effects");
+    effects_account(rows, results->plan, results->surfaces, results->surface_count, &results->studies);
+    for (int r = 0; r < EFFECTS_ROWS; r++) {
+        json_t *item = view_item(list);
+        view_text(item, "name", rows[r].name);
+        view_flag(item, "runs", rows[r].runs);
+        view_text(item, "reason", rows[r].reason);
+        if (rows[r].evaluations > 0)
+            view_number(item, "evaluations", (double)rows[r].evaluations, 3, "");
+        if (results->benchmark && rows[r].runs && rows[r].seconds > 0)
+            put_seconds(item, "time", rows[r].seconds);
+    }
+    view_flag(out, "has_times", results->benchmark != NULL);
+}
+
+/** Numbers that were limited, clamped or refused, and on which surface most. */
+static void put_stability(json_t *out, const struct view_source *source)
+{
+    const struct results *results = source->results;
+    uint64_t limited = 0, most_limited = 0;
+    size_t on = 0, outside = 0, refused_scans = 0, refused = 0;
+    double clamped = 0;
+    for (size_t i = 0; i < results->surface_count; i++) {
+        const struct surface_summary *s = view_summary(source, i);
+        uint64_t own = 0;
+        refused += !s->usable;
+        refused_scans += s->refused_scans;
+        for (size_t m = 0; m < model_count && s->usable; m++) {
+            const struct curve_summary *curve = surface_model(s, m);
+            if (!curve->exists)
+                continue;
+            own += curve->clamped;
+            clamped = fmax(clamped, curve->most_radius_clamped);
+            outside += !curve_summary_is_valid(curve, results_operating_load(results, i));
+        }
+        limited += own;
+        if (own > most_limited) {
+            most_limited = own;
+            on = i;
+        }
+    }
+    json_t *item = json_object();
+    if (limited > 0) {
+        view_number(item, "limited", (double)limited, 3, "");
+        view_text(item, "limited_on", view_name(source, on));
+    }
+    if (clamped > 1e-4)
+        view_number(item, "clamped_percent", 100 * clamped, 2, "");
+    if (outside > 0)
+        view_count(item, "outside", outside);
+    if (refused > 0)
+        view_count(item, "refused", refused);
+    if (refused_scans > 0)
+        view_count(item, "refused_scans", refused_scans);
+    if (results->lost && results->lost->count > 0) {
+        view_count(item, "lost", results->lost->count);
+        view_text(item, "lost_first", results->lost->first);
+    }
+    view_flag(item, "nothing",
+              limited == 0 && !(clamped > 1e-4) && refused + refused_scans == 0 &&
+                  !(results->lost && results->lost->count > 0));
+    json_object_set_new(out, "stability", item);
+}
+
+void view_accuracy(json_t *out, const struct view_source *source)
+{
+    view_number(out, "tolerance", source->results->scene->tolerance, 1, "");
+    if (source->results->benchmark) {
+        json_t *item = json_object();
+        put_tolerances(item, source);
+        json_object_set_new(out, "accuracy", item);
+    }
+    put_effects(out, source);
+    put_stability(out, source);
+}

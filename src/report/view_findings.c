@@ -1,0 +1,495 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The findings of the thesis's chapter 6, each checked on these surfaces by the thesis's models. A further one is a
+ * function, a row of `checks`, and its words in templates/findings.md. */
+#include "report/view.h"
+
+#include <math.h>
+
+/** What a check found: cases that bear the finding out, all cases, those that are alike and speak for neither; and a
+ * number a model. */
+struct finding {
+    size_t good, all, ties;
+    json_t *numbers;
+};
+
+static bool speaks(const struct view_source *source, size_t m)
+{
+    return model_rows[m]->in_findings && plan_runs_model(source->results->plan, m);
+}
+
+static const struct surface_summary *smoothest(const struct view_source *source, size_t k)
+{
+    return view_summary(source, source->results->by_roughness[k]);
+}
+
+/** What is known of model `m` on the k-th smoothest surface; NULL: nothing, or it has no part in this. */
+static const struct curve_summary *curve_of(const struct view_source *source, size_t k, size_t m)
+{
+    const struct curve_summary *curve = surface_model(smoothest(source, k), m);
+    return speaks(source, m) && curve->exists ? curve : NULL;
+}
+
+static void add_tally(struct finding *out, const struct comparison_tally *tally)
+{
+    out->good += tally->agreeing;
+    out->all += tally->agreeing + tally->opposed;
+    out->ties += tally->ties;
+}
+
+/** One case: x should be less than y by more than `slack`. */
+static void add_case(struct finding *out, double x, double y, double slack)
+{
+    if (!isfinite(x) || !isfinite(y))
+        return;
+    bool tie = fabs(x - y) <= slack;
+    out->ties += tie;
+    out->all += !tie;
+    out->good += !tie && x < y;
+}
+
+static void add_number(struct finding *out, const char *label, double least, double most)
+{
+    json_t *item = view_item(out->numbers);
+    view_text(item, "label", label);
+    view_range(item, "range", least, most, 2, "");
+}
+
+/** A number of each model over the surfaces; how many of them hold? */
+static void count_numbers(struct finding *out, const struct view_source *source, double scale,
+                          double (*number)(const struct curve_summary *), bool (*holds)(double value))
+{
+    for (size_t m = 0; m < model_count; m++) {
+        double least = INFINITY, most = -INFINITY;
+        for (size_t k = 0; k < source->results->usable_count; k++) {
+            const struct curve_summary *curve = curve_of(source, k, m);
+            double value = curve ? number(curve) : NAN;
+            if (!isfinite(value))
+                continue;
+            least = fmin(least, value);
+            most = fmax(most, value);
+            out->all++;
+            out->good += holds(value);
+        }
+        if (least <= most)
+            add_number(out, model_rows[m]->label, least * scale, most * scale);
+    }
+}
+
+static double area_slope(const struct curve_summary *curve)
+{
+    return curve->area_slope;
+}
+
+static bool is_near_one(double value)
+{
+    return fabs(value - 1) <= 0.1;
+}
+
+static void check_linear(struct finding *out, const struct view_source *source)
+{
+    count_numbers(out, source, 1, area_slope, is_near_one);
+}
+
+static double gap_at_full(const struct curve_summary *curve)
+{
+    return isnan(curve->beta) ? curve->gap_at_full : NAN; /* β makes it 0, which proves nothing */
+}
+
+static bool is_closed(double value)
+{
+    return value < 0.01;
+}
+
+static void check_closed(struct finding *out, const struct view_source *source)
+{
+    count_numbers(out, source, 1, gap_at_full, is_closed);
+}
+
+static bool is_late(double value)
+{
+    return value > 0.1;
+}
+
+static void check_elbow(struct finding *out, const struct view_source *source)
+{
+    count_numbers(out, source, 100, curve_summary_elbow_share, is_late);
+}
+
+static double sd_most(const struct curve_summary *curve)
+{
+    return curve->sd_most;
+}
+
+static bool is_negligible(double value)
+{
+    return value < 0.05;
+}
+
+static void check_scale_dependence(struct finding *out, const struct view_source *source)
+{
+    count_numbers(out, source, 100, sd_most, is_negligible);
+}
+
+static double beta_of(const struct curve_summary *curve)
+{
+    return curve->beta;
+}
+
+static bool is_in_range(double value)
+{
+    return value >= 4 && value <= 12;
+}
+
+static void check_beta(struct finding *out, const struct view_source *source)
+{
+    count_numbers(out, source, 1, beta_of, is_in_range);
+}
+
+static void check_yield(struct finding *out, const struct view_source *source, enum quantity quantity)
+{
+    for (size_t m = 0; m < model_count; m++) {
+        const struct comparison_plastic *plastic = &source->comparison->models[m].plastic;
+        if (!speaks(source, m))
+            continue;
+        add_tally(out, &plastic->changes[quantity]);
+        if (quantity == QUANTITY_AREA && plastic->most > 0)
+            add_number(out, model_rows[m]->label, plastic->least, plastic->most);
+    }
+}
+
+static void check_plastic_area(struct finding *out, const struct view_source *source)
+{
+    check_yield(out, source, QUANTITY_AREA);
+}
+
+static void check_plastic_gap(struct finding *out, const struct view_source *source)
+{
+    check_yield(out, source, QUANTITY_SEPARATION);
+}
+
+static void check_plastic_ecr(struct finding *out, const struct view_source *source)
+{
+    check_yield(out, source, QUANTITY_ECR);
+}
+
+static void check_sooner(struct finding *out, const struct view_source *source)
+{
+    for (size_t m = 0; m < model_count; m++)
+        if (speaks(source, m))
+            add_tally(out, &source->comparison->models[m].plastic.sooner);
+}
+
+/** Of the multiscale and the statistical model of one law on every surface: is distance x less than y? */
+static void check_distances(struct finding *out, const struct view_source *source,
+                            double (*x)(const struct comparison_gap *), double (*y)(const struct comparison_gap *))
+{
+    for (size_t m = 0; m < model_count; m++)
+        for (size_t k = 0; speaks(source, m) && k < source->results->usable_count; k++) {
+            const struct comparison_gap *gap = &source->comparison->models[m].gaps[source->results->by_roughness[k]];
+            add_case(out, x(gap), y(gap), source->results->scene->tolerance * fmax(x(gap), y(gap)));
+        }
+}
+
+static double in_area(const struct comparison_gap *gap)
+{
+    return gap->area;
+}
+
+static double in_ecr(const struct comparison_gap *gap)
+{
+    return gap->ecr;
+}
+
+static double plain(const struct comparison_gap *gap)
+{
+    return gap->plain;
+}
+
+static double adjusted(const struct comparison_gap *gap)
+{
+    return gap->adjusted;
+}
+
+/** "Similar": within half a decade, so that both round to the same order of magnitude. */
+static double half_a_decade(const struct comparison_gap *gap)
+{
+    (void)gap;
+    return 0.5;
+}
+
+static void check_families(struct finding *out, const struct view_source *source)
+{
+    check_distances(out, source, in_ecr, in_area);
+}
+
+static void check_adjustment(struct finding *out, const struct view_source *source)
+{
+    check_distances(out, source, adjusted, plain);
+}
+
+static void check_family_ecr(struct finding *out, const struct view_source *source)
+{
+    check_distances(out, source, in_ecr, half_a_decade);
+}
+
+static void check_proportional(struct finding *out, const struct view_source *source)
+{
+    double error = source->comparison->proportional_error;
+    out->all = isfinite(error);
+    out->good = error < 1e-6;
+}
+
+static void check_gamma(struct finding *out, const struct view_source *source)
+{
+    for (size_t k = 0; k < source->results->usable_count; k++) {
+        out->all += surface_tells_gamma(smoothest(source, k));
+        out->good += surface_tells_gamma(smoothest(source, k)) && !surface_diverges(smoothest(source, k));
+    }
+}
+
+static void check_convergence(struct finding *out, const struct view_source *source)
+{
+    for (size_t m = 0; m < model_count; m++)
+        for (int s = 0; s < CONVERGENCE_SWEEP_COUNT && speaks(source, m) && model_rows[m]->stacks_scales; s++)
+            for (size_t v = 0; v < convergence_sweeps[s].count; v++) {
+                bool should = s == CONVERGENCE_ALPHA || convergence_sweeps[s].values[v] >= 1;
+                out->good += comparison_converges(source->results, (enum convergence_sweep)s, m, v) == should;
+                out->all++;
+            }
+}
+
+/** Neighbours in roughness, load by load; a number is their share that is so ordered. */
+static void check_rank(struct finding *out, const struct view_source *source, enum quantity quantity)
+{
+    for (size_t m = 0; m < model_count; m++) {
+        const struct comparison_tally *tally = &source->comparison->models[m].rank[quantity];
+        if (speaks(source, m))
+            add_tally(out, tally);
+    }
+}
+
+static void check_area_rank(struct finding *out, const struct view_source *source)
+{
+    check_rank(out, source, QUANTITY_AREA);
+}
+
+static void check_ecr_rank(struct finding *out, const struct view_source *source)
+{
+    check_rank(out, source, QUANTITY_ECR);
+}
+
+static void check_tcr_rank(struct finding *out, const struct view_source *source)
+{
+    check_rank(out, source, QUANTITY_TCR);
+}
+
+/** No order is found where neighbours go both ways. */
+static void add_no_order(struct finding *out, const struct comparison_tally *tally)
+{
+    out->all += tally->agreeing + tally->opposed > 1;
+    out->good += tally->agreeing > 0 && tally->opposed > 0;
+}
+
+static void check_separation_rank(struct finding *out, const struct view_source *source)
+{
+    for (size_t m = 0; m < model_count; m++)
+        if (speaks(source, m))
+            add_no_order(out, &source->comparison->models[m].rank[QUANTITY_SEPARATION]);
+}
+
+static void check_beta_rank(struct finding *out, const struct view_source *source)
+{
+    for (size_t m = 0; m < model_count; m++) {
+        struct finding own = {0};
+        for (size_t k = 1; k < source->results->usable_count; k++) {
+            const struct curve_summary *smooth = curve_of(source, k - 1, m), *rough = curve_of(source, k, m);
+            if (smooth && rough)
+                add_case(&own, rough->beta, smooth->beta, source->results->scene->tolerance * fabs(smooth->beta));
+        }
+        add_no_order(out, &(struct comparison_tally){own.good, own.all - own.good, own.ties});
+    }
+}
+
+/** Falls γ from the smoother to the rougher neighbour by more than the errors of both? */
+static void check_gamma_rank(struct finding *out, const struct view_source *source)
+{
+    for (size_t k = 1; k < source->results->usable_count; k++) {
+        const struct power_law *smooth = &smoothest(source, k - 1)->power_law,
+                               *rough = &smoothest(source, k)->power_law;
+        if (power_law_holds(smooth) && power_law_holds(rough))
+            add_case(out, rough->gamma, smooth->gamma, hypot(rough->gamma_error, smooth->gamma_error));
+    }
+}
+
+static void check_amplitude_rank(struct finding *out, const struct view_source *source)
+{
+    const double wavelength_m = results_law_wavelength_m(source->results);
+    struct finding own = {0};
+    for (size_t k = 1; k < source->results->usable_count; k++) {
+        const struct power_law *smooth = &smoothest(source, k - 1)->power_law,
+                               *rough = &smoothest(source, k)->power_law;
+        if (power_law_holds(smooth) && power_law_holds(rough))
+            add_case(
+                &own, log10(power_law_amplitude(rough, wavelength_m)), log10(power_law_amplitude(smooth, wavelength_m)),
+                hypot(power_law_error_decades(rough, wavelength_m), power_law_error_decades(smooth, wavelength_m)));
+    }
+    add_no_order(out, &(struct comparison_tally){own.good, own.all - own.good, own.ties});
+}
+
+/** Each plastic model's spread between the surfaces against its elastic partner's. */
+static void check_spread(struct finding *out, const struct view_source *source)
+{
+    for (size_t m = 0; m < model_count; m++) {
+        size_t partner = model_index(model_rows[m]->elastic);
+        if (!speaks(source, m) || partner == model_count)
+            continue;
+        const struct comparison_model *own = &source->comparison->models[m],
+                                      *other = &source->comparison->models[partner];
+        add_case(out, comparison_mean_spread(source->results, own, other, COMPARISON_AREAS),
+                 comparison_mean_spread(source->results, other, own, COMPARISON_AREAS),
+                 source->results->scene->tolerance);
+    }
+}
+
+/** The resistances' spread between the surfaces: statistical against multiscale, of one law. */
+static void check_sensitive(struct finding *out, const struct view_source *source)
+{
+    for (size_t m = 0; m < model_count; m++) {
+        size_t counterpart = model_index(model_rows[m]->counterpart);
+        if (!speaks(source, m) || counterpart == model_count)
+            continue;
+        const struct comparison_model *own = &source->comparison->models[m],
+                                      *other = &source->comparison->models[counterpart];
+        add_case(out, comparison_mean_spread(source->results, other, own, COMPARISON_RESISTANCES),
+                 comparison_mean_spread(source->results, own, other, COMPARISON_RESISTANCES),
+                 source->results->scene->tolerance);
+    }
+}
+
+/** The same order of magnitude: within a factor of 10, at the load where it is largest. */
+static void check_magnitude(struct finding *out, const struct view_source *source)
+{
+    for (size_t m = 0; m < model_count; m++) {
+        double most = speaks(source, m)
+                          ? comparison_largest_spread(source->results, &source->comparison->models[m], COMPARISON_AREAS)
+                          : NAN;
+        if (isnan(most))
+            continue;
+        out->all++;
+        out->good += most < 10;
+        add_number(out, model_rows[m]->label, most, most);
+    }
+}
+
+/** Neighbouring resistance curves keep nearly the same distance when the widest is at most twice the narrowest. */
+static void check_equal_steps(struct finding *out, const struct view_source *source)
+{
+    for (size_t m = 0; m < model_count; m++) {
+        const double *steps = source->comparison->models[m].steps;
+        double least = INFINITY, most = -INFINITY;
+        size_t count = 0;
+        for (size_t k = 0; speaks(source, m) && model_rows[m]->stacks_scales && k + 1 < source->results->usable_count;
+             k++)
+            if (isfinite(steps[k])) {
+                least = fmin(least, steps[k]);
+                most = fmax(most, steps[k]);
+                count++;
+            }
+        if (count < 2)
+            continue;
+        out->all++;
+        out->good += least > 0 && most <= 2 * least;
+        add_number(out, model_rows[m]->label, least, most);
+    }
+}
+
+/** What a check needs besides surfaces: models of the thesis that run. */
+enum need { NEEDS_ANY, NEEDS_SCALES, NEEDS_ADJUSTED, NEEDS_FAMILIES };
+
+static bool has(const struct view_source *source, enum need need)
+{
+    bool any = false, scales = false, asperities = false;
+    for (size_t m = 0; m < model_count; m++) {
+        any = any || speaks(source, m);
+        scales = scales || (speaks(source, m) && model_rows[m]->stacks_scales);
+        asperities = asperities || (speaks(source, m) && model_rows[m]->asperity_model);
+    }
+    return need == NEEDS_ANY        ? any
+           : need == NEEDS_SCALES   ? scales
+           : need == NEEDS_ADJUSTED ? asperities
+                                    : scales && asperities;
+}
+
+enum {
+    PLASTIC = EFFECT_BIT(EFFECT_PLASTICITY),
+    SEPARATION = EFFECT_BIT(EFFECT_SEPARATION),
+    ELECTRICAL = EFFECT_BIT(EFFECT_ELECTRICAL),
+    THERMAL = EFFECT_BIT(EFFECT_THERMAL),
+    SCALE_DEPENDENT = EFFECT_BIT(EFFECT_SCALE_DEPENDENT),
+    CONVERGENCE = EFFECT_BIT(EFFECT_CONVERGENCE),
+};
+
+static const struct check {
+    const char *part; /* of the thesis */
+    const char *name; /* a flag, for the template's words */
+    unsigned effects; /* EFFECT_BITs it needs */
+    enum need needs;
+    size_t surfaces; /* that it takes at least */
+    void (*check)(struct finding *out, const struct view_source *source);
+} checks[] = {
+    {"6.2", "convergence_by_gamma", CONVERGENCE, NEEDS_SCALES, 1, check_convergence},
+    {"6.2", "gamma", 0, NEEDS_SCALES, 1, check_gamma},
+    {"6.3.1", "linear", 0, NEEDS_ANY, 1, check_linear},
+    {"6.3.1", "plastic_area", PLASTIC, NEEDS_ANY, 1, check_plastic_area},
+    {"6.3.2", "closed", SEPARATION, NEEDS_SCALES, 1, check_closed},
+    {"6.3.2", "plastic_gap", PLASTIC | SEPARATION, NEEDS_ANY, 1, check_plastic_gap},
+    {"6.3.2", "adjustment", SEPARATION, NEEDS_FAMILIES, 1, check_adjustment},
+    {"6.3.3", "elbow", ELECTRICAL, NEEDS_ANY, 1, check_elbow},
+    {"6.3.3", "plastic_ecr", PLASTIC | ELECTRICAL, NEEDS_ANY, 1, check_plastic_ecr},
+    {"6.3.3", "families", ELECTRICAL, NEEDS_FAMILIES, 1, check_families},
+    {"6.3.4", "proportional", ELECTRICAL | THERMAL, NEEDS_ANY, 1, check_proportional},
+    {"6.3.4", "scale_dependence", SCALE_DEPENDENT, NEEDS_ANY, 1, check_scale_dependence},
+    {"6.4", "gamma_rank", 0, NEEDS_ANY, 2, check_gamma_rank},
+    {"6.4", "amplitude_rank", 0, NEEDS_ANY, 3, check_amplitude_rank},
+    {"6.4.1", "area_rank", 0, NEEDS_ANY, 2, check_area_rank},
+    {"6.4.1", "magnitude", 0, NEEDS_ANY, 2, check_magnitude},
+    {"6.4.1", "spread", PLASTIC, NEEDS_ANY, 2, check_spread},
+    {"6.4.1", "sooner", PLASTIC, NEEDS_ANY, 1, check_sooner},
+    {"6.4.2", "separation_rank", SEPARATION, NEEDS_ANY, 2, check_separation_rank},
+    {"6.4.2", "beta", SEPARATION, NEEDS_ADJUSTED, 1, check_beta},
+    {"6.4.2", "beta_rank", SEPARATION, NEEDS_ADJUSTED, 3, check_beta_rank},
+    {"6.4.3", "ecr_rank", ELECTRICAL, NEEDS_ANY, 2, check_ecr_rank},
+    {"6.4.3", "equal_steps", ELECTRICAL, NEEDS_SCALES, 3, check_equal_steps},
+    {"6.4.4", "tcr_rank", THERMAL, NEEDS_ANY, 2, check_tcr_rank},
+    {"6.4.4", "sensitive", THERMAL, NEEDS_FAMILIES, 2, check_sensitive},
+    {"6.4.4", "family_ecr", ELECTRICAL, NEEDS_FAMILIES, 2, check_family_ecr},
+};
+
+void view_findings(json_t *out, const struct view_source *source)
+{
+    if (!source->results->convergence || !has(source, NEEDS_ANY))
+        return;
+    json_t *list = view_list(out, "findings");
+    view_flag(out, "has_findings", true);
+    for (size_t i = 0; i < sizeof checks / sizeof *checks; i++) {
+        const struct check *row = &checks[i];
+        struct finding finding = {0};
+        if ((row->effects & ~source->results->plan->running) || !has(source, row->needs) ||
+            source->results->usable_count < row->surfaces)
+            continue;
+        json_t *item = view_item(list);
+        finding.numbers = view_list(item, "numbers");
+        row->check(&finding, source);
+        view_separate(finding.numbers);
+        view_text(item, "part", row->part);
+        view_flag(item, row->name, true);
+        view_count(item, "good", finding.good);
+        view_count(item, "all", finding.all);
+        if (finding.ties > 0)
+            view_count(item, "ties", finding.ties);
+        view_flag(item, "holds", finding.all > 0 && finding.good == finding.all);
+        view_flag(item, "in_part", finding.good < finding.all && 2 * finding.good >= finding.all);
+        view_flag(item, "fails", 2 * finding.good < finding.all);
+        view_flag(item, "not_tested", finding.all == 0);
+    }
+}

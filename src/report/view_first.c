@@ -1,0 +1,518 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The first page: the answer to what was asked, what stands beside it, and what limits it. */
+#include "report/view.h"
+
+#include "analysis/direct_study.h"
+#include "base/number_format.h"
+#include <math.h>
+#include <string.h>
+
+enum { DIGITS = 2, NAMED_MOST = 3 };
+
+static const struct answer *answer_to(const struct view_source *source, size_t target, size_t surface, size_t m)
+{
+    return &view_summary(source, surface)->answers[target * model_count + m];
+}
+
+/** To the target that the first page is about. */
+static const struct answer *answer_of(const struct view_source *source, size_t surface, size_t m)
+{
+    return answer_to(source, (size_t)(source->asked.target - source->results->scene->targets), surface, m);
+}
+
+/** The asked quantity of a model where the summary stands, as shown. */
+static double value_of(const struct view_source *source, size_t m, size_t surface)
+{
+    const struct contact_point at = comparison_middle(source->results, m, surface);
+    return asked_shown(&source->asked, at.value[source->asked.quantity]);
+}
+
+/** What a surface is ranked by here: the load that the target takes, else the answer itself; less is better. */
+static double cost_of(const struct view_source *source, size_t surface)
+{
+    if (source->asked.target) {
+        const struct answer *answer = answer_of(source, surface, source->leading);
+        bool met = answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST;
+        return met ? answer->load * asked_load_of(source->results, surface).scale : INFINITY;
+    }
+    double value = value_of(source, source->leading, surface);
+    return isnan(value) ? INFINITY : source->asked.more_is_better ? -value : value;
+}
+
+/** One surface's answer to the target: flags say how the load is to be read. */
+static void put_answer(json_t *out, const struct view_source *source, const struct answer *answer, size_t surface)
+{
+    double scale = asked_load_of(source->results, surface).scale;
+    view_text(out, "surface", view_name(source, surface));
+    view_flag(out, "met", answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST);
+    view_flag(out, "at_most", answer->kind == ANSWER_LIGHTEST || answer->full);
+    view_flag(out, "not_reached", answer->kind == ANSWER_NOT_REACHED);
+    view_flag(out, "no_number", answer->kind == ANSWER_NONE);
+    view_flag(out, "invalid", answer->invalid);
+    if (answer->kind != ANSWER_NONE)
+        view_load(out, "load", source, surface, answer->load);
+    view_interval(out, "interval", answer->low * scale, answer->high * scale, DIGITS);
+    double spots = answers_spots(answer, source->results->scene->nominal_area_m2);
+    if (spots < answers_least_spots)
+        view_number(out, "spots", spots, DIGITS, "");
+}
+
+static void put_value(json_t *out, const struct view_source *source, size_t surface)
+{
+    double ends[2], value = value_of(source, source->leading, surface);
+    view_text(out, "surface", view_name(source, surface));
+    asked_interval(ends, &source->asked, source->results, source->leading, surface);
+    view_number(out, "value", value, 3, source->asked.unit);
+    view_flag(out, "no_number", !isfinite(value));
+    view_interval(out, "interval", ends[0], ends[1], DIGITS);
+}
+
+/** The surfaces that the first sentence names, the best first: all of three, else the best and the worst. */
+static void put_answers(json_t *out, const struct view_source *source)
+{
+    const struct results *results = source->results;
+    size_t named[NAMED_MOST], count = 0, best = results->by_roughness[0], worst = best;
+    for (size_t k = 0; k < results->usable_count; k++) {
+        size_t i = results->by_roughness[k];
+        if (cost_of(source, i) < cost_of(source, best))
+            best = i;
+        if (cost_of(source, i) >= cost_of(source, worst))
+            worst = i;
+    }
+    named[count++] = best;
+    for (size_t i = 0; i < results->surface_count && results->usable_count <= NAMED_MOST; i++)
+        if (results->surfaces[i].summary.usable && i != best && count < NAMED_MOST) {
+            size_t at = count++;
+            for (; at > 1 && cost_of(source, i) < cost_of(source, named[at - 1]); at--)
+                named[at] = named[at - 1];
+            named[at] = i;
+        }
+    if (results->usable_count > NAMED_MOST && worst != best)
+        named[count++] = worst;
+    json_t *list = view_list(out, "answers");
+    for (size_t i = 0; i < count; i++) {
+        json_t *item = view_item(list);
+        if (source->asked.target)
+            put_answer(item, source, answer_of(source, named[i], source->leading), named[i]);
+        else
+            put_value(item, source, named[i]);
+    }
+    view_separate(list);
+}
+
+/** The other targets: the surface that each takes the least load on. */
+static void put_other_targets(json_t *out, const struct view_source *source)
+{
+    const struct results *results = source->results;
+    for (size_t t = 0; t < results->scene->target_count; t++) {
+        const struct scene_asked *target = &results->scene->targets[t];
+        char text[UNIT_LENGTH + 20];
+        double least = INFINITY;
+        size_t best = results->by_roughness[0];
+        if (target == source->asked.target)
+            continue;
+        for (size_t k = 0; k < results->usable_count; k++) {
+            size_t i = results->by_roughness[k];
+            const struct answer *answer = answer_to(source, t, i, source->leading);
+            double load = answer->load * asked_load_of(results, i).scale;
+            if ((answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST) && load < least) {
+                least = load;
+                best = i;
+            }
+        }
+        json_t *item = view_item(view_list(out, "other_targets"));
+        asked_text(text, sizeof text, target->text);
+        view_text(item, "symbol", target->row->symbol);
+        view_text(item, "text", text);
+        put_answer(item, source, answer_to(source, t, best, source->leading), best);
+    }
+}
+
+/** How the surfaces compare, by the ranking's test. */
+static void put_ranking(json_t *out, const struct view_source *source)
+{
+    const struct comparison_ranking *ranking = &source->comparison->ranking;
+    const struct comparison_extremes *extremes =
+        &source->comparison->models[source->leading].extremes[ranking->criterion];
+    json_t *item = json_object();
+    size_t told = 0, like = 0, first = 0;
+    if (source->results->usable_count < 2 || extremes->count < 2) {
+        json_decref(item);
+        return;
+    }
+    json_object_set_new(out, "ranking", item);
+    bool alike = extremes->most / extremes->least - 1 <= 2 * source->results->scene->tolerance;
+    view_flag(item, "alike", alike);
+    view_flag(item, "area_is_load_over_hardness", alike && ranking->criterion == QUANTITY_AREA);
+    view_flag(item, "untested", !alike && ranking->count < 2);
+    if (ranking->count < 2 || alike)
+        return;
+    for (size_t j = 1; j < ranking->count; j++) {
+        bool apart = comparison_told_apart(comparison_pair_of(ranking, 0, j));
+        told += apart;
+        if (!apart && like++ == 0)
+            first = j;
+    }
+    view_text(item, "best", view_name(source, ranking->surface[0]));
+    view_flag(item, "two", ranking->count == 2);
+    view_flag(item, "significant", like == 0);
+    view_flag(item, "undecided", like > 0);
+    size_t against = like > 0 ? first : 1;
+    const struct comparison_pair *pair = comparison_pair_of(ranking, 0, against);
+    view_text(item, "next", view_name(source, ranking->surface[against]));
+    if (like > 1)
+        view_count(item, "others", like - 1);
+    if (pair->test == COMPARISON_WELCH && pair->p < 1e-4)
+        view_text(item, "p", "p < 0.0001");
+    else if (pair->test == COMPARISON_WELCH) {
+        char p[40];
+        snprintf(p, sizeof p, "p = %.2g", pair->p);
+        view_text(item, "p", p);
+    }
+}
+
+/** "half", "twice", "0.7 times". */
+static void put_ratio(json_t *out, const char *name, double ratio)
+{
+    static const struct {
+        double ratio;
+        const char *words;
+    } words[] = {{0.25, "a quarter of"}, {1 / 3.0, "a third of"}, {0.5, "half"}, {2, "twice"}, {3, "three times"}};
+    char number[40] = "";
+    if (!(ratio > 0) || !isfinite(ratio))
+        return;
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+        if (fabs(log(ratio / words[i].ratio)) < 0.13)
+            snprintf(number, sizeof number, "%s", words[i].words);
+    if (!number[0])
+        snprintf(number, sizeof number, "%.2g times", ratio);
+    view_text(out, name, number);
+    view_flag(out, "alike", fabs(ratio - 1) < 0.1);
+}
+
+/** Where a series of loads and values passes a value, straight in the logarithms; NaN: nowhere. */
+static double passes(const double *load, const double *value, size_t from, size_t to, double target)
+{
+    for (size_t i = from; i + 1 < to; i++)
+        if ((value[i] - target) * (value[i + 1] - target) <= 0 && value[i] != value[i + 1])
+            return load[i] * pow(load[i + 1] / load[i], log(target / value[i]) / log(value[i + 1] / value[i]));
+    return NAN;
+}
+
+/** Where the measurement meets the target, and how the leading model fares against it. */
+static void put_measured(json_t *out, const struct view_source *source)
+{
+    const struct measured *measured = source->results->measured;
+    if (!measured)
+        return;
+    json_t *item = json_object();
+    json_object_set_new(out, "measured", item);
+    size_t turn = 0;
+    for (size_t i = 0; i < measured->count; i++)
+        turn = measured->load[i] > measured->load[turn] ? i : turn;
+    const struct scene_asked *target = source->asked.target;
+    if (target && source->asked.quantity == measured_quantity(measured, source->results->plan->running)) {
+        view_load(item, "loading", source, source->results->baseline,
+                  passes(measured->load, measured->resistance, 0, turn + 1, target->value));
+        view_load(item, "unloading", source, source->results->baseline,
+                  passes(measured->load, measured->resistance, turn, measured->count, target->value));
+    }
+    view_flag(item, "reaches", json_object_get(item, "loading") || json_object_get(item, "unloading"));
+    view_flag(item, "both", json_object_get(item, "loading") && json_object_get(item, "unloading"));
+    struct measured_distance distance = measured_compare(measured, source->results->answers, source->leading);
+    view_flag(item, "beyond", distance.points == 0);
+    put_ratio(item, "ratio", pow(10, distance.bias_decades));
+}
+
+/** What handbooks say, and the direct solution, of the baseline. */
+static void put_beside(json_t *out, const struct view_source *source)
+{
+    const struct results *results = source->results;
+    size_t textbook = asked_textbook(results), baseline = results->baseline;
+    double error, load = results_operating_load(results, baseline);
+    if (textbook < model_count && textbook != source->leading) {
+        json_t *item = json_object();
+        view_text(item, "label", model_rows[textbook]->label);
+        if (source->asked.target) {
+            const struct answer *answer = answer_of(source, baseline, textbook);
+            if (answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST)
+                view_load(item, "value", source, baseline, answer->load);
+            else if (answer->kind == ANSWER_NOT_REACHED)
+                view_load(item, "more_than", source, baseline, answer->load);
+        } else
+            view_number(item, "value", value_of(source, textbook, baseline), 3, source->asked.unit);
+        json_object_set_new(out, "textbook", item);
+    }
+    enum quantity quantity =
+        quantity_rows[source->asked.quantity].from ? results_criterion(results) : source->asked.quantity;
+    double direct = asked_direct(results, quantity, load, &error);
+    if (direct > 0) {
+        json_t *item = json_object();
+        bool own = quantity == source->asked.quantity;
+        view_number(item, "value", own ? asked_shown(&source->asked, direct) : direct, 3,
+                    own ? source->asked.unit : quantity_rows[quantity].unit);
+        const struct contact_point at = comparison_middle(results, source->leading, baseline);
+        double ratio = at.value[quantity] / direct;
+        put_ratio(item, "ratio", own && source->asked.reciprocal ? 1 / ratio : ratio);
+        view_text(item, "surface", view_name(source, baseline));
+        view_load(item, "load", source, baseline, load);
+        json_object_set_new(out, "direct_answer", item);
+    }
+}
+
+/* ---- What limits the answer ---- */
+
+struct limit {
+    const char *name; /* a flag of the item */
+    double factor;    /* 1 and up */
+    bool either_way;
+};
+
+/** The farthest from 1 over all usable surfaces. */
+static double farthest(const struct view_source *source,
+                       double (*factor)(const struct view_source *source, size_t surface))
+{
+    double most = NAN;
+    for (size_t k = 0; k < source->results->usable_count; k++) {
+        double own = factor(source, source->results->by_roughness[k]);
+        own = own < 1 ? 1 / own : own;
+        if (isfinite(own) && !(own <= most))
+            most = own;
+    }
+    return most;
+}
+
+static double of_place(const struct view_source *source, size_t surface)
+{
+    const struct estimate *estimate = curve_summary_estimate(
+        surface_model(view_summary(source, surface), source->leading), results_criterion(source->results));
+    return estimate_has_width(estimate, estimate->half_width) ? exp(estimate->half_width) : NAN;
+}
+
+/** The direct solution where there is one, else 95 % of what the model says of itself, else the one that stands beside
+ * the leading one, else the farthest valid one of its material law. */
+static double of_model(const struct view_source *source, size_t surface)
+{
+    const struct results *results = source->results;
+    enum quantity quantity = results_criterion(results);
+    const struct contact_point own = comparison_middle(results, source->leading, surface);
+    double error, factor = NAN, load = results_operating_load(results, surface);
+    double direct = surface == results->baseline ? asked_direct(results, quantity, load, &error) : NAN;
+    if (direct > 0)
+        return own.value[quantity] / direct;
+    double sd = model_sd(model_rows[source->leading], quantity);
+    if (sd > 0)
+        return exp(1.96 * sd);
+    size_t beside = asked_beside(results);
+    for (size_t m = 0; m < model_count; m++) {
+        const struct contact_point at = comparison_middle(results, m, surface);
+        double ratio = at.value[quantity] / own.value[quantity];
+        if (m == source->leading || (beside < model_count && m != beside) ||
+            model_rows[m]->plastic != model_rows[source->leading]->plastic || !(ratio > 0) || !isfinite(ratio) ||
+            !curve_summary_is_valid(surface_model(view_summary(source, surface), m), load))
+            continue;
+        if (!(fabs(log(ratio)) <= fabs(log(factor))))
+            factor = ratio;
+    }
+    return factor;
+}
+
+static double of_change(const struct view_source *source, size_t surface, enum sensitivity_change change)
+{
+    const struct sensitivity_factors *factors =
+        &surface_model(view_summary(source, surface), source->leading)->sensitivity;
+    if (!surface_model(view_summary(source, surface), source->leading)->exists ||
+        (sensitivity_changes[change].plastic && !model_rows[source->leading]->plastic))
+        return NAN;
+    double factor = results_criterion(source->results) == QUANTITY_AREA ? factors->area[change] : factors->ecr[change];
+    return factor > 0 ? factor : NAN;
+}
+
+static double of_length(const struct view_source *source, size_t surface)
+{
+    return of_change(source, surface, SENSITIVITY_SCAN_HALVED);
+}
+
+static double of_cutoff(const struct view_source *source, size_t surface)
+{
+    return of_change(source, surface, SENSITIVITY_CUTOFF_DOUBLED);
+}
+
+static double of_hardness(const struct view_source *source, size_t surface)
+{
+    return of_change(source, surface, SENSITIVITY_HARDNESS_RAISED);
+}
+
+static const struct {
+    const char *name;
+    double (*factor)(const struct view_source *source, size_t surface);
+} limit_rows[] = {
+    {"place", of_place}, {"model", of_model}, {"length", of_length}, {"spacing", of_cutoff}, {"hardness", of_hardness}};
+enum { LIMITS = sizeof limit_rows / sizeof *limit_rows, LIMITS_SAID = 3 };
+
+/** The three that change the answer most, and what a longer or finer scan would do. */
+static void put_limits(json_t *out, const struct view_source *source)
+{
+    struct limit limits[LIMITS];
+    size_t count = 0;
+    json_t *list = view_list(out, "limits");
+    for (size_t r = 0; r < LIMITS; r++) {
+        struct limit limit = {.name = limit_rows[r].name, .factor = farthest(source, limit_rows[r].factor)};
+        char key[40];
+        snprintf(key, sizeof key, "%s_factor", limit.name);
+        if (!(limit.factor >= 1))
+            continue;
+        view_number(out, key, limit.factor, DIGITS, "");
+        size_t at = count++;
+        for (; at > 0 && limit.factor > limits[at - 1].factor; at--)
+            limits[at] = limits[at - 1];
+        limits[at] = limit;
+    }
+    for (size_t i = 0; i < count && i < LIMITS_SAID; i++) {
+        json_t *item = view_item(list);
+        view_flag(item, limits[i].name, true);
+        view_number(item, "factor", limits[i].factor, DIGITS, "");
+    }
+    view_separate(list);
+}
+
+/* ---- The table ---- */
+
+static const char *const verdict_names[] = {
+    [LIMIT_NO_VALUE] = "no_value", [LIMIT_MET] = "met", [LIMIT_MISSED] = "missed", [LIMIT_CANNOT_TELL] = "undecided"};
+
+/** Of several limits the worst verdict counts. */
+static enum limit_verdict worst_verdict(const struct view_source *source, size_t surface)
+{
+    static const int order[] = {[LIMIT_MET] = 0, [LIMIT_NO_VALUE] = 1, [LIMIT_CANNOT_TELL] = 2, [LIMIT_MISSED] = 3};
+    enum limit_verdict worst = LIMIT_MET;
+    for (size_t l = 0; l < source->results->scene->limit_count; l++) {
+        enum limit_verdict own = view_summary(source, surface)->limits[l].verdict;
+        worst = order[own] > order[worst] ? own : worst;
+    }
+    return worst;
+}
+
+static void put_row(json_t *row, const struct view_source *source, size_t surface, bool lettered)
+{
+    const struct comparison_ranking *ranking = &source->comparison->ranking;
+    const struct contact_point at = comparison_middle(source->results, source->leading, surface);
+    view_text(row, "surface", view_name(source, surface));
+    view_number(row, "rq_um", view_summary(source, surface)->roughness.rq_m * 1e6, 3, "");
+    view_number(row, "area_percent", 100 * at.value[QUANTITY_AREA], DIGITS, "");
+    json_t *value = json_object(), *answer = json_object();
+    put_value(value, source, surface);
+    json_object_set_new(row, "value", value);
+    if (source->asked.target)
+        put_answer(answer, source, answer_of(source, surface, source->leading), surface);
+    json_object_set_new(row, "answer", answer);
+    if (source->results->scene->limit_count > 0)
+        view_flag(row, verdict_names[worst_verdict(source, surface)], true);
+    for (size_t p = 0; lettered && p < ranking->count; p++)
+        if (ranking->surface[p] == surface) {
+            char letters[RANKING_LETTERS + 1];
+            ranking_groups_letters(letters, &ranking->groups, p);
+            view_text(row, "letters", letters);
+        }
+}
+
+static void put_table(json_t *out, const struct view_source *source)
+{
+    const struct results *results = source->results;
+    json_t *rows = view_list(out, "rows");
+    bool lettered = source->comparison->ranking.count > 1;
+    size_t unknown = 0;
+    for (size_t i = 0; i < results->surface_count; i++)
+        if (results->surfaces[i].summary.usable && json_array_size(rows) < VIEW_ROWS)
+            put_row(view_item(rows), source, i, lettered);
+    for (size_t i = 0; i < results->surface_count; i++)
+        unknown += !results->surfaces[i].summary.usable;
+    view_flag(out, "has_limits", results->scene->limit_count > 0);
+    view_flag(out, "has_letters", lettered);
+    if (results->usable_count > VIEW_ROWS)
+        view_count(out, "rows_left_out", results->usable_count - VIEW_ROWS);
+    if (unknown > 0)
+        view_count(out, "refused_count", unknown);
+}
+
+/** A limit's sentence: how many surfaces meet it. */
+static void put_asked_limits(json_t *out, const struct view_source *source)
+{
+    const struct scene *scene = source->results->scene;
+    for (size_t l = 0; l < scene->limit_count; l++) {
+        json_t *item = view_item(view_list(out, "asked_limits"));
+        size_t counts[LIMIT_CANNOT_TELL + 1] = {0}, all = source->results->usable_count;
+        char text[2 * UNIT_LENGTH], unit[UNIT_LENGTH + 20];
+        asked_text(unit, sizeof unit, scene->limits[l].text);
+        snprintf(text, sizeof text, "%s %s", scene->limits[l].is_most ? "≤" : "≥", unit);
+        view_text(item, "text", text);
+        view_text(item, "symbol", scene->limits[l].row->symbol);
+        for (size_t k = 0; k < all; k++)
+            counts[view_summary(source, source->results->by_roughness[k])->limits[l].verdict]++;
+        view_flag(item, "all_meet", counts[LIMIT_MET] == all);
+        view_flag(item, "one", all == 1);
+        for (int v = LIMIT_NO_VALUE; v <= LIMIT_CANNOT_TELL; v++)
+            if (counts[v] > 0 && counts[LIMIT_MET] < all)
+                view_count(item, verdict_names[v], counts[v]);
+    }
+}
+
+void view_first_page(json_t *out, const struct view_source *source)
+{
+    const struct results *results = source->results;
+    const struct asked *asked = &source->asked;
+    double load = results_operating_load(results, results->baseline);
+    char unit[UNIT_LENGTH + 20];
+    view_flag(out, "several", results->usable_count > 1);
+    view_count(out, "surface_count", results->usable_count);
+    view_text(out, "leading", model_rows[source->leading]->label);
+    view_text(out, "baseline", view_name(source, results->baseline));
+    view_load(out, "operating_load", source, results->baseline, load);
+    json_t *item = json_object();
+    view_text(item, "symbol", asked->symbol);
+    view_text(item, "unit", asked->unit);
+    json_object_set_new(out, "asked", item);
+    if (asked->target) {
+        asked_text(unit, sizeof unit, asked->target->text);
+        view_text(out, "target", unit);
+    }
+    const struct asked_load as = asked_load_of(results, results->baseline);
+    view_text(out, "load_unit", as.unit[0] ? as.unit : "P/(Aₙ E′)");
+    view_flag(out, "film", plan_runs(results->plan, EFFECT_FILM) && asked->quantity == QUANTITY_JOINT_ECR);
+    view_flag(out, "plating", plan_runs(results->plan, EFFECT_PLATING) && asked->quantity == QUANTITY_JOINT_ECR);
+    view_flag(out, "film_and_plating",
+              json_is_true(json_object_get(out, "film")) && json_is_true(json_object_get(out, "plating")));
+    view_flag(out, "no_material", !results_has_material(results));
+    put_answers(out, source);
+    put_other_targets(out, source);
+    put_ranking(out, source);
+    put_measured(out, source);
+    put_beside(out, source);
+    put_limits(out, source);
+    put_asked_limits(out, source);
+    put_table(out, source);
+}
+
+size_t view_missed_limits(struct text *out, const struct results *results)
+{
+    size_t missed = 0;
+    for (size_t i = 0; i < results->surface_count; i++)
+        for (size_t l = 0; l < results->scene->limit_count && results->surfaces[i].summary.usable; l++) {
+            const struct scene_asked *limit = &results->scene->limits[l];
+            const struct limit_check *check = &results->surfaces[i].summary.limits[l];
+            if (check->verdict != LIMIT_MISSED)
+                continue;
+            text_add(out, "surface '");
+            text_add_shown(out, results->surfaces[i].summary.scene->name);
+            text_add(out, "' misses the limit %s %s ", limit->row->symbol, limit->is_most ? "≤" : "≥");
+            text_add_shown(out, limit->text);
+            double value = scene_asked_shown(limit, check->value);
+            text_add(out, isfinite(value) ? ": " : ": from a lighter load on");
+            if (isfinite(value))
+                number_format_between(out, "", value, 3, " ");
+            text_add_shown(out, isfinite(value) ? limit->unit_text : "");
+            text_add(out, "\n");
+            missed++;
+        }
+    return missed;
+}

@@ -1,0 +1,189 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The surfaces, table 6.2; the files they come from, and what is to be said of them. */
+#include "report/view.h"
+
+#include "base/number_format.h"
+#include "profile/level.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/** "0.0168 ×÷ 1.2": an amplitude with the factor of its standard error. */
+static void put_amplitude(json_t *out, const char *name, const struct power_law *law, double wavelength_m)
+{
+    struct text text = {0};
+    number_format(&text, power_law_amplitude(law, wavelength_m) * 1e6, 3);
+    number_format_between(&text, " ×÷ ", pow(10, power_law_error_decades(law, wavelength_m)), 3, "");
+    view_text(out, name, text_string(&text));
+    text_free(&text);
+}
+
+static void put_surface(json_t *row, const struct view_source *source, size_t surface)
+{
+    const struct surface_summary *s = view_summary(source, surface);
+    const struct power_law *law = &s->power_law;
+    const struct repeats *repeats = surface_repeats(s);
+    view_text(row, "surface", view_name(source, surface));
+    view_number(row, "rq_um", s->roughness.rq_m * 1e6, 3, "");
+    view_number(row, "ra_um", s->roughness.ra_m * 1e6, 3, "");
+    view_number(row, "length_mm", s->length_m * 1e3, 3, "");
+    view_number(row, "spacing_um", s->spacing_m * 1e6, 3, "");
+    view_count(row, "points", s->points);
+    view_count(row, "scans", s->scans);
+    view_flag(row, "rows_of_a_map", repeats->count > 0 && repeats->scans == 1);
+    if (repeats->cut > 0)
+        view_count(row, "pieces", repeats->cut);
+    if (repeats->count > 0 && repeats->scans == 1) {
+        view_number(row, "worth", repeats->rq_m.effective, 2, "");
+        view_flag(row, "map_too_small", repeats->rq_m.effective < ESTIMATE_LEAST_EFFECTIVE);
+    }
+    view_number(row, "rsk", roughness_skewness(&s->roughness), 2, "");
+    view_number(row, "rku", roughness_kurtosis(&s->roughness), 2, "");
+    view_flag(row, "no_law", law->found == POWER_LAW_BAND_NONE);
+    if (law->found == POWER_LAW_BAND_NONE)
+        return;
+    struct text gamma = {0};
+    number_format_uncertain(&gamma, law->gamma, law->gamma_error);
+    view_text(row, "gamma", text_string(&gamma));
+    text_free(&gamma);
+    view_flag(row, "narrow", law->found == POWER_LAW_BAND_NARROW);
+    view_range(row, "band_um", law->band_m[0] * 1e6, law->band_m[1] * 1e6, 3, "");
+    double wavelength_m = results_law_wavelength_m(source->results);
+    put_amplitude(row, "amplitude_um", law, isfinite(wavelength_m) ? wavelength_m : law->wavelength_m);
+    view_number(row, "alpha", law->alpha, 3, "");
+    view_number(row, "misfit_decades", law->misfit_decades, 2, "");
+}
+
+void view_surfaces(json_t *out, const struct view_source *source)
+{
+    const struct results *results = source->results;
+    const struct scene *scene = results->scene;
+    json_t *item = json_object(), *rows = view_list(item, "rows");
+    size_t scans = 0, periodic = 0, windowed = 0, lawless = 0;
+    for (size_t i = 0; i < results->surface_count; i++) {
+        const struct surface_summary *s = view_summary(source, i);
+        if (!s->usable)
+            continue;
+        scans += s->scans;
+        periodic += s->periodic;
+        windowed += s->windowed;
+        lawless += s->power_law.found == POWER_LAW_BAND_NONE;
+        if (json_array_size(rows) < VIEW_ROWS)
+            put_surface(view_item(rows), source, i);
+    }
+    if (results->usable_count > VIEW_ROWS)
+        view_count(item, "rows_left_out", results->usable_count - VIEW_ROWS);
+    view_text(item, "level", level_names[scene->level]);
+    view_flag(item, "level_given", scene->level_given);
+    view_count(item, "scans", scans);
+    view_flag(item, "one_scan", scans == 1);
+    view_flag(item, "all_periodic", periodic == scans);
+    view_flag(item, "some_periodic", periodic > 0 && periodic < scans);
+    view_count(item, "periodic", periodic);
+    view_flag(item, "all_windowed", windowed == scans);
+    view_flag(item, "some_windowed", windowed > 0 && windowed < scans);
+    view_flag(item, "fit_of_the_thesis", scene->fit == POWER_LAW_THESIS);
+    view_number(item, "wavelength_um", results_law_wavelength_m(results) * 1e6, 3, "");
+    if (lawless > 0)
+        view_count(item, "lawless", lawless);
+    if (results->counterface)
+        view_number(item, "counterface_rq_um", results->counterface->summary.roughness.rq_m * 1e6, 3, "");
+    view_text(item, "material", scene->bodies.material.name);
+    view_flag(item, "rigid_counterface", scene->bodies.counterface_kind == MATERIAL_COUNTERFACE_RIGID);
+    view_text(item, "counterface", scene->bodies.counterface.name);
+    const struct material_pair *pair = results_pair(results, results->baseline);
+    if (!pair->unknown) {
+        view_number(item, "modulus_GPa", pair->effective_modulus_Pa * 1e-9, 3, "");
+        view_number(item, "hardness_MPa", pair->hardness_Pa * 1e-6, 3, "");
+    }
+    json_object_set_new(out, "surfaces", item);
+}
+
+/* ---- Inputs ---- */
+
+/** Notes that differ only in the surface are one line with the surfaces counted. */
+static void put_notes(json_t *out, const struct view_source *source)
+{
+    const struct results *results = source->results;
+    json_t *list = view_list(out, "notes"), *item;
+    for (size_t i = 0; i < results->surface_count; i++)
+        for (size_t n = 0; n < view_summary(source, i)->notes.count; n++) {
+            struct text line = {0}, shown = {0};
+            size_t k;
+            note_line(&line, &view_summary(source, i)->notes.notes[n]);
+            text_add_shown(&shown, text_string(&line));
+            json_t *known = NULL;
+            json_array_foreach(list, k, item)
+            {
+                if (strcmp(json_string_value(json_object_get(item, "line")), text_string(&shown)) == 0)
+                    known = item;
+            }
+            if (known) {
+                json_int_t more = json_integer_value(json_object_get(known, "more_surfaces"));
+                json_object_set_new(known, "more_surfaces", json_integer(more + 1));
+            } else if (json_array_size(list) < VIEW_ROWS) {
+                item = view_item(list);
+                view_text(item, "surface", view_name(source, i));
+                view_text(item, "line", text_string(&line));
+            }
+            text_free(&line);
+            text_free(&shown);
+        }
+}
+
+static void put_files(json_t *row, const struct surface_summary *s)
+{
+    json_t *files = view_list(row, "files");
+    for (size_t f = 0; f < s->scene->file_count && f < 5; f++)
+        view_text(view_item(files), "file", s->scene->files[f]);
+    view_separate(files);
+    if (s->scene->file_count > 5)
+        view_count(row, "more_files", s->scene->file_count - 5);
+}
+
+void view_inputs(json_t *out, const struct view_source *source)
+{
+    const struct results *results = source->results;
+    json_t *item = json_object(), *rows = view_list(item, "rows"), *refused = view_list(item, "refused");
+    for (size_t i = 0; i < results->surface_count; i++) {
+        const struct surface_summary *s = view_summary(source, i);
+        if (s->refusal && json_array_size(refused) < VIEW_ROWS) {
+            json_t *row = view_item(refused);
+            view_text(row, "surface", view_name(source, i));
+            view_text(row, "why", s->refusal);
+        }
+        if (!s->usable || json_array_size(rows) >= VIEW_ROWS)
+            continue;
+        json_t *row = view_item(rows);
+        char hash[17];
+        view_text(row, "surface", view_name(source, i));
+        put_files(row, s);
+        view_text(row, "format", s->format);
+        view_text(row, "units", s->units);
+        snprintf(hash, sizeof hash, "%.16s", s->hash);
+        view_text(row, "hash", hash);
+    }
+    put_notes(item, source);
+    view_flag(item, "binned_spectra", scene_bins_spectra(results->scene));
+    for (const char *line = results->scene->passed_over; line && *line;
+         line += strcspn(line, "\n"), line += *line == '\n') {
+        char *one = strndup(line, strcspn(line, "\n"));
+        if (one)
+            view_text(view_item(view_list(item, "passed_over")), "line", one);
+        free(one);
+    }
+    json_t *sources = view_list(item, "sources");
+    for (size_t m = 0; m < model_count; m++)
+        if (plan_runs_model(results->plan, m)) {
+            json_t *row = view_item(sources);
+            view_text(row, "label", model_rows[m]->label);
+            view_text(row, "source", model_rows[m]->source);
+            view_text(row, "equations", model_rows[m]->equations);
+            view_text(row, "assumes", model_rows[m]->assumes);
+            view_text(row, "valid", model_rows[m]->valid);
+        }
+    view_text(item, "material", results->scene->bodies.material.name);
+    view_text(item, "material_source",
+              results->scene->bodies.material.source ? results->scene->bodies.material.source : "");
+    json_object_set_new(out, "inputs", item);
+}

@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Mustache: the public specification's cases where they are there, and cases of our own. */
+#include "base/mustache.h"
+#include "support.h"
+#include <string.h>
+
+static void escape_html(struct text *out, const char *string)
+{
+    for (; *string; string++)
+        if (strchr("&<>\"", *string))
+            text_add(out, "%s",
+                     *string == '&'   ? "&amp;"
+                     : *string == '<' ? "&lt;"
+                     : *string == '>' ? "&gt;"
+                                      : "&quot;");
+        else
+            text_add_bytes(out, string, 1);
+}
+
+static const char *from_object(void *context, const char *name)
+{
+    return json_string_value(json_object_get(context, name));
+}
+
+static void check_case(const char *file, const json_t *test)
+{
+    struct mustache how = {json_object_get(test, "data"), escape_html, from_object, json_object_get(test, "partials")};
+    struct text out = {0};
+    struct status status = {0};
+    const char *source = json_string_value(json_object_get(test, "template"));
+    const char *expected = json_string_value(json_object_get(test, "expected"));
+    enum status_code rc = mustache_render(&out, source, file, &how, &status);
+    if (rc != STATUS_OK || strcmp(text_string(&out), expected) != 0)
+        fail_msg("%s, '%s': '%s' %s", file, json_string_value(json_object_get(test, "name")), text_string(&out),
+                 status.message);
+    text_free(&out);
+}
+
+TEST_CASE(the_specification_holds)
+{
+    static const char *const files[] = {"comments", "delimiters", "interpolation", "inverted", "partials", "sections"};
+    for (size_t f = 0; f < sizeof files / sizeof *files; f++) {
+        char path[300];
+        snprintf(path, sizeof path, "%s/../shared/golden/mustache/%s.json", PROJECT_SOURCE, files[f]);
+        json_t *all = json_load_file(path, 0, NULL), *test;
+        size_t i;
+        if (!all)
+            skip();
+        json_array_foreach(json_object_get(all, "tests"), i, test) check_case(files[f], test);
+        assert_true(i > 0);
+        json_decref(all);
+    }
+}
+
+/* Template, data, partial p, what comes out (NULL: an error that holds the words behind it). */
+static const struct {
+    const char *source, *data, *partial, *expected, *error;
+} own_cases[] = {
+    {"a {{x}} b", "{\"x\": 1.5}", "", "a 1.5 b", ""},
+    {"{{x}} {{{x}}} {{&x}}", "{\"x\": \"<&\"}", "", "&lt;&amp; <& <&", ""},
+    {"{{#x}}[{{.}}]{{/x}}", "{\"x\": [1, 2]}", "", "[1][2]", ""},
+    {"{{^x}}none{{/x}}", "{\"x\": \"\"}", "", "none", ""},
+    {"{{#x}}\n  {{y.z}}\n{{/x}}\nend", "{\"x\": true, \"y\": {\"z\": 3}}", "", "  3\nend", ""},
+    {"{{#a}}{{#b}}{{c}}{{/b}}{{/a}}", "{\"a\": {\"c\": \"outer\"}, \"b\": [{}, {\"c\": \"own\"}]}", "", "outerown", ""},
+    {"  {{>p}}\nend", "{\"x\": 1}", "one {{x}}\ntwo\n", "  one 1\n  two\nend", ""},
+    {"{{=<% %>=}}<%x%> {{x}}", "{\"x\": 7}", "", "7 {{x}}", ""},
+    {"one\n{{#x}} two", "{}", "", NULL, "x"},
+    {"one\ntwo {{/x}}", "{}", "", NULL, "line 2"},
+    {"one {{x", "{}", "", NULL, "not closed"},
+    {"{{#x}}{{/y}}", "{}", "", NULL, "not open"},
+    {"{{=x=}}", "{}", "", NULL, "delimiters"},
+    {"{{>p}}", "{}", "{{>p}}", NULL, "without end"},
+};
+
+TEST_CASE(own_cases_hold)
+{
+    for (size_t i = 0; i < sizeof own_cases / sizeof *own_cases; i++) {
+        json_t *data = json_loads(own_cases[i].data, 0, NULL), *partials = json_object();
+        struct mustache how = {data, escape_html, from_object, partials};
+        struct text out = {0};
+        struct status status = {0};
+        json_object_set_new(partials, "p", json_string(own_cases[i].partial));
+        enum status_code rc = mustache_render(&out, own_cases[i].source, "own", &how, &status);
+        if (own_cases[i].expected) {
+            assert_int_equal(rc, STATUS_OK);
+            assert_string_equal(text_string(&out), own_cases[i].expected);
+        } else {
+            assert_int_equal(rc, STATUS_USAGE);
+            assert_non_null(strstr(status.message, own_cases[i].error));
+        }
+        text_free(&out);
+        json_decref(data);
+        json_decref(partials);
+    }
+}

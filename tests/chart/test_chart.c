@@ -1,0 +1,242 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A chart from its numbers to its drawing: ranges, tics, what is left out, and names that mean nothing in a script. */
+#include "chart/chart.h"
+#include "chart/gnuplot.h"
+#include "directory.h"
+
+#include <math.h>
+
+#define PLACED(name) TEST_WITH(name, directory_setup, directory_teardown)
+
+/* Is `text` well-formed as far as markup goes: quoted attributes, balanced elements, only known entities? */
+static void assert_well_formed(const char *text)
+{
+    enum { DEEPEST = 64 };
+    const char *open[DEEPEST];
+    size_t length[DEEPEST], depth = 0, elements = 0;
+    for (const char *c = text; *c; c++) {
+        if (*c == '&')
+            assert_true(strncmp(c, "&lt;", 4) == 0 || strncmp(c, "&amp;", 5) == 0 || strncmp(c, "&gt;", 4) == 0);
+        assert_false((unsigned char)*c < 0x20 && !strchr("\t\r\n", *c));
+        if (*c != '<')
+            continue;
+        const char *name = ++c;
+        bool closing = *name == '/';
+        name += closing;
+        size_t size = strcspn(name, " \t\r\n/>");
+        assert_true(size > 0);
+        for (; *c && *c != '>'; c++) {
+            assert_int_not_equal(*c, '<');
+            if (*c == '"' || *c == '\'') {
+                c = strchr(c + 1, *c);
+                assert_non_null(c);
+            }
+        }
+        assert_int_equal(*c, '>');
+        if (*name == '?' || *name == '!' || c[-1] == '/')
+            continue;
+        if (closing) {
+            assert_true(depth > 0);
+            depth--;
+            assert_int_equal(length[depth], size);
+            assert_memory_equal(open[depth], name, size);
+        } else {
+            assert_true(depth < DEEPEST);
+            open[depth] = name;
+            length[depth++] = size;
+            elements++;
+        }
+    }
+    assert_int_equal(depth, 0);
+    assert_true(elements > 5);
+}
+
+static struct mustache_folder templates(struct text *path, struct status *status)
+{
+    return chart_templates(path, PROJECT_SOURCE "/templates", status);
+}
+
+/** What a chart's script, or its text with letters, says. */
+static struct text script_of(struct chart *chart, const char *terminal_size)
+{
+    struct text out = {0}, path = {0};
+    struct status status = {0};
+    struct mustache_folder folder = templates(&path, &status);
+    if (chart_script(&out, chart, &folder, terminal_size) != STATUS_OK)
+        fail_msg("%s", status.message);
+    mustache_folder_free(&folder);
+    text_free(&path);
+    return out;
+}
+
+/** Writes a chart into `place`, has gnuplot draw it, and takes what it drew. */
+static struct text draw(const struct directory *place, struct chart *chart)
+{
+    struct text path = {0}, file = {0}, out = {0};
+    struct status status = {0};
+    struct gnuplot gnuplot;
+    struct mustache_folder folder = templates(&path, &status);
+    if (chart_write(chart, &folder, place->path) != STATUS_OK ||
+        gnuplot_start(&gnuplot, place->path, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    gnuplot_send(&gnuplot, "load '%s.gp'", chart->name);
+    if (gnuplot_finish(&gnuplot, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    text_add(&file, "%s/%s.svg", place->path, chart->name);
+    assert_int_equal(text_read_file(&out, text_string(&file), &status), STATUS_OK);
+    assert_well_formed(text_string(&out));
+    mustache_folder_free(&folder);
+    text_free(&path);
+    text_free(&file);
+    return out;
+}
+
+static void line(struct chart *chart, const char *legend, const double (*points)[2], size_t count)
+{
+    chart_curve(chart, &(struct chart_curve){.legend = legend, .colour = "#1257d0"});
+    for (size_t i = 0; i < count; i++)
+        chart_row(chart, points[i][0], points[i][1], 0, 0);
+}
+
+static void assert_in(const struct text *text, const char *words)
+{
+    if (!strstr(text_string(text), words))
+        fail_msg("'%s' is not in\n%s", words, text_string(text));
+}
+
+/* From least to most, on a logarithmic axis or not: the tics. */
+static const struct {
+    double low, high;
+    bool logarithmic;
+    const char *tics;
+} axes[] = {
+    {1, 100, true, "('1' 1, '2' 2, '5' 5, '10' 10, '20' 20, '50' 50, '100' 100)"},
+    {1e-6, 0.1, true, "('10⁻⁶' 1e-06, '10⁻⁵' 1e-05, '10⁻⁴' 0.0001, '0.001' 0.001, '0.01' 0.01, '0.1' 0.1)"},
+    {1e-20, 1, true, "('10⁻¹⁸'"},
+    {2e4, 5e4, true, "('2·10⁴' 20000, '5·10⁴' 50000)"},
+    {0, 1, false, "('0' 0, '0.2' 0.2"},
+    {-3, 3, false, "('−3' -3, '−2' -2"},
+    {5, 5, true, "(Four"},
+};
+
+TEST_CASE(axes_have_few_tics_with_plain_numbers)
+{
+    for (size_t i = 0; i + 1 < sizeof axes / sizeof *axes; i++) {
+        struct chart chart = chart_make("chart", "panels");
+        const double points[][2] = {{axes[i].low, 1}, {axes[i].high, 2}};
+        chart_panel(&chart, "", "x", "y", axes[i].logarithmic, false);
+        line(&chart, "one", points, 2);
+        struct text script = script_of(&chart, NULL);
+        assert_in(&script, axes[i].tics);
+        text_free(&script);
+        chart_free(&chart);
+    }
+}
+
+TEST_CASE(what_an_axis_cannot_show_is_left_out)
+{
+    struct chart chart = chart_make("chart", "panels");
+    const double points[][2] = {{0, 1}, {1, 0}, {1, NAN}, {INFINITY, 1}, {10, -2}}, seen[][2] = {{2, 3}, {4, 5}};
+    chart_panel(&chart, "", "x", "y", true, true);
+    line(&chart, "nothing of this", points, 5);
+    line(&chart, "one", seen, 2);
+    chart_end(&chart);
+    assert_string_equal(text_string(&chart.data), "# one\n2,3\n4,5\n");
+    assert_int_equal(chart.blocks, 1);
+    assert_true(chart_has_data(&chart));
+    chart_free(&chart);
+    chart = chart_make("empty", "panels");
+    chart_panel(&chart, "", "x", "y", true, true);
+    assert_false(chart_has_data(&chart));
+    chart_free(&chart);
+}
+
+PLACED(every_kind_is_drawn_where_it_should)
+{
+    struct chart chart = chart_make("kinds", "panels");
+    const double straight[][2] = {{1, 1}, {10, 10}};
+    for (int p = 0; p < 5; p++) {
+        chart_panel(&chart, p == 0 ? "one" : "other", "x (m)", "y", true, true);
+        line(&chart, "line", straight, 2);
+        for (int kind = CHART_BAND; kind < CHART_KINDS; kind++) {
+            chart_curve(&chart, &(struct chart_curve){
+                                    .kind = (enum chart_kind)kind, .legend = "more", .colour = "#cc5500", .marker = 6});
+            chart_row(&chart, 2, 3, kind == CHART_DOTS ? 1 : 2, 5);
+            chart_row(&chart, 4, 5, kind == CHART_DOTS ? 2 : 4, 8);
+        }
+        chart_mark(&chart, true, 3, "here");
+        chart_mark(&chart, false, 7, "there");
+    }
+    struct text svg = draw(*state, &chart);
+    for (const char *const *words =
+             (const char *const[]){"one", "other", "here", "there", "line", "more", "x (m)", NULL};
+         *words; words++)
+        assert_in(&svg, *words);
+    text_free(&svg);
+    struct text letters = script_of(&chart, "80,24");
+    assert_in(&letters, "set terminal dumb size 80,24");
+    text_free(&letters);
+    chart_free(&chart);
+}
+
+PLACED(panels_that_share_their_axes_have_one_range)
+{
+    struct chart chart = chart_make("shared", "panels");
+    const double low[][2] = {{1, 1}, {2, 2}}, high[][2] = {{100, 5}, {200, 8}};
+    chart.shares = true;
+    chart_panel(&chart, "", "x", "y", true, false);
+    line(&chart, "low", low, 2);
+    chart_panel(&chart, "", "x", "y", true, false);
+    line(&chart, "high", high, 2);
+    struct text script = script_of(&chart, NULL);
+    const char *first = strstr(text_string(&script), "set xrange ["), *second = strstr(first + 1, "set xrange [");
+    assert_memory_equal(first, second, strcspn(first, "\n"));
+    text_free(&script);
+    struct text svg = draw(*state, &chart);
+    text_free(&svg);
+    chart_free(&chart);
+}
+
+/* Names from outside act neither in the script nor in the drawing. */
+PLACED(hostile_names_mean_nothing)
+{
+    static const char *const names[] = {"'; system('touch owned'); '",
+                                        "`touch owned`",
+                                        "\"; exit; \"",
+                                        "@macro $x %d",
+                                        "ends in \\",
+                                        "a]]><script>alert(1)</script>",
+                                        "γ_{x}^2 {/Bold b}",
+                                        "line\nbreak \x1b[31m \xff"};
+    struct chart chart = chart_make("hostile", "panels");
+    const double points[][2] = {{1, 1}, {2, 2}};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        chart_panel(&chart, names[i], names[i], names[i], false, false);
+        line(&chart, names[i], points, 2);
+        chart_mark(&chart, true, 1.5, names[i]);
+    }
+    struct text svg = draw(*state, &chart);
+    assert_in(&svg, "`touch owned`");
+    assert_in(&svg, "γ_{x}^2 {/Bold b}");
+    assert_null(strstr(text_string(&svg), "<script"));
+    assert_false(directory_has(*state, "owned"));
+    text_free(&svg);
+    chart_free(&chart);
+}
+
+TEST_CASE(a_script_that_is_not_there_is_an_error)
+{
+    struct chart chart = chart_make("chart", "no-such-script");
+    struct text path = {0}, out = {0};
+    struct status status = {0};
+    const double points[][2] = {{1, 1}, {2, 2}};
+    struct mustache_folder folder = templates(&path, &status);
+    chart_panel(&chart, "", "x", "y", false, false);
+    line(&chart, "one", points, 2);
+    assert_int_equal(chart_script(&out, &chart, &folder, NULL), STATUS_IO);
+    assert_non_null(strstr(status.message, "no-such-script.gp"));
+    mustache_folder_free(&folder);
+    text_free(&path);
+    text_free(&out);
+    chart_free(&chart);
+}
