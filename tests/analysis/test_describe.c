@@ -472,7 +472,7 @@ PLACED(test_a_knee_widens_the_laws_interval)
     record->summary.scene = NULL;
     const struct estimate *gamma = &surface_repeats(&record->summary)->gamma,
                           *psd = &surface_repeats(&record->summary)->psd_m3;
-    const struct power_law_band_fit *found = &record->band.fit;
+    const struct power_law_band_fit *found = &record->band->fit;
     assert_true(found->gamma_bias_s >= 0.04 && found->log10_amplitude_bias_s >= 0.02);
     assert_near(estimate_end(gamma, 1) - gamma->mean, hypot(gamma->half_width, 1.96 * found->gamma_bias_s), 1e-9);
     assert_near(log(estimate_end(psd, 1)) - psd->mean,
