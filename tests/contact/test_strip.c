@@ -131,6 +131,52 @@ TEST_CASE(areas)
     assert_near(strip_ratio_at(&strip, 1e-6).separation, strip_ratio_at(&strip, 1e-4).separation, 1e-12);
 }
 
+/** A row that does not close on itself is mirrored, not repeated: a ramp then has no cliff, and gives what the mirrored
+ * rows give as they are. */
+TEST_CASE(rows_are_mirrored)
+{
+    static const size_t both[2] = {0, 1};
+    double *height = gaussian_rows(2, 9), *mirrored = malloc(4 * POINTS * sizeof *mirrored);
+    assert_non_null(mirrored);
+    for (size_t r = 0; r < 2; r++)
+        for (size_t i = 0; i < POINTS; i++) {
+            double at = height[r * POINTS + i] += 5e-9 * (double)i;
+            mirrored[2 * r * POINTS + i] = mirrored[2 * (r + 1) * POINTS - 1 - i] = at;
+        }
+    struct strip strip = solved(&(struct strip_rows){height, 2, POINTS, 1e-6, false}, both, 2, 1);
+    struct strip expected = solved(&(struct strip_rows){mirrored, 2, 2 * POINTS, 1e-6, true}, both, 2, 1);
+    assert_memory_equal(&strip, &expected, sizeof strip);
+    free(height);
+    free(mirrored);
+}
+
+/** The gap is that of the points which do not touch: what the solver's tolerance leaves on the others would make it 1 %
+ * too large where most touch. Truth: the same strip solved to 1e-9. */
+TEST_CASE(gap_of_the_open_points)
+{
+    static const size_t first = 0;
+    double *height = gaussian_rows(1, 9), sum = 0;
+    struct strip strip = solved(&(struct strip_rows){height, 1, POINTS, 1e-6, true}, &first, 1, 0);
+    struct direct_contact contact;
+    struct status status = {0};
+    size_t count = 0;
+    assert_int_equal(direct_contact_make(&contact, NULL, height, POINTS, 1, 1e-6, &status), STATUS_OK);
+    for (size_t k = 0; k < strip.own.count; k++) {
+        struct direct_contact_load load = {exp(strip.own.value[k][0]), INFINITY, 1e-9, true, NULL};
+        struct direct_contact_effort effort = {0};
+        assert_int_equal(direct_contact_solve(&contact, &load, &effort, &status), STATUS_OK);
+        struct direct_quantities truth = direct_quantities_of(&contact, &load);
+        if (truth.area_ratio < 0.4 || truth.area_ratio > 0.97)
+            continue;
+        sum += strip.own.value[k][2] - log(truth.gap_m);
+        count++;
+    }
+    assert_true(count >= 3);
+    assert_within(sum / (double)count, 0, 0.003);
+    direct_contact_free(&contact);
+    free(height);
+}
+
 /** Flat rows have no strip. */
 TEST_CASE(nothing_to_solve)
 {
