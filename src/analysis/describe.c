@@ -662,6 +662,8 @@ static enum status_code fit_alone(struct surface_record *record, const struct po
         rc = ensemble_estimate(&repeats->gamma, &record->ensemble, gamma, scans->file, count, false, status);
     if (rc == STATUS_OK)
         rc = ensemble_estimate(&repeats->psd_m3, &record->ensemble, psd_m3, scans->file, count, true, status);
+    repeats->gamma.model_sd = record->band->fit.gamma_bias_s;
+    repeats->psd_m3.model_sd = 2 * M_LN10 * record->band->fit.log10_amplitude_bias_s;
     free(gamma);
     return rc;
 }
@@ -689,6 +691,7 @@ static enum status_code describe(struct surface_record *record, struct power_law
     struct status none = {0};
     double started = clock_seconds();
     summary->harmonics = record->spectrum.count;
+    summary->longest_waves = spectrum_longest_waves(&record->spectrum);
     summary->independent = fmax(1, scans->independent);
     double shortest_m = fmax(2 * surface_lambda_s(summary, scene), scene->fit_band_m[0]);
     summary->tail =

@@ -17,8 +17,8 @@ struct estimate {
         degrees;       /* of a single scan; standard error of the mean; 0 degrees of freedom: by simulated records */
     double half_width; /* of the 95 % interval of the surface's mean; NaN: not known, or its ends are no doubles */
     double next_half_width; /* of that in which another scan lies; NaN: not known */
-    double model_sd;  /* of ln value: what the model itself may be off by, beside the scatter; 0: not counted in */
-    double effective; /* independent rows that the blocks are worth; else the scans' weights */
+    double model_sd;        /* as mean: what the model itself may be off by, beside the scatter; 0: not counted in */
+    double effective;       /* independent rows that the blocks are worth; else the scans' weights */
     bool logarithmic;
     bool share;         /* of a whole, as A/A_n is: no end lies above 1 */
     bool heterogeneous; /* one scan that is not the same along its length */

@@ -17,7 +17,10 @@
 #include "profile/profile.h"
 #include "spectrum/power_law_scans.h"
 
-enum { SURFACE_PREVIEW = 1000 }; /* points of a profile kept for the chart */
+enum {
+    SURFACE_PREVIEW = 1000,   /* points of a profile kept for the chart */
+    SURFACE_LONGEST_WAVES = 4 /* of which direct solutions of Gaussian surfaces scatter by no more than 10 % */
+};
 
 /** Where a run's time goes, by stage [s]. */
 struct surface_times {
@@ -57,6 +60,7 @@ struct surface_summary {
     size_t windowed;              /* of the scans: those whose spectrum was taken under a Hann window */
     struct convergence_tail tail; /* the spectrum's own short end, carried on below what is known */
     size_t harmonics;
+    double longest_waves; /* spectrum_longest_waves(); fewer than SURFACE_LONGEST_WAVES: a longer scan may differ */
     struct curve_bounds *bounds; /* [model], of an `auto` scene; owned like the texts, NULL: effects are listed */
     bool converged; /* no scale below the sampling limit can take any area at the convergence study's load; the same */
     struct curve_summary **models; /* [model]: of those that have run, NULL of others; the same: surface_model() */

@@ -5,8 +5,7 @@
 #include <math.h>
 
 const double convergence_atom_m = 3e-10;
-static const double convergence_resolved = 1e-4; /* of Rq */
-static const double convergence_steepest = 3;    /* twice the slope of the smoothest self-affine surface */
+static const double convergence_steepest = 3; /* twice the slope of the smoothest self-affine surface */
 
 const struct convergence_sweep_row convergence_sweeps[CONVERGENCE_SWEEP_COUNT] = {
     [CONVERGENCE_ALPHA] = {"alpha", 7, {1e-3, 1e-2, 1e-1, 1, 10, 100, 1000}},
@@ -45,7 +44,7 @@ size_t convergence_known(const struct spectrum *spectrum, double shortest_m, dou
     double all = 0, shorter = 0;
     for (size_t i = 0; i < spectrum->count; i++)
         all += spectrum_power(spectrum, i);
-    double limit = fmax(step_m * step_m, convergence_resolved * convergence_resolved * all) / 6;
+    double limit = fmax(step_m * step_m, spectrum_resolved * spectrum_resolved * all) / 6;
     size_t count = spectrum->count;
     while (count > 0 && (shorter += spectrum_power(spectrum, count - 1)) < limit)
         count--;

@@ -43,7 +43,7 @@ struct convergence_tail {
 
 /** How many of the harmonics say something of the surface: none shorter than shortest_m (0: no limit), and none whose
  * mean square height with all shorter ones is below q²/6, twice what rounding to steps of q leaves; q is step_m, and at
- * least 1e-4 of the root mean square height, which no instrument resolves beside it. */
+ * least spectrum_resolved of the root mean square height. */
 size_t convergence_known(const struct spectrum *spectrum, double shortest_m, double step_m);
 
 /** The spectrum's own short end: the least-squares line of log Delta on log lambda over the shortest half decade of

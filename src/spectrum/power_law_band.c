@@ -2,6 +2,7 @@
 #include "spectrum/power_law_band.h"
 
 #include "spectrum/multitaper.h"
+#include "spectrum/spectrum.h"
 #include <assert.h>
 #include <gsl/gsl_sort_double.h>
 #include <gsl/gsl_statistics_double.h>
@@ -345,13 +346,15 @@ static void add_knee_errors(struct power_law_band_fit *fit, const struct selecti
         struct selection part = part_of(selection, candidate->first + (side == 0 ? KNEE_BINS : 0), bins - KNEE_BINS);
         struct power_law_band_fit shorter = fit_of(&part, spectrum->length_m, spectrum->scans);
         double amplitude_change = log10_law(&shorter, log10(whole.wavelength_m)) - whole.log10_amplitude;
-        fit->gamma_s = hypot(fit->gamma_s, shorter.gamma - whole.gamma);
-        fit->log10_amplitude_s = hypot(fit->log10_amplitude_s, amplitude_change);
+        fit->gamma_bias_s = hypot(fit->gamma_bias_s, shorter.gamma - whole.gamma);
+        fit->log10_amplitude_bias_s = hypot(fit->log10_amplitude_bias_s, amplitude_change);
     }
     if (candidate->knee[0] || candidate->knee[1]) {
-        fit->gamma_s = hypot(fit->gamma_s, knee_gamma_s);
-        fit->log10_amplitude_s = hypot(fit->log10_amplitude_s, knee_amplitude_s_decades);
+        fit->gamma_bias_s = hypot(fit->gamma_bias_s, knee_gamma_s);
+        fit->log10_amplitude_bias_s = hypot(fit->log10_amplitude_bias_s, knee_amplitude_s_decades);
     }
+    fit->gamma_s = hypot(fit->gamma_s, fit->gamma_bias_s);
+    fit->log10_amplitude_s = hypot(fit->log10_amplitude_s, fit->log10_amplitude_bias_s);
 }
 
 /** Widest first, then the one of longer waves. */
@@ -450,13 +453,14 @@ size_t power_law_band_lines(double wavelength_m[LOG_BIN_MOST], const struct powe
 
 double power_law_band_digitising_limit(const struct power_law_band_spectrum *spectrum, double step_m)
 {
-    double sum = 0, limit = step_m * step_m / 6;
-    if (!(step_m > 0))
-        return 0;
+    double all = 0, sum = 0;
+    for (size_t n = 1; n <= spectrum->count; n++)
+        all += spectrum->square_m2[n - 1] / 2;
+    double limit = fmax(step_m * step_m, spectrum_resolved * spectrum_resolved * all) / 6;
     for (size_t n = spectrum->count; n > 0; n--) {
         sum += spectrum->square_m2[n - 1] / 2;
         if (sum >= limit)
-            return spectrum->length_m / (double)n;
+            return n < spectrum->count ? spectrum->length_m / (double)n : 0;
     }
     return spectrum->length_m;
 }

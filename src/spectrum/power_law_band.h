@@ -40,13 +40,14 @@ struct power_law_band_spectrum {
 
 /** The law in one band. NaN where the class is NONE. */
 struct power_law_band_fit {
-    double gamma, gamma_s;                     /* exponent and its standard error */
-    double log10_amplitude, log10_amplitude_s; /* of the rms amplitude [m] at wavelength_m; error in decades */
-    double wavelength_m;                       /* the band's middle, sqrt(shortest longest) */
-    double misfit_decades;                     /* tau: lack of fit beyond the scatter of a Gaussian random surface */
-    double band_m[2];                          /* shortest and longest wavelength */
-    size_t first_harmonic, last_harmonic;      /* the same: L/band_m[1], L/band_m[0] */
-    size_t bins;                               /* used */
+    double gamma, gamma_s;                       /* exponent and its standard error */
+    double log10_amplitude, log10_amplitude_s;   /* of the rms amplitude [m] at wavelength_m; error in decades */
+    double gamma_bias_s, log10_amplitude_bias_s; /* of these, what knees add, which more scans do not lessen */
+    double wavelength_m;                         /* the band's middle, sqrt(shortest longest) */
+    double misfit_decades;                       /* tau: lack of fit beyond the scatter of a Gaussian random surface */
+    double band_m[2];                            /* shortest and longest wavelength */
+    size_t first_harmonic, last_harmonic;        /* the same: L/band_m[1], L/band_m[0] */
+    size_t bins;                                 /* used */
 };
 
 /** A straight piece of the segmented spectrum. */
@@ -102,9 +103,9 @@ MUST_CHECK enum status_code power_law_band_fit_in(struct power_law_band *out,
 /** Wavelengths of the lines, longest first: of each run of bins that are one, the highest bin's. Returns how many. */
 size_t power_law_band_lines(double wavelength_m[LOG_BIN_MOST], const struct power_law_band *band);
 
-/** Wavelength below which heights rounded to steps of step_m say nothing about the surface: where the mean square of
- * all shorter harmonics, sum Delta²/2, first reaches step²/6, twice that of rounding. L when they never do; 0 for no
- * step. */
+/** Wavelength below which heights rounded to steps of step_m, and at least of spectrum_resolved, say nothing about the
+ * surface: where the mean square of all shorter harmonics, sum Delta²/2, first reaches step²/6, twice that of rounding.
+ * L when they never do; 0 where all say something. */
 double power_law_band_digitising_limit(const struct power_law_band_spectrum *spectrum, double step_m);
 
 #endif

@@ -11,7 +11,7 @@
 
 enum {
     SIMULATED_RECORD_LONGER = 4,       /* records are cut from ones this much longer, of 1/(4L) as lowest frequency */
-    SIMULATED_RECORD_LEAST_POINTS = 16 /* of which two bins come */
+    SIMULATED_RECORD_LEAST_POINTS = 16 /* of which seven harmonics come */
 };
 
 /** A spectrum ready to draw from. Owned: simulated_record_free(). */
@@ -23,11 +23,9 @@ struct simulated_record {
 };
 
 /** Takes the spectral density of a record of `points` N >= 16 heights from its multitaper spectrum square_m2[n-1], n =
- * 1
- * ... ceil(N/2)-1, straight between harmonics in log-log; below n = 5 it goes on as the straight line through the first
- * 6 bins of log_bin_fill(), of slope 0 ... 2 in amplitude against wavelength, down to 1/(4L).
- * Errors: STATUS_SCAN for a square that is not finite or negative, or when fewer than two of these bins have power in
- * every harmonic; STATUS_MEMORY. */
+ * 1 ... ceil(N/2)-1, straight between harmonics in log-log, as it is at the first one down to 1/(4L): a law carried on
+ * below the fit would put waves there that a scan with a roll-off does not have.
+ * Errors: STATUS_SCAN for a square that is not finite or negative, or when none has power; STATUS_MEMORY. */
 MUST_CHECK enum status_code simulated_record_prepare(struct simulated_record *out, const double *square_m2,
                                                      size_t points, struct status *status);
 /** Will it find what it needs? Amplitudes in place of their squares answer the same; fewer than 16 heights never do. */

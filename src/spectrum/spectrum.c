@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+const double spectrum_resolved = 1e-4;
+
 const char *const spectrum_window_names[SPECTRUM_WINDOW_COUNT] = {"auto", "none", "hann"};
 
 enum spectrum_window spectrum_window_for(enum spectrum_window asked, bool periodic)
@@ -116,6 +118,18 @@ double spectrum_power(const struct spectrum *spectrum, size_t i)
 {
     double square = spectrum->amplitude_m[i] * spectrum->amplitude_m[i];
     return spectrum->has_nyquist && i + 1 == spectrum->count ? square : square / 2;
+}
+
+double spectrum_longest_waves(const struct spectrum *spectrum)
+{
+    double half = spectrum_moment(spectrum, 0) / 2, sum = 0;
+    for (size_t i = 0; i < spectrum->count; i++) {
+        double power = spectrum_power(spectrum, i);
+        if (power > 0 && sum + power >= half)
+            return (double)i + (half - sum) / power + 0.5;
+        sum += power;
+    }
+    return 0;
 }
 
 double spectrum_moment(const struct spectrum *spectrum, int k)

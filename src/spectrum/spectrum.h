@@ -43,6 +43,9 @@ MUST_CHECK enum status_code spectrum_of_record(struct spectrum *out, struct fft_
  * harmonics and the first scan's length. `so_far` is how many scans `mean` holds. */
 void spectrum_average(struct spectrum *mean, const struct spectrum *other, size_t so_far);
 
+/** Of a root mean square height: what no instrument resolves beside it, and files and transforms round to. */
+extern const double spectrum_resolved;
+
 /** A copy with amplitudes of its own. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code spectrum_copy(struct spectrum *out, const struct spectrum *in, struct status *status);
 
@@ -64,6 +67,9 @@ struct spectrum_bin spectrum_bin_of(const struct spectrum *spectrum, size_t i);
 double spectrum_frequency(const struct spectrum *spectrum, size_t i);
 /** Mean square height of index i: half the squared amplitude, the whole at the Nyquist bin [m²]. */
 double spectrum_power(const struct spectrum *spectrum, size_t i);
+/** How many of its longest waves a record holds: its length over the wavelength that half of the mean square height is
+ * longer than, straight between harmonics; 0: flat. */
+double spectrum_longest_waves(const struct spectrum *spectrum);
 /** Spectral moment m_{2k} = sum (2 pi f)^{2k} power [m^(2-2k)], k = 0, 1, 2. */
 double spectrum_moment(const struct spectrum *spectrum, int k);
 

@@ -449,6 +449,36 @@ PLACED(test_each_scans_law_in_the_band_found)
     assert_near(record->summary.independent, LAWS, 0);
 }
 
+/** Noise ends the band at a knee: what that may shift the law by widens its interval, as no scans more would lessen it.
+ */
+PLACED(test_a_knee_widens_the_laws_interval)
+{
+    static char names[LAWS][8] = {"a.csv", "b.csv", "c.csv"};
+    char *files[LAWS] = {names[0], names[1], names[2]};
+    struct scene_surface surface = {.name = scan_name, .files = files, .file_count = LAWS};
+    struct status status = {0};
+    double height_m[LAW_POINTS];
+    uint64_t seed = 1;
+    for (int i = 0; i < LAWS; i++) {
+        make_law(height_m, i, LAW_POINTS);
+        for (size_t k = 0; k < LAW_POINTS; k++) {
+            seed = seed * 6364136223846793005u + 1442695040888963407u;
+            height_m[k] += 3e-6 * (double)(int64_t)seed * 0x1p-63;
+        }
+        write_scan(names[i], height_m, LAW_POINTS, 1);
+    }
+    scene.fit = POWER_LAW_AUTO;
+    assert_int_equal(describe_surface(record, &scene, &surface, NULL, &status), STATUS_OK);
+    record->summary.scene = NULL;
+    const struct estimate *gamma = &surface_repeats(&record->summary)->gamma,
+                          *psd = &surface_repeats(&record->summary)->psd_m3;
+    const struct power_law_band_fit *found = &record->band->fit;
+    assert_true(found->gamma_bias_s >= 0.04 && found->log10_amplitude_bias_s >= 0.02);
+    assert_near(estimate_end(gamma, 1) - gamma->mean, hypot(gamma->half_width, 1.96 * found->gamma_bias_s), 1e-9);
+    assert_near(log(estimate_end(psd, 1)) - psd->mean,
+                hypot(psd->half_width, 1.96 * 2 * log(10) * found->log10_amplitude_bias_s), 1e-9);
+}
+
 /* A scan twice as long has one law, of the whole, and two pieces: it weighs twice. */
 PLACED(test_the_law_of_a_longer_scan)
 {

@@ -234,6 +234,9 @@ TEST_CASE(test_knees_bound_the_band)
         assert_within(band->fit.gamma, 1.4, 4 * band->fit.gamma_s);
         assert_true(band->fit.gamma_s >= 0.04); /* a knee's share */
         assert_true(band->fit.log10_amplitude_s >= 0.02);
+        double bias_s = band->fit.gamma_bias_s, amplitude_bias_s = band->fit.log10_amplitude_bias_s;
+        assert_true(bias_s >= 0.04 && bias_s < band->fit.gamma_s);
+        assert_true(amplitude_bias_s >= 0.02 && amplitude_bias_s < band->fit.log10_amplitude_s);
         assert_int_equal(band->pieces, 3);
         assert_int_equal(band->chosen, 1);
         assert_within(log2(band->knee_m[0] / (1e-2 / 30)), 0, 1);
@@ -449,6 +452,7 @@ TEST_CASE(test_a_given_band)
     assert_int_equal(power_law_band_fit_in(&sample->band, &sample->spectrum, found->fit.band_m, &status), STATUS_OK);
     assert_near(band->fit.gamma, found->fit.gamma, 1e-13);
     assert_near(band->fit.gamma_s, found->fit.gamma_s, 1e-13);
+    assert_within(found->fit.gamma_bias_s, 0, 0); /* no knee */
     assert_near(band->alpha, found->alpha, 1e-12);
     assert_int_equal(band->law, found->law);
 
@@ -481,6 +485,11 @@ TEST_CASE(test_digitising_limit)
         sample->square_m2[n] = 2;
     sample->spectrum = (struct power_law_band_spectrum){sample->square_m2, 100, 1, 1, 0};
     assert_within(power_law_band_digitising_limit(&sample->spectrum, 0), 0, 0);
+    for (size_t n = 40; n < 100; n++) /* of 40 before: together 1.5e-4 of their root mean square, and 60 of 0.5e-4 */
+        sample->square_m2[n] = n < 41 ? 80e-8 * 2.25 / 6 : 80e-8 * 0.25 / 6 / 59;
+    assert_near(power_law_band_digitising_limit(&sample->spectrum, 0), 1.0 / 41, 1e-12);
+    for (size_t n = 40; n < 100; n++)
+        sample->square_m2[n] = 2;
     assert_near(power_law_band_digitising_limit(&sample->spectrum, sqrt(6 * 29.9)), 1.0 / 71, 1e-12);
     assert_near(power_law_band_digitising_limit(&sample->spectrum, sqrt(6 * 30.1)), 1.0 / 70, 1e-12);
     assert_near(power_law_band_digitising_limit(&sample->spectrum, sqrt(6 * 101)), 1, 1e-12);

@@ -110,6 +110,28 @@ TEST_CASE(test_the_shortest_wave)
     power_law_scans_free(&stepped);
 }
 
+/** What the transform of a smooth record with open ends leaves at short waves, 1e-5 of its height and less, is as
+ * straight as a law. */
+TEST_CASE(test_what_is_left_of_a_smooth_record_is_no_law)
+{
+    double height_m[POINTS] = {0};
+    struct power_law_scans scans = {0};
+    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    for (double waves = 0.3; waves < 20; waves += 0.7) {
+        double size = 1e-6 * exp(-pow(waves / 8, 2)), phase = 2 * M_PI * gsl_rng_uniform(random);
+        for (size_t t = 0; t < POINTS; t++)
+            height_m[t] += size * cos(2 * M_PI * waves * (double)t / POINTS + phase);
+    }
+    gsl_rng_free(random);
+    add(&scans, height_m, 0);
+    struct power_law_band band = fit(&scans, 0, NULL);
+    assert_int_equal(band.law, POWER_LAW_BAND_NONE);
+    const double tail_m[] = {3e-6, 15e-6}; /* asked for by name, nothing is there either */
+    band = fit(&scans, 0, tail_m);
+    assert_int_equal(band.law, POWER_LAW_BAND_NONE);
+    power_law_scans_free(&scans);
+}
+
 TEST_CASE(test_a_given_band)
 {
     double height_m[POINTS];

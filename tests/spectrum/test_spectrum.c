@@ -290,3 +290,23 @@ TEST_CASE(test_threads_do_not_disturb_each_other)
     }
     spectrum_free(&spectrum);
 }
+
+/** Half of the mean square height: of one wave, in the middle of its own harmonic; of a plateau, in its middle. */
+TEST_CASE(test_longest_waves)
+{
+    enum { COUNT = 64 };
+    double amplitude_m[COUNT] = {0};
+    struct spectrum spectrum = {.amplitude_m = amplitude_m, .count = COUNT, .length_m = 1};
+    assert_within(spectrum_longest_waves(&spectrum), 0, 0);
+    for (size_t n = 1; n <= COUNT; n++) {
+        amplitude_m[n - 1] = 2e-6;
+        assert_near(spectrum_longest_waves(&spectrum), ((double)n + 1) / 2, 1e-12);
+    }
+    for (size_t n = 1; n <= COUNT; n++) {
+        memset(amplitude_m, 0, sizeof amplitude_m);
+        amplitude_m[n - 1] = 2e-6;
+        assert_near(spectrum_longest_waves(&spectrum), (double)n, 1e-12);
+    }
+    amplitude_m[3] = 1e-6; /* a quarter of the power, in harmonic 4, before that of harmonic 64 */
+    assert_near(spectrum_longest_waves(&spectrum), 64 - 0.5 + 0.375, 1e-12);
+}
