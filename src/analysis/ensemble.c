@@ -110,10 +110,11 @@ enum status_code ensemble_estimate(struct estimate *out, const struct ensemble *
     if (count > 1 && set->scan_count == 1) {
         rc = estimate_rows(out, value, count, logarithmic, status);
     } else {
-        double *mean = malloc(2 * (count + 1) * sizeof *mean), *weight = mean + count;
+        double *mean = malloc(2 * (count + 1) * sizeof *mean);
         size_t scans = 0;
         if (!mean)
             return status_memory(status);
+        double *weight = mean + count;
         for (size_t i = 0, end; i < count; i = end, scans++) {
             double sum = 0, first = logarithmic ? log(value[i]) : value[i];
             for (end = i; end < count && scan[end] == scan[i]; end++)

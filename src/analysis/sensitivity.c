@@ -18,7 +18,8 @@ static const double sensitivity_hardness_factor = 1.1;
 
 enum { LEAST_POINTS = 16 };
 
-double sensitivity_cutoff(double spacing_m, double lambda_s_m)
+/** The cut-off of a scan: lambda_s where one is stated, else twice the spacing. */
+static double sensitivity_cutoff(double spacing_m, double lambda_s_m)
 {
     return lambda_s_m > 0 ? lambda_s_m : 2 * spacing_m;
 }
@@ -173,46 +174,4 @@ enum status_code sensitivity_run(struct sensitivity_factors *out, const struct s
     if (run_variants(out, sensitivity, model, task, as_is, status) == STATUS_OK && model->plastic)
         (void)run_harder(out, model, task, as_is, status);
     return status->code;
-}
-
-/** The models on the spectrum cut off at wavelength `w` of the list. */
-static enum status_code cut_at(struct sensitivity_curves *out, size_t w, const struct model_task *task, uint64_t models,
-                               struct status *status)
-{
-    const struct spectrum *all = task->spectrum;
-    double share = (double)w / (SENSITIVITY_WAVELENGTHS - 1);
-    struct member cut = {.spectrum = *all};
-    cut.spectrum.count = (size_t)fmax(1, round(pow((double)all->count, share)));
-    cut.spectrum.has_nyquist = all->has_nyquist && cut.spectrum.count == all->count;
-    roughness_from_spectrum(&cut.roughness, &cut.spectrum);
-    out->wavelength_m[w] = all->length_m / (double)cut.spectrum.count;
-    for (size_t m = 0; m < model_count; m++) {
-        struct contact_point *point = &out->points[m * SENSITIVITY_WAVELENGTHS + w];
-        struct asperities asperities;
-        struct model_task own = member_task(&asperities, &cut, task);
-        own.wanted &= variant_wanted;
-        *point = quantity_nothing();
-        if ((models & MODEL_BIT(m)) && solve_one(point, model_rows[m], &own, status) != STATUS_OK)
-            return status->code;
-    }
-    return STATUS_OK;
-}
-
-enum status_code sensitivity_curves_make(struct sensitivity_curves *out, const struct model_task *task, uint64_t models,
-                                         double unsure_m, struct status *status)
-{
-    *out = (struct sensitivity_curves){.points = malloc(model_count * SENSITIVITY_WAVELENGTHS * sizeof *out->points),
-                                       .unsure_m = unsure_m};
-    if (!out->points)
-        return status_memory(status);
-    for (size_t w = 0; w < SENSITIVITY_WAVELENGTHS; w++)
-        if (cut_at(out, w, task, models, status) != STATUS_OK)
-            return status->code;
-    return STATUS_OK;
-}
-
-void sensitivity_curves_free(struct sensitivity_curves *curves)
-{
-    free(curves->points);
-    *curves = (struct sensitivity_curves){0};
 }

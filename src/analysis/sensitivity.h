@@ -45,9 +45,6 @@ struct sensitivity_factors {
     double area[SENSITIVITY_CHANGES], ecr[SENSITIVITY_CHANGES];
 };
 
-/** The cut-off of a scan: lambda_s where one is stated, else twice the spacing. */
-double sensitivity_cutoff(double spacing_m, double lambda_s_m);
-
 /** Adds one variant of a profile: low-passed (ISO 16610-21) at twice sensitivity_cutoff(), levelled and windowed as the
  * profile is; or a half, or the whole as one that does not close on itself. Each variant on any thread;
  * sensitivity_end() once all of a profile are there. Error: STATUS_MEMORY. */
@@ -64,19 +61,5 @@ void sensitivity_free(struct sensitivity *sensitivity);
 MUST_CHECK enum status_code sensitivity_run(struct sensitivity_factors *out, const struct sensitivity *sensitivity,
                                             const struct model_row *model, const struct model_task *task,
                                             const struct contact_point *as_is, struct status *status);
-enum { SENSITIVITY_WAVELENGTHS = 25 };
-
-/** Area and resistance of every running model against the shortest wavelength included, of one surface. */
-struct sensitivity_curves {
-    double wavelength_m[SENSITIVITY_WAVELENGTHS]; /* log spaced, from the scan's length down to the shortest harmonic */
-    struct contact_point *points; /* [model * SENSITIVITY_WAVELENGTHS + wavelength], NaN: no value; owned */
-    double unsure_m;              /* below: beyond tip, sampling or lambda_s */
-};
-
-/** Cuts `task`'s spectrum off at each wavelength; moments are then those of the spectrum. models: MODEL_BITs. Error:
- * STATUS_MEMORY. */
-MUST_CHECK enum status_code sensitivity_curves_make(struct sensitivity_curves *out, const struct model_task *task,
-                                                    uint64_t models, double unsure_m, struct status *status);
-void sensitivity_curves_free(struct sensitivity_curves *curves);
 
 #endif

@@ -15,7 +15,7 @@ void strips_free(struct strips *strips)
 {
     free(strips->height_m);
     free(strips->joined);
-    *strips = (struct strips){.rows = {.rows = 0}};
+    *strips = (struct strips){.height_m = NULL};
 }
 
 enum status_code strips_gather(struct strips *out, const struct ensemble *set, struct status *status)

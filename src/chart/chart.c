@@ -320,7 +320,10 @@ static void mark_more(json_t *list, const char *flag)
 {
     size_t i;
     json_t *item;
-    json_array_foreach(list, i, item) json_object_set_new(item, flag, json_boolean(i + 1 < json_array_size(list)));
+    json_array_foreach(list, i, item)
+    {
+        json_object_set_new(item, flag, json_boolean(i + 1 < json_array_size(list)));
+    }
 }
 
 /** One panel's tree: place, axes, tics, curves. */

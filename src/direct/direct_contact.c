@@ -242,9 +242,9 @@ static double level(const struct solver *solver)
 }
 
 /** Takes lambda off the gap and lays the set anew: {0 < p < H}, and where a condition is violated, {p = 0, g < 0} and
- * {p = H, g > 0}. Under a hardness, and in a strip, these wait until they are the worst (proportioning: Dostál, SIAM J. Optim. 7 (1997)
- * 871); else points change sides in every iteration and no direction lives. Returns max |g| over all of them. What the
- * ranks of a team decide by is the same on all. */
+ * {p = H, g > 0}. Under a hardness, and in a strip, these wait until they are the worst (proportioning: Dostál, SIAM J.
+ * Optim. 7 (1997) 871); else points change sides in every iteration and no direction lives. Returns max |g| over all of
+ * them. What the ranks of a team decide by is the same on all. */
 static double lay_set(struct solver *solver)
 {
     struct direct_contact *contact = solver->contact;
@@ -422,8 +422,8 @@ static enum status_code solve(struct solver *solver, struct status *status)
     bool capped = isfinite(load->hardness), warm = load->warm && contact->solved;
     direct_contact_select(contact, false);
     double touching = direct_team_sum(contact->kernel.team, (double)contact->set_count);
-    warm &= touching < WARM_MOST * (double)contact->kernel.points || (capped && contact->capped) ||
-            contact->kernel.ny == 1;
+    warm &=
+        touching < WARM_MOST * (double)contact->kernel.points || (capped && contact->capped) || contact->kernel.ny == 1;
     solver->hardness = INFINITY;
     solver->preconditioned = true;
     start(solver, warm);

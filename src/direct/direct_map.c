@@ -83,10 +83,10 @@ static enum status_code low_pass(double *smooth, const double *height, size_t nx
                                  bool periodic, struct status *status)
 {
     size_t reach = (size_t)ceil(1.5 * cutoff), count = nx * ny, places = (nx > ny ? nx : ny) + 2 * reach;
-    double *there = malloc((count + places + reach + 1) * sizeof *there), *fields[] = {smooth, there};
-    double *room = there + count, *weight = room + places, sum = 0, offset = NAN;
+    double *there = malloc((count + places + reach + 1) * sizeof *there), sum = 0, offset = NAN;
     if (!there)
         return status_memory(status);
+    double *fields[] = {smooth, there}, *room = there + count, *weight = room + places;
     for (size_t r = 0; r <= reach; r++) {
         weight[r] = exp(-pow(M_PI * (double)r / cutoff, 2) / M_LN2);
         sum += weight[r] * (r > 0 ? 2 : 1);
@@ -123,9 +123,10 @@ enum status_code direct_map_condition(double *height_m, struct direct_map_def *d
         return STATUS_OK;
     const struct scan scan = {.nx = nx, .ny = ny, .z_m = height_m};
     struct status none = {0};
-    double *flat = malloc(2 * nx * ny * sizeof *flat), *smooth = flat + nx * ny;
+    double *flat = malloc(2 * nx * ny * sizeof *flat);
     if (!flat)
         return status_memory(status);
+    double *smooth = flat + nx * ny;
     if (areal_flatten(flat, &scan, &none) != STATUS_OK) /* else a slope would bend where it is mirrored */
         memcpy(flat, height_m, nx * ny * sizeof *flat);
     if (low_pass(smooth, flat, nx, ny, def->cutoff, def->periodic, status) == STATUS_OK)

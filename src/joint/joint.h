@@ -30,7 +30,6 @@ struct joint {
 /** 300 K, at which the table of gases holds. */
 struct joint joint_default(void);
 
-
 struct joint_task {
     const struct joint *joint;
     const struct material_pair *pair;
@@ -40,11 +39,9 @@ struct joint_task {
     double tolerance; /* relative, of the integral over the gaps */
 };
 
-
 /** Spots, all alike, that have the model's area and resistance between them: n pi a² = A/A_n and n 2a/rho = 1/(ECR
  * A_n), so a = 2 (A/A_n)(ECR A_n)/(pi rho). NaN beyond joint_independent_area. */
 struct contact_spots joint_equal_spots(double area_ratio, double ecr_ohm_m2, double resistivity_ohm_m);
-
 
 /** R A_n [ohm m²] of spots with a film of resistance `film_ohm_m2` (s_f) in series: each spot has rho/(2a) + s_f/(pi
  * a²), alike spots R_c A_n + s_f/(A/A_n) (Holm 1967, Electric Contacts, 4th edition). The film's resistance is never

@@ -5,7 +5,8 @@
 #include <stdlib.h>
 
 /** The effects whose quantities are made of spots. */
-static const unsigned joint_on_spots = EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING) | EFFECT_BIT(EFFECT_HEATING);
+static const unsigned joint_on_spots =
+    EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING) | EFFECT_BIT(EFFECT_HEATING);
 
 /** Do the joint's effects (EFFECT_BITs that run) add anything to a curve? */
 static bool joint_adds(const struct joint_task *joint)
@@ -14,7 +15,7 @@ static bool joint_adds(const struct joint_task *joint)
 }
 
 enum status_code joint_curve(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
-                              const struct joint_task *joint, struct status *status)
+                             const struct joint_task *joint, struct status *status)
 {
     struct contact_spots *spots = NULL;
     enum status_code rc = STATUS_OK;

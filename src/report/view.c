@@ -166,7 +166,11 @@ static bool is_whole(const json_t *value)
     if (json_is_object(value)) {
         json_object_foreach((json_t *)(uintptr_t)value, key, member) if (!is_whole(member)) return false;
     } else if (json_is_array(value)) {
-        json_array_foreach(value, i, member) if (!is_whole(member)) return false;
+        json_array_foreach(value, i, member)
+        {
+            if (!is_whole(member))
+                return false;
+        }
     }
     return value != NULL;
 }

@@ -353,7 +353,7 @@ enum { LIMITS = sizeof limit_rows / sizeof *limit_rows, LIMITS_SAID = 3 };
 /** The three that change the answer most, and what a longer or finer scan would do. */
 static void put_limits(json_t *out, const struct view_source *source)
 {
-    struct limit limits[LIMITS];
+    struct limit limits[LIMITS] = {{.factor = 0}};
     size_t count = 0;
     json_t *list = view_list(out, "limits");
     for (size_t r = 0; r < LIMITS; r++) {
@@ -489,6 +489,11 @@ void view_first_page(json_t *out, const struct view_source *source)
     put_measured(out, source);
     put_beside(out, source);
     put_limits(out, source);
+    double waves = INFINITY;
+    for (size_t k = 0; k < results->usable_count; k++)
+        waves = fmin(waves, view_summary(source, results->by_roughness[k])->longest_waves);
+    if (waves < SURFACE_LONGEST_WAVES)
+        view_number(out, "longest_waves", waves, DIGITS, "");
     put_asked_limits(out, source);
     put_table(out, source);
 }

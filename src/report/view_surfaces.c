@@ -39,6 +39,7 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
     }
     view_number(row, "rsk", roughness_skewness(&s->roughness), 2, "");
     view_number(row, "rku", roughness_kurtosis(&s->roughness), 2, "");
+    view_number(row, "heights", comparison_heights_factor(source->results, surface), 2, "");
     view_flag(row, "no_law", law->found == POWER_LAW_BAND_NONE);
     if (law->found == POWER_LAW_BAND_NONE)
         return;
@@ -60,6 +61,7 @@ void view_surfaces(json_t *out, const struct view_source *source)
     const struct scene *scene = results->scene;
     json_t *item = json_object(), *rows = view_list(item, "rows");
     size_t scans = 0, periodic = 0, windowed = 0, lawless = 0;
+    bool has_heights = false;
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = view_summary(source, i);
         if (!s->usable)
@@ -68,9 +70,11 @@ void view_surfaces(json_t *out, const struct view_source *source)
         periodic += s->periodic;
         windowed += s->windowed;
         lawless += s->power_law.found == POWER_LAW_BAND_NONE;
+        has_heights = has_heights || isfinite(comparison_heights_factor(results, i));
         if (json_array_size(rows) < VIEW_ROWS)
             put_surface(view_item(rows), source, i);
     }
+    view_flag(item, "has_heights", has_heights);
     if (results->usable_count > VIEW_ROWS)
         view_count(item, "rows_left_out", results->usable_count - VIEW_ROWS);
     view_text(item, "level", level_names[scene->level]);
@@ -95,6 +99,11 @@ void view_surfaces(json_t *out, const struct view_source *source)
     if (!pair->unknown) {
         view_number(item, "modulus_GPa", pair->effective_modulus_Pa * 1e-9, 3, "");
         view_number(item, "hardness_MPa", pair->hardness_Pa * 1e-6, 3, "");
+    }
+    const struct surface_summary *baseline = &source->baseline->summary;
+    if (!baseline->has_lay && baseline->perfect_lay[0] > 0) {
+        view_number(item, "perfect_lay_area", baseline->perfect_lay[0], 2, "");
+        view_number(item, "perfect_lay_ecr", baseline->perfect_lay[1], 2, "");
     }
     json_object_set_new(out, "surfaces", item);
 }

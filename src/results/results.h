@@ -26,14 +26,13 @@ struct results {
     bool loads_apart;                /* surfaces of different E' share pressures or forces */
     struct surface_record *surfaces; /* one a surface of the scene, in its order */
     size_t surface_count;
-    struct effects_studies studies;               /* what the studies below took */
-    struct results_lost *lost;                    /* while they are written */
-    const struct surface_record *counterface;     /* described; NULL: smooth */
-    const struct measured *measured;              /* NULL: none */
-    const struct measured_answers *answers;       /* the models' on the baseline surface; NULL: nothing measured */
-    const struct benchmark *benchmark;            /* what accuracy costs; NULL: left out */
-    const struct sensitivity_curves *sensitivity; /* of the baseline surface */
-    const struct direct_study *direct;            /* the surfaces solved directly; NULL: none */
+    struct effects_studies studies;           /* what the studies below took */
+    struct results_lost *lost;                /* while they are written */
+    const struct surface_record *counterface; /* described; NULL: smooth */
+    const struct measured *measured;          /* NULL: none */
+    const struct measured_answers *answers;   /* the models' on the baseline surface; NULL: nothing measured */
+    const struct benchmark *benchmark;        /* what accuracy costs; NULL: left out */
+    const struct direct_study *direct;        /* the surfaces solved directly; NULL: none */
     size_t direct_count;
     const double *convergence; /* the sweeps' area ratios, see results_sweep(); NULL when the effect is off */
     size_t *shown;             /* indices of the surfaces the charts show: all usable ones up to 8, else spread by Rq */

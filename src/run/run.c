@@ -28,7 +28,6 @@ struct run {
     struct prepared prepared;
     struct results *results; /* of `prepared` */
     struct benchmark benchmark;
-    struct sensitivity_curves sensitivity;
     struct measured_answers answers;
     struct comparison comparison;
     struct figures figures;
@@ -75,36 +74,21 @@ static void add_times(struct run_times *times, const struct results *results)
     }
 }
 
-/** The baseline against the shortest wavelength included (not where its scans were not looked at for that), and at the
- * loads that were measured. */
-static enum status_code run_baseline(struct run *run, struct status *status)
+/** The baseline at the loads that were measured. */
+static enum status_code run_measured(struct run *run, struct status *status)
 {
     struct results *results = run->results;
     const struct surface_record *baseline = &results->surfaces[results->baseline];
     struct model_task task = surface_model_task(baseline, results->scene, results->plan,
                                                 results_loads(results, results->baseline), results->load_count);
-    struct model_task one = surface_middle_task(&task);
-    double unsure_m =
-        fmax(sensitivity_cutoff(baseline->summary.spacing_m, surface_lambda_s(&baseline->summary, results->scene)),
-             results->scene->tip_radius_m); /* a tip rounds off what is shorter than its radius */
+    const struct joint_task joint = surface_joint(baseline, results->scene, results->plan, &task);
     uint64_t models = 0;
+    if (!results->measured)
+        return STATUS_OK;
     for (size_t m = 0; m < model_count; m++)
         models |= plan_runs_model(results->plan, m) ? MODEL_BIT(m) : 0;
-    if (baseline->sensitivity.scans > 0) {
-        if (sensitivity_curves_make(&run->sensitivity, &one, models, unsure_m, status) != STATUS_OK)
-            return status->code;
-        for (size_t w = 0; w < SENSITIVITY_WAVELENGTHS; w++) /* as the scans have it */
-            run->sensitivity.wavelength_m[w] *= surface_kappa(&baseline->summary);
-        results->sensitivity = &run->sensitivity;
-    }
-    if (results->measured) {
-        const struct joint_task joint = surface_joint(baseline, results->scene, results->plan, &task);
-        if (measured_answer(&run->answers, results->measured, models, &task, &joint, &baseline->ensemble, status) !=
-            STATUS_OK)
-            return status->code;
-        results->answers = &run->answers;
-    }
-    return STATUS_OK;
+    results->answers = &run->answers;
+    return measured_answer(&run->answers, results->measured, models, &task, &joint, &baseline->ensemble, status);
 }
 
 /** The direct solutions that the plan calls for, one surface after another, each on all threads. */
@@ -183,7 +167,7 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
         return status->code;
     if (results->usable_count == 0)
         return status_fail(status, STATUS_SCAN, "no readable scan in '%s'", run->scene->directory);
-    if (run_baseline(run, status) != STATUS_OK)
+    if (run_measured(run, status) != STATUS_OK)
         return status->code;
     double last = clock_seconds();
     if (plan_runs(results->plan, EFFECT_CONVERGENCE) && run_sweeps(run, status) != STATUS_OK)
@@ -282,7 +266,6 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     output_abandon(&run.output);
     free(run.sweeps);
     benchmark_free(&run.benchmark);
-    sensitivity_curves_free(&run.sensitivity);
     measured_answers_free(&run.answers);
     comparison_free(&run.comparison);
     figures_free(&run.figures);

@@ -284,7 +284,7 @@ TEST_IN_WORKSPACE(test_resolution)
     expect_part(page, "All of it is true at this resolution");
     json_t *all = results(place);
     double gamma = json_number_value(json_object_get(json_array_get(json_object_get(all, "direct"), 0), "gamma"));
-    
+
     assert_true(gamma < 1.5);
     json_decref(all);
     free(page);
