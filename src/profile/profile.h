@@ -6,8 +6,6 @@
 
 #include "profile/level.h"
 #include "scan/scan.h"
-#include <stdarg.h>
-#include <stdio.h>
 
 enum profile_spacing { PROFILE_UNIFORM, PROFILE_ROUNDED, PROFILE_RESAMPLED };
 
@@ -29,7 +27,7 @@ struct profile {
     enum profile_spacing grid;           /* as printed; rounded x, nominal spacing used; uneven x, interpolated */
     double *measured_x_m, *measured_z_m; /* uneven x and no filter: the points as measured, levelled; else NULL */
     bool periodic;                       /* it closes on itself, before levelling: record_window_is_periodic() */
-    double digit_m;                      /* step of the digitiser: sanity_digitising(); 0: none seen */
+    double digit_m;                      /* step of the digitiser: profile_digitiser_step(); 0: none seen */
     double tilt;                         /* slope the levelling took out (line, parabola, circle, robust), else 0 */
     double end_jump_m;                   /* last minus first height: the record is not periodic */
     char notes[PROFILE_NOTES][PROFILE_NOTE_LENGTH]; /* each one line, lower case: steps taken and warnings */
@@ -54,15 +52,11 @@ MUST_CHECK enum status_code profile_take(struct profile *out, struct scan *scan,
                                          struct status *status);
 void profile_free(struct profile *profile);
 
-/** Adds a line to the notes; beyond PROFILE_NOTES it is dropped. */
-PRINTF_LIKE(2, 3) static inline void profile_note(struct profile *profile, const char *format, ...)
-{
-    if (profile->note_count == PROFILE_NOTES)
-        return;
-    va_list args;
-    va_start(args, format);
-    vsnprintf(profile->notes[profile->note_count++], PROFILE_NOTE_LENGTH, format, args);
-    va_end(args);
-}
+/** The step [m] of the digitiser, 0 where none is seen, in at least 2 heights, from the differences of neighbours with
+ * the tilt off: less the one that is nearest to their mean, which is rounded as they are, so that it does not matter
+ * whether the instrument levelled after it had digitised. The step is the smallest that is left, when at least 95 % of
+ * the small ones (below 3.5 of it) are whole multiples of it to 15 % (instruments round once more when they print), and
+ * there are enough of them (1 % of the points, 30 or more). */
+double profile_digitiser_step(const double *height_m, size_t points);
 
 #endif

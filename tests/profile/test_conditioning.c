@@ -2,7 +2,7 @@
 /* The pipeline as a whole: header spacings, filters in their order, and the warnings. */
 #include "condition_support.h"
 #include "profile/filter.h"
-#include "profile/sanity.h"
+#include "profile/profile.h"
 #include "scan/scan.h"
 
 enum { POINTS = 8192 };
@@ -140,13 +140,13 @@ TEST_CASE(test_digitising)
         make_smooth();
         for (size_t i = 0; i < POINTS; i++) /* a 12.9 nm converter, printed to 1 nm */
             z[i] = offsets_m[o] + round(round(z[i] / 12.9e-9) * 12.9) * 1e-9;
-        assert_near(sanity_digitising(z, POINTS), 12.9e-9, 0.02);
+        assert_near(profile_digitiser_step(z, POINTS), 12.9e-9, 0.02);
         struct profile profile = condition(1e-6, profile_defaults);
         assert_note(&profile, "heights come in steps of 12.");
         profile_free(&profile);
     }
     make_smooth();
-    assert_near(sanity_digitising(z, POINTS), 0, 0);
+    assert_near(profile_digitiser_step(z, POINTS), 0, 0);
     for (size_t i = 0; i < POINTS; i++)
         z[i] = round(z[i] / 1e-9) * 1e-9; /* seen, but it makes 1 % of m4 */
     struct profile profile = condition(1e-6, profile_defaults);
@@ -155,7 +155,7 @@ TEST_CASE(test_digitising)
     uint64_t seed = 3;
     for (size_t i = 0; i < POINTS; i++)
         z[i] = 1e-6 * noise(&seed);
-    assert_near(sanity_digitising(z, POINTS), 0, 0);
+    assert_near(profile_digitiser_step(z, POINTS), 0, 0);
 }
 
 /* The tilt is off: a steep one makes all differences of neighbours alike, which is no digitiser; one that the
@@ -167,15 +167,15 @@ TEST_CASE(test_digitising_under_a_tilt)
         make_smooth();
         for (size_t i = 0; i < POINTS; i++)
             z[i] = z[i] * 1.001 + tilts_m[t] * (double)i;
-        assert_near(sanity_digitising(z, POINTS), 0, 0);
+        assert_near(profile_digitiser_step(z, POINTS), 0, 0);
         make_smooth();
         for (size_t i = 0; i < POINTS; i++) /* tilted, then digitised */
             z[i] = 12.9e-9 * round((z[i] + tilts_m[t] * (double)i) / 12.9e-9);
-        assert_near(sanity_digitising(z, POINTS), 12.9e-9, 1e-6);
+        assert_near(profile_digitiser_step(z, POINTS), 12.9e-9, 1e-6);
         make_smooth();
         for (size_t i = 0; i < POINTS; i++) /* digitised, then a tilt taken out */
             z[i] = 12.9e-9 * round(z[i] / 12.9e-9) - tilts_m[t] * (double)i;
-        assert_near(sanity_digitising(z, POINTS), 12.9e-9, 1e-6);
+        assert_near(profile_digitiser_step(z, POINTS), 12.9e-9, 1e-6);
     }
 }
 
