@@ -224,7 +224,7 @@ static void decide_uncertainty(struct plan *plan, const struct surface_record *s
 /** Of a point of a transform there and back, on one core of 2020. */
 static const double strip_seconds = 12e-9;
 
-/** Strips run where every surface has them: within their budget, or asked for. */
+/** Strips run where none of the surfaces that can have them is beyond its share of their budget. */
 static void decide_strips(struct plan *plan, const struct surface_record *surfaces, size_t count)
 {
     double cost = 0;
@@ -239,7 +239,7 @@ static void decide_strips(struct plan *plan, const struct surface_record *surfac
         dear += lacks && summary->strip_cost > 0;
         lacking += lacks;
     }
-    if (lacking == 0 || !(plan->models & users))
+    if ((dear == 0 && lacking < count) || !(plan->models & users))
         return;
     plan->models &= ~users;
     if (dear > 0)
@@ -248,7 +248,7 @@ static void decide_strips(struct plan *plan, const struct surface_record *surfac
                  cost * strip_seconds);
     else
         snprintf(plan->area_reason, sizeof plan->area_reason,
-                 "every report has it; no strip transfer, as %zu of %zu surfaces have no strips", lacking, count);
+                 "every report has it; no strip transfer, as no surface has strips");
 }
 
 void effects_decide(struct plan *plan, const struct scene *scene, const struct surface_record *surfaces, size_t count)

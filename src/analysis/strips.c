@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-const double strips_budget = 2.5e9;
+const double strips_budget = 5e9;
 
-enum { ROWS_MOST = 16 }; /* of a map */
+enum { ROWS_MOST = 8 }; /* of a map */
 
 void strips_free(struct strips *strips)
 {
@@ -18,25 +18,36 @@ void strips_free(struct strips *strips)
     *strips = (struct strips){.height_m = NULL};
 }
 
+/** Has a member all of the `points`, and the first one's spacing? Rows of a map may lack some at their ends. */
+static bool is_whole(const struct member *member, size_t points, double spacing_m)
+{
+    return member->height_m && member->points == points && fabs(member->spacing_m / spacing_m - 1) <= 1e-6;
+}
+
 enum status_code strips_gather(struct strips *out, const struct ensemble *set, struct status *status)
 {
-    const struct member *first = set->members;
-    bool map = set->scan_count == 1;
-    size_t rows = map && set->count > ROWS_MOST ? ROWS_MOST : set->count;
-    bool periodic = true;
-    for (size_t p = 0; p < set->count; p++) {
-        const struct member *member = &set->members[p];
-        if (!member->height_m || member->points != first->points ||
-            fabs(member->spacing_m / first->spacing_m - 1) > 1e-6)
-            return STATUS_OK;
-        periodic = periodic && member->periodic;
-    }
-    if (!(out->height_m = malloc((rows * first->points + 1) * sizeof *out->height_m)))
+    bool map = set->scan_count == 1, periodic = true;
+    double spacing_m = set->count > 0 ? set->members[0].spacing_m : 0;
+    size_t points = 0, whole = 0, taken = 0;
+    for (size_t p = 0; p < set->count; p++)
+        points = set->members[p].points > points ? set->members[p].points : points;
+    for (size_t p = 0; p < set->count; p++)
+        if (is_whole(&set->members[p], points, spacing_m)) {
+            periodic = periodic && set->members[p].periodic;
+            whole++;
+        }
+    size_t rows = map && whole > ROWS_MOST ? ROWS_MOST : whole;
+    if (rows == 0 || (!map && whole < set->count))
+        return STATUS_OK;
+    if (!(out->height_m = malloc(rows * points * sizeof *out->height_m)))
         return status_memory(status);
-    for (size_t r = 0; r < rows; r++)
-        memcpy(out->height_m + r * first->points, set->members[(2 * r + 1) * set->count / (2 * rows)].height_m,
-               first->points * sizeof *out->height_m);
-    out->rows = (struct strip_rows){out->height_m, rows, first->points, first->spacing_m, periodic};
+    for (size_t p = 0, k = 0; p < set->count; p++) {
+        if (!is_whole(&set->members[p], points, spacing_m) || k++ != (2 * taken + 1) * whole / (2 * rows))
+            continue;
+        memcpy(out->height_m + taken * points, set->members[p].height_m, points * sizeof *out->height_m);
+        taken++;
+    }
+    out->rows = (struct strip_rows){out->height_m, rows, points, spacing_m, periodic};
     out->pairings = 1;
     return STATUS_OK;
 }

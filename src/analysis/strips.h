@@ -9,7 +9,7 @@ enum { STRIPS_PAIRINGS = 8 };
 
 /** Owned: strips_free(). */
 struct strips {
-    struct strip_rows rows; /* levelled; of a map at most 16, evenly spaced; rows 0: none */
+    struct strip_rows rows; /* levelled; of a map at most 8 whole ones, evenly spaced; rows 0: none */
     size_t pairings;      /* rows next to each other that are one scan's, each against another place of the counterface;
                              1: it is smooth */
     double *height_m;     /* theirs */
@@ -32,7 +32,7 @@ MUST_CHECK enum status_code strips_pair(struct strips *strips, const struct stri
  */
 uint64_t strips_cost(const struct strips *strips, size_t surrogates);
 
-/** The count that a whole report spends at most on strips: about half a minute of one core. */
+/** The count that a whole report spends at most on strips: about a minute of one core. */
 extern const double strips_budget;
 /** Surrogates for a surface: STRIP_SURROGATES where the scene names its models, else as many as its share of the budget
  * allows; 0: not even one, and no strip is solved. */

@@ -109,7 +109,7 @@ TEST_CASE(the_report_says_them_in_words)
     made_up_make_of(&made, made_up_models(), PLAIN, NULL);
     struct text report = report_of(&made);
     assert_says(&report, "**At 10.0\u00a0N the contact resistance is 50.0\u00a0µΩ**");
-    assert_says(&report, "*alpha* is significantly better than all others");
+    assert_says(&report, "*alpha* is significantly better than all others tested");
     assert_says(&report, "The model gives 0.67 times the measured resistance.");
     assert_says(&report, "**1 refused**");
     assert_says(&report, "| beta | 0.200 |");
