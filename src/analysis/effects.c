@@ -211,11 +211,11 @@ static void decide_uncertainty(struct plan *plan, const struct surface_record *s
         snprintf(reason, size, "no surface has one scan alone that records can be simulated of");
     else if (simulated == 0)
         snprintf(reason, size,
-                 "%zu surface%s one scan; records like it would take over a second: list the effect to "
+                 "%zu surface%s one scan; records like it would take over ten seconds: list the effect to "
                  "have them",
                  single, single == 1 ? " has" : "s have");
     else
-        snprintf(reason, size, "%zu surface%s one scan that records are simulated of, in under a second", simulated,
+        snprintf(reason, size, "%zu surface%s one scan that records are simulated of, in under ten seconds", simulated,
                  simulated == 1 ? " has" : "s have");
     if (simulated == 0)
         plan_switch_off(plan, EFFECT_UNCERTAINTY);

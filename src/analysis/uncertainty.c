@@ -14,7 +14,7 @@ enum {
     FIRST_SEED = 1
 };
 
-static const double most_seconds = 1, height_seconds = 0.25e-6;
+static const double most_seconds = 10, height_seconds = 0.25e-6;
 
 bool uncertainty_holds(const struct plan *plan, size_t model)
 {
