@@ -19,21 +19,23 @@ enum { LEAST_CROSSINGS = 6 };
 
 static struct bearing_at count_at(double area_ratio, const struct bearing *bearing);
 
-/** The smallest share at which the profiles rise through its height LEAST_CROSSINGS times; a half where at none below.
- */
-static double least_area(const struct bearing *bearing)
+/** The share nearest to none (side 0) or to all of the surface (1) at which the profiles rise through its height
+ * LEAST_CROSSINGS times; a half where at none nearer. */
+static double last_area(const struct bearing *bearing, int side)
 {
-    double steps = (double)(bearing->rows->rows * bearing->rows->points) * bearing->rows->spacing_m, share;
+    double length_m = (double)(bearing->rows->rows * bearing->rows->points) * bearing->rows->spacing_m, share;
     for (share = 1.5 / (double)bearing->count; share < 0.5; share *= 1.25)
-        if (count_at(share, bearing).crossings_per_m * steps >= LEAST_CROSSINGS)
+        if (count_at(side ? 1 - share : share, bearing).crossings_per_m * length_m >= LEAST_CROSSINGS)
             break;
-    return fmin(share, 0.5);
+    share = fmin(share, 0.5);
+    return side ? 1 - share : share;
 }
 
 enum status_code bearing_make(struct bearing *out, const struct strip_rows *rows, struct status *status)
 {
     size_t count = rows->rows * rows->points;
-    *out = (struct bearing){rows, malloc((count + 1) * sizeof(double)), malloc((count + 1) * sizeof(double)), count, 0};
+    *out = (struct bearing){
+        rows, malloc((count + 1) * sizeof(double)), malloc((count + 1) * sizeof(double)), count, {0, 1}};
     if (!out->height_m || !out->below_m) {
         bearing_free(out);
         return status_memory(status);
@@ -46,7 +48,8 @@ enum status_code bearing_make(struct bearing *out, const struct strip_rows *rows
         out->height_m[i] = -out->height_m[i];
         out->below_m[i] = out->below_m[i + 1] + out->height_m[i];
     }
-    out->least_area = least_area(out);
+    for (int side = 0; side < 2; side++)
+        out->area[side] = last_area(out, side);
     return STATUS_OK;
 }
 
@@ -83,10 +86,11 @@ static struct bearing_at count_at(double area_ratio, const struct bearing *beari
 
 struct bearing_at bearing_counted(double area_ratio, const struct bearing *bearing)
 {
-    if (area_ratio >= bearing->least_area)
-        return count_at(area_ratio, bearing);
-    struct bearing_at at = count_at(bearing->least_area, bearing), there = bearing_gaussian(bearing->least_area, 1, 1),
-                      here = bearing_gaussian(area_ratio, 1, 1);
+    double counted = fmin(fmax(area_ratio, bearing->area[0]), bearing->area[1]);
+    struct bearing_at at = count_at(counted, bearing);
+    if (counted == area_ratio)
+        return at;
+    struct bearing_at there = bearing_gaussian(counted, 1, 1), here = bearing_gaussian(area_ratio, 1, 1);
     return (struct bearing_at){at.gap_m * (here.gap_m / there.gap_m),
                                at.crossings_per_m * (here.crossings_per_m / there.crossings_per_m)};
 }

@@ -21,14 +21,14 @@ struct bearing {
     double *height_m; /* highest first, all rows */
     double *below_m;  /* at index k the sum of height_m[k ...] */
     size_t count;
-    double least_area; /* share at whose height the profiles rise through it often enough for a count */
+    double area[2]; /* least and largest share at whose height the profiles rise through it often enough for a count */
 };
 
 /** Error: STATUS_MEMORY. `rows` has to outlive it. */
 MUST_CHECK enum status_code bearing_make(struct bearing *out, const struct strip_rows *rows, struct status *status);
 void bearing_free(struct bearing *bearing);
-/** At a share of 0 ... 1; crossings are counted. Below least_area, where the few highest points of the scans are left,
- * both keep their ratio to those of Gaussian heights. */
+/** At a share of 0 ... 1; crossings are counted. Beyond area[], where a few of the highest or lowest points of the
+ * scans are left, both keep their ratio to those of Gaussian heights. */
 struct bearing_at bearing_counted(double area_ratio, const struct bearing *bearing);
 
 /** A point of contact. */

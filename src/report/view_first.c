@@ -464,6 +464,7 @@ void view_first_page(json_t *out, const struct view_source *source)
     double load = results_operating_load(results, results->baseline);
     char unit[UNIT_LENGTH + 20];
     view_flag(out, "several", results->usable_count > 1);
+    view_flag(out, "has_intervals", results_intervals(results));
     view_count(out, "surface_count", results->usable_count);
     view_text(out, "leading", model_rows[source->leading]->label);
     view_text(out, "baseline", view_name(source, results->baseline));
