@@ -171,11 +171,3 @@ size_t plan_leading_model(const struct plan *plan)
         }
     return leading;
 }
-
-bool plan_beyond_thesis(const struct plan *plan)
-{
-    for (size_t m = 0; m < model_count; m++)
-        if (plan_runs_model(plan, m) && model_rows[m]->thesis_place == 0)
-            return true;
-    return false;
-}

@@ -33,8 +33,6 @@ void plan_switch_off(struct plan *plan, enum effect effect);
 bool plan_runs_model(const struct plan *plan, size_t m);
 /** The model that the summary speaks of: the running one of the greatest precedence. */
 size_t plan_leading_model(const struct plan *plan);
-/** Does a model run that is not in the thesis? */
-bool plan_beyond_thesis(const struct plan *plan);
 /** QUANTITY_BITs that the effects call for and some running model computes. */
 unsigned plan_quantities(const struct plan *plan);
 /** Does a model run that stacks scales, or one that works on asperities? */

@@ -18,21 +18,3 @@ void rank_ascending(uint64_t *order, const double *value, size_t count)
         order[k] = k;
     qsort_r(order, count, sizeof *order, by_value, (void *)value);
 }
-
-enum status_code rank_descending(size_t *order, const double *value, size_t count, struct status *status)
-{
-    uint64_t *rising = malloc((count + 1) * sizeof *rising);
-    double *turned = malloc((count + 1) * sizeof *turned);
-    if (rising && turned) {
-        for (size_t k = 0; k < count; k++)
-            turned[k] = -value[k];
-        rank_ascending(rising, turned, count);
-        for (size_t k = 0; k < count; k++)
-            order[k] = rising[k];
-    } else {
-        (void)status_memory(status);
-    }
-    free(rising);
-    free(turned);
-    return status->code;
-}

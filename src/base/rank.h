@@ -3,14 +3,10 @@
 #ifndef BASE_RANK_H
 #define BASE_RANK_H
 
-#include "base/status.h"
 #include <stddef.h>
 #include <stdint.h>
 
 /** order[k] = index of the k-th lowest of `count` finite values, equal ones by index. */
 void rank_ascending(uint64_t *order, const double *value, size_t count);
-
-/** order[k] = index of the k-th highest of `count` finite values, equal ones by index. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code rank_descending(size_t *order, const double *value, size_t count, struct status *status);
 
 #endif

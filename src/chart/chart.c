@@ -138,13 +138,6 @@ void chart_row(struct chart *chart, double x, double y, double from, double to)
     text_add(&chart->data, "\n");
 }
 
-void chart_gap(struct chart *chart)
-{
-    size_t length = chart->data.length;
-    if (chart->rows > 0 && length > 1 && strncmp(chart->data.data + length - 2, "\n\n", 2) != 0)
-        text_add(&chart->data, "\n");
-}
-
 /** Puts a curve into the legend, once a name and look. */
 static void add_legend(struct chart *chart, json_t *curve)
 {

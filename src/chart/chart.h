@@ -71,8 +71,6 @@ struct chart_panel *chart_panel(struct chart *chart, const char *title, const ch
 void chart_curve(struct chart *chart, const struct chart_curve *curve);
 /** Adds a row: as many numbers as its kind has columns. What the axes cannot show is left out. */
 void chart_row(struct chart *chart, double x, double y, double from, double to);
-/** Parts the line begun. */
-void chart_gap(struct chart *chart);
 /** Ends the curve begun last; chart_curve(), chart_panel() and chart_write() do so themselves. */
 void chart_end(struct chart *chart);
 /** A line across the panel begun last, at x (or y), with its name. */

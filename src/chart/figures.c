@@ -780,14 +780,6 @@ void figures_free(struct figures *figures)
     *figures = (struct figures){0};
 }
 
-const struct chart *figures_find(const struct figures *figures, const char *name)
-{
-    for (size_t i = 0; i < figures->count; i++)
-        if (strcmp(figures->chart[i].name, name) == 0)
-            return &figures->chart[i];
-    return NULL;
-}
-
 /** Writes a chart's files and tells gnuplot to draw it, as letters too where it is one for a terminal. */
 static enum status_code draw_one(struct chart *chart, struct gnuplot *gnuplot, struct mustache_folder *templates,
                                  const char *directory, const char *terminal_size)

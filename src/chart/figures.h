@@ -17,8 +17,6 @@ struct figures {
 MUST_CHECK enum status_code figures_make(struct figures *out, const struct results *results,
                                          const struct comparison *comparison, bool brief, struct status *status);
 void figures_free(struct figures *figures);
-/** NULL: it is not called for. */
-const struct chart *figures_find(const struct figures *figures, const char *name);
 
 /** Writes DIRECTORY/figures/NAME.csv and NAME.gp, and draws them as SVG; with `terminal_size`, "columns,rows", the main
  * ones as text too, into `letters`. *seconds: that gnuplot took. Errors: STATUS_CHART, STATUS_IO, STATUS_MEMORY. */

@@ -61,7 +61,6 @@ struct model_row {
     const char *label;                   /* as in charts, tables and lists of names: no comma */
     const char *short_label;             /* as in the terminal's table */
     const char *family;                  /* asked for together in scenes */
-    const char *family_title;            /* heading of its own section of the report; NULL: in chapter 6 alone */
     bool by_default;                     /* runs when the scene names no models */
     bool plastic;                        /* needs the effect plasticity */
     const struct model_row *elastic;     /* of a plastic model: the one it adds yield to; NULL: none */

@@ -36,26 +36,3 @@ TEST_CASE(a_jump_is_found)
     double at = 0.3;
     assert_near(integral(step, &at, 0, 1, 1e-6), 0.3 + 3 * 0.7, 1e-3);
 }
-
-/** The antiderivative of a panel is that of powers it holds to rounding, and of another within its error; both
- * directions; nothing at its start. */
-TEST_CASE(panels_are_antiderivatives)
-{
-    double cube = 3, root = 0.5, none = 0;
-    double limits[2][2] = {{1, 3}, {3, 1}};
-    for (int i = 0; i < 2; i++) {
-        double from = limits[i][0], to = limits[i][1];
-        struct integral_panel third = integral_panel_make(power, &cube, from, to),
-                              constant = integral_panel_make(power, &none, from, to),
-                              half = integral_panel_make(power, &root, from, to);
-        assert_true(third.error < 1e-13 && constant.error < 1e-14);
-        assert_true(half.error > 1e-13 && half.error < 1e-8);
-        assert_within(integral_panel_at(&third, from), 0, 1e-13);
-        for (double x = 1; x <= 3; x += 0.25) {
-            double exact = 2.0 / 3 * (pow(x, 1.5) - pow(from, 1.5));
-            assert_within(integral_panel_at(&third, x), (pow(x, 4) - pow(from, 4)) / 4, 1e-13);
-            assert_within(integral_panel_at(&constant, x), x - from, 1e-14);
-            assert_within(integral_panel_at(&half, x), exact, half.error * fabs(x - from) + 1e-14);
-        }
-    }
-}

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The view on results made up to order, whose numbers can be worked out by hand, and the report filled from it. */
+#include "directory.h"
 #include "made_up_results.h"
 #include "report/report.h"
 #include "support.h"
@@ -7,7 +8,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 /** A text of the view by a path such as "rows.1.value.value"; "" where it is not there. */
 static const char *view_at(const json_t *view, const char *path)
@@ -301,18 +301,16 @@ TEST_CASE(a_template_of_the_user_takes_the_reports_place)
     struct made_up made;
     struct status status = {0};
     struct text out = {0};
-    char path[] = "/tmp/roughcontact-template-XXXXXX";
-    int file = mkstemp(path);
-    const struct report_options how = {PROJECT_SOURCE "/templates", path, false};
+    struct directory place = directory_make();
     const char source[] = "{{#rows}}{{surface}}: {{value.value}}\n{{/rows}}{{> joint}}";
-    assert_true(file >= 0 && write(file, source, strlen(source)) == (ssize_t)strlen(source));
-    close(file);
+    directory_write(&place, "my.md", source);
+    const struct report_options how = {PROJECT_SOURCE "/templates", directory_path(&place, "my.md"), false};
     made_up_make_of(&made, made_up_models(), PLAIN, NULL);
     assert_int_equal(report_markdown(&out, made.view, &how, &status), STATUS_OK);
     assert_string_equal(text_string(&out), "beta: 150\u00a0µΩ\nalpha: 50.0\u00a0µΩ\ngamma: 375\u00a0µΩ\n\n");
     text_free(&out);
     made_up_free(&made);
-    unlink(path);
+    directory_remove(&place);
 }
 
 TEST_CASE(the_terminal_shows_the_first_pages_table)

@@ -149,7 +149,7 @@ static void solve(struct direct_point *out, const double *height_m, double hardn
 static void write_scans(const char *directory, const double *height_m, const struct part *part, double hardness)
 {
     struct text scene = {0}, row = {0};
-    char path[256];
+    char path[192];
     struct status status = {0};
     double hardness_Pa = 1e11 * gradient * (isinf(hardness) ? 10 : hardness);
     text_add(&scene, "material: {E: 100 GPa, nu: 0, Sy: %.17g, resistivity: %g ohm m, hardness: %.17g}\n",
@@ -369,9 +369,11 @@ static const char introduction[] =
 
 int main(int count, char **word)
 {
-    char directory[] = "/tmp/roughcontact-validation-XXXXXX", path[64];
+    char directory[128], path[192];
+    const char *temporary = getenv("TMPDIR");
     struct text page = {0};
     struct status status = {0};
+    snprintf(directory, sizeof directory, "%s/roughcontact-validation-XXXXXX", temporary ? temporary : "/tmp");
     if (count != 2 || !mkdtemp(directory))
         return 2;
     text_add(&page, "%s", introduction);
