@@ -3,8 +3,7 @@
 #ifndef ANALYSIS_DESCRIBE_H
 #define ANALYSIS_DESCRIBE_H
 
-#include "analysis/surface.h"
-#include "base/hash.h"
+#include "analysis/describe_files.h"
 
 /** Reads and describes one surface: everything but effects and models. What is wrong with its files is no error: then
  * summary.usable is false and summary.refusal says why in one line. `counterface` is the described rough counterface,
@@ -14,13 +13,6 @@ MUST_CHECK enum status_code describe_surface(struct surface_record *out, const s
                                              const struct surface_record *counterface, struct status *status);
 
 /* Its steps, in their order. */
-
-/** Reads one file into the surface: averages the spectrum and moments of its profile, or of every row of a map, keeps
- * scans for runs of their own, and adds them to those the law is fitted to; Errors: STATUS_IO, STATUS_SCAN (one line
- * with the file's name), STATUS_MEMORY. */
-MUST_CHECK enum status_code describe_file(struct surface_record *record, struct power_law_scans *scans,
-                                          const struct scene *scene, const struct scene_surface *surface,
-                                          const char *file, struct hash *hash, struct status *status);
 
 /** Two rough bodies: amplitudes and moments of the surface and of its counterface add as squares (docs/equations.md,
  * From scan to spectrum); those

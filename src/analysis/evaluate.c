@@ -143,12 +143,13 @@ static void note_model(struct surface_record *record, size_t m, size_t left_out)
 {
     const struct model_curve *curve = &record->curves[m];
     if (left_out > 0 && curve->exists)
-        surface_note(&record->summary, "%s has no solution for %zu of the scans run alone; its curve is of the others",
-                     model_rows[m]->label, left_out);
+        note_say(&record->summary.notes,
+                 "%s has no solution for %zu of the scans run alone; its curve is of the others", model_rows[m]->label,
+                 left_out);
     if (curve->overflows)
-        surface_note(&record->summary,
-                     "no %s: its numbers leave what can be computed with; check the units, the material and the loads",
-                     model_rows[m]->label);
+        note_say(&record->summary.notes,
+                 "no %s: its numbers leave what can be computed with; check the units, the material and the loads",
+                 model_rows[m]->label);
 }
 
 /** Has a number of a curve of several scans no interval? */
@@ -172,11 +173,10 @@ static void note_intervals(struct surface_record *record)
         if (record->ensemble.count > 1 && !record->ensemble.no_intervals && loses_interval(record, m))
             text_add(&names, "%s%s", names.length > 0 ? ", " : "", model_rows[m]->label);
     if (names.length > 0)
-        surface_note(
-            &record->summary,
-            "no interval at some loads (%s): the scans differ there by more than numbers hold; are they of one "
-            "surface, in one unit?",
-            text_string(&names));
+        note_say(&record->summary.notes,
+                 "no interval at some loads (%s): the scans differ there by more than numbers hold; are they of one "
+                 "surface, in one unit?",
+                 text_string(&names));
     text_free(&names);
 }
 
@@ -276,7 +276,7 @@ static enum status_code solve_strips(struct surface_record *record, const struct
     record->summary.has_strips = record->strips.joined != NULL;
     if (rc == STATUS_OK && !record->strips.joined) {
         record->summary.strip_cost = 0; /* more of it would not help */
-        surface_note(&record->summary, "no strip transfer: under no load do enough points of its scans touch");
+        note_say(&record->summary.notes, "no strip transfer: under no load do enough points of its scans touch");
     }
     record->summary.strip_transforms = record->strips.transforms;
     record->summary.times.strips = clock_seconds() - started;

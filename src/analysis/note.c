@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/note.h"
 
+#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -39,6 +41,19 @@ void note_add(struct note_list *list, const char *subject, const char *what)
             return;
         }
     insert(list, list->count, subject, what, false);
+}
+
+void note_say(struct note_list *list, const char *format, ...)
+{
+    char *line = NULL;
+    va_list args;
+    va_start(args, format);
+    int length = vasprintf(&line, format, args);
+    va_end(args);
+    if (length < 0)
+        return;
+    insert(list, list->count, NULL, line, false);
+    free(line);
 }
 
 void note_add_refused(struct note_list *list, const char *what)

@@ -50,30 +50,39 @@ static enum status_code add_mean(struct member *mean, size_t so_far, struct memb
     return rc;
 }
 
-enum status_code sensitivity_add(struct sensitivity *out, enum sensitivity_variant variant,
-                                 const struct profile *profile, const struct profile_options *how,
-                                 enum spectrum_window window, enum roughness_moments moments, struct status *status)
+/** One variant of a profile. */
+static enum status_code add_variant(struct member *mean, size_t so_far, enum sensitivity_variant variant,
+                                    const struct profile *profile, const struct profile_options *how,
+                                    const struct record_conditioning *record, struct status *status)
 {
     bool whole = variant == SENSITIVITY_CUTOFF || variant == SENSITIVITY_WHOLE;
     size_t points = whole ? profile->points : profile->points / 2;
-    const struct record_conditioning record = {how->level, how->periodic_mean,
-                                               profile->periodic && variant == SENSITIVITY_CUTOFF, window, moments};
     struct fft_room room;
     struct member own;
-    if (profile->points < LEAST_POINTS)
-        return STATUS_OK;
     if (!fft_room_make(&room, points))
         return status_memory(status);
     enum status_code rc = take_variant(&room, points, variant, profile, how->lambda_s_m, status);
     if (rc == STATUS_OK)
-        rc = member_of_record(&own, &room, points, profile->spacing_m, &record, status);
+        rc = member_of_record(&own, &room, points, profile->spacing_m, record, status);
     fft_room_free(&room);
-    return rc == STATUS_OK ? add_mean(&out->variants[variant], out->scans, &own, status) : rc;
+    return rc == STATUS_OK ? add_mean(mean, so_far, &own, status) : rc;
 }
 
-void sensitivity_end(struct sensitivity *out, const struct profile *profile)
+enum status_code sensitivity_add(struct sensitivity *out, const struct profile *profile,
+                                 const struct profile_options *how, enum spectrum_window window,
+                                 enum roughness_moments moments, struct status *status)
 {
-    out->scans += profile->points >= LEAST_POINTS;
+    struct record_conditioning record = {how->level, how->periodic_mean, false, window, moments};
+    if (profile->points < LEAST_POINTS)
+        return STATUS_OK;
+    for (int variant = 0; variant < SENSITIVITY_VARIANTS; variant++) {
+        record.periodic = profile->periodic && variant == SENSITIVITY_CUTOFF;
+        if (add_variant(&out->variants[variant], out->scans, (enum sensitivity_variant)variant, profile, how, &record,
+                        status) != STATUS_OK)
+            return status->code;
+    }
+    out->scans++;
+    return STATUS_OK;
 }
 
 void sensitivity_free(struct sensitivity *sensitivity)

@@ -45,14 +45,11 @@ struct sensitivity_factors {
     double area[SENSITIVITY_CHANGES], ecr[SENSITIVITY_CHANGES];
 };
 
-/** Adds one variant of a profile: low-passed (ISO 16610-21) at twice sensitivity_cutoff(), levelled and windowed as the
- * profile is; or a half, or the whole as one that does not close on itself. Each variant on any thread;
- * sensitivity_end() once all of a profile are there. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code sensitivity_add(struct sensitivity *out, enum sensitivity_variant variant,
-                                            const struct profile *profile, const struct profile_options *how,
-                                            enum spectrum_window window, enum roughness_moments moments,
-                                            struct status *status);
-void sensitivity_end(struct sensitivity *out, const struct profile *profile);
+/** Adds a profile's variants: low-passed (ISO 16610-21) at twice sensitivity_cutoff(), levelled and windowed as the
+ * profile is; its halves; and the whole as one that does not close on itself. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code sensitivity_add(struct sensitivity *out, const struct profile *profile,
+                                            const struct profile_options *how, enum spectrum_window window,
+                                            enum roughness_moments moments, struct status *status);
 void sensitivity_free(struct sensitivity *sensitivity);
 
 /** Runs a model on the variants, and with the hardness raised, at the one load of `task`, whose surface is as it is,

@@ -2,22 +2,7 @@
 #include "analysis/surface.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
-
-void surface_note(struct surface_summary *summary, const char *format, ...)
-{
-    char *line = NULL;
-    va_list args;
-    va_start(args, format);
-    int length = vasprintf(&line, format, args);
-    va_end(args);
-    if (length < 0)
-        return;
-    note_add(&summary->notes, NULL, line);
-    free(line);
-}
 
 double surface_short_gamma(const struct power_law *law)
 {
@@ -82,6 +67,14 @@ struct model_task surface_model_task(const struct surface_record *record, const 
         .rows = record->strips.rows.rows > 0 ? &record->strips.rows : NULL,
         .strip = record->strips.joined,
     };
+}
+
+void surface_set_lay(struct surface_summary *summary, double lay, const char *instead)
+{
+    summary->has_lay = isfinite(lay);
+    summary->lay = lay;
+    if (summary->has_lay && lay > 1.5)
+        note_say(&summary->notes, "it is %.3g times as steep along as across its lay; %s", lay, instead);
 }
 
 double surface_kappa(const struct surface_summary *summary)

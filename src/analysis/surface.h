@@ -104,8 +104,6 @@ struct repeats *surface_repeats_room(struct surface_summary *summary);
 const struct curve_summary *surface_model(const struct surface_summary *summary, size_t m);
 /** The same, to be filled: zeroed where there was none. NULL: out of memory. */
 struct curve_summary *surface_model_room(struct surface_summary *summary, size_t m);
-/** Adds a note on the surface. */
-void surface_note(struct surface_summary *summary, const char *format, ...) PRINTF_LIKE(2, 3);
 
 /** gamma at short wavelengths, where convergence is decided. */
 double surface_short_gamma(const struct power_law *law);
@@ -126,6 +124,9 @@ struct joint_task surface_joint(const struct surface_record *record, const struc
 
 /** The same at the middle load alone. */
 struct model_task surface_middle_task(const struct model_task *task);
+
+/** Sets r of a surface (not finite: not known); what makes it doubtful is noted, with what to do. */
+void surface_set_lay(struct surface_summary *summary, double lay, const char *instead);
 
 /** What the frequencies of the scans, taken across a lay, are multiplied by in the models, which know no direction:
  * sqrt((1 + r²)/2), r the rms slope along over across (equations: lay). */

@@ -56,11 +56,12 @@ size_t convergence_known(const struct spectrum *spectrum, double shortest_m, dou
 struct convergence_tail convergence_tail(const struct spectrum *spectrum, size_t count)
 {
     static const double half_decade = 3.1622776601683795; /* sqrt(10) */
-    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, origin = log(spectrum->length_m / (double)count);
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, shortest_m = spectrum->length_m / (double)count;
     for (size_t i = count; i-- > 0 && (double)(i + 1) * half_decade >= (double)count;) {
         if (!(spectrum->amplitude_m[i] > 0))
             continue;
-        double x = -log(spectrum_frequency(spectrum, i)) - origin, y = log(spectrum->amplitude_m[i]);
+        double x = log((double)count / (double)(i + 1)),
+               y = log(spectrum->amplitude_m[i]); /* x: of lambda over the shortest */
         n += 1;
         sx += x;
         sy += y;
@@ -70,7 +71,7 @@ struct convergence_tail convergence_tail(const struct spectrum *spectrum, size_t
     double gamma = n < 3 ? NAN : (sxy - sx * sy / n) / (sxx - sx * sx / n);
     if (!(gamma <= convergence_steepest))
         return (struct convergence_tail){NAN, NAN, NAN, count};
-    return (struct convergence_tail){exp(origin + sx / n), exp(sy / n), gamma, count};
+    return (struct convergence_tail){shortest_m * exp(sx / n), exp(sy / n), gamma, count};
 }
 
 double convergence_tail_amplitude(const struct convergence_tail *tail, double wavelength_m)

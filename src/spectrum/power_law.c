@@ -63,9 +63,14 @@ static struct line line_of(const struct sums *sums)
     return (struct line){slope, y_mean - slope * x_mean, fmax(0, yy - slope * xy), x_mean, xx};
 }
 
+static double wavelength(const struct spectrum *spectrum, size_t i)
+{
+    return spectrum->length_m / (double)(i + 1);
+}
+
 static bool in_band(const struct spectrum *spectrum, size_t i, const double band_m[2])
 {
-    double wavelength_m = 1 / spectrum_frequency(spectrum, i);
+    double wavelength_m = wavelength(spectrum, i);
     return spectrum->amplitude_m[i] > 0 && wavelength_m >= band_m[0] * (1 - 1e-12) &&
            wavelength_m <= band_m[1] * (1 + 1e-12);
 }
@@ -100,7 +105,7 @@ static void find_knee(struct power_law *law, const struct spectrum *spectrum, si
         double both = above.residual + below.residual;
         if (both < best && fabs(above.slope - below.slope) > 0.3) {
             best = both;
-            law->knee_m = 1 / spectrum_frequency(spectrum, i);
+            law->knee_m = wavelength(spectrum, i);
             law->gamma_above = above.slope;
             law->gamma_below = below.slope;
         }
@@ -127,8 +132,8 @@ struct power_law power_law_fit(const struct spectrum *spectrum, const double ban
         law.band_m[0] = law.band_m[1] = NAN;
         return law;
     }
-    law.band_m[0] = 1 / spectrum_frequency(spectrum, last);
-    law.band_m[1] = 1 / spectrum_frequency(spectrum, first);
+    law.band_m[0] = wavelength(spectrum, last);
+    law.band_m[1] = wavelength(spectrum, first);
 
     struct line line = line_of(&sums);
     double variance = line.residual / (sums.n - 2);

@@ -71,7 +71,8 @@ static void gather(char *name)
     struct status status = {0};
     if (strcmp(name, map_name) == 0)
         snprintf(surface.x_unit, sizeof surface.x_unit, "m"), snprintf(surface.z_unit, sizeof surface.z_unit, "m");
-    if (describe_file(record, &scans, &scene, &surface, name, &hash, &status) != STATUS_OK)
+    const struct describe_task task = {record, &scans, &scene};
+    if (describe_file(&task, &surface, name, &hash, &status) != STATUS_OK)
         fail_msg("%s", status.message);
 }
 
