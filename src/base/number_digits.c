@@ -31,10 +31,10 @@ static void make_powers(void)
 }
 
 /** The digits of a value > 0 as an integer of DIGITS digits, and the decimal exponent of the first. False where a long
- * double of 64 bits could be rounded the wrong way: power and product are off by 2^-64 each, and most < 2^57. */
+ * double of 64 bits could be rounded the wrong way: power and product are off by 2^-64 each, and most < 2^56.5. */
 static bool decimal(uint64_t *digits, int *exponent, double value)
 {
-    static const double unsure = 0x1p-5;
+    static const double unsure = 0x1p-6;
     int binary;
     if (LDBL_MANT_DIG < 64)
         return false;
@@ -75,8 +75,15 @@ size_t number_digits(char out[NUMBER_DIGITS_SIZE], double value)
             *end++ = '.';
         *end++ = text[i];
     }
-    if (!plain)
-        end += sprintf(end, "e%+03d", exponent);
+    if (!plain) { /* printf would take half of the time */
+        int size = abs(exponent);
+        *end++ = 'e';
+        *end++ = exponent < 0 ? '-' : '+';
+        if (size >= 100)
+            *end++ = (char)('0' + size / 100);
+        *end++ = (char)('0' + size / 10 % 10);
+        *end++ = (char)('0' + size % 10);
+    }
     *end = '\0';
     return (size_t)(end - out);
 }
