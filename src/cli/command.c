@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/command.h"
 #include "cli/signals.h"
-#include "scene/scene_quantity.h"
+#include "scene/scene_words.h"
 
 #include <errno.h>
 #include <libgen.h>

@@ -4,7 +4,7 @@
 #include "base/program.h"
 #include "base/temporary.h"
 #include "base/text.h"
-#include "base/thread.h"
+#include "base/threads.h"
 #include "cli/command.h"
 
 #include <errno.h>

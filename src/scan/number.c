@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scan/number.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -18,7 +17,7 @@ static const double number_powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6, 
 struct decimal {
     char digits[NUMBER_DIGITS + 32]; /* without leading zeros */
     size_t count;
-    uint64_t mantissa; /* the digits as a number, up to 19 of them */
+    uint64_t mantissa; /* the digits as a number, up to 15 of them */
     long exponent;     /* of the last digit */
 };
 
@@ -58,27 +57,15 @@ static const char *scan_exponent(const char *at, const char *end, long *exponent
     return digit;
 }
 
-/* The nearest double; without the fast ways reading text takes twice as long. */
+/* The nearest double; without the fast way reading text takes twice as long. */
 static double decimal_value(struct decimal *decimal)
 {
-    bool exact_power = labs(decimal->exponent) <= 22; /* 10^22 is a double */
-    double power = exact_power ? number_powers[labs(decimal->exponent)] : 0;
     if (decimal->count == 0)
         return 0;
-    if (exact_power && decimal->count <= 15) { /* so is the mantissa: one rounding (Clinger 1990) */
-        double mantissa = (double)decimal->mantissa;
+    if (labs(decimal->exponent) <= 22 && decimal->count <= 15) { /* exact both: one rounding (Clinger 1990) */
+        double mantissa = (double)decimal->mantissa, power = number_powers[labs(decimal->exponent)];
         return decimal->exponent < 0 ? mantissa / power : mantissa * power;
     }
-#if LDBL_MANT_DIG == 64
-    if (exact_power && decimal->count <= 19) { /* one rounding to 64 bits; that to 53 is right unless it is half-way */
-        long double mantissa = (long double)decimal->mantissa;
-        long double nearest = decimal->exponent < 0 ? mantissa / power : mantissa * power;
-        uint64_t bits;
-        memcpy(&bits, &nearest, sizeof bits);
-        if ((bits & 0x7ff) != 0x400)
-            return (double)nearest;
-    }
-#endif
     /* written without a decimal sign, which would depend on the locale */
     snprintf(decimal->digits + decimal->count, sizeof decimal->digits - decimal->count, "e%ld", decimal->exponent);
     return strtod(decimal->digits, NULL);
@@ -91,8 +78,7 @@ const char *number_scan(struct string_view text, unsigned allowed, unsigned *met
     if (at < end && (*at == '-' || *at == '+'))
         at++;
     struct decimal decimal; /* its digits are left as they are */
-    decimal.count = 0;
-    decimal.mantissa = 0;
+    decimal.count = decimal.mantissa = 0;
     decimal.exponent = 0;
     const char *whole = at;
     at = scan_digits(&decimal, at, end);

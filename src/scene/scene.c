@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/scene.h"
 #include "joint/electron.h"
-#include "scene/scene_asked.h"
-#include "scene/scene_files.h"
-#include "scene/scene_keys.h"
-#include "scene/scene_surfaces.h"
+#include "scene/scene_source.h"
 #include "scene/scene_words.h"
 
 #include <errno.h>
@@ -213,7 +210,7 @@ static bool check_effects(const struct scene *scene, struct scene_source *source
         const struct effect_row *effect = &effect_rows[i];
         const char *body;
         const struct material_property *property =
-            scene->effects & EFFECT_BIT(i) ? scene_surfaces_lack(&body, bodies, effect) : NULL;
+            scene->effects & EFFECT_BIT(i) ? scene_lack(&body, bodies, effect) : NULL;
         if (property && isnan(bodies->material.youngs_modulus_Pa))
             return fail_effect(source, i, "a material; add 'material'");
         if (property)

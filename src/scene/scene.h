@@ -228,6 +228,10 @@ char *scene_file_path(const struct scene *scene, const char *file);
  * (NULL). */
 struct material_pair scene_pair(const struct scene_bodies *bodies);
 
+/** A property that the effect needs and one of the bodies does not have, and which body; NULL: they have all. */
+const struct material_property *scene_lack(const char **body, const struct scene_bodies *bodies,
+                                           const struct effect_row *effect);
+
 /** What a load of `kind` is divided by, to be P/(A_n E'); NaN where the nominal area or E' is not known. */
 double scene_load_divisor(const struct scene *scene, enum unit_quantity kind, const struct material_pair *pair);
 

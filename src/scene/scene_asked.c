@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "scene/scene_asked.h"
-#include "scene/scene_surfaces.h"
+#include "scene/scene_source.h"
 #include "scene/scene_words.h"
 
 #include <math.h>
@@ -158,7 +157,7 @@ static bool check_effects(const struct scene *scene, struct scene_source *source
         for (size_t i = 0; i < scene->surface_count; i++) {
             const struct scene_surface *surface = &scene->surfaces[i];
             const char *body;
-            const struct material_property *property = scene_surfaces_lack(&body, surface->bodies, &effect_rows[e]);
+            const struct material_property *property = scene_lack(&body, surface->bodies, &effect_rows[e]);
             if (property && isnan(surface->bodies->material.youngs_modulus_Pa))
                 return scene_source_fail(source, asked->line, "'%s' needs a material; add 'material' or leave '%s' out",
                                          asked->row->name, asked->row->name);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "scene/scene_files.h"
 #include "base/limits.h"
 #include "base/text.h"
 #include "scan/sidecar.h"
+#include "scene/scene_source.h"
 #include "scene/scene_words.h"
 
 #include <ctype.h>

@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "scene/scene_keys.h"
 #include "base/limits.h"
-#include "scene/scene_asked.h"
-#include "scene/scene_files.h"
-#include "scene/scene_surfaces.h"
+#include "scene/scene_source.h"
 #include "scene/scene_words.h"
 
 #include <assert.h>

@@ -5,7 +5,9 @@
 #define SCENE_SCENE_SOURCE_H
 
 #include "scene/scene.h"
-#include "scene/scene_quantity.h"
+#include "scene/scene_words.h"
+
+#include <sys/stat.h>
 #include <yaml.h>
 
 struct scene_source {
@@ -91,5 +93,71 @@ bool scene_source_short_text(struct scene_source *source, const struct scene_key
 #define SCENE_CHOICE(choice, spellings)                                                                                \
     scene_source_choice, &(choice), .choices = (spellings), .choice_count = SCENE_COUNT(spellings)
 #define SCENE_SHORT_TEXT(array) scene_source_short_text, (array), .most = sizeof(array)
+
+/* The keys of scene.yaml. Private to src/scene. */
+
+/* Range of the relative tolerance: below is rounding, above is no accuracy. */
+#define SCENE_KEYS_TOLERANCE_LEAST 1e-14
+#define SCENE_KEYS_TOLERANCE_MOST  0.1
+
+/** Reads the outermost node into source->scene, which holds the defaults. */
+MUST_CHECK bool scene_keys_read(struct scene_source *source, const yaml_node_t *root);
+
+/** Name of every effect, in the order of the enum. */
+void scene_keys_effect_names(const char *names[EFFECT_COUNT]);
+/** `effects` with those they build on. */
+unsigned scene_keys_with_needed(unsigned effects);
+
+/* The bodies of a scene: its surfaces, what they are pressed against, and their materials. Private to src/scene. */
+
+enum { SCENE_SURFACES_MATERIALS = 32 };
+
+/* To stand in scene_key.read. */
+/** The list `surfaces`, into source->scene. */
+bool scene_surfaces_read(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
+/** rigid | same | a material's name | a mapping of properties | {surface: file, material: ..., x_unit, z_unit}, into
+ * source->scene. */
+bool scene_surfaces_counterface(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
+/** A built-in name or a mapping of properties, into a struct scene_bodies. */
+bool scene_surfaces_body(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
+/** One file or a list of them, each checked to exist, into a struct scene_surface. */
+bool scene_surfaces_files(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
+
+/** The `word_count` words, then the names of the built-in materials of bodies; how many all in all. */
+size_t scene_surfaces_materials(const char *names[SCENE_SURFACES_MATERIALS], const char *const *words,
+                                size_t word_count);
+
+/* Files of a directory: those that a pattern matches, in natural order. Private to src/scene. */
+
+/** Adds to surface->files what `pattern` (fnmatch(3); its last component alone is one) matches, below the scene's
+ * directory unless it is absolute, and is of `kind`, S_IFREG or S_IFDIR; in natural order (2 before 10). Hidden files
+ * and sidecars of others among them are left out. None may match. Errors: STATUS_IO: the directory cannot be listed;
+ * STATUS_SCENE: it has more files than LIMIT_FILES; STATUS_MEMORY. */
+MUST_CHECK enum status_code scene_files_match(struct scene_surface *surface, const struct scene *scene,
+                                              const char *pattern, mode_t kind, struct status *status);
+
+/** Adds one file. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code scene_files_add(struct scene_surface *surface, const char *file, struct status *status);
+
+/** Adds to a scene without surfaces one for each regular file of its directory that is not hidden, not
+ * scene.yaml, no sidecar, and may be a scan, and one for each such sub-directory that holds files, which are its
+ * repeated scans; what is passed over is told in scene->passed_over; names and order as scene_read() says. Errors:
+ * STATUS_IO, STATUS_MEMORY. */
+MUST_CHECK enum status_code scene_files_list(struct scene *scene, struct status *status);
+
+/** The name of a surface read from `file`: its last component, without the ending unless `ending`; malloc'ed. */
+char *scene_files_name(const char *file, bool ending);
+/** Frees what one surface holds, its bodies unless they are the `shared` ones. */
+void scene_files_free(struct scene_surface *surface, const struct scene_bodies *shared);
+
+/* What a scene asks of the contact: `targets`, whose load is sought, and `limits`, to be kept. Private to src/scene,
+ * but for its table. */
+
+/** To stand in scene_key.read: a list of `key: value` pairs, each a quantity; or `key: {most: value, least: value}`. */
+bool scene_asked_targets(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
+bool scene_asked_limits(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
+
+/** Turns what was read into the models' quantities, now that the nominal area is known. */
+MUST_CHECK bool scene_asked_complete(struct scene *scene, struct scene_source *source);
 
 #endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "scene/scene_surfaces.h"
 #include "base/limits.h"
-#include "scene/scene_files.h"
+#include "scene/scene_source.h"
 #include "scene/scene_words.h"
 
 #include <assert.h>
@@ -308,8 +307,8 @@ bool scene_surfaces_read(struct scene_source *source, const struct scene_key *ke
     return check_names(source, value);
 }
 
-const struct material_property *scene_surfaces_lack(const char **body, const struct scene_bodies *bodies,
-                                                    const struct effect_row *effect)
+const struct material_property *scene_lack(const char **body, const struct scene_bodies *bodies,
+                                           const struct effect_row *effect)
 {
     for (const char *const *key = effect->properties; *key; key++) {
         const struct material_property *property = material_property_find(*key);
