@@ -2,7 +2,6 @@
 #include "scene/scene.h"
 #include "joint/electron.h"
 #include "scene/scene_source.h"
-#include "scene/scene_words.h"
 
 #include <errno.h>
 #include <libgen.h>
@@ -105,7 +104,7 @@ static enum status_code override_effects(struct scene *scene, struct scene_sourc
                                scene_words_hint(shown.text, names, EFFECT_COUNT, EFFECT_COUNT).text);
         scene->effects |= EFFECT_BIT(effect);
     }
-    scene->effects = scene_keys_with_needed(scene->effects);
+    scene->effects = scene_keys_with_needed(source, scene->effects);
     return scene->effects ? STATUS_OK
                           : status_fail(source->status, STATUS_USAGE,
                                         "--effects names none; give 'auto' or names such as 'electrical,thermal'");
@@ -141,13 +140,10 @@ static bool call_effects(struct scene *scene, struct scene_source *source, bool 
         if (source->call_line[i] == 0 || (listed && !scene->effects_auto && !(scene->effects & bit)))
             continue;
         scene->called |= bit;
-        if (!scene->effects_auto && !(scene->effects & bit)) {
-            scene->effects |= scene_keys_with_needed(bit);
-            source->effect_line[i] = source->call_line[i];
-        }
-        for (int needed = 0; needed < EFFECT_COUNT; needed++)
-            if ((row->needs_effects & EFFECT_BIT(needed)) && source->effect_line[needed] == 0)
-                source->effect_line[needed] = source->effect_line[i];
+        if (scene->effects_auto || (scene->effects & bit))
+            continue;
+        source->effect_line[i] = source->call_line[i];
+        scene->effects |= scene_keys_with_needed(source, bit);
     }
     return !(scene->called & EFFECT_BIT(EFFECT_HEATING)) || !isnan(scene->nominal_area_m2) ||
            scene_source_fail(source, source->call_line[EFFECT_HEATING],
@@ -403,14 +399,13 @@ static enum status_code complete(struct scene *scene, struct scene_source *sourc
     return scene->title ? STATUS_OK : status_memory(status);
 }
 
-/* `given`: the scene's text; NULL: that of the directory's scene.yaml, if there is one. */
-static enum status_code read_scene(struct scene *out, const char *directory, const struct text *given,
-                                   const struct scene_overrides *overrides, struct status *status)
+enum status_code scene_read(struct scene *out, const char *directory, const struct scene_overrides *overrides,
+                            struct status *status)
 {
     static const struct scene_overrides nothing = {0};
+    const struct scene_overrides *over = overrides ? overrides : &nothing;
     struct scene_source source = {.scene = out, .status = status};
     struct text loaded = {0};
-    const struct text *text = given ? given : &loaded;
     *out = default_scene();
     if (check_directory(directory, status) != STATUS_OK)
         return status->code;
@@ -418,23 +413,12 @@ static enum status_code read_scene(struct scene *out, const char *directory, con
     out->path = out->directory ? scene_file_path(out, "scene.yaml") : NULL;
     if (!out->path)
         return status_memory(status);
-    if ((given || load_text(&loaded, out, status) == STATUS_OK) &&
+    const struct text *text = over->text ? over->text : &loaded;
+    if ((over->text || load_text(&loaded, out, status) == STATUS_OK) &&
         (!out->path || scene_source_read(&source, text_string(text), text->length, scene_keys_read)))
-        (void)complete(out, &source, overrides ? overrides : &nothing);
+        (void)complete(out, &source, over);
     text_free(&loaded);
     return status->code;
-}
-
-enum status_code scene_read(struct scene *out, const char *directory, const struct scene_overrides *overrides,
-                            struct status *status)
-{
-    return read_scene(out, directory, NULL, overrides, status);
-}
-
-enum status_code scene_read_text(struct scene *out, const char *directory, const struct text *text,
-                                 const struct scene_overrides *overrides, struct status *status)
-{
-    return read_scene(out, directory, text, overrides, status);
 }
 
 void scene_free(struct scene *scene)

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/scene_source.h"
-#include "scene/scene_words.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -56,8 +55,8 @@ static bool read_value(struct scene_source *source, const struct scene_key *key,
     if (!scene_source_quantity_of(&quantity, source, key, value))
         return false;
     if (*list->count == ASKED_MOST)
-        return scene_source_fail(source, scene_source_line(value), "more than %d %s; leave some out", ASKED_MOST,
-                                 list->is_limit ? "limits" : "targets");
+        return scene_source_fail_at(source, value, "more than %d %s; leave some out", ASKED_MOST,
+                                    list->is_limit ? "limits" : "targets");
     struct scene_asked *asked = &list->items[*list->count];
     *asked = (struct scene_asked){.row = row,
                                   .is_most = list->is_most,
@@ -94,7 +93,7 @@ static bool read_ends(struct scene_source *source, const struct scene_key *key, 
     if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys)))
         return false;
     return keys[0].line > 0 || keys[1].line > 0 ||
-           scene_source_fail(source, scene_source_line(value), "'%s' has no limit; give 'most' or 'least'", key->name);
+           scene_source_fail_at(source, value, "'%s' has no limit; give 'most' or 'least'", key->name);
 }
 
 static bool read_rows(struct scene_source *source, const yaml_node_t *node, const char *what, struct list *list)
@@ -127,8 +126,8 @@ bool scene_asked_targets(struct scene_source *source, const struct scene_key *ke
             return false;
     return scene->targets &&
            (scene->target_count > 0 ||
-            scene_source_fail(source, scene_source_line(value),
-                              "'%s' names none; remove the line, or give one such as {ecr: 1 mohm}", key->name));
+            scene_source_fail_at(source, value, "'%s' names none; remove the line, or give one such as {ecr: 1 mohm}",
+                                 key->name));
 }
 
 bool scene_asked_limits(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
@@ -138,8 +137,8 @@ bool scene_asked_limits(struct scene_source *source, const struct scene_key *key
     struct list list = {.items = scene->limits, .count = &scene->limit_count, .is_limit = true};
     return scene->limits && read_rows(source, value, key->name, &list) &&
            (scene->limit_count > 0 ||
-            scene_source_fail(source, scene_source_line(value),
-                              "'%s' names none; remove the line, or give one such as ecr: {most: 2 mohm}", key->name));
+            scene_source_fail_at(
+                source, value, "'%s' names none; remove the line, or give one such as ecr: {most: 2 mohm}", key->name));
 }
 
 /* Will the models compute it on every surface? */

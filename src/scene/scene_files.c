@@ -3,7 +3,6 @@
 #include "base/text.h"
 #include "scan/sidecar.h"
 #include "scene/scene_source.h"
-#include "scene/scene_words.h"
 
 #include <ctype.h>
 #include <dirent.h>

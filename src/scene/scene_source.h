@@ -7,7 +7,6 @@
 #include "scene/scene.h"
 #include "scene/scene_words.h"
 
-#include <sys/stat.h>
 #include <yaml.h>
 
 struct scene_source {
@@ -26,10 +25,13 @@ struct scene_source {
 
 enum { SCENE_KEYS_MOST = 48 }; /* of one mapping */
 
+struct scene_key;
+typedef bool scene_reader(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
+
 /** One key of a mapping: how its value is read and where it goes. */
 struct scene_key {
     const char *name; /* what a reader is given has the one the scene uses, `alias` or this */
-    bool (*read)(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
+    scene_reader *read;
     void *field;
     double least, most;         /* numbers: range, inclusive; short text: `most` is the size of the array */
     const char *const *choices; /* words that the value may be, in the order of their enum */
@@ -39,6 +41,7 @@ struct scene_key {
     const char *alias;   /* an older name, or NULL: not shown in messages where the other will do */
     const char *given;   /* the name by which it does; set with `line` */
     size_t line;         /* where the scene gives it, 0: it does not; set by scene_source_mapping() */
+    size_t *at;          /* gets the line, too; or NULL */
 };
 
 /** Parses `bytes` and calls `read` with the outermost node, unless the text says nothing. Errors: not YAML, nested too
@@ -60,8 +63,9 @@ size_t scene_source_line(const yaml_node_t *node);
 /** Is it the plain or quoted scalar `word`? */
 bool scene_source_is(const yaml_node_t *node, const char *word);
 
-/** Fails with "path:line: " before the message. */
+/** Fails with "path:line: " before the message; the line may be that of a node. */
 bool scene_source_fail(struct scene_source *source, size_t line, const char *format, ...) PRINTF_LIKE(3, 4);
+#define scene_source_fail_at(source, node, ...) scene_source_fail((source), scene_source_line(node), __VA_ARGS__)
 /** Fails: the value of `what` is not of the type `expected` ("a number"). */
 bool scene_source_wrong_type(struct scene_source *source, const yaml_node_t *node, const char *what,
                              const char *expected);
@@ -72,16 +76,12 @@ bool scene_source_unknown(struct scene_source *source, const yaml_node_t *node, 
 /** Fails: out of memory. */
 bool scene_source_memory(struct scene_source *source);
 
-/** To stand in scene_key.read; the field is a double, a size_t, an enum, a malloc'ed char *, a char array. */
-/** A number in SI or, where the quantities have units, with its unit. */
-bool scene_source_quantity(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
-/** The same, with all there is to know of it. */
+/** To stand in scene_key.read; the field is a double (a number in SI or, where the quantities have units, with its
+ * unit), a size_t, an enum, a malloc'ed char *, a char array. */
+scene_reader scene_source_quantity, scene_source_whole, scene_source_choice, scene_source_text, scene_source_short_text;
+/** A quantity with all there is to know of it. */
 bool scene_source_quantity_of(struct scene_quantity *out, struct scene_source *source, const struct scene_key *key,
                               const yaml_node_t *value);
-bool scene_source_whole(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
-bool scene_source_choice(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
-bool scene_source_text(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
-bool scene_source_short_text(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
 
 /* Parts of a key's row. */
 #define SCENE_COUNT(array) (sizeof(array) / sizeof *(array))
@@ -94,7 +94,7 @@ bool scene_source_short_text(struct scene_source *source, const struct scene_key
     scene_source_choice, &(choice), .choices = (spellings), .choice_count = SCENE_COUNT(spellings)
 #define SCENE_SHORT_TEXT(array) scene_source_short_text, (array), .most = sizeof(array)
 
-/* The keys of scene.yaml. Private to src/scene. */
+/* The keys of scene.yaml. */
 
 /* Range of the relative tolerance: below is rounding, above is no accuracy. */
 #define SCENE_KEYS_TOLERANCE_LEAST 1e-14
@@ -105,30 +105,27 @@ MUST_CHECK bool scene_keys_read(struct scene_source *source, const yaml_node_t *
 
 /** Name of every effect, in the order of the enum. */
 void scene_keys_effect_names(const char *names[EFFECT_COUNT]);
-/** `effects` with those they build on. */
-unsigned scene_keys_with_needed(unsigned effects);
+/** `effects` with those they build on, which get their lines where they have none of their own. */
+unsigned scene_keys_with_needed(struct scene_source *source, unsigned effects);
 
-/* The bodies of a scene: its surfaces, what they are pressed against, and their materials. Private to src/scene. */
-
+/* The bodies of a scene: its surfaces, what they are pressed against, and their materials. */
 enum { SCENE_SURFACES_MATERIALS = 32 };
 
-/* To stand in scene_key.read. */
 /** The list `surfaces`, into source->scene. */
-bool scene_surfaces_read(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
+scene_reader scene_surfaces_read;
 /** rigid | same | a material's name | a mapping of properties | {surface: file, material: ..., x_unit, z_unit}, into
  * source->scene. */
-bool scene_surfaces_counterface(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
+scene_reader scene_surfaces_counterface;
 /** A built-in name or a mapping of properties, into a struct scene_bodies. */
-bool scene_surfaces_body(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
+scene_reader scene_surfaces_body;
 /** One file or a list of them, each checked to exist, into a struct scene_surface. */
-bool scene_surfaces_files(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
+scene_reader scene_surfaces_files;
 
 /** The `word_count` words, then the names of the built-in materials of bodies; how many all in all. */
 size_t scene_surfaces_materials(const char *names[SCENE_SURFACES_MATERIALS], const char *const *words,
                                 size_t word_count);
 
-/* Files of a directory: those that a pattern matches, in natural order. Private to src/scene. */
-
+/* Files of a directory: those that a pattern matches, in natural order. */
 /** Adds to surface->files what `pattern` (fnmatch(3); its last component alone is one) matches, below the scene's
  * directory unless it is absolute, and is of `kind`, S_IFREG or S_IFDIR; in natural order (2 before 10). Hidden files
  * and sidecars of others among them are left out. None may match. Errors: STATUS_IO: the directory cannot be listed;
@@ -150,13 +147,9 @@ char *scene_files_name(const char *file, bool ending);
 /** Frees what one surface holds, its bodies unless they are the `shared` ones. */
 void scene_files_free(struct scene_surface *surface, const struct scene_bodies *shared);
 
-/* What a scene asks of the contact: `targets`, whose load is sought, and `limits`, to be kept. Private to src/scene,
- * but for its table. */
-
-/** To stand in scene_key.read: a list of `key: value` pairs, each a quantity; or `key: {most: value, least: value}`. */
-bool scene_asked_targets(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
-bool scene_asked_limits(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
-
+/* What a scene asks of the contact: a list of `key: value` pairs, each a quantity, whose load is sought; limits to be
+ * kept, `key: {most: value, least: value}`. */
+scene_reader scene_asked_targets, scene_asked_limits;
 /** Turns what was read into the models' quantities, now that the nominal area is known. */
 MUST_CHECK bool scene_asked_complete(struct scene *scene, struct scene_source *source);
 
