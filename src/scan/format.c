@@ -3,7 +3,6 @@
 #include "base/limits.h"
 #include "base/text.h"
 #include "scan/archive.h"
-#include "scan/foreign.h"
 
 #include <errno.h>
 #include <iconv.h>

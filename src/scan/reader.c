@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scan/reader.h"
 #include "base/limits.h"
-#include "scan/number.h"
+#include "scan/string_view.h"
 #include "scan/text_header.h"
 
 #include <math.h>

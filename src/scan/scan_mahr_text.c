@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Mahr MarWin text: sections in brackets, `NO_POINTS=n`, then below [PROFILE_VALUES] one line a point,
  * `index=x y z c lock` in millimetres. */
-#include "scan/number.h"
 #include "scan/reader.h"
+#include "scan/string_view.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fuzz/fuzz.h"
 
-#include "scan/sidecar.h"
+#include "scan/text_header.h"
 #include "scene/measured_file.h"
 #include "scene/scene.h"
 #include <math.h>
