@@ -4,7 +4,6 @@
 #include "chart/chart.h"
 #include "chart/gnuplot.h"
 #include "cli/command.h"
-#include "cli/command_json.h"
 #include "cli/inspection.h"
 #include "scene/scene.h"
 #include "scene/scene_words.h"

@@ -6,7 +6,9 @@
 #include "base/status.h"
 #include "base/text.h"
 #include "direct/direct_team.h"
+
 #include <argp.h>
+#include <jansson.h>
 #include <stdbool.h>
 
 /** Exit statuses of every command (documented in the README; command_statuses says them). */
@@ -83,5 +85,18 @@ void command_terminal_size(int *columns, int *rows);
 /** Flushes stdout. Returns `exit_status`, or says that not all could be printed and, where it was `written`, in which
  * file the report is. */
 int command_finish(int exit_status, const char *written);
+
+/* What the commands print as JSON (docs/commands.md). */
+
+/** `hostile` as it may be shown: JSON is UTF-8, a file name need not be. */
+json_t *command_json_text(const char *hostile);
+/** A text that there may not be; NULL: null. */
+json_t *command_json_optional(const char *text);
+/** A number; null for NaN, and for what is without end. */
+json_t *command_json_number(double value);
+/** The lines of a text. */
+json_t *command_json_lines(const char *lines);
+/** Prints it to stdout, numbers with 17 digits; takes it over. False: out of memory. */
+bool command_json_print(json_t *json);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/inspection.h"
 #include "base/text.h"
-#include "cli/command_json.h"
+#include "cli/command.h"
 
 #include <math.h>
 #include <stdio.h>

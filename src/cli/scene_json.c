@@ -2,7 +2,6 @@
 #include "cli/scene_json.h"
 #include "base/version.h"
 #include "cli/command.h"
-#include "cli/command_json.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/status.h"
-#include "scan/archive.h"
 #include "scan/format.h"
 #include "scan/reader.h"
 

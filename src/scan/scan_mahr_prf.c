@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Mahr MarWin binary PRF: magic "[p3dlin]", the number of points n at byte 0x14, and 49 bytes behind the start of
  * "[Trajec]" n doubles x, n doubles y, n doubles z in millimetres. */
-#include "scan/bytes.h"
 #include "scan/reader.h"
 
 #include <string.h>

@@ -5,7 +5,6 @@
  * refused where it comes, and the search goes on behind it. */
 #include "base/limits.h"
 #include "base/text.h"
-#include "scan/archive.h"
 #include "scan/format.h"
 
 #include <stdint.h>

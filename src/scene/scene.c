@@ -4,6 +4,7 @@
 #include "scene/scene_source.h"
 
 #include <errno.h>
+#include <gsl/gsl_sort_double.h>
 #include <libgen.h>
 #include <math.h>
 #include <stdarg.h>
@@ -296,17 +297,22 @@ static bool complete_all_bodies(struct scene *scene, struct scene_source *source
            scene_source_fail(source, source->hardness_line, "'hardness' stands without a material; add 'material'");
 }
 
+/* The bodies of surface `i`; without surfaces the scene's. */
+static const struct scene_bodies *bodies_at(const struct scene *scene, size_t i)
+{
+    return scene->surface_count > 0 ? scene->surfaces[i].bodies : &scene->bodies;
+}
+
 /* Can loads of that kind be turned into P/(A_n E') on every surface? */
 static bool check_load_kind(const struct scene *scene, struct scene_source *source, const char *key,
                             enum unit_quantity kind, size_t line)
 {
-    const struct scene_bodies *lacking = scene->surface_count == 0 ? &scene->bodies : NULL;
-    for (size_t i = 0; i < scene->surface_count && !lacking; i++)
-        if (isnan(scene->surfaces[i].bodies->material.youngs_modulus_Pa))
-            lacking = scene->surfaces[i].bodies;
+    bool known = true;
+    for (size_t i = 0; i == 0 || i < scene->surface_count; i++)
+        known = known && !isnan(bodies_at(scene, i)->material.youngs_modulus_Pa);
     if (kind == UNIT_FORCE && isnan(scene->nominal_area_m2))
         return scene_source_fail(source, line, "'%s' is a force, but on which area? add 'nominal_area'", key);
-    return kind == UNIT_NUMBER || !lacking || !isnan(lacking->material.youngs_modulus_Pa) ||
+    return kind == UNIT_NUMBER || known ||
            scene_source_fail(source, line,
                              "'%s' is %s, which without a material is no P/(A_n E'); add 'material', or give "
                              "P/(A_n E')",
@@ -321,11 +327,6 @@ static bool has_one_modulus(const struct scene *scene)
             scene_pair(scene->surfaces[0].bodies).effective_modulus_Pa)
             return false;
     return true;
-}
-
-static const struct scene_bodies *first_bodies(const struct scene *scene)
-{
-    return scene->surface_count > 0 ? scene->surfaces[0].bodies : &scene->bodies;
 }
 
 /* The operating load in the kind of the others; 0: none. */
@@ -358,7 +359,7 @@ static bool check_operating_load(const struct scene *scene, struct scene_source 
             "both alike",
             unit_quantity_name(operating->kind),
             load->kind == UNIT_NUMBER ? "P/(A_n E')" : unit_quantity_name(load->kind));
-    struct material_pair pair = scene_pair(first_bodies(scene));
+    struct material_pair pair = scene_pair(bodies_at(scene, 0));
     double value = operating_load(scene, &pair);
     return (value >= least && value <= most) ||
            scene_source_fail(source, source->operating_line, "'operating_load' is %g%s%s, outside the loads, %g to %g",
@@ -441,12 +442,6 @@ void scene_free(struct scene *scene)
     *scene = (struct scene){0};
 }
 
-static int compare_doubles(const void *a, const void *b)
-{
-    double first = *(const double *)a, second = *(const double *)b;
-    return (first > second) - (first < second);
-}
-
 /* `points` loads in equal steps of their logarithm; by powers of ten, so that whole decades come out exactly. */
 static void fill_decades(double *loads, const struct scene_load *load)
 {
@@ -492,7 +487,7 @@ enum status_code scene_loads(double **loads, size_t *count, size_t *operating, c
         fill_decades(all, load);
     if (operates > 0)
         all[points++] = operates;
-    qsort(all, points, sizeof *all, compare_doubles);
+    gsl_sort(all, 1, points);
     for (size_t i = 0; i < points; i++)
         if (i == 0 || all[i] != all[*count - 1])
             all[(*count)++] = all[i];

@@ -108,37 +108,28 @@ static bool read_rows(struct scene_source *source, const yaml_node_t *node, cons
     return scene_source_mapping(source, node, what, keys, ROWS);
 }
 
-static struct scene_asked *room(struct scene_source *source)
+static bool read_asked(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                       struct scene_asked **items, size_t *count, bool limits)
 {
-    struct scene_asked *items = calloc(ASKED_MOST, sizeof *items);
-    if (!items)
-        (void)scene_source_memory(source);
-    return items;
+    *items = calloc(ASKED_MOST, sizeof **items);
+    struct list list = {.items = *items, .count = count, .is_limit = limits};
+    if (!*items)
+        return scene_source_memory(source);
+    for (size_t i = 0; i < (limits ? 1 : scene_source_item_count(value)); i++)
+        if (!read_rows(source, limits ? value : scene_source_item(source, value, i), key->name, &list))
+            return false;
+    return *count > 0 || scene_source_fail_at(source, value, "'%s' names none; remove the line, or give one such as %s",
+                                              key->name, limits ? "ecr: {most: 2 mohm}" : "{ecr: 1 mohm}");
 }
 
 bool scene_asked_targets(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
 {
-    struct scene *scene = source->scene;
-    scene->targets = room(source);
-    struct list list = {.items = scene->targets, .count = &scene->target_count};
-    for (size_t i = 0; scene->targets && i < scene_source_item_count(value); i++)
-        if (!read_rows(source, scene_source_item(source, value, i), key->name, &list))
-            return false;
-    return scene->targets &&
-           (scene->target_count > 0 ||
-            scene_source_fail_at(source, value, "'%s' names none; remove the line, or give one such as {ecr: 1 mohm}",
-                                 key->name));
+    return read_asked(source, key, value, &source->scene->targets, &source->scene->target_count, false);
 }
 
 bool scene_asked_limits(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
 {
-    struct scene *scene = source->scene;
-    scene->limits = room(source);
-    struct list list = {.items = scene->limits, .count = &scene->limit_count, .is_limit = true};
-    return scene->limits && read_rows(source, value, key->name, &list) &&
-           (scene->limit_count > 0 ||
-            scene_source_fail_at(
-                source, value, "'%s' names none; remove the line, or give one such as ecr: {most: 2 mohm}", key->name));
+    return read_asked(source, key, value, &source->scene->limits, &source->scene->limit_count, true);
 }
 
 /* Will the models compute it on every surface? */

@@ -195,16 +195,14 @@ static bool check_units_of_all(struct scene_source *source, const struct scene_l
                              "a load has no unit, but one in line %zu has; give all of them theirs", load->kind_line);
 }
 
-/* 'dimensionless', or the unit of loads that are given as plain numbers. */
-static bool read_load_unit(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+/* Is what the key gives, if anything, a unit of one of `quantities`? */
+static bool check_unit(struct scene_source *source, const struct scene_key *key, unsigned quantities)
 {
-    char *text = key->field;
-    struct scene_key short_text = {key->name, scene_source_short_text, text, .most = UNIT_LENGTH};
     struct unit unit;
-    return scene_source_short_text(source, &short_text, value) &&
-           ((unit_read(&unit, text, strlen(text)) && unit_of(&unit, UNIT_LOADS)) ||
-            scene_source_fail_at(source, value, "'%s' is '%s'; understood: %s", key->name, scene_words_show(text).text,
-                                 unit_known(UNIT_LOADS).text));
+    const char *text = key->field;
+    return key->line == 0 || (unit_read(&unit, text, strlen(text)) && unit_of(&unit, quantities)) ||
+           scene_source_fail(source, key->line, "'%s' is '%s'; understood: %s", key->name, scene_words_show(text).text,
+                             unit_known(quantities).text);
 }
 
 /* Puts plain loads into `unit:`. Pascals leave the charts over P/(A_n E'), another unit of force or pressure does not.
@@ -214,7 +212,7 @@ static bool apply_load_unit(struct scene_source *source, struct scene_load *load
 {
     struct unit unit = {.factor = 1};
     if (key->line > 0)
-        (void)unit_read(&unit, text, strlen(text)); /* read_load_unit() has */
+        (void)unit_read(&unit, text, strlen(text)); /* check_unit() has */
     enum unit_quantity kind = key->line > 0 ? (enum unit_quantity)unit_of(&unit, UNIT_LOADS) : UNIT_NUMBER;
     if (load->kind_line > 0 && kind != load->kind && (key->line > 0 || load->plain_line > 0))
         return scene_source_fail(source, key->line > 0 ? key->line : load->plain_line,
@@ -244,9 +242,10 @@ static bool read_load(struct scene_source *source, const struct scene_key *key, 
         {"to", read_load_number, .field = &load->to, .least = LOAD_LEAST, .most = LOAD_MOST, .quantities = UNIT_LOADS},
         {"points", SCENE_WHOLE(load->points, 1, LOAD_POINTS_MOST)},
         {"values", read_load_values, .field = load, .least = LOAD_LEAST, .most = LOAD_MOST, .quantities = UNIT_LOADS},
-        {"unit", read_load_unit, .field = unit},
+        {"unit", SCENE_SHORT_TEXT(unit)},
     };
-    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys)))
+    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys)) ||
+        !check_unit(source, &keys[4], UNIT_LOADS))
         return false;
     if (load->values)
         for (size_t k = 0; k < 3; k++)
@@ -329,16 +328,6 @@ static bool read_measured_file(struct scene_source *source, const struct scene_k
         good = scene_source_memory(source);
     scene_files_free(&one, NULL);
     return good;
-}
-
-/* Is what the key gives, if anything, a unit of one of `quantities`? */
-static bool check_unit(struct scene_source *source, const struct scene_key *key, unsigned quantities)
-{
-    struct unit unit;
-    const char *text = key->field;
-    return key->line == 0 || (unit_read(&unit, text, strlen(text)) && unit_of(&unit, quantities)) ||
-           scene_source_fail(source, key->line, "'%s' is '%s'; understood: %s", key->name, scene_words_show(text).text,
-                             unit_known(quantities).text);
 }
 
 static bool read_measured(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)

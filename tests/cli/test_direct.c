@@ -151,10 +151,8 @@ TEST_IN_WORKSPACE(test_off)
         json_t *all = results(place);
         assert_null(json_object_get(all, "direct"));
         json_decref(all);
-        struct process plan = expect_exit(place, 0, "plan", "d");
-        expect_part(plan.out,
-                    "it would say how far each model is off: 1024 x 1024 points, 12 surfaces and a finer grid");
-        process_free(&plan);
+        expect_output(expect_exit(place, 0, "plan", "d"),
+                      "it would say how far each model is off: 1024 x 1024 points, 12 surfaces and a finer grid");
     }
 }
 
@@ -265,9 +263,8 @@ TEST_IN_WORKSPACE(test_map)
     assert_true(numbers >= 2);
     assert_true(differs > 0);
     table_free(&t);
-    char *page = workspace_read(place, "out/report.md");
-    expect_parts(page, "without a model: the map itself, 40 × 40 points", "All of it is true at this resolution");
-    free(page);
+    expect_in_file(place, "out/report.md", "without a model: the map itself, 40 × 40 points",
+                   "All of it is true at this resolution");
 }
 
 /* Four spacings for want of a lambda_s: the plan and the report say that the solution is true at this resolution. */
@@ -276,9 +273,8 @@ TEST_IN_WORKSPACE(test_resolution)
     const char *place = *state;
     workspace_scan(place, "d/a.csv", 64, 1);
     write_scene(place, EFFECTS "direct: {grid: 128, seeds: 1, loads: [2e-3, 1e-2]}\n");
-    struct process plan = expect_exit(place, 0, "plan", "d");
-    expect_part(plan.out, ", down to waves of four spacings, for want of a lambda_s: true at this resolution");
-    process_free(&plan);
+    expect_output(expect_exit(place, 0, "plan", "d"),
+                  ", down to waves of four spacings, for want of a lambda_s: true at this resolution");
     report(place, "out", "2");
     char *page = workspace_read(place, "out/report.md");
     expect_part(page, "All of it is true at this resolution");
@@ -290,9 +286,7 @@ TEST_IN_WORKSPACE(test_resolution)
     free(page);
     write_scene(place, EFFECTS "direct: {grid: 128, seeds: 2, loads: [2e-3, 1e-2]}\nlambda_s_m: 6e-6\n");
     report(place, "out", "2");
-    page = workspace_read(place, "out/report.md");
-    expect_no_part(page, "true at this resolution");
-    free(page);
+    expect_not_in_file(place, "out/report.md", "true at this resolution");
 }
 
 /* Two surfaces beside six: an error no less than the scatter of the six says; of the capped area none is borrowed. */
@@ -334,8 +328,7 @@ TEST_IN_WORKSPACE(test_cost_errors)
 {
     const char *place = *state;
     write_profile(place, EFFECTS "direct: {grid: 64, seeds: 3, loads: [1e-4, 3e-4, 1e-3, 1e-2]}\n");
-    struct process run = expect_exit(place, 0, "report", "d", "-o", "out");
-    process_free(&run);
+    run_to_exit(place, 0, "report", "d", "-o", "out");
     struct table cost = data(place, "out/data/cost.csv"), ratios = data(place, "out/data/direct_ratio.csv");
     static const char *const quantities[] = {"area", "gap", "ecr"};
     size_t compared = 0, fewer = 0;
@@ -372,9 +365,7 @@ TEST_IN_WORKSPACE(test_impossible)
     write_profile(place, EFFECTS "load: {values: [1e-9]}\ndirect: {grid: 64, seeds: 1}\n");
     report(place, "out", "1");
     assert_false(workspace_has(place, "out/data/direct.csv"));
-    char *page = workspace_read(place, "out/report.md");
-    expect_part(page, "No direct solution: called for, but no load of the scene lies between");
-    free(page);
+    expect_in_file(place, "out/report.md", "No direct solution: called for, but no load of the scene lies between");
 }
 
 TEST_IN_WORKSPACE(test_key)

@@ -191,10 +191,8 @@ TEST_IN_WORKSPACE(test_a_map_on_the_command_line)
     assert_near(number(map, "m4_per_m2"), 1e12, 1e-9); /* (4 um/(2 um)²)² */
     assert_null(json_object_get(map, "parameters"));
     json_decref(map);
-    struct process text = expect_exit(place, 0, "inspect", "--no-chart", "--z-unit", "um", "map.txt");
-    expect_part(text.out, "points      6 x 4, spacing 2 um x 2 um, 0 missing");
-    expect_part(text.out, "plane out   Sq ");
-    process_free(&text);
+    expect_output(expect_exit(place, 0, "inspect", "--no-chart", "--z-unit", "um", "map.txt"),
+                  "points      6 x 4, spacing 2 um x 2 um, 0 missing", "plane out   Sq ");
 }
 
 TEST_IN_WORKSPACE(test_options)
@@ -207,10 +205,8 @@ TEST_IN_WORKSPACE(test_options)
     assert_near(number(json_object_get(smooth, "parameters"), "lambda_s_m"), 8e-6, 0);
     json_decref(raw);
     json_decref(smooth);
-    struct process text = expect_exit(place, 0, "inspect", "--no-chart", "--level", "robust", "a.csv");
-    expect_part(text.out, "robust line tilt");
-    expect_part(text.out, "parameters  Pa ");
-    process_free(&text);
+    expect_output(expect_exit(place, 0, "inspect", "--no-chart", "--level", "robust", "a.csv"), "robust line tilt",
+                  "parameters  Pa ");
     expect_failure(place, 2, 3, "unknown level 'plane'; allowed: none, mean, line, parabola, circle, robust", "inspect",
                    "--level", "plane", "a.csv");
     struct process metres =
@@ -293,8 +289,6 @@ TEST_IN_WORKSPACE(test_a_directory)
     process_free(&all);
     process_free(&one);
     workspace_write(place, "d/bad.csv", "nothing\n");
-    all = expect_exit(place, 1, "inspect", "--json", "d");
-    expect_part(all.out, "\"file\": \"d/s/b.csv\"");
-    expect_part(all.out, "no line of numbers in it: not a scan");
-    process_free(&all);
+    expect_output(expect_exit(place, 1, "inspect", "--json", "d"), "\"file\": \"d/s/b.csv\"",
+                  "no line of numbers in it: not a scan");
 }

@@ -66,10 +66,8 @@ TEST_IN_WORKSPACE(test_passed_over)
 
     /* an instrument's file that is not read is no such thing */
     write_bytes(place, "d/w.opd", "\1\0Directory\0\0\0", 14);
-    process = expect_exit(place, 1, "plan", "d");
-    expect_part(process.err,
-                "surface 'w' refused: w.opd: the format is not read here: Wyko OPD file; export it in Vision");
-    process_free(&process);
+    expect_errors(expect_exit(place, 1, "plan", "d"),
+                  "surface 'w' refused: w.opd: the format is not read here: Wyko OPD file; export it in Vision");
 
     workspace_write(place, "d/scene.yaml", "surfaces: [{file: 1.csv}, {file: photo.jpg}]\n");
     process = expect_exit(place, 1, "report", "--no-cost", "d");

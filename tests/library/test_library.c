@@ -167,8 +167,7 @@ static void compare(const char *place, const char *scene, const struct roughcont
                 snprintf(text + length, sizeof text - (size_t)length, "%s%s", m > 0 ? ", " : "", model_rows[m]->name);
     snprintf(text + length, sizeof text - (size_t)length, "]\n");
     workspace_write(place, "d/scene.yaml", text);
-    struct process process = expect_exit(place, 0, "report", "d", "-o", "out", "--no-cost", "--brief");
-    process_free(&process);
+    run_to_exit(place, 0, "report", "d", "-o", "out", "--no-cost", "--brief");
     struct table contact = report_table(place, "contact.csv"), surfaces = report_table(place, "surfaces.csv"),
                  amplitudes = report_table(place, "spectrum.csv");
 
