@@ -149,13 +149,9 @@ static char *report(const char *place, const char *folder, const char *scene, si
     if (refused == 0)
         expect_in_file(place, path, "\nbad,multiscale-elastic,");
     snprintf(path, sizeof path, "%s/results.json", out);
-    char *results = workspace_read(place, path);
-    json_error_t error;
-    json_t *json = json_loads(results, 0, &error);
-    assert_non_null(json);
+    json_t *json = workspace_json(place, path);
     assert_int_equal(json_array_size(json_object_get(json, "refused")), refused);
     json_decref(json);
-    free(results);
     return messages;
 }
 

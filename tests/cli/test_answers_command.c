@@ -142,8 +142,7 @@ TEST_IN_WORKSPACE(the_sentence_is_of_the_data)
                                    "surfaces: [{name: a, file: [a.csv, b.csv]}, {name: c, file: c.csv}]\n",
                                    NULL);
     process_free(&run);
-    char *text = workspace_read(place, "out/view.json");
-    json_t *view = json_loads(text, 0, NULL), *answers = json_object_get(view, "answers"), *answer;
+    json_t *view = workspace_json(place, "out/view.json"), *answers = json_object_get(view, "answers"), *answer;
     const char *leading = json_string_value(json_object_get(view, "leading"));
     size_t compared = 0, k, m = 0;
     while (m < model_count && strcmp(model_rows[m]->label, leading) != 0)
@@ -169,7 +168,6 @@ TEST_IN_WORKSPACE(the_sentence_is_of_the_data)
     assert_int_equal(compared, 2);
     table_free(&table);
     json_decref(view);
-    free(text);
 }
 
 /** Every number of results.json that is a load says in its key what it is in; returns how many keys there are. */
@@ -201,13 +199,12 @@ TEST_IN_WORKSPACE(loads_say_what_they_are_in)
                                         "{from: 10 kPa, to: 100 MPa, points: 9}", "{from: 1e-7, to: 1e-2, points: 9}"};
     scans(place);
     for (int k = 0; k < 3; k++) {
-        char scene[400], path[4096];
+        char scene[400];
         snprintf(scene, sizeof scene, "material: tin\nnominal_area: 1 mm2\nload: %s\ntargets: [{ecr: 0.1 mohm}]\n",
                  loads[k]);
         struct process run = run_scene(place, 0, scene, NULL);
         process_free(&run);
-        snprintf(path, sizeof path, "%s/out/results.json", place);
-        json_t *root = json_load_file(path, 0, NULL), *answers = json_object_get(root, "answers");
+        json_t *root = workspace_json(place, "out/results.json"), *answers = json_object_get(root, "answers");
         struct table table = workspace_table(place, "out/data/answers.csv");
         size_t intervals = 0;
         assert_true(check_load_keys(root) > 50);
@@ -235,12 +232,11 @@ TEST_IN_WORKSPACE(loads_say_what_they_are_in)
 /** The number of a model at the one load of a report. */
 static double at_load(const char *place, const char *model, double load, const char *column)
 {
-    char scene[700], path[4096];
+    char scene[700];
     snprintf(scene, sizeof scene, JOINT "load: {values: [%.17g]}\n", load);
     workspace_write(place, "in/scene.yaml", scene);
     run_to_exit(place, 0, "report", "in", "-o", "one", "--no-cost");
-    snprintf(path, sizeof path, "%s/one/data/contact.csv", place);
-    struct table table = table_read_path(path);
+    struct table table = workspace_table(place, "one/data/contact.csv");
     double value = NAN;
     for (size_t i = 0; i < table.rows; i++)
         if (!strcmp(table_text(&table, i, "model"), model) && table_number(&table, i, "load_over_AnEp") == load)

@@ -15,23 +15,10 @@ static const char *const scene = "material: tin\neffects: [plasticity, electrica
                                  "targets: [{ecr: 1 uohm}, {area: 5 %}]\n"
                                  "limits: {ecr: {most: 1e-12 mohm}, area: {least: 1e-9}}\n";
 
-/** Parses all of it: what follows the value is an error too. */
-static json_t *parse(const char *text)
-{
-    json_error_t error;
-    json_t *json = json_loads(text, 0, &error);
-    if (!json)
-        fail_msg("no JSON: %s, line %d", error.text, error.line);
-    return json;
-}
-
 static json_t *run_json(const char *place, int status, const char *command, const char *directory)
 {
-    struct process process = directory ? expect_exit(place, status, command, directory, "--json")
-                                       : expect_exit(place, status, command, "--json");
-    json_t *json = parse(process.out);
-    process_free(&process);
-    return json;
+    return process_json(directory ? expect_exit(place, status, command, directory, "--json")
+                                  : expect_exit(place, status, command, "--json"));
 }
 
 static const char *text_of(const json_t *json, const char *key)
@@ -175,7 +162,7 @@ TEST_IN_WORKSPACE(test_plan)
     const char *place = *state;
     make_scans(place, true);
     struct process process = expect_exit(place, 1, "plan", "d", "--json"), text = expect_exit(place, 1, "plan", "d");
-    json_t *json = parse(process.out);
+    json_t *json = json_loads(process.out, 0, NULL);
     assert_string_equal(process.err, text.err);
     const json_t *effects = json_object_get(json, "effects"), *row;
     size_t index;
@@ -213,12 +200,10 @@ TEST_IN_WORKSPACE(test_plan)
     assert_true(json_is_true(json_object_get(find(surfaces, "surface", "a"), "usable")));
     expect_part(text.err, text_of(find(surfaces, "surface", "broken"), "refused"));
     expect_described(json);
-    struct process again = expect_exit(place, 1, "plan", "d", "--json");
-    json_t *second = parse(again.out);
+    json_t *second = run_json(place, 1, "plan", "d");
     assert_true(json_equal(json, second));
     json_decref(second);
     json_decref(json);
-    process_free(&again);
     process_free(&process);
     process_free(&text);
 }
@@ -240,10 +225,7 @@ TEST_IN_WORKSPACE(test_report)
     make_scans(place, true);
     struct process process = expect_exit(place, 1, "report", "d", "-o", "out", "--json", "--no-cost"),
                    text = expect_exit(place, 1, "report", "d", "-o", "text", "--no-cost");
-    json_t *json = parse(process.out);
-    char *written = workspace_read(place, "out/results.json");
-    json_t *results = parse(written);
-    free(written);
+    json_t *json = json_loads(process.out, 0, NULL), *results = workspace_json(place, "out/results.json");
     assert_string_equal(text_of(json, "report"), "out/report.html");
     assert_string_equal(text_of(json, "results"), "out/results.json");
     assert_true(json_is_null(json_object_get(json, "error")));
@@ -281,21 +263,17 @@ TEST_IN_WORKSPACE(test_report)
     assert_true(number_of(json_object_get(work, "taken_s"), "total") > 0);
     expect_described(json);
     /* again the same, but for the times */
-    struct process again = expect_exit(place, 1, "report", "d", "-o", "out", "--json", "--no-cost");
-    json_t *second = parse(again.out);
+    json_t *second = process_json(expect_exit(place, 1, "report", "d", "-o", "out", "--json", "--no-cost"));
     json_object_del(json_object_get(json, "work"), "taken_s");
     json_object_del(json_object_get(second, "work"), "taken_s");
     assert_true(json_equal(json, second));
-    process_free(&again);
-    again = expect_exit(place, 5, "report", "d", "-o", "out", "--json", "--no-cost", "--check");
-    json_t *checked = parse(again.out);
+    json_t *checked = process_json(expect_exit(place, 5, "report", "d", "-o", "out", "--json", "--no-cost", "--check"));
     assert_int_equal(number_of(checked, "exit_status"), 5);
     assert_string_equal(text_of(checked, "exit_reason"), "report --check: a limit is missed");
     json_decref(checked);
     json_decref(second);
     json_decref(results);
     json_decref(json);
-    process_free(&again);
     process_free(&process);
     process_free(&text);
 }
@@ -331,7 +309,7 @@ TEST_IN_WORKSPACE(test_failures)
     for (size_t c = 0; c < sizeof commands / sizeof *commands; c++)
         for (size_t w = 0; w < sizeof wrong / sizeof *wrong; w++) {
             struct process process = expect_exit(place, wrong[w].status, commands[c], wrong[w].directory, "--json");
-            json_t *json = parse(process.out);
+            json_t *json = json_loads(process.out, 0, NULL);
             expect_part(process.err, wrong[w].message);
             expect_part(text_of(json, "error"), wrong[w].message);
             assert_string_equal(text_of(json, "directory"), wrong[w].directory);
@@ -343,11 +321,9 @@ TEST_IN_WORKSPACE(test_failures)
             process_free(&process);
         }
     workspace_write(place, "bad/scene.yaml", "material: tin\n");
-    struct process process = expect_exit(place, 2, "report", "bad", "--json", "--check");
-    json_t *json = parse(process.out);
+    json_t *json = process_json(expect_exit(place, 2, "report", "bad", "--json", "--check"));
     expect_part(text_of(json, "error"), "--check: the scene has no 'limits' to check");
     json_decref(json);
-    process_free(&process);
     expect_failure(place, 2, 3, "--show draws where --json prints", "report", "bad", "--json", "--show");
     assert_false(workspace_has(place, "out"));
 }

@@ -222,8 +222,7 @@ TEST_IN_WORKSPACE(test_inspect_json)
     const char *place = *state;
     workspace_scan(place, "a.csv", 300, 1);
     workspace_write(place, "bad.csv", "nothing\n");
-    struct process process = expect_exit(place, 1, "inspect", "--json", "a.csv", "bad.csv");
-    json_t *json = json_loads(process.out, 0, NULL);
+    json_t *json = process_json(expect_exit(place, 1, "inspect", "--json", "a.csv", "bad.csv"));
     assert_int_equal(json_array_size(json), 2);
     json_t *good = json_array_get(json, 0), *bad = json_array_get(json, 1);
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
@@ -241,21 +240,15 @@ TEST_IN_WORKSPACE(test_inspect_json)
     expect_part(json_string_value(json_object_get(bad, "error")), "no line of numbers in it");
     assert_int_equal(json_object_size(bad), 2);
     json_decref(json);
-    process_free(&process);
-
-    process = expect_exit(place, 4, "inspect", "--json", "bad.csv");
-    json = json_loads(process.out, 0, NULL);
+    json = process_json(expect_exit(place, 4, "inspect", "--json", "bad.csv"));
     assert_int_equal(json_array_size(json), 1);
     json_decref(json);
-    process_free(&process);
     /* units that the file does not name */
     workspace_write(place, "plain.csv", "0,1\n1,3\n2,2\n3,5\n4,1\n5,4\n6,2\n7,6\n8,3\n9,1\n");
     expect_failure(place, 4, 1, "plain.csv: no unit for z; add", "inspect", "--x-unit", "um", "plain.csv");
-    process = expect_exit(place, 0, "inspect", "--json", "--x-unit", "mm", "--z-unit", "um", "plain.csv");
-    json = json_loads(process.out, 0, NULL);
+    json = process_json(expect_exit(place, 0, "inspect", "--json", "--x-unit", "mm", "--z-unit", "um", "plain.csv"));
     assert_near(json_number_value(json_object_get(json_array_get(json, 0), "spacing_m")), 1e-3, 1e-12);
     json_decref(json);
-    process_free(&process);
 }
 
 TEST_IN_WORKSPACE(test_synth)
@@ -271,20 +264,17 @@ TEST_IN_WORKSPACE(test_synth)
     assert_string_equal(process.out, written);
     process_free(&process);
     free(written);
-    process = expect_exit(place, 0, "inspect", "--json", "--fit=thesis", "a.csv");
-    json_t *json = json_loads(process.out, 0, NULL), *found = json_array_get(json, 0);
+    json_t *json = process_json(expect_exit(place, 0, "inspect", "--json", "--fit=thesis", "a.csv")),
+           *found = json_array_get(json, 0);
     assert_int_equal(json_integer_value(json_object_get(found, "points")), 1000);
     assert_near(json_number_value(json_object_get(found, "spacing_m")), 0.5e-6, 1e-9);
     assert_near(json_number_value(json_object_get(found, "gamma")), 1.4, 1e-4);
     assert_near(json_number_value(json_object_get(found, "alpha_SI")), 0.1, 1e-3);
     json_decref(json);
-    process_free(&process);
     run_to_exit(place, 0, "synth", "--rq", "5um", "--points", "500", "-o", "b.csv");
-    process = expect_exit(place, 0, "inspect", "--json", "b.csv");
-    json = json_loads(process.out, 0, NULL);
+    json = process_json(expect_exit(place, 0, "inspect", "--json", "b.csv"));
     assert_near(json_number_value(json_object_get(json_array_get(json, 0), "rq_m")), 5e-6, 1e-5);
     json_decref(json);
-    process_free(&process);
 }
 
 TEST_IN_WORKSPACE(test_synth_refuses)

@@ -31,22 +31,6 @@ static void report(const char *place, const char *out, const char *jobs)
     run_to_exit(place, 0, "report", "d", "-o", out, "--no-cost", "-j", jobs);
 }
 
-static struct table data(const char *place, const char *path)
-{
-    char full[512];
-    snprintf(full, sizeof full, "%s/%s", place, path);
-    return table_read_path(full);
-}
-
-static json_t *results(const char *place)
-{
-    char full[512];
-    snprintf(full, sizeof full, "%s/out/results.json", place);
-    json_t *all = json_load_file(full, 0, NULL);
-    assert_non_null(all);
-    return all;
-}
-
 /** Root mean square gradient of the surfaces, sqrt(2 m2), of the law in results.json. */
 static double gradient_of(const json_t *direct)
 {
@@ -88,8 +72,9 @@ TEST_IN_WORKSPACE(test_numbers)
     write_profile(place,
                   EFFECTS "direct: {grid: 64, seeds: 2, loads: [1e-3, 1.05e-3, 1.1e-3, 4e-3], hardness: 400 MPa}\n");
     report(place, "out", "1");
-    struct table t = data(place, "out/data/direct.csv"), r = data(place, "out/data/direct_ratio.csv");
-    json_t *all = results(place);
+    struct table t = workspace_table(place, "out/data/direct.csv"),
+                 r = workspace_table(place, "out/data/direct_ratio.csv");
+    json_t *all = workspace_json(place, "out/results.json");
     double g = gradient_of(json_array_get(json_object_get(all, "direct"), 0)), modulus = 41.4e9 / (1 - 0.36 * 0.36);
     size_t elastic = 0, capped = 0;
     for (size_t i = 0; i < t.rows; i++) {
@@ -148,7 +133,7 @@ TEST_IN_WORKSPACE(test_off)
         expect_not_in_file(place, "out/report.md", "## Against a direct solution");
         expect_in_file(place, "out/report.md",
                        "| direct | skipped | not called for; it would say how far each model is off: ");
-        json_t *all = results(place);
+        json_t *all = workspace_json(place, "out/results.json");
         assert_null(json_object_get(all, "direct"));
         json_decref(all);
         expect_output(expect_exit(place, 0, "plan", "d"),
@@ -167,7 +152,7 @@ TEST_IN_WORKSPACE(test_called_for)
     run = expect_exit(place, 0, "direct", "d", "--no-cost", "--effects", "separation");
     assert_true(workspace_has(place, "out/d/data/direct.csv"));
     process_free(&run);
-    struct table t = data(place, "out/d/data/direct.csv");
+    struct table t = workspace_table(place, "out/d/data/direct.csv");
     assert_int_equal(t.columns, 12); /* no resistance: no column */
     table_free(&t);
     run = expect_exit(place, 0, "report", "d", "--no-cost", "-o", "o2", "--effects", "direct");
@@ -243,7 +228,7 @@ TEST_IN_WORKSPACE(test_map)
                     "material: tin\neffects: [separation, electrical, direct]\nload: {from: 1e-4, to: 1, points: 41}\n"
                     "surfaces: [{name: m, file: map.grd, x_unit: m, z_unit: m}]\ndirect: {loads: 5}\n");
     report(place, "out", "2");
-    struct table t = data(place, "out/data/direct.csv");
+    struct table t = workspace_table(place, "out/data/direct.csv");
     assert_int_equal(t.rows, 5);
     size_t numbers = 0;
     double differs = 0;
@@ -278,7 +263,7 @@ TEST_IN_WORKSPACE(test_resolution)
     report(place, "out", "2");
     char *page = workspace_read(place, "out/report.md");
     expect_part(page, "All of it is true at this resolution");
-    json_t *all = results(place);
+    json_t *all = workspace_json(place, "out/results.json");
     double gamma = json_number_value(json_object_get(json_array_get(json_object_get(all, "direct"), 0), "gamma"));
 
     assert_true(gamma < 1.5);
@@ -295,7 +280,7 @@ TEST_IN_WORKSPACE(test_few_surfaces)
     const char *place = *state;
     write_profile(place, EFFECTS "direct: {grid: 64, seeds: 5, loads: [1e-3, 2e-3, 4e-3], hardness: 400 MPa}\n");
     report(place, "out", "2");
-    struct table t = data(place, "out/data/direct.csv");
+    struct table t = workspace_table(place, "out/data/direct.csv");
     static const char *const columns[][2] = {
         {"gap_m", "gap_stderr"}, {"ecr_ohm_m2", "ecr_stderr"}, {"area_ratio", "area_stderr"}};
     size_t compared = 0, alike = 0, bare = 0;
@@ -329,7 +314,8 @@ TEST_IN_WORKSPACE(test_cost_errors)
     const char *place = *state;
     write_profile(place, EFFECTS "direct: {grid: 64, seeds: 3, loads: [1e-4, 3e-4, 1e-3, 1e-2]}\n");
     run_to_exit(place, 0, "report", "d", "-o", "out");
-    struct table cost = data(place, "out/data/cost.csv"), ratios = data(place, "out/data/direct_ratio.csv");
+    struct table cost = workspace_table(place, "out/data/cost.csv"),
+                 ratios = workspace_table(place, "out/data/direct_ratio.csv");
     static const char *const quantities[] = {"area", "gap", "ecr"};
     size_t compared = 0, fewer = 0;
     for (size_t r = 0; r < cost.rows; r++)

@@ -150,12 +150,9 @@ TEST_IN_WORKSPACE(report_is_described)
     for (size_t i = 0; i < sizeof tables / sizeof *tables; i++)
         columns += check_columns(document, place, tables[i]);
     assert_true(columns > 50);
-    char *text = workspace_read(place, "out/results.json");
-    json_t *results = json_loads(text, 0, NULL);
-    assert_non_null(results);
+    json_t *results = workspace_json(place, "out/results.json");
     assert_true(check_keys(document, results) > 200);
     json_decref(results);
-    free(text);
     size_t sections = check_sections(document, place);
     workspace_write(place, "in/scene.yaml", "surfaces: [{name: two, file: c.csv}]\n"); /* a smooth counterface */
     run_to_exit(place, 0, "report", "in", "-o", "out");

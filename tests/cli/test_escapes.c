@@ -191,8 +191,7 @@ TEST_IN_WORKSPACE(test_report)
 
     /* every name once in the tables, as written above, and the same in results.json */
     char *csv = workspace_read(place, "out/d/data/surfaces.csv");
-    char *text = workspace_read(place, "out/d/results.json");
-    json_t *json = json_loads(text, 0, NULL), *surfaces = json_object_get(json, "surfaces");
+    json_t *json = workspace_json(place, "out/d/results.json"), *surfaces = json_object_get(json, "surfaces");
     assert_int_equal(json_array_size(surfaces), NAMES);
     size_t found[NAMES] = {0}, in_json[NAMES] = {0}, rows = 0;
     const char *at = csv;
@@ -217,7 +216,6 @@ TEST_IN_WORKSPACE(test_report)
         if (found[i] != 1 || in_json[i] != 1)
             fail_msg("'%s': %zu times in surfaces.csv, %zu in results.json", names[i].cell, found[i], in_json[i]);
     json_decref(json);
-    free(text);
     free(csv);
 
     expect_in_file(place, "out/d/report.html", "red\\x1b[31m", "gnp.\\u202efdp");

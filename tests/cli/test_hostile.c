@@ -181,13 +181,9 @@ TEST_IN_WORKSPACE(test_file_names)
     expect_in_file(place, "out/d/data/surfaces.csv", "\n\"double\"\"quote\",\"double\"\"quote.csv\",100,",
                    "\nnew\\x0aline,new\\x0aline.csv,100,", "\n\"'=cmd,x;y\\x09tab\",", "\na|b,a|b.csv,100,");
 
-    json_error_t error;
-    char *text = workspace_read(place, "out/d/results.json");
-    json_t *json = json_loads(text, 0, &error);
-    assert_non_null(json);
+    json_t *json = workspace_json(place, "out/d/results.json");
     assert_int_equal(json_array_size(json_object_get(json, "surfaces")), NAMES + 1);
     json_decref(json);
-    free(text);
 }
 
 TEST_IN_WORKSPACE(test_drawings)
