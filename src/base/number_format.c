@@ -37,7 +37,7 @@ static int most(int a, int b)
     return a > b ? a : b;
 }
 
-void number_format_power(struct text *out, double value, int digits)
+static void add_power(struct text *out, double value, int digits)
 {
     if (!isfinite(value) || value == 0) {
         text_add(out, value == 0 ? "0" : "–");
@@ -52,7 +52,7 @@ void number_format_power(struct text *out, double value, int digits)
 void number_format(struct text *out, double value, int digits)
 {
     if (!isfinite(value) || value == 0 || !reads_plain(exponent_of(value, digits)))
-        number_format_power(out, value, digits);
+        add_power(out, value, digits);
     else
         text_add(out, "%s%.*f", value < 0 ? minus : "", most(0, digits - 1 - exponent_of(value, digits)), fabs(value));
 }

@@ -7,8 +7,6 @@
 
 /** `value` with `digits` significant digits: plain from 0.001 to 99999, else as 1.2·10⁻⁵; "–" when not finite. */
 void number_format(struct text *out, double value, int digits);
-/** The same, always as 1.23·10⁻⁴: for columns of loads, which span decades. */
-void number_format_power(struct text *out, double value, int digits);
 /** "0.00600 ± 0.00094": both with the same exponent and decimals, at least two digits of either. */
 void number_format_uncertain(struct text *out, double value, double error);
 /** "least to most", or one number when both are the same to the digits shown. */
