@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/scene_json.h"
 #include "base/version.h"
 #include "cli/command.h"
 

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/signals.h"
+#include "cli/command.h"
 
 #include "base/program.h"
 #include "base/temporary.h"
 #include "base/text.h"
 #include "base/threads.h"
-#include "cli/command.h"
 
 #include <errno.h>
 #include <fcntl.h>

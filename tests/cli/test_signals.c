@@ -3,7 +3,7 @@
 #include "base/clock.h"
 #include "base/program.h"
 #include "base/temporary.h"
-#include "cli/signals.h"
+#include "cli/command.h"
 #include "directory.h"
 
 #include <fcntl.h>
