@@ -91,10 +91,7 @@ static bool make(struct temporary *out, const char *parent, const char *prefix)
 {
     char name[NAME], named[PATH_MAX];
     snprintf(out->path, sizeof out->path, "%s/%sXXXXXX", parent, prefix);
-    if (!mkdtemp(out->path))
-        return false;
-    out->directory = temporary_open(AT_FDCWD, out->path);
-    if (out->directory < 0)
+    if (!mkdtemp(out->path) || (out->directory = temporary_open(AT_FDCWD, out->path)) < 0)
         return false;
     name_of(name, prefix, out->directory, out->path);
     snprintf(named, sizeof named, "%s/%s", parent, name);

@@ -15,7 +15,7 @@
 
 enum { ZIP_NAMED = 5, ZIP_BEGINNING = 65536 };
 
-/* An entry, unpacked or its first bytes. Owned: entry_free(). */
+/* An entry, unpacked or its first bytes. Its text is owned. */
 struct entry {
     struct text text;
     char path[512]; /* for messages: archive(entry) */
@@ -24,11 +24,6 @@ struct entry {
     bool empty;            /* a folder, or nothing in it */
     bool words;            /* a text without numbers */
 };
-
-static void entry_free(struct entry *entry)
-{
-    text_free(&entry->text);
-}
 
 /* What an operating system leaves in archives. */
 static bool is_hidden(const char *name)
@@ -66,7 +61,7 @@ static enum status_code look_at(struct entry *out, const struct archive *archive
         return file->status->code;
     bool whole = out->text.length == archive->entries[index].size;
     if (!whole && is_doubtful(&out->file)) {
-        entry_free(out);
+        text_free(&out->text);
         if (unpack(out, archive, index, SIZE_MAX, file) != STATUS_OK)
             return file->status->code;
         whole = true;
@@ -88,7 +83,7 @@ static struct entry peek(const struct archive *archive, size_t index)
     quiet.status = &problem;
     if (look_at(&entry, archive, index, &quiet) == STATUS_MEMORY)
         (void)status_memory(archive->file->status);
-    entry_free(&entry);
+    text_free(&entry.text);
     return entry;
 }
 
@@ -159,12 +154,12 @@ static enum status_code read_scan(struct scan *out, const struct archive *archiv
     struct entry entry;
     size_t index = at % archive->count;
     enum status_code code = look_at(&entry, archive, index, file); /* why it cannot be read */
-    entry_free(&entry);
+    text_free(&entry.text);
     if (code == STATUS_OK) {
         code = unpack(&entry, archive, index, SIZE_MAX, file);
         if (code == STATUS_OK)
             code = format_read(out, &entry.file);
-        entry_free(&entry);
+        text_free(&entry.text);
     }
     snprintf(out->part, sizeof out->part, "%.100s", archive->entries[index].name);
     scan_printable(out->part);
