@@ -26,8 +26,14 @@ struct process_running {
  * removal. */
 int workspace_make(void **state);
 int workspace_remove(void **state);
-/** A cmocka test with a workspace. */
-#define TEST_IN_WORKSPACE(name) TEST_WITH(name, workspace_make, workspace_remove)
+/** A cmocka test with a workspace, `place`. */
+#define TEST_IN_WORKSPACE(name)                                                                                        \
+    static void name##_in(const char *place);                                                                          \
+    TEST_WITH(name, workspace_make, workspace_remove)                                                                  \
+    {                                                                                                                  \
+        name##_in(*state);                                                                                             \
+    }                                                                                                                  \
+    static void name##_in(__attribute__((unused)) const char *place)
 
 /** Starts the program in the workspace. */
 #define process_start(place, ...) process_start_list((place), (const char *const[]){PROGRAM, __VA_ARGS__, NULL}, NULL)

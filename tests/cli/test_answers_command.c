@@ -30,7 +30,6 @@ static struct process run_scene(const char *place, int status, const char *text,
 
 TEST_IN_WORKSPACE(no_key_no_trace)
 {
-    const char *place = *state;
     scans(place);
     struct process run = run_scene(place, 0, SCENE, NULL);
     assert_false(workspace_has(place, "out/data/answers.csv"));
@@ -42,7 +41,6 @@ TEST_IN_WORKSPACE(no_key_no_trace)
 
 TEST_IN_WORKSPACE(targets_are_answered)
 {
-    const char *place = *state;
     scans(place);
     struct process run = run_scene(place, 0, SCENE "targets: [{ecr: 0.1 mohm}, {area: 5 %}]\n", NULL);
     expect_parts(run.out, "\n0.1 mΩ takes ", "\nA/Aₙ of 5 % takes ", " on a");
@@ -75,7 +73,6 @@ TEST_IN_WORKSPACE(targets_are_answered)
 
 TEST_IN_WORKSPACE(a_missed_limit_ends_with_5)
 {
-    const char *place = *state;
     scans(place);
     static const char missed[] =
         SCENE "operating_load: 10 N\nlimits: {conductance: {least: 1e12 W/m2/K}, area: {least: 1e-9}}\n";
@@ -99,7 +96,6 @@ TEST_IN_WORKSPACE(a_missed_limit_ends_with_5)
 
 TEST_IN_WORKSPACE(a_check_of_nothing_is_refused)
 {
-    const char *place = *state;
     scans(place);
     workspace_write(place, "in/scene.yaml", SCENE);
     expect_failure(place, 2, 1, "--check: the scene has no 'limits' to check", "report", "in", "-o", "out", "--check");
@@ -133,7 +129,6 @@ static const char *read_shown(double *out, const char *at)
 /** What the first sentence says of a target is in answers.csv, rounded: load and interval, in the loads' unit. */
 TEST_IN_WORKSPACE(the_sentence_is_of_the_data)
 {
-    const char *place = *state;
     scans(place);
     workspace_scan(place, "in/c.csv", 300, 3);
     struct process run = run_scene(place, 0,
@@ -194,7 +189,6 @@ static size_t check_load_keys(const json_t *json)
 /** Whatever unit the scene has its loads in. */
 TEST_IN_WORKSPACE(loads_say_what_they_are_in)
 {
-    const char *place = *state;
     static const char *const loads[] = {"{from: 0.01 N, to: 100 N, points: 9}",
                                         "{from: 10 kPa, to: 100 MPa, points: 9}", "{from: 1e-7, to: 1e-2, points: 9}"};
     scans(place);
@@ -249,7 +243,6 @@ static double at_load(const char *place, const char *model, double load, const c
  */
 TEST_IN_WORKSPACE(targets_of_a_joint)
 {
-    const char *place = *state;
     static const struct {
         const char *target, *column;
         double value;

@@ -86,7 +86,6 @@ static void expect_described(json_t *json)
 
 TEST_IN_WORKSPACE(test_models)
 {
-    const char *place = *state;
     json_t *json = run_json(place, 0, "models", NULL);
     struct process text = expect_exit(place, 0, "models");
     assert_int_equal(json_array_size(json), model_count);
@@ -110,7 +109,6 @@ TEST_IN_WORKSPACE(test_models)
 
 TEST_IN_WORKSPACE(test_materials)
 {
-    const char *place = *state;
     json_t *json = run_json(place, 0, "materials", NULL);
     struct process text = expect_exit(place, 0, "materials");
     for (size_t p = 0; p < material_property_count; p++)
@@ -159,7 +157,6 @@ static void make_scans(const char *place, bool broken)
 
 TEST_IN_WORKSPACE(test_plan)
 {
-    const char *place = *state;
     make_scans(place, true);
     struct process process = expect_exit(place, 1, "plan", "d", "--json"), text = expect_exit(place, 1, "plan", "d");
     json_t *json = json_loads(process.out, 0, NULL);
@@ -221,7 +218,6 @@ static void check_text(const char *text, const char *surface, double rq_m)
 
 TEST_IN_WORKSPACE(test_report)
 {
-    const char *place = *state;
     make_scans(place, true);
     struct process process = expect_exit(place, 1, "report", "d", "-o", "out", "--json", "--no-cost"),
                    text = expect_exit(place, 1, "report", "d", "-o", "text", "--no-cost");
@@ -280,7 +276,6 @@ TEST_IN_WORKSPACE(test_report)
 
 TEST_IN_WORKSPACE(test_direct)
 {
-    const char *place = *state;
     workspace_scan(place, "d/a.csv", 200, 1);
     workspace_write(place, "d/scene.yaml",
                     "material: tin\neffects: [electrical]\nload: {from: 1e-4, to: 1e-2, points: 7}\n"
@@ -295,7 +290,6 @@ TEST_IN_WORKSPACE(test_direct)
 /** A command that fails says so in JSON too, and on standard error as ever. */
 TEST_IN_WORKSPACE(test_failures)
 {
-    const char *place = *state;
     static const char *const commands[] = {"report", "direct", "plan"};
     static const struct {
         const char *directory, *message;
@@ -331,7 +325,6 @@ TEST_IN_WORKSPACE(test_failures)
 /** A name that no terminal and no JSON may have. */
 TEST_IN_WORKSPACE(test_hostile_name)
 {
-    const char *place = *state;
     workspace_scan(place, "d/a\x1b[31m\xff\".csv", 200, 1);
     json_t *json = run_json(place, 0, "report", "d");
     assert_string_equal(text_of(json_array_get(json_object_get(json, "surfaces"), 0), "surface"), "a\\x1b[31m\\xff\"");
@@ -344,7 +337,6 @@ TEST_IN_WORKSPACE(test_hostile_name)
 /** From anywhere, of the program alone, writing nothing; in text and in JSON the same. */
 TEST_IN_WORKSPACE(test_self_test)
 {
-    const char *place = *state;
     char *before = workspace_digest(place, ".");
     struct process text = expect_exit(place, 0, "self-test"), verbose = expect_exit(place, 0, "self-test", "--verbose");
     json_t *json = run_json(place, 0, "self-test", NULL), *group;

@@ -49,7 +49,6 @@ static double gradient_of(const json_t *direct)
 
 TEST_IN_WORKSPACE(test_files)
 {
-    const char *place = *state;
     write_profile(place, EFFECTS SMALL);
     report(place, "out", "2");
     char *csv = workspace_read(place, "out/data/direct.csv");
@@ -68,7 +67,6 @@ TEST_IN_WORKSPACE(test_files)
 /* What the numbers are: area as literature has it, resistance as the gap's slope says, the cap's area. */
 TEST_IN_WORKSPACE(test_numbers)
 {
-    const char *place = *state;
     write_profile(place,
                   EFFECTS "direct: {grid: 64, seeds: 2, loads: [1e-3, 1.05e-3, 1.1e-3, 4e-3], hardness: 400 MPa}\n");
     report(place, "out", "1");
@@ -111,7 +109,6 @@ TEST_IN_WORKSPACE(test_numbers)
 
 TEST_IN_WORKSPACE(test_same_bytes)
 {
-    const char *place = *state;
     write_profile(place, EFFECTS SMALL);
     report(place, "one", "1");
     report(place, "two", "2");
@@ -123,7 +120,6 @@ TEST_IN_WORKSPACE(test_same_bytes)
 
 TEST_IN_WORKSPACE(test_off)
 {
-    const char *place = *state;
     static const char *const scenes[] = {EFFECTS, EFFECTS "direct: off\n", "effects: auto\n"};
     for (size_t s = 0; s < 3; s++) {
         write_profile(place, scenes[s]);
@@ -144,7 +140,6 @@ TEST_IN_WORKSPACE(test_off)
 /* What the command line says stands over the scene. */
 TEST_IN_WORKSPACE(test_called_for)
 {
-    const char *place = *state;
     write_profile(place, "effects: [separation]\ndirect: {grid: 32, seeds: 1, loads: [2e-2]}\n");
     struct process run = expect_exit(place, 0, "report", "d", "--no-cost", "--effects", "separation");
     assert_false(workspace_has(place, "out/d/data/direct.csv"));
@@ -189,7 +184,6 @@ static double number_before(const char *line, const char *unit)
 /* A budget is kept by counts alone: the same twice, more solved for more, never above it where anything fits. */
 TEST_IN_WORKSPACE(test_budget)
 {
-    const char *place = *state;
     static const char *const budgets[] = {"0.2", "1 s", "3", "10 s", "100"};
     double before = 0;
     workspace_scan(place, "d/a.csv", 400, 3);
@@ -216,7 +210,6 @@ TEST_IN_WORKSPACE(test_budget)
 /* A map is its own surface: one solution, no law, no other heights. */
 TEST_IN_WORKSPACE(test_map)
 {
-    const char *place = *state;
     char text[20000];
     size_t used = (size_t)snprintf(text, sizeof text, "DSAA\n24 20\n0 23e-6\n0 19e-6\n-1e-6 1e-6\n");
     for (int j = 0; j < 20; j++)
@@ -255,7 +248,6 @@ TEST_IN_WORKSPACE(test_map)
 /* Four spacings for want of a lambda_s: the plan and the report say that the solution is true at this resolution. */
 TEST_IN_WORKSPACE(test_resolution)
 {
-    const char *place = *state;
     workspace_scan(place, "d/a.csv", 64, 1);
     write_scene(place, EFFECTS "direct: {grid: 128, seeds: 1, loads: [2e-3, 1e-2]}\n");
     expect_output(expect_exit(place, 0, "plan", "d"),
@@ -277,7 +269,6 @@ TEST_IN_WORKSPACE(test_resolution)
 /* Two surfaces beside six: an error no less than the scatter of the six says; of the capped area none is borrowed. */
 TEST_IN_WORKSPACE(test_few_surfaces)
 {
-    const char *place = *state;
     write_profile(place, EFFECTS "direct: {grid: 64, seeds: 5, loads: [1e-3, 2e-3, 4e-3], hardness: 400 MPa}\n");
     report(place, "out", "2");
     struct table t = workspace_table(place, "out/data/direct.csv");
@@ -311,7 +302,6 @@ TEST_IN_WORKSPACE(test_few_surfaces)
  * elastic-plastic area that is P/H in both says so, and what was not run does. */
 TEST_IN_WORKSPACE(test_cost_errors)
 {
-    const char *place = *state;
     write_profile(place, EFFECTS "direct: {grid: 64, seeds: 3, loads: [1e-4, 3e-4, 1e-3, 1e-2]}\n");
     run_to_exit(place, 0, "report", "d", "-o", "out");
     struct table cost = workspace_table(place, "out/data/cost.csv"),
@@ -347,7 +337,6 @@ TEST_IN_WORKSPACE(test_cost_errors)
 
 TEST_IN_WORKSPACE(test_impossible)
 {
-    const char *place = *state;
     write_profile(place, EFFECTS "load: {values: [1e-9]}\ndirect: {grid: 64, seeds: 1}\n");
     report(place, "out", "1");
     assert_false(workspace_has(place, "out/data/direct.csv"));
@@ -356,7 +345,6 @@ TEST_IN_WORKSPACE(test_impossible)
 
 TEST_IN_WORKSPACE(test_key)
 {
-    const char *place = *state;
     static const struct {
         const char *key, *message;
     } wrong[] = {
@@ -380,7 +368,6 @@ TEST_IN_WORKSPACE(test_key)
 /* Ctrl-C in the midst of it: OUT is as it was. */
 TEST_IN_WORKSPACE(test_stopped)
 {
-    const char *place = *state;
     write_profile(place, EFFECTS "direct: {grid: 1024, seeds: 100}\n");
     struct process_running running = process_start(place, "report", "d", "-o", "out", "--no-cost");
     nanosleep(&(struct timespec){1, 0}, NULL);

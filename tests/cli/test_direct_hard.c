@@ -126,7 +126,6 @@ static void expect_nulls(const char *place)
 /* Fewer than 100 points in contact: no number in tables, ratios, charts, JSON or text, and no picture. */
 TEST_IN_WORKSPACE(test_below_resolution)
 {
-    const char *place = *state;
     write_surface(place, "d/a.csv", rough);
     report(place, 0, "grid: 64, seeds: 2, loads: [1e-9, 1e-8], surfaces: all");
     struct table t = workspace_table(place, "out/data/direct.csv"),
@@ -152,7 +151,6 @@ TEST_IN_WORKSPACE(test_below_resolution)
 /* Where some loads are resolved, those have numbers and one of them the picture. */
 TEST_IN_WORKSPACE(test_partly_below_resolution)
 {
-    const char *place = *state;
     write_surface(place, "d/a.csv", rough);
     report(place, 0, "grid: 64, seeds: 2, loads: [1e-9, 3e-2], surfaces: all");
     struct table t = workspace_table(place, "out/data/direct.csv");
@@ -173,7 +171,6 @@ TEST_IN_WORKSPACE(test_partly_below_resolution)
 /* From the load on that is the hardness there is no capped solution; with all loads beyond, none at all. */
 TEST_IN_WORKSPACE(test_loads_at_the_hardness)
 {
-    const char *place = *state;
     const double modulus = 41.4e9 / (1 - 0.36 * 0.36);
     write_surface(place, "d/a.csv", rough);
     report(place, 0, "grid: 64, seeds: 2, loads: [8e-3, 1e-2, 2e-2], hardness: 475 MPa, surfaces: all");
@@ -203,7 +200,6 @@ TEST_IN_WORKSPACE(test_loads_at_the_hardness)
 /* Complete contact: all of the area, no gap, no resistance, and no ratio to nothing. */
 TEST_IN_WORKSPACE(test_complete_contact)
 {
-    const char *place = *state;
     write_surface(place, "d/a.csv", rough);
     report(place, 0, "grid: 64, seeds: 2, loads: [10], surfaces: all");
     struct table t = workspace_table(place, "out/data/direct.csv"),
@@ -225,7 +221,6 @@ TEST_IN_WORKSPACE(test_complete_contact)
  * surface is refused and leaves no row. */
 TEST_IN_WORKSPACE(test_strange_surfaces)
 {
-    const char *place = *state;
     write_surface(place, "d/rough.csv", rough_law);
     write_surface(place, "d/smooth.csv", smooth_law);
     write_surface(place, "d/spike.csv", spike);
@@ -256,7 +251,6 @@ TEST_IN_WORKSPACE(test_strange_surfaces)
 /* A map below its resolution, as a profile: no number, no picture. */
 TEST_IN_WORKSPACE(test_map_below_resolution)
 {
-    const char *place = *state;
     enum { N = 32 };
     char text[N * N * 20];
     size_t used = (size_t)snprintf(text, sizeof text, "DSAA\n%d %d\n0 31e-6\n0 31e-6\n-1e-6 1e-6\n", N, N);

@@ -124,7 +124,6 @@ static size_t check_sections(const char *document, const char *place)
 
 TEST_IN_WORKSPACE(report_is_described)
 {
-    const char *place = *state;
     static const char *const tables[] = {"surfaces.csv",     "spectrum.csv",    "contact.csv", "convergence.csv",
                                          "cost.csv",         "spread.csv",      "bands.csv",   "direct.csv",
                                          "direct_ratio.csv", "sensitivity.csv", "answers.csv"};
@@ -164,7 +163,6 @@ TEST_IN_WORKSPACE(report_is_described)
 /** What docs/tutorial.md quotes, a line behind "> ", stands in the report that it speaks of. */
 TEST_IN_WORKSPACE(tutorial_quotes_the_report)
 {
-    const char *place = *state;
     char *document = workspace_read(PROJECT_SOURCE, "docs/tutorial.md");
     run_to_exit(place, 0, "report", PROJECT_SOURCE "/surfaces/connector", "-o", "out", "--no-cost", "--check");
     char *report = workspace_read(place, "out/report.md");

@@ -180,7 +180,6 @@ static void assert_process(struct process process, const char *what)
 
 TEST_IN_WORKSPACE(test_report)
 {
-    const char *place = *state;
     write_scans(place);
     workspace_write(
         place, "d/scene.yaml",
@@ -223,7 +222,6 @@ TEST_IN_WORKSPACE(test_report)
 
 TEST_IN_WORKSPACE(test_commands)
 {
-    const char *place = *state;
     write_scans(place);
     workspace_write(place, "d/notes \x1b\u202E.md", "text\n");
     workspace_write(place, "bad \x1b\xFF\u202E.csv", "x [um],z [um]\n0,1\n1,2\n2,\xC2\x9B\u202E\x07\n");
@@ -253,7 +251,6 @@ TEST_IN_WORKSPACE(test_commands)
 /* Of two surfaces every legend names both; gnuplot writes what it is given. */
 TEST_IN_WORKSPACE(test_legends)
 {
-    const char *place = *state;
     workspace_scan(place, "d/]]>.csv", 100, 1);
     workspace_scan(place, "d/=]]>\x1b\u202E&<.csv", 100, 2);
     assert_process(expect_exit(place, 0, "report", "d", "--no-cost", "-m", "tin", "-e", "plasticity"), "report");
@@ -264,7 +261,6 @@ TEST_IN_WORKSPACE(test_legends)
 /* A surface whose material says too little is named where an effect is left out. */
 TEST_IN_WORKSPACE(test_reasons)
 {
-    const char *place = *state;
     workspace_scan(place, "d/a.csv", 100, 1);
     workspace_scan(place, "d/b.csv", 100, 2);
     workspace_write(place, "d/scene.yaml",

@@ -176,7 +176,6 @@ static json_t *inspect_first(struct process process)
 /* A map of 6 x 4 heights, of which the plane leaves (-1)^(x + y) um. */
 TEST_IN_WORKSPACE(test_a_map_on_the_command_line)
 {
-    const char *place = *state;
     workspace_write(place, "map.txt",
                     "pixel size = 2 um\n1 -1 1 -1 1 -1\n-1 1 -1 1 -1 1\n1 -1 1 -1 1 -1\n-1 1 -1 1 -1 1\n");
     json_t *map = inspect_first(expect_exit(place, 0, "inspect", "--json", "--z-unit", "um", "map.txt"));
@@ -197,7 +196,6 @@ TEST_IN_WORKSPACE(test_a_map_on_the_command_line)
 
 TEST_IN_WORKSPACE(test_options)
 {
-    const char *place = *state;
     workspace_scan(place, "a.csv", 2000, 1);
     json_t *raw = inspect_first(expect_exit(place, 0, "inspect", "--json", "--level", "none", "a.csv"));
     json_t *smooth = inspect_first(expect_exit(place, 0, "inspect", "--json", "--lambda-s", "8e-6", "a.csv"));
@@ -249,7 +247,6 @@ static void expect_same(const char *first, const char *second)
 /* - is standard input, plain or packed; it says what it says of the file. */
 TEST_IN_WORKSPACE(test_standard_input)
 {
-    const char *place = *state;
     workspace_scan(place, "d/a.csv", 400, 1);
     const char *const gzip[] = {"gzip", "-k", "d/a.csv", NULL};
     struct process packed = process_expect(process_end(process_start_list(place, gzip, NULL)), 0, __FILE__, __LINE__);
@@ -277,7 +274,6 @@ TEST_IN_WORKSPACE(test_standard_input)
 /* The scans of a directory and of its folders, as `inspect` of each says it. */
 TEST_IN_WORKSPACE(test_a_directory)
 {
-    const char *place = *state;
     workspace_scan(place, "d/a.csv", 400, 1);
     workspace_scan(place, "d/s/b.csv", 500, 2);
     workspace_write(place, "d/notes.txt", "nothing\n");

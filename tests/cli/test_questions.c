@@ -45,7 +45,6 @@ static void says(const char *place, const char *out, const char *page, const cha
 /** Newtons for 1 mohm; does my measurement agree; the textbook; best and significant; longer or finer scan. */
 TEST_IN_WORKSPACE(a_connector)
 {
-    const char *place = *state;
     run_to_exit(place, 0, "report", PROJECT_SOURCE "/surfaces/connector", "-o", "out", "--no-cost");
     char *page = first_page(place, "out"), load[80];
     view_text_of(load, sizeof load, place, "out", "answers", "load");
@@ -63,7 +62,6 @@ TEST_IN_WORKSPACE(a_connector)
 /** The load that the first sentence names is the one of answers.csv. */
 TEST_IN_WORKSPACE(the_answer_is_the_datas)
 {
-    const char *place = *state;
     run_to_exit(place, 0, "report", PROJECT_SOURCE "/surfaces/thermal-interface", "-o", "out", "--no-cost");
     char *page = first_page(place, "out"), load[80];
     view_text_of(load, sizeof load, place, "out", "answers", "load");
@@ -82,7 +80,6 @@ TEST_IN_WORKSPACE(the_answer_is_the_datas)
 /** The conductance at 1 MPa, of a gap in air and of bare metal. */
 TEST_IN_WORKSPACE(a_conductance)
 {
-    const char *place = *state;
     workspace_scan(place, "d/a.csv", 400, 1);
     workspace_write(place, "d/scene.yaml",
                     "material: copper\ngap: {gas: air}\noperating_load: 1 MPa\n"
@@ -115,7 +112,6 @@ TEST_IN_WORKSPACE(a_conductance)
 /** Which model, and how far off: the direct solution's answer, and what the model makes of it. */
 TEST_IN_WORKSPACE(how_far_off)
 {
-    const char *place = *state;
     workspace_scan(place, "d/a.csv", 160, 1);
     workspace_write(place, "d/scene.yaml",
                     "material: tin\neffects: [electrical, direct]\nload: {from: 1e-4, to: 2e-2, "
