@@ -171,19 +171,14 @@ static const int laws[] = {[POWER_LAW_BAND_NONE] = ROUGHCONTACT_LAW_NONE,
                            [POWER_LAW_BAND_NARROW] = ROUGHCONTACT_LAW_NARROW,
                            [POWER_LAW_BAND_LAW] = ROUGHCONTACT_LAW_FOUND};
 
-static enum status_code check_wavelength(double value, const char *what, struct status *status)
-{
-    return value == 0 || (value >= 1e-12 && value <= 1e3)
-               ? STATUS_OK
-               : status_fail(status, STATUS_USAGE, "%s is %g; allowed is 1e-12 to 1000, or 0", what, value);
-}
-
 /** The same ranges as those of the scene's keys. */
 static enum status_code check_options(const struct roughcontact_surface_options *o, struct status *status)
 {
-    if (check_wavelength(o->lambda_s_m, "lambda_s_m", status) != STATUS_OK ||
-        check_wavelength(o->lambda_c_m, "lambda_c_m", status) != STATUS_OK)
-        return status->code;
+    static const char *const names[] = {"lambda_s_m", "lambda_c_m"};
+    const double values[] = {o->lambda_s_m, o->lambda_c_m};
+    for (int i = 0; i < 2; i++)
+        if (!(values[i] == 0 || (values[i] >= 1e-12 && values[i] <= 1e3)))
+            return status_fail(status, STATUS_USAGE, "%s is %g; allowed is 1e-12 to 1000, or 0", names[i], values[i]);
     if (o->lambda_c_m > 0 && !(o->lambda_s_m < o->lambda_c_m))
         return status_fail(status, STATUS_USAGE,
                            "lambda_c_m is %g, not above lambda_s_m, %g; nothing would be left between them",

@@ -454,16 +454,6 @@ static void fill_decades(double *loads, const struct scene_load *load)
     loads[0] = load->from;
 }
 
-struct material_pair scene_pair(const struct scene_bodies *bodies)
-{
-    if (!bodies || isnan(bodies->material.youngs_modulus_Pa))
-        return material_pair_unknown();
-    struct material_pair pair = material_pair(&bodies->material, bodies->counterface_kind, &bodies->counterface);
-    if (bodies->hardness_Pa > 0)
-        pair.hardness_Pa = bodies->hardness_Pa;
-    return pair;
-}
-
 double scene_load_divisor(const struct scene *scene, enum unit_quantity kind, const struct material_pair *pair)
 {
     double modulus_Pa = pair->unknown ? NAN : pair->effective_modulus_Pa;

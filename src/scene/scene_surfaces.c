@@ -304,17 +304,3 @@ bool scene_surfaces_read(struct scene_source *source, const struct scene_key *ke
             return false;
     return check_names(source, value);
 }
-
-const struct material_property *scene_lack(const char **body, const struct scene_bodies *bodies,
-                                           const struct effect_row *effect)
-{
-    for (const char *const *key = effect->properties; *key; key++) {
-        const struct material_property *property = material_property_find(*key);
-        *body = isnan(material_value(&bodies->material, property)) ? "material" : "counterface";
-        if (isnan(material_value(&bodies->material, property)) ||
-            (bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC &&
-             isnan(material_value(&bodies->counterface, property))))
-            return property;
-    }
-    return NULL;
-}
