@@ -254,7 +254,8 @@ static void print_law(const struct inspection *f)
     }
     double line_m[LOG_BIN_MOST];
     print_waves("              knees at ", f->band.knee_m, f->band.pieces > 0 ? f->band.pieces - 1 : 0);
-    print_waves("              lines at ", line_m, power_law_band_lines(line_m, &f->band));
+    size_t lines = power_law_band_lines(line_m, &f->band);
+    print_waves("              lines at ", line_m, lines);
 }
 
 void inspection_print(const char *path, const struct inspection *f)

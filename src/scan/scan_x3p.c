@@ -127,7 +127,7 @@ static void take_leaf(struct parse *parse, const char *parent, const char *name,
 {
     struct main_xml *out = parse->out;
     const char *letter = parent[0] == 'C' && parent[1] && !parent[2] ? strchr("XYZ", parent[1]) : NULL;
-    struct x3p_axis none, *axis = letter ? &out->axis[letter - "XYZ"] : &none;
+    struct x3p_axis none = {0}, *axis = letter ? &out->axis[letter - "XYZ"] : &none;
     const char *const own = letter ? parent : ""; /* of an axis, or no element's */
     const struct {
         const char *parent, *name;
