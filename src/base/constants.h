@@ -4,9 +4,9 @@
 #ifndef BASE_CONSTANTS_H
 #define BASE_CONSTANTS_H
 
-extern const double constant_boltzmann_J_per_K; /* k_B */
-extern const double constant_electron_charge_C; /* e */
-extern const double constant_planck_J_s;        /* h */
-extern const double constant_avogadro_per_mol;  /* N_A */
+static const double constant_boltzmann_J_per_K = 1.380649e-23;    /* k_B */
+static const double constant_electron_charge_C = 1.602176634e-19; /* e */
+static const double constant_planck_J_s = 6.62607015e-34;         /* h */
+static const double constant_avogadro_per_mol = 6.02214076e23;    /* N_A */
 
 #endif

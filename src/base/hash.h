@@ -12,10 +12,22 @@ struct hash {
     SHA2_CTX context;
 };
 
-struct hash hash_start(void);
-void hash_add(struct hash *hash, const void *bytes, size_t length);
-void hash_finish_bytes(struct hash *hash, unsigned char digest[HASH_BYTES]);
+static inline struct hash hash_start(void)
+{
+    struct hash hash;
+    SHA256Init(&hash.context);
+    return hash;
+}
+
+static inline void hash_add(struct hash *hash, const void *bytes, size_t length)
+{
+    SHA256Update(&hash->context, bytes, length);
+}
+
 /** Writes 64 lower-case hexadecimal digits and a NUL. */
-void hash_finish(struct hash *hash, char digits[65]);
+static inline void hash_finish(struct hash *hash, char digits[SHA256_DIGEST_STRING_LENGTH])
+{
+    SHA256End(&hash->context, digits);
+}
 
 #endif

@@ -37,7 +37,7 @@ static int most(int a, int b)
     return a > b ? a : b;
 }
 
-void number_format_power(struct text *out, double value, int digits)
+static void add_power(struct text *out, double value, int digits)
 {
     if (!isfinite(value) || value == 0) {
         text_add(out, value == 0 ? "0" : "–");
@@ -52,25 +52,9 @@ void number_format_power(struct text *out, double value, int digits)
 void number_format(struct text *out, double value, int digits)
 {
     if (!isfinite(value) || value == 0 || !reads_plain(exponent_of(value, digits)))
-        number_format_power(out, value, digits);
+        add_power(out, value, digits);
     else
         text_add(out, "%s%.*f", value < 0 ? minus : "", most(0, digits - 1 - exponent_of(value, digits)), fabs(value));
-}
-
-void number_format_given(struct text *out, double value)
-{
-    enum { DIGITS = 6 };
-    char buffer[64];
-    int exponent = isfinite(value) && value != 0 ? exponent_of(value, DIGITS) : 0;
-    if (!isfinite(value)) {
-        text_add(out, "–");
-        return;
-    }
-    snprintf(buffer, sizeof buffer, "%.*g", DIGITS,
-             reads_plain(exponent) ? fabs(value) : fabs(value) / pow(10, exponent));
-    text_add(out, "%s%s", value < 0 ? minus : "", buffer);
-    if (!reads_plain(exponent))
-        add_power_of_ten(out, exponent);
 }
 
 void number_format_uncertain(struct text *out, double value, double error)
@@ -97,28 +81,14 @@ void number_format_between(struct text *out, const char *before, double value, i
     text_add(out, "%s", after);
 }
 
-/** Both numbers; where they read alike the one, or nothing. */
-static void add_pair(struct text *out, const char *before, double low, const char *between, double high,
-                     const char *after, int digits, bool one)
-{
-    struct text ends[2] = {{0}, {0}};
-    number_format(&ends[0], low, digits);
-    number_format(&ends[1], high, digits);
-    if (strcmp(text_string(&ends[0]), text_string(&ends[1])) != 0)
-        text_add(out, "%s%s%s%s%s", before, text_string(&ends[0]), between, text_string(&ends[1]), after);
-    else if (one)
-        text_add(out, "%s", text_string(&ends[0]));
-    text_free(&ends[0]);
-    text_free(&ends[1]);
-}
-
 void number_format_range(struct text *out, double least_value, double most_value, int digits)
 {
-    add_pair(out, "", least_value, " to ", most_value, "", digits, true);
-}
-
-void number_format_interval(struct text *out, const char *before, double low, double high, int digits,
-                            const char *after)
-{
-    add_pair(out, before, low, "…", high, after, digits, false);
+    struct text low = {0}, high = {0};
+    number_format(&low, least_value, digits);
+    number_format(&high, most_value, digits);
+    text_add(out, "%s", text_string(&low));
+    if (strcmp(text_string(&low), text_string(&high)) != 0)
+        text_add(out, " to %s", text_string(&high));
+    text_free(&low);
+    text_free(&high);
 }

@@ -7,17 +7,10 @@
 
 /** `value` with `digits` significant digits: plain from 0.001 to 99999, else as 1.2·10⁻⁵; "–" when not finite. */
 void number_format(struct text *out, double value, int digits);
-/** The same, always as 1.23·10⁻⁴: for columns of loads, which span decades. */
-void number_format_power(struct text *out, double value, int digits);
-/** A given number, without the zeros that %g drops: 0.36, 4.1369·10¹⁰. */
-void number_format_given(struct text *out, double value);
 /** "0.00600 ± 0.00094": both with the same exponent and decimals, at least two digits of either. */
 void number_format_uncertain(struct text *out, double value, double error);
 /** "least to most", or one number when both are the same to the digits shown. */
 void number_format_range(struct text *out, double least, double most, int digits);
-/** "low…high" between two texts; nothing where neither is known, or both read alike. */
-void number_format_interval(struct text *out, const char *before, double low, double high, int digits,
-                            const char *after);
 /** number_format() between two fixed texts. */
 void number_format_between(struct text *out, const char *before, double value, int digits, const char *after);
 

@@ -63,32 +63,28 @@ __attribute__((noinline)) static pid_t divide(const struct program_task *task, c
     _exit(127);
 }
 
-/** The environment that it gets, whose strings stay others'. NULL: out of memory. */
-static char **environment_of(const struct program_task *task)
+static bool is_dropped(const struct program_task *task, const char *variable)
 {
-    size_t count = 0, kept = 0;
-    while (environ[count])
-        count++;
-    char **own = calloc(count + 2, sizeof *own);
-    for (size_t i = 0; own && i < count; i++) {
-        const char *const *drop = task->drops;
-        while (*drop && strncmp(environ[i], *drop, strlen(*drop)) != 0)
-            drop++;
-        if (!*drop)
-            own[kept++] = environ[i];
-    }
-    if (own)
-        own[kept] = task->adds;
-    return own;
+    const char *const *drop = task->drops;
+    while (*drop && strncmp(variable, *drop, strlen(*drop)) != 0)
+        drop++;
+    return *drop;
 }
 
 int program_start(pid_t *process, const struct program_task *task)
 {
     volatile int error = 0;
     sigset_t all, before;
-    char **environment = environment_of(task);
+    size_t count = 0, kept = 0;
+    while (environ[count])
+        count++;
+    char **environment = calloc(count + 2, sizeof *environment); /* its strings stay others' */
     if (!environment)
         return ENOMEM;
+    for (size_t i = 0; i < count; i++)
+        if (!is_dropped(task, environ[i]))
+            environment[kept++] = environ[i];
+    environment[kept] = task->adds;
     *process = -1;
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &before); /* no handler of ours may run in the child */

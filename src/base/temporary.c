@@ -25,7 +25,7 @@ static struct temporary *all;
 static char note[PATH_MAX + 64];
 static _Atomic double until = INFINITY; /* when there is no more time to remove anything */
 
-static int open_directory(int parent, const char *name)
+int temporary_open(int parent, const char *name)
 {
     return openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
 }
@@ -44,7 +44,7 @@ static void name_of(char out[static NAME], const char *prefix, int directory, co
 
 static void empty(int directory)
 {
-    int again = open_directory(directory, ".");
+    int again = temporary_open(directory, ".");
     DIR *list = again >= 0 ? fdopendir(again) : NULL;
     for (const struct dirent *entry; list && clock_seconds() < until && (entry = readdir(list));)
         if (strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0)
@@ -57,7 +57,7 @@ void temporary_remove_entry(int directory, const char *name)
 {
     if (unlinkat(directory, name, 0) == 0)
         return;
-    int inner = open_directory(directory, name);
+    int inner = temporary_open(directory, name);
     if (inner >= 0) {
         empty(inner);
         close(inner);
@@ -70,7 +70,7 @@ static void clear_stale(int parent, const char *name, const char *prefix, void (
 {
     struct stat info;
     char own[NAME];
-    int directory = open_directory(parent, name);
+    int directory = temporary_open(parent, name);
     if (directory >= 0 && fstat(directory, &info) == 0 && info.st_uid == geteuid() && (info.st_mode & 0777) == 0700) {
         name_of(own, prefix, directory, name);
         if (strcmp(name, own) != 0) {
@@ -91,10 +91,7 @@ static bool make(struct temporary *out, const char *parent, const char *prefix)
 {
     char name[NAME], named[PATH_MAX];
     snprintf(out->path, sizeof out->path, "%s/%sXXXXXX", parent, prefix);
-    if (!mkdtemp(out->path))
-        return false;
-    out->directory = open_directory(AT_FDCWD, out->path);
-    if (out->directory < 0)
+    if (!mkdtemp(out->path) || (out->directory = temporary_open(AT_FDCWD, out->path)) < 0)
         return false;
     name_of(name, prefix, out->directory, out->path);
     snprintf(named, sizeof named, "%s/%s", parent, name);
@@ -155,10 +152,10 @@ void temporary_remove(struct temporary *temporary)
     temporary_close(temporary);
 }
 
-void temporary_note(const char *text)
+void temporary_note(const char *before, const char *what, const char *after)
 {
     temporary_hold();
-    snprintf(note, sizeof note, "%s", text);
+    snprintf(note, sizeof note, "%s'%s'%s", before, what, after);
     temporary_release();
 }
 

@@ -26,8 +26,11 @@ void temporary_remove(struct temporary *temporary);
 /** Removes an entry of the open directory, with all in it; follows no link. */
 void temporary_remove_entry(int directory, const char *name);
 
-/** What to tell when the program is made to end, such as "'out' is as it was before". */
-void temporary_note(const char *note);
+/** The open directory `name` in `parent`, reached through no link; -1: errno says why not. */
+int temporary_open(int parent, const char *name);
+
+/** What to tell when the program is made to end, such as "'out' is as it was before" of `what`. */
+void temporary_note(const char *before, const char *what, const char *after);
 /** Between these two the program is not made to end, but where they take too long. May be nested. */
 void temporary_hold(void);
 void temporary_release(void);

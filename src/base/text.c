@@ -195,15 +195,6 @@ void text_add_markdown_shown(struct text *text, const char *all)
     }
 }
 
-void text_add_markdown(struct text *text, const char *string)
-{
-    struct text shown = {0};
-    text_add_shown(&shown, string);
-    text->failed = text->failed || shown.failed;
-    text_add_markdown_shown(text, text_string(&shown));
-    text_free(&shown);
-}
-
 void text_add_html(struct text *out, const char *bytes, size_t size)
 {
     static const char *const escapes[128] = {

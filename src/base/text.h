@@ -34,9 +34,7 @@ struct text_shown {
 struct text_shown text_show(const char *s);
 /** Adds `string` as it may be shown. */
 void text_add_shown(struct text *text, const char *string);
-/** The same, with the characters that mean something in Markdown or HTML escaped. */
-void text_add_markdown(struct text *text, const char *string);
-/** Adds what is shown already, with only the latter. */
+/** Adds what is shown already, with the characters that mean something in Markdown or HTML escaped. */
 void text_add_markdown_shown(struct text *text, const char *string);
 /** Adds `size` bytes of plain text for HTML, in an element or a quoted value: what has a meaning there is escaped; line
  * ends and tabs stay; what else may not be shown is written out, but no backslash doubled, as most of it was shown

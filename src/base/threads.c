@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/threads.h"
 
-#include "base/thread.h"
-
 #include <unistd.h>
 
 enum { THREADS_MOST = 64 };
@@ -128,4 +126,15 @@ enum status_code threads_run(const struct threads *threads, size_t count, thread
     if (crowd.status.code != STATUS_OK)
         return status_fail(status, crowd.status.code, "%s", crowd.status.message);
     return STATUS_OK;
+}
+
+bool thread_start(pthread_t *out, void *(*work)(void *context), void *context)
+{
+    pthread_attr_t attributes;
+    if (pthread_attr_init(&attributes) != 0)
+        return false;
+    bool started = pthread_attr_setstacksize(&attributes, THREAD_STACK_BYTES) == 0 &&
+                   pthread_create(out, &attributes, work, context) == 0;
+    pthread_attr_destroy(&attributes);
+    return started;
 }

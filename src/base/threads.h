@@ -4,6 +4,8 @@
 #define BASE_THREADS_H
 
 #include "base/status.h"
+
+#include <pthread.h>
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -31,5 +33,13 @@ bool threads_wait(struct threads_turn *turn);
 
 /** How many threads `threads` makes for `count` tasks. */
 size_t threads_number(const struct threads *threads, size_t count);
+
+/* Threads whose stack does not hang on `ulimit -s`. */
+
+/** Bytes of stack of each: what Debian gives by default. Pages that are not used take no memory. */
+enum { THREAD_STACK_BYTES = 8 << 20 };
+
+/** Starts work(context) on a thread of its own, to be joined by pthread_join(). False: there can be no other thread. */
+bool thread_start(pthread_t *out, void *(*work)(void *context), void *context);
 
 #endif

@@ -4,7 +4,6 @@
 #include "chart/chart.h"
 #include "chart/gnuplot.h"
 #include "cli/command.h"
-#include "cli/command_json.h"
 #include "cli/inspection.h"
 #include "scene/scene.h"
 #include "scene/scene_words.h"
@@ -19,30 +18,25 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+enum { KEY_JSON = 0x100, KEY_NO_CHART, KEY_CHART, KEY_LIMITS, KEY_FLAGS, FLAGS = KEY_FLAGS - KEY_JSON };
+
 struct arguments {
     struct scan_options scan;
     char x_column[64];
     struct profile_options how;
     enum power_law_method fit;
-    bool json, chart, no_chart, limits;
+    bool asked[FLAGS];
     char **files;
     int file_count;
 };
 
-enum {
-    KEY_X_UNIT = 0x100,
-    KEY_Z_UNIT,
-    KEY_JSON,
-    KEY_NO_CHART,
-    KEY_CHART,
-    KEY_LEVEL,
-    KEY_LAMBDA_S,
-    KEY_LAMBDA_C,
-    KEY_QUANTITY,
-    KEY_COLUMN,
-    KEY_FIT,
-    KEY_LIMITS
-};
+enum { KEY_X_UNIT = KEY_FLAGS, KEY_Z_UNIT, KEY_LEVEL, KEY_LAMBDA_S, KEY_LAMBDA_C, KEY_QUANTITY, KEY_COLUMN, KEY_FIT };
+
+/** Is that option, which takes no value, given? */
+static bool is_asked(const struct arguments *arguments, int key)
+{
+    return arguments->asked[key - KEY_JSON];
+}
 
 static const struct argp_option options[] = {
     {"json", KEY_JSON, 0, 0, "print an array of objects, one a file (default: text)", 0},
@@ -101,16 +95,10 @@ static error_t parse(int key, char *value, struct argp_state *state)
     struct arguments *arguments = state->input;
     switch (key) {
     case KEY_JSON:
-        arguments->json = true;
-        return 0;
     case KEY_NO_CHART:
-        arguments->no_chart = true;
-        return 0;
-    case KEY_LIMITS:
-        arguments->limits = true;
-        return 0;
     case KEY_CHART:
-        arguments->chart = true;
+    case KEY_LIMITS:
+        arguments->asked[key - KEY_JSON] = true;
         return 0;
     case KEY_X_UNIT:
         arguments->scan.x_unit = value;
@@ -146,7 +134,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
         arguments->file_count = state->argc - state->next;
         return 0;
     case ARGP_KEY_NO_ARGS:
-        if (!arguments->limits)
+        if (!is_asked(arguments, KEY_LIMITS))
             argp_error(state, "which file?");
         return 0;
     default:
@@ -239,7 +227,7 @@ static void refuse(struct outcome *outcome, const struct arguments *arguments, c
 {
     outcome->scans++;
     outcome->refused++;
-    if (arguments->json)
+    if (is_asked(arguments, KEY_JSON))
         json_array_append_new(outcome->all, json_pack("{s:o, s:o}", "file", command_json_text(path), "error",
                                                       command_json_text(message)));
     else
@@ -251,14 +239,14 @@ static void show(struct outcome *outcome, const struct arguments *arguments, con
 {
     struct status chart = {0};
     outcome->scans++;
-    if (arguments->json) {
+    if (is_asked(arguments, KEY_JSON)) {
         json_t *json = json_pack("{s:o}", "file", command_json_text(path));
         inspection_add_json(json, inspection);
         json_array_append_new(outcome->all, json);
         return;
     }
     inspection_print(path, inspection);
-    bool wanted = !arguments->no_chart && (arguments->chart || isatty(STDOUT_FILENO));
+    bool wanted = !is_asked(arguments, KEY_NO_CHART) && (is_asked(arguments, KEY_CHART) || isatty(STDOUT_FILENO));
     if (wanted && inspection->profile.points > 0 &&
         (inspection_spectrum(inspection, &chart) != STATUS_OK ||
          (inspection->spectrum.count > 0 && draw(inspection, &chart) != STATUS_OK)))
@@ -367,8 +355,8 @@ int command_inspect(int argc, char **argv)
 {
     struct arguments arguments = {.how = profile_defaults};
     command_parse(&command_inspect_argp, argc, argv, &arguments);
-    if (arguments.limits) {
-        print_limits(arguments.json);
+    if (is_asked(&arguments, KEY_LIMITS)) {
+        print_limits(is_asked(&arguments, KEY_JSON));
         return command_finish(COMMAND_DONE, NULL);
     }
     struct outcome outcome = {.all = json_array()};
@@ -380,7 +368,7 @@ int command_inspect(int argc, char **argv)
         else
             inspect_file(&outcome, &arguments, path, arguments.scan);
     }
-    if (!arguments.json)
+    if (!is_asked(&arguments, KEY_JSON))
         json_decref(outcome.all);
     else if (!command_json_print(outcome.all))
         outcome.refused = outcome.scans;

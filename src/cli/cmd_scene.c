@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands on a scene, `report` and `plan`. */
 #include "cli/command.h"
-#include "cli/scene_json.h"
-#include "cli/signals.h"
 #include "run/messages.h"
 #include "run/prepare.h"
 #include "run/run.h"

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `self-test`: does this build compute correctly here? */
 #include "cli/command.h"
-#include "cli/command_json.h"
 #include "contact/model.h"
 #include "selftest/selftest.h"
 

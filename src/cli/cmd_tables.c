@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/command.h"
-#include "cli/command_json.h"
 #include "contact/model.h"
 #include "material/material.h"
 

@@ -6,7 +6,12 @@
 #include "base/status.h"
 #include "base/text.h"
 #include "direct/direct_team.h"
+#include "run/prepare.h"
+#include "run/run.h"
+
 #include <argp.h>
+#include <jansson.h>
+#include <stdatomic.h>
 #include <stdbool.h>
 
 /** Exit statuses of every command (documented in the README; command_statuses says them). */
@@ -83,5 +88,51 @@ void command_terminal_size(int *columns, int *rows);
 /** Flushes stdout. Returns `exit_status`, or says that not all could be printed and, where it was `written`, in which
  * file the report is. */
 int command_finish(int exit_status, const char *written);
+
+/* What the commands print as JSON (docs/commands.md). */
+
+/** `hostile` as it may be shown: JSON is UTF-8, a file name need not be. */
+json_t *command_json_text(const char *hostile);
+/** A text that there may not be; NULL: null. */
+json_t *command_json_optional(const char *text);
+/** A number; null for NaN, and for what is without end. */
+json_t *command_json_number(double value);
+/** The lines of a text. */
+json_t *command_json_lines(const char *lines);
+/** Prints it to stdout, numbers with 17 digits; takes it over. False: out of memory. */
+bool command_json_print(json_t *json);
+
+/* What `report`, `direct` and `plan` print with --json (docs/commands.md). */
+
+/** What came out of a report on `directory`: `outcome` NULL where it did not begin, `error` NULL where there is one. */
+void scene_json_print_report(const struct run_outcome *outcome, const char *directory, int exit_status,
+                             const char *error);
+
+/** The plan of a whole report, or of its first page (`brief`), and roughly how long that takes: `results` NULL where
+ * there is none, and `error` says why. */
+void scene_json_print_plan(const struct results *results, double rough_seconds, const char *directory, bool brief,
+                           const char *messages, int exit_status, const char *error);
+
+/* How a signal ends the program: in order where it soon comes to that, else at once, and never with anything left. */
+
+/** Runs the program, `body`, on a thread of its own and returns its exit status. SIGINT, SIGTERM and SIGHUP (those that
+ * are not ignored) are taken by the thread that calls, so that nothing the other does can delay them: on the first one
+ * the other programs that run are stopped, and once the body has had the time that it asked for, or on the second one,
+ * everything of base/temporary.h is removed, one line says so, and the program ends by that signal; so it does as well
+ * where the body returns after one. Before: standard streams that are closed become ones that cannot be used, so that
+ * no file takes their numbers, and files too large for the limits become errors. */
+int signals_run(int (*body)(int argc, char **argv), int argc, char **argv);
+
+/** Becomes true when a signal has come. Whoever asks for it looks at it, and gets `milliseconds` from then on to
+ * end in order; else there are none. */
+const atomic_bool *signals_stop(int milliseconds);
+
+/** For the end of a body that must not return, as it has something to take down: the exit status that stands for
+ * the signal that has come, else `exit_status`. */
+int signals_status(int exit_status);
+
+/** Is it for the caller to say that a signal has come? True once, false from then on. Of several processes, those that
+ * are not to speak call it first. */
+bool signals_first_word(void);
 
 #endif

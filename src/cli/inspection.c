@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/inspection.h"
 #include "base/text.h"
-#include "cli/command_json.h"
+#include "cli/command.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -227,18 +227,12 @@ static void print_shown(const char *before, const char *hostile)
     text_free(&shown);
 }
 
-/** Knees and lines, behind the law. */
-static void print_spectrum(const struct power_law_band *band)
+/** A line of wavelengths, if there are any. */
+static void print_waves(const char *what, const double *wave_m, size_t count)
 {
-    bool first = true;
-    for (size_t k = 0; k + 1 < band->pieces; k++, first = false)
-        printf("%s%.3g um", first ? "              knees at " : ", ", band->knee_m[k] * 1e6);
-    printf("%s", first ? "" : "\n");
-    double line_m[LOG_BIN_MOST];
-    size_t lines = power_law_band_lines(line_m, band);
-    for (size_t i = 0; i < lines; i++)
-        printf("%s%.3g um", i == 0 ? "              lines at " : ", ", line_m[i] * 1e6);
-    printf("%s", lines == 0 ? "" : "\n");
+    for (size_t i = 0; i < count; i++)
+        printf("%s%.3g um", i == 0 ? what : ", ", wave_m[i] * 1e6);
+    printf("%s", count == 0 ? "" : "\n");
 }
 
 static void print_law(const struct inspection *f)
@@ -258,7 +252,10 @@ static void print_law(const struct inspection *f)
                f->fit == POWER_LAW_THESIS ? "" : "rms ", law->amplitude_m * 1e6, pow(10, law->amplitude_error_decades),
                law->wavelength_m * 1e6, law->psd_m3);
     }
-    print_spectrum(&f->band);
+    double line_m[LOG_BIN_MOST];
+    print_waves("              knees at ", f->band.knee_m, f->band.pieces > 0 ? f->band.pieces - 1 : 0);
+    size_t lines = power_law_band_lines(line_m, &f->band);
+    print_waves("              lines at ", line_m, lines);
 }
 
 void inspection_print(const char *path, const struct inspection *f)

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The program over MPI's ranks: the first one is the program, the others solve with it. */
 #include "cli/command.h"
-#include "cli/signals.h"
 #include "ranks/ranks.h"
 
 #include <stdlib.h>

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/scene_json.h"
 #include "base/version.h"
 #include "cli/command.h"
-#include "cli/command_json.h"
 
 #include <math.h>
 #include <stdio.h>

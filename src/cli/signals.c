@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "cli/signals.h"
+#include "cli/command.h"
 
 #include "base/program.h"
 #include "base/temporary.h"
 #include "base/text.h"
-#include "base/thread.h"
-#include "cli/command.h"
+#include "base/threads.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -19,7 +18,7 @@
 /* Of the process, as its signals are. */
 static atomic_bool stop, told;
 static atomic_int taken, grace_ms = 200; /* for a program that runs to be ended with all that it started */
-static pthread_mutex_t ending = PTHREAD_MUTEX_INITIALIZER; /* whoever has it ends the program */
+static pthread_mutex_t end_lock = PTHREAD_MUTEX_INITIALIZER; /* whoever has it ends the program */
 
 const atomic_bool *signals_stop(int milliseconds)
 {
@@ -40,23 +39,20 @@ bool signals_first_word(void)
 /** One line on stderr, unless nobody takes it there. */
 static void tell(const char *note)
 {
-    struct text line = {0};
+    struct text shown = {0};
     struct pollfd err = {.fd = STDERR_FILENO, .events = POLLOUT};
-    if (!signals_first_word() || poll(&err, 1, 0) <= 0)
-        return;
-    text_add(&line, "%sroughcontact: stopped by a signal%s", isatty(STDERR_FILENO) ? "\r\033[K" : "",
-             *note ? "; " : "");
-    text_add_shown(&line, note);
-    text_add(&line, "\n");
-    (void)!write(STDERR_FILENO, text_string(&line), line.length);
-    text_free(&line);
+    text_add_shown(&shown, note);
+    if (signals_first_word() && poll(&err, 1, 0) > 0)
+        dprintf(STDERR_FILENO, "%sroughcontact: stopped by a signal%s%s\n", isatty(STDERR_FILENO) ? "\r\033[K" : "",
+                *note ? "; " : "", text_string(&shown));
+    text_free(&shown);
 }
 
 /** Ends the program by the signal that was taken. */
 _Noreturn static void end_by_signal(void)
 {
     sigset_t signals;
-    pthread_mutex_lock(&ending);
+    pthread_mutex_lock(&end_lock);
     signal(SIGPIPE, SIG_IGN);
     tell(temporary_end());
     signal(taken, SIG_DFL);
@@ -82,19 +78,6 @@ static void *run_body(void *context)
     exit(exit_status);
 }
 
-/** The signals that ask the program to end, but those that whoever started it wants ignored (as nohup does). */
-static sigset_t ending_signals(void)
-{
-    static const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
-    struct sigaction action;
-    sigset_t out;
-    sigemptyset(&out);
-    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
-        if (sigaction(numbers[i], NULL, &action) == 0 && action.sa_handler != SIG_IGN)
-            sigaddset(&out, numbers[i]);
-    return out;
-}
-
 /** A closed stream would have its number taken by the next file that is opened, which then got what is printed. */
 static void open_standard_streams(void)
 {
@@ -105,9 +88,16 @@ static void open_standard_streams(void)
 
 int signals_run(int (*body)(int argc, char **argv), int argc, char **argv)
 {
+    static const int ending[] = {SIGINT, SIGTERM, SIGHUP};
     struct program program = {body, argc, argv};
     pthread_t thread;
-    sigset_t signals = ending_signals();
+    sigset_t signals;
+    sigemptyset(&signals);
+    for (size_t i = 0; i < sizeof ending / sizeof *ending; i++) {
+        struct sigaction action; /* whoever started it may want it ignored (as nohup does) */
+        if (sigaction(ending[i], NULL, &action) == 0 && action.sa_handler != SIG_IGN)
+            sigaddset(&signals, ending[i]);
+    }
     open_standard_streams();
     signal(SIGXFSZ, SIG_IGN); /* write() then says EFBIG */
     signal(SIGCHLD, SIG_DFL); /* ignored, it would take away how programs end, and their ids while they are in use */

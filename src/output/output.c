@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/output.h"
 
-#include <assert.h>
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -14,50 +13,51 @@
 #include <unistd.h>
 
 enum { FOLDERS = 3, LARGEST_MANIFEST = 1 << 20 }; /* bytes; a larger one is none of ours */
-static const char *const folder_names[FOLDERS] = {".", "data", "figures"};
+static const char *const folders[FOLDERS] = {".", "data", "figures"};
 static const char *const prefixes[FOLDERS] = {"", "data/", "figures/"};
 
-/** A report's directories, open: itself, data and figures; -1: none. What fails below leaves errno. */
-struct report {
-    int folder[FOLDERS];
+/** Two reports whose files are gone over: their directories, open (itself, data and figures; -1: none), and what is
+ * made of them. What fails below leaves errno. */
+struct visit {
+    int old[FOLDERS], new[FOLDERS];
+    char *listed;             /* the manifest of the former */
+    FILE *manifest;           /* of the latter */
+    int hidden;               /* the hidden directory in which the former is cleared away */
+    bool trial;               /* nothing is to stay linked */
+    char name[NAME_MAX + 16]; /* of the entry that was looked at last */
+    const char *lost;         /* what it is that could be lost; "": errno says why it cannot be linked */
 };
 
-static int open_directory(int parent, const char *name)
-{
-    return openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
-}
-
 /** Opens the report `path` in the open directory `parent`, through no link. To be closed whatever comes back. */
-static bool open_report(struct report *out, int parent, const char *path)
-{
-    *out = (struct report){{open_directory(parent, path), -1, -1}};
-    for (int i = 1; i < FOLDERS && out->folder[0] >= 0; i++)
-        out->folder[i] = open_directory(out->folder[0], folder_names[i]);
-    return out->folder[0] >= 0;
-}
-
-static void close_report(const struct report *report)
+static bool open_report(int folder[FOLDERS], int parent, const char *path)
 {
     for (int i = 0; i < FOLDERS; i++)
-        if (report->folder[i] >= 0)
-            close(report->folder[i]);
+        folder[i] = i == 0 ? temporary_open(parent, path) : folder[0] < 0 ? -1 : temporary_open(folder[0], folders[i]);
+    return folder[0] >= 0;
+}
+
+static void close_report(const int folder[FOLDERS])
+{
+    for (int i = 0; i < FOLDERS; i++)
+        if (folder[i] >= 0)
+            close(folder[i]);
 }
 
 /** Visits all that lies in the folders, but themselves, in order of names, until one visit fails. */
-static bool visit_all(const struct report *report, bool (*visit)(void *context, int folder, const char *name),
-                      void *context)
+static bool visit_all(const int folder[FOLDERS], bool (*visit)(struct visit *v, int i, const char *name),
+                      struct visit *v)
 {
     bool ok = true;
     for (int i = 0; i < FOLDERS; i++) {
         struct dirent **entry = NULL;
-        int count = ok && report->folder[i] >= 0 ? scandirat(report->folder[i], ".", &entry, NULL, versionsort) : 0;
+        int count = ok && folder[i] >= 0 ? scandirat(folder[i], ".", &entry, NULL, versionsort) : 0;
         ok = ok && count >= 0;
         for (int k = 0; k < count; k++) {
             const char *name = entry[k]->d_name;
             bool passed = strcmp(name, ".") == 0 || strcmp(name, "..") == 0;
             for (int f = 1; f < FOLDERS && i == 0; f++)
-                passed |= report->folder[f] >= 0 && strcmp(name, folder_names[f]) == 0;
-            ok = ok && (passed || visit(context, i, name));
+                passed |= folder[f] >= 0 && strcmp(name, folders[f]) == 0;
+            ok = ok && (passed || visit(v, i, name));
             free(entry[k]);
         }
         free(entry);
@@ -66,10 +66,10 @@ static bool visit_all(const struct report *report, bool (*visit)(void *context, 
 }
 
 /** The manifest in a report, "" where it has none or one that is not the program's. NULL: cannot be read. */
-static char *read_manifest(const struct report *report)
+static char *read_manifest(int report)
 {
     struct stat info;
-    int file = openat(report->folder[0], OUTPUT_MANIFEST, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    int file = openat(report, OUTPUT_MANIFEST, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     bool ours = file >= 0 && fstat(file, &info) == 0 && S_ISREG(info.st_mode) && info.st_size <= LARGEST_MANIFEST;
     char *text = calloc(1, ours ? (size_t)info.st_size + 1 : 1);
     if (text && ours && read(file, text, (size_t)info.st_size) != info.st_size) {
@@ -90,18 +90,11 @@ static bool is_listed(const char *manifest, int folder, const char *name)
     return !strchr(name, '\n') && strstr(manifest, line);
 }
 
-static bool list_entry(void *stream, int folder, const char *name)
+/** Writes a file's line into the manifest and waits until the file is on the disk. */
+static bool finish_entry(struct visit *v, int folder, const char *name)
 {
-    assert(!strchr(name, '\n'));
-    return fprintf(stream, "%s%s\n", prefixes[folder], name) >= 0;
-}
-
-/** Waits until a file is on the disk. */
-static bool save_entry(void *context, int folder, const char *name)
-{
-    const struct report *report = context;
-    int file = openat(report->folder[folder], name, O_RDONLY | O_CLOEXEC);
-    bool ok = file >= 0 && fsync(file) == 0;
+    int file = openat(v->new[folder], name, O_RDONLY | O_CLOEXEC);
+    bool ok = file >= 0 && fprintf(v->manifest, "%s%s\n", prefixes[folder], name) >= 0 && fsync(file) == 0;
     if (file >= 0)
         close(file);
     return ok;
@@ -110,29 +103,22 @@ static bool save_entry(void *context, int folder, const char *name)
 /** Writes the manifest of all that lies in the report, itself included, and waits until the disk has it all. */
 static bool finish_report(const char *path)
 {
-    struct report report;
+    struct visit v = {.manifest = NULL};
     int made = -1;
-    if (open_report(&report, AT_FDCWD, path))
-        made = openat(report.folder[0], OUTPUT_MANIFEST, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    FILE *stream = made >= 0 ? fdopen(made, "w") : NULL;
-    bool ok = stream && fputs(OUTPUT_MANIFEST_HEADER, stream) >= 0 && visit_all(&report, list_entry, stream) &&
-              fflush(stream) == 0 && visit_all(&report, save_entry, &report);
+    if (open_report(v.new, AT_FDCWD, path))
+        made = openat(v.new[0], OUTPUT_MANIFEST, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    v.manifest = made >= 0 ? fdopen(made, "w") : NULL;
+    bool ok = v.manifest && fputs(OUTPUT_MANIFEST_HEADER, v.manifest) >= 0 && visit_all(v.new, finish_entry, &v) &&
+              fflush(v.manifest) == 0 && fsync(made) == 0;
     for (int i = 0; i < FOLDERS && ok; i++)
-        (void)!fsync(report.folder[i]); /* which not every file system can */
+        (void)!fsync(v.new[i]); /* which not every file system can */
     int reason = errno;
-    if (stream)
-        fclose(stream);
-    close_report(&report);
+    if (v.manifest)
+        fclose(v.manifest);
+    close_report(v.new);
     errno = reason;
     return ok;
 }
-
-/** The report before, out of its place, in the hidden directory. */
-struct clearing {
-    int hidden;
-    struct report old;
-    char *listed; /* its manifest */
-};
 
 /** Removes a file of which there is another hard link. */
 static bool remove_link(int directory, const char *name)
@@ -144,36 +130,35 @@ static bool remove_link(int directory, const char *name)
 
 /** Removes an entry of the report before that is the program's, or is in the new report too, and leaves what came there
  * during the exchange. It is looked at as `aside`, where nobody replaces it meanwhile. False: it cannot be put back. */
-static bool clear_entry(void *context, int folder, const char *name)
+static bool clear_entry(struct visit *v, int folder, const char *name)
 {
     static const char aside[] = "aside";
-    const struct clearing *c = context;
     struct stat info;
-    int from = c->old.folder[folder];
+    int from = v->old[folder];
     bool manifest = folder == 0 && strcmp(name, OUTPUT_MANIFEST) == 0; /* goes last */
     if (manifest || fstatat(from, name, &info, AT_SYMLINK_NOFOLLOW) != 0 || S_ISDIR(info.st_mode))
         return true;
-    if (S_ISREG(info.st_mode) && is_listed(c->listed, folder, name))
+    if (S_ISREG(info.st_mode) && is_listed(v->listed, folder, name))
         return unlinkat(from, name, 0) == 0;
-    return renameat(from, name, c->hidden, aside) != 0 || remove_link(c->hidden, aside) ||
-           renameat2(c->hidden, aside, from, name, RENAME_NOREPLACE) == 0;
+    return renameat(from, name, v->hidden, aside) != 0 || remove_link(v->hidden, aside) ||
+           renameat2(v->hidden, aside, from, name, RENAME_NOREPLACE) == 0;
 }
 
 /** Removes the report before, `done` in the hidden directory. False: something has to stay. Killed halfway, the next
  * run goes on with it, as the manifest goes last. */
 static bool clear_before(int hidden)
 {
-    struct clearing c = {.hidden = hidden};
-    if (!open_report(&c.old, hidden, "done"))
+    struct visit v = {.hidden = hidden};
+    if (!open_report(v.old, hidden, "done"))
         return errno == ENOENT;
-    c.listed = read_manifest(&c.old);
-    bool ok = c.listed && visit_all(&c.old, clear_entry, &c);
+    v.listed = read_manifest(v.old[0]);
+    bool ok = v.listed && visit_all(v.old, clear_entry, &v);
     for (int i = 1; i < FOLDERS && ok; i++)
-        unlinkat(c.old.folder[0], folder_names[i], AT_REMOVEDIR);
-    if (ok && is_listed(c.listed, 0, OUTPUT_MANIFEST))
-        unlinkat(c.old.folder[0], OUTPUT_MANIFEST, 0);
-    free(c.listed);
-    close_report(&c.old);
+        unlinkat(v.old[0], folders[i], AT_REMOVEDIR);
+    if (ok && is_listed(v.listed, 0, OUTPUT_MANIFEST))
+        unlinkat(v.old[0], OUTPUT_MANIFEST, 0);
+    free(v.listed);
+    close_report(v.old);
     return ok && unlinkat(hidden, "done", AT_REMOVEDIR) == 0;
 }
 
@@ -184,41 +169,31 @@ void output_clear(int hidden)
     temporary_remove_entry(hidden, "report");
 }
 
-/** The user's files on their way into the new report. */
-struct keeping {
-    struct report old, new;
-    char *listed; /* the manifest of the former */
-    bool trial;
-    char name[NAME_MAX + 16]; /* of the entry that was looked at last */
-    const char *lost;         /* what it is that could be lost; "": errno says why it cannot be linked */
-};
-
 /** Links an entry of OUT into the report in the making when it is a file of the user's: both directories then hold it,
  * whichever a kill leaves at OUT. `trial` takes the link away again. */
-static bool keep_entry(void *context, int folder, const char *name)
+static bool keep_entry(struct visit *v, int folder, const char *name)
 {
-    struct keeping *k = context;
     struct stat info;
-    int old = k->old.folder[folder], new = k->new.folder[folder];
-    snprintf(k->name, sizeof k->name, "%s%s", prefixes[folder], name);
-    if (fstatat(old, name, &info, AT_SYMLINK_NOFOLLOW) != 0)
+    snprintf(v->name, sizeof v->name, "%s%s", prefixes[folder], name);
+    if (fstatat(v->old[folder], name, &info, AT_SYMLINK_NOFOLLOW) != 0)
         return true; /* gone meanwhile */
-    if (is_listed(k->listed, folder, name) && S_ISREG(info.st_mode))
+    bool listed = is_listed(v->listed, folder, name);
+    if (listed && S_ISREG(info.st_mode))
         return true;
-    if (is_listed(k->listed, folder, name))
-        k->lost = "which is in the place of a file of the report but is none";
-    else if (!*k->listed && *k->name != '.')
-        k->lost =
+    if (listed)
+        v->lost = "which is in the place of a file of the report but is none";
+    else if (!*v->listed && *v->name != '.')
+        v->lost =
             "and no " OUTPUT_MANIFEST " names it as part of a report (a report of an earlier version: remove it first)";
     else if (S_ISDIR(info.st_mode))
-        k->lost = "a directory, which is not part of a report";
+        v->lost = "a directory, which is not part of a report";
     temporary_hold(); /* the end comes between two */
-    if (!k->lost && linkat(old, name, new, name, 0) != 0 && errno != ENOENT)
-        k->lost = errno == EEXIST ? "which is not of the report before, and the new one needs its name" : "";
-    else if (!k->lost && k->trial)
-        unlinkat(new, name, 0);
+    if (!v->lost && linkat(v->old[folder], name, v->new[folder], name, 0) != 0 && errno != ENOENT)
+        v->lost = errno == EEXIST ? "which is not of the report before, and the new one needs its name" : "";
+    else if (!v->lost && v->trial)
+        unlinkat(v->new[folder], name, 0);
     temporary_release();
-    return !k->lost;
+    return !v->lost;
 }
 
 /** Gives a directory the mode, the group and the extended attributes of another. */
@@ -244,26 +219,26 @@ static bool take_attributes(int from, int to)
 /** Goes over all that lies in OUT (there may be no such directory) by keep_entry(). */
 static enum status_code keep_others(const struct output *out, bool trial, struct status *status)
 {
-    struct keeping k = {.new = {{-1, -1, -1}}, .trial = trial};
-    if (!open_report(&k.old, AT_FDCWD, out->target) && errno == ENOENT)
+    struct visit v = {.new = {-1, -1, -1}, .trial = trial};
+    if (!open_report(v.old, AT_FDCWD, out->target) && errno == ENOENT)
         return STATUS_OK;
-    bool ok = k.old.folder[0] >= 0 && open_report(&k.new, AT_FDCWD, out->staging) && (k.listed = read_manifest(&k.old));
+    bool ok = v.old[0] >= 0 && open_report(v.new, AT_FDCWD, out->staging) && (v.listed = read_manifest(v.old[0]));
     for (int i = 0; i < FOLDERS && ok; i++) {
-        strcpy(k.name, folder_names[i]);
-        ok = faccessat(k.old.folder[0], k.name, W_OK | X_OK, 0) == 0 || errno == ENOENT;
+        strcpy(v.name, folders[i]);
+        ok = faccessat(v.old[0], v.name, W_OK | X_OK, 0) == 0 || errno == ENOENT;
     }
-    ok = ok && visit_all(&k.old, keep_entry, &k);
+    ok = ok && visit_all(v.old, keep_entry, &v);
     for (int i = 0; i < FOLDERS && ok && !trial; i++)
-        ok = k.old.folder[i] < 0 || take_attributes(k.old.folder[i], k.new.folder[i]);
-    if (k.lost && *k.lost)
+        ok = v.old[i] < 0 || take_attributes(v.old[i], v.new[i]);
+    if (v.lost && *v.lost)
         (void)status_fail(status, STATUS_IO, "'%s' holds '%s', %s; move it away or choose another directory with -o",
-                          out->target, k.name, k.lost);
+                          out->target, v.name, v.lost);
     else if (!ok)
-        (void)status_fail(status, STATUS_IO, "cannot write the report to '%s%s%s': %s", out->target, *k.name ? "/" : "",
-                          k.name, strerror(errno));
-    free(k.listed);
-    close_report(&k.old);
-    close_report(&k.new);
+        (void)status_fail(status, STATUS_IO, "cannot write the report to '%s%s%s': %s", out->target, *v.name ? "/" : "",
+                          v.name, strerror(errno));
+    free(v.listed);
+    close_report(v.old);
+    close_report(v.new);
     return status->code;
 }
 
@@ -283,88 +258,72 @@ static enum status_code make_parents(struct output *out, struct status *status)
     return STATUS_OK;
 }
 
-/** The last part of OUT's path. */
-static const char *name_of(const struct output *out)
-{
-    const char *slash = strrchr(out->target, '/');
-    return slash ? slash + 1 : out->target;
-}
-
-/** Stores the path of OUT without slashes at its end; of a link, where it leads. */
-static enum status_code set_target(struct output *out, const char *target, struct status *status)
+/** Stores the path of OUT without slashes at its end, of a link where it leads, and of the directory around it. */
+static enum status_code set_target(struct output *out, char parent[static PATH_MAX], const char *target,
+                                   struct status *status)
 {
     struct stat info;
+    char real[PATH_MAX];
     size_t length = strlen(target);
     while (length > 1 && target[length - 1] == '/')
         length--;
     snprintf(out->target, sizeof out->target, "%.*s", (int)length, target);
     if (length < sizeof out->target && lstat(out->target, &info) == 0 && S_ISLNK(info.st_mode)) {
-        char *real = realpath(out->target, NULL);
-        if (!real)
+        if (!realpath(out->target, real))
             return status_fail(status, STATUS_IO, "'%s' is a link that leads nowhere; remove it", out->target);
-        length = strlen(real);
-        snprintf(out->target, sizeof out->target, "%s", real);
-        free(real);
+        length = strlen(strcpy(out->target, real));
     }
     if (length + 64 >= sizeof out->target)
         return status_fail(status, STATUS_IO, "the name of the report directory is too long");
-    const char *name = name_of(out);
+    const char *slash = strrchr(out->target, '/'), *name = slash ? slash + 1 : out->target;
     if (*name == '\0' || strcmp(name, ".") == 0 || strcmp(name, "..") == 0)
         return status_fail(status, STATUS_USAGE, "'%s' is no name for a report's directory; name one, such as ./report",
                            target);
+    snprintf(parent, PATH_MAX, "%.*s", slash ? (int)(name - out->target) : 1, slash ? out->target : ".");
     return STATUS_OK;
 }
 
 /** What could not be replaced once the report is there; known before. */
 static enum status_code check_place(const struct output *out, const char *parent, struct status *status)
 {
+    static const __u64 fixed = STATX_ATTR_IMMUTABLE | STATX_ATTR_APPEND;
+    const uid_t user = geteuid();
     struct statx info, around;
     if (statx(AT_FDCWD, parent, 0, STATX_BASIC_STATS, &around) != 0)
         return status_fail(status, STATUS_IO, "cannot write beside '%s': %s", out->target, strerror(errno));
     for (int i = 0; i < FOLDERS; i++) {
         char path[PATH_MAX + 16];
-        snprintf(path, sizeof path, "%s%s%s", out->target, i > 0 ? "/" : "", i > 0 ? folder_names[i] : "");
+        const char *problem = NULL;
+        snprintf(path, sizeof path, "%s%s%s", out->target, i > 0 ? "/" : "", i > 0 ? folders[i] : "");
         if (statx(AT_FDCWD, path, AT_SYMLINK_NOFOLLOW, STATX_BASIC_STATS, &info) != 0)
             continue;
         if ((info.stx_attributes & STATX_ATTR_MOUNT_ROOT) != 0 || info.stx_dev_major != around.stx_dev_major ||
             info.stx_dev_minor != around.stx_dev_minor)
-            return status_fail(status, STATUS_IO,
-                               "'%s' is a mount point, which a report cannot take the place of; name a directory in it "
-                               "with -o",
-                               path);
-        bool others = i == 0 && (around.stx_mode & S_ISVTX) != 0 && geteuid() != 0 && info.stx_uid != geteuid() &&
-                      around.stx_uid != geteuid();
-        if (others || ((info.stx_attributes | around.stx_attributes) & (STATX_ATTR_IMMUTABLE | STATX_ATTR_APPEND)) != 0)
-            return status_fail(status, STATUS_IO, "'%s' is %s; choose another directory with -o", path,
-                               others ? "another user's, and only they can replace it" : "immutable");
+            problem = "a mount point, which a report cannot take the place of; name a directory in it";
+        else if (i == 0 && (around.stx_mode & S_ISVTX) != 0 && user != 0 && info.stx_uid != user &&
+                 around.stx_uid != user)
+            problem = "another user's, and only they can replace it; choose another directory";
+        else if (((info.stx_attributes | around.stx_attributes) & fixed) != 0)
+            problem = "immutable; choose another directory";
+        if (problem)
+            return status_fail(status, STATUS_IO, "'%s' is %s with -o", path, problem);
     }
     return STATUS_OK;
 }
 
-/** What to say should the program be made to end. */
-static void note(const char *before, const struct output *out, const char *after)
-{
-    char text[PATH_MAX + 64];
-    snprintf(text, sizeof text, "%s'%s'%s", before, out->target, after);
-    temporary_note(text);
-}
-
 enum status_code output_begin(struct output *out, const char *target, struct status *status)
 {
-    char path[PATH_MAX + 16];
+    char path[PATH_MAX + 16], parent[PATH_MAX];
     *out = (struct output){0};
-    if (set_target(out, target, status) != STATUS_OK || make_parents(out, status) != STATUS_OK)
+    if (set_target(out, parent, target, status) != STATUS_OK || make_parents(out, status) != STATUS_OK ||
+        check_place(out, parent, status) != STATUS_OK)
         return status->code;
-    int length = (int)(name_of(out) - out->target);
-    snprintf(path, sizeof path, "%.*s", length ? length : 1, length ? out->target : ".");
-    if (check_place(out, path, status) != STATUS_OK)
-        return status->code;
-    note("", out, " is as it was before");
-    if (temporary_make(&out->hidden, path, output_clear, status) != STATUS_OK)
+    temporary_note("", out->target, " is as it was before");
+    if (temporary_make(&out->hidden, parent, output_clear, status) != STATUS_OK)
         return status->code;
     snprintf(out->staging, sizeof out->staging, "%.*s/report", PATH_MAX - 16, out->hidden.path);
     for (int i = 0; i < FOLDERS; i++) {
-        snprintf(path, sizeof path, "%s%s%s", out->staging, i > 0 ? "/" : "", i > 0 ? folder_names[i] : "");
+        snprintf(path, sizeof path, "%s%s%s", out->staging, i > 0 ? "/" : "", i > 0 ? folders[i] : "");
         if (mkdir(path, 0777) != 0)
             return status_fail(status, STATUS_IO, "cannot make '%s': %s", path, strerror(errno));
     }
@@ -388,7 +347,7 @@ static enum status_code exchange(const struct output *out, const char *kept, str
     }
     if (errno == ENOENT && rename(out->staging, out->target) == 0)
         return STATUS_OK;
-    return status_fail(status, STATUS_IO, "cannot put the report at '%s': %s", out->target, strerror(errno));
+    return status_fail(status, STATUS_IO, "cannot put the report at '%s': %s", out->target, status_reason(errno));
 }
 
 enum status_code output_commit(struct output *out, struct status *status)
@@ -403,7 +362,7 @@ enum status_code output_commit(struct output *out, struct status *status)
         return status->code;
     temporary_hold(); /* a signal comes before it or after */
     if (exchange(out, kept, status) == STATUS_OK) {
-        note("the report is in ", out, "");
+        temporary_note("the report is in ", out->target, "");
         out->staging[0] = '\0';
         if (!clear_before(out->hidden.directory))
             (void)status_fail(status, STATUS_IO,

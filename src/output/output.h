@@ -33,8 +33,7 @@ MUST_CHECK enum status_code output_begin(struct output *out, const char *target,
  * OUT.kept-XXXXXX; the message names it. */
 MUST_CHECK enum status_code output_commit(struct output *out, struct status *status);
 
-/** For temporary_make(): takes out what a killed run has left in its hidden directory, of which nothing comes to OUT.
- */
+/** For temporary_make(): takes out what a killed run has left in its hidden directory; nothing of it comes to OUT. */
 void output_clear(int hidden);
 
 /** Removes what an output that was not committed has made: the staging directory and the target's parents. Clears

@@ -103,7 +103,7 @@ bool ranks_agree(int argc, char **argv)
     unsigned char own[HASH_BYTES], first[HASH_BYTES];
     for (int i = 1; i < argc; i++)
         hash_add(&hash, argv[i], strlen(argv[i]) + 1);
-    hash_finish_bytes(&hash, own);
+    SHA256Final(own, &hash.context);
     memcpy(first, own, sizeof own);
     spread(&team, first, sizeof first);
     return !direct_team_any(&team, memcmp(own, first, sizeof own) != 0);

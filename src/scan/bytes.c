@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "scan/bytes.h"
+#include "scan/reader.h"
 
 #include <string.h>
 

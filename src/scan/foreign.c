@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "scan/foreign.h"
 #include "base/status.h"
-#include "scan/archive.h"
+#include "scan/format.h"
 #include "scan/reader.h"
 
 #include <string.h>

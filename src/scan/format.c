@@ -2,8 +2,6 @@
 #include "scan/format.h"
 #include "base/limits.h"
 #include "base/text.h"
-#include "scan/archive.h"
-#include "scan/foreign.h"
 
 #include <errno.h>
 #include <iconv.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "scan/gwyddion.h"
 #include "base/clock.h"
 #include "base/program.h"
 #include "base/temporary.h"
+#include "scan/format.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -2,8 +2,7 @@
 #include "scan/scan.h"
 #include "base/text.h"
 #include "scan/format.h"
-#include "scan/gwyddion.h"
-#include "scan/sidecar.h"
+#include "scan/text_header.h"
 
 #include <math.h>
 #include <stdio.h>

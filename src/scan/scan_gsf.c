@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Gwyddion simple field: `Gwyddion Simple Field 1.0`, `Key = value` lines, 1 to 4 NUL up to a multiple of 4 bytes, then
  * XRes x YRes little-endian floats; NaN is missing. */
-#include "scan/bytes.h"
-#include "scan/number.h"
 #include "scan/reader.h"
+#include "scan/string_view.h"
 
 #include <string.h>
 

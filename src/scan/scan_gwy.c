@@ -2,9 +2,8 @@
 /* Native Gwyddion files: `GWYP` and a serialized GwyContainer, whose components are a name, a letter for the type, and
  * the value; little-endian. `/N/data` are GwyDataFields (maps). Read is the first whose values are lengths. The format
  * is described in Gwyddion's user guide, Format of Gwyddion Files. */
-#include "scan/bytes.h"
-#include "scan/number.h"
 #include "scan/reader.h"
+#include "scan/string_view.h"
 
 #include <math.h>
 #include <string.h>

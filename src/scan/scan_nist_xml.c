@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* NIST surface metrology database XML: <UNITS>, <NUMPOINTS>, <SPACING> and blocks of heights, one a line: the profile
  * as measured, and perhaps filtered to roughness or waviness. */
-#include "scan/number.h"
 #include "scan/reader.h"
+#include "scan/string_view.h"
 
 #include <string.h>
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* NPL and Taylor Hobson text PRF: `1 2`, a title, the axes CX and CZ, EOR; remarks with `SPACING CX s`, EOR; one
  * integer a height, EOR, EOF. A height is integer x factor x unit. */
-#include "scan/number.h"
 #include "scan/reader.h"
+#include "scan/string_view.h"
 
 #include <string.h>
 

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* ISO 25178-71 SDF and its forerunners: magic 'a' (text) or 'b' (binary) and a version. Scales are metres per step, and
  * metres per unit of height. Text: `Key = value` lines, `*`, heights, `*`, a trailer. Binary: 81 bytes, heights. */
-#include "scan/bytes.h"
-#include "scan/number.h"
 #include "scan/reader.h"
+#include "scan/string_view.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* ISO 5436-2 SMD: four records that end in ETX: header, remarks, heights, checksum; fields end in NUL. The header's
  * third line is `CX I n unit scale type increment`, the next (CY alike, and) `CZ A n unit scale type`. */
-#include "scan/number.h"
 #include "scan/reader.h"
+#include "scan/string_view.h"
 
 #include <stdlib.h>
 #include <string.h>

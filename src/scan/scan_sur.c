@@ -2,7 +2,6 @@
 /* Digital Surf SUR (surfaces) and PRO (profiles): a header of 512 bytes, remarks, and 16 or 32-bit integers, perhaps
  * compressed by zlib in several streams. z = integer x step + offset in the unit of the step. */
 #include "base/limits.h"
-#include "scan/bytes.h"
 #include "scan/reader.h"
 
 #include <math.h>

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Golden Software Surfer grids: DSAA (text), DSBB (binary, version 6), DSRB (binary, version 7). They name no units;
  * rows run from the lowest y on. Heights at or above the blanking value are missing. */
-#include "scan/bytes.h"
-#include "scan/number.h"
 #include "scan/reader.h"
+#include "scan/string_view.h"
 
 #include <math.h>
 #include <string.h>

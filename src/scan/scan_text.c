@@ -2,9 +2,9 @@
 /* Text scans: x and z, perhaps with an index or other columns beside them; heights below a line that names the spacing;
  * and maps: x y z lists on a grid, and matrices of heights with their pixel size. */
 #include "base/limits.h"
-#include "scan/foreign.h"
-#include "scan/number.h"
+#include "scan/format.h"
 #include "scan/reader.h"
+#include "scan/string_view.h"
 #include "scan/text_header.h"
 
 #include <math.h>
@@ -334,29 +334,28 @@ bool scan_text_has_numbers(const struct scan_file *file)
 
 bool scan_text_read_keys(struct text_header *out, const struct scan_file *file)
 {
-    struct status ignored = {0};
-    struct scan_file looked_at = *file;
-    struct table table = {.file = &looked_at};
-    looked_at.status = &ignored;
-    if (!scan_text_sniff(file))
-        return false;
-    bool rows = read_table(&table) == STATUS_OK || table.columns > 0;
-    free(table.cell);
-    return !rows && text_header_add(out, table.text);
+    return scan_text_sniff(file) && !scan_text_has_numbers(file) && text_header_add(out, text_of(file));
 }
 
-/* The line of row `row` (from 0). */
-static size_t line_of_row(const struct table *table, size_t row)
+/* Row `row` (from 0), and the number of its line. */
+static struct string_view find_row(const struct table *table, size_t row, size_t *number)
 {
     struct lines lines = lines_begin(table->text);
-    for (struct string_view line; lines_next(&lines, &line);) {
+    struct string_view line = {NULL, NULL};
+    while (lines_next(&lines, &line)) {
         struct string_view content = string_view_trim(line);
-        if (lines.number < table->first_line || is_blank(table, content) || is_comment(table, content))
-            continue;
-        if (row-- == 0)
-            return lines.number;
+        if (lines.number >= table->first_line && !is_blank(table, content) && !is_comment(table, content) && row-- == 0)
+            break;
     }
-    return table->last_line;
+    *number = lines.number;
+    return line;
+}
+
+static size_t line_of_row(const struct table *table, size_t row)
+{
+    size_t number;
+    (void)find_row(table, row, &number);
+    return number;
 }
 
 static double at(const struct table *table, size_t row, size_t column)
@@ -452,14 +451,11 @@ static enum status_code take_units(struct scan *out, const struct table *table, 
 /* Is there a decimal sign or an exponent in row `row`? */
 static bool is_decimal(const struct table *table, size_t row)
 {
-    size_t wanted = line_of_row(table, row);
-    struct lines lines = lines_begin(table->text);
-    for (struct string_view line; lines_next(&lines, &line);)
-        if (lines.number == wanted)
-            for (; line.start < line.end; line.start++)
-                if (strchr(".,eEdD", *line.start) && *line.start)
-                    return true;
-    return false;
+    size_t number;
+    struct string_view line = find_row(table, row, &number);
+    while (line.start < line.end && !(*line.start && strchr(".,eEdD", *line.start)))
+        line.start++;
+    return line.start < line.end;
 }
 
 /* Does the only column begin with how many heights follow, a whole number above decimal ones? Takes it out. */

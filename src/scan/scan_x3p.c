@@ -2,9 +2,9 @@
 /* ISO 25178-72 X3P: a zip archive with main.xml (perhaps in a folder) and the points, all in metres, in main.xml or in
  * a binary file. Stored axes (kind A) lie side by side, point by point; a value is stored x increment + offset. */
 #include "base/limits.h"
-#include "scan/archive.h"
-#include "scan/bytes.h"
-#include "scan/number.h"
+#include "scan/format.h"
+#include "scan/reader.h"
+#include "scan/string_view.h"
 
 #include <ctype.h>
 #include <expat.h>
@@ -126,25 +126,20 @@ static void add_datum(struct parse *parse, struct string_view text)
 static void take_leaf(struct parse *parse, const char *parent, const char *name, struct string_view text)
 {
     struct main_xml *out = parse->out;
-    struct {
+    const char *letter = parent[0] == 'C' && parent[1] && !parent[2] ? strchr("XYZ", parent[1]) : NULL;
+    struct x3p_axis none = {0}, *axis = letter ? &out->axis[letter - "XYZ"] : &none;
+    const char *const own = letter ? parent : ""; /* of an axis, or no element's */
+    const struct {
         const char *parent, *name;
         char *string;
         size_t size;
         double *number;
     } leaves[] = {
         {"Record1", "FeatureType", out->feature, sizeof out->feature, NULL},
-        {"CX", "AxisType", &out->axis[0].kind, 1, NULL},
-        {"CY", "AxisType", &out->axis[1].kind, 1, NULL},
-        {"CZ", "AxisType", &out->axis[2].kind, 1, NULL},
-        {"CX", "DataType", &out->axis[0].type, 1, NULL},
-        {"CY", "DataType", &out->axis[1].type, 1, NULL},
-        {"CZ", "DataType", &out->axis[2].type, 1, NULL},
-        {"CX", "Increment", NULL, 0, &out->axis[0].increment},
-        {"CY", "Increment", NULL, 0, &out->axis[1].increment},
-        {"CZ", "Increment", NULL, 0, &out->axis[2].increment},
-        {"CX", "Offset", NULL, 0, &out->axis[0].offset},
-        {"CY", "Offset", NULL, 0, &out->axis[1].offset},
-        {"CZ", "Offset", NULL, 0, &out->axis[2].offset},
+        {own, "AxisType", &axis->kind, 1, NULL},
+        {own, "DataType", &axis->type, 1, NULL},
+        {own, "Increment", NULL, 0, &axis->increment},
+        {own, "Offset", NULL, 0, &axis->offset},
         {"MatrixDimension", "SizeX", NULL, 0, &out->size[0]},
         {"MatrixDimension", "SizeY", NULL, 0, &out->size[1]},
         {"MatrixDimension", "SizeZ", NULL, 0, &out->size[2]},

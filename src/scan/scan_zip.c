@@ -4,17 +4,18 @@
  * starts: entry i is at i, and at i + the number of entries when texts are sought. An entry that cannot be read is
  * refused where it comes, and the search goes on behind it. */
 #include "base/limits.h"
-#include "scan/archive.h"
+#include "base/text.h"
 #include "scan/format.h"
 
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <zlib.h>
 
 enum { ZIP_NAMED = 5, ZIP_BEGINNING = 65536 };
 
-/* An entry, unpacked or its first bytes. Owned: entry_free(). */
+/* An entry, unpacked or its first bytes. Its text is owned. */
 struct entry {
     struct text text;
     char path[512]; /* for messages: archive(entry) */
@@ -23,11 +24,6 @@ struct entry {
     bool empty;            /* a folder, or nothing in it */
     bool words;            /* a text without numbers */
 };
-
-static void entry_free(struct entry *entry)
-{
-    text_free(&entry->text);
-}
 
 /* What an operating system leaves in archives. */
 static bool is_hidden(const char *name)
@@ -65,7 +61,7 @@ static enum status_code look_at(struct entry *out, const struct archive *archive
         return file->status->code;
     bool whole = out->text.length == archive->entries[index].size;
     if (!whole && is_doubtful(&out->file)) {
-        entry_free(out);
+        text_free(&out->text);
         if (unpack(out, archive, index, SIZE_MAX, file) != STATUS_OK)
             return file->status->code;
         whole = true;
@@ -87,7 +83,7 @@ static struct entry peek(const struct archive *archive, size_t index)
     quiet.status = &problem;
     if (look_at(&entry, archive, index, &quiet) == STATUS_MEMORY)
         (void)status_memory(archive->file->status);
-    entry_free(&entry);
+    text_free(&entry.text);
     return entry;
 }
 
@@ -158,12 +154,12 @@ static enum status_code read_scan(struct scan *out, const struct archive *archiv
     struct entry entry;
     size_t index = at % archive->count;
     enum status_code code = look_at(&entry, archive, index, file); /* why it cannot be read */
-    entry_free(&entry);
+    text_free(&entry.text);
     if (code == STATUS_OK) {
         code = unpack(&entry, archive, index, SIZE_MAX, file);
         if (code == STATUS_OK)
             code = format_read(out, &entry.file);
-        entry_free(&entry);
+        text_free(&entry.text);
     }
     snprintf(out->part, sizeof out->part, "%.100s", archive->entries[index].name);
     scan_printable(out->part);
@@ -202,4 +198,42 @@ enum status_code scan_zip_read(struct scan *out, const struct scan_file *file)
         (void)read_archive(out, &archive);
     archive_close(&archive);
     return file->status->code;
+}
+
+/* Any other format, packed by gzip (RFC 1952). */
+/* Unpacks every member of the file, which are one after another, into `text`. */
+enum status_code scan_gz_unpack(struct text *text, const struct scan_file *file)
+{
+    z_stream stream = {.next_in = (Bytef *)file->bytes};
+    const char *end = file->bytes + file->length;
+    int code = inflateInit2(&stream, 16 + MAX_WBITS); /* gzip's header */
+    bool ended = false;
+    size_t most = limit_most(LIMIT_UNPACKED_BYTES);
+    if (code != Z_OK)
+        return status_memory(file->status);
+    enum { PIECE = 65536 };
+    unsigned char *piece = malloc(PIECE);
+    text->failed = text->failed || !piece;
+    while (piece && (code == Z_OK || (code == Z_STREAM_END && (const char *)stream.next_in < end))) {
+        size_t left = (size_t)(end - (const char *)stream.next_in);
+        if (code == Z_STREAM_END && inflateReset(&stream) != Z_OK)
+            break;
+        stream.avail_in = left < PIECE ? (uInt)left : PIECE;
+        stream.next_out = piece;
+        stream.avail_out = PIECE;
+        code = inflate(&stream, Z_NO_FLUSH);
+        text_add_bytes(text, (const char *)piece, PIECE - stream.avail_out);
+        ended = code == Z_STREAM_END;
+        if (text->failed || text->length > most || (left == 0 && stream.avail_out > 0))
+            break;
+    }
+    free(piece);
+    inflateEnd(&stream);
+    if (text->failed || code == Z_MEM_ERROR)
+        return status_memory(file->status);
+    if (text->length > most)
+        return scan_fail(file, 0, "it unpacks to more than %zu bytes%s", most, limit_words(LIMIT_UNPACKED_BYTES).text);
+    if (!ended)
+        return scan_fail(file, 0, "damaged or cut off within the gzip data; copy the file again");
+    return STATUS_OK;
 }

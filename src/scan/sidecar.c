@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "scan/sidecar.h"
 #include "base/text.h"
-#include "scan/number.h"
+#include "scan/string_view.h"
+#include "scan/text_header.h"
 
 #include <jansson.h>
 #include <stdio.h>

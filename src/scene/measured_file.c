@@ -2,7 +2,7 @@
 #include "scene/measured_file.h"
 #include "base/limits.h"
 
-#include "scan/number.h"
+#include "scan/string_view.h"
 #include "scene/scene_words.h"
 #include <math.h>
 #include <stdlib.h>

@@ -1,13 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/scene.h"
 #include "joint/electron.h"
-#include "scene/scene_asked.h"
-#include "scene/scene_files.h"
-#include "scene/scene_keys.h"
-#include "scene/scene_surfaces.h"
-#include "scene/scene_words.h"
+#include "scene/scene_source.h"
 
 #include <errno.h>
+#include <gsl/gsl_sort_double.h>
 #include <libgen.h>
 #include <math.h>
 #include <stdarg.h>
@@ -108,7 +105,7 @@ static enum status_code override_effects(struct scene *scene, struct scene_sourc
                                scene_words_hint(shown.text, names, EFFECT_COUNT, EFFECT_COUNT).text);
         scene->effects |= EFFECT_BIT(effect);
     }
-    scene->effects = scene_keys_with_needed(scene->effects);
+    scene->effects = scene_keys_with_needed(source, scene->effects);
     return scene->effects ? STATUS_OK
                           : status_fail(source->status, STATUS_USAGE,
                                         "--effects names none; give 'auto' or names such as 'electrical,thermal'");
@@ -144,13 +141,10 @@ static bool call_effects(struct scene *scene, struct scene_source *source, bool 
         if (source->call_line[i] == 0 || (listed && !scene->effects_auto && !(scene->effects & bit)))
             continue;
         scene->called |= bit;
-        if (!scene->effects_auto && !(scene->effects & bit)) {
-            scene->effects |= scene_keys_with_needed(bit);
-            source->effect_line[i] = source->call_line[i];
-        }
-        for (int needed = 0; needed < EFFECT_COUNT; needed++)
-            if ((row->needs_effects & EFFECT_BIT(needed)) && source->effect_line[needed] == 0)
-                source->effect_line[needed] = source->effect_line[i];
+        if (scene->effects_auto || (scene->effects & bit))
+            continue;
+        source->effect_line[i] = source->call_line[i];
+        scene->effects |= scene_keys_with_needed(source, bit);
     }
     return !(scene->called & EFFECT_BIT(EFFECT_HEATING)) || !isnan(scene->nominal_area_m2) ||
            scene_source_fail(source, source->call_line[EFFECT_HEATING],
@@ -213,7 +207,7 @@ static bool check_effects(const struct scene *scene, struct scene_source *source
         const struct effect_row *effect = &effect_rows[i];
         const char *body;
         const struct material_property *property =
-            scene->effects & EFFECT_BIT(i) ? scene_surfaces_lack(&body, bodies, effect) : NULL;
+            scene->effects & EFFECT_BIT(i) ? scene_lack(&body, bodies, effect) : NULL;
         if (property && isnan(bodies->material.youngs_modulus_Pa))
             return fail_effect(source, i, "a material; add 'material'");
         if (property)
@@ -303,17 +297,22 @@ static bool complete_all_bodies(struct scene *scene, struct scene_source *source
            scene_source_fail(source, source->hardness_line, "'hardness' stands without a material; add 'material'");
 }
 
+/* The bodies of surface `i`; without surfaces the scene's. */
+static const struct scene_bodies *bodies_at(const struct scene *scene, size_t i)
+{
+    return scene->surface_count > 0 ? scene->surfaces[i].bodies : &scene->bodies;
+}
+
 /* Can loads of that kind be turned into P/(A_n E') on every surface? */
 static bool check_load_kind(const struct scene *scene, struct scene_source *source, const char *key,
                             enum unit_quantity kind, size_t line)
 {
-    const struct scene_bodies *lacking = scene->surface_count == 0 ? &scene->bodies : NULL;
-    for (size_t i = 0; i < scene->surface_count && !lacking; i++)
-        if (isnan(scene->surfaces[i].bodies->material.youngs_modulus_Pa))
-            lacking = scene->surfaces[i].bodies;
+    bool known = true;
+    for (size_t i = 0; i == 0 || i < scene->surface_count; i++)
+        known = known && !isnan(bodies_at(scene, i)->material.youngs_modulus_Pa);
     if (kind == UNIT_FORCE && isnan(scene->nominal_area_m2))
         return scene_source_fail(source, line, "'%s' is a force, but on which area? add 'nominal_area'", key);
-    return kind == UNIT_NUMBER || !lacking || !isnan(lacking->material.youngs_modulus_Pa) ||
+    return kind == UNIT_NUMBER || known ||
            scene_source_fail(source, line,
                              "'%s' is %s, which without a material is no P/(A_n E'); add 'material', or give "
                              "P/(A_n E')",
@@ -328,11 +327,6 @@ static bool has_one_modulus(const struct scene *scene)
             scene_pair(scene->surfaces[0].bodies).effective_modulus_Pa)
             return false;
     return true;
-}
-
-static const struct scene_bodies *first_bodies(const struct scene *scene)
-{
-    return scene->surface_count > 0 ? scene->surfaces[0].bodies : &scene->bodies;
 }
 
 /* The operating load in the kind of the others; 0: none. */
@@ -365,7 +359,7 @@ static bool check_operating_load(const struct scene *scene, struct scene_source 
             "both alike",
             unit_quantity_name(operating->kind),
             load->kind == UNIT_NUMBER ? "P/(A_n E')" : unit_quantity_name(load->kind));
-    struct material_pair pair = scene_pair(first_bodies(scene));
+    struct material_pair pair = scene_pair(bodies_at(scene, 0));
     double value = operating_load(scene, &pair);
     return (value >= least && value <= most) ||
            scene_source_fail(source, source->operating_line, "'operating_load' is %g%s%s, outside the loads, %g to %g",
@@ -406,14 +400,13 @@ static enum status_code complete(struct scene *scene, struct scene_source *sourc
     return scene->title ? STATUS_OK : status_memory(status);
 }
 
-/* `given`: the scene's text; NULL: that of the directory's scene.yaml, if there is one. */
-static enum status_code read_scene(struct scene *out, const char *directory, const struct text *given,
-                                   const struct scene_overrides *overrides, struct status *status)
+enum status_code scene_read(struct scene *out, const char *directory, const struct scene_overrides *overrides,
+                            struct status *status)
 {
     static const struct scene_overrides nothing = {0};
+    const struct scene_overrides *over = overrides ? overrides : &nothing;
     struct scene_source source = {.scene = out, .status = status};
     struct text loaded = {0};
-    const struct text *text = given ? given : &loaded;
     *out = default_scene();
     if (check_directory(directory, status) != STATUS_OK)
         return status->code;
@@ -421,23 +414,12 @@ static enum status_code read_scene(struct scene *out, const char *directory, con
     out->path = out->directory ? scene_file_path(out, "scene.yaml") : NULL;
     if (!out->path)
         return status_memory(status);
-    if ((given || load_text(&loaded, out, status) == STATUS_OK) &&
+    const struct text *text = over->text ? over->text : &loaded;
+    if ((over->text || load_text(&loaded, out, status) == STATUS_OK) &&
         (!out->path || scene_source_read(&source, text_string(text), text->length, scene_keys_read)))
-        (void)complete(out, &source, overrides ? overrides : &nothing);
+        (void)complete(out, &source, over);
     text_free(&loaded);
     return status->code;
-}
-
-enum status_code scene_read(struct scene *out, const char *directory, const struct scene_overrides *overrides,
-                            struct status *status)
-{
-    return read_scene(out, directory, NULL, overrides, status);
-}
-
-enum status_code scene_read_text(struct scene *out, const char *directory, const struct text *text,
-                                 const struct scene_overrides *overrides, struct status *status)
-{
-    return read_scene(out, directory, text, overrides, status);
 }
 
 void scene_free(struct scene *scene)
@@ -460,12 +442,6 @@ void scene_free(struct scene *scene)
     *scene = (struct scene){0};
 }
 
-static int compare_doubles(const void *a, const void *b)
-{
-    double first = *(const double *)a, second = *(const double *)b;
-    return (first > second) - (first < second);
-}
-
 /* `points` loads in equal steps of their logarithm; by powers of ten, so that whole decades come out exactly. */
 static void fill_decades(double *loads, const struct scene_load *load)
 {
@@ -476,16 +452,6 @@ static void fill_decades(double *loads, const struct scene_load *load)
     }
     loads[load->points - 1] = load->to;
     loads[0] = load->from;
-}
-
-struct material_pair scene_pair(const struct scene_bodies *bodies)
-{
-    if (!bodies || isnan(bodies->material.youngs_modulus_Pa))
-        return material_pair_unknown();
-    struct material_pair pair = material_pair(&bodies->material, bodies->counterface_kind, &bodies->counterface);
-    if (bodies->hardness_Pa > 0)
-        pair.hardness_Pa = bodies->hardness_Pa;
-    return pair;
 }
 
 double scene_load_divisor(const struct scene *scene, enum unit_quantity kind, const struct material_pair *pair)
@@ -511,7 +477,7 @@ enum status_code scene_loads(double **loads, size_t *count, size_t *operating, c
         fill_decades(all, load);
     if (operates > 0)
         all[points++] = operates;
-    qsort(all, points, sizeof *all, compare_doubles);
+    gsl_sort(all, 1, points);
     for (size_t i = 0; i < points; i++)
         if (i == 0 || all[i] != all[*count - 1])
             all[(*count)++] = all[i];

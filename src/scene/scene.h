@@ -195,8 +195,9 @@ struct scene {
 
 /** Overrides from the command line; NULL, or 0 for tolerance, means not given. */
 struct scene_overrides {
-    const char *material; /* built-in name */
-    const char *effects;  /* "auto" or names separated by commas or blanks */
+    const struct text *text; /* in place of what the directory's scene.yaml says, if there is one */
+    const char *material;    /* built-in name */
+    const char *effects;     /* "auto" or names separated by commas or blanks */
     double tolerance;
     const char *x_unit, *z_unit; /* for every surface */
     bool direct;                 /* calls for the direct solution */
@@ -213,9 +214,6 @@ struct scene_overrides {
  * STATUS_IO: no such directory. An empty directory gives surface_count = 0. */
 MUST_CHECK enum status_code scene_read(struct scene *out, const char *directory,
                                        const struct scene_overrides *overrides, struct status *status);
-/** The same with `text` in place of what the directory's scene.yaml says, if there is one. */
-MUST_CHECK enum status_code scene_read_text(struct scene *out, const char *directory, const struct text *text,
-                                            const struct scene_overrides *overrides, struct status *status);
 void scene_free(struct scene *scene);
 
 /** Does data/ hold bins of the spectra instead of every harmonic? */
@@ -227,6 +225,10 @@ char *scene_file_path(const struct scene *scene, const char *file);
 /** The pair of bodies of a surface, or of the scene; material_pair_unknown() without a material, or without bodies
  * (NULL). */
 struct material_pair scene_pair(const struct scene_bodies *bodies);
+
+/** A property that the effect needs and one of the bodies does not have, and which body; NULL: they have all. */
+const struct material_property *scene_lack(const char **body, const struct scene_bodies *bodies,
+                                           const struct effect_row *effect);
 
 /** What a load of `kind` is divided by, to be P/(A_n E'); NaN where the nominal area or E' is not known. */
 double scene_load_divisor(const struct scene *scene, enum unit_quantity kind, const struct material_pair *pair);

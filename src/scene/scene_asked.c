@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "scene/scene_asked.h"
-#include "scene/scene_surfaces.h"
-#include "scene/scene_words.h"
+#include "scene/scene_source.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -57,8 +55,8 @@ static bool read_value(struct scene_source *source, const struct scene_key *key,
     if (!scene_source_quantity_of(&quantity, source, key, value))
         return false;
     if (*list->count == ASKED_MOST)
-        return scene_source_fail(source, scene_source_line(value), "more than %d %s; leave some out", ASKED_MOST,
-                                 list->is_limit ? "limits" : "targets");
+        return scene_source_fail_at(source, value, "more than %d %s; leave some out", ASKED_MOST,
+                                    list->is_limit ? "limits" : "targets");
     struct scene_asked *asked = &list->items[*list->count];
     *asked = (struct scene_asked){.row = row,
                                   .is_most = list->is_most,
@@ -95,7 +93,7 @@ static bool read_ends(struct scene_source *source, const struct scene_key *key, 
     if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys)))
         return false;
     return keys[0].line > 0 || keys[1].line > 0 ||
-           scene_source_fail(source, scene_source_line(value), "'%s' has no limit; give 'most' or 'least'", key->name);
+           scene_source_fail_at(source, value, "'%s' has no limit; give 'most' or 'least'", key->name);
 }
 
 static bool read_rows(struct scene_source *source, const yaml_node_t *node, const char *what, struct list *list)
@@ -110,37 +108,28 @@ static bool read_rows(struct scene_source *source, const yaml_node_t *node, cons
     return scene_source_mapping(source, node, what, keys, ROWS);
 }
 
-static struct scene_asked *room(struct scene_source *source)
+static bool read_asked(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                       struct scene_asked **items, size_t *count, bool limits)
 {
-    struct scene_asked *items = calloc(ASKED_MOST, sizeof *items);
-    if (!items)
-        (void)scene_source_memory(source);
-    return items;
+    *items = calloc(ASKED_MOST, sizeof **items);
+    struct list list = {.items = *items, .count = count, .is_limit = limits};
+    if (!*items)
+        return scene_source_memory(source);
+    for (size_t i = 0; i < (limits ? 1 : scene_source_item_count(value)); i++)
+        if (!read_rows(source, limits ? value : scene_source_item(source, value, i), key->name, &list))
+            return false;
+    return *count > 0 || scene_source_fail_at(source, value, "'%s' names none; remove the line, or give one such as %s",
+                                              key->name, limits ? "ecr: {most: 2 mohm}" : "{ecr: 1 mohm}");
 }
 
 bool scene_asked_targets(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
 {
-    struct scene *scene = source->scene;
-    scene->targets = room(source);
-    struct list list = {.items = scene->targets, .count = &scene->target_count};
-    for (size_t i = 0; scene->targets && i < scene_source_item_count(value); i++)
-        if (!read_rows(source, scene_source_item(source, value, i), key->name, &list))
-            return false;
-    return scene->targets &&
-           (scene->target_count > 0 ||
-            scene_source_fail(source, scene_source_line(value),
-                              "'%s' names none; remove the line, or give one such as {ecr: 1 mohm}", key->name));
+    return read_asked(source, key, value, &source->scene->targets, &source->scene->target_count, false);
 }
 
 bool scene_asked_limits(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
 {
-    struct scene *scene = source->scene;
-    scene->limits = room(source);
-    struct list list = {.items = scene->limits, .count = &scene->limit_count, .is_limit = true};
-    return scene->limits && read_rows(source, value, key->name, &list) &&
-           (scene->limit_count > 0 ||
-            scene_source_fail(source, scene_source_line(value),
-                              "'%s' names none; remove the line, or give one such as ecr: {most: 2 mohm}", key->name));
+    return read_asked(source, key, value, &source->scene->limits, &source->scene->limit_count, true);
 }
 
 /* Will the models compute it on every surface? */
@@ -158,7 +147,7 @@ static bool check_effects(const struct scene *scene, struct scene_source *source
         for (size_t i = 0; i < scene->surface_count; i++) {
             const struct scene_surface *surface = &scene->surfaces[i];
             const char *body;
-            const struct material_property *property = scene_surfaces_lack(&body, surface->bodies, &effect_rows[e]);
+            const struct material_property *property = scene_lack(&body, surface->bodies, &effect_rows[e]);
             if (property && isnan(surface->bodies->material.youngs_modulus_Pa))
                 return scene_source_fail(source, asked->line, "'%s' needs a material; add 'material' or leave '%s' out",
                                          asked->row->name, asked->row->name);

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "scene/scene_files.h"
 #include "base/limits.h"
 #include "base/text.h"
-#include "scan/sidecar.h"
-#include "scene/scene_words.h"
+#include "scan/text_header.h"
+#include "scene/scene_source.h"
 
 #include <ctype.h>
 #include <dirent.h>

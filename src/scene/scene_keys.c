@@ -1,10 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "scene/scene_keys.h"
 #include "base/limits.h"
-#include "scene/scene_asked.h"
-#include "scene/scene_files.h"
-#include "scene/scene_surfaces.h"
-#include "scene/scene_words.h"
+#include "scene/scene_source.h"
 
 #include <assert.h>
 #include <ctype.h>
@@ -31,15 +27,37 @@ void scene_keys_effect_names(const char *names[EFFECT_COUNT])
         names[i] = effect_rows[i].name;
 }
 
-unsigned scene_keys_with_needed(unsigned effects)
+unsigned scene_keys_with_needed(struct scene_source *source, unsigned effects)
 {
     for (int i = 0; i < EFFECT_COUNT; i++)
-        if (effects & EFFECT_BIT(i))
-            effects |= effect_rows[i].needs_effects;
+        for (int needed = 0; needed < EFFECT_COUNT; needed++)
+            if ((effects & EFFECT_BIT(i)) && (effect_rows[i].needs_effects & EFFECT_BIT(needed))) {
+                effects |= EFFECT_BIT(needed);
+                if (source->effect_line[needed] == 0)
+                    source->effect_line[needed] = source->effect_line[i];
+            }
     return effects;
 }
 
 enum { MODEL_NAMES = 128 }; /* a family and a name for each of at most 64 models */
+
+/* Names of models that went, families among them. */
+static const struct {
+    const char *name, *now;
+} former_models[] = {
+    {"two-band", "strip"},          {"two-band-elastic", "strip"},    {"two-band-plastic", "strip-plastic"},
+    {"contacting-slopes", "strip"}, {"persson", "corrected-persson"}, {"sridhar-yovanovich", "strip"},
+};
+
+static bool fail_word(struct scene_source *source, const yaml_node_t *item, struct string_view word, const char *what,
+                      const char *const *names, size_t count)
+{
+    for (size_t k = 0; k < SCENE_COUNT(former_models) && strcmp(what, "model") == 0; k++)
+        if (string_view_equals(word, former_models[k].name))
+            return scene_source_fail_at(source, item, "model '%s' is no longer there; '%s' took its place",
+                                        former_models[k].name, former_models[k].now);
+    return scene_source_unknown(source, item, what, names, count, count);
+}
 
 /* One or more words out of `names`, as a list or as one text: in `lines` the last line of each, 0 for the others. */
 static bool read_set(struct scene_source *source, const struct scene_key *key, const char *what,
@@ -54,7 +72,7 @@ static bool read_set(struct scene_source *source, const struct scene_key *key, c
         for (size_t length; (word = scene_words_next(&rest, &length));) {
             size_t n = scene_words_find(word, length, names, count);
             if (n == count)
-                return scene_source_unknown(source, item, what, names, count, count);
+                return fail_word(source, item, (struct string_view){word, rest}, what, names, count);
             lines[n] = scene_source_line(item);
         }
     }
@@ -67,30 +85,6 @@ static void add_name(const char *names[MODEL_NAMES], size_t *count, const char *
         names[(*count)++] = name;
 }
 
-/* Names of models that went, families among them. */
-static const struct {
-    const char *name, *now;
-} former_models[] = {
-    {"two-band", "strip"},          {"two-band-elastic", "strip"},    {"two-band-plastic", "strip-plastic"},
-    {"contacting-slopes", "strip"}, {"persson", "corrected-persson"}, {"sridhar-yovanovich", "strip"},
-};
-
-/* The name of a model that went stands in the list: fails. */
-static bool check_former_models(struct scene_source *source, const yaml_node_t *value)
-{
-    for (size_t i = 0; i < scene_source_item_count(value); i++) {
-        const yaml_node_t *item = scene_source_item(source, value, i);
-        const char *rest = item->type == YAML_SCALAR_NODE ? (const char *)item->data.scalar.value : "", *word;
-        for (size_t length; (word = scene_words_next(&rest, &length));)
-            for (size_t k = 0; k < sizeof former_models / sizeof *former_models; k++)
-                if (scene_words_find(word, length, &former_models[k].name, 1) == 0)
-                    return scene_source_fail(source, scene_source_line(item),
-                                             "model '%s' is no longer there; '%s' took its place",
-                                             former_models[k].name, former_models[k].now);
-    }
-    return true;
-}
-
 /* Families, each once, then single models. */
 static bool read_models(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
 {
@@ -100,15 +94,14 @@ static bool read_models(struct scene_source *source, const struct scene_key *key
         add_name(names, &count, model_rows[m]->family);
     for (size_t m = 0; m < model_count; m++)
         add_name(names, &count, model_rows[m]->name);
-    if (!check_former_models(source, value) || !read_set(source, key, "model", value, names, count, lines))
+    if (!read_set(source, key, "model", value, names, count, lines))
         return false;
     uint64_t *models = key->field;
     *models = 0;
     source->scene->models_named = true;
     for (size_t i = 0; i < count; i++)
         *models |= lines[i] ? model_find(names[i]) : 0;
-    return *models || scene_source_fail(source, scene_source_line(value),
-                                        "'models' names none; remove the line for the default ones");
+    return *models || scene_source_fail_at(source, value, "'models' names none; remove the line for the default ones");
 }
 
 static bool read_effects(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
@@ -123,11 +116,7 @@ static bool read_effects(struct scene_source *source, const struct scene_key *ke
         return false;
     for (int i = 0; i < EFFECT_COUNT; i++)
         scene->effects |= source->effect_line[i] ? EFFECT_BIT(i) : 0;
-    scene->effects = scene_keys_with_needed(scene->effects);
-    for (int i = 0; i < EFFECT_COUNT; i++)
-        for (int needed = 0; needed < EFFECT_COUNT; needed++)
-            if ((effect_rows[i].needs_effects & EFFECT_BIT(needed)) && source->effect_line[needed] == 0)
-                source->effect_line[needed] = source->effect_line[i];
+    scene->effects = scene_keys_with_needed(source, scene->effects);
     return true;
 }
 
@@ -146,8 +135,8 @@ static bool read_fit_band(struct scene_source *source, const struct scene_key *k
             return false;
     }
     return band[0] < band[1] ||
-           scene_source_fail(source, scene_source_line(value), "'%s' is [%g, %g]; give the shorter wavelength first",
-                             key->name, band[0], band[1]);
+           scene_source_fail_at(source, value, "'%s' is [%g, %g]; give the shorter wavelength first", key->name,
+                                band[0], band[1]);
 }
 
 /* One load, of the kind and with the unit that those before it in `load` have. */
@@ -158,9 +147,8 @@ static bool read_load_one(struct scene_source *source, const struct scene_key *k
     if (!scene_source_quantity_of(&quantity, source, key, value))
         return false;
     if (quantity.has_unit && load->kind_line > 0 && load->kind != quantity.kind)
-        return scene_source_fail(source, scene_source_line(value),
-                                 "'%s' is %s, but %s stands in line %zu; give one kind", key->name,
-                                 unit_quantity_name(quantity.kind), unit_quantity_name(load->kind), load->kind_line);
+        return scene_source_fail_at(source, value, "'%s' is %s, but %s stands in line %zu; give one kind", key->name,
+                                    unit_quantity_name(quantity.kind), unit_quantity_name(load->kind), load->kind_line);
     if (quantity.has_unit && load->kind_line == 0) {
         load->kind = quantity.kind;
         load->kind_line = scene_source_line(value);
@@ -183,8 +171,7 @@ static bool read_load_list(struct scene_source *source, const struct scene_key *
 {
     size_t count = scene_source_item_count(value);
     if (count == 0 || count > most)
-        return scene_source_fail(source, scene_source_line(value), "'%s' holds %zu loads; allowed is 1 to %zu",
-                                 key->name, count, most);
+        return scene_source_fail_at(source, value, "'%s' holds %zu loads; allowed is 1 to %zu", key->name, count, most);
     load->values = malloc(count * sizeof *load->values);
     if (!load->values)
         return scene_source_memory(source);
@@ -208,16 +195,14 @@ static bool check_units_of_all(struct scene_source *source, const struct scene_l
                              "a load has no unit, but one in line %zu has; give all of them theirs", load->kind_line);
 }
 
-/* 'dimensionless', or the unit of loads that are given as plain numbers. */
-static bool read_load_unit(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+/* Is what the key gives, if anything, a unit of one of `quantities`? */
+static bool check_unit(struct scene_source *source, const struct scene_key *key, unsigned quantities)
 {
-    char *text = key->field;
-    struct scene_key short_text = {key->name, scene_source_short_text, text, .most = UNIT_LENGTH};
     struct unit unit;
-    return scene_source_short_text(source, &short_text, value) &&
-           ((unit_read(&unit, text, strlen(text)) && unit_of(&unit, UNIT_LOADS)) ||
-            scene_source_fail(source, scene_source_line(value), "'%s' is '%s'; understood: %s", key->name,
-                              scene_words_show(text).text, unit_known(UNIT_LOADS).text));
+    const char *text = key->field;
+    return key->line == 0 || (unit_read(&unit, text, strlen(text)) && unit_of(&unit, quantities)) ||
+           scene_source_fail(source, key->line, "'%s' is '%s'; understood: %s", key->name, scene_words_show(text).text,
+                             unit_known(quantities).text);
 }
 
 /* Puts plain loads into `unit:`. Pascals leave the charts over P/(A_n E'), another unit of force or pressure does not.
@@ -227,7 +212,7 @@ static bool apply_load_unit(struct scene_source *source, struct scene_load *load
 {
     struct unit unit = {.factor = 1};
     if (key->line > 0)
-        (void)unit_read(&unit, text, strlen(text)); /* read_load_unit() has */
+        (void)unit_read(&unit, text, strlen(text)); /* check_unit() has */
     enum unit_quantity kind = key->line > 0 ? (enum unit_quantity)unit_of(&unit, UNIT_LOADS) : UNIT_NUMBER;
     if (load->kind_line > 0 && kind != load->kind && (key->line > 0 || load->plain_line > 0))
         return scene_source_fail(source, key->line > 0 ? key->line : load->plain_line,
@@ -257,9 +242,10 @@ static bool read_load(struct scene_source *source, const struct scene_key *key, 
         {"to", read_load_number, .field = &load->to, .least = LOAD_LEAST, .most = LOAD_MOST, .quantities = UNIT_LOADS},
         {"points", SCENE_WHOLE(load->points, 1, LOAD_POINTS_MOST)},
         {"values", read_load_values, .field = load, .least = LOAD_LEAST, .most = LOAD_MOST, .quantities = UNIT_LOADS},
-        {"unit", read_load_unit, .field = unit},
+        {"unit", SCENE_SHORT_TEXT(unit)},
     };
-    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys)))
+    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys)) ||
+        !check_unit(source, &keys[4], UNIT_LOADS))
         return false;
     if (load->values)
         for (size_t k = 0; k < 3; k++)
@@ -292,7 +278,6 @@ static bool read_mean_free_path(struct scene_source *source, const struct scene_
 {
     enum scene_mean_free_path *kind = &source->scene->mean_free_path;
     struct scene_quantity quantity;
-    source->mean_free_path_line = scene_source_line(value);
     if (scene_source_is(value, "thesis"))
         return true;
     *kind = scene_source_is(value, "electron") ? SCENE_MEAN_FREE_PATH_ELECTRON : SCENE_MEAN_FREE_PATH_GIVEN;
@@ -313,7 +298,6 @@ static bool read_operating_load(struct scene_source *source, const struct scene_
 {
     struct scene_operating *operating = key->field;
     struct scene_quantity quantity;
-    source->operating_line = scene_source_line(value);
     if (!scene_source_quantity_of(&quantity, source, key, value))
         return false;
     *operating = (struct scene_operating){quantity.value, quantity.kind};
@@ -339,22 +323,11 @@ static bool read_measured_file(struct scene_source *source, const struct scene_k
     char **file = key->field;
     bool good = scene_surfaces_files(source, &(struct scene_key){.name = key->name, .field = &one}, value);
     if (good && one.file_count != 1)
-        good = scene_source_fail(source, scene_source_line(value), "'%s' names %zu files; name one", key->name,
-                                 one.file_count);
+        good = scene_source_fail_at(source, value, "'%s' names %zu files; name one", key->name, one.file_count);
     if (good && !(*file = strdup(one.files[0])))
         good = scene_source_memory(source);
     scene_files_free(&one, NULL);
     return good;
-}
-
-/* Is what the key gives, if anything, a unit of one of `quantities`? */
-static bool check_unit(struct scene_source *source, const struct scene_key *key, unsigned quantities)
-{
-    struct unit unit;
-    const char *text = key->field;
-    return key->line == 0 || (unit_read(&unit, text, strlen(text)) && unit_of(&unit, quantities)) ||
-           scene_source_fail(source, key->line, "'%s' is '%s'; understood: %s", key->name, scene_words_show(text).text,
-                             unit_known(quantities).text);
 }
 
 static bool read_measured(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
@@ -369,8 +342,7 @@ static bool read_measured(struct scene_source *source, const struct scene_key *k
     if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys)))
         return false;
     if (!measured->file)
-        return scene_source_fail(source, scene_source_line(value),
-                                 "'measured' has no 'file'; name a CSV of load and resistance");
+        return scene_source_fail_at(source, value, "'measured' has no 'file'; name a CSV of load and resistance");
     return check_unit(source, &keys[2], UNIT_LOADS) &&
            check_unit(source, &keys[3], scene_measured_resistances[measured->quantity]);
 }
@@ -391,7 +363,7 @@ static bool read_direct_loads(struct scene_source *source, const struct scene_ke
     direct->kind_line = load.kind_line;
     for (size_t i = 1; i < load.points && good; i++)
         if (!(direct->values[i] > direct->values[i - 1]))
-            return scene_source_fail(source, scene_source_line(value), "'loads' do not rise; order them, each once");
+            return scene_source_fail_at(source, value, "'loads' do not rise; order them, each once");
     return good;
 }
 
@@ -417,8 +389,8 @@ static bool read_direct(struct scene_source *source, const struct scene_key *key
                                  direct->grid);
     size_t points = direct->grid * direct->grid * direct->seeds;
     return points <= limit_most(LIMIT_DIRECT_POINTS) ||
-           scene_source_fail(source, scene_source_line(value), "%zu x %zu points, %zu times%s", direct->grid,
-                             direct->grid, direct->seeds, limit_words(LIMIT_DIRECT_POINTS).text);
+           scene_source_fail_at(source, value, "%zu x %zu points, %zu times%s", direct->grid, direct->grid,
+                                direct->seeds, limit_words(LIMIT_DIRECT_POINTS).text);
 }
 
 /* What fills the gaps between the spots, into a struct joint. */
@@ -465,16 +437,9 @@ static bool read_plating(struct scene_source *source, const struct scene_key *ke
         return false;
     for (size_t k = 0; k < 2; k++)
         if (keys[k].line == 0)
-            return scene_source_fail(source, scene_source_line(value), "'%s' has no '%s'; add it", key->name,
-                                     keys[k].name);
+            return scene_source_fail_at(source, value, "'%s' has no '%s'; add it", key->name, keys[k].name);
     joint->both_plated = both;
     return true;
-}
-
-static bool read_baseline(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
-{
-    source->baseline_line = scene_source_line(value);
-    return scene_source_text(source, key, value);
 }
 
 bool scene_keys_read(struct scene_source *source, const yaml_node_t *root)
@@ -483,7 +448,7 @@ bool scene_keys_read(struct scene_source *source, const yaml_node_t *root)
     struct scene_key keys[] = {
         {"title", scene_source_text, .field = &scene->title},
         {"models", read_models, .field = &scene->models},
-        {"effects", read_effects, .field = NULL},
+        {"effects", read_effects, .field = scene},
         {"material", scene_surfaces_body, .field = &scene->bodies},
         {"counterface", scene_surfaces_counterface, .field = &scene->bodies},
         {"direction", SCENE_CHOICE(scene->direction, scan_direction_names)},
@@ -491,14 +456,15 @@ bool scene_keys_read(struct scene_source *source, const yaml_node_t *root)
         {"measured", read_measured, .field = &scene->measured},
         {"nominal_area", SCENE_QUANTITY(scene->nominal_area_m2, UNIT_AREA, 1e-18, 1e6), .word = "none",
          .alias = "nominal_area_m2"},
-        {"hardness", SCENE_QUANTITY(scene->bodies.hardness_Pa, UNIT_PRESSURE, 1e3, 1e12), .alias = "hardness_Pa"},
-        {"mean_free_path", read_mean_free_path, .field = NULL, .least = 1e-12, .most = 1e-3,
+        {"hardness", SCENE_QUANTITY(scene->bodies.hardness_Pa, UNIT_PRESSURE, 1e3, 1e12), .alias = "hardness_Pa",
+         .at = &source->hardness_line},
+        {"mean_free_path", read_mean_free_path, .at = &source->mean_free_path_line, .least = 1e-12, .most = 1e-3,
          .quantities = UNIT_DISTANCE},
         {"load", read_load, .field = &scene->load},
         {"operating_load", read_operating_load, .field = &scene->operating, .least = LOAD_LEAST, .most = LOAD_MOST,
-         .quantities = UNIT_LOADS},
-        {"targets", scene_asked_targets, .field = NULL},
-        {"limits", scene_asked_limits, .field = NULL},
+         .quantities = UNIT_LOADS, .at = &source->operating_line},
+        {"targets", scene_asked_targets, .field = scene},
+        {"limits", scene_asked_limits, .field = scene},
         {"tolerance", SCENE_NUMBER(scene->tolerance, SCENE_KEYS_TOLERANCE_LEAST, SCENE_KEYS_TOLERANCE_MOST)},
         {"level", SCENE_CHOICE(scene->level, level_names)},
         {"window", SCENE_CHOICE(scene->window, spectrum_window_names)},
@@ -515,18 +481,17 @@ bool scene_keys_read(struct scene_source *source, const yaml_node_t *root)
          .alias = "lambda_c_m"},
         {"tip_radius", SCENE_QUANTITY(scene->tip_radius_m, UNIT_DISTANCE, 1e-12, 1.0), .word = "none",
          .alias = "tip_radius_m"},
-        {"baseline", read_baseline, .field = &scene->baseline},
+        {"baseline", scene_source_text, .field = &scene->baseline, .at = &source->baseline_line},
         {"direct", read_direct, .field = &scene->direct},
         {"gap", read_gap, .field = &scene->joint},
         {"film", SCENE_QUANTITY(scene->joint.film_ohm_m2, UNIT_RESISTANCE_AREA, 0.0, 1e6)},
         {"plating", read_plating, .field = &scene->joint},
         {"current", SCENE_QUANTITY(scene->joint.current_A, UNIT_CURRENT, 1e-12, 1e9)},
         {"convergence", read_convergence, .field = &scene->convergence},
-        {"surfaces", scene_surfaces_read, .field = NULL},
+        {"surfaces", scene_surfaces_read, .field = scene},
     };
     if (!scene_source_mapping(source, root, "scene", keys, SCENE_COUNT(keys)))
         return false;
-    source->hardness_line = scene_source_line_of(keys, "hardness");
     if (scene->direct.called)
         scene->effects |= EFFECT_BIT(EFFECT_DIRECT);
     for (int i = 0; i < EFFECT_COUNT; i++)

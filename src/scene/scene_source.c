@@ -187,9 +187,8 @@ bool scene_source_unknown(struct scene_source *source, const yaml_node_t *node, 
                           const char *const *names, size_t count, size_t all)
 {
     const char *word = (const char *)node->data.scalar.value;
-    return scene_source_fail(source, scene_source_line(node), "unknown %s '%s'; %s", what,
-                             scene_words_show_view(scalar_of(node)).text,
-                             scene_words_hint(word, names, count, all).text);
+    return scene_source_fail_at(source, node, "unknown %s '%s'; %s", what, scene_words_show_view(scalar_of(node)).text,
+                                scene_words_hint(word, names, count, all).text);
 }
 
 /* The names of keys, then their aliases. */
@@ -230,6 +229,8 @@ static bool read_pair(struct scene_source *source, const yaml_node_t *name, cons
                                  key->given && strcmp(key->given, given.name) != 0 ? " by its other name" : "",
                                  key->line);
     key->line = line;
+    if (key->at)
+        *key->at = line;
     key->given = given.name;
     if (is_null(value))
         return scene_source_fail(source, line, "'%s' has no value; give one or remove the line", given.name);
@@ -275,8 +276,8 @@ bool scene_source_quantity_of(struct scene_quantity *out, struct scene_source *s
         return scene_source_wrong_type(source, value, key->name, scene_quantity_help(key->quantities).text);
     const char *si = unit_si(out->kind);
     if (!(out->value >= key->least && out->value <= key->most))
-        return scene_source_fail(source, scene_source_line(value), "'%s' is %s; allowed is %g to %g%s%s", key->name,
-                                 scene_words_show_view(text).text, key->least, key->most, *si ? " " : "", si);
+        return scene_source_fail_at(source, value, "'%s' is %s; allowed is %g to %g%s%s", key->name,
+                                    scene_words_show_view(text).text, key->least, key->most, *si ? " " : "", si);
     return true;
 }
 
@@ -329,7 +330,7 @@ static const char *read_text(struct scene_source *source, const struct scene_key
             problem = "has a line end or control character inside; remove it";
     if (!problem)
         return text;
-    scene_source_fail(source, scene_source_line(node), "'%s' %s", key->name, problem);
+    scene_source_fail_at(source, node, "'%s' %s", key->name, problem);
     return NULL;
 }
 
@@ -344,8 +345,7 @@ bool scene_source_short_text(struct scene_source *source, const struct scene_key
     const char *text = read_text(source, key, value);
     size_t size = (size_t)key->most;
     if (text && strlen(text) >= size)
-        return scene_source_fail(source, scene_source_line(value), "'%s' is longer than %zu bytes; shorten it",
-                                 key->name, size - 1);
+        return scene_source_fail_at(source, value, "'%s' is longer than %zu bytes; shorten it", key->name, size - 1);
     if (text)
         memcpy(key->field, text, strlen(text) + 1);
     return text;

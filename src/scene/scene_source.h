@@ -5,7 +5,8 @@
 #define SCENE_SCENE_SOURCE_H
 
 #include "scene/scene.h"
-#include "scene/scene_quantity.h"
+#include "scene/scene_words.h"
+
 #include <yaml.h>
 
 struct scene_source {
@@ -24,10 +25,13 @@ struct scene_source {
 
 enum { SCENE_KEYS_MOST = 48 }; /* of one mapping */
 
+struct scene_key;
+typedef bool scene_reader(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
+
 /** One key of a mapping: how its value is read and where it goes. */
 struct scene_key {
     const char *name; /* what a reader is given has the one the scene uses, `alias` or this */
-    bool (*read)(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
+    scene_reader *read;
     void *field;
     double least, most;         /* numbers: range, inclusive; short text: `most` is the size of the array */
     const char *const *choices; /* words that the value may be, in the order of their enum */
@@ -37,6 +41,7 @@ struct scene_key {
     const char *alias;   /* an older name, or NULL: not shown in messages where the other will do */
     const char *given;   /* the name by which it does; set with `line` */
     size_t line;         /* where the scene gives it, 0: it does not; set by scene_source_mapping() */
+    size_t *at;          /* gets the line, too; or NULL */
 };
 
 /** Parses `bytes` and calls `read` with the outermost node, unless the text says nothing. Errors: not YAML, nested too
@@ -58,8 +63,9 @@ size_t scene_source_line(const yaml_node_t *node);
 /** Is it the plain or quoted scalar `word`? */
 bool scene_source_is(const yaml_node_t *node, const char *word);
 
-/** Fails with "path:line: " before the message. */
+/** Fails with "path:line: " before the message; the line may be that of a node. */
 bool scene_source_fail(struct scene_source *source, size_t line, const char *format, ...) PRINTF_LIKE(3, 4);
+#define scene_source_fail_at(source, node, ...) scene_source_fail((source), scene_source_line(node), __VA_ARGS__)
 /** Fails: the value of `what` is not of the type `expected` ("a number"). */
 bool scene_source_wrong_type(struct scene_source *source, const yaml_node_t *node, const char *what,
                              const char *expected);
@@ -70,16 +76,12 @@ bool scene_source_unknown(struct scene_source *source, const yaml_node_t *node, 
 /** Fails: out of memory. */
 bool scene_source_memory(struct scene_source *source);
 
-/** To stand in scene_key.read; the field is a double, a size_t, an enum, a malloc'ed char *, a char array. */
-/** A number in SI or, where the quantities have units, with its unit. */
-bool scene_source_quantity(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
-/** The same, with all there is to know of it. */
+/** To stand in scene_key.read; the field is a double (a number in SI or, where the quantities have units, with its
+ * unit), a size_t, an enum, a malloc'ed char *, a char array. */
+scene_reader scene_source_quantity, scene_source_whole, scene_source_choice, scene_source_text, scene_source_short_text;
+/** A quantity with all there is to know of it. */
 bool scene_source_quantity_of(struct scene_quantity *out, struct scene_source *source, const struct scene_key *key,
                               const yaml_node_t *value);
-bool scene_source_whole(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
-bool scene_source_choice(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
-bool scene_source_text(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
-bool scene_source_short_text(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
 
 /* Parts of a key's row. */
 #define SCENE_COUNT(array) (sizeof(array) / sizeof *(array))
@@ -91,5 +93,64 @@ bool scene_source_short_text(struct scene_source *source, const struct scene_key
 #define SCENE_CHOICE(choice, spellings)                                                                                \
     scene_source_choice, &(choice), .choices = (spellings), .choice_count = SCENE_COUNT(spellings)
 #define SCENE_SHORT_TEXT(array) scene_source_short_text, (array), .most = sizeof(array)
+
+/* The keys of scene.yaml. */
+
+/* Range of the relative tolerance: below is rounding, above is no accuracy. */
+#define SCENE_KEYS_TOLERANCE_LEAST 1e-14
+#define SCENE_KEYS_TOLERANCE_MOST  0.1
+
+/** Reads the outermost node into source->scene, which holds the defaults. */
+MUST_CHECK bool scene_keys_read(struct scene_source *source, const yaml_node_t *root);
+
+/** Name of every effect, in the order of the enum. */
+void scene_keys_effect_names(const char *names[EFFECT_COUNT]);
+/** `effects` with those they build on, which get their lines where they have none of their own. */
+unsigned scene_keys_with_needed(struct scene_source *source, unsigned effects);
+
+/* The bodies of a scene: its surfaces, what they are pressed against, and their materials. */
+enum { SCENE_SURFACES_MATERIALS = 32 };
+
+/** The list `surfaces`, into source->scene. */
+scene_reader scene_surfaces_read;
+/** rigid | same | a material's name | a mapping of properties | {surface: file, material: ..., x_unit, z_unit}, into
+ * source->scene. */
+scene_reader scene_surfaces_counterface;
+/** A built-in name or a mapping of properties, into a struct scene_bodies. */
+scene_reader scene_surfaces_body;
+/** One file or a list of them, each checked to exist, into a struct scene_surface. */
+scene_reader scene_surfaces_files;
+
+/** The `word_count` words, then the names of the built-in materials of bodies; how many all in all. */
+size_t scene_surfaces_materials(const char *names[SCENE_SURFACES_MATERIALS], const char *const *words,
+                                size_t word_count);
+
+/* Files of a directory: those that a pattern matches, in natural order. */
+/** Adds to surface->files what `pattern` (fnmatch(3); its last component alone is one) matches, below the scene's
+ * directory unless it is absolute, and is of `kind`, S_IFREG or S_IFDIR; in natural order (2 before 10). Hidden files
+ * and sidecars of others among them are left out. None may match. Errors: STATUS_IO: the directory cannot be listed;
+ * STATUS_SCENE: it has more files than LIMIT_FILES; STATUS_MEMORY. */
+MUST_CHECK enum status_code scene_files_match(struct scene_surface *surface, const struct scene *scene,
+                                              const char *pattern, mode_t kind, struct status *status);
+
+/** Adds one file. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code scene_files_add(struct scene_surface *surface, const char *file, struct status *status);
+
+/** Adds to a scene without surfaces one for each regular file of its directory that is not hidden, not
+ * scene.yaml, no sidecar, and may be a scan, and one for each such sub-directory that holds files, which are its
+ * repeated scans; what is passed over is told in scene->passed_over; names and order as scene_read() says. Errors:
+ * STATUS_IO, STATUS_MEMORY. */
+MUST_CHECK enum status_code scene_files_list(struct scene *scene, struct status *status);
+
+/** The name of a surface read from `file`: its last component, without the ending unless `ending`; malloc'ed. */
+char *scene_files_name(const char *file, bool ending);
+/** Frees what one surface holds, its bodies unless they are the `shared` ones. */
+void scene_files_free(struct scene_surface *surface, const struct scene_bodies *shared);
+
+/* What a scene asks of the contact: a list of `key: value` pairs, each a quantity, whose load is sought; limits to be
+ * kept, `key: {most: value, least: value}`. */
+scene_reader scene_asked_targets, scene_asked_limits;
+/** Turns what was read into the models' quantities, now that the nominal area is known. */
+MUST_CHECK bool scene_asked_complete(struct scene *scene, struct scene_source *source);
 
 #endif

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "scene/scene_surfaces.h"
 #include "base/limits.h"
-#include "scene/scene_files.h"
-#include "scene/scene_words.h"
+#include "scene/scene_source.h"
 
 #include <assert.h>
 #include <errno.h>
@@ -33,8 +31,8 @@ static bool read_material_name(struct scene_source *source, const struct scene_k
         return scene_source_unknown(source, value, key->name, names, count, count);
     *(struct material *)key->field = *found;
     return !isnan(found->youngs_modulus_Pa) ||
-           scene_source_fail(source, scene_source_line(value),
-                             "'%s' is '%s', which bears no load; give the material of a body", key->name, found->name);
+           scene_source_fail_at(source, value, "'%s' is '%s', which bears no load; give the material of a body",
+                                key->name, found->name);
 }
 
 /* A built-in name or a mapping of properties, into a struct material. The key's choices are named in the message about
@@ -66,8 +64,7 @@ static bool read_material(struct scene_source *source, const struct scene_key *k
     static const char *const required[] = {"E", "nu"};
     for (size_t i = 0; i < SCENE_COUNT(required); i++)
         if (scene_source_line_of(keys, required[i]) == 0)
-            return scene_source_fail(source, scene_source_line(value), "'%s' has no '%s'; add it", key->name,
-                                     required[i]);
+            return scene_source_fail_at(source, value, "'%s' has no '%s'; add it", key->name, required[i]);
     return true;
 }
 
@@ -142,8 +139,8 @@ static bool read_column(struct scene_source *source, const char *name, const yam
     const char *number = column + (*column == '+' || *column == '-');
     if (*number && number[strspn(number, "0123456789.")] == '\0' &&
         (number[strspn(number, "0123456789")] || number > column || !number[strspn(number, "0")]))
-        return scene_source_fail(source, scene_source_line(value),
-                                 "'%s' is '%s'; give a column's number, from 1, or its title", name, column);
+        return scene_source_fail_at(source, value, "'%s' is '%s'; give a column's number, from 1, or its title", name,
+                                    column);
     free(*out); /* of the x of a pair given before */
     *out = *column ? strdup(column) : NULL;
     return *out || !*column || scene_source_memory(source);
@@ -156,9 +153,9 @@ static bool read_columns(struct scene_source *source, const struct scene_key *ke
     if (value->type == YAML_SCALAR_NODE)
         return read_column(source, key->name, value, &surface->z_column);
     if (value->type != YAML_SEQUENCE_NODE || scene_source_item_count(value) != 2)
-        return scene_source_fail(source, scene_source_line(value),
-                                 "'%s' is no column; give one, as in `column: 3`, or x and z, as in `column: [1, 3]`",
-                                 key->name);
+        return scene_source_fail_at(
+            source, value, "'%s' is no column; give one, as in `column: 3`, or x and z, as in `column: [1, 3]`",
+            key->name);
     return read_column(source, key->name, scene_source_item(source, value, 0), &surface->x_column) &&
            read_column(source, key->name, scene_source_item(source, value, 1), &surface->z_column);
 }
@@ -240,7 +237,7 @@ static bool read_surface(struct scene_source *source, const yaml_node_t *node, s
     if (!scene_source_mapping(source, node, "surfaces", keys, SCENE_COUNT(keys)))
         return false;
     if (scene_source_line_of(keys, "file") == 0)
-        return scene_source_fail(source, scene_source_line(node), "a surface has no 'file'; add one");
+        return scene_source_fail_at(source, node, "a surface has no 'file'; add one");
     surface->lay_given = scene_source_line_of(keys, "lay") > 0;
     if (surface->lay_given && surface->along_count > 0)
         return scene_source_fail(source, scene_source_line_of(keys, "lay"),
@@ -296,8 +293,8 @@ bool scene_surfaces_read(struct scene_source *source, const struct scene_key *ke
         return scene_source_wrong_type(source, value, key->name, "a list of '- {name: ..., file: ...}'");
     size_t count = scene_source_item_count(value);
     if (count == 0)
-        return scene_source_fail(source, scene_source_line(value),
-                                 "'surfaces' lists none; remove it to report every file of the directory");
+        return scene_source_fail_at(source, value,
+                                    "'surfaces' lists none; remove it to report every file of the directory");
     scene->surfaces = calloc(count, sizeof *scene->surfaces);
     if (!scene->surfaces)
         return scene_source_memory(source);
@@ -306,18 +303,4 @@ bool scene_surfaces_read(struct scene_source *source, const struct scene_key *ke
         if (!read_surface(source, scene_source_item(source, value, i), &scene->surfaces[i]))
             return false;
     return check_names(source, value);
-}
-
-const struct material_property *scene_surfaces_lack(const char **body, const struct scene_bodies *bodies,
-                                                    const struct effect_row *effect)
-{
-    for (const char *const *key = effect->properties; *key; key++) {
-        const struct material_property *property = material_property_find(*key);
-        *body = isnan(material_value(&bodies->material, property)) ? "material" : "counterface";
-        if (isnan(material_value(&bodies->material, property)) ||
-            (bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC &&
-             isnan(material_value(&bodies->counterface, property))))
-            return property;
-    }
-    return NULL;
 }

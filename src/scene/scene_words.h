@@ -3,6 +3,7 @@
 #ifndef SCENE_SCENE_WORDS_H
 #define SCENE_SCENE_WORDS_H
 
+#include "base/unit.h"
 #include "scan/string_view.h"
 
 /** Text fit for a one-line message: control characters as '?', the end of a long one as "...". */
@@ -24,5 +25,26 @@ const char *scene_words_next(const char **rest, size_t *length);
 
 /** Index of the name that is the `length` bytes at `word`, or `count` when none is. */
 size_t scene_words_find(const char *word, size_t length, const char *const *names, size_t count);
+
+/* A quantity as people write one: a number in SI, or a number with its unit. */
+
+struct scene_quantity {
+    double value;            /* in SI */
+    enum unit_quantity kind; /* which of those allowed; of a number without a unit the first (lowest) of them */
+    bool has_unit;
+    struct unit unit;       /* as written; without one: 1 */
+    char text[UNIT_LENGTH]; /* the same, its characters as text_character() allows; "": none */
+};
+
+/** Reads `4 mm2`, `2.5um`, `1e4 W/m2/K`, `20 degC`, `10 %` or a number alone, which is in SI; `quantities` has the enum
+ * unit_quantity bits it may be. False when it is no number (an infinity on overflow is
+ * one), or what stands behind is no unit of one of them. */
+bool scene_quantity_read(struct scene_quantity *out, struct string_view text, unsigned quantities);
+
+/** What to write for one, to end a message: "a number in Pa or one with its unit: Pa, kPa, ...". */
+struct scene_quantity_help {
+    char text[600];
+};
+struct scene_quantity_help scene_quantity_help(unsigned quantities);
 
 #endif

@@ -46,4 +46,16 @@ double selftest_error(const struct selftest_reference *reference, double value);
 /** Has the table numbers of the model of this name? */
 bool selftest_covers_model(const struct selftest_table *table, const char *name);
 
+/* What computes the groups of selftest.csv; selftest_plain those that have no function of their own. Private to
+ * src/selftest. */
+
+/** Computes the number of one reference. Errors: those of what it tests; selftest_unknown(). */
+typedef enum status_code selftest_compute(double *value, const struct selftest_reference *reference,
+                                          const struct selftest_table *table, struct status *status);
+
+selftest_compute selftest_softgauge, selftest_spectrum, selftest_plain, selftest_model, selftest_direct;
+
+/** STATUS_IO: the table asks for something that is not computed here. */
+enum status_code selftest_unknown(const struct selftest_reference *reference, struct status *status);
+
 #endif

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spectrum/parameters.h"
 
-#include "base/extremes.h"
-
 #include <gsl/gsl_sort.h>
 #include <math.h>
 #include <stdlib.h>
@@ -28,7 +26,7 @@ static double highest(const struct parameters_part *part)
 {
     double most = part->height_m[0];
     for (size_t i = 1; i < part->points; i++)
-        most = extremes_larger(most, part->height_m[i]);
+        most = part->height_m[i] > most ? part->height_m[i] : most;
     return most;
 }
 
@@ -36,7 +34,7 @@ static double deepest(const struct parameters_part *part)
 {
     double least = part->height_m[0];
     for (size_t i = 1; i < part->points; i++)
-        least = extremes_smaller(least, part->height_m[i]);
+        least = part->height_m[i] < least ? part->height_m[i] : least;
     return -least;
 }
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spectrum/roughness.h"
 
-#include "base/extremes.h"
 #include <math.h>
 
 const char *const roughness_moments_names[ROUGHNESS_MOMENTS_COUNT] = {"difference", "spectral"};
@@ -23,8 +22,8 @@ struct roughness roughness_of_heights_alone(const double *height_m, size_t point
         cube += z2 * height_m[i];
         fourth += z2 * z2;
         absolute += fabs(height_m[i]);
-        lowest = extremes_smaller(lowest, height_m[i]);
-        highest = extremes_larger(highest, height_m[i]);
+        lowest = height_m[i] < lowest ? height_m[i] : lowest;
+        highest = height_m[i] > highest ? height_m[i] : highest;
         count++;
     }
     return (struct roughness){.rq_m = sqrt(square / count),

@@ -105,43 +105,11 @@ TEST_CASE(test_ranges)
     }
 }
 
-/* Nothing stands for an interval that is not known, or narrower than its digits. */
-TEST_CASE(test_intervals)
-{
-    static const struct {
-        double low, high;
-        const char *expected;
-    } cases[] = {{0.21, 0.27, " (0.210…0.270)"},
-                 {0.21001, 0.21002, ""},
-                 {0.2104, 0.2106, " (0.210…0.211)"},
-                 {NAN, NAN, ""},
-                 {NAN, 2, " (–…2.00)"},
-                 {2e-7, 3e7, " (2.00·10⁻⁷…3.00·10⁷)"}};
-    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
-        struct text text = {0};
-        number_format_interval(&text, " (", cases[c].low, cases[c].high, 3, ")");
-        assert_text(&text, cases[c].expected);
-    }
-}
-
-TEST_CASE(test_loads_are_powers_of_ten)
+TEST_CASE(test_between)
 {
     struct text text = {0};
-    number_format_power(&text, 0.834, 3);
-    number_format_between(&text, " ", 1, 1, " ");
-    number_format_power(&text, 1e-6, 3);
-    assert_text(&text, "8.34·10⁻¹ 1 1.00·10⁻⁶");
-}
-
-TEST_CASE(test_given_numbers_keep_no_zeros)
-{
-    static const double values[] = {0.36, 41.369e9, 7310, 1e-6, (double)NAN};
-    struct text text = {0};
-    for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
-        number_format_given(&text, values[i]);
-        text_add(&text, " ");
-    }
-    assert_text(&text, "0.36 4.1369·10¹⁰ 7310 1·10⁻⁶ – ");
+    number_format_between(&text, "a ", 1, 1, " b");
+    assert_text(&text, "a 1 b");
 }
 
 TEST_CASE(test_value_and_error_have_the_same_decimals)

@@ -91,9 +91,10 @@ PLACED(test_how_it_ends)
     assert_int_equal(run(dies, 60, &how), PROGRAM_ENDED);
     assert_true(WIFSIGNALED(how) && WTERMSIG(how) == SIGKILL);
     assert_int_equal(start(&process, fails, "/no/such/place"), ENOENT);
-    assert_int_equal(
-        program_start(&process, &(struct program_task){none, path, "/", (const char *const[]){NULL}, NULL, 3, 3}),
-        ENOENT);
+    int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
+    const struct program_task task = {none, path, "/", (const char *const[]){NULL}, NULL, nothing, nothing};
+    assert_int_equal(program_start(&process, &task), ENOENT);
+    close(nothing);
     assert_int_equal(waitpid(-1, &how, 0), -1); /* nothing is left of them */
 }
 

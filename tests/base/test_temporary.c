@@ -207,9 +207,9 @@ PLACED(test_the_end)
     assert_int_equal(mkdirat(second.directory, "mine", 0700), 0);
     snprintf(kept, sizeof kept, "%s", second.path);
     temporary_close(&second);
-    temporary_note("one");
-    temporary_note("two");
-    end_all("two");
+    temporary_note("in ", "one", "");
+    temporary_note("in ", "two", " there");
+    end_all("in 'two' there");
     assert_int_equal(access(first.path, F_OK), -1);
     assert_int_equal(access(third.path, F_OK), -1);
     assert_int_equal(access(kept, F_OK), 0);
@@ -217,7 +217,6 @@ PLACED(test_the_end)
     assert_int_equal(directory_entries(&directory_here, ""), 3);
     temporary_remove(&third);
     temporary_remove(&first);
-    temporary_note("");
 }
 
 /* Whole copies, as out of an archive, have the name of another directory. */

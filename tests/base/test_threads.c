@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What tasks leave in their turn, whatever the number of threads, and which failure is told. */
-#include "base/thread.h"
 #include "base/threads.h"
 #include "support.h"
 

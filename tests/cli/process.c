@@ -419,3 +419,27 @@ char *workspace_shell(const char *place, const char *line)
     free(process.err);
     return process.out;
 }
+
+static json_t *parse(const char *text)
+{
+    json_error_t error;
+    json_t *json = json_loads(text, 0, &error);
+    if (!json)
+        fail_msg("no JSON: %s, line %d", error.text, error.line);
+    return json;
+}
+
+json_t *process_json(struct process process)
+{
+    json_t *json = parse(process.out);
+    process_free(&process);
+    return json;
+}
+
+json_t *workspace_json(const char *place, const char *path)
+{
+    char *text = workspace_read(place, path);
+    json_t *json = parse(text);
+    free(text);
+    return json;
+}

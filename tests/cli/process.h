@@ -5,6 +5,7 @@
 
 #include "support.h"
 
+#include <jansson.h>
 #include <stdbool.h>
 #include <sys/types.h>
 
@@ -25,8 +26,14 @@ struct process_running {
  * removal. */
 int workspace_make(void **state);
 int workspace_remove(void **state);
-/** A cmocka test with a workspace. */
-#define TEST_IN_WORKSPACE(name) TEST_WITH(name, workspace_make, workspace_remove)
+/** A cmocka test with a workspace, `place`. */
+#define TEST_IN_WORKSPACE(name)                                                                                        \
+    static void name##_in(const char *place);                                                                          \
+    TEST_WITH(name, workspace_make, workspace_remove)                                                                  \
+    {                                                                                                                  \
+        name##_in(*state);                                                                                             \
+    }                                                                                                                  \
+    static void name##_in(__attribute__((unused)) const char *place)
 
 /** Starts the program in the workspace. */
 #define process_start(place, ...) process_start_list((place), (const char *const[]){PROGRAM, __VA_ARGS__, NULL}, NULL)
@@ -49,6 +56,8 @@ void process_expect_only(struct process process, int status, const char *file, i
 #define expect_errors(process, ...)                                                                                    \
     process_expect_parts((process), false, (const char *const[]){__VA_ARGS__, NULL}, __FILE__, __LINE__)
 void process_expect_parts(struct process process, bool out, const char *const *parts, const char *file, int line);
+/** What a process, which is freed, wrote to stdout: a JSON value and nothing else; or fails the test. */
+json_t *process_json(struct process process);
 /** Runs any program, which must end with 0. */
 #define run_list(place, arguments)                                                                                     \
     process_expect_only(process_end(process_start_list((place), (arguments), NULL)), 0, __FILE__, __LINE__)
@@ -89,8 +98,9 @@ char *workspace_digest(const char *place, const char *path);
 /** Fails the test unless that is `digest`. */
 #define expect_digest(place, path, digest) workspace_expect_digest((place), (path), (digest), __FILE__, __LINE__)
 void workspace_expect_digest(const char *place, const char *path, const char *digest, const char *file, int line);
-/** A table that the program wrote below the workspace. */
+/** A table, and a JSON value, that the program wrote below the workspace. */
 struct table workspace_table(const char *place, const char *path);
+json_t *workspace_json(const char *place, const char *path);
 /** How many entries, at any depth, have a name that begins with `prefix`. */
 size_t workspace_count(const char *place, const char *prefix);
 /** Does a shell's command line succeed in the workspace? */

@@ -149,13 +149,9 @@ static char *report(const char *place, const char *folder, const char *scene, si
     if (refused == 0)
         expect_in_file(place, path, "\nbad,multiscale-elastic,");
     snprintf(path, sizeof path, "%s/results.json", out);
-    char *results = workspace_read(place, path);
-    json_error_t error;
-    json_t *json = json_loads(results, 0, &error);
-    assert_non_null(json);
+    json_t *json = workspace_json(place, path);
     assert_int_equal(json_array_size(json_object_get(json, "refused")), refused);
     json_decref(json);
-    free(results);
     return messages;
 }
 
@@ -171,8 +167,8 @@ TEST_IN_WORKSPACE(test_reports)
         print_message("%s\n", cases[i].name);
         snprintf(folder, sizeof folder, "d%zu", i);
         snprintf(path, sizeof path, "%s/bad.csv", folder);
-        write_case(*state, path, &cases[i]);
-        free(report(*state, folder, scene_of_reports, 0, true));
+        write_case(place, path, &cases[i]);
+        free(report(place, folder, scene_of_reports, 0, true));
     }
 }
 
@@ -185,10 +181,10 @@ TEST_IN_WORKSPACE(test_refusals)
         if (!cases[i].refusal)
             continue;
         snprintf(path, sizeof path, "refused/bad-%zu.csv", i);
-        write_case(*state, path, &cases[i]);
+        write_case(place, path, &cases[i]);
         refused++;
     }
-    char *messages = report(*state, "refused", scene_of_reports, refused, false);
+    char *messages = report(place, "refused", scene_of_reports, refused, false);
     for (size_t i = 0; i < CASES; i++) {
         char start[64];
         if (!cases[i].refusal)
@@ -225,8 +221,8 @@ TEST_IN_WORKSPACE(test_scenes_at_their_limits)
                      scenes[s]);
             snprintf(folder, sizeof folder, "s%zu-%zu", s, c);
             snprintf(path, sizeof path, "%s/bad.csv", folder);
-            write_case(*state, path, &cases[chosen[c]]);
-            free(report(*state, folder, scene, 0, false));
+            write_case(place, path, &cases[chosen[c]]);
+            free(report(place, folder, scene, 0, false));
         }
 }
 
@@ -246,13 +242,13 @@ TEST_IN_WORKSPACE(test_scenes_beyond_their_limits)
         {"\nnominal_area_m2: 1e300\n", "d/scene.yaml:2: 'nominal_area_m2' is 1e300; allowed is "},
         {"\nconvergence: {alpha: 1e300}\n", "d/scene.yaml:2: 'alpha' is 1e300; allowed is "},
     };
-    workspace_scan(*state, "d/a.csv", 60, 1);
+    workspace_scan(place, "d/a.csv", 60, 1);
     for (size_t i = 0; i < sizeof beyond / sizeof *beyond; i++) {
-        workspace_write(*state, "d/scene.yaml", beyond[i].scene);
-        expect_failure(*state, 3, 1, beyond[i].message, "report", "d");
+        workspace_write(place, "d/scene.yaml", beyond[i].scene);
+        expect_failure(place, 3, 1, beyond[i].message, "report", "d");
     }
     workspace_write(
-        *state, "d/scene.yaml",
+        place, "d/scene.yaml",
         "material: tin\nmeasured: {file: m.csv, quantity: ecr, load_unit: dimensionless, resistance_unit: ohm m2}\n");
     static const struct {
         const char *rows, *message;
@@ -262,15 +258,14 @@ TEST_IN_WORKSPACE(test_scenes_beyond_their_limits)
         {"1e-3,1e-9,1e200\n", "m.csv:1: an error of 1e+200; allowed is 0 to 1e+100"},
     };
     for (size_t i = 0; i < sizeof measured / sizeof *measured; i++) {
-        workspace_write(*state, "d/m.csv", measured[i].rows);
-        expect_errors(expect_exit(*state, 3, "report", "d"), measured[i].message);
+        workspace_write(place, "d/m.csv", measured[i].rows);
+        expect_errors(expect_exit(place, 3, "report", "d"), measured[i].message);
     }
 }
 
 /* A refused file has a line of its own and the others go on; nothing that is not a number is printed. */
 TEST_IN_WORKSPACE(test_inspect)
 {
-    const char *place = *state;
     workspace_scan(place, "good.csv", 300, 4);
     for (size_t i = 0; i < CASES; i++) {
         const struct absurd *absurd = &cases[i];

@@ -30,7 +30,6 @@ static struct process run_scene(const char *place, int status, const char *text,
 
 TEST_IN_WORKSPACE(no_key_no_trace)
 {
-    const char *place = *state;
     scans(place);
     struct process run = run_scene(place, 0, SCENE, NULL);
     assert_false(workspace_has(place, "out/data/answers.csv"));
@@ -42,7 +41,6 @@ TEST_IN_WORKSPACE(no_key_no_trace)
 
 TEST_IN_WORKSPACE(targets_are_answered)
 {
-    const char *place = *state;
     scans(place);
     struct process run = run_scene(place, 0, SCENE "targets: [{ecr: 0.1 mohm}, {area: 5 %}]\n", NULL);
     expect_parts(run.out, "\n0.1 mΩ takes ", "\nA/Aₙ of 5 % takes ", " on a");
@@ -75,7 +73,6 @@ TEST_IN_WORKSPACE(targets_are_answered)
 
 TEST_IN_WORKSPACE(a_missed_limit_ends_with_5)
 {
-    const char *place = *state;
     scans(place);
     static const char missed[] =
         SCENE "operating_load: 10 N\nlimits: {conductance: {least: 1e12 W/m2/K}, area: {least: 1e-9}}\n";
@@ -99,7 +96,6 @@ TEST_IN_WORKSPACE(a_missed_limit_ends_with_5)
 
 TEST_IN_WORKSPACE(a_check_of_nothing_is_refused)
 {
-    const char *place = *state;
     scans(place);
     workspace_write(place, "in/scene.yaml", SCENE);
     expect_failure(place, 2, 1, "--check: the scene has no 'limits' to check", "report", "in", "-o", "out", "--check");
@@ -133,7 +129,6 @@ static const char *read_shown(double *out, const char *at)
 /** What the first sentence says of a target is in answers.csv, rounded: load and interval, in the loads' unit. */
 TEST_IN_WORKSPACE(the_sentence_is_of_the_data)
 {
-    const char *place = *state;
     scans(place);
     workspace_scan(place, "in/c.csv", 300, 3);
     struct process run = run_scene(place, 0,
@@ -142,8 +137,7 @@ TEST_IN_WORKSPACE(the_sentence_is_of_the_data)
                                    "surfaces: [{name: a, file: [a.csv, b.csv]}, {name: c, file: c.csv}]\n",
                                    NULL);
     process_free(&run);
-    char *text = workspace_read(place, "out/view.json");
-    json_t *view = json_loads(text, 0, NULL), *answers = json_object_get(view, "answers"), *answer;
+    json_t *view = workspace_json(place, "out/view.json"), *answers = json_object_get(view, "answers"), *answer;
     const char *leading = json_string_value(json_object_get(view, "leading"));
     size_t compared = 0, k, m = 0;
     while (m < model_count && strcmp(model_rows[m]->label, leading) != 0)
@@ -169,7 +163,6 @@ TEST_IN_WORKSPACE(the_sentence_is_of_the_data)
     assert_int_equal(compared, 2);
     table_free(&table);
     json_decref(view);
-    free(text);
 }
 
 /** Every number of results.json that is a load says in its key what it is in; returns how many keys there are. */
@@ -196,18 +189,16 @@ static size_t check_load_keys(const json_t *json)
 /** Whatever unit the scene has its loads in. */
 TEST_IN_WORKSPACE(loads_say_what_they_are_in)
 {
-    const char *place = *state;
     static const char *const loads[] = {"{from: 0.01 N, to: 100 N, points: 9}",
                                         "{from: 10 kPa, to: 100 MPa, points: 9}", "{from: 1e-7, to: 1e-2, points: 9}"};
     scans(place);
     for (int k = 0; k < 3; k++) {
-        char scene[400], path[4096];
+        char scene[400];
         snprintf(scene, sizeof scene, "material: tin\nnominal_area: 1 mm2\nload: %s\ntargets: [{ecr: 0.1 mohm}]\n",
                  loads[k]);
         struct process run = run_scene(place, 0, scene, NULL);
         process_free(&run);
-        snprintf(path, sizeof path, "%s/out/results.json", place);
-        json_t *root = json_load_file(path, 0, NULL), *answers = json_object_get(root, "answers");
+        json_t *root = workspace_json(place, "out/results.json"), *answers = json_object_get(root, "answers");
         struct table table = workspace_table(place, "out/data/answers.csv");
         size_t intervals = 0;
         assert_true(check_load_keys(root) > 50);
@@ -235,12 +226,11 @@ TEST_IN_WORKSPACE(loads_say_what_they_are_in)
 /** The number of a model at the one load of a report. */
 static double at_load(const char *place, const char *model, double load, const char *column)
 {
-    char scene[700], path[4096];
+    char scene[700];
     snprintf(scene, sizeof scene, JOINT "load: {values: [%.17g]}\n", load);
     workspace_write(place, "in/scene.yaml", scene);
     run_to_exit(place, 0, "report", "in", "-o", "one", "--no-cost");
-    snprintf(path, sizeof path, "%s/one/data/contact.csv", place);
-    struct table table = table_read_path(path);
+    struct table table = workspace_table(place, "one/data/contact.csv");
     double value = NAN;
     for (size_t i = 0; i < table.rows; i++)
         if (!strcmp(table_text(&table, i, "model"), model) && table_number(&table, i, "load_over_AnEp") == load)
@@ -253,7 +243,6 @@ static double at_load(const char *place, const char *model, double load, const c
  */
 TEST_IN_WORKSPACE(targets_of_a_joint)
 {
-    const char *place = *state;
     static const struct {
         const char *target, *column;
         double value;

@@ -61,7 +61,6 @@ TEST_IN_WORKSPACE(test_bad_inputs)
 {
     for (size_t i = 0; i < sizeof bad_inputs / sizeof *bad_inputs; i++) {
         const struct bad_input *bad = &bad_inputs[i];
-        const char *place = *state;
         char work[32];
         snprintf(work, sizeof work, "case-%zu", i);
         workspace_folder(place, work);
@@ -87,7 +86,6 @@ TEST_IN_WORKSPACE(test_bad_inputs)
 
 TEST_IN_WORKSPACE(test_directories)
 {
-    const char *place = *state;
     workspace_write(place, "file", "x\n");
     expect_failure(place, 4, 1, "cannot open directory 'nowhere': No such file", "report", "nowhere");
     expect_failure(place, 4, 1, "'file' is no directory; name the one that holds the scans", "report", "file");
@@ -100,7 +98,6 @@ TEST_IN_WORKSPACE(test_directories)
 
 TEST_IN_WORKSPACE(test_where_it_cannot_write)
 {
-    const char *place = *state;
     workspace_scan(place, "d/a.csv", 200, 1);
     workspace_write(place, "file", "mine\n");
     char *before = workspace_digest(place, ".");
@@ -126,7 +123,6 @@ TEST_IN_WORKSPACE(test_where_it_cannot_write)
 /** Files of the user's are never taken for a report of before. */
 TEST_IN_WORKSPACE(test_foreign_files)
 {
-    const char *place = *state;
     workspace_scan(place, "d/a.csv", 200, 1);
     workspace_write(place, "notes/todo.txt", "mine\n");
     workspace_write(place, "project/data/mine.csv", "mine\n");
@@ -148,7 +144,6 @@ TEST_IN_WORKSPACE(test_foreign_files)
 
 TEST_IN_WORKSPACE(test_without_gnuplot)
 {
-    const char *place = *state;
     workspace_scan(place, "d/a.csv", 200, 1);
     char *before = workspace_digest(place, "."), *path = strdup(getenv("PATH"));
     assert_int_equal(setenv("PATH", "/nowhere", 1), 0);
@@ -166,7 +161,6 @@ TEST_IN_WORKSPACE(test_without_gnuplot)
 
 TEST_IN_WORKSPACE(test_one_bad_scan_stops_no_other)
 {
-    const char *place = *state;
     workspace_scan(place, "d/a.csv", 200, 1);
     workspace_write(place, "d/b.csv", HEADER "0,1\n1,2\n2,x\n");
     workspace_scan(place, "d/c.csv", 200, 2);
@@ -185,7 +179,6 @@ TEST_IN_WORKSPACE(test_one_bad_scan_stops_no_other)
 /* Nor does one of several scans of a surface; the exit status says that not all is there, of `plan` too. */
 TEST_IN_WORKSPACE(test_one_bad_scan_of_a_surface)
 {
-    const char *place = *state;
     workspace_scan(place, "d/s/a.csv", 200, 1);
     workspace_write(place, "d/s/b.csv", "x [um],z [um]\n0,1\n1,2\n2,x\n");
     workspace_scan(place, "d/s/c.csv", 200, 3);

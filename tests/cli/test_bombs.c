@@ -78,7 +78,6 @@ static struct text zip_with_main(const char *bytes, size_t length)
  * blanks. */
 TEST_IN_WORKSPACE(test_xml)
 {
-    const char *place = *state;
     for (size_t millions = 1; millions < 20; millions += 18) {
         struct text xml = {0};
         for (size_t i = 0; i < millions * 1000000 / 3; i++)
@@ -120,7 +119,6 @@ TEST_IN_WORKSPACE(test_xml)
 /* 64 entries of one stream of 16 MiB; and the same where each stream begins within the one before. */
 TEST_IN_WORKSPACE(test_shared_streams)
 {
-    const char *place = *state;
     enum { ENTRIES = 64, SIZE = 16 << 20 };
     char *zeros = calloc(1, SIZE);
     assert_non_null(zeros);
@@ -150,7 +148,6 @@ TEST_IN_WORKSPACE(test_shared_streams)
 /* What archives claim is looked at before anything is unpacked. */
 TEST_IN_WORKSPACE(test_claims)
 {
-    const char *place = *state;
     char *junk = calloc(1, 2200000);
     assert_non_null(junk);
     struct packed all[3];
@@ -213,7 +210,6 @@ static void put_sur_header(struct text *text, uint32_t nx, uint32_t ny)
 /* A megabyte of compressed heights: more points than may be, and a gigabyte behind a header of six. */
 TEST_IN_WORKSPACE(test_expanding)
 {
-    const char *place = *state;
     char *zeros = calloc(1, 1 << 20);
     assert_non_null(zeros);
     for (int few = 0; few < 2; few++) {
@@ -268,7 +264,6 @@ static struct text deflated_with_zeros(const struct text *heights, size_t zeros)
 /* Of a file of points no more is unpacked than main.xml says there are, though it holds 600 MB. */
 TEST_IN_WORKSPACE(test_points_as_announced)
 {
-    const char *place = *state;
     enum { POINTS = 4096, ZEROS = 600 << 20 };
     static const char main[] =
         "<p><Record1><FeatureType>PRF</FeatureType><Axes><CX><AxisType>I</AxisType><Increment>1e-6</Increment></CX>"
@@ -296,7 +291,6 @@ TEST_IN_WORKSPACE(test_points_as_announced)
  */
 TEST_IN_WORKSPACE(test_endless_gzip)
 {
-    const char *place = *state;
     enum { SIZE = 16 << 20 };
     char *blanks = malloc(SIZE);
     assert_non_null(blanks);
@@ -317,7 +311,6 @@ TEST_IN_WORKSPACE(test_endless_gzip)
 /* Headers that say more than any file holds. */
 TEST_IN_WORKSPACE(test_lying_headers)
 {
-    const char *place = *state;
     static const char *const texts[] = {
         "aISO-1.0\nNumPoints=1844674407370955160\nNumProfiles=1844674407370955160\nXscale=1\nYscale=1\nZscale=1\n*"
         "\n1 2 "
@@ -377,7 +370,6 @@ TEST_IN_WORKSPACE(test_lying_headers)
 
 TEST_IN_WORKSPACE(test_texts)
 {
-    const char *place = *state;
     struct text text = {0};
     for (size_t i = 0; i < 1500000; i++)
         text_add_bytes(&text, "1 ", 2);
@@ -396,7 +388,6 @@ TEST_IN_WORKSPACE(test_texts)
 /* A file larger than may be, of which nothing is read; and standard input that never ends. */
 TEST_IN_WORKSPACE(test_endless_input)
 {
-    const char *place = *state;
     workspace_write(place, "large.csv", "1 2\n");
     char path[4096];
     snprintf(path, sizeof path, "%s/large.csv", place);
@@ -444,7 +435,6 @@ static void make_link(const char *place, const char *name, const char *to)
 /* Pipes, sockets, devices and links in circles lie in a directory; folders in folders lead nowhere. */
 TEST_IN_WORKSPACE(test_no_files)
 {
-    const char *place = *state;
     char path[4096];
     workspace_scan(place, "d/a.csv", 200, 1);
     workspace_scan(place, "d/s/b.csv", 200, 2);
@@ -488,7 +478,6 @@ TEST_IN_WORKSPACE(test_no_files)
 /* A file that is replaced by a pipe after the scene was read is not waited for either: all reading goes this way. */
 TEST_IN_WORKSPACE(test_reading_a_pipe)
 {
-    const char *place = *state;
     char path[4096];
     struct text text = {0};
     struct status status = {0};
@@ -504,7 +493,6 @@ TEST_IN_WORKSPACE(test_reading_a_pipe)
 /* `inspect --limits` prints the table, row by row, and reads no file. */
 TEST_IN_WORKSPACE(test_limits_are_printed)
 {
-    const char *place = *state;
     struct process process = expect_exit(place, 0, "inspect", "--limits");
     const char *line = process.out;
     for (size_t i = 0; i < LIMIT_COUNT; i++) {

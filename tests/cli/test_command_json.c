@@ -15,23 +15,10 @@ static const char *const scene = "material: tin\neffects: [plasticity, electrica
                                  "targets: [{ecr: 1 uohm}, {area: 5 %}]\n"
                                  "limits: {ecr: {most: 1e-12 mohm}, area: {least: 1e-9}}\n";
 
-/** Parses all of it: what follows the value is an error too. */
-static json_t *parse(const char *text)
-{
-    json_error_t error;
-    json_t *json = json_loads(text, 0, &error);
-    if (!json)
-        fail_msg("no JSON: %s, line %d", error.text, error.line);
-    return json;
-}
-
 static json_t *run_json(const char *place, int status, const char *command, const char *directory)
 {
-    struct process process = directory ? expect_exit(place, status, command, directory, "--json")
-                                       : expect_exit(place, status, command, "--json");
-    json_t *json = parse(process.out);
-    process_free(&process);
-    return json;
+    return process_json(directory ? expect_exit(place, status, command, directory, "--json")
+                                  : expect_exit(place, status, command, "--json"));
 }
 
 static const char *text_of(const json_t *json, const char *key)
@@ -99,7 +86,6 @@ static void expect_described(json_t *json)
 
 TEST_IN_WORKSPACE(test_models)
 {
-    const char *place = *state;
     json_t *json = run_json(place, 0, "models", NULL);
     struct process text = expect_exit(place, 0, "models");
     assert_int_equal(json_array_size(json), model_count);
@@ -123,7 +109,6 @@ TEST_IN_WORKSPACE(test_models)
 
 TEST_IN_WORKSPACE(test_materials)
 {
-    const char *place = *state;
     json_t *json = run_json(place, 0, "materials", NULL);
     struct process text = expect_exit(place, 0, "materials");
     for (size_t p = 0; p < material_property_count; p++)
@@ -172,10 +157,9 @@ static void make_scans(const char *place, bool broken)
 
 TEST_IN_WORKSPACE(test_plan)
 {
-    const char *place = *state;
     make_scans(place, true);
     struct process process = expect_exit(place, 1, "plan", "d", "--json"), text = expect_exit(place, 1, "plan", "d");
-    json_t *json = parse(process.out);
+    json_t *json = json_loads(process.out, 0, NULL);
     assert_string_equal(process.err, text.err);
     const json_t *effects = json_object_get(json, "effects"), *row;
     size_t index;
@@ -213,12 +197,10 @@ TEST_IN_WORKSPACE(test_plan)
     assert_true(json_is_true(json_object_get(find(surfaces, "surface", "a"), "usable")));
     expect_part(text.err, text_of(find(surfaces, "surface", "broken"), "refused"));
     expect_described(json);
-    struct process again = expect_exit(place, 1, "plan", "d", "--json");
-    json_t *second = parse(again.out);
+    json_t *second = run_json(place, 1, "plan", "d");
     assert_true(json_equal(json, second));
     json_decref(second);
     json_decref(json);
-    process_free(&again);
     process_free(&process);
     process_free(&text);
 }
@@ -236,14 +218,10 @@ static void check_text(const char *text, const char *surface, double rq_m)
 
 TEST_IN_WORKSPACE(test_report)
 {
-    const char *place = *state;
     make_scans(place, true);
     struct process process = expect_exit(place, 1, "report", "d", "-o", "out", "--json", "--no-cost"),
                    text = expect_exit(place, 1, "report", "d", "-o", "text", "--no-cost");
-    json_t *json = parse(process.out);
-    char *written = workspace_read(place, "out/results.json");
-    json_t *results = parse(written);
-    free(written);
+    json_t *json = json_loads(process.out, 0, NULL), *results = workspace_json(place, "out/results.json");
     assert_string_equal(text_of(json, "report"), "out/report.html");
     assert_string_equal(text_of(json, "results"), "out/results.json");
     assert_true(json_is_null(json_object_get(json, "error")));
@@ -281,28 +259,23 @@ TEST_IN_WORKSPACE(test_report)
     assert_true(number_of(json_object_get(work, "taken_s"), "total") > 0);
     expect_described(json);
     /* again the same, but for the times */
-    struct process again = expect_exit(place, 1, "report", "d", "-o", "out", "--json", "--no-cost");
-    json_t *second = parse(again.out);
+    json_t *second = process_json(expect_exit(place, 1, "report", "d", "-o", "out", "--json", "--no-cost"));
     json_object_del(json_object_get(json, "work"), "taken_s");
     json_object_del(json_object_get(second, "work"), "taken_s");
     assert_true(json_equal(json, second));
-    process_free(&again);
-    again = expect_exit(place, 5, "report", "d", "-o", "out", "--json", "--no-cost", "--check");
-    json_t *checked = parse(again.out);
+    json_t *checked = process_json(expect_exit(place, 5, "report", "d", "-o", "out", "--json", "--no-cost", "--check"));
     assert_int_equal(number_of(checked, "exit_status"), 5);
     assert_string_equal(text_of(checked, "exit_reason"), "report --check: a limit is missed");
     json_decref(checked);
     json_decref(second);
     json_decref(results);
     json_decref(json);
-    process_free(&again);
     process_free(&process);
     process_free(&text);
 }
 
 TEST_IN_WORKSPACE(test_direct)
 {
-    const char *place = *state;
     workspace_scan(place, "d/a.csv", 200, 1);
     workspace_write(place, "d/scene.yaml",
                     "material: tin\neffects: [electrical]\nload: {from: 1e-4, to: 1e-2, points: 7}\n"
@@ -317,7 +290,6 @@ TEST_IN_WORKSPACE(test_direct)
 /** A command that fails says so in JSON too, and on standard error as ever. */
 TEST_IN_WORKSPACE(test_failures)
 {
-    const char *place = *state;
     static const char *const commands[] = {"report", "direct", "plan"};
     static const struct {
         const char *directory, *message;
@@ -331,7 +303,7 @@ TEST_IN_WORKSPACE(test_failures)
     for (size_t c = 0; c < sizeof commands / sizeof *commands; c++)
         for (size_t w = 0; w < sizeof wrong / sizeof *wrong; w++) {
             struct process process = expect_exit(place, wrong[w].status, commands[c], wrong[w].directory, "--json");
-            json_t *json = parse(process.out);
+            json_t *json = json_loads(process.out, 0, NULL);
             expect_part(process.err, wrong[w].message);
             expect_part(text_of(json, "error"), wrong[w].message);
             assert_string_equal(text_of(json, "directory"), wrong[w].directory);
@@ -343,11 +315,9 @@ TEST_IN_WORKSPACE(test_failures)
             process_free(&process);
         }
     workspace_write(place, "bad/scene.yaml", "material: tin\n");
-    struct process process = expect_exit(place, 2, "report", "bad", "--json", "--check");
-    json_t *json = parse(process.out);
+    json_t *json = process_json(expect_exit(place, 2, "report", "bad", "--json", "--check"));
     expect_part(text_of(json, "error"), "--check: the scene has no 'limits' to check");
     json_decref(json);
-    process_free(&process);
     expect_failure(place, 2, 3, "--show draws where --json prints", "report", "bad", "--json", "--show");
     assert_false(workspace_has(place, "out"));
 }
@@ -355,7 +325,6 @@ TEST_IN_WORKSPACE(test_failures)
 /** A name that no terminal and no JSON may have. */
 TEST_IN_WORKSPACE(test_hostile_name)
 {
-    const char *place = *state;
     workspace_scan(place, "d/a\x1b[31m\xff\".csv", 200, 1);
     json_t *json = run_json(place, 0, "report", "d");
     assert_string_equal(text_of(json_array_get(json_object_get(json, "surfaces"), 0), "surface"), "a\\x1b[31m\\xff\"");
@@ -368,7 +337,6 @@ TEST_IN_WORKSPACE(test_hostile_name)
 /** From anywhere, of the program alone, writing nothing; in text and in JSON the same. */
 TEST_IN_WORKSPACE(test_self_test)
 {
-    const char *place = *state;
     char *before = workspace_digest(place, ".");
     struct process text = expect_exit(place, 0, "self-test"), verbose = expect_exit(place, 0, "self-test", "--verbose");
     json_t *json = run_json(place, 0, "self-test", NULL), *group;

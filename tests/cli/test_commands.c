@@ -14,7 +14,6 @@
 
 TEST_IN_WORKSPACE(test_help)
 {
-    const char *place = *state;
     static const char *const spellings[] = {"--help", "-h", "help"};
     for (size_t i = 0; i < 3; i++) {
         struct process process = expect_exit(place, 0, spellings[i]);
@@ -60,7 +59,6 @@ TEST_IN_WORKSPACE(test_help)
 /* The version alone in the first line; then what the program is made of, each with a number. */
 TEST_IN_WORKSPACE(test_version)
 {
-    const char *place = *state;
     static const char *const parts[] = {"FFTW",   "GSL",  "libyaml", "jansson", "expat",  "zlib",
                                         "libzip", "md4c", "libmd",   "glibc",   "gnuplot"};
     struct process process = expect_exit(place, 0, "--version"), again = expect_exit(place, 0, "-V");
@@ -85,7 +83,6 @@ TEST_IN_WORKSPACE(test_version)
 
 TEST_IN_WORKSPACE(test_usage)
 {
-    const char *place = *state;
     expect_failure(place, 2, 1, "unknown command 'reprot'; did you mean 'report'?", "reprot", "d");
     expect_failure(place, 2, 1,
                    "unknown command '--bogus'; allowed: report, direct, plan, inspect, view, synth, models, materials, "
@@ -110,7 +107,6 @@ TEST_IN_WORKSPACE(test_usage)
 /* The first page alone, by both commands that report, and plan says so. */
 TEST_IN_WORKSPACE(test_brief)
 {
-    const char *place = *state;
     workspace_scan(place, "d/a.csv", 200, 1);
     workspace_write(place, "d/scene.yaml",
                     "material: tin\neffects: [electrical]\nload: {from: 1e-4, to: 1e-2, points: 7}\n"
@@ -137,7 +133,6 @@ TEST_IN_WORKSPACE(test_brief)
 
 TEST_IN_WORKSPACE(test_plan)
 {
-    const char *place = *state;
     workspace_scan(place, "d/a.csv", 200, 1);
     workspace_write(place, "d/scene.yaml",
                     "material: tin\neffects: [electrical]\nload: {from: 1e-4, to: 1e-2, points: 7}\n");
@@ -176,7 +171,6 @@ TEST_IN_WORKSPACE(test_plan)
 
 TEST_IN_WORKSPACE(test_inspect)
 {
-    const char *place = *state;
     workspace_scan(place, "a.csv", 300, 1);
     workspace_scan(place, "b.csv", 300, 2);
     workspace_write(place, "bad.csv", "nothing\n");
@@ -219,11 +213,9 @@ TEST_IN_WORKSPACE(test_inspect_json)
     static const char *const numbers[] = {"points", "spacing_m", "length_m",  "missing",  "rq_m", "ra_m",
                                           "pv_m",   "m2",        "m4_per_m2", "alpha_SI", "gamma"};
     static const char *const texts[] = {"file", "format", "kind", "x_unit", "z_unit"};
-    const char *place = *state;
     workspace_scan(place, "a.csv", 300, 1);
     workspace_write(place, "bad.csv", "nothing\n");
-    struct process process = expect_exit(place, 1, "inspect", "--json", "a.csv", "bad.csv");
-    json_t *json = json_loads(process.out, 0, NULL);
+    json_t *json = process_json(expect_exit(place, 1, "inspect", "--json", "a.csv", "bad.csv"));
     assert_int_equal(json_array_size(json), 2);
     json_t *good = json_array_get(json, 0), *bad = json_array_get(json, 1);
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
@@ -241,26 +233,19 @@ TEST_IN_WORKSPACE(test_inspect_json)
     expect_part(json_string_value(json_object_get(bad, "error")), "no line of numbers in it");
     assert_int_equal(json_object_size(bad), 2);
     json_decref(json);
-    process_free(&process);
-
-    process = expect_exit(place, 4, "inspect", "--json", "bad.csv");
-    json = json_loads(process.out, 0, NULL);
+    json = process_json(expect_exit(place, 4, "inspect", "--json", "bad.csv"));
     assert_int_equal(json_array_size(json), 1);
     json_decref(json);
-    process_free(&process);
     /* units that the file does not name */
     workspace_write(place, "plain.csv", "0,1\n1,3\n2,2\n3,5\n4,1\n5,4\n6,2\n7,6\n8,3\n9,1\n");
     expect_failure(place, 4, 1, "plain.csv: no unit for z; add", "inspect", "--x-unit", "um", "plain.csv");
-    process = expect_exit(place, 0, "inspect", "--json", "--x-unit", "mm", "--z-unit", "um", "plain.csv");
-    json = json_loads(process.out, 0, NULL);
+    json = process_json(expect_exit(place, 0, "inspect", "--json", "--x-unit", "mm", "--z-unit", "um", "plain.csv"));
     assert_near(json_number_value(json_object_get(json_array_get(json, 0), "spacing_m")), 1e-3, 1e-12);
     json_decref(json);
-    process_free(&process);
 }
 
 TEST_IN_WORKSPACE(test_synth)
 {
-    const char *place = *state;
     struct process process = expect_exit(place, 0, "synth", "--alpha", "0.1", "--gamma", "1.4", "--length", "0.5mm",
                                          "--points", "1000", "--seed", "7", "-o", "a.csv");
     assert_string_equal(process.out, "");
@@ -271,20 +256,17 @@ TEST_IN_WORKSPACE(test_synth)
     assert_string_equal(process.out, written);
     process_free(&process);
     free(written);
-    process = expect_exit(place, 0, "inspect", "--json", "--fit=thesis", "a.csv");
-    json_t *json = json_loads(process.out, 0, NULL), *found = json_array_get(json, 0);
+    json_t *json = process_json(expect_exit(place, 0, "inspect", "--json", "--fit=thesis", "a.csv")),
+           *found = json_array_get(json, 0);
     assert_int_equal(json_integer_value(json_object_get(found, "points")), 1000);
     assert_near(json_number_value(json_object_get(found, "spacing_m")), 0.5e-6, 1e-9);
     assert_near(json_number_value(json_object_get(found, "gamma")), 1.4, 1e-4);
     assert_near(json_number_value(json_object_get(found, "alpha_SI")), 0.1, 1e-3);
     json_decref(json);
-    process_free(&process);
     run_to_exit(place, 0, "synth", "--rq", "5um", "--points", "500", "-o", "b.csv");
-    process = expect_exit(place, 0, "inspect", "--json", "b.csv");
-    json = json_loads(process.out, 0, NULL);
+    json = process_json(expect_exit(place, 0, "inspect", "--json", "b.csv"));
     assert_near(json_number_value(json_object_get(json_array_get(json, 0), "rq_m")), 5e-6, 1e-5);
     json_decref(json);
-    process_free(&process);
 }
 
 TEST_IN_WORKSPACE(test_synth_refuses)
@@ -312,7 +294,6 @@ TEST_IN_WORKSPACE(test_synth_refuses)
         {"--lambda-s", "1m", "harmonic", 1},
         {"--bogus", "1", "unrecognized option '--bogus'", 3},
     };
-    const char *place = *state;
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
         expect_failure(place, 2, wrong[i].lines, wrong[i].message, "synth", wrong[i].option, wrong[i].value);
     expect_failure(place, 2, 3, "no argument is taken, but there is 'file.csv'", "synth", "file.csv");

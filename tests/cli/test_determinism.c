@@ -32,7 +32,6 @@ static void write_scans(const char *place)
 
 TEST_IN_WORKSPACE(test_same_bytes)
 {
-    const char *place = *state;
     write_scans(place);
     run(place, "one", "--jobs=1");
     char *reference = workspace_digest(place, "one");
@@ -95,7 +94,6 @@ static void expect_hash(const char *place, const char *path, const char *file)
 /* One scan so large that what is made of it is shared out among threads; of some models and of all. */
 TEST_IN_WORKSPACE(test_one_large_scan)
 {
-    const char *place = *state;
     static const char *const scenes[] = {"material: tin\nmodels: [multiscale, strip]\n", "material: tin\n"};
     workspace_scan(place, "d/a.csv", 70000, 5);
     for (size_t s = 0; s < sizeof scenes / sizeof *scenes; s++) {
@@ -114,7 +112,6 @@ TEST_IN_WORKSPACE(test_one_large_scan)
 
 TEST_IN_WORKSPACE(test_other_directories)
 {
-    const char *place = *state;
     write_scans(place);
     expect_output(expect_exit(place, 0, "report", "--no-cost", "d"), "\nout/d/report.html\n");
     char *reference = workspace_digest(place, "out/d");

@@ -31,22 +31,6 @@ static void report(const char *place, const char *out, const char *jobs)
     run_to_exit(place, 0, "report", "d", "-o", out, "--no-cost", "-j", jobs);
 }
 
-static struct table data(const char *place, const char *path)
-{
-    char full[512];
-    snprintf(full, sizeof full, "%s/%s", place, path);
-    return table_read_path(full);
-}
-
-static json_t *results(const char *place)
-{
-    char full[512];
-    snprintf(full, sizeof full, "%s/out/results.json", place);
-    json_t *all = json_load_file(full, 0, NULL);
-    assert_non_null(all);
-    return all;
-}
-
 /** Root mean square gradient of the surfaces, sqrt(2 m2), of the law in results.json. */
 static double gradient_of(const json_t *direct)
 {
@@ -65,7 +49,6 @@ static double gradient_of(const json_t *direct)
 
 TEST_IN_WORKSPACE(test_files)
 {
-    const char *place = *state;
     write_profile(place, EFFECTS SMALL);
     report(place, "out", "2");
     char *csv = workspace_read(place, "out/data/direct.csv");
@@ -84,12 +67,12 @@ TEST_IN_WORKSPACE(test_files)
 /* What the numbers are: area as literature has it, resistance as the gap's slope says, the cap's area. */
 TEST_IN_WORKSPACE(test_numbers)
 {
-    const char *place = *state;
     write_profile(place,
                   EFFECTS "direct: {grid: 64, seeds: 2, loads: [1e-3, 1.05e-3, 1.1e-3, 4e-3], hardness: 400 MPa}\n");
     report(place, "out", "1");
-    struct table t = data(place, "out/data/direct.csv"), r = data(place, "out/data/direct_ratio.csv");
-    json_t *all = results(place);
+    struct table t = workspace_table(place, "out/data/direct.csv"),
+                 r = workspace_table(place, "out/data/direct_ratio.csv");
+    json_t *all = workspace_json(place, "out/results.json");
     double g = gradient_of(json_array_get(json_object_get(all, "direct"), 0)), modulus = 41.4e9 / (1 - 0.36 * 0.36);
     size_t elastic = 0, capped = 0;
     for (size_t i = 0; i < t.rows; i++) {
@@ -126,7 +109,6 @@ TEST_IN_WORKSPACE(test_numbers)
 
 TEST_IN_WORKSPACE(test_same_bytes)
 {
-    const char *place = *state;
     write_profile(place, EFFECTS SMALL);
     report(place, "one", "1");
     report(place, "two", "2");
@@ -138,7 +120,6 @@ TEST_IN_WORKSPACE(test_same_bytes)
 
 TEST_IN_WORKSPACE(test_off)
 {
-    const char *place = *state;
     static const char *const scenes[] = {EFFECTS, EFFECTS "direct: off\n", "effects: auto\n"};
     for (size_t s = 0; s < 3; s++) {
         write_profile(place, scenes[s]);
@@ -148,20 +129,17 @@ TEST_IN_WORKSPACE(test_off)
         expect_not_in_file(place, "out/report.md", "## Against a direct solution");
         expect_in_file(place, "out/report.md",
                        "| direct | skipped | not called for; it would say how far each model is off: ");
-        json_t *all = results(place);
+        json_t *all = workspace_json(place, "out/results.json");
         assert_null(json_object_get(all, "direct"));
         json_decref(all);
-        struct process plan = expect_exit(place, 0, "plan", "d");
-        expect_part(plan.out,
-                    "it would say how far each model is off: 1024 x 1024 points, 12 surfaces and a finer grid");
-        process_free(&plan);
+        expect_output(expect_exit(place, 0, "plan", "d"),
+                      "it would say how far each model is off: 1024 x 1024 points, 12 surfaces and a finer grid");
     }
 }
 
 /* What the command line says stands over the scene. */
 TEST_IN_WORKSPACE(test_called_for)
 {
-    const char *place = *state;
     write_profile(place, "effects: [separation]\ndirect: {grid: 32, seeds: 1, loads: [2e-2]}\n");
     struct process run = expect_exit(place, 0, "report", "d", "--no-cost", "--effects", "separation");
     assert_false(workspace_has(place, "out/d/data/direct.csv"));
@@ -169,7 +147,7 @@ TEST_IN_WORKSPACE(test_called_for)
     run = expect_exit(place, 0, "direct", "d", "--no-cost", "--effects", "separation");
     assert_true(workspace_has(place, "out/d/data/direct.csv"));
     process_free(&run);
-    struct table t = data(place, "out/d/data/direct.csv");
+    struct table t = workspace_table(place, "out/d/data/direct.csv");
     assert_int_equal(t.columns, 12); /* no resistance: no column */
     table_free(&t);
     run = expect_exit(place, 0, "report", "d", "--no-cost", "-o", "o2", "--effects", "direct");
@@ -206,7 +184,6 @@ static double number_before(const char *line, const char *unit)
 /* A budget is kept by counts alone: the same twice, more solved for more, never above it where anything fits. */
 TEST_IN_WORKSPACE(test_budget)
 {
-    const char *place = *state;
     static const char *const budgets[] = {"0.2", "1 s", "3", "10 s", "100"};
     double before = 0;
     workspace_scan(place, "d/a.csv", 400, 3);
@@ -233,7 +210,6 @@ TEST_IN_WORKSPACE(test_budget)
 /* A map is its own surface: one solution, no law, no other heights. */
 TEST_IN_WORKSPACE(test_map)
 {
-    const char *place = *state;
     char text[20000];
     size_t used = (size_t)snprintf(text, sizeof text, "DSAA\n24 20\n0 23e-6\n0 19e-6\n-1e-6 1e-6\n");
     for (int j = 0; j < 20; j++)
@@ -245,7 +221,7 @@ TEST_IN_WORKSPACE(test_map)
                     "material: tin\neffects: [separation, electrical, direct]\nload: {from: 1e-4, to: 1, points: 41}\n"
                     "surfaces: [{name: m, file: map.grd, x_unit: m, z_unit: m}]\ndirect: {loads: 5}\n");
     report(place, "out", "2");
-    struct table t = data(place, "out/data/direct.csv");
+    struct table t = workspace_table(place, "out/data/direct.csv");
     assert_int_equal(t.rows, 5);
     size_t numbers = 0;
     double differs = 0;
@@ -265,24 +241,21 @@ TEST_IN_WORKSPACE(test_map)
     assert_true(numbers >= 2);
     assert_true(differs > 0);
     table_free(&t);
-    char *page = workspace_read(place, "out/report.md");
-    expect_parts(page, "without a model: the map itself, 40 × 40 points", "All of it is true at this resolution");
-    free(page);
+    expect_in_file(place, "out/report.md", "without a model: the map itself, 40 × 40 points",
+                   "All of it is true at this resolution");
 }
 
 /* Four spacings for want of a lambda_s: the plan and the report say that the solution is true at this resolution. */
 TEST_IN_WORKSPACE(test_resolution)
 {
-    const char *place = *state;
     workspace_scan(place, "d/a.csv", 64, 1);
     write_scene(place, EFFECTS "direct: {grid: 128, seeds: 1, loads: [2e-3, 1e-2]}\n");
-    struct process plan = expect_exit(place, 0, "plan", "d");
-    expect_part(plan.out, ", down to waves of four spacings, for want of a lambda_s: true at this resolution");
-    process_free(&plan);
+    expect_output(expect_exit(place, 0, "plan", "d"),
+                  ", down to waves of four spacings, for want of a lambda_s: true at this resolution");
     report(place, "out", "2");
     char *page = workspace_read(place, "out/report.md");
     expect_part(page, "All of it is true at this resolution");
-    json_t *all = results(place);
+    json_t *all = workspace_json(place, "out/results.json");
     double gamma = json_number_value(json_object_get(json_array_get(json_object_get(all, "direct"), 0), "gamma"));
 
     assert_true(gamma < 1.5);
@@ -290,18 +263,15 @@ TEST_IN_WORKSPACE(test_resolution)
     free(page);
     write_scene(place, EFFECTS "direct: {grid: 128, seeds: 2, loads: [2e-3, 1e-2]}\nlambda_s_m: 6e-6\n");
     report(place, "out", "2");
-    page = workspace_read(place, "out/report.md");
-    expect_no_part(page, "true at this resolution");
-    free(page);
+    expect_not_in_file(place, "out/report.md", "true at this resolution");
 }
 
 /* Two surfaces beside six: an error no less than the scatter of the six says; of the capped area none is borrowed. */
 TEST_IN_WORKSPACE(test_few_surfaces)
 {
-    const char *place = *state;
     write_profile(place, EFFECTS "direct: {grid: 64, seeds: 5, loads: [1e-3, 2e-3, 4e-3], hardness: 400 MPa}\n");
     report(place, "out", "2");
-    struct table t = data(place, "out/data/direct.csv");
+    struct table t = workspace_table(place, "out/data/direct.csv");
     static const char *const columns[][2] = {
         {"gap_m", "gap_stderr"}, {"ecr_ohm_m2", "ecr_stderr"}, {"area_ratio", "area_stderr"}};
     size_t compared = 0, alike = 0, bare = 0;
@@ -332,11 +302,10 @@ TEST_IN_WORKSPACE(test_few_surfaces)
  * elastic-plastic area that is P/H in both says so, and what was not run does. */
 TEST_IN_WORKSPACE(test_cost_errors)
 {
-    const char *place = *state;
     write_profile(place, EFFECTS "direct: {grid: 64, seeds: 3, loads: [1e-4, 3e-4, 1e-3, 1e-2]}\n");
-    struct process run = expect_exit(place, 0, "report", "d", "-o", "out");
-    process_free(&run);
-    struct table cost = data(place, "out/data/cost.csv"), ratios = data(place, "out/data/direct_ratio.csv");
+    run_to_exit(place, 0, "report", "d", "-o", "out");
+    struct table cost = workspace_table(place, "out/data/cost.csv"),
+                 ratios = workspace_table(place, "out/data/direct_ratio.csv");
     static const char *const quantities[] = {"area", "gap", "ecr"};
     size_t compared = 0, fewer = 0;
     for (size_t r = 0; r < cost.rows; r++)
@@ -368,18 +337,14 @@ TEST_IN_WORKSPACE(test_cost_errors)
 
 TEST_IN_WORKSPACE(test_impossible)
 {
-    const char *place = *state;
     write_profile(place, EFFECTS "load: {values: [1e-9]}\ndirect: {grid: 64, seeds: 1}\n");
     report(place, "out", "1");
     assert_false(workspace_has(place, "out/data/direct.csv"));
-    char *page = workspace_read(place, "out/report.md");
-    expect_part(page, "No direct solution: called for, but no load of the scene lies between");
-    free(page);
+    expect_in_file(place, "out/report.md", "No direct solution: called for, but no load of the scene lies between");
 }
 
 TEST_IN_WORKSPACE(test_key)
 {
-    const char *place = *state;
     static const struct {
         const char *key, *message;
     } wrong[] = {
@@ -403,7 +368,6 @@ TEST_IN_WORKSPACE(test_key)
 /* Ctrl-C in the midst of it: OUT is as it was. */
 TEST_IN_WORKSPACE(test_stopped)
 {
-    const char *place = *state;
     write_profile(place, EFFECTS "direct: {grid: 1024, seeds: 100}\n");
     struct process_running running = process_start(place, "report", "d", "-o", "out", "--no-cost");
     nanosleep(&(struct timespec){1, 0}, NULL);

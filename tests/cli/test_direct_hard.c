@@ -71,13 +71,6 @@ static void report(const char *place, int status, const char *direct)
     assert_true(workspace_expect_numbers(place, "out") > 20);
 }
 
-static struct table data(const char *place, const char *name)
-{
-    char full[512];
-    snprintf(full, sizeof full, "%s/out/%s", place, name);
-    return table_read_path(full);
-}
-
 static const char *const numbers[] = {"area_ratio", "area_stderr", "gap_m",          "gap_stderr",
                                       "ecr_ohm_m2", "ecr_stderr",  "tcr_K_m2_per_W", "patches"};
 enum { NUMBERS = sizeof numbers / sizeof *numbers };
@@ -102,10 +95,8 @@ static size_t points_drawn(const char *place)
 /** No quantity in results.json's direct solutions, nor a model over one. */
 static void expect_nulls(const char *place)
 {
-    char full[512];
-    snprintf(full, sizeof full, "%s/out/results.json", place);
-    json_t *all = json_load_file(full, 0, NULL), *direct = json_array_get(json_object_get(all, "direct"), 0), *curve,
-           *model, *value, *one;
+    json_t *all = workspace_json(place, "out/results.json"),
+           *direct = json_array_get(json_object_get(all, "direct"), 0), *curve, *model, *value, *one;
     const char *name, *quantity;
     size_t k, i, seen = 0;
     json_array_foreach(json_object_get(direct, "solutions"), k, curve)
@@ -135,10 +126,10 @@ static void expect_nulls(const char *place)
 /* Fewer than 100 points in contact: no number in tables, ratios, charts, JSON or text, and no picture. */
 TEST_IN_WORKSPACE(test_below_resolution)
 {
-    const char *place = *state;
     write_surface(place, "d/a.csv", rough);
     report(place, 0, "grid: 64, seeds: 2, loads: [1e-9, 1e-8], surfaces: all");
-    struct table t = data(place, "data/direct.csv"), r = data(place, "data/direct_ratio.csv");
+    struct table t = workspace_table(place, "out/data/direct.csv"),
+                 r = workspace_table(place, "out/data/direct_ratio.csv");
     assert_int_equal(t.rows, 6); /* two loads of three kinds */
     for (size_t i = 0; i < t.rows; i++)
         for (size_t k = 0; k < NUMBERS; k++)
@@ -153,19 +144,16 @@ TEST_IN_WORKSPACE(test_below_resolution)
     table_free(&r);
     assert_int_equal(points_drawn(place), 0);
     expect_nulls(place);
-    char *page = workspace_read(place, "out/report.md");
-    expect_part(page, "Nowhere do the 100 points of this grid touch that a number takes.");
-    expect_no_parts(page, "The direct solution of", "is the nearest elastic one");
-    free(page);
+    expect_in_file(place, "out/report.md", "Nowhere do the 100 points of this grid touch that a number takes.");
+    expect_not_in_file(place, "out/report.md", "The direct solution of", "is the nearest elastic one");
 }
 
 /* Where some loads are resolved, those have numbers and one of them the picture. */
 TEST_IN_WORKSPACE(test_partly_below_resolution)
 {
-    const char *place = *state;
     write_surface(place, "d/a.csv", rough);
     report(place, 0, "grid: 64, seeds: 2, loads: [1e-9, 3e-2], surfaces: all");
-    struct table t = data(place, "data/direct.csv");
+    struct table t = workspace_table(place, "out/data/direct.csv");
     size_t with = 0, without = 0;
     for (size_t i = 0; i < t.rows; i++) {
         bool resolved = table_number(&t, i, "load_over_AnEp") > 1e-2;
@@ -183,11 +171,10 @@ TEST_IN_WORKSPACE(test_partly_below_resolution)
 /* From the load on that is the hardness there is no capped solution; with all loads beyond, none at all. */
 TEST_IN_WORKSPACE(test_loads_at_the_hardness)
 {
-    const char *place = *state;
     const double modulus = 41.4e9 / (1 - 0.36 * 0.36);
     write_surface(place, "d/a.csv", rough);
     report(place, 0, "grid: 64, seeds: 2, loads: [8e-3, 1e-2, 2e-2], hardness: 475 MPa, surfaces: all");
-    struct table t = data(place, "data/direct.csv");
+    struct table t = workspace_table(place, "out/data/direct.csv");
     size_t capped = 0, elastic = 0;
     for (size_t i = 0; i < t.rows; i++) {
         double load = table_number(&t, i, "load_over_AnEp");
@@ -203,22 +190,20 @@ TEST_IN_WORKSPACE(test_loads_at_the_hardness)
     assert_int_equal(capped, 1);
     table_free(&t);
     report(place, 0, "grid: 64, seeds: 2, loads: [8e-3, 2e-2], hardness: 1 MPa, surfaces: all");
-    t = data(place, "data/direct.csv");
+    t = workspace_table(place, "out/data/direct.csv");
     for (size_t i = 0; i < t.rows; i++)
         assert_string_equal(table_text(&t, i, "hardness_Pa"), "");
     table_free(&t);
-    char *page = workspace_read(place, "out/report.md");
-    expect_no_part(page, "direct, with the hardness");
-    free(page);
+    expect_not_in_file(place, "out/report.md", "direct, with the hardness");
 }
 
 /* Complete contact: all of the area, no gap, no resistance, and no ratio to nothing. */
 TEST_IN_WORKSPACE(test_complete_contact)
 {
-    const char *place = *state;
     write_surface(place, "d/a.csv", rough);
     report(place, 0, "grid: 64, seeds: 2, loads: [10], surfaces: all");
-    struct table t = data(place, "data/direct.csv"), r = data(place, "data/direct_ratio.csv");
+    struct table t = workspace_table(place, "out/data/direct.csv"),
+                 r = workspace_table(place, "out/data/direct_ratio.csv");
     assert_int_equal(t.rows, 2);
     for (size_t i = 0; i < t.rows; i++) {
         assert_true(table_number(&t, i, "area_ratio") == 1 && table_number(&t, i, "gap_m") == 0);
@@ -236,7 +221,6 @@ TEST_IN_WORKSPACE(test_complete_contact)
  * surface is refused and leaves no row. */
 TEST_IN_WORKSPACE(test_strange_surfaces)
 {
-    const char *place = *state;
     write_surface(place, "d/rough.csv", rough_law);
     write_surface(place, "d/smooth.csv", smooth_law);
     write_surface(place, "d/spike.csv", spike);
@@ -245,7 +229,7 @@ TEST_IN_WORKSPACE(test_strange_surfaces)
         char direct[128];
         snprintf(direct, sizeof direct, "grid: %zu, seeds: 2, loads: [1e-4, 1e-2, 0.3, 100], surfaces: all", grid);
         report(place, 1, direct);
-        struct table t = data(place, "data/direct.csv");
+        struct table t = workspace_table(place, "out/data/direct.csv");
         size_t rows[3] = {0};
         for (size_t i = 0; i < t.rows; i++) {
             const char *name = table_text(&t, i, "surface");
@@ -267,7 +251,6 @@ TEST_IN_WORKSPACE(test_strange_surfaces)
 /* A map below its resolution, as a profile: no number, no picture. */
 TEST_IN_WORKSPACE(test_map_below_resolution)
 {
-    const char *place = *state;
     enum { N = 32 };
     char text[N * N * 20];
     size_t used = (size_t)snprintf(text, sizeof text, "DSAA\n%d %d\n0 31e-6\n0 31e-6\n-1e-6 1e-6\n", N, N);
@@ -279,7 +262,7 @@ TEST_IN_WORKSPACE(test_map_below_resolution)
                     SCENE "surfaces: [{name: m, file: m.grd, x_unit: m, z_unit: m}]\ndirect: {loads: [1e-9, 0.05]}\n");
     run_to_exit(place, 0, "report", "d", "-o", "out", "--no-cost");
     assert_true(workspace_expect_numbers(place, "out") > 20);
-    struct table t = data(place, "data/direct.csv");
+    struct table t = workspace_table(place, "out/data/direct.csv");
     size_t with = 0;
     for (size_t i = 0; i < t.rows; i++) {
         bool resolved = table_number(&t, i, "load_over_AnEp") > 1e-2;

@@ -124,7 +124,6 @@ static size_t check_sections(const char *document, const char *place)
 
 TEST_IN_WORKSPACE(report_is_described)
 {
-    const char *place = *state;
     static const char *const tables[] = {"surfaces.csv",     "spectrum.csv",    "contact.csv", "convergence.csv",
                                          "cost.csv",         "spread.csv",      "bands.csv",   "direct.csv",
                                          "direct_ratio.csv", "sensitivity.csv", "answers.csv"};
@@ -150,12 +149,9 @@ TEST_IN_WORKSPACE(report_is_described)
     for (size_t i = 0; i < sizeof tables / sizeof *tables; i++)
         columns += check_columns(document, place, tables[i]);
     assert_true(columns > 50);
-    char *text = workspace_read(place, "out/results.json");
-    json_t *results = json_loads(text, 0, NULL);
-    assert_non_null(results);
+    json_t *results = workspace_json(place, "out/results.json");
     assert_true(check_keys(document, results) > 200);
     json_decref(results);
-    free(text);
     size_t sections = check_sections(document, place);
     workspace_write(place, "in/scene.yaml", "surfaces: [{name: two, file: c.csv}]\n"); /* a smooth counterface */
     run_to_exit(place, 0, "report", "in", "-o", "out");
@@ -167,7 +163,6 @@ TEST_IN_WORKSPACE(report_is_described)
 /** What docs/tutorial.md quotes, a line behind "> ", stands in the report that it speaks of. */
 TEST_IN_WORKSPACE(tutorial_quotes_the_report)
 {
-    const char *place = *state;
     char *document = workspace_read(PROJECT_SOURCE, "docs/tutorial.md");
     run_to_exit(place, 0, "report", PROJECT_SOURCE "/surfaces/connector", "-o", "out", "--no-cost", "--check");
     char *report = workspace_read(place, "out/report.md");

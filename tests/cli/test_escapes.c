@@ -180,7 +180,6 @@ static void assert_process(struct process process, const char *what)
 
 TEST_IN_WORKSPACE(test_report)
 {
-    const char *place = *state;
     write_scans(place);
     workspace_write(
         place, "d/scene.yaml",
@@ -191,8 +190,7 @@ TEST_IN_WORKSPACE(test_report)
 
     /* every name once in the tables, as written above, and the same in results.json */
     char *csv = workspace_read(place, "out/d/data/surfaces.csv");
-    char *text = workspace_read(place, "out/d/results.json");
-    json_t *json = json_loads(text, 0, NULL), *surfaces = json_object_get(json, "surfaces");
+    json_t *json = workspace_json(place, "out/d/results.json"), *surfaces = json_object_get(json, "surfaces");
     assert_int_equal(json_array_size(surfaces), NAMES);
     size_t found[NAMES] = {0}, in_json[NAMES] = {0}, rows = 0;
     const char *at = csv;
@@ -217,7 +215,6 @@ TEST_IN_WORKSPACE(test_report)
         if (found[i] != 1 || in_json[i] != 1)
             fail_msg("'%s': %zu times in surfaces.csv, %zu in results.json", names[i].cell, found[i], in_json[i]);
     json_decref(json);
-    free(text);
     free(csv);
 
     expect_in_file(place, "out/d/report.html", "red\\x1b[31m", "gnp.\\u202efdp");
@@ -225,7 +222,6 @@ TEST_IN_WORKSPACE(test_report)
 
 TEST_IN_WORKSPACE(test_commands)
 {
-    const char *place = *state;
     write_scans(place);
     workspace_write(place, "d/notes \x1b\u202E.md", "text\n");
     workspace_write(place, "bad \x1b\xFF\u202E.csv", "x [um],z [um]\n0,1\n1,2\n2,\xC2\x9B\u202E\x07\n");
@@ -255,7 +251,6 @@ TEST_IN_WORKSPACE(test_commands)
 /* Of two surfaces every legend names both; gnuplot writes what it is given. */
 TEST_IN_WORKSPACE(test_legends)
 {
-    const char *place = *state;
     workspace_scan(place, "d/]]>.csv", 100, 1);
     workspace_scan(place, "d/=]]>\x1b\u202E&<.csv", 100, 2);
     assert_process(expect_exit(place, 0, "report", "d", "--no-cost", "-m", "tin", "-e", "plasticity"), "report");
@@ -266,7 +261,6 @@ TEST_IN_WORKSPACE(test_legends)
 /* A surface whose material says too little is named where an effect is left out. */
 TEST_IN_WORKSPACE(test_reasons)
 {
-    const char *place = *state;
     workspace_scan(place, "d/a.csv", 100, 1);
     workspace_scan(place, "d/b.csv", 100, 2);
     workspace_write(place, "d/scene.yaml",

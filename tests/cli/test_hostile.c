@@ -165,7 +165,6 @@ static void check_report(const char *place, const char *report)
 
 TEST_IN_WORKSPACE(test_file_names)
 {
-    const char *place = *state;
     write_hostile_scene(place, NULL);
     struct process process = expect_exit(place, 0, "report", "d", "--show", "-m", "tin", "-e", "plasticity,separation");
     assert_clean_text(process.out, "stdout");
@@ -181,18 +180,13 @@ TEST_IN_WORKSPACE(test_file_names)
     expect_in_file(place, "out/d/data/surfaces.csv", "\n\"double\"\"quote\",\"double\"\"quote.csv\",100,",
                    "\nnew\\x0aline,new\\x0aline.csv,100,", "\n\"'=cmd,x;y\\x09tab\",", "\na|b,a|b.csv,100,");
 
-    json_error_t error;
-    char *text = workspace_read(place, "out/d/results.json");
-    json_t *json = json_loads(text, 0, &error);
-    assert_non_null(json);
+    json_t *json = workspace_json(place, "out/d/results.json");
     assert_int_equal(json_array_size(json_object_get(json, "surfaces")), NAMES + 1);
     json_decref(json);
-    free(text);
 }
 
 TEST_IN_WORKSPACE(test_drawings)
 {
-    const char *place = *state;
     write_hostile_scene(place, "baseline: \"</title></svg><:table>\"\n");
     expect_failure(place, 3, 1, "'baseline' is '</title></svg><:table>', no surface's name", "report", "d");
     workspace_write(place, "d/scene.yaml", "material: tin\nbaseline: \"a|b\"\neffects: [plasticity]\n");
@@ -210,7 +204,6 @@ TEST_IN_WORKSPACE(test_drawings)
 
 TEST_IN_WORKSPACE(test_title_and_names_of_the_scene)
 {
-    const char *place = *state;
     workspace_scan(place, "d/a.csv", 100, 1);
     workspace_write(
         place, "d/scene.yaml",
@@ -237,7 +230,6 @@ TEST_IN_WORKSPACE(test_title_and_names_of_the_scene)
 /** Refusals quote hostile names and contents; the terminal gets none of their control characters. */
 TEST_IN_WORKSPACE(test_refusals)
 {
-    const char *place = *state;
     workspace_scan(place, "d/good.csv", 100, 1);
     workspace_write(place, "d/bad \x1b[31m\n<b>|\xff.csv", "x [um],z [um]\n0,1\n1,2\n2,<script>\x1b]0;\x07\n");
     struct process process = expect_exit(place, 1, "report", "d", "-m", "tin", "-e", "plasticity");

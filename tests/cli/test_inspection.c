@@ -176,7 +176,6 @@ static json_t *inspect_first(struct process process)
 /* A map of 6 x 4 heights, of which the plane leaves (-1)^(x + y) um. */
 TEST_IN_WORKSPACE(test_a_map_on_the_command_line)
 {
-    const char *place = *state;
     workspace_write(place, "map.txt",
                     "pixel size = 2 um\n1 -1 1 -1 1 -1\n-1 1 -1 1 -1 1\n1 -1 1 -1 1 -1\n-1 1 -1 1 -1 1\n");
     json_t *map = inspect_first(expect_exit(place, 0, "inspect", "--json", "--z-unit", "um", "map.txt"));
@@ -191,15 +190,12 @@ TEST_IN_WORKSPACE(test_a_map_on_the_command_line)
     assert_near(number(map, "m4_per_m2"), 1e12, 1e-9); /* (4 um/(2 um)²)² */
     assert_null(json_object_get(map, "parameters"));
     json_decref(map);
-    struct process text = expect_exit(place, 0, "inspect", "--no-chart", "--z-unit", "um", "map.txt");
-    expect_part(text.out, "points      6 x 4, spacing 2 um x 2 um, 0 missing");
-    expect_part(text.out, "plane out   Sq ");
-    process_free(&text);
+    expect_output(expect_exit(place, 0, "inspect", "--no-chart", "--z-unit", "um", "map.txt"),
+                  "points      6 x 4, spacing 2 um x 2 um, 0 missing", "plane out   Sq ");
 }
 
 TEST_IN_WORKSPACE(test_options)
 {
-    const char *place = *state;
     workspace_scan(place, "a.csv", 2000, 1);
     json_t *raw = inspect_first(expect_exit(place, 0, "inspect", "--json", "--level", "none", "a.csv"));
     json_t *smooth = inspect_first(expect_exit(place, 0, "inspect", "--json", "--lambda-s", "8e-6", "a.csv"));
@@ -207,10 +203,8 @@ TEST_IN_WORKSPACE(test_options)
     assert_near(number(json_object_get(smooth, "parameters"), "lambda_s_m"), 8e-6, 0);
     json_decref(raw);
     json_decref(smooth);
-    struct process text = expect_exit(place, 0, "inspect", "--no-chart", "--level", "robust", "a.csv");
-    expect_part(text.out, "robust line tilt");
-    expect_part(text.out, "parameters  Pa ");
-    process_free(&text);
+    expect_output(expect_exit(place, 0, "inspect", "--no-chart", "--level", "robust", "a.csv"), "robust line tilt",
+                  "parameters  Pa ");
     expect_failure(place, 2, 3, "unknown level 'plane'; allowed: none, mean, line, parabola, circle, robust", "inspect",
                    "--level", "plane", "a.csv");
     struct process metres =
@@ -253,7 +247,6 @@ static void expect_same(const char *first, const char *second)
 /* - is standard input, plain or packed; it says what it says of the file. */
 TEST_IN_WORKSPACE(test_standard_input)
 {
-    const char *place = *state;
     workspace_scan(place, "d/a.csv", 400, 1);
     const char *const gzip[] = {"gzip", "-k", "d/a.csv", NULL};
     struct process packed = process_expect(process_end(process_start_list(place, gzip, NULL)), 0, __FILE__, __LINE__);
@@ -281,7 +274,6 @@ TEST_IN_WORKSPACE(test_standard_input)
 /* The scans of a directory and of its folders, as `inspect` of each says it. */
 TEST_IN_WORKSPACE(test_a_directory)
 {
-    const char *place = *state;
     workspace_scan(place, "d/a.csv", 400, 1);
     workspace_scan(place, "d/s/b.csv", 500, 2);
     workspace_write(place, "d/notes.txt", "nothing\n");
@@ -293,8 +285,6 @@ TEST_IN_WORKSPACE(test_a_directory)
     process_free(&all);
     process_free(&one);
     workspace_write(place, "d/bad.csv", "nothing\n");
-    all = expect_exit(place, 1, "inspect", "--json", "d");
-    expect_part(all.out, "\"file\": \"d/s/b.csv\"");
-    expect_part(all.out, "no line of numbers in it: not a scan");
-    process_free(&all);
+    expect_output(expect_exit(place, 1, "inspect", "--json", "d"), "\"file\": \"d/s/b.csv\"",
+                  "no line of numbers in it: not a scan");
 }

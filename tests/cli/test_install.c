@@ -32,7 +32,6 @@ static void run_installed(const char *place, const char *program, const char *ou
 
 TEST_IN_WORKSPACE(test_install)
 {
-    const char *place = *state;
     char *prefix = install(place, "first"), *moved, *program, *links;
     assert_true(asprintf(&moved, "%s/moved here", place) > 0);
     assert_true(asprintf(&links, "%s/roughcontact", place) > 0);
@@ -116,7 +115,6 @@ static void expect_table(const char *place, const char *printed)
 /** Both examples, built through pkg-config and run in an installed tree that was moved. */
 TEST_IN_WORKSPACE(test_examples)
 {
-    const char *place = *state;
     char *prefix = install(place, "first"), *moved, *text;
     assert_true(asprintf(&moved, "%s/moved", place) > 0);
     assert_int_equal(rename(prefix, moved), 0);
@@ -177,7 +175,6 @@ static struct process uninstall(const char *place)
 /** What an installation put goes, and the folders it made; what was there before, or came later, stays. */
 TEST_IN_WORKSPACE(test_uninstall)
 {
-    const char *place = *state;
     workspace_folder(place, "new");
     free(install(place, "new/made/by it"));
     struct process process = process_expect(uninstall(place), 0, __FILE__, __LINE__);

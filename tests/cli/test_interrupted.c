@@ -58,7 +58,6 @@ static struct process interrupt(const char *place, int signal_number)
 
 TEST_IN_WORKSPACE(test_signals)
 {
-    const char *place = *state;
     write_slow_scene(place);
     write_report(place);
     char *before = workspace_digest(place, ".");
@@ -74,7 +73,6 @@ TEST_IN_WORKSPACE(test_signals)
 
 TEST_IN_WORKSPACE(test_kill)
 {
-    const char *place = *state;
     write_slow_scene(place);
     write_report(place);
     char *before = workspace_digest(place, "out/slow");
@@ -128,7 +126,6 @@ static bool holds_staging(const char *id)
 
 TEST_IN_WORKSPACE(test_a_hanging_gnuplot)
 {
-    const char *place = *state;
     write_report(place);
     char *before = workspace_digest(place, "out"), *path = hang_gnuplot(place);
     static const int signals[] = {SIGINT, SIGTERM, SIGHUP};
@@ -167,7 +164,6 @@ TEST_IN_WORKSPACE(test_a_hanging_gnuplot)
 /** The report is there though nobody can be told; the line on stderr says so. */
 TEST_IN_WORKSPACE(test_no_standard_output)
 {
-    const char *place = *state;
     static const char written[] = "the report is written, in 'out/slow/report.html'\n";
     workspace_scan(place, "good/a.csv", 200, 1);
     for (int i = 0; i < 3; i++) {
@@ -218,7 +214,6 @@ TEST_IN_WORKSPACE(test_no_standard_output)
 /** As little stack as the system gives. */
 TEST_IN_WORKSPACE(test_little_stack)
 {
-    const char *place = *state;
     workspace_scan(place, "good/a.csv", 2000, 1);
     workspace_write(place, "good/scene.yaml", "material: tin\ndirect: {grid: 32, seeds: 2, loads: [1e-3, 1e-2]}\n");
     struct process process = staged(place, "ulimit -s 64;", "direct", "good", "-o", "out/slow", "--show");
@@ -228,8 +223,8 @@ TEST_IN_WORKSPACE(test_little_stack)
 
 TEST_IN_WORKSPACE(test_mount_point)
 {
-    workspace_scan(*state, "good/a.csv", 200, 1);
-    expect_failure(*state, 4, 1, "'/proc' is a mount point", "report", "good", "-o", "/proc");
+    workspace_scan(place, "good/a.csv", 200, 1);
+    expect_failure(place, 4, 1, "'/proc' is a mount point", "report", "good", "-o", "/proc");
 }
 
 static void expect_content(const char *place, const char *path, const char *content)
@@ -242,7 +237,6 @@ static void expect_content(const char *place, const char *path, const char *cont
 /** The user's files in OUT outlive every run, those too that come while one lasts. */
 TEST_IN_WORKSPACE(test_files_of_the_user)
 {
-    const char *place = *state;
     static const char *const files[] = {"out/slow/figures/holiday.svg", "out/slow/data/mine.csv", "out/slow/notes.md"};
     write_report(place);
     for (size_t i = 0; i < 2; i++)
@@ -282,7 +276,6 @@ TEST_IN_WORKSPACE(test_files_of_the_user)
 /** No room for files: as on a full disk, every write beyond some size fails. */
 TEST_IN_WORKSPACE(test_no_room)
 {
-    const char *place = *state;
 #ifdef __SANITIZE_THREAD__
     skip(); /* its run time writes files of its own, before the program can say that it may not */
 #endif
@@ -306,7 +299,6 @@ TEST_IN_WORKSPACE(test_no_room)
 /** A file that is written stays as it was where the new one is too large. */
 TEST_IN_WORKSPACE(test_no_room_for_a_scan)
 {
-    const char *place = *state;
     workspace_write(place, "a.csv", "before\n");
     char *before = workspace_digest(place, ".");
     static const char *const files[] = {"a.csv", "b.csv"};

@@ -73,7 +73,6 @@ static size_t check_options(const char *manual, const char *replies, const struc
 
 TEST_IN_WORKSPACE(manual_and_completion_have_every_option)
 {
-    const char *place = *state;
     char *manual = manual_read(), part[1024];
     size_t options = 0;
     for (size_t c = 0; c < COMMANDS; c++) {
@@ -106,7 +105,6 @@ TEST_IN_WORKSPACE(manual_has_every_key)
                    {"fit", power_law_method_names, POWER_LAW_METHOD_COUNT},
                    {"moments", roughness_moments_names, ROUGHNESS_MOMENTS_COUNT},
                    {"data", scene_data_names, SCENE_DATA_COUNT}};
-    const char *place = *state;
     char *manual = manual_read(), *scene = strstr(manual, "\n.SH SCENE\n"), *end = strstr(scene, "\n.SH EXIT STATUS\n");
     struct text expected = {0}, terms = {0};
     workspace_write(place, "d/scene.yaml", "foo: 1\n");
@@ -157,7 +155,6 @@ TEST_IN_WORKSPACE(manual_has_chapters_and_statuses)
 /** groff has no warning for it, neither has man; skipped where there is none. */
 TEST_IN_WORKSPACE(groff_reads_the_manual)
 {
-    const char *place = *state;
     if (access("/usr/bin/groff", X_OK) != 0) {
         print_message("no groff\n");
         skip();
@@ -197,7 +194,6 @@ TEST_IN_WORKSPACE(bash_completes)
         {"roughcontact synth --seed = in", "\n"},
         {"roughcontact report -s in", "inner\n"},
     };
-    const char *place = *state;
     if (access("/bin/bash", X_OK) != 0) {
         print_message("no bash\n");
         skip();

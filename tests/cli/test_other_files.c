@@ -50,7 +50,6 @@ static const char others[] = "passed over, no scan: 1 x JPEG picture (photo.jpg)
 /* Found in a directory they are passed over and told; named in a scene they are refused. */
 TEST_IN_WORKSPACE(test_passed_over)
 {
-    const char *place = *state;
     workspace_scan(place, "d/1.csv", 200, 1);
     workspace_scan(place, "d/2.csv", 200, 2);
     write_others(place);
@@ -66,10 +65,8 @@ TEST_IN_WORKSPACE(test_passed_over)
 
     /* an instrument's file that is not read is no such thing */
     write_bytes(place, "d/w.opd", "\1\0Directory\0\0\0", 14);
-    process = expect_exit(place, 1, "plan", "d");
-    expect_part(process.err,
-                "surface 'w' refused: w.opd: the format is not read here: Wyko OPD file; export it in Vision");
-    process_free(&process);
+    expect_errors(expect_exit(place, 1, "plan", "d"),
+                  "surface 'w' refused: w.opd: the format is not read here: Wyko OPD file; export it in Vision");
 
     workspace_write(place, "d/scene.yaml", "surfaces: [{file: 1.csv}, {file: photo.jpg}]\n");
     process = expect_exit(place, 1, "report", "--no-cost", "d");
@@ -84,7 +81,6 @@ TEST_IN_WORKSPACE(test_passed_over)
 /* What every scan of a surface says in the same words is said once. */
 TEST_IN_WORKSPACE(test_counted_notes)
 {
-    const char *place = *state;
     struct text scene = {0};
     text_add(&scene, "surfaces:\n  - name: s\n    file: [");
     for (unsigned i = 0; i < 12; i++) {
@@ -115,7 +111,6 @@ TEST_IN_WORKSPACE(test_counted_notes)
 
 TEST_IN_WORKSPACE(test_packed)
 {
-    const char *place = *state;
     workspace_scan(place, "1.csv", 200, 1);
     workspace_scan(place, "2.csv", 200, 2);
     workspace_scan(place, "3.csv", 200, 3);
@@ -205,7 +200,6 @@ static bool is_running(const char *pid)
 /* Where Gwyddion is installed it is asked for what nothing here reads; nothing it leaves stays. */
 TEST_IN_WORKSPACE(test_gwyddion)
 {
-    const char *place = *state;
     char *temporary = NULL, *kept = getenv("TMPDIR") ? strdup(getenv("TMPDIR")) : NULL;
     assert_true(asprintf(&temporary, "%s/tmp", place) > 0);
     workspace_folder(place, "tmp");

@@ -16,7 +16,6 @@ static bool is_there(const char *place, const char *program)
 TEST_IN_WORKSPACE(test_package)
 {
     static const char *const needed[] = {CPACK_PROGRAM, "dpkg-deb", "dpkg-shlibdeps", "file", "readelf", "strip"};
-    const char *place = *state;
     for (size_t i = 0; i < sizeof needed / sizeof *needed; i++)
         if (!is_there(place, needed[i])) {
             print_message("no packages without %s\n", needed[i]);

@@ -25,15 +25,13 @@ static void view_text_of(char *text, size_t size, const char *place, const char 
 {
     char path[64];
     snprintf(path, sizeof path, "%s/view.json", out);
-    char *content = workspace_read(place, path);
-    json_t *view = json_loads(content, 0, NULL), *value = json_object_get(view, name);
+    json_t *view = workspace_json(place, path), *value = json_object_get(view, name);
     if (part)
         value = json_object_get(json_is_array(value) ? json_array_get(value, 0) : value, part);
     if (!json_is_string(value))
         fail_msg("no %s %s in the view", name, part ? part : "");
     snprintf(text, size, "%s", json_string_value(value));
     json_decref(view);
-    free(content);
 }
 
 /** The page says what the view has there. */
@@ -47,7 +45,6 @@ static void says(const char *place, const char *out, const char *page, const cha
 /** Newtons for 1 mohm; does my measurement agree; the textbook; best and significant; longer or finer scan. */
 TEST_IN_WORKSPACE(a_connector)
 {
-    const char *place = *state;
     run_to_exit(place, 0, "report", PROJECT_SOURCE "/surfaces/connector", "-o", "out", "--no-cost");
     char *page = first_page(place, "out"), load[80];
     view_text_of(load, sizeof load, place, "out", "answers", "load");
@@ -65,14 +62,12 @@ TEST_IN_WORKSPACE(a_connector)
 /** The load that the first sentence names is the one of answers.csv. */
 TEST_IN_WORKSPACE(the_answer_is_the_datas)
 {
-    const char *place = *state;
     run_to_exit(place, 0, "report", PROJECT_SOURCE "/surfaces/thermal-interface", "-o", "out", "--no-cost");
-    char *page = first_page(place, "out"), load[80], path[4200];
+    char *page = first_page(place, "out"), load[80];
     view_text_of(load, sizeof load, place, "out", "answers", "load");
     expect_part(page, load);
     expect_parts(page, "**20000\u00a0W/(m²·K) takes ", "\u00a0bar**", "Textbook (");
-    snprintf(path, sizeof path, "%s/out/data/answers.csv", place);
-    struct table answers = table_read_path(path);
+    struct table answers = workspace_table(place, "out/data/answers.csv");
     size_t found = 0;
     for (size_t i = 0; i < answers.rows; i++)
         found +=
@@ -85,7 +80,6 @@ TEST_IN_WORKSPACE(the_answer_is_the_datas)
 /** The conductance at 1 MPa, of a gap in air and of bare metal. */
 TEST_IN_WORKSPACE(a_conductance)
 {
-    const char *place = *state;
     workspace_scan(place, "d/a.csv", 400, 1);
     workspace_write(place, "d/scene.yaml",
                     "material: copper\ngap: {gas: air}\noperating_load: 1 MPa\n"
@@ -100,11 +94,10 @@ TEST_IN_WORKSPACE(a_conductance)
                     "load: {from: 0.1 MPa, to: 10 MPa, points: 21}\n");
     run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "bare");
     page = first_page(place, "bare");
-    char value[80], path[4200];
+    char value[80];
     view_text_of(value, sizeof value, place, "bare", "answers", "value");
     expect_part(page, "**At 1.00\u00a0MPa the contact conductance is ");
-    snprintf(path, sizeof path, "%s/bare/data/contact.csv", place);
-    struct table contact = table_read_path(path);
+    struct table contact = workspace_table(place, "bare/data/contact.csv");
     size_t same = 0;
     for (size_t i = 0; i < contact.rows; i++) { /* 1/TCR of some model at that pressure, but for the power of ten */
         double decades = log10(table_number(&contact, i, "tcr_K_m2_per_W") * strtod(value, NULL));
@@ -119,7 +112,6 @@ TEST_IN_WORKSPACE(a_conductance)
 /** Which model, and how far off: the direct solution's answer, and what the model makes of it. */
 TEST_IN_WORKSPACE(how_far_off)
 {
-    const char *place = *state;
     workspace_scan(place, "d/a.csv", 160, 1);
     workspace_write(place, "d/scene.yaml",
                     "material: tin\neffects: [electrical, direct]\nload: {from: 1e-4, to: 2e-2, "

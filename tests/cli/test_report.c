@@ -36,7 +36,7 @@ TEST_IN_WORKSPACE(test_real_scans)
         {"WAAM Profile.txt", "WAAM", 805.316e-6},
         {"stylus_nounits_xy-4.txt", "stylus", 7.79246e-6},
     };
-    const char *place = *state, *folder = PROJECT_SOURCE "/../shared/scans";
+    const char *folder = PROJECT_SOURCE "/../shared/scans";
     if (access(folder, R_OK) != 0) {
         print_message("[  SKIPPED ] no real scans in %s\n", folder);
         skip();
@@ -60,7 +60,6 @@ TEST_IN_WORKSPACE(test_real_scans)
 
 TEST_IN_WORKSPACE(test_overrides)
 {
-    const char *place = *state;
     workspace_scan(place, "d/a.csv", 200, 1);
     workspace_write(place, "d/scene.yaml", "material: tin\neffects: [thermal]\ntolerance: 1e-8\n");
     run_to_exit(place, 0, "report", "d");
@@ -84,7 +83,6 @@ TEST_IN_WORKSPACE(test_overrides)
 
 TEST_IN_WORKSPACE(test_units)
 {
-    const char *place = *state;
     workspace_write(place, "d/a.csv", "0,1\n1,3\n2,2\n3,5\n4,1\n5,4\n6,2\n7,6\n8,3\n9,1\n10,2\n11,5\n");
     expect_failure(place, 4, 2, "give --x-unit mm --z-unit um", "report", "d");
     run_to_exit(place, 0, "report", "d", "--x-unit", "um", "--z-unit", "nm", "-m", "tin", "-e", "plasticity");
@@ -113,7 +111,6 @@ TEST_IN_WORKSPACE(test_wrong_options)
         {"--bogus", "x", "unrecognized option '--bogus'"},
         {"d", "d", "one directory at a time: 'd' is too many"},
     };
-    const char *place = *state;
     workspace_scan(place, "d/a.csv", 200, 1);
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         expect_failure(place, 2, 1, wrong[i].message, "report", "d", wrong[i].option, wrong[i].value);
@@ -133,7 +130,6 @@ static void synthesise(const char *place, const char *alpha, const char *gamma, 
 
 TEST_IN_WORKSPACE(test_terminal)
 {
-    const char *place = *state;
     workspace_scan(place, "d/a.csv", 300, 1);
     workspace_scan(place, "d/b.csv", 300, 2);
     assert_int_equal(setenv("COLUMNS", "80", 1), 0);
@@ -170,7 +166,6 @@ TEST_IN_WORKSPACE(test_terminal)
 /** Nothing has a column for a model that did not run. */
 TEST_IN_WORKSPACE(test_table)
 {
-    const char *place = *state;
     workspace_scan(place, "d/a.csv", 300, 1);
     workspace_write(place, "d/scene.yaml", "material: tin\nmodels: [multiscale]\neffects: [electrical]\n");
     struct process process = expect_exit(place, 0, "report", "d");
@@ -183,7 +178,6 @@ TEST_IN_WORKSPACE(test_table)
  * 1 ... 600 um, so at sqrt(1 x 300) um. alpha, their value at 1 m, is no number to compare. */
 TEST_IN_WORKSPACE(test_laws_at_one_wavelength)
 {
-    const char *place = *state;
     workspace_write(place, "d/scene.yaml", "models: [multiscale]\nfit: thesis\n");
     synthesise(place, "0.085", "1.5", "0.3mm", "d/a.csv");
     synthesise(place, "1e-3", "1", "0.6mm", "d/b.csv");
@@ -203,7 +197,6 @@ TEST_IN_WORKSPACE(test_measured)
     static const char scene[] = "material: tin\nnominal_area_m2: 1e-6\neffects: [plasticity, electrical]\n%s";
     static const size_t order[] = {20, 50, 80, 65, 35, 5};
     enum { POINTS = sizeof order / sizeof *order, TURN = 2 };
-    const char *place = *state;
     char text[256];
     workspace_scan(place, "d/a.csv", 300, 1);
     snprintf(text, sizeof text, scene, "");

@@ -3,7 +3,7 @@
 #include "base/clock.h"
 #include "base/program.h"
 #include "base/temporary.h"
-#include "cli/signals.h"
+#include "cli/command.h"
 #include "directory.h"
 
 #include <fcntl.h>
@@ -60,7 +60,7 @@ static int deaf(int argc, char **argv)
     if (temporary_make(&staging, place.path, NULL, &status) != STATUS_OK ||
         mkdirat(staging.directory, "data", 0700) != 0)
         return 72;
-    temporary_note("'out' is as it was before");
+    temporary_note("", "out", " is as it was before");
     begin(start(stubborn));
     for (int i = 0;; i = (i + 1) % 100) {
         char path[300];
@@ -92,7 +92,7 @@ static int holds(int argc, char **argv)
     begin(0);
     sleep_for(0.2);
     directory_write(&place, "finished", "");
-    temporary_note("the report is in 'out'");
+    temporary_note("the report is in ", "out", "");
     temporary_release();
     while (clock_seconds() > 0)
         wait_a_little();

@@ -177,7 +177,7 @@ static size_t number_of(const char *name, size_t usual)
     return said ? strtoul(said, NULL, 10) : usual;
 }
 
-TEST_IN_WORKSPACE(folders_are_reported_or_refused)
+TEST_WITH(folders_are_reported_or_refused, workspace_make, workspace_remove)
 {
     size_t first = number_of("ROUGHCONTACT_WILD_FIRST", 1), count = number_of("ROUGHCONTACT_WILD", 300);
     for (size_t seed = first; seed < first + count; seed++) {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fuzz/fuzz.h"
 
-#include "scan/sidecar.h"
+#include "scan/text_header.h"
 #include "scene/measured_file.h"
 #include "scene/scene.h"
 #include <math.h>
@@ -45,7 +45,8 @@ static bool material(const struct text *text)
     struct text whole = {0};
     text_add(&whole, "material: ");
     text_add_bytes(&whole, text_string(text), text->length);
-    enum status_code code = scene_read_text(&scene, TEST_DATA "/scene/full", &whole, NULL, &status);
+    enum status_code code =
+        scene_read(&scene, TEST_DATA "/scene/full", &(struct scene_overrides){.text = &whole}, &status);
     if (code == STATUS_OK) {
         struct material_pair pair = scene_pair(&scene.bodies);
         FUZZ_REQUIRE(pair.unknown || (pair.effective_modulus_Pa > 0 && isfinite(pair.effective_modulus_Pa)));

@@ -38,7 +38,8 @@ void fuzz_scene(const uint8_t *bytes, size_t length)
     struct status status = {0};
     struct text text = {0};
     text_add_bytes(&text, (const char *)bytes, length);
-    enum status_code code = scene_read_text(&scene, TEST_DATA "/scene/full", &text, NULL, &status);
+    enum status_code code =
+        scene_read(&scene, TEST_DATA "/scene/full", &(struct scene_overrides){.text = &text}, &status);
     if (code == STATUS_OK)
         require_sound(&scene);
     else

@@ -78,14 +78,14 @@ TEST_CASE(only_the_header_is_exported)
             fail_msg("%s is exported, but not declared", exported.name[i]);
 }
 
-/** It cannot print, end the program or take its signals: it does not even know how. (sigaction() and _exit() are there
- * for a child that becomes another program, which readers start for the program alone.) */
+/** It cannot print, end the program, take its signals or read a scene: it does not even know how. (sigaction() and
+ * _exit() are there for a child that becomes another program, which readers start for the program alone.) */
 TEST_CASE(it_leaves_the_host_alone)
 {
-    static const char *const never[] = {"printf", "puts",   "putchar",      "perror", "fprintf",      "vprintf",
-                                        "exit",   "abort",  "quick_exit",   "signal", "setlocale",    "srand",
-                                        "rand",   "system", "popen",        "fork",   "__printf_chk", "stdout",
-                                        "stderr", "atexit", "__fprintf_chk"};
+    static const char *const never[] = {
+        "printf",       "puts",   "putchar",   "perror", "fprintf",       "vprintf",         "exit",  "abort",
+        "quick_exit",   "signal", "setlocale", "srand",  "rand",          "system",          "popen", "fork",
+        "__printf_chk", "stdout", "stderr",    "atexit", "__fprintf_chk", "yaml_parser_load"};
     struct names used = read_symbols("--undefined-only");
     assert_true(has(&used, "malloc"));
     for (size_t i = 0; i < sizeof never / sizeof *never; i++)
@@ -99,7 +99,7 @@ TEST_IN_WORKSPACE(the_header_stands_alone)
     static const char *const languages[][3] = {{"cc", "c", "-std=c99"}, {"c++", "c++", "-std=c++11"}};
     char include[512];
     snprintf(include, sizeof include, "-I%s/src/library", PROJECT_SOURCE);
-    workspace_write(*state, "use",
+    workspace_write(place, "use",
                     "#include <roughcontact.h>\n#include <roughcontact.h>\n"
                     "int main() { struct roughcontact_run_options how;\n"
                     "roughcontact_run_options_init(&how, sizeof how);\n"
@@ -107,7 +107,7 @@ TEST_IN_WORKSPACE(the_header_stands_alone)
     for (size_t i = 0; i < 2; i++) {
         const char *compiler = i == 0 ? C_COMPILER : languages[i][0];
         const char *const there[] = {"sh", "-c", "command -v \"$0\"", compiler, NULL};
-        struct process found = process_end(process_start_list(*state, there, NULL));
+        struct process found = process_end(process_start_list(place, there, NULL));
         int missing = found.status;
         process_free(&found);
         if (missing && i == 1) {
@@ -118,7 +118,7 @@ TEST_IN_WORKSPACE(the_header_stands_alone)
                                        "-Werror", "-pedantic", "-Wconversion",  "-fsyntax-only", include, "use",
                                        NULL};
         struct process process =
-            process_expect(process_end(process_start_list(*state, compile, NULL)), 0, __FILE__, __LINE__);
+            process_expect(process_end(process_start_list(place, compile, NULL)), 0, __FILE__, __LINE__);
         process_free(&process);
     }
 }

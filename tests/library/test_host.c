@@ -135,7 +135,7 @@ TEST_IN_WORKSPACE(the_locale_changes_nothing)
     char *bytes = uneven_scan(), shown[16];
     char *expected = ask(bytes, "multiscale-plastic");
     assert_non_null(expected);
-    if (!set_comma(*state)) {
+    if (!set_comma(place)) {
         free(bytes);
         free(expected);
         print_message("no locale with a decimal comma can be had here\n");

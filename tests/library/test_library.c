@@ -167,8 +167,7 @@ static void compare(const char *place, const char *scene, const struct roughcont
                 snprintf(text + length, sizeof text - (size_t)length, "%s%s", m > 0 ? ", " : "", model_rows[m]->name);
     snprintf(text + length, sizeof text - (size_t)length, "]\n");
     workspace_write(place, "d/scene.yaml", text);
-    struct process process = expect_exit(place, 0, "report", "d", "-o", "out", "--no-cost", "--brief");
-    process_free(&process);
+    run_to_exit(place, 0, "report", "d", "-o", "out", "--no-cost", "--brief");
     struct table contact = report_table(place, "contact.csv"), surfaces = report_table(place, "surfaces.csv"),
                  amplitudes = report_table(place, "spectrum.csv");
 
@@ -227,7 +226,7 @@ TEST_IN_WORKSPACE(report_and_library_agree)
         {"", NULL, NULL, NAN, 0, 0, false},
         {"material: tin", tin, NULL, NAN, 0, 0, true},
     };
-    workspace_scan(*state, "d/a.csv", 700, 3);
+    workspace_scan(place, "d/a.csv", 700, 3);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct roughcontact_run_options how;
         struct roughcontact_surface_options options;
@@ -239,8 +238,8 @@ TEST_IN_WORKSPACE(report_and_library_agree)
         options.lambda_s_m = cases[i].lambda_s_m;
         options.lambda_c_m = cases[i].lambda_c_m;
         if (cases[i].uneven)
-            write_uneven(*state);
-        compare(*state, cases[i].scene, i == 0 ? NULL : &options, &how);
+            write_uneven(place);
+        compare(place, cases[i].scene, i == 0 ? NULL : &options, &how);
     }
     roughcontact_material_free(own);
     roughcontact_material_free(tin);
@@ -283,23 +282,23 @@ static size_t expect_inspected(const char *place, const char *path, bool even)
 
 TEST_IN_WORKSPACE(inspect_and_library_agree)
 {
-    workspace_scan(*state, "a.csv", 1200, 5);
-    (void)expect_inspected(*state, "a.csv", true);
-    write_uneven(*state);
-    assert_true(expect_inspected(*state, "d/a.csv", false) > 0);
+    workspace_scan(place, "a.csv", 1200, 5);
+    (void)expect_inspected(place, "a.csv", true);
+    write_uneven(place);
+    assert_true(expect_inspected(place, "d/a.csv", false) > 0);
 }
 
 TEST_IN_WORKSPACE(bytes_are_as_the_file)
 {
-    workspace_scan(*state, "a.csv", 500, 7);
-    char *content = workspace_read(*state, "a.csv");
+    workspace_scan(place, "a.csv", 500, 7);
+    char *content = workspace_read(place, "a.csv");
     size_t length = strlen(content);
     char *exact = malloc(length); /* no NUL behind it */
     assert_non_null(exact);
     memcpy(exact, content, length);
     struct roughcontact_scan *bytes = scan_of_bytes(exact, length);
     memset(exact, 0, length); /* they were copied */
-    struct roughcontact_surface *one = make_surface(read_scan(*state, "a.csv"), NULL), *two = make_surface(bytes, NULL);
+    struct roughcontact_surface *one = make_surface(read_scan(place, "a.csv"), NULL), *two = make_surface(bytes, NULL);
     const struct roughcontact_spectrum *a = roughcontact_surface_spectrum(one), *b = roughcontact_surface_spectrum(two);
     assert_int_equal(a->count, 250);
     assert_int_equal(b->count, 250);
@@ -314,8 +313,8 @@ TEST_IN_WORKSPACE(bytes_are_as_the_file)
 TEST_IN_WORKSPACE(archives_say_what_was_read)
 {
     char *content;
-    workspace_scan(*state, "a.csv", 300, 1);
-    content = workspace_read(*state, "a.csv");
+    workspace_scan(place, "a.csv", 300, 1);
+    content = workspace_read(place, "a.csv");
     struct packed members[] = {pack("one.csv", content, strlen(content), true),
                                pack("two.csv", content, strlen(content), true)};
     for (size_t count = 1; count <= 2; count++) {
@@ -342,8 +341,8 @@ TEST_IN_WORKSPACE(units_are_not_guessed)
     char text[1024] = "";
     for (int i = 0; i < 64; i++)
         snprintf(text + strlen(text), sizeof text - strlen(text), "%d,%d\n", i, i * i % 7);
-    workspace_write(*state, "bare.csv", text);
-    struct process process = process_run(*state, "inspect", "bare.csv");
+    workspace_write(place, "bare.csv", text);
+    struct process process = process_run(place, "inspect", "bare.csv");
     assert_int_equal(process.status, 4);
 #define READ(code)                                                                                                     \
     assert_int_equal(roughcontact_scan_read_bytes(&scan, text, strlen(text), "bare.csv", &options, &status), code)
@@ -367,7 +366,7 @@ TEST_IN_WORKSPACE(units_are_not_guessed)
 
     assert_int_equal(roughcontact_scan_read_file(&scan, "/nowhere/at all", NULL, &status), ROUGHCONTACT_IO);
     expect_part(status.message, "/nowhere/at all");
-    assert_int_equal(roughcontact_scan_read_file(&scan, *state, NULL, &status), ROUGHCONTACT_IO);
+    assert_int_equal(roughcontact_scan_read_file(&scan, place, NULL, &status), ROUGHCONTACT_IO);
     assert_int_equal(roughcontact_scan_read_file(&scan, NULL, NULL, &status), ROUGHCONTACT_USAGE);
     assert_int_equal(roughcontact_scan_read_bytes(&scan, "", 0, NULL, NULL, NULL), ROUGHCONTACT_SCAN);
     assert_int_equal(roughcontact_scan_read_bytes(&scan, NULL, 3, NULL, NULL, NULL), ROUGHCONTACT_USAGE);
@@ -397,8 +396,8 @@ TEST_IN_WORKSPACE(faults_of_surfaces_are_errors)
         {{0, profile, 0, 0}, ROUGHCONTACT_USAGE, "roughcontact_surface_options_init"},
     };
     struct roughcontact_surface *surface;
-    workspace_scan(*state, "a.csv", 300, 9);
-    struct roughcontact_scan *scan = read_scan(*state, "a.csv");
+    workspace_scan(place, "a.csv", 300, 9);
+    struct roughcontact_scan *scan = read_scan(place, "a.csv");
     for (size_t i = 0; i < sizeof faults / sizeof *faults; i++) {
         EXPECT(roughcontact_surface_make(&surface, scan, &faults[i].options, &status), faults[i].code, faults[i].part);
         assert_null(surface);
@@ -432,8 +431,8 @@ TEST_IN_WORKSPACE(faults_of_runs_are_errors)
     struct roughcontact_material *none = make_material(NULL, NULL), *some = make_material(NULL, elastic);
     struct roughcontact_curve *curve;
     struct roughcontact_run_options how;
-    workspace_scan(*state, "a.csv", 300, 9);
-    struct roughcontact_surface *surface = make_surface(read_scan(*state, "a.csv"), NULL);
+    workspace_scan(place, "a.csv", 300, 9);
+    struct roughcontact_surface *surface = make_surface(read_scan(place, "a.csv"), NULL);
     const struct {
         const char *model;
         const double *loads;
@@ -520,19 +519,19 @@ TEST_IN_WORKSPACE(no_program_is_started)
     struct roughcontact_status status;
     struct roughcontact_scan *scan;
     char path[512], folder[512], *before = strdup(getenv("PATH"));
-    workspace_write(*state, "bin/gwyddion", "#!/bin/sh\necho >>\"$MARK\"\nexit 1\n");
-    workspace_write(*state, "foreign.bin", "\x01\x02\x80\xff\x03 binary \x01\x02\x80\xff");
-    snprintf(path, sizeof path, "%s/bin/gwyddion", (const char *)*state);
+    workspace_write(place, "bin/gwyddion", "#!/bin/sh\necho >>\"$MARK\"\nexit 1\n");
+    workspace_write(place, "foreign.bin", "\x01\x02\x80\xff\x03 binary \x01\x02\x80\xff");
+    snprintf(path, sizeof path, "%s/bin/gwyddion", place);
     assert_int_equal(chmod(path, 0755), 0);
-    snprintf(folder, sizeof folder, "%s/bin:%s", (const char *)*state, before);
-    snprintf(path, sizeof path, "%s/mark", (const char *)*state);
+    snprintf(folder, sizeof folder, "%s/bin:%s", place, before);
+    snprintf(path, sizeof path, "%s/mark", place);
     setenv("PATH", folder, 1);
     setenv("MARK", path, 1);
-    snprintf(path, sizeof path, "%s/foreign.bin", (const char *)*state);
+    snprintf(path, sizeof path, "%s/foreign.bin", place);
     assert_int_equal(roughcontact_scan_read_file(&scan, path, NULL, &status), ROUGHCONTACT_SCAN);
-    assert_false(workspace_has(*state, "mark"));
-    struct process process = process_run(*state, "inspect", "foreign.bin");
-    assert_true(workspace_has(*state, "mark")); /* as it does where it may */
+    assert_false(workspace_has(place, "mark"));
+    struct process process = process_run(place, "inspect", "foreign.bin");
+    assert_true(workspace_has(place, "mark")); /* as it does where it may */
     process_free(&process);
     setenv("PATH", before, 1);
     unsetenv("MARK");
@@ -545,8 +544,8 @@ TEST_IN_WORKSPACE(loads_may_be_pressures)
     static const struct property elastic[] = {{"E_Pa", 40e9}, {"nu", 0.3}, {NULL, 0}};
     const double modulus_Pa = 40e9 / (1 - 0.3 * 0.3), loads[] = {1e-5, 1e-4, 1e-3};
     const double pressures_Pa[] = {1e-5 * modulus_Pa, 1e-4 * modulus_Pa, 1e-3 * modulus_Pa};
-    workspace_scan(*state, "a.csv", 400, 2);
-    struct roughcontact_surface *surface = make_surface(read_scan(*state, "a.csv"), NULL);
+    workspace_scan(place, "a.csv", 400, 2);
+    struct roughcontact_surface *surface = make_surface(read_scan(place, "a.csv"), NULL);
     struct roughcontact_material *material = make_material(NULL, elastic);
     struct roughcontact_run_options how;
     struct roughcontact_curve *one, *two;
@@ -572,8 +571,8 @@ TEST_IN_WORKSPACE(loads_may_be_pressures)
 /** Beyond the range that a model was made for its points exist but are not valid. */
 TEST_IN_WORKSPACE(validity_is_told)
 {
-    workspace_scan(*state, "a.csv", 400, 2);
-    struct roughcontact_surface *surface = make_surface(read_scan(*state, "a.csv"), NULL);
+    workspace_scan(place, "a.csv", 400, 2);
+    struct roughcontact_surface *surface = make_surface(read_scan(place, "a.csv"), NULL);
     size_t bounded = 0, m = 0;
     double loads[60];
     for (int i = 0; i < 60; i++)
@@ -607,8 +606,8 @@ TEST_IN_WORKSPACE(validity_is_told)
 /** A program built with an older header knows shorter options; one with a newer one, longer. */
 TEST_IN_WORKSPACE(options_may_grow)
 {
-    workspace_scan(*state, "a.csv", 300, 4);
-    struct roughcontact_scan *scan = read_scan(*state, "a.csv");
+    workspace_scan(place, "a.csv", 300, 4);
+    struct roughcontact_scan *scan = read_scan(place, "a.csv");
     struct roughcontact_surface *surface;
     struct roughcontact_surface_options older;
     const size_t known = offsetof(struct roughcontact_surface_options, lambda_c_m);

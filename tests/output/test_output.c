@@ -15,7 +15,13 @@
 #include <sys/wait.h>
 #include <sys/xattr.h>
 
-#define PLACE_CASE(name) TEST_WITH(name, directory_setup, directory_teardown)
+#define PLACE_CASE(name)                                                                                               \
+    static void name##_in(const struct directory *place);                                                              \
+    TEST_WITH(name, directory_setup, directory_teardown)                                                               \
+    {                                                                                                                  \
+        name##_in(*state);                                                                                             \
+    }                                                                                                                  \
+    static void name##_in(const struct directory *place)
 
 static int on_no_disk(void **state)
 {
@@ -257,7 +263,6 @@ static void assert_end_says(const char *before, const char *path, const char *af
  * others: theirs are not all forgotten. */
 PLACE_CASE(test_what_is_committed_is_forgotten)
 {
-    const struct directory *place = *state;
     struct output output;
     char path[PATH_MAX];
     begin(&output, place, "out");
@@ -351,7 +356,6 @@ TEST_CASE(test_stories)
 
 PLACE_CASE(test_a_file_of_the_user_is_no_copy)
 {
-    const struct directory *place = *state;
     struct stat before, after;
     publish(place, "out", "one");
     write_users_files(place, "out", FEW);
@@ -373,7 +377,6 @@ PLACE_CASE(test_what_is_no_file_is_never_replaced)
         {"out/manifest.txt", "lpd", "and no manifest.txt names it"},
         {"out/data", "lpf", "data'"},
     };
-    const struct directory *place = *state;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         for (const char *kind = cases[i].kinds; *kind; kind++) {
             const char *name = cases[i].name;
@@ -398,7 +401,6 @@ PLACE_CASE(test_what_is_no_file_is_never_replaced)
 /* A manifest reaches nothing outside OUT, whatever it says. */
 PLACE_CASE(test_a_hostile_manifest_removes_nothing_else)
 {
-    const struct directory *place = *state;
     publish(place, "out", "one");
     struct text text = directory_read(place, "out/manifest.txt");
     text_add(&text, "../victim\n%s\n.\n..\ndata\nfigures\n\n", directory_path(place, "victim"));
@@ -681,7 +683,6 @@ static int publish_without(const struct directory *place, unsigned call, unsigne
 
 PLACE_CASE(test_file_systems_that_can_do_less)
 {
-    const struct directory *place = *state;
     static const unsigned reasons[] = {EINVAL, ENOSYS};
     for (size_t i = 0; i < sizeof reasons / sizeof *reasons; i++) { /* no exchange: with two renames */
         play(place, "publish out one|users out");
@@ -714,7 +715,6 @@ TEST_CASE(test_a_name_that_is_too_long_is_refused)
 PLACE_CASE(test_the_report_can_be_read_by_whom_the_umask_allows)
 {
     static const mode_t masks[] = {0, 077, 022};
-    const struct directory *place = *state;
     mode_t before = umask(0);
     for (size_t i = 0; i < sizeof masks / sizeof *masks; i++) {
         umask(masks[i]);
@@ -767,7 +767,6 @@ static void begin_and_fill(const struct directory *place)
 
 PLACE_CASE(test_what_killed_runs_left_is_cleared_away)
 {
-    const struct directory *place = *state;
     publish(place, "out", "one");
     write_users_files(place, "out", USERS_FILES);
     kill_after(only_begin, place);
@@ -779,7 +778,6 @@ PLACE_CASE(test_what_killed_runs_left_is_cleared_away)
 
 PLACE_CASE(test_what_a_living_run_makes_stays)
 {
-    const struct directory *place = *state;
     struct output output;
     begin(&output, place, "out");
     fill(&output, "two");
@@ -799,7 +797,6 @@ PLACE_CASE(test_what_a_living_run_makes_stays)
  * and what is in OUT too goes. */
 PLACE_CASE(test_what_came_before_a_kill_stays)
 {
-    const struct directory *place = *state;
     struct output output;
     char done[PATH_MAX + 64], left[PATH_MAX + 64];
     publish(place, "out", "one");
@@ -831,7 +828,6 @@ PLACE_CASE(test_what_came_before_a_kill_stays)
  * once with every lock there could be, and an OUT whose folder leads elsewhere. Nothing comes there. */
 PLACE_CASE(test_a_forged_leftover_leads_nowhere)
 {
-    const struct directory *place = *state;
     struct stat info;
     char lock[128];
     play(place, "directory autostart|directory h|directory .roughcontact-abcdef|directory .roughcontact-abcdef/done|"
@@ -879,14 +875,13 @@ static void run_side_by_side(const struct directory *place, int runs, int times,
 
 PLACE_CASE(test_runs_side_by_side_do_not_disturb_each_other)
 {
-    run_side_by_side(*state, 4, 40, false);
-    play(*state, "entries . 4|report a a|report b b|report c c|report d d");
+    run_side_by_side(place, 4, 40, false);
+    play(place, "entries . 4|report a a|report b b|report c c|report d d");
 }
 
 /* Each report is whole, the user's files outlive both, nothing is left. */
 PLACE_CASE(test_runs_into_one_out)
 {
-    const struct directory *place = *state;
     publish(place, "out", "one");
     write_users_files(place, "out", FEW);
     run_side_by_side(place, 3, 10, true);
@@ -920,7 +915,6 @@ TEST_CASE(test_a_mount_point_is_refused)
 PLACE_CASE(test_a_directory_mounted_elsewhere_is_refused)
 {
     static const char *const mounts[] = {"out", "out/data"};
-    const struct directory *place = *state;
     publish(place, "out", "one");
     publish(place, "other", "one");
     for (size_t i = 0; i < sizeof mounts / sizeof *mounts; i++) {
@@ -942,7 +936,6 @@ PLACE_CASE(test_the_attributes_of_out_stay)
 {
     static const mode_t modes[] = {0700, 0755, 0770, 01777, 0711};
     static const char *const folders[] = {"out", "out/data", "out/figures"};
-    const struct directory *place = *state;
     struct output output;
     char value[8];
     bool can = false;
@@ -966,7 +959,6 @@ PLACE_CASE(test_the_attributes_of_out_stay)
 /* Below a directory whose group its entries take: stale directories have that bit too, and OUT as any other. */
 PLACE_CASE(test_a_set_group_id_directory)
 {
-    const struct directory *place = *state;
     assert_int_equal(chmod(place->path, 02700), 0);
     assert_int_equal(mkdir(directory_path(place, "plain"), 0777), 0);
     publish(place, "out", "one");
@@ -982,7 +974,6 @@ PLACE_CASE(test_a_set_group_id_directory)
 PLACE_CASE(test_a_full_disk_leaves_the_report_before)
 {
     enum { MOST = 60 };
-    const struct directory *place = *state;
     pid_t child = divide();
     if (child == 0) { /* which sees the disk alone */
         size_t refused = 0, written = 0;
@@ -1038,7 +1029,6 @@ PLACE_CASE(test_no_room_for_an_entry)
         SYS_rename, SYS_mkdir,
 #endif
     };
-    const struct directory *place = *state;
     publish(place, "out", "one");
     write_users_files(place, "out", FEW);
     for (size_t i = 0; i < sizeof calls / sizeof *calls; i++)
@@ -1058,7 +1048,6 @@ PLACE_CASE(test_no_room_for_an_entry)
 PLACE_CASE(test_what_others_own_is_refused)
 {
     enum { NOBODY = 65534 };
-    const struct directory *place = *state;
     if (geteuid() != 0)
         skip();
     publish(place, "sticky/out", "one");

@@ -62,7 +62,6 @@ static size_t complaints(const char *text)
 
 TEST_IN_WORKSPACE(same_report)
 {
-    const char *place = *state;
     write_scene(place, EFFECTS "direct: {grid: 64, seeds: 3, loads: [1e-3, 4e-3, 1e-2], hardness: 4 GPa}\n");
     struct process run = expect_exit(place, 0, "direct", "d", "-o", "plain", "--no-cost");
     process_free(&run);
@@ -78,7 +77,6 @@ TEST_IN_WORKSPACE(same_report)
 /** Without a direct solution the report has the bytes that one process writes, and the messages come once. */
 TEST_IN_WORKSPACE(same_bytes)
 {
-    const char *place = *state;
     write_scene(place, EFFECTS);
     workspace_write(place, "d/text.csv", "no,unit\n1,2\n");
     workspace_write(place, "d/scene.yaml",
@@ -107,7 +105,6 @@ static struct process two_places(const char *place, const char *where, const cha
 /** Only the first process reads the scene; but another scene, asked for by another, is an error. */
 TEST_IN_WORKSPACE(other_places)
 {
-    const char *place = *state;
     write_scene(place, EFFECTS "direct: {grid: 64, seeds: 1, loads: [1e-3]}\n");
     workspace_folder(place, "nowhere");
     struct process run = two_places(place, ".", "e");
@@ -126,7 +123,6 @@ TEST_IN_WORKSPACE(other_places)
 
 TEST_IN_WORKSPACE(errors)
 {
-    const char *place = *state;
     write_scene(place, "direct: {grid: 63}\n");
     struct process run = expect_ranks(place, 3, "3", "direct", "d");
     expect_part(run.err, "'grid' is 63");
@@ -146,7 +142,6 @@ TEST_IN_WORKSPACE(errors)
 /** mpirun passes a signal on to all ranks; none stays behind and OUT is untouched. */
 TEST_IN_WORKSPACE(stopped)
 {
-    const char *place = *state;
     write_scene(place, EFFECTS "direct: {grid: 256, seeds: 1000, loads: [1e-4, 1e-3, 4e-3, 1e-2]}\n");
     struct process_running running = start(place, "3", "direct", "d", "--no-cost");
     const struct timespec pause = {.tv_nsec = 50000000};

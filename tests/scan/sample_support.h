@@ -74,6 +74,21 @@ static inline void assert_sample(const struct text *sample, const char *format, 
     scan_free(&scan);
 }
 
+/* The same of a sample that is freed. */
+static inline void expect_sample(struct text sample, const char *format, enum scan_kind kind, size_t missing,
+                                 const struct scan_options *options)
+{
+    assert_sample(&sample, format, kind, missing, options);
+    text_free(&sample);
+}
+
+/* Bytes, which are freed, that are refused with these words. */
+static inline void refuse_text(struct text text, const struct scan_options *options, const char *expected)
+{
+    assert_refused_bytes(text_string(&text), text.length, options, expected);
+    text_free(&text);
+}
+
 /* As a text: a sample that is a string. */
 static inline void assert_text_sample(const char *string, const char *format, enum scan_kind kind, size_t missing,
                                       const struct scan_options *options)

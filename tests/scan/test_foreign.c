@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Files that no reader reads: known by their bytes, else by their name and that they are binary. */
-#include "scan/foreign.h"
+#include "scan/format.h"
 #include "zip_support.h"
 
 #define BYTES(text) text, sizeof(text) - 1

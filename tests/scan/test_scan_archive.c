@@ -78,9 +78,7 @@ TEST_CASE(test_x3p)
 {
     for (size_t k = 0; k < X3P_SAMPLES; k++) {
         for (int deflated = 0; deflated < 2; deflated++) {
-            struct text text = x3p(k, deflated);
-            assert_sample(&text, "x3p", samples[k].kind, samples[k].missing, &no_units);
-            text_free(&text);
+            expect_sample(x3p(k, deflated), "x3p", samples[k].kind, samples[k].missing, &no_units);
         }
     }
 }
@@ -97,12 +95,8 @@ TEST_CASE(test_x3p_list)
                               "<Datum>1.5e-6;0.125</Datum><Datum>2e-6;8</Datum><Datum>2.5e-6;-3.5</Datum></DataList>");
     const struct member maps[] = {{"main.xml", map, sizeof map - 1}, {NULL, NULL, 0}};
     const struct member profiles[] = {{"main.xml", profile, sizeof profile - 1}, {NULL, NULL, 0}};
-    struct text text = zip(maps, true);
-    assert_sample(&text, "x3p", SCAN_AREAL, 2, &no_units);
-    text_free(&text);
-    text = zip(profiles, true);
-    assert_sample(&text, "x3p", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
-    text_free(&text);
+    expect_sample(zip(maps, true), "x3p", SCAN_AREAL, 2, &no_units);
+    expect_sample(zip(profiles, true), "x3p", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
 }
 
 #define CZ AXIS("CZ", "A", "D", "", "")
@@ -134,9 +128,7 @@ TEST_CASE(test_x3p_refusals)
         const struct member members[] = {{"main.xml", rows[i][0], strlen(rows[i][0])},
                                          {"bindata/data.bin", data.data, data.length},
                                          {NULL, NULL, 0}};
-        struct text text = zip(members, false);
-        assert_refused_bytes(text_string(&text), text.length, &no_units, rows[i][1]);
-        text_free(&text);
+        refuse_text(zip(members, false), &no_units, rows[i][1]);
     }
     text_free(&data);
 }
@@ -178,20 +170,14 @@ TEST_CASE(test_zip)
     struct text text = zip(members, true);
     assert_sample(&text, "sdf", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
     const struct member nested[] = {{"inner.zip", text.data, text.length}, {NULL, NULL, 0}};
-    struct text outer = zip(nested, false);
-    assert_refused_bytes(text_string(&outer), outer.length, &no_units, "no scan in this zip archive");
-    text_free(&outer);
+    refuse_text(zip(nested, false), &no_units, "no scan in this zip archive");
     text_free(&text);
-    text = zip(only_text, true);
-    assert_sample(&text, "text", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
-    text_free(&text);
+    expect_sample(zip(only_text, true), "text", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
     text = zip(nothing, true);
     assert_refused_bytes(text_string(&text), text.length, &no_units, "file(readme.txt): no line of numbers");
     assert_refused_bytes(text_string(&text), text.length - 30, &no_units, "damaged zip archive");
     text_free(&text);
-    text = zip(png, true);
-    assert_refused_bytes(text_string(&text), text.length, &no_units, "no scan in this zip archive");
-    text_free(&text);
+    refuse_text(zip(png, true), &no_units, "no scan in this zip archive");
 }
 
 /* A member that claims far more than deflate can have made of its bytes. */

@@ -122,23 +122,15 @@ TEST_CASE(test_refusals)
     const struct member damaged[] = {{"a.csv", csv, sizeof csv - 1}, {"b.csv", "no numbers\n", 11}, {NULL, NULL, 0}};
     const struct member wyko[] = {{"a.txt", "by hand\n", 8}, {"b.opd", "\1\0Directory\0\0", 13}, {NULL, NULL, 0}};
     struct scan_options second = {.entry = 3}; /* of two entries: the second among the texts */
-    struct text text = zip(damaged, true);
-    assert_refused_bytes(text.data, text.length, &second, "file(b.csv): no line of numbers in it");
-    text_free(&text);
-    text = zip(wyko, true);
-    assert_refused_bytes(text.data, text.length, &no_units,
-                         "file(b.opd): the format is not read here: Wyko OPD file; export it in Vision");
-    text_free(&text);
+    refuse_text(zip(damaged, true), &second, "file(b.csv): no line of numbers in it");
+    refuse_text(zip(wyko, true), &no_units,
+                "file(b.opd): the format is not read here: Wyko OPD file; export it in Vision");
     const struct member workbook[] = {{"[Content_Types].xml", "x", 1}, {"xl/workbook.xml", "y", 1}, {NULL, NULL, 0}};
-    text = zip(workbook, true);
-    assert_refused_bytes(text.data, text.length, &no_units, "Excel workbook; save the sheet with the scan as CSV");
-    text_free(&text);
+    refuse_text(zip(workbook, true), &no_units, "Excel workbook; save the sheet with the scan as CSV");
     static struct member many[1002];
     for (size_t i = 0; i < 1001; i++)
         many[i] = (struct member){"a.csv", csv, sizeof csv - 1};
-    text = zip(many, true);
-    assert_refused_bytes(text.data, text.length, &no_units, "1001 files in the archive; at most 1000 files: unpack it");
-    text_free(&text);
+    refuse_text(zip(many, true), &no_units, "1001 files in the archive; at most 1000 files: unpack it");
 }
 
 static void assert_prefixes_refused(const struct text *text)
@@ -151,23 +143,14 @@ static void assert_prefixes_refused(const struct text *text)
     }
 }
 
-/* Frees it. */
-static void assert_text_refused(struct text text, const char *expected)
-{
-    assert_refused_bytes(text.data, text.length, &no_units, expected);
-    text_free(&text);
-}
-
 TEST_CASE(test_gzip)
 {
     struct text text = gzip(csv, sizeof csv - 1);
     assert_sample(&text, "text", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
     assert_prefixes_refused(&text);
     assert_refused_bytes(text.data, text.length - 1, &no_units, "damaged or cut off within the gzip data");
-    struct text twice = gzip(text.data, text.length);
-    assert_refused_bytes(twice.data, twice.length, &no_units,
-                         "a packed file within a packed file; at most 1 level: unpack it");
-    text_free(&twice);
+    refuse_text(gzip(text.data, text.length), &no_units,
+                "a packed file within a packed file; at most 1 level: unpack it");
     text_free(&text);
     /* members one after another are one file */
     text = gzip(csv, 30);
@@ -176,12 +159,8 @@ TEST_CASE(test_gzip)
     assert_sample(&text, "text", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
     text_free(&rest);
     text_free(&text);
-    text = gzip(sdf, sizeof sdf - 1);
-    assert_sample(&text, "sdf", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
-    text_free(&text);
-    text = gzip("\x89PNG\r\n\x1a\n\0", 9);
-    assert_refused_bytes(text.data, text.length, &no_units, "it is no scan: PNG picture");
-    text_free(&text);
+    expect_sample(gzip(sdf, sizeof sdf - 1), "sdf", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
+    refuse_text(gzip("\x89PNG\r\n\x1a\n\0", 9), &no_units, "it is no scan: PNG picture");
 }
 
 static void put_name(struct text *text, const char *name, char type)
@@ -252,9 +231,7 @@ TEST_CASE(test_gwy)
     struct text text = gwy(&inner);
     assert_sample(&text, "gwy", SCAN_AREAL, SAMPLE_POINTS, &no_units);
     assert_prefixes_refused(&text);
-    struct text packed = gzip(text.data, text.length);
-    assert_sample(&packed, "gwy", SCAN_AREAL, SAMPLE_POINTS, &no_units);
-    text_free(&packed);
+    expect_sample(gzip(text.data, text.length), "gwy", SCAN_AREAL, SAMPLE_POINTS, &no_units);
     text_free(&text);
 
     /* of several the first that holds lengths, without the points under its own mask */
@@ -278,14 +255,14 @@ TEST_CASE(test_gwy_refusals)
 {
     struct text inner = {0};
     put_field_object(&inner, "/0/data", 1e-6, "m", SAMPLE_POINTS + 1);
-    assert_text_refused(gwy(&inner), "cut off or damaged");
+    refuse_text(gwy(&inner), &no_units, "cut off or damaged");
     put_field_object(&inner, "/0/data", 1e-6, "m", SAMPLE_POINTS - 1);
-    assert_text_refused(gwy(&inner), "cut off or damaged");
+    refuse_text(gwy(&inner), &no_units, "cut off or damaged");
     put_field_object(&inner, "/0/data", 1, "V", SAMPLE_POINTS);
-    assert_text_refused(gwy(&inner), "z is in 'V' by the file, which is no unit of length");
+    refuse_text(gwy(&inner), &no_units, "z is in 'V' by the file, which is no unit of length");
     put_name(&inner, "/0/filename", 's');
     text_add_bytes(&inner, "a", 2);
-    assert_text_refused(gwy(&inner), "no map in it (/0/data)");
+    refuse_text(gwy(&inner), &no_units, "no map in it (/0/data)");
     put_name(&inner, "/0/odd", '?');
-    assert_text_refused(gwy(&inner), "cut off or damaged");
+    refuse_text(gwy(&inner), &no_units, "cut off or damaged");
 }

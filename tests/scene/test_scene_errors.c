@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Every way a scene can be wrong: the message names file, line and key, and what to do. */
-#include "scene/scene_quantity.h"
+#include "scene/scene_words.h"
 #include "scene_directory.h"
 
 struct wrong {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A number in SI or one with its unit. */
-#include "scene/scene_quantity.h"
+#include "scene/scene_words.h"
 #include "support.h"
 
 enum { ANY = (1 << 22) - 1 };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "scan/number.h"
 #include "scan/reader.h"
+#include "scan/string_view.h"
 #include "support.h"
 
 #include <locale.h>
