@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/cell.h"
 
+#include "base/number_digits.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -34,10 +35,8 @@ static bool present(const struct cell_guard *guard, const char *quantity, double
 
 void cell_number(struct text *row, const struct cell_guard *guard, const char *quantity, double value)
 {
-    char number[32] = ",";
-    if (present(guard, quantity, value))
-        snprintf(number, sizeof number, ",%.17g", value);
-    text_add_bytes(row, number, strlen(number));
+    char number[1 + NUMBER_DIGITS_SIZE] = ",";
+    text_add_bytes(row, number, 1 + (present(guard, quantity, value) ? number_digits(number + 1, value) : 0));
 }
 
 json_t *cell_json(const struct cell_guard *guard, const char *quantity, double value)
