@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "contact/constriction.h"
 #include "contact/sinusoid.h"
-#include "support.h"
+#include "model_support.h"
 
 /* Psi = (1 - sqrt(a))^(3/2) in long double. */
 TEST_CASE(test_alleviation)
@@ -18,16 +18,6 @@ TEST_CASE(test_alleviation)
         assert_true(now < before);
         before = now;
     }
-}
-
-/* Near full contact 1 - sqrt(1 - c) -> c/2 + c²/8: no digit of the complement c is lost. */
-TEST_CASE(test_alleviation_near_full_contact)
-{
-    for (double complement = 1e-3; complement > 1e-300; complement /= 1e3) {
-        double open = complement / 2 * (1 + complement / 4 + complement * complement / 8);
-        assert_near(constriction_alleviation(1 - complement, complement), pow(open, 1.5), 1e-9);
-    }
-    assert_near(constriction_alleviation(1, 1e-20), pow(5e-21, 1.5), 1e-14);
 }
 
 static struct material copper_like(double conductivity, double resistivity, double sound_speed)
@@ -139,7 +129,7 @@ TEST_CASE(test_the_same_material_twice)
 /* Whatever the stack, TCR/ECR = 1/(rho k). */
 TEST_CASE(test_heat_flows_as_current_does)
 {
-    const struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
+    const struct material_pair pair = model_support_tin();
     const struct constriction spot = constriction_make(&pair);
     struct constriction_sum sum = {0};
     double area = 1;
