@@ -126,22 +126,6 @@ TEST_CASE(test_the_same_material_twice)
     assert_near(one.knudsen_length_m, 8 / (3 * M_PI) * 3 * 400 / (8000.0 * 400 * 4000), 1e-14);
 }
 
-/* Whatever the stack, TCR/ECR = 1/(rho k). */
-TEST_CASE(test_heat_flows_as_current_does)
-{
-    const struct material_pair pair = model_support_tin();
-    const struct constriction spot = constriction_make(&pair);
-    struct constriction_sum sum = {0};
-    double area = 1;
-    for (int n = 1; n <= 50; n++) {
-        struct sinusoid_cell cell = cell_of(0.5 + 0.009 * n);
-        constriction_add_scale(&sum, cell.area_ratio, cell.area_complement, 1e4 * n, area);
-        area *= cell.area_ratio;
-        assert_near(constriction_thermal(&spot, &sum) / constriction_electrical(&spot, &sum),
-                    1 / (spot.resistivity_ohm_m * spot.conductivity_W_per_mK), 1e-14);
-    }
-}
-
 TEST_CASE(test_unknown_properties_give_nothing)
 {
     struct material material = copper_like(400, 2e-8, 4000);

@@ -209,43 +209,6 @@ static struct direct_ensemble_def ensemble_of(const struct direct_spectrum *spec
                                         .threads = 1};
 }
 
-/** 16 x 16 points, from one in contact to all: fewer than 100 in any surface is no number, and none is NaN beyond. */
-TEST_CASE(coarse_grid)
-{
-    struct direct_law law = {1e-3, 1.3, 1 / 2.6, 1, 1};
-    struct direct_spectrum spectrum;
-    struct direct_ensemble found;
-    struct status status = {0};
-    double loads[31];
-    size_t given = 0, few = 0;
-    for (size_t i = 0; i < 31; i++)
-        loads[i] = 1e-9 * pow(10, (double)i / 3);
-    assert_int_equal(direct_spectrum_of_law(&spectrum, &law, &status), STATUS_OK);
-    struct direct_ensemble_def def = ensemble_of(&spectrum, 16, loads, 31);
-    def.fine_times = 2;
-    if (direct_ensemble_run(&found, &def, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
-    for (size_t i = 0; i < 31; i++) {
-        const struct direct_ensemble_point *point = &found.point[i];
-        size_t least = SIZE_MAX;
-        for (size_t k = 0; k < found.seeds; k++) {
-            size_t points = found.seed_point[k * 31 + i].quantities.contact_points;
-            least = points < least ? points : least;
-        }
-        assert_int_equal(point->state, least < 100 ? DIRECT_ENSEMBLE_FEW_POINTS : DIRECT_ENSEMBLE_GIVEN);
-        for (size_t m = 0; m < DIRECT_QUANTITIES; m++) {
-            assert_true((least < 100) == isnan(point->mean[m].value));
-            assert_true((least < 100) == isnan(point->mean[m].standard_error));
-        }
-        given += least >= 100;
-        few += least < 100;
-    }
-    assert_true(given > 3 && few > 10);
-    assert_true(found.point[30].mean[DIRECT_AREA].value == 1 && found.point[30].mean[DIRECT_CONSTRICTION].value == 0);
-    direct_ensemble_free(&found);
-    direct_spectrum_free(&spectrum);
-}
-
 /** What does not converge is an error of the ladder and of the ensemble, as is a load that is no number. */
 TEST_CASE(no_answer)
 {

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Scans and scenes that strain the way from heights to loads: offsets, tilt, quantised heights. */
+/* Scans that strain the way from heights to spectra: offsets, tilt, quantised heights. */
 #include "hard_support.h"
 #include "profile/profile.h"
-#include "scene/scene.h"
 #include "spectrum/power_law.h"
 #include "spectrum/roughness.h"
 
@@ -127,24 +126,4 @@ TEST_CASE(quantised_heights)
             profile_free(&profile);
             free(height_m);
         }
-}
-
-/** Loads doubled and out of order, over 36 decades, come out ascending and once each; pascals are divided by E'. */
-TEST_CASE(duplicate_and_unsorted_loads)
-{
-    double given[] = {1e6, 1e-30, 1, 1e-30, 1e6, 1e6, 3e-7, 1, 1e-30 * (1 + 0x1p-52)};
-    const double expected[] = {1e-30, 1e-30 * (1 + 0x1p-52), 3e-7, 1, 1e6};
-    for (int in_pascal = 0; in_pascal < 2; in_pascal++) {
-        struct scene scene = {.load = {.points = 9, .values = given, .kind = in_pascal ? UNIT_PRESSURE : UNIT_NUMBER}};
-        struct status status = {0};
-        double *loads;
-        size_t count, operating;
-        assert_int_equal(scene_loads(&loads, &count, &operating, &scene,
-                                     &(struct material_pair){.effective_modulus_Pa = 4.0}, &status),
-                         STATUS_OK);
-        assert_int_equal(count, 5);
-        for (size_t i = 0; i < count; i++)
-            assert_true(loads[i] == expected[i] / (in_pascal ? 4 : 1));
-        free(loads);
-    }
 }
