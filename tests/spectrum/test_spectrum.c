@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "profile/synth.h"
 #include "spectrum/spectrum.h"
 #include "support.h"
 
