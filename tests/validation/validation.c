@@ -7,17 +7,13 @@
 #include "analysis/evaluate.h"
 #include "direct/direct_ladder.h"
 #include "direct/direct_surface.h"
+#include "directory.h"
 #include "statistics/coverage.h"
-#include "support.h"
 #include "validation/truths.h"
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
 
 enum { SIDE = 256, GIVEN = SIDE * SIDE, LAWS = 9, HURSTS = 3, HARDNESSES = 3, ASKED = 3, LOADS = 9 };
 
@@ -155,11 +151,10 @@ static void solve(struct direct_point *out, const double *height_m, double hardn
 }
 
 /** Writes rows and a scene into the directory. */
-static void write_scans(const char *directory, const double *height_m, const struct part *part, double hardness)
+static void write_scans(const struct directory *place, const double *height_m, const struct part *part, double hardness)
 {
     struct text scene = {0}, row = {0};
-    char path[192];
-    struct status status = {0};
+    char name[32];
     double hardness_Pa = 1e11 * gradient * (isinf(hardness) ? 10 : hardness);
     text_add(&scene, "material: {E: 100 GPa, nu: 0, Sy: %.17g, resistivity: %g ohm m, hardness: %.17g}\n",
              hardness_Pa / material_hardness_ratio, resistivity_ohm_m, hardness_Pa);
@@ -174,16 +169,13 @@ static void write_scans(const char *directory, const double *height_m, const str
         text_add(&row, "x [um],z [nm]\n");
         for (size_t i = 0; i < part->points; i++)
             text_add(&row, "%zu,%.9g\n", i, z[i] * 1e9);
-        snprintf(path, sizeof path, "%s/row-%zu.csv", directory, r);
-        (void)remove(path);
-        coverage_must(text_write_file(path, text_string(&row), row.length, &status), &status);
+        snprintf(name, sizeof name, "row-%zu.csv", r);
+        directory_write(place, name, text_string(&row));
         text_free(&row);
-        text_add(&scene, "%srow-%zu.csv", r > 0 ? ", " : "", r);
+        text_add(&scene, "%s%s", r > 0 ? ", " : "", name);
     }
     text_add(&scene, "]}]\n");
-    snprintf(path, sizeof path, "%s/scene.yaml", directory);
-    (void)remove(path);
-    coverage_must(text_write_file(path, text_string(&scene), scene.length, &status), &status);
+    directory_write(place, "scene.yaml", text_string(&scene));
     text_free(&scene);
 }
 
@@ -260,17 +252,18 @@ static void hold_synthesis(struct findings *findings, const struct surface_recor
 }
 
 /** A surface's rows through the analysis. */
-static void hold(struct findings *findings, const char *directory, const double *height_m, const struct part *part,
-                 size_t law, double hardness, const struct direct_point *truth)
+static void hold(struct findings *findings, const double *height_m, const struct part *part, size_t law,
+                 double hardness, const struct direct_point *truth)
 {
+    struct directory place = directory_make();
     struct scene scene;
     struct plan plan;
     struct surface_record record = {0};
     struct status status = {0};
     double *own;
     size_t count, operating;
-    write_scans(directory, height_m, part, hardness);
-    coverage_must(scene_read(&scene, directory, NULL, &status), &status);
+    write_scans(&place, height_m, part, hardness);
+    coverage_must(scene_read(&scene, place.path, NULL, &status), &status);
     plan_make(&plan, &scene);
     struct material_pair pair = scene_pair(scene.surfaces[0].bodies);
     coverage_must(scene_loads(&own, &count, &operating, &scene, &pair, &status), &status);
@@ -288,6 +281,7 @@ static void hold(struct findings *findings, const char *directory, const double 
     surface_record_free(&record);
     scene_free(&scene);
     free(own);
+    directory_remove(&place);
 }
 
 /** Which of the findings: of a model (model_count: the leading one), of a law (LAWS: any; LAWS + 1: any but Gaussian).
@@ -382,7 +376,7 @@ static void add_synthesis(struct page *page, const struct findings *findings)
     text_add(&page->text, "\n");
 }
 
-static void run(struct findings *out, const struct part *part, const char *directory)
+static void run(struct findings *out, const struct part *part)
 {
     for (size_t law = 0; law < part->laws; law++)
         for (size_t k = 0; k < part->each; k++) {
@@ -392,7 +386,7 @@ static void run(struct findings *out, const struct part *part, const char *direc
                 struct direct_point truth[LOADS];
                 double hardness = part->hardnesses > 0 ? hardnesses[h] : INFINITY;
                 solve(truth, height_m, hardness);
-                hold(out, directory, height_m, part, law, hardness, truth);
+                hold(out, height_m, part, law, hardness, truth);
             }
             free(height_m);
         }
@@ -428,37 +422,26 @@ static void add_tables(struct page *page, const struct findings *findings)
 
 int main(int count, char **word)
 {
-    char directory[128], path[192];
-    const char *temporary = getenv("TMPDIR");
-    struct text page_text = {0};
     struct findings findings[PARTS] = {0};
+    struct text template = {0};
     struct status status = {0};
-    snprintf(directory, sizeof directory, "%s/roughcontact-validation-XXXXXX", temporary ? temporary : "/tmp");
-    if (count != 2 || !mkdtemp(directory))
+    if (count != 2)
         return 2;
-    coverage_must(text_read_file(&page_text, PROJECT_SOURCE "/tests/validation/page.md", &status), &status);
-    struct page page = {.rest = page_text.data};
+    coverage_must(text_read_file(&template, PROJECT_SOURCE "/tests/validation/page.md", &status), &status);
+    struct page page = {.rest = template.data};
     truths_add(&page);
     for (size_t p = 0; p < PARTS; p++) {
         fprintf(stderr, "%s\n", parts[p].title);
-        run(&findings[p], &parts[p], directory);
+        run(&findings[p], &parts[p]);
     }
     add_tables(&page, findings);
     truths_add_coverage(&page);
     text_add(&page.text, "%s", page.rest);
-    for (size_t p = 0; p < PARTS; p++) {
-        free(findings[p].all);
-        for (size_t r = 0; r < parts[p].rows; r++) {
-            snprintf(path, sizeof path, "%s/row-%zu.csv", directory, r);
-            (void)remove(path);
-        }
-    }
-    snprintf(path, sizeof path, "%s/scene.yaml", directory);
-    (void)remove(path);
-    (void)rmdir(directory);
     (void)remove(word[1]);
     coverage_must(text_write_file(word[1], text_string(&page.text), page.text.length, &status), &status);
+    for (size_t p = 0; p < PARTS; p++)
+        free(findings[p].all);
     text_free(&page.text);
-    text_free(&page_text);
+    text_free(&template);
     return page.outside > 0;
 }
