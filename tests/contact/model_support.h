@@ -4,6 +4,7 @@
 #define TEST_MODEL_SUPPORT_H
 
 #include "contact/model.h"
+#include "contact/persson.h"
 #include "support.h"
 
 enum {
@@ -20,6 +21,9 @@ void model_support_loads(double *load, size_t count, double from, double to);
 
 /** alpha lambda^gamma of a scan of that length; to be freed. */
 struct spectrum model_support_law(double length_m, double alpha, double gamma, size_t count);
+
+/** Its waves ready for Persson's theory. To be freed. */
+struct persson model_support_persson(const struct spectrum *spectrum, double energy_factor);
 
 /** Tin against a rigid flat. */
 struct material_pair model_support_tin(void);

@@ -1,16 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "contact/asperity.h"
-#include "support.h"
-
-static struct material_pair tin(void)
-{
-    return material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
-}
+#include "model_support.h"
 
 TEST_CASE(matches_reference)
 {
     struct table table = table_read("golden/asperity.csv");
-    struct material_pair pair = tin();
+    struct material_pair pair = model_support_tin();
     for (size_t i = 0; i < table.rows; i++) {
         double radius = table_number(&table, i, "radius_m"), interference = table_number(&table, i, "interference_m");
         struct asperity_contact contact;
@@ -29,7 +24,7 @@ TEST_CASE(matches_reference)
 
 TEST_CASE(interference_at_inverts_the_radius)
 {
-    struct material_pair pair = tin();
+    struct material_pair pair = model_support_tin();
     struct asperity asperity = asperity_make(2e-5, &pair, ASPERITY_JG);
     static const double ratios[] = {0.05, 0.41, 1};
     for (int i = 0; i < 3; i++) {

@@ -68,36 +68,6 @@ TEST_CASE(matches_the_reference)
     table_free(&table);
 }
 
-/** The force that brings tin's ECR on 1 mm² down to a target, and the spots there: 1 mohm takes 40.5 mN, by 9.1 spots
- * of 6.0 um. */
-TEST_CASE(forces_for_a_target)
-{
-    struct table table = table_read("golden/models/answers_tin_cmy.csv");
-    struct material_pair pair = model_support_tin();
-    struct spectrum spectrum = wave(sqrt(4e-13), cmy_slope(2.5e-3));
-    for (size_t i = 0; i < table.rows; i++) {
-        double area_m2 = table_number(&table, i, "nominal_area_m2");
-        double load = table_number(&table, i, "force_N") / (area_m2 * pair.effective_modulus_Pa);
-        struct model_task task = task_of(&spectrum, &pair, &load, 1);
-        task.hardness_Pa = 2.8 * pair.yield_strength_Pa;
-        struct contact_point point[2];
-        struct contact_spots spots;
-        model_support_run(point, "cmy", &task);
-        spots_of(&spots, &task);
-        assert_near(point->value[QUANTITY_ECR] / area_m2, table_number(&table, i, "target_ohm"), 1e-10);
-        assert_near(1 / point->value[QUANTITY_TCR], table_number(&table, i, "h_W_per_m2K"), 1e-10);
-        assert_near(spots.density_per_m2 * area_m2, table_number(&table, i, "spots"), 1e-10);
-        assert_near(spots.radius_m, table_number(&table, i, "spot_radius_m"), 1e-10);
-        if (table_number(&table, i, "target_ohm") == 1e-3) {
-            assert_within(load * pair.effective_modulus_Pa * area_m2, 40.5e-3, 0.05e-3);
-            assert_within(spots.density_per_m2 * area_m2, 9.1, 0.05);
-            assert_within(spots.radius_m, 6.0e-6, 0.05e-6);
-        }
-    }
-    spectrum_free(&spectrum);
-    table_free(&table);
-}
-
 /** h = 2 n a k/Psi and the spots are the area; the handbook's 1.25 (P/H)^0.95 is 0.987...1.010 of the closed form for
  * 1.2e-4 < P/H < 2e-2, and 6 % less at 0.07 (Yovanovich 1981). */
 TEST_CASE(identities)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "contact/constriction.h"
 #include "contact/sinusoid.h"
-#include "support.h"
+#include "model_support.h"
 
 /* Psi = (1 - sqrt(a))^(3/2) in long double. */
 TEST_CASE(test_alleviation)
@@ -18,16 +18,6 @@ TEST_CASE(test_alleviation)
         assert_true(now < before);
         before = now;
     }
-}
-
-/* Near full contact 1 - sqrt(1 - c) -> c/2 + c²/8: no digit of the complement c is lost. */
-TEST_CASE(test_alleviation_near_full_contact)
-{
-    for (double complement = 1e-3; complement > 1e-300; complement /= 1e3) {
-        double open = complement / 2 * (1 + complement / 4 + complement * complement / 8);
-        assert_near(constriction_alleviation(1 - complement, complement), pow(open, 1.5), 1e-9);
-    }
-    assert_near(constriction_alleviation(1, 1e-20), pow(5e-21, 1.5), 1e-14);
 }
 
 static struct material copper_like(double conductivity, double resistivity, double sound_speed)
@@ -134,22 +124,6 @@ TEST_CASE(test_the_same_material_twice)
     assert_near(two.conductivity_W_per_mK, one.conductivity_W_per_mK, 1e-15);
     assert_near(two.knudsen_length_m, one.knudsen_length_m, 1e-15);
     assert_near(one.knudsen_length_m, 8 / (3 * M_PI) * 3 * 400 / (8000.0 * 400 * 4000), 1e-14);
-}
-
-/* Whatever the stack, TCR/ECR = 1/(rho k). */
-TEST_CASE(test_heat_flows_as_current_does)
-{
-    const struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
-    const struct constriction spot = constriction_make(&pair);
-    struct constriction_sum sum = {0};
-    double area = 1;
-    for (int n = 1; n <= 50; n++) {
-        struct sinusoid_cell cell = cell_of(0.5 + 0.009 * n);
-        constriction_add_scale(&sum, cell.area_ratio, cell.area_complement, 1e4 * n, area);
-        area *= cell.area_ratio;
-        assert_near(constriction_thermal(&spot, &sum) / constriction_electrical(&spot, &sum),
-                    1 / (spot.resistivity_ohm_m * spot.conductivity_W_per_mK), 1e-14);
-    }
 }
 
 TEST_CASE(test_unknown_properties_give_nothing)

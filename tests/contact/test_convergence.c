@@ -1,18 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "contact/convergence.h"
 #include "contact/sinusoid.h"
-#include "support.h"
-
-static struct material_pair tin(void)
-{
-    return material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
-}
+#include "model_support.h"
 
 /** Chapter 6.2: gamma >= 1 settles (the second half of the scales changes nothing), elastic gamma < 1 keeps
  * falling. */
 TEST_CASE(gamma_decides)
 {
-    struct material_pair pair = tin();
+    struct material_pair pair = model_support_tin();
     double area[4096];
     uint64_t evaluations = 0;
     for (int plastic = 0; plastic < 2; plastic++)
@@ -95,7 +90,7 @@ TEST_CASE(the_tail_is_the_short_end)
  * is the surface's own: one harmonic far off its law. */
 TEST_CASE(extension_matches_every_scale)
 {
-    struct material_pair pair = tin();
+    struct material_pair pair = model_support_tin();
     const struct sinusoid_fit *closure = &sinusoid_fits[SINUSOID_FIT_THESIS];
     for (int plastic = 0; plastic < 2; plastic++)
         for (double gamma = 0.65; gamma < 1.7; gamma += 0.2) {

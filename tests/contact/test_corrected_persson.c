@@ -23,21 +23,13 @@ static struct spectrum golden_spectrum(const char *name)
     return spectrum;
 }
 
-static struct persson made(const struct spectrum *spectrum)
-{
-    struct persson persson;
-    struct status status = {0};
-    assert_int_equal(persson_make(&persson, spectrum, persson_energy_factor, &status), STATUS_OK);
-    return persson;
-}
-
 TEST_CASE(matches_reference)
 {
     struct table table = table_read("golden/strip/corrected_persson.csv");
     assert_int_equal(table.rows, 18);
     for (size_t i = 0; i < table.rows; i++) {
         struct spectrum spectrum = golden_spectrum(table_text(&table, i, "profile"));
-        struct persson persson = made(&spectrum);
+        struct persson persson = model_support_persson(&spectrum, persson_energy_factor);
         double area = table_number(&table, i, "area_ratio"), load = table_number(&table, i, "load_over_AnEp");
         struct corrected_persson_point point;
         corrected_persson_curve(&point, &area, 1, &persson, true);
@@ -81,7 +73,7 @@ TEST_CASE(separation_is_the_integral_of_constriction)
 {
     enum { AREAS = 200 };
     struct spectrum spectrum = model_support_law(1e-3, 0.01, 1.1, 1000);
-    struct persson persson = made(&spectrum);
+    struct persson persson = model_support_persson(&spectrum, persson_energy_factor);
     double area[AREAS];
     struct corrected_persson_point all[AREAS], alone;
     for (size_t i = 0; i < AREAS; i++) {

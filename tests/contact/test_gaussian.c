@@ -48,16 +48,6 @@ TEST_CASE(methods_meet)
     }
 }
 
-/** F_1 = phi(h) - h F_0, and (n+1) F... : the recurrence F_3/2 = F_{-1/2}/2 - h F_1/2 gives back a positive F_{-1/2}.
- */
-TEST_CASE(recurrences_hold)
-{
-    for (double h = -7.9; h < 0; h += 0.37) {
-        struct gaussian_integrals f = gaussian_integrals(h);
-        assert_near(f.one, exp(-h * h / 2) / sqrt(2 * M_PI) - h * f.zero, 1e-13);
-    }
-}
-
 /** Far out the ratios stay right though the integrals are below 10^-300: F_{3/2}/F_{1/2} -> 1.5/h (1 - 3/h² ...). */
 TEST_CASE(ratios_survive_underflow)
 {

@@ -1,28 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "contact/convergence.h"
 #include "contact/multiscale.h"
-#include "support.h"
+#include "model_support.h"
 
 enum { EVERYTHING = QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_RESISTANCES };
-
-static struct spectrum law_spectrum(double length, double alpha, double gamma, size_t count)
-{
-    struct spectrum spectrum = {malloc(count * sizeof(double)), count, length, false};
-    assert_non_null(spectrum.amplitude_m);
-    for (size_t i = 0; i < count; i++)
-        spectrum.amplitude_m[i] = alpha * pow(length / (double)(i + 1), gamma);
-    return spectrum;
-}
 
 TEST_CASE(matches_reference)
 {
     struct table table = table_read("golden/multiscale.csv");
-    struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
+    struct material_pair pair = model_support_tin();
     struct constriction spot = constriction_make(&pair);
     for (size_t i = 0; i < table.rows; i++) {
         struct spectrum spectrum =
-            law_spectrum(table_number(&table, i, "scan_length_m"), table_number(&table, i, "alpha_SI"),
-                         table_number(&table, i, "gamma"), (size_t)table_number(&table, i, "scales"));
+            model_support_law(table_number(&table, i, "scan_length_m"), table_number(&table, i, "alpha_SI"),
+                              table_number(&table, i, "gamma"), (size_t)table_number(&table, i, "scales"));
         double sigma = sqrt(spectrum_moment(&spectrum, 0));
         struct multiscale stack;
         bool plastic = strcmp(table_text(&table, i, "model"), "plastic") == 0;
@@ -43,38 +34,12 @@ TEST_CASE(matches_reference)
     table_free(&table);
 }
 
-/** full_load is where the area becomes 1 and the separation 0: not before, not after. */
-TEST_CASE(full_load_is_sharp)
-{
-    struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
-    struct constriction spot = constriction_make(&pair);
-    struct spectrum spectrum = law_spectrum(3e-4, 0.085, 1.5, 256);
-    for (int plastic = 0; plastic < 2; plastic++) {
-        struct multiscale stack;
-        assert_int_equal(multiscale_make(&stack, &spectrum, &pair, plastic, SINUSOID_FIT_THESIS, &(struct status){0}),
-                         STATUS_OK);
-        struct contact_point point;
-        uint64_t evaluations = 0;
-        multiscale_solve(&point, &stack, &spot, EVERYTHING, stack.full_load * (1 + 1e-12), &evaluations);
-        assert_near(point.value[QUANTITY_AREA], 1, 0);
-        assert_within(point.value[QUANTITY_ECR], 0, 0);
-        multiscale_solve(&point, &stack, &spot, EVERYTHING, stack.full_load * (1 - 1e-3), &evaluations);
-        assert_true(point.value[QUANTITY_AREA] < 1 && point.value[QUANTITY_ECR] > 0);
-        multiscale_solve(&point, &stack, &spot, EVERYTHING, stack.closed_load * (1 + 1e-12), &evaluations);
-        assert_within(point.value[QUANTITY_SEPARATION], 0, 0);
-        multiscale_solve(&point, &stack, &spot, EVERYTHING, stack.closed_load * (1 - 1e-3), &evaluations);
-        assert_true(point.value[QUANTITY_SEPARATION] > 0);
-        multiscale_free(&stack);
-    }
-    spectrum_free(&spectrum);
-}
-
 /** The convergence study's areas after each scale end in the area of the whole stack and never rise. */
 TEST_CASE(areas_fall_to_the_total)
 {
-    struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
+    struct material_pair pair = model_support_tin();
     struct constriction spot = constriction_make(&pair);
-    struct spectrum spectrum = law_spectrum(3e-4, 0.085, 0.5, 400);
+    struct spectrum spectrum = model_support_law(3e-4, 0.085, 0.5, 400);
     struct multiscale stack;
     assert_int_equal(multiscale_make(&stack, &spectrum, &pair, true, SINUSOID_FIT_THESIS, &(struct status){0}),
                      STATUS_OK);
@@ -137,7 +102,7 @@ static struct spectrum random_spectrum(uint64_t *state)
 {
     static const size_t counts[] = {1, 2, 16, 17, 100, 777};
     double gamma = uniform(state) < 0.2 ? 1 : 0.2 + 2.8 * uniform(state), scatter = uniform(state) < 0.3 ? 0 : 1.2;
-    struct spectrum out = law_spectrum(3e-4, 1, gamma, counts[(size_t)(6 * uniform(state))]);
+    struct spectrum out = model_support_law(3e-4, 1, gamma, counts[(size_t)(6 * uniform(state))]);
     double slope = pow(10, -4 + 5 * uniform(state)) * 3e-4 / out.amplitude_m[0];
     for (size_t i = 0; i < out.count; i++)
         out.amplitude_m[i] *= uniform(state) < 0.02 ? 0 : slope * exp(scatter * (uniform(state) - 0.5));
@@ -199,14 +164,14 @@ TEST_CASE(passes_over_closed_scales)
 TEST_CASE(scales_that_just_yield)
 {
     enum { SCALES = 300, STACKS = 40, TRIED = 200 };
-    struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
+    struct material_pair pair = model_support_tin();
     struct constriction spot = constriction_make(&pair);
     uint64_t random = 5;
     pair.poisson_ratio = 0.49;
     pair.yield_coefficient = 1.295 * exp(0.736 * pair.poisson_ratio);
     const double ordered_Pa = sinusoid_ordered_pressure(&pair);
     for (int k = 0; k < STACKS; k++) {
-        struct spectrum spectrum = law_spectrum(3e-4, 1, 1, SCALES);
+        struct spectrum spectrum = model_support_law(3e-4, 1, 1, SCALES);
         struct sinusoid_scale scales[SCALES];
         struct multiscale stack;
         for (size_t i = 0; i < SCALES; i++) {
@@ -235,11 +200,11 @@ TEST_CASE(scales_that_just_yield)
 /** On a steep law a load far below full contact is done with after a few scales, whatever their number. */
 TEST_CASE(visits_do_not_grow_with_the_scales)
 {
-    struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
+    struct material_pair pair = model_support_tin();
     uint64_t visits[2][2];
     for (int plastic = 0; plastic < 2; plastic++)
         for (int longer = 0; longer < 2; longer++) {
-            struct spectrum spectrum = law_spectrum(3e-4, 0.085, 1.5, longer ? 40000 : 4000);
+            struct spectrum spectrum = model_support_law(3e-4, 0.085, 1.5, longer ? 40000 : 4000);
             struct multiscale stack;
             struct constriction none = {0};
             struct contact_point point;

@@ -3,25 +3,8 @@
  * integral in 30 digits), against the sums over every wave, and in their limits. */
 #include "base/integral.h"
 #include "contact/persson.h"
+#include "model_support.h"
 #include "random_surface.h"
-#include "support.h"
-
-static struct spectrum law_spectrum(double length, double alpha, double gamma, size_t count)
-{
-    struct spectrum spectrum = {malloc(count * sizeof(double)), count, length, false};
-    assert_non_null(spectrum.amplitude_m);
-    for (size_t i = 0; i < count; i++)
-        spectrum.amplitude_m[i] = alpha * pow(length / (double)(i + 1), gamma);
-    return spectrum;
-}
-
-static struct persson make(const struct spectrum *spectrum, double energy_factor)
-{
-    struct persson persson;
-    struct status status = {0};
-    assert_int_equal(persson_make(&persson, spectrum, energy_factor, &status), STATUS_OK);
-    return persson;
-}
 
 /** The golden area is the original one, erf(p/sqrt(m2)), in the rows of both g. */
 TEST_CASE(matches_reference)
@@ -29,9 +12,9 @@ TEST_CASE(matches_reference)
     struct table table = table_read("golden/models/persson_lines.csv");
     for (size_t i = 0; i < table.rows; i++) {
         struct spectrum spectrum =
-            law_spectrum(table_number(&table, i, "scan_length_m"), table_number(&table, i, "alpha_SI"),
-                         table_number(&table, i, "gamma"), (size_t)table_number(&table, i, "scales"));
-        struct persson persson = make(&spectrum, table_number(&table, i, "gamma_energy"));
+            model_support_law(table_number(&table, i, "scan_length_m"), table_number(&table, i, "alpha_SI"),
+                              table_number(&table, i, "gamma"), (size_t)table_number(&table, i, "scales"));
+        struct persson persson = model_support_persson(&spectrum, table_number(&table, i, "gamma_energy"));
         double load = table_number(&table, i, "load_over_AnEp");
         assert_near(persson_area(load, persson.m2, 1), table_number(&table, i, "area_ratio"), 1e-10);
         struct persson_separation at = persson_separation(&persson, load);
@@ -93,11 +76,11 @@ TEST_CASE(groups_stand_for_rings)
     static const double gammas[] = {0.3, 0.8, 1, 1.3, 1.7};
     double worst = 0;
     for (size_t g = 0; g < 6; g++) {
-        struct spectrum spectrum = law_spectrum(1e-3, 0.01, g < 5 ? gammas[g] : 1, 4000);
+        struct spectrum spectrum = model_support_law(1e-3, 0.01, g < 5 ? gammas[g] : 1, 4000);
         if (g == 5)
             for (size_t i = 0; i < spectrum.count; i++)
                 spectrum.amplitude_m[i] *= i % 7 == 0 || (i > 300 && i < 1200) ? 0 : 1 + (double)(i * i % 11);
-        struct persson persson = make(&spectrum, persson_energy_factor);
+        struct persson persson = model_support_persson(&spectrum, persson_energy_factor);
         assert_true(persson.groups.count < persson.rings.count / 10);
         struct persson every = persson;
         every.groups = every.rings;
@@ -118,8 +101,8 @@ TEST_CASE(groups_stand_for_rings)
  */
 TEST_CASE(limits)
 {
-    struct spectrum spectrum = law_spectrum(1e-3, 0.01, 1.1, 500);
-    struct persson persson = make(&spectrum, persson_energy_factor);
+    struct spectrum spectrum = model_support_law(1e-3, 0.01, 1.1, 500);
+    struct persson persson = model_support_persson(&spectrum, persson_energy_factor);
     double rms = sqrt(persson.m2), g = persson_energy_factor;
     assert_near(persson_area(1e-9 * rms, persson.m2, g), M_2_SQRTPI * 1e-9 / sqrt(g), 1e-8);
     assert_near(persson_area(1e-9 * rms, persson.m2, 1), M_2_SQRTPI * 1e-9, 1e-15);
@@ -174,18 +157,18 @@ TEST_CASE(area_and_load_are_inverse)
 /** A flat surface touches as a whole; one wave alone works; waves without amplitude add nothing. */
 TEST_CASE(hard_cases)
 {
-    struct spectrum flat = law_spectrum(1e-3, 0, 1, 5), one = law_spectrum(1e-3, 0.01, 1, 1);
-    struct persson persson = make(&flat, 0.45);
+    struct spectrum flat = model_support_law(1e-3, 0, 1, 5), one = model_support_law(1e-3, 0.01, 1, 1);
+    struct persson persson = model_support_persson(&flat, 0.45);
     struct persson_separation at = persson_separation(&persson, 1e-4);
     assert_true(at.separation_m == 0 && at.constriction_m == 0 && persson_area(1e-4, persson.m2, 0.45) == 1);
     persson_free(&persson);
-    persson = make(&one, 0.45);
+    persson = model_support_persson(&one, 0.45);
     at = persson_separation(&persson, 1e-4);
     assert_true(isfinite(at.separation_m) && at.separation_m > 0);
     persson_free(&persson);
     double amplitude[5] = {0, 0, one.amplitude_m[0], 0, 0};
     struct spectrum padded = {amplitude, 5, 3e-3, false}; /* the same wave as the third harmonic */
-    persson = make(&padded, 0.45);
+    persson = model_support_persson(&padded, 0.45);
     assert_near(persson_separation(&persson, 1e-4).separation_m, at.separation_m, 1e-13);
     assert_near(persson_separation(&persson, 1e-4).constriction_m, at.constriction_m, 1e-13);
     persson_free(&persson);
@@ -203,7 +186,7 @@ TEST_CASE(direct_solutions)
         struct spectrum spectrum;
         random_surface(&spectrum, table_number(&table, i, "hurst"), table_number(&table, i, "long_index"),
                        table_number(&table, i, "short_index"), table_number(&table, i, "plateau") > 0);
-        struct persson persson = make(&spectrum, persson_energy_factor);
+        struct persson persson = model_support_persson(&spectrum, persson_energy_factor);
         double load = table_number(&table, i, "load_over_Ep"), truth = table_number(&table, i, "area_ratio");
         double area = log(persson_area(load, persson.m2, persson_energy_factor) / truth);
         struct persson_separation at = persson_separation(&persson, load);

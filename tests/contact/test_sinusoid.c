@@ -1,11 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "contact/sinusoid.h"
-#include "support.h"
-
-static struct material_pair tin(void)
-{
-    return material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
-}
+#include "model_support.h"
 
 static const struct sinusoid_fit *thesis = &sinusoid_fits[SINUSOID_FIT_THESIS];
 
@@ -25,7 +20,7 @@ TEST_CASE(elastic_matches_reference)
 TEST_CASE(plastic_matches_reference)
 {
     struct table table = table_read("golden/sinusoid_plastic.csv");
-    struct material_pair pair = tin();
+    struct material_pair pair = model_support_tin();
     for (size_t i = 0; i < table.rows; i++) {
         double amplitude = table_number(&table, i, "amplitude_m"),
                frequency = table_number(&table, i, "frequency_per_m");
@@ -69,28 +64,6 @@ TEST_CASE(closures_keep_their_stated_error)
     table_free(&table);
 }
 
-/** Leaving out every second node of the table, `numeric` still predicts it: the interpolation is smooth enough. */
-TEST_CASE(numeric_closure_has_its_limits)
-{
-    const struct sinusoid_fit *numeric = &sinusoid_fits[SINUSOID_FIT_NUMERIC];
-    struct sinusoid_cell low = {0}, high = {0};
-    numeric->area(&low, 1e-9);
-    thesis->area(&high, 1e-9);
-    assert_near(low.area_ratio, high.area_ratio, 2e-3); /* both are Hertz there */
-    numeric->area(&high, 1);
-    assert_near(high.area_ratio, 1, 0);
-    assert_within(numeric->gap(1), 0, 0);
-    assert_near(numeric->gap(1e-9), 1, 1e-5);
-    double last_area = 0, last_gap = 1;
-    for (double x = 1e-8; x < 1; x *= 1.003) {
-        numeric->area(&low, x);
-        assert_true(low.area_ratio >= last_area && low.area_ratio <= 1);
-        assert_true(numeric->gap(x) <= last_gap);
-        last_area = low.area_ratio;
-        last_gap = numeric->gap(x);
-    }
-}
-
 /** 1 - a keeps its digits as a -> 1: against the linear law of (4.4) and, plastic, against the sum in long double. */
 TEST_CASE(complement_does_not_cancel)
 {
@@ -99,7 +72,7 @@ TEST_CASE(complement_does_not_cancel)
         thesis->area(&cell, 1 - rest);
         assert_near(cell.area_complement, 3 / (2 * M_PI) * (1 - (1 - rest)), 1e-14);
     }
-    struct material_pair pair = tin();
+    struct material_pair pair = model_support_tin();
     struct sinusoid_scale scale = sinusoid_scale(1e-6, 1e5, &pair, true);
     long double pp = scale.plastic_full_pressure_Pa;
     for (double rest = 1e-2; rest > 1e-10; rest /= 10) {
@@ -121,7 +94,7 @@ TEST_CASE(complement_does_not_cancel)
 /** Complete contact is reached exactly at sinusoid_closed_pressure(), also where p_c > p_p. */
 TEST_CASE(complete_pressure_is_sharp)
 {
-    struct material_pair pair = tin();
+    struct material_pair pair = model_support_tin();
     double frequency = 1e5, critical = sinusoid_critical_amplitude(frequency, &pair);
     for (double ratio = 0.5; ratio < 2000; ratio *= 1.01) {
         struct sinusoid_scale scale = sinusoid_scale(ratio * critical, frequency, &pair, true);
@@ -146,7 +119,7 @@ TEST_CASE(complete_pressure_is_sharp)
  * the last where it is said to be. */
 TEST_CASE(steepness_orders_the_scales)
 {
-    struct material_pair pair = tin();
+    struct material_pair pair = model_support_tin();
     for (double nu = 0.01; nu < 0.5; nu += 0.07) {
         pair.poisson_ratio = nu;
         pair.yield_coefficient = 1.295 * exp(0.736 * nu);

@@ -1,14 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "contact/statistical.h"
-#include "support.h"
+#include "model_support.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
-
-static struct material_pair tin(void)
-{
-    return material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
-}
 
 enum { EVERYTHING = QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_RESISTANCES };
 
@@ -19,7 +14,7 @@ static struct statistical make(double m0, double m2, double m4, enum asperity_mo
     struct asperities surface;
     struct status status = {0};
     struct statistical model;
-    struct material_pair pair = tin();
+    struct material_pair pair = model_support_tin();
     uint64_t evaluations = 0;
     assert_int_equal(roughness_asperities(&surface, &roughness, &status), STATUS_OK);
     assert_int_equal(
@@ -95,26 +90,6 @@ TEST_CASE(beta_matches_reference)
     table_free(&table);
 }
 
-/** solve() undoes at(): loads over thirty decades come back, and the curve ends at full contact. */
-TEST_CASE(solve_inverts_at)
-{
-    for (int law = 0; law < ASPERITY_MODEL_COUNT; law++) {
-        struct statistical model = make(1.156e-13, 0.0012, 4.5e8, (enum asperity_model_id)law, 1e-10, INFINITY);
-        double d = 0, previous = INFINITY;
-        for (double load = 1e-30; load < model.full_load; load *= 7) {
-            struct contact_point found, again;
-            assert_true(statistical_solve(&found, &model, load, &d));
-            statistical_at(&again, &model, d);
-            assert_near(again.value[QUANTITY_LOAD], load, 1e-13);
-            assert_true(d < previous && found.value[QUANTITY_AREA] <= 1 + 1e-12);
-            previous = d;
-        }
-        struct contact_point unused;
-        assert_false(statistical_solve(&unused, &model, model.full_load * (1 + 1e-12), &d));
-        statistical_free(&model);
-    }
-}
-
 /** A guess that one step is enough for leads to the same solution, to the last digits, also where a node of the
  * quadrature comes in or drops out on the way: at a loose tolerance that is a step of 1e-7. */
 TEST_CASE(the_last_step_is_exact)
@@ -174,25 +149,6 @@ static double load_density(double u, void *context)
     struct asperity_contact contact;
     asperity_models[ASPERITY_JG].press(&contact, &in->model->asperity, u * in->model->surface.sigma_s_m);
     return contact.load_N * exp(-(u + in->d) * (u + in->d) / 2);
-}
-
-TEST_CASE(outside_share_matches_adaptive_integration)
-{
-    struct statistical model = make(3.3872e-11, 0.02, 2.4e10, ASPERITY_JG, 1e-10, INFINITY);
-    gsl_integration_workspace *workspace = gsl_integration_workspace_alloc(2000);
-    double border = asperity_interference_at(&model.asperity, 0.41) / model.surface.sigma_s_m;
-    for (double d = 1.4; d < 4; d += 0.6) {
-        struct integrand in = {&model, d};
-        gsl_function f = {load_density, &in};
-        double inside, outside, error;
-        gsl_integration_qag(&f, 0, border, 0, 1e-10, 2000, GSL_INTEG_GAUSS41, workspace, &inside, &error);
-        gsl_integration_qag(&f, border, 12, 0, 1e-10, 2000, GSL_INTEG_GAUSS41, workspace, &outside, &error);
-        struct contact_point point;
-        statistical_at(&point, &model, d);
-        assert_near(point.beyond_fit, outside / (inside + outside), 1e-8);
-    }
-    gsl_integration_workspace_free(workspace);
-    statistical_free(&model);
 }
 
 /** ln of the load on asperities beyond u = `from`, by pieces on which the Gaussian falls by exp(-0.5) to exp(-1.5). */

@@ -30,6 +30,28 @@ double *recipe_surface(size_t n)
     return height;
 }
 
+double *wave_of(size_t nx, size_t ny, double amplitude)
+{
+    double *height = malloc(nx * ny * sizeof *height);
+    assert_non_null(height);
+    for (size_t k = 0; k < nx * ny; k++)
+        height[k] = amplitude * cos(2 * M_PI * ((double)(k % nx) + 0.3) / (double)nx);
+    return height;
+}
+
+double *paraboloid_of(size_t n, double *mean)
+{
+    double *height = malloc(n * n * sizeof *height);
+    assert_non_null(height);
+    *mean = 0;
+    for (size_t k = 0; k < n * n; k++) {
+        double x = (double)(k % n) / (double)n - 0.5 - 0.357 / 256, y = (double)(k / n) / (double)n - 0.5 - 0.123 / 256;
+        height[k] = -(pow(remainder(x, 1), 2) + pow(remainder(y, 1), 2)) / 2;
+        *mean += height[k] / (double)(n * n);
+    }
+    return height;
+}
+
 double gradient_of(const double *height, size_t n, double spacing)
 {
     double sum = 0;
@@ -92,6 +114,33 @@ double constriction_of_drawing(const uint8_t *drawing, size_t n, size_t *iterati
     direct_contact_free(&contact);
     free(height);
     return length;
+}
+
+double twenty_spots_of(size_t n)
+{
+    struct table spots = table_read("golden/direct/greenwood_spots.csv");
+    uint8_t *drawing = calloc(n, n);
+    size_t iterations;
+    assert_non_null(drawing);
+    for (size_t s = 0; s < spots.rows; s++) {
+        double x = table_number(&spots, s, "x"), y = table_number(&spots, s, "y"), a = table_number(&spots, s, "a");
+        for (size_t k = 0; k < n * n; k++)
+            drawing[k] |= hypot(remainder(((double)(k % n) + 0.5) / (double)n - x, 1),
+                                remainder(((double)(k / n) + 0.5) / (double)n - y, 1)) <= a;
+    }
+    double length = constriction_of_drawing(drawing, n, &iterations);
+    free(drawing);
+    table_free(&spots);
+    return length;
+}
+
+double largest_pressure(const struct direct_contact *contact)
+{
+    double most = 0;
+    for (size_t j = 0; j < contact->kernel.ny; j++)
+        for (size_t i = 0; i < contact->kernel.nx; i++)
+            most = fmax(most, contact->pressure[j * contact->kernel.stride + i]);
+    return most;
 }
 
 /** K p by FFTW's own transform of two dimensions, not in place. */

@@ -15,6 +15,11 @@ double recipe_scale(void);
 /** The recipe surface, seed 1. To be freed. */
 double *recipe_surface(size_t n);
 
+/** A wave along x, ny rows of nx points, its crest off them. To be freed. */
+double *wave_of(size_t nx, size_t ny, double amplitude);
+/** A paraboloid of radius 1 amid n x n points, its apex off them, and its mean height. To be freed. */
+double *paraboloid_of(size_t n, double *mean);
+
 /** Root mean square gradient of a periodic square, by central differences. */
 double gradient_of(const double *height, size_t n, double spacing);
 
@@ -32,6 +37,11 @@ double constriction_of(struct direct_contact *contact, double tolerance);
 
 /** Constriction length of n x n points drawn, 1 in contact, in a cell of length 1; how many iterations to 1e-9. */
 double constriction_of_drawing(const uint8_t *drawing, size_t n, size_t *iterations);
+
+/** The same of the twenty spots of golden/direct/greenwood_spots.csv. */
+double twenty_spots_of(size_t n);
+
+double largest_pressure(const struct direct_contact *contact);
 
 /** Largest violation of the conditions of contact, by a gap computed anew with the pixel's sums left to FFTW alone: the
  * pressure's bounds and mean, and the gap's sign on each side, as a share of the heights' rms. */

@@ -1,17 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "direct_support.h"
 
-/** Constriction length of a set drawn on an n x n grid of a cell of length 1, the first point `shift` spacings from 0.
- */
+/** Constriction length of a set drawn on an n x n grid of a cell of length 1. */
 static double length_of_set(size_t n, bool (*inside)(double x, double y, const void *context), const void *context,
-                            double shift, size_t *points)
+                            size_t *points)
 {
     uint8_t *drawing = malloc(n * n);
     size_t iterations;
     assert_non_null(drawing);
     *points = 0;
     for (size_t k = 0; k < n * n; k++) {
-        drawing[k] = inside(((double)(k % n) + shift) / (double)n, ((double)(k / n) + shift) / (double)n, context);
+        drawing[k] = inside((double)(k % n) / (double)n, (double)(k / n) / (double)n, context);
         *points += drawing[k];
     }
     double length = constriction_of_drawing(drawing, n, &iterations);
@@ -42,7 +41,7 @@ TEST_CASE(one_spot)
         if (n > 512 && a > 0.15 && !getenv("ROUGHCONTACT_SLOW_TESTS"))
             continue; /* no more to be learnt */
         struct circle circle = {0.5 + 0.123 / (double)n, 0.5 + 0.234 / (double)n, a};
-        double length = length_of_set(n, in_circle, &circle, 0, &points);
+        double length = length_of_set(n, in_circle, &circle, &points);
         assert_near((double)points, table_number(&table, row, "points"), 0);
         assert_near(length, table_number(&table, row, "constriction_length_over_L"), 1e-9);
         if (n >= 512 && a < 0.15)
@@ -51,37 +50,16 @@ TEST_CASE(one_spot)
     table_free(&table);
 }
 
-struct circles {
-    size_t count;
-    struct circle circle[32];
-};
-
-static bool in_circles(double x, double y, const void *context)
-{
-    const struct circles *circles = context;
-    for (size_t k = 0; k < circles->count; k++)
-        if (in_circle(x, y, &circles->circle[k]))
-            return true;
-    return false;
-}
-
 /** Twenty spots: Greenwood's sum with the periodic Green's function, extrapolated from 512 and 1024 points a side. */
 TEST_CASE(twenty_spots)
 {
-    struct table spots = table_read("golden/direct/greenwood_spots.csv"),
-                 table = table_read("golden/direct/greenwood.csv");
-    struct circles circles = {.count = spots.rows};
+    struct table table = table_read("golden/direct/greenwood.csv");
     double length[3];
-    size_t points;
-    for (size_t k = 0; k < spots.rows; k++)
-        circles.circle[k] =
-            (struct circle){table_number(&spots, k, "x"), table_number(&spots, k, "y"), table_number(&spots, k, "a")};
     for (size_t row = 0; row < table.rows; row++) {
-        length[row] = length_of_set((size_t)table_number(&table, row, "N"), in_circles, &circles, 0.5, &points);
+        length[row] = twenty_spots_of((size_t)table_number(&table, row, "N"));
         assert_near(length[row], table_number(&table, row, "constriction_length"), 1e-9);
     }
     assert_near(2 * length[2] - length[1], table_number(&table, 0, "greenwood_periodic"), 5e-3);
-    table_free(&spots);
     table_free(&table);
 }
 
@@ -96,7 +74,7 @@ TEST_CASE(strips)
 {
     for (double a = 0.05; a < 0.45; a += 0.05) {
         size_t points;
-        double length = length_of_set(1024, in_strip, &a, 0, &points), half = (double)points / 1024 / 1024 / 2;
+        double length = length_of_set(1024, in_strip, &a, &points), half = (double)points / 1024 / 1024 / 2;
         assert_near(length, -log(pow(sin(M_PI * half), 2)) / (2 * M_PI), 0.02);
     }
 }

@@ -67,9 +67,7 @@ TEST_CASE(westergaard_strip)
     double amplitude = 0.01;
     for (size_t row = 0; row < table.rows; row++) {
         size_t n = (size_t)table_number(&table, row, "N");
-        double *height = malloc(2 * n * sizeof *height), x = table_number(&table, row, "p_over_pstar");
-        for (size_t i = 0; i < n; i++)
-            height[i] = height[n + i] = amplitude * cos(2 * M_PI * ((double)i + 0.3) / (double)n);
+        double *height = wave_of(n, 2, amplitude), x = table_number(&table, row, "p_over_pstar");
         struct direct_contact contact = contact_of(height, n, 2);
         struct direct_contact_load load = load_of(x * M_PI * amplitude, INFINITY, 1e-12);
         struct direct_quantities found = solved(&contact, &load);
@@ -125,19 +123,13 @@ TEST_CASE(sphere_after_hertz)
     assert_int_equal(table.rows, 12);
     for (size_t row = 0; row < table.rows; row++) {
         size_t n = (size_t)table_number(&table, row, "N");
-        double a = table_number(&table, row, "a_over_L"), *height = malloc(n * n * sizeof *height), mean = 0, most = 0;
-        for (size_t k = 0; k < n * n; k++) {
-            double x = (double)(k % n) / (double)n - 0.5 - 0.357 / 256,
-                   y = (double)(k / n) / (double)n - 0.5 - 0.123 / 256;
-            height[k] = -(pow(remainder(x, 1), 2) + pow(remainder(y, 1), 2)) / 2;
-            mean += height[k] / (double)(n * n);
-        }
+        double a = table_number(&table, row, "a_over_L"), mean, *height = paraboloid_of(n, &mean);
         struct direct_contact contact = contact_of(height, n, n);
         struct direct_contact_load load = load_of(4.0 / 3 * a * a * a, INFINITY, n < 512 ? 1e-12 : 1e-11);
         struct direct_quantities found = solved(&contact, &load);
+        double most = largest_pressure(&contact);
         for (size_t k = 0; k < n * n; k++) {
             double p = contact.pressure[k / n * contact.kernel.stride + k % n], square = -2 * height[k] / (a * a);
-            most = fmax(most, p);
             if (n >= 256 && a < 0.06 && square < 0.5)
                 assert_near(p, 2 * a / M_PI * sqrt(1 - square), 4e-3);
         }

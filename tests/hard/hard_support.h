@@ -1,22 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the hard cases share. Each program runs them twice: as they are and, given the argument `traps`, with every
- * invalid operation, division by zero and overflow a signal, which cmocka reports as a failure. */
+/* What the hard cases share. Each program runs twice: as it is and, with ROUGHCONTACT_TRAPS set, with every invalid
+ * operation, division by zero and overflow a signal, which cmocka reports as a failure. */
 #ifndef HARD_SUPPORT_H
 #define HARD_SUPPORT_H
 
 #include "material/material.h"
+#include "spectrum/spectrum.h"
 #include "support.h"
 
 #include <fenv.h>
 #include <gsl/gsl_errno.h>
 #include <stdbool.h>
 
-static inline void hard_start(int argc, char **argv)
+static int hard_start(void **state)
 {
+    (void)state;
     gsl_set_error_handler_off(); /* as the program does */
-    if (argc > 1 && strcmp(argv[1], "traps") == 0)
-        feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+    return getenv("ROUGHCONTACT_TRAPS") && feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW) < 0;
 }
+TEST_GROUP(hard_start, NULL)
 
 /** Tin, but with S_y/E' and nu as given. */
 static inline struct material_pair hard_pair(double yield_ratio, double nu)
@@ -30,6 +32,16 @@ static inline struct material_pair hard_pair(double yield_ratio, double nu)
 static inline struct material_pair hard_tin(void)
 {
     return material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
+}
+
+/** Delta = alpha lambda^gamma of a scan of 0.3 mm. To be freed. */
+static inline struct spectrum hard_law(double alpha, double gamma, size_t count)
+{
+    struct spectrum spectrum = {malloc(count * sizeof(double)), count, 3e-4, false};
+    assert_non_null(spectrum.amplitude_m);
+    for (size_t i = 0; i < count; i++)
+        spectrum.amplitude_m[i] = alpha * pow(3e-4 / (double)(i + 1), gamma);
+    return spectrum;
 }
 
 /* The ends of what metals reach and beyond. */

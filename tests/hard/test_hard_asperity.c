@@ -17,9 +17,8 @@ static struct asperity_contact press(const struct asperity *asperity, enum asper
 
 /** omega = 1.9 omega_c (1 +- 1e-12): area and radius never fall, in any material; the published load steps, for
  * tin by -0.75 to -0.8 %, within 1.6 % for metals' nu, and as nu goes to 0 or 0.5 by +7.5 % or -5 %. */
-static void yield_onset_from_both_sides(void **state)
+TEST_CASE(yield_onset_from_both_sides)
 {
-    (void)state;
     for (int y = -1; y < HARD_YIELD_RATIOS; y++)
         for (int n = 0; n < HARD_NUS; n++) {
             struct material_pair pair = y < 0 ? hard_tin() : hard_pair(hard_yield_ratios[y], hard_nus[n]);
@@ -42,9 +41,8 @@ static void yield_onset_from_both_sides(void **state)
 
 /** From no interference to ten radii, a/R far beyond 1: finite, and area, load and radius never fall but at the onset.
  */
-static void never_falls(void **state)
+TEST_CASE(never_falls)
 {
-    (void)state;
     for (int y = 0; y < HARD_YIELD_RATIOS; y++)
         for (int n = 0; n < HARD_NUS; n++)
             for (int law = 0; law < ASPERITY_MODEL_COUNT; law++) {
@@ -67,9 +65,8 @@ static void never_falls(void **state)
 
 /** Beyond a/R = 1 the hardness stays at that of a/R = 1: H_G = S_y (2.84 - 2 * 0.92), so the load is linear in omega.
  */
-static void hardness_is_clamped(void **state)
+TEST_CASE(hardness_is_clamped)
 {
-    (void)state;
     struct material_pair pair = hard_pair(1e-6, 0.36);
     struct asperity asperity = asperity_make(radius_m, &pair, ASPERITY_JG);
     double border = asperity_interference_at(&asperity, 1);
@@ -98,9 +95,8 @@ static double largest_step(const struct asperity *asperity, enum asperity_model_
     return largest;
 }
 
-static void laws_do_not_jump(void **state)
+TEST_CASE(laws_do_not_jump)
 {
-    (void)state;
     enum { POINTS = 100000 / HARD_COARSER };
     for (int y = 0; y < HARD_YIELD_RATIOS; y++)
         for (int law = 0; law < ASPERITY_MODEL_COUNT; law++) {
@@ -110,16 +106,4 @@ static void laws_do_not_jump(void **state)
             double fine = largest_step(&asperity, (enum asperity_model_id)law, POINTS);
             assert_true(fine > 0 && fine < 0.51 * coarse);
         }
-}
-
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(yield_onset_from_both_sides),
-        cmocka_unit_test(never_falls),
-        cmocka_unit_test(hardness_is_clamped),
-        cmocka_unit_test(laws_do_not_jump),
-    };
-    hard_start(argc, argv);
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

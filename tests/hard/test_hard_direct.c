@@ -67,9 +67,8 @@ static double own_potential(size_t n)
 }
 
 /** The highest point alone: l = sum 1/|q|, and the planes are its height less 2 p̄ l apart. */
-static void one_contact_point(void **state)
+TEST_CASE(one_contact_point)
 {
-    (void)state;
     static const double loads[] = {1e-100, 1e-30, 1e-12, 1e-9};
     for (size_t n = 16; n <= 64; n *= 2) {
         double *height = surface_of(1.3, 5, n, 1), top = highest(height, n), own = own_potential(n);
@@ -88,9 +87,8 @@ static void one_contact_point(void **state)
 }
 
 /** p = p̄ + |q|h/2 everywhere from p̄ = -min |q|h/2 on: no gap and no resistance there, both just below. */
-static void complete_contact_from_both_sides(void **state)
+TEST_CASE(complete_contact_from_both_sides)
 {
-    (void)state;
     enum { N = 64 };
     double *height = surface_of(1.3, 10, N, 1), least = 0;
     struct direct_contact contact = contact_of(height, N);
@@ -118,9 +116,8 @@ static void complete_contact_from_both_sides(void **state)
 }
 
 /** Up to the hardness: at least p̄/H in contact; from it on no number, but a sentence. */
-static void load_at_the_hardness(void **state)
+TEST_CASE(load_at_the_hardness)
 {
-    (void)state;
     enum { N = 32 };
     static const double hardness = 0.01, shares[] = {0.5, 0.9, 0.999, 1, 1 + 1e-15, 2, 1e10};
     double *height = surface_of(1.3, 5, N, 1);
@@ -148,9 +145,8 @@ static void load_at_the_hardness(void **state)
 }
 
 /** Nothing, a plane, rounding only, roughness whose squares vanish, a hole, an infinite height. */
-static void no_surface(void **state)
+TEST_CASE(no_surface)
 {
-    (void)state;
     enum { N = 16 };
     static const struct {
         double offset, rough, one;
@@ -173,9 +169,8 @@ static void no_surface(void **state)
 }
 
 /** Exponents at both ends: the area is about 2 p̄ over the root mean square gradient, the gap's slope is -2 l. */
-static void exponents_at_both_ends(void **state)
+TEST_CASE(exponents_at_both_ends)
 {
-    (void)state;
     enum { N = 128 };
     static const double gammas[] = {0.5, 1, 2};
     for (size_t e = 0; e < 3; e++) {
@@ -202,32 +197,6 @@ static void exponents_at_both_ends(void **state)
     }
 }
 
-/** A spike a thousand times the roughness carries everything until it is pressed in; under a hardness it flows. */
-static void spike_on_a_rough_surface(void **state)
-{
-    (void)state;
-    enum { N = 64, AT = 17 * N + 40 };
-    double *height = surface_of(1.3, 10, N, 1), own = own_potential(N);
-    struct direct_contact plain = contact_of(height, N);
-    double rms = plain.rms_m, tall = 1000 * rms;
-    direct_contact_free(&plain);
-    height[AT] = tall;
-    struct direct_contact contact = contact_of(height, N);
-    double alone = 0.5 * tall / (2 * own); /* presses it in by half */
-    struct direct_point point = solved(&contact, alone, INFINITY);
-    assert_int_equal(point.quantities.contact_points, 1);
-    assert_near(point.constriction_m, own, 1e-9);
-    assert_near(point.quantities.gap_m, 0.5 * tall * (1 - 1.0 / N / N), 3e-3);
-    assert_true(solved(&contact, 4 * alone, INFINITY).quantities.contact_points > 1);
-    double light = alone / 1000, hardness = light * N * N / 10.5; /* the spike and ten points more have to carry it */
-    point = solved(&contact, light, hardness);
-    assert_true(point.quantities.contact_points >= 11 && point.quantities.capped_points >= 1);
-    assert_true(point.quantities.area_ratio >= light / hardness);
-    assert_true(point.quantities.plane_gap_m < point.quantities.gap_m);
-    direct_contact_free(&contact);
-    free(height);
-}
-
 static struct direct_ensemble_def ensemble_of(const struct direct_spectrum *spectrum, size_t n, const double *loads,
                                               size_t count)
 {
@@ -240,48 +209,9 @@ static struct direct_ensemble_def ensemble_of(const struct direct_spectrum *spec
                                         .threads = 1};
 }
 
-/** 16 x 16 points, from one in contact to all: fewer than 100 in any surface is no number, and none is NaN beyond. */
-static void coarse_grid(void **state)
-{
-    (void)state;
-    struct direct_law law = {1e-3, 1.3, 1 / 2.6, 1, 1};
-    struct direct_spectrum spectrum;
-    struct direct_ensemble found;
-    struct status status = {0};
-    double loads[31];
-    size_t given = 0, few = 0;
-    for (size_t i = 0; i < 31; i++)
-        loads[i] = 1e-9 * pow(10, (double)i / 3);
-    assert_int_equal(direct_spectrum_of_law(&spectrum, &law, &status), STATUS_OK);
-    struct direct_ensemble_def def = ensemble_of(&spectrum, 16, loads, 31);
-    def.fine_times = 2;
-    if (direct_ensemble_run(&found, &def, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
-    for (size_t i = 0; i < 31; i++) {
-        const struct direct_ensemble_point *point = &found.point[i];
-        size_t least = SIZE_MAX;
-        for (size_t k = 0; k < found.seeds; k++) {
-            size_t points = found.seed_point[k * 31 + i].quantities.contact_points;
-            least = points < least ? points : least;
-        }
-        assert_int_equal(point->state, least < 100 ? DIRECT_ENSEMBLE_FEW_POINTS : DIRECT_ENSEMBLE_GIVEN);
-        for (size_t m = 0; m < DIRECT_QUANTITIES; m++) {
-            assert_true((least < 100) == isnan(point->mean[m].value));
-            assert_true((least < 100) == isnan(point->mean[m].standard_error));
-        }
-        given += least >= 100;
-        few += least < 100;
-    }
-    assert_true(given > 3 && few > 10);
-    assert_true(found.point[30].mean[DIRECT_AREA].value == 1 && found.point[30].mean[DIRECT_CONSTRICTION].value == 0);
-    direct_ensemble_free(&found);
-    direct_spectrum_free(&spectrum);
-}
-
 /** What does not converge is an error of the ladder and of the ensemble, as is a load that is no number. */
-static void no_answer(void **state)
+TEST_CASE(no_answer)
 {
-    (void)state;
     enum { N = 32 };
     static const double load = 1e-3;
     struct direct_law law = {1e-3, 1.3, 1 / 5.0, 1, 1};
@@ -323,20 +253,4 @@ static void no_answer(void **state)
     direct_contact_free(&contact);
     direct_spectrum_free(&spectrum);
     free(height);
-}
-
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(one_contact_point),
-        cmocka_unit_test(complete_contact_from_both_sides),
-        cmocka_unit_test(load_at_the_hardness),
-        cmocka_unit_test(no_surface),
-        cmocka_unit_test(exponents_at_both_ends),
-        cmocka_unit_test(spike_on_a_rough_surface),
-        cmocka_unit_test(coarse_grid),
-        cmocka_unit_test(no_answer),
-    };
-    hard_start(argc, argv);
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

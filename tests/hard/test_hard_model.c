@@ -6,15 +6,6 @@
 enum { EVERYTHING = QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_RESISTANCES };
 enum { LOADS = 37, SCALES = 600 };
 
-static struct spectrum law_spectrum(double alpha, double gamma)
-{
-    struct spectrum spectrum = {malloc(SCALES * sizeof(double)), SCALES, 3e-4, false};
-    assert_non_null(spectrum.amplitude_m);
-    for (size_t i = 0; i < SCALES; i++)
-        spectrum.amplitude_m[i] = alpha * pow(3e-4 / (double)(i + 1), gamma);
-    return spectrum;
-}
-
 /** Everything, of a surface whose heights are not kept. */
 static struct model_task task_of(const struct spectrum *spectrum, const struct asperities *surface,
                                  const struct material_pair *pair, const double *loads, size_t count)
@@ -106,9 +97,8 @@ static void check_curve(const struct model_curve *curve, const struct model_row 
 }
 
 /** Loads by decades from 1e-30 to 1e6, every model, rough and smooth spectra, both closures. */
-static void loads_beyond_full_contact(void **state)
+TEST_CASE(loads_beyond_full_contact)
 {
-    (void)state;
     static const double alphas[] = {1e-3, 0.085, 1e3}, gammas[] = {0.5, 1.5, 2};
     struct material_pair pair = hard_tin();
     double loads[LOADS];
@@ -116,21 +106,14 @@ static void loads_beyond_full_contact(void **state)
         loads[i] = pow(10, i - 30);
     for (int k = 0; k < 3; k++)
         for (int closure = 0; closure < SINUSOID_FIT_COUNT; closure++) {
-            struct spectrum spectrum = law_spectrum(alphas[k], gammas[k]);
+            struct spectrum spectrum = hard_law(alphas[k], gammas[k], SCALES);
             struct roughness roughness = {0};
             struct asperities surface;
             struct status status = {0};
             roughness_from_spectrum(&roughness, &spectrum);
             assert_int_equal(roughness_asperities(&surface, &roughness, &status), STATUS_OK);
-            struct model_task task = {.spectrum = &spectrum,
-                                      .asperities = &surface,
-                                      .pair = &pair,
-                                      .loads = loads,
-                                      .load_count = LOADS,
-                                      .wanted = EVERYTHING,
-                                      .tolerance = 1e-10,
-                                      .sinusoid_fit = (enum sinusoid_fit_id)closure,
-                                      .hardness_Pa = 2.84 * pair.yield_strength_Pa};
+            struct model_task task = task_of(&spectrum, &surface, &pair, loads, LOADS);
+            task.sinusoid_fit = (enum sinusoid_fit_id)closure;
             for (size_t m = 0; m < model_count; m++) {
                 struct contact_point points[LOADS + 1];
                 struct model_curve curve = {.points = points};
@@ -142,11 +125,10 @@ static void loads_beyond_full_contact(void **state)
 }
 
 /** All loads beyond full contact, and a single one. */
-static void nothing_but_full_contact(void **state)
+TEST_CASE(nothing_but_full_contact)
 {
-    (void)state;
     struct material_pair pair = hard_tin();
-    struct spectrum spectrum = law_spectrum(0.085, 1.5);
+    struct spectrum spectrum = hard_law(0.085, 1.5, SCALES);
     struct roughness roughness = {0};
     struct asperities surface;
     struct status status = {0};
@@ -172,11 +154,10 @@ static void nothing_but_full_contact(void **state)
 }
 
 /** Without asperities (sigma_s² <= 0) the statistical models have no curve and the multiscale ones stay. */
-static void no_asperities(void **state)
+TEST_CASE(no_asperities)
 {
-    (void)state;
     struct material_pair pair = hard_tin();
-    struct spectrum spectrum = law_spectrum(0.085, 1.5);
+    struct spectrum spectrum = hard_law(0.085, 1.5, SCALES);
     const double loads[] = {1e-9, 1e-3};
     struct model_task task = task_of(&spectrum, NULL, &pair, loads, 2);
     for (size_t m = 0; m < model_count; m++) {
@@ -193,14 +174,13 @@ static void no_asperities(void **state)
 }
 
 /** What is not wanted is NaN, needs no property of the material and changes nothing else. */
-static void every_choice_of_quantities(void **state)
+TEST_CASE(every_choice_of_quantities)
 {
-    (void)state;
     struct material_pair known = hard_tin(), bare = known;
     bare.resistivity_ohm_m = bare.conductivity_W_per_mK = NAN;
     bare.mean_free_path_m[0] = bare.mean_free_path_m[1] = NAN;
     bare.side_conductivity_W_per_mK[0] = bare.side_conductivity_W_per_mK[1] = NAN;
-    struct spectrum spectrum = law_spectrum(0.085, 1.5);
+    struct spectrum spectrum = hard_law(0.085, 1.5, SCALES);
     struct roughness roughness = {0};
     struct asperities surface;
     struct status status = {0};
@@ -236,16 +216,4 @@ static void every_choice_of_quantities(void **state)
             }
         }
     spectrum_free(&spectrum);
-}
-
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(loads_beyond_full_contact),
-        cmocka_unit_test(nothing_but_full_contact),
-        cmocka_unit_test(no_asperities),
-        cmocka_unit_test(every_choice_of_quantities),
-    };
-    hard_start(argc, argv);
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

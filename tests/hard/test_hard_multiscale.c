@@ -7,15 +7,6 @@
 enum { EVERYTHING = QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_RESISTANCES };
 static const double length_m = 3e-4;
 
-static struct spectrum law_spectrum(double alpha, double gamma, size_t count)
-{
-    struct spectrum spectrum = {malloc(count * sizeof(double)), count, length_m, false};
-    assert_non_null(spectrum.amplitude_m);
-    for (size_t i = 0; i < count; i++)
-        spectrum.amplitude_m[i] = alpha * pow(length_m / (double)(i + 1), gamma);
-    return spectrum;
-}
-
 static struct multiscale make(const struct spectrum *spectrum, const struct material_pair *pair, bool plastic,
                               int closure)
 {
@@ -51,14 +42,13 @@ static struct contact_point solve(struct multiscale *stack, const struct constri
 }
 
 /** Every gamma and alpha of the convergence study, 20 000 scales, loads 1e-30 to 1e6. */
-static void extreme_power_laws(void **state)
+TEST_CASE(extreme_power_laws)
 {
-    (void)state;
     struct material_pair pair = hard_tin();
     struct constriction spot = constriction_make(&pair);
     for (double gamma = 0; gamma <= 2; gamma += 0.25)
         for (double alpha = 1e-3; alpha<2e3; alpha *= HARD_COARSER> 1 ? 1e6 : 100) {
-            struct spectrum spectrum = law_spectrum(alpha, gamma, 20000);
+            struct spectrum spectrum = hard_law(alpha, gamma, 20000);
             double amplitudes = 0;
             for (size_t i = 0; i < spectrum.count; i++)
                 amplitudes += spectrum.amplitude_m[i];
@@ -81,34 +71,9 @@ static void extreme_power_laws(void **state)
         }
 }
 
-/** A single scale is that scale; with no pressure the flat rests on the peaks: H = Delta. */
-static void single_scale(void **state)
-{
-    (void)state;
-    struct material_pair pair = hard_tin();
-    struct constriction spot = constriction_make(&pair);
-    struct spectrum spectrum = law_spectrum(0.085, 1.5, 1);
-    for (int plastic = 0; plastic < 2; plastic++)
-        for (int closure = 0; closure < SINUSOID_FIT_COUNT; closure++) {
-            struct multiscale stack = make(&spectrum, &pair, plastic, closure);
-            struct sinusoid_scale scale = sinusoid_scale(spectrum.amplitude_m[0], 1 / length_m, &pair, plastic);
-            assert_near(solve(&stack, &spot, 1e-30).value[QUANTITY_SEPARATION], scale.amplitude_m, 1e-10);
-            for (double load = 1e-30; load < 1e7; load *= 7) {
-                struct contact_point point = solve(&stack, &spot, load);
-                struct sinusoid_cell cell;
-                sinusoid_press(&cell, &scale, &sinusoid_fits[closure], load * pair.effective_modulus_Pa, true);
-                assert_true(point.value[QUANTITY_AREA] == cell.area_ratio);
-                assert_true(point.value[QUANTITY_SEPARATION] == scale.amplitude_m * cell.gap_ratio);
-            }
-            multiscale_free(&stack);
-        }
-    spectrum_free(&spectrum);
-}
-
 /** Scales of zero or denormal amplitude inside a spectrum change nothing; a spectrum of nothing else is flat. */
-static void absent_scales(void **state)
+TEST_CASE(absent_scales)
 {
-    (void)state;
     static const double nothing[] = {0, 5e-324, 1e-310};
     struct material_pair pair = hard_tin();
     struct constriction spot = constriction_make(&pair);
@@ -116,7 +81,7 @@ static void absent_scales(void **state)
         for (double load = 1e-30; load < 1e7; load *= 1e6) {
             struct contact_point first = {0};
             for (int k = 0; k < 3; k++) {
-                struct spectrum spectrum = law_spectrum(0.085, 1.5, 300);
+                struct spectrum spectrum = hard_law(0.085, 1.5, 300);
                 for (size_t i = 0; i < spectrum.count; i += 2)
                     spectrum.amplitude_m[i] = nothing[k];
                 struct multiscale stack = make(&spectrum, &pair, plastic, SINUSOID_FIT_THESIS);
@@ -171,15 +136,14 @@ static struct steps scan(struct multiscale *stack, int points)
 
 /** Over 10^5 loads no curve jumps but where a scale's closure does: elastic area by -0.05 % (p/p* = 0.8),
  * elastic-plastic area by at most 7.8 % upwards, once a scale that yields, and separation upwards by a hair. */
-static void curves_do_not_jump(void **state)
+TEST_CASE(curves_do_not_jump)
 {
-    (void)state;
     static const double alphas[] = {1e-3, 0.085}, gammas[] = {0.5, 1.5};
     enum { POINTS = 100000 / HARD_COARSER, SCALES = 12 };
     struct material_pair pair = hard_tin();
     for (int law = 0; law < 2; law++)
         for (int closure = 0; closure < SINUSOID_FIT_COUNT; closure++) {
-            struct spectrum spectrum = law_spectrum(alphas[law], gammas[law], SCALES);
+            struct spectrum spectrum = hard_law(alphas[law], gammas[law], SCALES);
             struct multiscale stack = make(&spectrum, &pair, false, closure);
             struct steps coarse = scan(&stack, POINTS / 10), fine = scan(&stack, POINTS / 5);
             assert_true(fine.largest < 0.51 * coarse.largest && fine.rise == 0);
@@ -197,9 +161,8 @@ static void curves_do_not_jump(void **state)
 }
 
 /** Every cut at area 1, and every raise to the elastic area, is counted. */
-static void limits_are_counted(void **state)
+TEST_CASE(limits_are_counted)
 {
-    (void)state;
     struct material_pair pair = hard_tin();
     struct constriction spot = constriction_make(&pair);
     int cut = 0, raised = 0;
@@ -233,9 +196,8 @@ static void limits_are_counted(void **state)
 }
 
 /** The convergence study over its own parameters: areas in (0, 1], never rising from scale to scale. */
-static void convergence_study(void **state)
+TEST_CASE(convergence_study)
 {
-    (void)state;
     enum { SCALES = 2000 };
     static double areas[SCALES];
     struct material_pair pair = hard_tin();
@@ -260,14 +222,4 @@ static void convergence_study(void **state)
                     assert_true(out.area_measured <= 1 && out.scales > 0);
                 }
             }
-}
-
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(extreme_power_laws), cmocka_unit_test(single_scale),       cmocka_unit_test(absent_scales),
-        cmocka_unit_test(curves_do_not_jump), cmocka_unit_test(limits_are_counted), cmocka_unit_test(convergence_study),
-    };
-    hard_start(argc, argv);
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Scans and scenes that strain the way from heights to loads: offsets, tilt, quantised heights. */
+/* Scans that strain the way from heights to spectra: offsets, tilt, quantised heights. */
 #include "hard_support.h"
 #include "profile/profile.h"
-#include "scene/scene.h"
 #include "spectrum/power_law.h"
 #include "spectrum/roughness.h"
 
@@ -54,9 +53,8 @@ static double *heights(size_t points, double offset_m, double tilt)
 
 /** A 100 mm offset under 10 nm of roughness: what is left is what doubles at 100 mm hold, 1.4e-17 m. A tilt of 45
  * degrees: the line takes it out and leaves the roughness. */
-static void offset_and_tilt(void **state)
+TEST_CASE(offset_and_tilt)
 {
-    (void)state;
     static const struct {
         size_t points;
         double offset_m, tilt, rtol, rtol_m4, tilt_error;
@@ -105,9 +103,8 @@ static void check_description(const struct profile *profile)
 }
 
 /** Heights on a grid of a few levels, down to two; a single spike; the shortest records. */
-static void quantised_heights(void **state)
+TEST_CASE(quantised_heights)
 {
-    (void)state;
     static const double steps[] = {1e-12, 1e-9, 4e-9, 1e-8};
     for (int s = 0; s < 4; s++)
         for (int level = 0; level < LEVEL_COUNT; level++) {
@@ -129,58 +126,4 @@ static void quantised_heights(void **state)
             profile_free(&profile);
             free(height_m);
         }
-}
-
-/** An exact power law comes back, without scatter and without a knee, over the convergence study's parameters. */
-static void exact_power_laws(void **state)
-{
-    (void)state;
-    const double everything_m[2] = {0, INFINITY};
-    for (double gamma = 0; gamma <= 2; gamma += 0.25)
-        for (double alpha = 1e-3; alpha < 2e3; alpha *= 100)
-            for (size_t count = 3; count < 20000 / HARD_COARSER; count *= 7) {
-                struct spectrum spectrum = {malloc(count * sizeof(double)), count, 3e-4, false};
-                assert_non_null(spectrum.amplitude_m);
-                for (size_t i = 0; i < count; i++)
-                    spectrum.amplitude_m[i] = alpha * pow(3e-4 / (double)(i + 1), gamma);
-                struct power_law law = power_law_fit(&spectrum, everything_m);
-                assert_within(law.gamma, gamma, 1e-12);
-                assert_near(law.alpha, alpha, 1e-10);
-                assert_within(law.misfit_decades, 0, 1e-6);
-                assert_true(isfinite(law.gamma_error) && isfinite(law.amplitude_error_decades) && isnan(law.knee_m));
-                spectrum_free(&spectrum);
-            }
-}
-
-/** Loads doubled and out of order, over 36 decades, come out ascending and once each; pascals are divided by E'. */
-static void duplicate_and_unsorted_loads(void **state)
-{
-    (void)state;
-    double given[] = {1e6, 1e-30, 1, 1e-30, 1e6, 1e6, 3e-7, 1, 1e-30 * (1 + 0x1p-52)};
-    const double expected[] = {1e-30, 1e-30 * (1 + 0x1p-52), 3e-7, 1, 1e6};
-    for (int in_pascal = 0; in_pascal < 2; in_pascal++) {
-        struct scene scene = {.load = {.points = 9, .values = given, .kind = in_pascal ? UNIT_PRESSURE : UNIT_NUMBER}};
-        struct status status = {0};
-        double *loads;
-        size_t count, operating;
-        assert_int_equal(scene_loads(&loads, &count, &operating, &scene,
-                                     &(struct material_pair){.effective_modulus_Pa = 4.0}, &status),
-                         STATUS_OK);
-        assert_int_equal(count, 5);
-        for (size_t i = 0; i < count; i++)
-            assert_true(loads[i] == expected[i] / (in_pascal ? 4 : 1));
-        free(loads);
-    }
-}
-
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(offset_and_tilt),
-        cmocka_unit_test(quantised_heights),
-        cmocka_unit_test(exact_power_laws),
-        cmocka_unit_test(duplicate_and_unsorted_loads),
-    };
-    hard_start(argc, argv);
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -23,9 +23,8 @@ static void elastic(struct sinusoid_cell *cell, int closure, double x)
 }
 
 /** x -> 0: Hertz, a = pi (3x/8pi)^(2/3), and the gap is the amplitude; down to the smallest number there is. */
-static void no_pressure_is_hertz(void **state)
+TEST_CASE(no_pressure_is_hertz)
 {
-    (void)state;
     static const double xs[] = {5e-324, 1e-310, 1e-300, 1e-100, 1e-30, 1e-24};
     for (int closure = 0; closure < SINUSOID_FIT_COUNT; closure++)
         for (size_t i = 0; i < sizeof xs / sizeof xs[0]; i++) {
@@ -39,9 +38,8 @@ static void no_pressure_is_hertz(void **state)
 
 /** x -> 1 from below: 1 - a is linear in 1 - x with all its digits, the gap falls as (1-x)^2.5 or faster; complete
  * contact from 1 on, however far beyond. */
-static void full_contact_from_both_sides(void **state)
+TEST_CASE(full_contact_from_both_sides)
 {
-    (void)state;
     for (int closure = 0; closure < SINUSOID_FIT_COUNT; closure++) {
         struct sinusoid_cell cell, nearest;
         elastic(&nearest, closure, nextafter(1, 0));
@@ -62,9 +60,8 @@ static void full_contact_from_both_sides(void **state)
 }
 
 /** Psi as A_i -> A_{i-1}: the closed form for small complements, down to denormal ones, and through a whole scale. */
-static void alleviation_keeps_its_digits(void **state)
+TEST_CASE(alleviation_keeps_its_digits)
 {
-    (void)state;
     for (double rest = 1e-9; rest > 1e-200; rest /= 13) /* Psi = (c/2)^(3/2) (1 + 3c/8 ...) */
         assert_near(constriction_alleviation(1 - rest, rest), rest / 2 * sqrt(rest / 2) * (1 + 0.375 * rest), 1e-14);
     assert_true(constriction_alleviation(1, 0) == 0);
@@ -114,9 +111,8 @@ static void check_scale(const struct sinusoid_scale *scale, int closure)
 }
 
 /** S_y/E' from 1e-7 to 0.05, nu from 0 to 0.5, amplitudes from a hair around the critical one to 1e12 times it. */
-static void no_material_breaks_a_scale(void **state)
+TEST_CASE(no_material_breaks_a_scale)
 {
-    (void)state;
     static const double ratios[] = {1e-12, 0.5, 1 - 1e-12, 1, 1 + 1e-12, 1.001, 1.25, 1.5, 2, 5, 30, 1e3, 1e6, 1e12};
     for (int y = 0; y < HARD_YIELD_RATIOS; y++)
         for (int n = 0; n < HARD_NUS; n++) {
@@ -131,9 +127,8 @@ static void no_material_breaks_a_scale(void **state)
 }
 
 /** At Delta_c the scale starts to be able to yield; p_c is near p* there, so nothing changes below it. */
-static void critical_amplitude_from_both_sides(void **state)
+TEST_CASE(critical_amplitude_from_both_sides)
 {
-    (void)state;
     for (int n = 0; n < HARD_NUS; n++) {
         struct material_pair pair = hard_pair(3e-4, hard_nus[n]);
         double critical = sinusoid_critical_amplitude(frequency, &pair);
@@ -154,9 +149,8 @@ static void critical_amplitude_from_both_sides(void **state)
 }
 
 /** p = p_c (1 +- 1e-12): the area never falls in either closure; the published steps have their published sizes. */
-static void critical_pressure_from_both_sides(void **state)
+TEST_CASE(critical_pressure_from_both_sides)
 {
-    (void)state;
     static const struct {
         double ratio, area_step, gap_least, gap_most; /* docs/equations.md, known steps */
     } stated[] = {{1.05, 0.010, -0.21, -0.17}, {1.3, 0.023, -0.145, -0.135},  {2, 0.054, -0.157, -0.15},
@@ -185,9 +179,8 @@ static void critical_pressure_from_both_sides(void **state)
 }
 
 /** The published elastic link steps down at 0.8 from 0.9049 to 0.9045; closure numeric has no such step. */
-static void link_at_four_fifths(void **state)
+TEST_CASE(link_at_four_fifths)
 {
-    (void)state;
     for (int closure = 0; closure < SINUSOID_FIT_COUNT; closure++) {
         struct sinusoid_cell below, above;
         elastic(&below, closure, 0.8 * (1 - 1e-12));
@@ -223,9 +216,8 @@ static double largest_step(const struct sinusoid_scale *scale, int closure, bool
 }
 
 /** No other jump: with twice the points (10^5) every step is half as large. */
-static void curves_do_not_jump(void **state)
+TEST_CASE(curves_do_not_jump)
 {
-    (void)state;
     static const double ratios[] = {0.5, 1.05, 1.4, 2, 30, 1000};
     enum { POINTS = 100000 / HARD_COARSER };
     struct material_pair pair = hard_tin();
@@ -242,9 +234,8 @@ static void curves_do_not_jump(void **state)
 }
 
 /** A scale of no amplitude is flat; one of denormal amplitude is a scale like any other. */
-static void vanishing_amplitudes(void **state)
+TEST_CASE(vanishing_amplitudes)
 {
-    (void)state;
     struct material_pair pair = hard_tin();
     static const double pressures[] = {5e-324, 1e-300, 1, 1e300};
     for (int plastic = 0; plastic < 2; plastic++)
@@ -259,21 +250,4 @@ static void vanishing_amplitudes(void **state)
             check_cell(&cell);
             assert_true((cell.area_ratio < 1) == (pressures[i] < tiny.full_pressure_Pa));
         }
-}
-
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(no_pressure_is_hertz),
-        cmocka_unit_test(full_contact_from_both_sides),
-        cmocka_unit_test(alleviation_keeps_its_digits),
-        cmocka_unit_test(no_material_breaks_a_scale),
-        cmocka_unit_test(critical_amplitude_from_both_sides),
-        cmocka_unit_test(critical_pressure_from_both_sides),
-        cmocka_unit_test(link_at_four_fifths),
-        cmocka_unit_test(curves_do_not_jump),
-        cmocka_unit_test(vanishing_amplitudes),
-    };
-    hard_start(argc, argv);
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,8 +4,6 @@
 #include "contact/statistical.h"
 #include "hard_support.h"
 
-#include <gsl/gsl_integration.h>
-
 enum { EVERYTHING = QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_RESISTANCES };
 
 static struct statistical make(const struct asperities *surface, const struct material_pair *pair, int law,
@@ -31,9 +29,8 @@ static struct asperities surface_of(double m0, double m2, double m4)
 }
 
 /** Area and load to 1e-9 though they are 1e-300, ratios of the integrals to 1e-10. */
-static void matches_reference_far_out(void **state)
+TEST_CASE(matches_reference_far_out)
 {
-    (void)state;
     struct table table = table_read("hard/statistical_extreme.csv");
     struct material_pair pair = hard_tin();
     assert_int_equal(table.rows, 48);
@@ -66,28 +63,6 @@ static void matches_reference_far_out(void **state)
         statistical_free(&model);
     }
     table_free(&table);
-}
-
-/** sigma_s² <= 0 is an error of its own, also where only rounding makes it positive. */
-static void no_summit_variance(void **state)
-{
-    (void)state;
-    static const double nayaks[] = {1e-12, 0.5, 0.89, 0.8967, 0.8968, 0.89693};
-    for (int i = 0; i < 6; i++) {
-        struct roughness roughness = {.m0_m2 = 1e-14, .m2 = 1e-3, .m4_per_m2 = nayaks[i] * 1e-6 / 1e-14};
-        struct asperities surface;
-        struct status status = {0};
-        assert_int_equal(roughness_asperities(&surface, &roughness, &status), STATUS_MODEL);
-        assert_non_null(strstr(status.message, "Nayak"));
-        assert_near(surface.nayak, nayaks[i], 1e-12);
-        assert_true(isnan(surface.sigma_s_m) && isfinite(surface.density_per_m2) && isfinite(surface.radius_m));
-    }
-    for (int which = 0; which < 3; which++) {
-        struct roughness flat = {.m0_m2 = which != 0, .m2 = which != 1, .m4_per_m2 = which != 2};
-        struct asperities surface;
-        struct status status = {0};
-        assert_int_equal(roughness_asperities(&surface, &flat, &status), STATUS_MODEL);
-    }
 }
 
 /** Loads from 1e-100 (and the ends of the curve) must come back, with everything bounded and monotone. */
@@ -127,9 +102,8 @@ static void check_curve(const struct statistical *model)
 }
 
 /** Nayak from just above its limit over 0.9 to 1e6, slopes from 1e-6 to 10 (mean square), every material. */
-static void every_surface_in_every_material(void **state)
+TEST_CASE(every_surface_in_every_material)
 {
-    (void)state;
     static const double nayaks[] = {0.89696, 0.9, 1.5, 30, 1e6}, slopes[] = {1e-6, 1e-3, 10};
     for (int k = 0; k < 5; k++)
         for (int s = 0; s < 3; s++) {
@@ -163,9 +137,8 @@ static double bracketed_root(const struct asperities *surface)
 }
 
 /** Full contact from -60 sigma_s to +8 sigma_s: A = A_n at the root to 1e-12 for both laws. */
-static void roots_of_full_contact(void **state)
+TEST_CASE(roots_of_full_contact)
 {
-    (void)state;
     struct material_pair pair = hard_tin();
     for (double target = -60; target <= 8; target += 2) {
         struct asperities surface = {
@@ -189,9 +162,8 @@ static void roots_of_full_contact(void **state)
 }
 
 /** Any first guess leads to the same solution. */
-static void first_guess_does_not_matter(void **state)
+TEST_CASE(first_guess_does_not_matter)
 {
-    (void)state;
     static const double guesses[] = {-1e300, -1e9, -60, 0, 40, 1e4, 1e9, 1e300};
     struct material_pair pair = hard_tin();
     struct asperities surface = surface_of(1.156e-13, 0.0012, 4.5e8);
@@ -209,44 +181,6 @@ static void first_guess_does_not_matter(void **state)
         }
         statistical_free(&model);
     }
-}
-
-/** The share of the load on asperities whose a/R is clamped to 1, against an adaptive integration. */
-struct integrand {
-    const struct statistical *model;
-    double d;
-};
-
-static double load_density(double u, void *context)
-{
-    const struct integrand *in = context;
-    struct asperity_contact contact;
-    asperity_models[ASPERITY_JG].press(&contact, &in->model->asperity, u * in->model->surface.sigma_s_m);
-    return contact.load_N * exp(-(u + in->d) * (u + in->d) / 2);
-}
-
-static void saturation_is_counted(void **state)
-{
-    (void)state;
-    struct material_pair pair = hard_tin();
-    struct asperities surface = surface_of(1e-14, 1e-2, 1e14); /* sharp: R = 66 nm below sigma_s = 100 nm */
-    struct statistical model = make(&surface, &pair, ASPERITY_JG, -3);
-    gsl_integration_workspace *workspace = gsl_integration_workspace_alloc(2000);
-    double border = asperity_interference_at(&model.asperity, 1) / surface.sigma_s_m, previous = 0;
-    for (double d = 4; d >= -3; d -= 0.7) {
-        struct integrand in = {&model, d};
-        gsl_function f = {load_density, &in};
-        double inside, saturated, error;
-        gsl_integration_qag(&f, 0, border, 0, 1e-10, 2000, GSL_INTEG_GAUSS41, workspace, &inside, &error);
-        gsl_integration_qag(&f, border, 14, 0, 1e-10, 2000, GSL_INTEG_GAUSS41, workspace, &saturated, &error);
-        struct contact_point point;
-        statistical_at(&point, &model, d);
-        assert_near(point.radius_clamped, saturated / (inside + saturated), 1e-8);
-        assert_true(point.radius_clamped > previous && point.radius_clamped < 1);
-        previous = point.radius_clamped;
-    }
-    gsl_integration_workspace_free(workspace);
-    statistical_free(&model);
 }
 
 /** Largest second difference of ln A, ln P and ln ECR over a grid in d. */
@@ -270,9 +204,8 @@ static double largest_bend(const struct statistical *model, double from, double 
 
 /** Curves have no jump and no kink, also where the methods for F_n change hands (d = -8, 2): with half the step every
  * second difference falls to a quarter. */
-static void curves_do_not_jump(void **state)
+TEST_CASE(curves_do_not_jump)
 {
-    (void)state;
     enum { POINTS = 100000 / HARD_COARSER / 4 };
     struct material_pair pair = hard_tin();
     struct asperities narrow = surface_of(1e-14, 1e-6, 90), moderate = surface_of(1.156e-13, 0.0012, 4.5e8);
@@ -284,19 +217,4 @@ static void curves_do_not_jump(void **state)
             assert_true(fine > 0 && fine < 0.27 * coarse + 2e-12);
             statistical_free(&model);
         }
-}
-
-int main(int argc, char **argv)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(matches_reference_far_out),
-        cmocka_unit_test(no_summit_variance),
-        cmocka_unit_test(every_surface_in_every_material),
-        cmocka_unit_test(roots_of_full_contact),
-        cmocka_unit_test(first_guess_does_not_matter),
-        cmocka_unit_test(saturation_is_counted),
-        cmocka_unit_test(curves_do_not_jump),
-    };
-    hard_start(argc, argv);
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

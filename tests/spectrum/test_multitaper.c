@@ -89,18 +89,6 @@ TEST_CASE(test_tilt_and_offset_do_not_matter)
         assert_near(square_tilted[n], square_m2[n], 1e-6);
 }
 
-TEST_CASE(test_squares_scale_as_squares)
-{
-    double height_m[200], scaled[200], square_m2[99], square_scaled[99];
-    random_walk(height_m, 200, 8);
-    for (size_t i = 0; i < 200; i++)
-        scaled[i] = 0x1p20 * height_m[i];
-    compute(square_m2, height_m, 200);
-    compute(square_scaled, scaled, 200);
-    for (size_t n = 0; n < 99; n++)
-        assert_near(square_scaled[n], 0x1p40 * square_m2[n], 1e-15);
-}
-
 /* The mean over many white records is Delta² = 4 sigma²/N at every harmonic n >= 5, and the spread that of 5 squares.
  */
 TEST_CASE(test_white_noise)

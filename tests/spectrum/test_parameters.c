@@ -249,17 +249,6 @@ TEST_CASE(test_nist_edm)
         }
 }
 
-TEST_CASE(test_asme_sine)
-{
-    NEED_REAL_SCANS();
-    static const struct printed printed[] = {{"a", .63663, 1e-5}, {"q", .70711, 1e-5}, {"dq", .0111, 1e-4}};
-    struct profile profile = real_profile("nist_asme_sine.xml", LEVEL_MEAN, 0, 1);
-    struct parameters p = compute(profile.height_m, profile.points, profile.spacing_m, 1);
-    assert_printed(&p, printed, 3);
-    assert_value(&p, "sm", 400e-6, 0.05e-6);
-    profile_free(&profile);
-}
-
 /* An R profile as the instrument exports it: lambda_c 2.5 mm, four sampling lengths, nothing more to take out. */
 TEST_CASE(test_mitutoyo)
 {

@@ -26,28 +26,6 @@ TEST_CASE(test_a_sine_wave)
     assert_near(r.m4_per_m2, amplitude_m * amplitude_m / 2 * pow(wave_number, 4), 1e-3);
 }
 
-TEST_CASE(test_a_line_has_slope_and_no_curvature)
-{
-    double height_m[101];
-    for (int j = 0; j < 101; j++)
-        height_m[j] = (j - 50) * 0x1p-20;
-    struct roughness r = roughness_of_heights(height_m, 101, 0x1p-22);
-    assert_near(r.m2, 16, 0);
-    assert_near(r.m4_per_m2, 0, 0);
-    assert_near(r.pv_m, 100 * 0x1p-20, 0);
-    assert_near(r.ra_m, 2 * 50 * 51 / 2 / 101.0 * 0x1p-20, 1e-15);
-    assert_near(r.m0_m2, 2 * 50 * 51 * 101 / 6 / 101.0 * 0x1p-40, 1e-15);
-}
-
-TEST_CASE(test_a_parabola_has_one_curvature)
-{
-    double height_m[64];
-    for (int j = 0; j < 64; j++)
-        height_m[j] = 0.5 * 1024 * pow(j * 0x1p-20, 2); /* radius 1/1024 m */
-    struct roughness r = roughness_of_heights(height_m, 64, 0x1p-20);
-    assert_near(r.m4_per_m2, 1024.0 * 1024, 1e-12);
-}
-
 /* A parabola over uneven positions has its one curvature, and on even ones both functions agree. */
 TEST_CASE(test_uneven_points)
 {
@@ -109,34 +87,6 @@ TEST_CASE(test_averages)
     assert_near(mean.m2, 30, 1e-14);
     assert_near(mean.m4_per_m2, 400, 1e-14);
     assert_near(mean.pv_m, 9, 0);
-}
-
-/* beta.csv has the asperities of the moments in statistical.csv. */
-TEST_CASE(test_asperities_against_the_reference)
-{
-    struct table asperities = table_read("golden/beta.csv"), moments = table_read("golden/statistical.csv");
-    size_t checked = 0;
-    for (size_t i = 0; i < asperities.rows; i++)
-        for (size_t j = 0; j < moments.rows; j++) {
-            if (strcmp(table_text(&asperities, i, "set"), table_text(&moments, j, "set")) != 0)
-                continue;
-            struct roughness r = {.m0_m2 = table_number(&moments, j, "m0_m2"),
-                                  .m2 = table_number(&moments, j, "m2"),
-                                  .m4_per_m2 = table_number(&moments, j, "m4_per_m2")};
-            struct asperities a;
-            struct status status = {0};
-            assert_int_equal(roughness_asperities(&a, &r, &status), STATUS_OK);
-            assert_near(a.density_per_m2, table_number(&asperities, i, "eta_per_m2"), 1e-13);
-            assert_near(a.radius_m, table_number(&asperities, i, "radius_m"), 1e-13);
-            assert_near(a.sigma_s_m, table_number(&asperities, i, "sigma_s_m"), 1e-12);
-            assert_near(a.offset_m, table_number(&asperities, i, "y_s_m"), 1e-13);
-            assert_near(a.sigma_m, sqrt(r.m0_m2), 1e-15);
-            assert_near(a.nayak, r.m0_m2 * r.m4_per_m2 / (r.m2 * r.m2), 1e-13);
-            checked++;
-        }
-    assert_true(checked >= 6);
-    table_free(&asperities);
-    table_free(&moments);
 }
 
 /* sigma_s² = m0 (1 - limit/Nayak), limit = 3.717e-4 (6 pi sqrt3/0.375)²/pi, from eta and R written out. */

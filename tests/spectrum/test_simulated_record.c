@@ -71,30 +71,6 @@ TEST_CASE(test_a_gap_in_the_spectrum_is_bridged)
     simulated_record_free(&spectrum);
 }
 
-/* Mean square heights and slopes of many records are those of the density. */
-TEST_CASE(test_mean_squares)
-{
-    enum { RECORDS = 400 };
-    double square_m2[POINTS], height_m[POINTS], mean_square = 0, slope = 0, expected = 0, expected_slope = 0;
-    law(square_m2, POINTS, 1.2);
-    struct simulated_record spectrum = prepare(square_m2, POINTS);
-    for (size_t k = 1; k <= 2 * POINTS; k++) {
-        double power = pow(spectrum.deviation_m[k], 2) * (k == 2 * POINTS ? 0.5 : 1);
-        expected += power;
-        expected_slope += power * pow(2 * sin(M_PI * (double)k / (4 * POINTS)), 2);
-    }
-    for (unsigned long r = 0; r < RECORDS; r++) {
-        draw(height_m, &spectrum, r);
-        for (size_t t = 0; t < POINTS; t++)
-            mean_square += height_m[t] * height_m[t] / (RECORDS * POINTS);
-        for (size_t t = 1; t < POINTS; t++)
-            slope += pow(height_m[t] - height_m[t - 1], 2) / (RECORDS * (POINTS - 1));
-    }
-    simulated_record_free(&spectrum);
-    assert_near(mean_square, expected, 0.25); /* few independent long waves: 5 times 1 % per root of 400 records */
-    assert_near(slope, expected_slope, 0.02);
-}
-
 /* The multitaper spectrum of simulated records is that they were drawn from. */
 TEST_CASE(test_the_spectrum_comes_back)
 {
@@ -112,24 +88,6 @@ TEST_CASE(test_the_spectrum_comes_back)
     for (size_t n = 10; n <= multitaper_count(POINTS); n++)
         assert_within(mean[n], 1, 0.13); /* 5 sqrt(0.2/400), and a bias of 1 % */
     simulated_record_free(&spectrum);
-}
-
-TEST_CASE(test_a_seed_makes_a_record)
-{
-    double square_m2[POINTS], first[POINTS], second[POINTS], other[POINTS];
-    law(square_m2, POINTS, 1.2);
-    struct simulated_record spectrum = prepare(square_m2, POINTS);
-    draw(first, &spectrum, 5);
-    draw(other, &spectrum, 6);
-    draw(second, &spectrum, 5);
-    simulated_record_free(&spectrum);
-    assert_memory_equal(first, second, sizeof first);
-    double same = 0, squares = 0;
-    for (size_t t = 0; t < POINTS; t++) {
-        same += first[t] * other[t];
-        squares += first[t] * first[t];
-    }
-    assert_true(fabs(same) < 0.9 * squares && same != squares);
 }
 
 /** The first heights of a record as they are defined, from the generator. */

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "profile/synth.h"
 #include "spectrum/spectrum.h"
 #include "support.h"
 
@@ -68,21 +67,6 @@ TEST_CASE(test_single_harmonics)
             assert_near(spectrum_frequency(&spectrum, n - 1), (double)n / ((double)points * spacing_m), 1e-15);
             spectrum_free(&spectrum);
         }
-}
-
-/* Every harmonic at once, amplitudes over two decades, odd and even lengths. */
-TEST_CASE(test_many_harmonics)
-{
-    for (size_t points = 240; points <= 241; points++) {
-        double height_m[241] = {0};
-        for (size_t n = 1; n <= points / 2; n++)
-            for (size_t j = 0; j < points; j++)
-                height_m[j] += 1e-6 / (double)n * wave(n, j, points, 2 * n == points ? 0 : sin((double)n) * M_PI);
-        struct spectrum spectrum = compute(height_m, points, SPECTRUM_WINDOW_NONE);
-        for (size_t n = 1; n <= points / 2; n++)
-            assert_within(spectrum.amplitude_m[n - 1], 1e-6 / (double)n, 1e-13 * 1e-6);
-        spectrum_free(&spectrum);
-    }
 }
 
 /* A ramp of step s has Delta_n = s/sin(pi n/N), and half of that at Nyquist: a geometric sum. */
@@ -160,20 +144,6 @@ TEST_CASE(test_the_window_of_a_record)
     }
 }
 
-TEST_CASE(test_parseval_of_a_long_surface)
-{
-    struct synth_def def = synth_def_default();
-    struct status status = {0};
-    def.points = 1000000;
-    double *height_m = malloc(def.points * sizeof *height_m);
-    assert_non_null(height_m);
-    assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
-    struct spectrum spectrum = compute(height_m, def.points, SPECTRUM_WINDOW_NONE);
-    assert_near(total_power(&spectrum), mean_square(height_m, def.points), 1e-13);
-    spectrum_free(&spectrum);
-    free(height_m);
-}
-
 /* The sum of a constant and roughness rounds to half a unit of the last place, 7e-18 m here; nothing else may be lost.
  */
 TEST_CASE(test_a_large_offset_keeps_the_amplitudes)
@@ -210,22 +180,6 @@ TEST_CASE(test_hann_lines)
                       : n == LINE - 1 || n == LINE + 1 ? main_m / 2
                                                        : 0,
                       1e-12 * 1e-6);
-    spectrum_free(&spectrum);
-}
-
-TEST_CASE(test_moments_of_a_sinusoid)
-{
-    enum { POINTS = 500, LINE = 12 };
-    double height_m[POINTS], amplitude_m = 4e-7;
-    for (size_t j = 0; j < POINTS; j++)
-        height_m[j] = amplitude_m * wave(LINE, j, POINTS, 0.7);
-    struct spectrum spectrum = compute(height_m, POINTS, SPECTRUM_WINDOW_NONE);
-    double wave_number = 2 * M_PI * LINE / (POINTS * spacing_m), power = amplitude_m * amplitude_m / 2;
-    for (size_t i = 0; i < spectrum.count; i++) /* only rounding beside the line, but m4 would magnify it */
-        spectrum.amplitude_m[i] = spectrum.amplitude_m[i] < 1e-12 * amplitude_m ? 0 : spectrum.amplitude_m[i];
-    assert_near(spectrum_moment(&spectrum, 0), power, 1e-13);
-    assert_near(spectrum_moment(&spectrum, 1), power * pow(wave_number, 2), 1e-13);
-    assert_near(spectrum_moment(&spectrum, 2), power * pow(wave_number, 4), 1e-13);
     spectrum_free(&spectrum);
 }
 

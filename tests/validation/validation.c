@@ -1,20 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The models against direct solutions: surfaces of nine height laws and three Hurst exponents are made by the program's
- * own synthesis and solved; some rows of each then go through the analysis as line scans, and every model's answer is
- * held against the solution. Minutes; hence no test. Writes Markdown to the file named.
- * cmake --workflow --preset validation */
+/* Writes docs/validation.md: what is known from elsewhere (truths.c), and the models against direct solutions. For
+ * these surfaces of nine height laws and three Hurst exponents are made by the program's own synthesis and solved; some
+ * rows of each then go through the analysis as line scans, and every model's answer is held against the solution. Fails
+ * where a number is beyond its bound. Minutes; hence no test. cmake --workflow --preset validation */
+#include "analysis/direct_study.h"
 #include "analysis/evaluate.h"
-#include "base/text.h"
 #include "direct/direct_ladder.h"
 #include "direct/direct_surface.h"
+#include "directory.h"
+#include "statistics/coverage.h"
+#include "validation/truths.h"
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
 
 enum { SIDE = 256, GIVEN = SIDE * SIDE, LAWS = 9, HURSTS = 3, HARDNESSES = 3, ASKED = 3, LOADS = 9 };
 
@@ -68,24 +67,45 @@ static double heavy(double u)
     return sinh(0.8 * u);
 }
 
-/** A set of surfaces and of line scans of them. */
+/** A set of surfaces and of line scans of them; the first five are columns of the page's tables. */
 static const struct part {
     const char *title;
     double roll_off;     /* waves of the longest length in a side */
     size_t rows, points; /* of the scans */
-    size_t laws, seeds;
-    bool hard;          /* with a hardness */
-    const char *models; /* NULL: those that run by default */
+    size_t laws,
+        each; /* surfaces of a law: Hurst exponents in turn, then other seeds; from the 13th on twice the waves */
+    size_t hardnesses;   /* 0: elastic */
+    const char *more;    /* of the scene */
+    const char *bounded; /* in the table of bounds; NULL: not there */
+    double bound[ASKED]; /* of the rms over all */
 } parts[] = {
-    {"Five scans, four of the longest waves in each", 4, 5, SIDE, LAWS, 1, false, NULL},
-    {"One scan, four of the longest waves in it", 4, 1, SIDE, LAWS, 1, false, NULL},
-    {"Five scans, some 2.5 of the longest waves in each, ends open", 4, 5, 150, LAWS, 1, false, NULL},
-    {"Five scans, shorter than the longest waves, ends open", 1, 5, 150, LAWS, 1, false, NULL},
-    {"Five scans, four of the longest waves in each, hardness H/(E' g) = 0.03, 0.15, 0.5", 4, 5, SIDE, LAWS, 1, true,
-     NULL},
-    {"The spectrum of 64 scans of Gaussian surfaces", 4, 64, SIDE, 1, 4, false, "corrected-persson"},
+    {"5 scans, 4 waves", 4, 5, SIDE, LAWS, 3, 0, "", "leading answer, 5 scans, 4 waves", {0.30, 0.36, 0.42}},
+    {"1 scan, 4 waves", 4, 1, SIDE, LAWS, 3, 0, "", NULL, {0}},
+    {"5 scans, 2.5 waves", 4, 5, 150, LAWS, 3, 0, "", NULL, {0}},
+    {"5 scans, 0.6 waves", 1, 5, 150, LAWS, 3, 0, "", NULL, {0}},
+    {"5 scans, 4 waves, hardness", 4, 5, SIDE, LAWS, 4, HARDNESSES, "", "the same with hardness", {0.22, 0.50, 0.53}},
+    {"64 scans, 4 or 8 waves",
+     4,
+     64,
+     SIDE,
+     1,
+     24,
+     0,
+     "models: [corrected-persson]\n",
+     "corrected-persson, 64 scans, 4 or 8 waves",
+     {0.068, 0.058, 0.086}},
+    {"5 scans, 4 waves, synthesis",
+     4,
+     5,
+     SIDE,
+     1,
+     6,
+     0,
+     "models: [corrected-persson]\ndirect: {grid: 256, seeds: 4, loads: [0.00015, 0.003, 0.0175]}\n",
+     NULL,
+     {0}},
 };
-enum { PARTS = sizeof parts / sizeof *parts };
+enum { HARD = 4, SPECTRUM, SYNTHESIS, PARTS };
 
 /** Heights of a surface, as a function of normal ones. */
 static const struct {
@@ -95,38 +115,23 @@ static const struct {
                 {"peaks", peaks},         {"lognormal", lognormal},   {"lognormal, upside down", valleys},
                 {"ground flat", clipped}, {"bimodal", bimodal},       {"heavy tails", heavy}};
 
-static void must(enum status_code code, const struct status *status)
-{
-    if (code == STATUS_OK)
-        return;
-    fprintf(stderr, "validation: %s\n", status->message);
-    exit(1);
-}
-
-static void *room(size_t count, size_t size)
-{
-    void *out = calloc(count, size);
-    if (!out)
-        must(STATUS_MEMORY, &(struct status){.message = "out of memory"});
-    return out;
-}
-
 /** A surface of rms gradient `gradient`, SIDE x SIDE. */
 static double *make_surface(size_t law, double hurst, double roll_off, uint64_t seed)
 {
-    double *height_m = room((size_t)SIDE * SIDE, sizeof *height_m), *given = room(GIVEN, sizeof *given), m2 = 0;
+    double *height_m = coverage_allocate((size_t)SIDE * SIDE, sizeof *height_m),
+           *given = coverage_allocate(GIVEN, sizeof *given), m2 = 0;
     struct direct_law rows = {1, hurst + 0.5, cut_off_m, SIDE * spacing_m, roll_off};
     struct direct_spectrum spectrum;
     struct status status = {0};
     for (size_t m = 1; m <= direct_law_harmonics(&rows); m++)
         m2 += pow(2 * M_PI * (double)m / rows.length_m * direct_law_amplitude(&rows, m), 2) / 2;
     rows.alpha *= gradient / sqrt(2 * m2);
-    must(direct_spectrum_of_law(&spectrum, &rows, &status), &status);
+    coverage_must(direct_spectrum_of_law(&spectrum, &rows, &status), &status);
     for (size_t k = 0; k < GIVEN; k++)
         given[k] = laws[law].of(gsl_cdf_ugaussian_Pinv(((double)k + 0.5) / GIVEN));
-    must(direct_surface_make(height_m, SIDE, direct_spectrum_variance, &spectrum, law == 0 ? NULL : given, GIVEN, seed,
-                             &status),
-         &status);
+    coverage_must(direct_surface_make(height_m, SIDE, direct_spectrum_variance, &spectrum, law == 0 ? NULL : given,
+                                      GIVEN, seed, &status),
+                  &status);
     direct_spectrum_free(&spectrum);
     free(given);
     return height_m;
@@ -135,28 +140,26 @@ static double *make_surface(size_t law, double hurst, double roll_off, uint64_t 
 /** Solutions at `loads`, for a hardness over E' g; INFINITY: elastic. */
 static void solve(struct direct_point *out, const double *height_m, double hardness)
 {
-    double own[LOADS], *copy = room((size_t)SIDE * SIDE, sizeof *copy);
+    double own[LOADS], *copy = coverage_allocate((size_t)SIDE * SIDE, sizeof *copy);
     struct status status = {0};
     memcpy(copy, height_m, (size_t)SIDE * SIDE * sizeof *copy);
     for (size_t i = 0; i < LOADS; i++)
         own[i] = loads[i] * gradient;
     const struct direct_ladder_def def = {
         .load = own, .loads = LOADS, .hardness = hardness * gradient, .tolerance = 1e-6, .resistance = true};
-    must(direct_ladder_of_heights(out, NULL, NULL, copy, SIDE, spacing_m, &def, NULL, &status), &status);
+    coverage_must(direct_ladder_of_heights(out, NULL, NULL, copy, SIDE, spacing_m, &def, NULL, &status), &status);
 }
 
 /** Writes rows and a scene into the directory. */
-static void write_scans(const char *directory, const double *height_m, const struct part *part, double hardness)
+static void write_scans(const struct directory *place, const double *height_m, const struct part *part, double hardness)
 {
     struct text scene = {0}, row = {0};
-    char path[192];
-    struct status status = {0};
+    char name[32];
     double hardness_Pa = 1e11 * gradient * (isinf(hardness) ? 10 : hardness);
     text_add(&scene, "material: {E: 100 GPa, nu: 0, Sy: %.17g, resistivity: %g ohm m, hardness: %.17g}\n",
              hardness_Pa / material_hardness_ratio, resistivity_ohm_m, hardness_Pa);
-    if (part->models)
-        text_add(&scene, "models: [%s]\n", part->models);
-    text_add(&scene, "effects: [separation, electrical, uncertainty%s]\n", isinf(hardness) ? "" : ", plasticity");
+    text_add(&scene, "%seffects: [separation, electrical, uncertainty%s%s]\n", part->more,
+             isinf(hardness) ? "" : ", plasticity", part == &parts[SYNTHESIS] ? ", direct" : "");
     text_add(&scene, "load: {values: [");
     for (size_t i = 0; i < LOADS; i++)
         text_add(&scene, "%s%.17g", i > 0 ? ", " : "", loads[i] * gradient);
@@ -166,22 +169,19 @@ static void write_scans(const char *directory, const double *height_m, const str
         text_add(&row, "x [um],z [nm]\n");
         for (size_t i = 0; i < part->points; i++)
             text_add(&row, "%zu,%.9g\n", i, z[i] * 1e9);
-        snprintf(path, sizeof path, "%s/row-%zu.csv", directory, r);
-        (void)remove(path);
-        must(text_write_file(path, text_string(&row), row.length, &status), &status);
+        snprintf(name, sizeof name, "row-%zu.csv", r);
+        directory_write(place, name, text_string(&row));
         text_free(&row);
-        text_add(&scene, "%srow-%zu.csv", r > 0 ? ", " : "", r);
+        text_add(&scene, "%s%s", r > 0 ? ", " : "", name);
     }
     text_add(&scene, "]}]\n");
-    snprintf(path, sizeof path, "%s/scene.yaml", directory);
-    (void)remove(path);
-    must(text_write_file(path, text_string(&scene), scene.length, &status), &status);
+    directory_write(place, "scene.yaml", text_string(&scene));
     text_free(&scene);
 }
 
-/** What was found of one number. */
+/** What was found of one number; model model_count + 1: by direct solution of a synthesis. */
 struct finding {
-    size_t model, law, quantity;
+    size_t model, law, quantity, load;
     bool leads;
     double ln_ratio, ln_half_width; /* NaN: not printed */
     bool holds;
@@ -196,7 +196,7 @@ static void add(struct findings *findings, const struct finding *finding)
 {
     findings->all = reallocarray(findings->all, findings->count + 1, sizeof *findings->all);
     if (!findings->all)
-        must(STATUS_MEMORY, &(struct status){.message = "out of memory"});
+        coverage_must(STATUS_MEMORY, &(struct status){.message = "out of memory"});
     findings->all[findings->count++] = *finding;
 }
 
@@ -214,7 +214,7 @@ static void hold_curve(struct findings *findings, const struct surface_record *r
             if (fabs(curve->points[k].value[QUANTITY_LOAD] / (loads[i] * gradient) - 1) < 1e-9)
                 point = &curve->points[k];
         for (size_t a = 0; a < ASKED; a++) {
-            struct finding finding = {m, law, a, leads, NAN, NAN, false};
+            struct finding finding = {m, law, a, i, leads, NAN, NAN, false};
             double mine = point ? point->value[model_shown(model_rows[m], asked[a])] : NAN;
             if (mine > 0)
                 finding.ln_ratio = log(mine / value[a]);
@@ -230,33 +230,58 @@ static void hold_curve(struct findings *findings, const struct surface_record *r
     }
 }
 
-/** A surface's rows through the analysis. */
-static void hold(struct findings *findings, const char *directory, const double *height_m, const struct part *part,
-                 size_t law, double hardness, const struct direct_point *truth)
+/** Surfaces made of what the rows say, solved, against the one they are rows of. */
+static void hold_synthesis(struct findings *findings, const struct surface_record *record, const struct scene *scene,
+                           const struct plan *plan, size_t law, const struct direct_point *truth)
 {
+    struct direct_study study;
+    struct status status = {0};
+    const struct direct_study_task task = {.surface = record, .scene = scene, .plan = plan};
+    coverage_must(record->summary.direct->possible ? STATUS_OK : STATUS_MODEL,
+                  &(struct status){.message = "no synthesis"});
+    coverage_must(direct_study_run(&study, &task, &status), &status);
+    for (size_t k = 0; k < study.plan.loads; k++)
+        for (size_t i = 0; i < LOADS; i++)
+            for (size_t a = 0; a < ASKED && fabs(study.plan.load[k] / (loads[i] * gradient) - 1) < 1e-9; a++) {
+                double value[ASKED] = {truth[i].quantities.area_ratio, truth[i].quantities.gap_m,
+                                       2 * resistivity_ohm_m * truth[i].constriction_m};
+                double mine = direct_study_value(&study, &record->summary.pair, study.leading, asked[a], k, NULL);
+                add(findings, &(struct finding){model_count + 1, law, a, i, false, log(mine / value[a]), NAN, false});
+            }
+    direct_study_free(&study);
+}
+
+/** A surface's rows through the analysis. */
+static void hold(struct findings *findings, const double *height_m, const struct part *part, size_t law,
+                 double hardness, const struct direct_point *truth)
+{
+    struct directory place = directory_make();
     struct scene scene;
     struct plan plan;
     struct surface_record record = {0};
     struct status status = {0};
     double *own;
     size_t count, operating;
-    write_scans(directory, height_m, part, hardness);
-    must(scene_read(&scene, directory, NULL, &status), &status);
+    write_scans(&place, height_m, part, hardness);
+    coverage_must(scene_read(&scene, place.path, NULL, &status), &status);
     plan_make(&plan, &scene);
     struct material_pair pair = scene_pair(scene.surfaces[0].bodies);
-    must(scene_loads(&own, &count, &operating, &scene, &pair, &status), &status);
+    coverage_must(scene_loads(&own, &count, &operating, &scene, &pair, &status), &status);
     plan.operating_place = operating + 1;
     const struct evaluate_task task = {
         .scene = &scene, .surface = &scene.surfaces[0], .plan = &plan, .loads = own, .load_count = count};
-    must(evaluate_surface(&record, &task, &status), &status);
+    coverage_must(evaluate_surface(&record, &task, &status), &status);
     if (!record.summary.usable)
-        must(STATUS_SCAN, &(struct status){.message = "a surface was refused"});
+        coverage_must(STATUS_SCAN, &(struct status){.message = "a surface was refused"});
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(&plan, m) && (isinf(hardness) || model_rows[m]->plastic || !model_rows[m]->elastic))
             hold_curve(findings, &record, m, m == plan_leading_model(&plan), law, truth);
+    if (part == &parts[SYNTHESIS])
+        hold_synthesis(findings, &record, &scene, &plan, law, truth);
     surface_record_free(&record);
     scene_free(&scene);
     free(own);
+    directory_remove(&place);
 }
 
 /** Which of the findings: of a model (model_count: the leading one), of a law (LAWS: any; LAWS + 1: any but Gaussian).
@@ -267,138 +292,156 @@ static bool is_of(const struct finding *finding, size_t model, size_t law, size_
            (law == LAWS + 1 ? finding->law > 0 : law == LAWS || finding->law == law);
 }
 
-static void add_rms(struct text *page, const struct findings *findings, size_t model, size_t law)
+/** Has the model (model_count: any) said anything? */
+static bool ran(const struct findings *findings, size_t model)
+{
+    for (size_t k = 0; k < findings->count; k++)
+        if (findings->all[k].model == model || model == model_count)
+            return true;
+    return false;
+}
+
+/** rms of ln(answer/solution) of A, gap and ECR: in one cell or, with bounds, in three; load LOADS: at any. */
+static void add_rms(struct page *page, const struct findings *findings, size_t model, size_t law, size_t load,
+                    const double *bound)
 {
     size_t printed = 0, all = 0; /* numbers */
-    for (size_t a = 0; a < ASKED; a++) {
+    for (size_t a = 0; a < ASKED && ran(findings, model); a++) {
         double sum = 0, count = 0;
         for (size_t k = 0; k < findings->count; k++) {
             const struct finding *finding = &findings->all[k];
-            if (!is_of(finding, model, law, a))
+            if (!is_of(finding, model, law, a) || (load < LOADS && finding->load != load))
                 continue;
             all++;
             printed += isnan(finding->ln_ratio) ? 0 : 1;
             sum += isnan(finding->ln_ratio) ? 0 : pow(finding->ln_ratio, 2);
             count += !isnan(finding->ln_ratio);
         }
-        text_add(page, count > 0 ? " %.2f" : " –", sqrt(sum / count));
+        if (bound)
+            page_number(page, sqrt(sum / count), bound[a]);
+        else
+            text_add(&page->text, count > 0 ? " %.2f" : " –", sqrt(sum / count));
     }
     if (printed < all)
-        text_add(page, " (%zu of %zu)", printed, all);
-    text_add(page, " |");
+        text_add(&page->text, " (%zu of %zu)", printed, all);
+    text_add(&page->text, bound ? "\n" : all > 0 ? " |" : " – |");
 }
 
-static void add_models(struct text *page, const struct findings *findings)
+/** A row over the first five parts. */
+static void add_row(struct page *page, const char *name, const struct findings *findings, size_t model, size_t law)
 {
-    text_add(page, "\n| rms ln of A, gap, ECR | Gaussian heights | other heights |\n|---|---|---|\n");
-    for (size_t m = 0; m < model_count; m++) {
-        bool ran = false;
-        for (size_t k = 0; k < findings->count; k++)
-            ran = ran || findings->all[k].model == m;
-        if (!ran)
-            continue;
-        text_add(page, "| %s |", model_rows[m]->name);
-        add_rms(page, findings, m, 0);
-        add_rms(page, findings, m, LAWS + 1);
-        text_add(page, "\n");
-    }
+    text_add(&page->text, "| %s |", name);
+    for (size_t p = 0; p <= HARD; p++)
+        add_rms(page, &findings[p], model, law, LOADS, NULL);
+    text_add(&page->text, "\n");
 }
 
-/** The leading answer, law by law. */
-static void add_laws(struct text *page, const struct findings *findings)
+/** How many truths lie beyond the leading answer's interval, and its median half width. */
+static void add_intervals(struct page *page, const struct findings *findings, double bound)
 {
-    text_add(page, "\n| leading answer, heights | rms ln of A, gap, ECR |\n|---|---|\n");
-    for (size_t law = 0; law <= LAWS; law++) {
-        text_add(page, "| %s |", law < LAWS ? laws[law].name : "all");
-        add_rms(page, findings, model_count, law);
-        text_add(page, "\n");
-    }
-}
-
-static void add_intervals(struct text *page, const struct findings *findings)
-{
-    double *half_width = room(findings->count + 1, sizeof *half_width);
-    text_add(page, "\n| 95 %% interval of the leading answer | A | gap | ECR |\n|---|---|---|---|\n| holds |");
-    for (int row = 0; row < 2; row++) {
-        for (size_t a = 0; a < ASKED; a++) {
-            size_t count = 0, holds = 0;
-            for (size_t k = 0; k < findings->count; k++) {
-                const struct finding *finding = &findings->all[k];
-                if (!is_of(finding, model_count, LAWS, a) || isnan(finding->ln_half_width))
-                    continue;
-                half_width[count++] = finding->ln_half_width;
-                holds += finding->holds;
-            }
-            gsl_sort(half_width, 1, count);
-            if (row == 0)
-                text_add(page, " %.2f of %zu |", (double)holds / (double)count, count);
-            else
-                text_add(page, " %.1f |", exp(gsl_stats_median_from_sorted_data(half_width, 1, count)));
+    double *half_width = coverage_allocate(findings->count + 1, sizeof *half_width), median[ASKED];
+    for (size_t a = 0; a < ASKED; a++) {
+        size_t count = 0, beyond = 0;
+        for (size_t k = 0; k < findings->count; k++) {
+            const struct finding *finding = &findings->all[k];
+            if (!is_of(finding, model_count, LAWS, a) || isnan(finding->ln_half_width))
+                continue;
+            half_width[count++] = finding->ln_half_width;
+            beyond += !finding->holds;
         }
-        text_add(page, row == 0 ? "\n| median half width, factor |" : "\n");
+        gsl_sort(half_width, 1, count);
+        median[a] = exp(gsl_stats_median_from_sorted_data(half_width, 1, count));
+        page_number(page, (double)beyond / (double)count, bound);
     }
+    text_add(&page->text, " %.1f %.1f %.1f |\n", median[0], median[1], median[2]);
     free(half_width);
 }
 
-static void run(struct findings *out, const struct part *part, const char *directory)
+static void add_synthesis(struct page *page, const struct findings *findings)
 {
-    for (size_t law = 0; law < part->laws; law++)
-        for (size_t h = 0; h < HURSTS; h++)
-            for (size_t seed = 0; seed < part->seeds; seed++) {
-                struct direct_point truth[LOADS];
-                double hardness = part->hard ? hardnesses[(h + law) % HARDNESSES] : INFINITY;
-                double *height_m = make_surface(law, hursts[h], part->roll_off, 1 + h + HURSTS * seed);
-                solve(truth, height_m, hardness);
-                hold(out, directory, height_m, part, law, hardness, truth);
-                free(height_m);
-            }
+    static const size_t compared[] = {0, 3, 6}; /* of the loads */
+    page_rows(page, "synthesis");
+    for (size_t k = 0; k < sizeof compared / sizeof *compared; k++) {
+        text_add(&page->text, "| %g |", loads[compared[k]]);
+        add_rms(page, findings, model_count + 1, 0, compared[k], (double[]){0, 0, 0});
+    }
+    text_add(&page->text, "| 0.35, the worst map: share off |");
+    for (size_t a = 0; a < ASKED; a++) {
+        double worst = 0;
+        for (size_t k = 0; k < findings->count; k++)
+            if (is_of(&findings->all[k], model_count + 1, 0, a) && findings->all[k].load == compared[2])
+                worst = fmax(worst, fabs(exp(findings->all[k].ln_ratio) - 1));
+        page_number(page, worst, a > 0 ? 0.15 : 0);
+    }
+    text_add(&page->text, "\n");
 }
 
-static const char introduction[] =
-    "<!-- SPDX-License-Identifier: GPL-3.0-or-later -->\n"
-    "# Validation\n\n"
-    "Made by `cmake --workflow --preset validation` (tests/validation): surfaces of nine height laws and three Hurst\n"
-    "exponents (0.3, 0.6, 0.9), 256 x 256 points, cut-off at 8 spacings, are made by the program's own synthesis and\n"
-    "solved directly at nine loads. Evenly spaced rows of them go through the analysis as line scans. Held against "
-    "the\n"
-    "solution, where it has A < 0.9: rms of ln(answer/solution) of the area, the mean gap and the electrical contact\n"
-    "resistance; (printed of all) where a model leaves some empty. 0.10 is 10 %, 0.69 a factor of 2. The statistical\n"
-    "models' gap is the distance of the mean planes. `longest_waves` in results.json says how many of its longest "
-    "waves a\n"
-    "scan holds: with fewer than four, what it cannot know is more than the intervals allow for.\n";
+static void run(struct findings *out, const struct part *part)
+{
+    for (size_t law = 0; law < part->laws; law++)
+        for (size_t k = 0; k < part->each; k++) {
+            double waves = part->roll_off * (k < 12 ? 1 : 2);
+            double *height_m = make_surface(law, hursts[k % HURSTS], waves, 1 + k);
+            for (size_t h = 0; h < part->hardnesses || h == 0; h++) {
+                struct direct_point truth[LOADS];
+                double hardness = part->hardnesses > 0 ? hardnesses[h] : INFINITY;
+                solve(truth, height_m, hardness);
+                hold(out, height_m, part, law, hardness, truth);
+            }
+            free(height_m);
+        }
+}
+
+static void add_tables(struct page *page, const struct findings *findings)
+{
+    for (size_t law = 0; law <= LAWS + 1; law += LAWS + 1) {
+        page_rows(page, law == 0 ? "gaussian" : "other");
+        for (size_t m = 0; m < model_count; m++)
+            if (ran(&findings[HARD], m))
+                add_row(page, model_rows[m]->name, findings, m, law);
+    }
+    page_rows(page, "laws");
+    for (size_t law = 0; law <= LAWS; law++)
+        add_row(page, law < LAWS ? laws[law].name : "all", findings, model_count, law);
+    page_rows(page, "bounds");
+    for (size_t p = 0; p < PARTS; p++)
+        if (parts[p].bounded) {
+            text_add(&page->text, "| %s |", parts[p].bounded);
+            add_rms(page, &findings[p], model_count, LAWS, LOADS, parts[p].bound);
+        }
+    struct findings half = {findings[SPECTRUM].all, findings[SPECTRUM].count / 2};
+    text_add(&page->text, "| of these those of 4 waves |");
+    add_rms(page, &half, model_count, LAWS, LOADS, (double[ASKED]){0});
+    page_rows(page, "intervals");
+    for (size_t p = 0; p <= HARD; p++) {
+        text_add(&page->text, "| %s |", parts[p].title);
+        add_intervals(page, &findings[p], parts[p].bounded ? 0.12 : 0);
+    }
+    add_synthesis(page, &findings[SYNTHESIS]);
+}
 
 int main(int count, char **word)
 {
-    char directory[128], path[192];
-    const char *temporary = getenv("TMPDIR");
-    struct text page = {0};
+    struct findings findings[PARTS] = {0};
+    struct text template = {0};
     struct status status = {0};
-    snprintf(directory, sizeof directory, "%s/roughcontact-validation-XXXXXX", temporary ? temporary : "/tmp");
-    if (count != 2 || !mkdtemp(directory))
+    if (count != 2)
         return 2;
-    text_add(&page, "%s", introduction);
+    coverage_must(text_read_file(&template, PROJECT_SOURCE "/tests/validation/page.md", &status), &status);
+    struct page page = {.rest = template.data};
+    truths_add(&page);
     for (size_t p = 0; p < PARTS; p++) {
-        struct findings findings = {0};
         fprintf(stderr, "%s\n", parts[p].title);
-        run(&findings, &parts[p], directory);
-        text_add(&page, "\n## %s\n", parts[p].title);
-        add_models(&page, &findings);
-        if (!parts[p].models) {
-            add_laws(&page, &findings);
-            add_intervals(&page, &findings);
-        }
-        free(findings.all);
+        run(&findings[p], &parts[p]);
     }
-    for (size_t p = 0; p < PARTS; p++)
-        for (size_t r = 0; r < parts[p].rows; r++) {
-            snprintf(path, sizeof path, "%s/row-%zu.csv", directory, r);
-            (void)remove(path);
-        }
-    snprintf(path, sizeof path, "%s/scene.yaml", directory);
-    (void)remove(path);
-    (void)rmdir(directory);
+    add_tables(&page, findings);
+    truths_add_coverage(&page);
+    text_add(&page.text, "%s", page.rest);
     (void)remove(word[1]);
-    must(text_write_file(word[1], text_string(&page), page.length, &status), &status);
-    text_free(&page);
-    return 0;
+    coverage_must(text_write_file(word[1], text_string(&page.text), page.text.length, &status), &status);
+    for (size_t p = 0; p < PARTS; p++)
+        free(findings[p].all);
+    text_free(&page.text);
+    text_free(&template);
+    return page.outside > 0;
 }

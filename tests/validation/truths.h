@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef VALIDATION_TRUTHS_H
+#define VALIDATION_TRUTHS_H
+
+#include "base/text.h"
+
+/** docs/validation.md in the making: page.md, with rows in place of its lines @name. */
+struct page {
+    struct text text;
+    const char *rest; /* of page.md */
+    size_t outside;   /* numbers beyond their bound, which are named as well */
+};
+
+/** Goes on to the place of the rows @name. */
+void page_rows(struct page *page, const char *name);
+/** A cell "0.013 (≤ 0.02) |"; bound 0: none. */
+void page_number(struct page *page, double value, double bound);
+
+/** Numbers known from elsewhere: up to the thesis's tables. */
+void truths_add(struct page *page);
+/** Simulated coverage of the fit's and the scans' intervals. */
+void truths_add_coverage(struct page *page);
+
+#endif
