@@ -84,11 +84,12 @@ enum status_code direct_contact_make(struct direct_contact *out, const struct di
     out->pressure = calloc(places, sizeof(double));
     out->gap_m = calloc(places, sizeof(double));
     out->direction = calloc(places, sizeof(double));
+    out->response = ny == 1 ? calloc(places, sizeof(double)) : NULL;
     out->set = malloc(places * sizeof(uint32_t));
     out->member = calloc(places, 1);
     out->touching = team ? calloc((team->rank == 0 ? ny : 0) + team->size, nx) : NULL;
     if (!out->height_m || !out->pressure || !out->gap_m || !out->direction || !out->set || !out->member ||
-        (team && !out->touching))
+        (ny == 1 && !out->response) || (team && !out->touching))
         (void)status_memory(status);
     if (direct_team_agree(team, status) == STATUS_OK) {
         deal_heights(out, height_m);
@@ -106,6 +107,7 @@ void direct_contact_free(struct direct_contact *contact)
     free(contact->pressure);
     free(contact->gap_m);
     free(contact->direction);
+    free(contact->response);
     free(contact->set);
     free(contact->member);
     free(contact->touching);
@@ -295,8 +297,40 @@ static double lay_set(struct solver *solver)
     return fmax(worst_free, worst_other);
 }
 
-/** The next direction t = z + (G/G of the last) t on the set, of sum zero; z = M g, M = |q| on the set. Returns <g, t>.
- */
+/** From one point of a strip's set to the next: values on the line through theirs; or (`back`) adds what lies between
+ * to both by the same weights. Behind the last point comes the first. */
+static void bridge(double *field, const uint32_t *set, size_t k, const struct direct_contact *contact, bool back)
+{
+    size_t points = contact->kernel.nx, last = k + 1 == contact->set_count;
+    size_t from = set[k], to = set[last ? 0 : k + 1], wide = last ? points + to - from : to - from;
+    double first = field[from], step = (field[to] - first) / (double)wide, sum = 0, moment = 0;
+    for (size_t i = 1; i < wide; i++) {
+        double *at = &field[from + i < points ? from + i : from + i - points];
+        if (!back)
+            *at = first + step * (double)i;
+        sum += *at;
+        moment += *at * (double)i;
+    }
+    if (back) {
+        field[from] += sum - moment / (double)wide;
+        field[to] += moment / (double)wide;
+    }
+}
+
+void direct_contact_stiffen(struct direct_contact *contact)
+{
+    struct direct_kernel *kernel = &contact->kernel;
+    const uint32_t *set = contact->set;
+    size_t count = kernel->ny == 1 ? contact->set_count : 0;
+    for (size_t k = 0; k < count; k++)
+        bridge(kernel->field, set, k, contact, false);
+    direct_kernel_convolve(kernel, kernel->stiffness);
+    for (size_t k = 0; k < count; k++)
+        bridge(kernel->field, set, k, contact, true);
+}
+
+/** The next direction t = z + (G/G of the last) t on the set, of sum zero; z = M g, M = |q| on the set. A strip forgets
+ * the last one where G rises, as it does when many points have left. Returns <g, t>. */
 static double turn(struct solver *solver, double gap_mean)
 {
     struct direct_contact *contact = solver->contact;
@@ -308,11 +342,12 @@ static double turn(struct solver *solver, double gap_mean)
         memset(z, 0, kernel->rows * kernel->stride * sizeof(double));
         for (size_t k = 0; k < contact->set_count; k++)
             z[set[k]] = contact->gap_m[set[k]] - gap_mean;
-        direct_kernel_convolve(kernel, kernel->stiffness);
+        direct_contact_stiffen(contact);
         z_mean = sum_on(contact, z) / n;
     }
     double product = dot_on(contact, z, z_mean, contact->gap_m);
-    double share = solver->joined ? 0 : product / solver->last;
+    bool afresh = solver->joined || (kernel->ny == 1 && product > solver->last);
+    double share = afresh ? 0 : product / solver->last;
     solver->last = product;
     solver->joined = false;
     for (size_t k = 0; k < contact->set_count; k++)
@@ -392,16 +427,38 @@ static enum status_code iterate(struct solver *solver, double tolerance, struct 
     }
 }
 
-/** Pressures to start from: those of the last solution, scaled, of a strip shifted, or p̄ everywhere. `set` becomes all
- * points. */
+/** Moves a strip's pressures along their response to p̄ until their mean is p̄, those that would pull left at 0 (Newton:
+ * the mean is convex in the step). */
+static void follow_response(struct solver *solver)
+{
+    struct direct_contact *contact = solver->contact;
+    const uint32_t *set = contact->set;
+    double *pressure = contact->pressure, *response = contact->response, step = 0;
+    double wanted = solver->load->mean_pressure * (double)contact->kernel.points;
+    for (int k = 0; k < 100; k++) {
+        double sum = 0, slope = 0;
+        for (size_t i = 0; i < contact->set_count; i++) {
+            double p = pressure[set[i]] + step * response[set[i]];
+            sum += p > 0 ? p : 0;
+            slope += p > 0 ? response[set[i]] : 0;
+        }
+        if (fabs(sum - wanted) <= 1e-9 * wanted || !(slope > 0))
+            break;
+        step += (wanted - sum) / slope;
+    }
+    for (size_t i = 0; i < contact->set_count; i++)
+        pressure[set[i]] += step * response[set[i]];
+}
+
+/** Pressures to start from: those of the last solution, scaled, of a strip by their response, or p̄ everywhere. `set`
+ * becomes all points. */
 static void start(struct solver *solver, bool warm)
 {
     struct direct_contact *contact = solver->contact;
-    bool shift = warm && contact->kernel.ny == 1;
-    if (shift)
-        fit_mean(solver);
+    if (warm && contact->response)
+        follow_response(solver);
     direct_contact_select(contact, true);
-    if (warm && !shift)
+    if (warm)
         scale_mean(solver);
     for (size_t k = 0; !warm && k < contact->set_count; k++)
         contact->pressure[contact->set[k]] = solver->load->mean_pressure;

@@ -27,6 +27,7 @@ struct direct_contact {
     double *pressure;  /* p/E' */
     double *gap_m;     /* g; overlap that has flowed is negative */
     double *direction; /* the solver's */
+    double *response;  /* of a strip: d(pressure)/d(mean pressure) when last found; else NULL */
     uint32_t *set;     /* the solver's points at work: their places in a field, ascending */
     uint8_t *member;   /* whether a point is in it; between solutions, what is in contact */
     uint8_t *touching; /* of a team: room for the same of the whole grid on the first rank, and a row of each rank */
@@ -42,7 +43,7 @@ struct direct_contact_load {
     double mean_pressure;    /* p̄/E' */
     double hardness;         /* H/E'; INFINITY: elastic */
     double tolerance;        /* largest violation of the conditions, as a share of rms_m: 1e-6 finds the right set */
-    bool warm;               /* start from the last solution, scaled, if there is one */
+    bool warm;               /* start from the last solution if there is one */
     const atomic_bool *stop; /* non-zero: end early; NULL: never. Looked at once an iteration */
 };
 
@@ -65,6 +66,11 @@ void direct_contact_free(struct direct_contact *contact);
  * not define), a load that is no positive number, no convergence; STATUS_INTERRUPTED. */
 MUST_CHECK enum status_code direct_contact_solve(struct direct_contact *contact, const struct direct_contact_load *load,
                                                  struct direct_contact_effort *effort, struct status *status);
+
+/** Replaces values on the set, held by the field with 0 elsewhere, by about what the inverse of the compliance on the
+ * set makes of them: |q| on the set. In a strip they are carried on linearly from edge to edge across what lies
+ * between, E, and |q| acts between E and its transpose: an edge is then no jump, which |q| would answer with spikes. */
+void direct_contact_stiffen(struct direct_contact *contact);
 
 /** Makes the set of the points here under pressure, or of all. */
 void direct_contact_select(struct direct_contact *contact, bool all);
