@@ -7,15 +7,13 @@
 #include <string.h>
 
 enum {
-    REFRESH = 50,  /* iterations after which the gap is computed afresh, rounding having added up */
-    PATIENCE = 200 /* iterations in which the violation has to halve */
+    REFRESH = 50,   /* iterations after which the gap is computed afresh, rounding having added up */
+    PATIENCE = 200, /* iterations in which the violation has to halve */
+    COARSEST = 64   /* points a side of a grid to start from */
 };
 
 /** Violation at which an elastic solution is good enough to start a hardness from. */
 static const double START = 1e-2;
-
-/** Share in contact above which the last solution is no better to start from than an even pressure (not of a strip). */
-static const double WARM_MOST = 0.25;
 
 /** One solution in the making. */
 struct solver {
@@ -73,6 +71,34 @@ static enum status_code centre_heights(struct direct_contact *contact, struct st
     return STATUS_OK;
 }
 
+/** A grid of every second point, if that leaves enough. One that happens to be flat is none. */
+static enum status_code make_coarse(struct direct_contact *out, const double *height_m, struct status *status)
+{
+    const struct direct_kernel *kernel = &out->kernel;
+    size_t nx = kernel->nx / 2, ny = kernel->ny / 2;
+    struct status problem = {0};
+    if (nx < COARSEST || ny < COARSEST || kernel->nx % 2 || kernel->ny % 2)
+        return STATUS_OK;
+    double *coarse_m = height_m ? malloc(nx * ny * sizeof *coarse_m) : NULL;
+    out->coarse = calloc(1, sizeof *out->coarse);
+    out->coarse_rows = kernel->team ? malloc(kernel->team->size * nx * sizeof(double)) : NULL;
+    if (!out->coarse || (height_m && !coarse_m) || (kernel->team && !out->coarse_rows))
+        (void)status_memory(status);
+    for (size_t j = 0; coarse_m && j < ny; j++)
+        for (size_t i = 0; i < nx; i++)
+            coarse_m[j * nx + i] = height_m[2 * (j * kernel->nx + i)];
+    if (direct_team_agree(kernel->team, status) == STATUS_OK &&
+        direct_contact_make(out->coarse, kernel->team, coarse_m, nx, ny, 2 * kernel->spacing_m, &problem) !=
+            STATUS_OK) {
+        free(out->coarse);
+        out->coarse = NULL;
+        if (problem.code != STATUS_MODEL)
+            *status = problem;
+    }
+    free(coarse_m);
+    return status->code;
+}
+
 enum status_code direct_contact_make(struct direct_contact *out, const struct direct_team *team, const double *height_m,
                                      size_t nx, size_t ny, double spacing_m, struct status *status)
 {
@@ -93,7 +119,8 @@ enum status_code direct_contact_make(struct direct_contact *out, const struct di
         (void)status_memory(status);
     if (direct_team_agree(team, status) == STATUS_OK) {
         deal_heights(out, height_m);
-        (void)centre_heights(out, status);
+        if (centre_heights(out, status) == STATUS_OK)
+            (void)make_coarse(out, height_m, status);
     }
     if (status->code != STATUS_OK)
         direct_contact_free(out);
@@ -102,6 +129,10 @@ enum status_code direct_contact_make(struct direct_contact *out, const struct di
 
 void direct_contact_free(struct direct_contact *contact)
 {
+    if (contact->coarse)
+        direct_contact_free(contact->coarse);
+    free(contact->coarse);
+    free(contact->coarse_rows);
     direct_kernel_free(&contact->kernel);
     free(contact->height_m);
     free(contact->pressure);
@@ -244,9 +275,9 @@ static double level(const struct solver *solver)
 }
 
 /** Takes lambda off the gap and lays the set anew: {0 < p < H}, and where a condition is violated, {p = 0, g < 0} and
- * {p = H, g > 0}. Under a hardness, and in a strip, these wait until they are the worst (proportioning: Dostál, SIAM J.
- * Optim. 7 (1997) 871); else points change sides in every iteration and no direction lives. Returns max |g| over all of
- * them. What the ranks of a team decide by is the same on all. */
+ * {p = H, g > 0}. These wait until they are the worst (proportioning: Dostál, SIAM J. Optim. 7 (1997) 871); else points
+ * change sides in every iteration and no direction lives. Returns max |g| over all of them. What the ranks of a team
+ * decide by is the same on all. */
 static double lay_set(struct solver *solver)
 {
     struct direct_contact *contact = solver->contact;
@@ -276,7 +307,7 @@ static double lay_set(struct solver *solver)
     worst_free = most[0];
     worst_other = most[1];
     solver->stopped = most[2] > 0;
-    if ((isfinite(hardness) || kernel->ny == 1) && worst_other < worst_free) {
+    if (worst_other < worst_free) {
         for (size_t k = 0; k < count; k++) {
             double p = contact->pressure[set[k]];
             set[kept] = set[k];
@@ -450,13 +481,64 @@ static void follow_response(struct solver *solver)
         pressure[set[i]] += step * response[set[i]];
 }
 
-/** Pressures to start from: those of the last solution, scaled, of a strip by their response, or p̄ everywhere. `set`
- * becomes all points. */
-static void start(struct solver *solver, bool warm)
+/** Adds the pressure of the coarse grid times `sign`, on straight lines between its points. */
+static void add_coarse(struct direct_contact *contact, double sign)
+{
+    const struct direct_kernel *fine = &contact->kernel, *coarse = &contact->coarse->kernel;
+    const struct direct_team *team = fine->team;
+    size_t first, size = team ? team->size : 1, nx = coarse->nx, block = direct_team_slab(coarse->ny, size, 0, &first);
+    memset(fine->field, 0, fine->rows * fine->stride * sizeof(double));
+    for (size_t turn = 0; turn < block; turn++) { /* the row of every rank */
+        const double *row = contact->coarse->pressure + (turn < coarse->rows ? turn : 0) * coarse->stride;
+        if (team)
+            team->gather(team, contact->coarse_rows, row, nx * sizeof *row);
+        for (size_t rank = 0; rank < size && rank * block + turn < coarse->ny; rank++) {
+            row = team ? contact->coarse_rows + rank * nx : row;
+            for (size_t k = 0; k < 3; k++) { /* the fine rows before, on and behind it */
+                size_t j = (2 * (rank * block + turn) + k + fine->ny - 1) % fine->ny - fine->first_row;
+                double *to = fine->field + j * fine->stride, weight = k == 1 ? sign : sign / 2;
+                for (size_t i = 0; j < fine->rows && i < nx; i++) { /* j of another rank is beyond */
+                    to[2 * i] += weight * row[i];
+                    to[2 * i + 1] += weight / 2 * (row[i] + row[i + 1 < nx ? i + 1 : 0]);
+                }
+            }
+        }
+    }
+    for (size_t k = 0; k < fine->rows * fine->stride; k++)
+        contact->pressure[k] += fine->field[k];
+}
+
+/** Solves the coarse grid and changes the pressure by as much as it changed there; without a last solution (`warm`), to
+ * what it is there. False: it has no solution. */
+static bool follow_coarse(struct solver *solver, bool warm)
+{
+    struct direct_contact *contact = solver->contact, *coarse = contact->coarse;
+    struct direct_contact_load load = *solver->load;
+    struct direct_contact_effort effort = {0};
+    struct status problem = {0};
+    load.hardness = INFINITY;
+    load.tolerance = fmax(load.tolerance, START);
+    load.warm = warm;
+    if (warm && coarse->solved)
+        add_coarse(contact, -1);
+    else
+        memset(contact->pressure, 0, contact->kernel.rows * contact->kernel.stride * sizeof(double));
+    bool found = direct_contact_solve(coarse, &load, &effort, &problem) == STATUS_OK;
+    if (found)
+        add_coarse(contact, 1);
+    solver->effort->convolutions += effort.convolutions / 4;
+    return found;
+}
+
+/** Pressures to start from: those of the last solution, changed as on the coarse grid, of a strip by their response, or
+ * (`begun`) just scaled; without one, those of the coarse grid or p̄ everywhere. `set` becomes all points. */
+static void start(struct solver *solver, bool warm, bool begun)
 {
     struct direct_contact *contact = solver->contact;
     if (warm && contact->response)
         follow_response(solver);
+    if (contact->coarse && !begun)
+        warm = follow_coarse(solver, warm);
     direct_contact_select(contact, true);
     if (warm)
         scale_mean(solver);
@@ -477,14 +559,11 @@ static enum status_code solve(struct solver *solver, struct status *status)
     struct direct_contact *contact = solver->contact;
     const struct direct_contact_load *load = solver->load;
     bool capped = isfinite(load->hardness), warm = load->warm && contact->solved;
-    direct_contact_select(contact, false);
-    double touching = direct_team_sum(contact->kernel.team, (double)contact->set_count);
-    warm &=
-        touching < WARM_MOST * (double)contact->kernel.points || (capped && contact->capped) || contact->kernel.ny == 1;
+    bool begun = capped && warm && contact->capped; /* no elastic solution between */
     solver->hardness = INFINITY;
     solver->preconditioned = true;
-    start(solver, warm);
-    if (!(capped && warm && contact->capped)) {
+    start(solver, warm, begun);
+    if (!begun) {
         compute_gap(solver);
         if (iterate(solver, capped ? fmax(START, load->tolerance) : load->tolerance, status) != STATUS_OK || !capped)
             return status->code;

@@ -19,7 +19,7 @@
 #include <stdint.h>
 
 /** A surface and the state of its contact. Fields have the kernel's rows and stride: the point (i along x, j along y)
- * is at j stride + i, j from the kernel's first_row. About 50 bytes a point (shared by a team 58), 4 more while its
+ * is at j stride + i, j from the kernel's first_row. About 67 bytes a point (shared by a team 77), 4 more while its
  * patches are counted, or 8 for each in contact while its constriction is solved. Owned: direct_contact_free(). */
 struct direct_contact {
     struct direct_kernel kernel;
@@ -31,11 +31,13 @@ struct direct_contact {
     uint32_t *set;     /* the solver's points at work: their places in a field, ascending */
     uint8_t *member;   /* whether a point is in it; between solutions, what is in contact */
     uint8_t *touching; /* of a team: room for the same of the whole grid on the first rank, and a row of each rank */
-    size_t set_count;  /* here */
-    double set_total;  /* on all ranks, while the solver works */
-    double rms_m;      /* root mean square of the height about its mean */
-    bool solved;       /* pressure and gap_m hold a solution, to start the next from */
-    bool capped;       /* that with a hardness */
+    struct direct_contact *coarse; /* every second point of every second row; NULL: too few of them */
+    double *coarse_rows;           /* of a team: room for one of its rows of each rank */
+    size_t set_count;              /* here */
+    double set_total;              /* on all ranks, while the solver works */
+    double rms_m;                  /* root mean square of the height about its mean */
+    bool solved;                   /* pressure and gap_m hold a solution, to start the next from */
+    bool capped;                   /* that with a hardness */
 };
 
 /** What to solve for. */
@@ -61,7 +63,8 @@ MUST_CHECK enum status_code direct_contact_make(struct direct_contact *out, cons
 void direct_contact_free(struct direct_contact *contact);
 
 /** Solves for one load; adds the effort to *effort. Method: Polonsky and Keer, Wear 231 (1999) 206, with points that
- * violate a condition taken into the set at once, and, for elastic contact, the preconditioner |q|E'/2 on the set. A
+ * violate a condition in one set with the others, and, for elastic contact, the preconditioner |q|E'/2 on the set. It
+ * starts from the elastic solution of the coarse grid. A
  * hardness starts from the elastic solution. Errors: STATUS_MODEL: p̄ >= H (complete contact, which the hardness does
  * not define), a load that is no positive number, no convergence; STATUS_INTERRUPTED. */
 MUST_CHECK enum status_code direct_contact_solve(struct direct_contact *contact, const struct direct_contact_load *load,

@@ -42,7 +42,7 @@ static double ladder(const struct direct_predict_def *def, double n, double *sec
 
 struct direct_prediction direct_predict(const struct direct_predict_def *def)
 {
-    static const double bytes_a_point = 60;
+    static const double bytes_a_point = 80;
     double n = (double)def->n, times = def->fine_times > 1 ? (double)def->fine_times : 0, seeds = (double)def->seeds;
     double coarse_seconds, fine_seconds = 0, synthesis = def->heights ? column_at(n, SYNTHESIS_SECONDS) : 0;
     struct direct_prediction out = {.convolutions = seeds * ladder(def, n, &coarse_seconds),
