@@ -12,7 +12,7 @@ enum {
     COARSEST = 64   /* points a side of a grid to start from */
 };
 
-/** Violation at which an elastic solution is good enough to start a hardness from. */
+/** Violation at which an elastic solution is good enough to start a hardness, or a finer grid, from. */
 static const double START = 1e-2;
 
 /** One solution in the making. */
@@ -481,7 +481,7 @@ static void follow_response(struct solver *solver)
         pressure[set[i]] += step * response[set[i]];
 }
 
-/** Adds the pressure of the coarse grid times `sign`, on straight lines between its points. */
+/** Adds the pressure of the coarse grid times `sign`, on straight lines between its points, to the direction. */
 static void add_coarse(struct direct_contact *contact, double sign)
 {
     const struct direct_kernel *fine = &contact->kernel, *coarse = &contact->coarse->kernel;
@@ -505,7 +505,7 @@ static void add_coarse(struct direct_contact *contact, double sign)
         }
     }
     for (size_t k = 0; k < fine->rows * fine->stride; k++)
-        contact->pressure[k] += fine->field[k];
+        contact->direction[k] += fine->field[k];
 }
 
 /** Solves the coarse grid and changes the pressure by as much as it changed there; without a last solution (`warm`), to
@@ -516,18 +516,21 @@ static bool follow_coarse(struct solver *solver, bool warm)
     struct direct_contact_load load = *solver->load;
     struct direct_contact_effort effort = {0};
     struct status problem = {0};
+    size_t places = contact->kernel.rows * contact->kernel.stride;
+    warm = warm && coarse->solved;
     load.hardness = INFINITY;
     load.tolerance = fmax(load.tolerance, START);
     load.warm = warm;
-    if (warm && coarse->solved)
+    memset(contact->direction, 0, places * sizeof(double));
+    if (warm)
         add_coarse(contact, -1);
-    else
-        memset(contact->pressure, 0, contact->kernel.rows * contact->kernel.stride * sizeof(double));
-    bool found = direct_contact_solve(coarse, &load, &effort, &problem) == STATUS_OK;
-    if (found)
-        add_coarse(contact, 1);
+    if (direct_contact_solve(coarse, &load, &effort, &problem) != STATUS_OK)
+        return false;
+    add_coarse(contact, 1);
+    for (size_t k = 0; k < places; k++)
+        contact->pressure[k] = (warm ? contact->pressure[k] : 0) + contact->direction[k];
     solver->effort->convolutions += effort.convolutions / 4;
-    return found;
+    return true;
 }
 
 /** Pressures to start from: those of the last solution, changed as on the coarse grid, of a strip by their response, or
