@@ -17,7 +17,7 @@ static const struct {
     double load, tolerance;
 } ladder[STRIP_LOADS] = {
     {1e-4, 1e-4},  {3e-4, 2e-4}, {1e-3, 5e-4}, {3e-3, 1e-3}, {0.006, 2e-3}, {0.012, 3e-3},
-    {0.025, 5e-3}, {0.05, 1e-2}, {0.1, 1e-2},  {0.17, 1e-2}, {0.26, 1e-2},  {0.38, 1e-2},
+    {0.025, 5e-3}, {0.05, 5e-3}, {0.1, 5e-3},  {0.17, 5e-3}, {0.26, 5e-3},  {0.38, 5e-3},
     {0.55, 5e-3},  {0.8, 2e-3},  {1.1, 1e-3},  {1.6, 1e-3},  {2.3, 1e-3},
 };
 
@@ -204,7 +204,7 @@ enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, c
 
 uint64_t strip_cost(const struct strip_rows *rows, size_t count, size_t surrogates)
 {
-    double points = (double)(count * row_length(rows)), pairs = 0.55 * sqrt(points); /* a load, as measured */
+    double points = (double)(count * row_length(rows)), pairs = 2.8 * sqrt(sqrt(points)); /* a load, as measured */
     return (uint64_t)(pairs * points * (double)(STRIP_LOADS * (1 + surrogates)));
 }
 

@@ -8,9 +8,9 @@
 
 enum { MOST_ITERATIONS = 500 };
 
-/** Values on the contact's set, put into the field, 0 elsewhere; convolved with `table`, and the mean over the set, of
- * `total` points on all ranks. */
-static double convolve(struct direct_contact *contact, const double *values, const double *table, double total)
+/** Values on the contact's set, put into the field, 0 elsewhere; convolved with the compliance, or stiffened, and the
+ * mean over the set, of `total` points on all ranks. */
+static double convolve(struct direct_contact *contact, const double *values, bool stiffen, double total)
 {
     struct direct_kernel *kernel = &contact->kernel;
     const uint32_t *set = contact->set;
@@ -18,7 +18,10 @@ static double convolve(struct direct_contact *contact, const double *values, con
     memset(kernel->field, 0, kernel->rows * kernel->stride * sizeof(double));
     for (size_t k = 0; k < contact->set_count; k++)
         kernel->field[set[k]] = values[k];
-    direct_kernel_convolve(kernel, table);
+    if (stiffen)
+        direct_contact_stiffen(contact);
+    else
+        direct_kernel_convolve(kernel, kernel->compliance);
     for (size_t k = 0; k < contact->set_count; k++)
         part[k % 4] += kernel->field[set[k]];
     return direct_team_sum(kernel->team, (part[0] + part[1]) + (part[2] + part[3])) / total;
@@ -47,7 +50,7 @@ static enum status_code iterate(double *length_m, struct direct_contact *contact
         current[k] = points / total;
         direction[k] = 0;
     }
-    double potential = convolve(contact, current, kernel->compliance, total);
+    double potential = convolve(contact, current, false, total);
     for (size_t k = 0; k < count; k++)
         residual[k] = kernel->field[set[k]] - potential;
     for (int iteration = 0;; iteration++) {
@@ -64,14 +67,14 @@ static enum status_code iterate(double *length_m, struct direct_contact *contact
         if (!isfinite(*length_m) || iteration >= MOST_ITERATIONS)
             return status_fail(status, STATUS_MODEL,
                                "the constriction of %.0f contact points does not converge; use a finer grid", total);
-        double mean = convolve(contact, residual, kernel->stiffness, total), product = 0, curvature = 0;
+        double mean = convolve(contact, residual, true, total), product = 0, curvature = 0;
         for (size_t k = 0; k < count; k++)
             product += residual[k] * (kernel->field[set[k]] - mean);
         product = direct_team_sum(team, product);
         for (size_t k = 0; k < count; k++)
             direction[k] = kernel->field[set[k]] - mean + product / last * direction[k];
         last = product;
-        mean = convolve(contact, direction, kernel->compliance, total);
+        mean = convolve(contact, direction, false, total);
         for (size_t k = 0; k < count; k++)
             curvature += direction[k] * kernel->field[set[k]];
         double tau = dot(contact, residual, direction) / direct_team_sum(team, curvature);
@@ -100,6 +103,8 @@ enum status_code direct_constriction_of_contact(double *length_m, struct direct_
         assert(total > 0 && tolerance > 0);
         if (total < (double)kernel->points)
             (void)iterate(length_m, contact, current, total, tolerance, stop, effort, status);
+        for (size_t k = 0; contact->response && *length_m > 0 && k < contact->set_count; k++)
+            contact->response[contact->set[k]] = current[k];
     }
     free(current);
     effort->convolutions += kernel->convolutions - before;

@@ -7,15 +7,13 @@
 #include <string.h>
 
 enum {
-    REFRESH = 50,  /* iterations after which the gap is computed afresh, rounding having added up */
-    PATIENCE = 200 /* iterations in which the violation has to halve */
+    REFRESH = 50,   /* iterations after which the gap is computed afresh, rounding having added up */
+    PATIENCE = 200, /* iterations in which the violation has to halve */
+    COARSEST = 64   /* points a side of a grid to start from */
 };
 
-/** Violation at which an elastic solution is good enough to start a hardness from. */
+/** Violation at which an elastic solution is good enough to start a hardness, or a finer grid, from. */
 static const double START = 1e-2;
-
-/** Share in contact above which the last solution is no better to start from than an even pressure (not of a strip). */
-static const double WARM_MOST = 0.25;
 
 /** One solution in the making. */
 struct solver {
@@ -73,6 +71,34 @@ static enum status_code centre_heights(struct direct_contact *contact, struct st
     return STATUS_OK;
 }
 
+/** A grid of every second point, if that leaves enough. One that happens to be flat is none. */
+static enum status_code make_coarse(struct direct_contact *out, const double *height_m, struct status *status)
+{
+    const struct direct_kernel *kernel = &out->kernel;
+    size_t nx = kernel->nx / 2, ny = kernel->ny / 2;
+    struct status problem = {0};
+    if (nx < COARSEST || ny < COARSEST || kernel->nx % 2 || kernel->ny % 2)
+        return STATUS_OK;
+    double *coarse_m = height_m ? malloc(nx * ny * sizeof *coarse_m) : NULL;
+    out->coarse = calloc(1, sizeof *out->coarse);
+    out->coarse_rows = kernel->team ? malloc(kernel->team->size * nx * sizeof(double)) : NULL;
+    if (!out->coarse || (height_m && !coarse_m) || (kernel->team && !out->coarse_rows))
+        (void)status_memory(status);
+    for (size_t j = 0; coarse_m && j < ny; j++)
+        for (size_t i = 0; i < nx; i++)
+            coarse_m[j * nx + i] = height_m[2 * (j * kernel->nx + i)];
+    if (direct_team_agree(kernel->team, status) == STATUS_OK &&
+        direct_contact_make(out->coarse, kernel->team, coarse_m, nx, ny, 2 * kernel->spacing_m, &problem) !=
+            STATUS_OK) {
+        free(out->coarse);
+        out->coarse = NULL;
+        if (problem.code != STATUS_MODEL)
+            *status = problem;
+    }
+    free(coarse_m);
+    return status->code;
+}
+
 enum status_code direct_contact_make(struct direct_contact *out, const struct direct_team *team, const double *height_m,
                                      size_t nx, size_t ny, double spacing_m, struct status *status)
 {
@@ -84,15 +110,17 @@ enum status_code direct_contact_make(struct direct_contact *out, const struct di
     out->pressure = calloc(places, sizeof(double));
     out->gap_m = calloc(places, sizeof(double));
     out->direction = calloc(places, sizeof(double));
+    out->response = ny == 1 ? calloc(places, sizeof(double)) : NULL;
     out->set = malloc(places * sizeof(uint32_t));
     out->member = calloc(places, 1);
     out->touching = team ? calloc((team->rank == 0 ? ny : 0) + team->size, nx) : NULL;
     if (!out->height_m || !out->pressure || !out->gap_m || !out->direction || !out->set || !out->member ||
-        (team && !out->touching))
+        (ny == 1 && !out->response) || (team && !out->touching))
         (void)status_memory(status);
     if (direct_team_agree(team, status) == STATUS_OK) {
         deal_heights(out, height_m);
-        (void)centre_heights(out, status);
+        if (centre_heights(out, status) == STATUS_OK)
+            (void)make_coarse(out, height_m, status);
     }
     if (status->code != STATUS_OK)
         direct_contact_free(out);
@@ -101,11 +129,16 @@ enum status_code direct_contact_make(struct direct_contact *out, const struct di
 
 void direct_contact_free(struct direct_contact *contact)
 {
+    if (contact->coarse)
+        direct_contact_free(contact->coarse);
+    free(contact->coarse);
+    free(contact->coarse_rows);
     direct_kernel_free(&contact->kernel);
     free(contact->height_m);
     free(contact->pressure);
     free(contact->gap_m);
     free(contact->direction);
+    free(contact->response);
     free(contact->set);
     free(contact->member);
     free(contact->touching);
@@ -242,9 +275,9 @@ static double level(const struct solver *solver)
 }
 
 /** Takes lambda off the gap and lays the set anew: {0 < p < H}, and where a condition is violated, {p = 0, g < 0} and
- * {p = H, g > 0}. Under a hardness, and in a strip, these wait until they are the worst (proportioning: Dostál, SIAM J.
- * Optim. 7 (1997) 871); else points change sides in every iteration and no direction lives. Returns max |g| over all of
- * them. What the ranks of a team decide by is the same on all. */
+ * {p = H, g > 0}. These wait until they are the worst (proportioning: Dostál, SIAM J. Optim. 7 (1997) 871); else points
+ * change sides in every iteration and no direction lives. Returns max |g| over all of them. What the ranks of a team
+ * decide by is the same on all. */
 static double lay_set(struct solver *solver)
 {
     struct direct_contact *contact = solver->contact;
@@ -274,7 +307,7 @@ static double lay_set(struct solver *solver)
     worst_free = most[0];
     worst_other = most[1];
     solver->stopped = most[2] > 0;
-    if ((isfinite(hardness) || kernel->ny == 1) && worst_other < worst_free) {
+    if (worst_other < worst_free) {
         for (size_t k = 0; k < count; k++) {
             double p = contact->pressure[set[k]];
             set[kept] = set[k];
@@ -295,8 +328,40 @@ static double lay_set(struct solver *solver)
     return fmax(worst_free, worst_other);
 }
 
-/** The next direction t = z + (G/G of the last) t on the set, of sum zero; z = M g, M = |q| on the set. Returns <g, t>.
- */
+/** From one point of a strip's set to the next: values on the line through theirs; or (`back`) adds what lies between
+ * to both by the same weights. Behind the last point comes the first. */
+static void bridge(double *field, const uint32_t *set, size_t k, const struct direct_contact *contact, bool back)
+{
+    size_t points = contact->kernel.nx, last = k + 1 == contact->set_count;
+    size_t from = set[k], to = set[last ? 0 : k + 1], wide = last ? points + to - from : to - from;
+    double first = field[from], step = (field[to] - first) / (double)wide, sum = 0, moment = 0;
+    for (size_t i = 1; i < wide; i++) {
+        double *at = &field[from + i < points ? from + i : from + i - points];
+        if (!back)
+            *at = first + step * (double)i;
+        sum += *at;
+        moment += *at * (double)i;
+    }
+    if (back) {
+        field[from] += sum - moment / (double)wide;
+        field[to] += moment / (double)wide;
+    }
+}
+
+void direct_contact_stiffen(struct direct_contact *contact)
+{
+    struct direct_kernel *kernel = &contact->kernel;
+    const uint32_t *set = contact->set;
+    size_t count = kernel->ny == 1 ? contact->set_count : 0;
+    for (size_t k = 0; k < count; k++)
+        bridge(kernel->field, set, k, contact, false);
+    direct_kernel_convolve(kernel, kernel->stiffness);
+    for (size_t k = 0; k < count; k++)
+        bridge(kernel->field, set, k, contact, true);
+}
+
+/** The next direction t = z + (G/G of the last) t on the set, of sum zero; z = M g, M = |q| on the set. A strip forgets
+ * the last one where G rises, as it does when many points have left. Returns <g, t>. */
 static double turn(struct solver *solver, double gap_mean)
 {
     struct direct_contact *contact = solver->contact;
@@ -308,11 +373,12 @@ static double turn(struct solver *solver, double gap_mean)
         memset(z, 0, kernel->rows * kernel->stride * sizeof(double));
         for (size_t k = 0; k < contact->set_count; k++)
             z[set[k]] = contact->gap_m[set[k]] - gap_mean;
-        direct_kernel_convolve(kernel, kernel->stiffness);
+        direct_contact_stiffen(contact);
         z_mean = sum_on(contact, z) / n;
     }
     double product = dot_on(contact, z, z_mean, contact->gap_m);
-    double share = solver->joined ? 0 : product / solver->last;
+    bool afresh = solver->joined || (kernel->ny == 1 && product > solver->last);
+    double share = afresh ? 0 : product / solver->last;
     solver->last = product;
     solver->joined = false;
     for (size_t k = 0; k < contact->set_count; k++)
@@ -392,16 +458,92 @@ static enum status_code iterate(struct solver *solver, double tolerance, struct 
     }
 }
 
-/** Pressures to start from: those of the last solution, scaled, of a strip shifted, or p̄ everywhere. `set` becomes all
- * points. */
-static void start(struct solver *solver, bool warm)
+/** Moves a strip's pressures along their response to p̄ until their mean is p̄, those that would pull left at 0 (Newton:
+ * the mean is convex in the step). */
+static void follow_response(struct solver *solver)
 {
     struct direct_contact *contact = solver->contact;
-    bool shift = warm && contact->kernel.ny == 1;
-    if (shift)
-        fit_mean(solver);
+    const uint32_t *set = contact->set;
+    double *pressure = contact->pressure, *response = contact->response, step = 0;
+    double wanted = solver->load->mean_pressure * (double)contact->kernel.points;
+    for (int k = 0; k < 100; k++) {
+        double sum = 0, slope = 0;
+        for (size_t i = 0; i < contact->set_count; i++) {
+            double p = pressure[set[i]] + step * response[set[i]];
+            sum += p > 0 ? p : 0;
+            slope += p > 0 ? response[set[i]] : 0;
+        }
+        if (fabs(sum - wanted) <= 1e-9 * wanted || !(slope > 0))
+            break;
+        step += (wanted - sum) / slope;
+    }
+    for (size_t i = 0; i < contact->set_count; i++)
+        pressure[set[i]] += step * response[set[i]];
+}
+
+/** Adds the pressure of the coarse grid times `sign`, on straight lines between its points, to the direction. */
+static void add_coarse(struct direct_contact *contact, double sign)
+{
+    const struct direct_kernel *fine = &contact->kernel, *coarse = &contact->coarse->kernel;
+    const struct direct_team *team = fine->team;
+    size_t first, size = team ? team->size : 1, nx = coarse->nx, block = direct_team_slab(coarse->ny, size, 0, &first);
+    memset(fine->field, 0, fine->rows * fine->stride * sizeof(double));
+    for (size_t turn = 0; turn < block; turn++) { /* the row of every rank */
+        const double *row = contact->coarse->pressure + (turn < coarse->rows ? turn : 0) * coarse->stride;
+        if (team)
+            team->gather(team, contact->coarse_rows, row, nx * sizeof *row);
+        for (size_t rank = 0; rank < size && rank * block + turn < coarse->ny; rank++) {
+            row = team ? contact->coarse_rows + rank * nx : row;
+            for (size_t k = 0; k < 3; k++) { /* the fine rows before, on and behind it */
+                size_t j = (2 * (rank * block + turn) + k + fine->ny - 1) % fine->ny - fine->first_row;
+                double *to = fine->field + j * fine->stride, weight = k == 1 ? sign : sign / 2;
+                for (size_t i = 0; j < fine->rows && i < nx; i++) { /* j of another rank is beyond */
+                    to[2 * i] += weight * row[i];
+                    to[2 * i + 1] += weight / 2 * (row[i] + row[i + 1 < nx ? i + 1 : 0]);
+                }
+            }
+        }
+    }
+    for (size_t k = 0; k < fine->rows * fine->stride; k++)
+        contact->direction[k] += fine->field[k];
+}
+
+/** Solves the coarse grid and changes the pressure by as much as it changed there; without a last solution (`warm`), to
+ * what it is there. False: it has no solution. */
+static bool follow_coarse(struct solver *solver, bool warm)
+{
+    struct direct_contact *contact = solver->contact, *coarse = contact->coarse;
+    struct direct_contact_load load = *solver->load;
+    struct direct_contact_effort effort = {0};
+    struct status problem = {0};
+    size_t places = contact->kernel.rows * contact->kernel.stride;
+    warm = warm && coarse->solved;
+    load.hardness = INFINITY;
+    load.tolerance = fmax(load.tolerance, START);
+    load.warm = warm;
+    memset(contact->direction, 0, places * sizeof(double));
+    if (warm)
+        add_coarse(contact, -1);
+    if (direct_contact_solve(coarse, &load, &effort, &problem) != STATUS_OK)
+        return false;
+    add_coarse(contact, 1);
+    for (size_t k = 0; k < places; k++)
+        contact->pressure[k] = (warm ? contact->pressure[k] : 0) + contact->direction[k];
+    solver->effort->convolutions += effort.convolutions / 4;
+    return true;
+}
+
+/** Pressures to start from: those of the last solution, changed as on the coarse grid, of a strip by their response, or
+ * (`begun`) just scaled; without one, those of the coarse grid or p̄ everywhere. `set` becomes all points. */
+static void start(struct solver *solver, bool warm, bool begun)
+{
+    struct direct_contact *contact = solver->contact;
+    if (warm && contact->response)
+        follow_response(solver);
+    if (contact->coarse && !begun)
+        warm = follow_coarse(solver, warm);
     direct_contact_select(contact, true);
-    if (warm && !shift)
+    if (warm)
         scale_mean(solver);
     for (size_t k = 0; !warm && k < contact->set_count; k++)
         contact->pressure[contact->set[k]] = solver->load->mean_pressure;
@@ -420,14 +562,11 @@ static enum status_code solve(struct solver *solver, struct status *status)
     struct direct_contact *contact = solver->contact;
     const struct direct_contact_load *load = solver->load;
     bool capped = isfinite(load->hardness), warm = load->warm && contact->solved;
-    direct_contact_select(contact, false);
-    double touching = direct_team_sum(contact->kernel.team, (double)contact->set_count);
-    warm &=
-        touching < WARM_MOST * (double)contact->kernel.points || (capped && contact->capped) || contact->kernel.ny == 1;
+    bool begun = capped && warm && contact->capped; /* no elastic solution between */
     solver->hardness = INFINITY;
     solver->preconditioned = true;
-    start(solver, warm);
-    if (!(capped && warm && contact->capped)) {
+    start(solver, warm, begun);
+    if (!begun) {
         compute_gap(solver);
         if (iterate(solver, capped ? fmax(START, load->tolerance) : load->tolerance, status) != STATUS_OK || !capped)
             return status->code;

@@ -19,7 +19,7 @@
 #include <stdint.h>
 
 /** A surface and the state of its contact. Fields have the kernel's rows and stride: the point (i along x, j along y)
- * is at j stride + i, j from the kernel's first_row. About 50 bytes a point (shared by a team 58), 4 more while its
+ * is at j stride + i, j from the kernel's first_row. About 67 bytes a point (shared by a team 77), 4 more while its
  * patches are counted, or 8 for each in contact while its constriction is solved. Owned: direct_contact_free(). */
 struct direct_contact {
     struct direct_kernel kernel;
@@ -27,14 +27,17 @@ struct direct_contact {
     double *pressure;  /* p/E' */
     double *gap_m;     /* g; overlap that has flowed is negative */
     double *direction; /* the solver's */
+    double *response;  /* of a strip: d(pressure)/d(mean pressure) when last found; else NULL */
     uint32_t *set;     /* the solver's points at work: their places in a field, ascending */
     uint8_t *member;   /* whether a point is in it; between solutions, what is in contact */
     uint8_t *touching; /* of a team: room for the same of the whole grid on the first rank, and a row of each rank */
-    size_t set_count;  /* here */
-    double set_total;  /* on all ranks, while the solver works */
-    double rms_m;      /* root mean square of the height about its mean */
-    bool solved;       /* pressure and gap_m hold a solution, to start the next from */
-    bool capped;       /* that with a hardness */
+    struct direct_contact *coarse; /* every second point of every second row; NULL: too few of them */
+    double *coarse_rows;           /* of a team: room for one of its rows of each rank */
+    size_t set_count;              /* here */
+    double set_total;              /* on all ranks, while the solver works */
+    double rms_m;                  /* root mean square of the height about its mean */
+    bool solved;                   /* pressure and gap_m hold a solution, to start the next from */
+    bool capped;                   /* that with a hardness */
 };
 
 /** What to solve for. */
@@ -42,7 +45,7 @@ struct direct_contact_load {
     double mean_pressure;    /* p̄/E' */
     double hardness;         /* H/E'; INFINITY: elastic */
     double tolerance;        /* largest violation of the conditions, as a share of rms_m: 1e-6 finds the right set */
-    bool warm;               /* start from the last solution, scaled, if there is one */
+    bool warm;               /* start from the last solution if there is one */
     const atomic_bool *stop; /* non-zero: end early; NULL: never. Looked at once an iteration */
 };
 
@@ -60,11 +63,17 @@ MUST_CHECK enum status_code direct_contact_make(struct direct_contact *out, cons
 void direct_contact_free(struct direct_contact *contact);
 
 /** Solves for one load; adds the effort to *effort. Method: Polonsky and Keer, Wear 231 (1999) 206, with points that
- * violate a condition taken into the set at once, and, for elastic contact, the preconditioner |q|E'/2 on the set. A
+ * violate a condition in one set with the others, and, for elastic contact, the preconditioner |q|E'/2 on the set. It
+ * starts from the elastic solution of the coarse grid. A
  * hardness starts from the elastic solution. Errors: STATUS_MODEL: p̄ >= H (complete contact, which the hardness does
  * not define), a load that is no positive number, no convergence; STATUS_INTERRUPTED. */
 MUST_CHECK enum status_code direct_contact_solve(struct direct_contact *contact, const struct direct_contact_load *load,
                                                  struct direct_contact_effort *effort, struct status *status);
+
+/** Replaces values on the set, held by the field with 0 elsewhere, by about what the inverse of the compliance on the
+ * set makes of them: |q| on the set. In a strip they are carried on linearly from edge to edge across what lies
+ * between, E, and |q| acts between E and its transpose: an edge is then no jump, which |q| would answer with spikes. */
+void direct_contact_stiffen(struct direct_contact *contact);
 
 /** Makes the set of the points here under pressure, or of all. */
 void direct_contact_select(struct direct_contact *contact, bool all);

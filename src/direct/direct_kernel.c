@@ -162,11 +162,6 @@ static void filter_column(struct direct_kernel *kernel, fftw_complex *column, co
 static void filter_columns(struct direct_kernel *kernel, const double *table)
 {
     size_t count = kernel->nx / 2 + 1, length = kernel->ny + GAP, rows = kernel->ny / 2 + 1;
-    if (kernel->ny == 1) { /* a column of one point is its own transform */
-        for (size_t i = 0; i < kernel->stride; i++)
-            kernel->field[i] *= table[i / 2];
-        return;
-    }
     for (size_t first = 0; first < count; first += BLOCK) {
         size_t width = count - first < BLOCK ? count - first : BLOCK;
         fftw_complex *columns = kernel->columns;
@@ -185,8 +180,24 @@ static void filter_columns(struct direct_kernel *kernel, const double *table)
     }
 }
 
+/** Of a strip: no columns. */
+static void filter_row(struct direct_kernel *kernel, const double *table)
+{
+    fftw_execute_dft_r2c(kernel->row_forward, kernel->field, kernel->row);
+    for (size_t i = 0; i <= kernel->nx / 2; i++) {
+        kernel->row[i][0] *= table[i];
+        kernel->row[i][1] *= table[i];
+    }
+    fftw_execute_dft_c2r(kernel->row_backward, kernel->row, kernel->field);
+}
+
 void direct_kernel_convolve(struct direct_kernel *kernel, const double *table)
 {
+    kernel->convolutions++;
+    if (kernel->ny == 1) {
+        filter_row(kernel, table);
+        return;
+    }
     transform_rows(kernel);
     if (kernel->team) {
         kernel->team->transpose(kernel->to_columns);
@@ -197,5 +208,4 @@ void direct_kernel_convolve(struct direct_kernel *kernel, const double *table)
         filter_columns(kernel, table);
     }
     transform_rows_back(kernel);
-    kernel->convolutions++;
 }

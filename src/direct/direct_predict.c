@@ -8,9 +8,9 @@ enum { POINTS, ELASTIC, CAPPED, CONSTRICTION, ELASTIC_SECONDS, CAPPED_SECONDS, S
 /** Convolutions a load, seconds a convolution with everything between (of which a hardness has more), and seconds to
  * make a surface with given heights, by points a side. */
 static const double table[][COLUMNS] = {
-    {64, 28, 13, 10, 4.0e-5, 6.5e-5, 7e-3},   {128, 37, 15, 12.5, 1.3e-4, 2.3e-4, 0.03},
-    {256, 53, 17, 16, 5.8e-4, 1.2e-3, 0.14},  {512, 88, 19, 20, 2.6e-3, 4.0e-3, 0.7},
-    {1024, 92, 21, 22, 1.15e-2, 1.8e-2, 4.4},
+    {64, 29, 13, 10, 4.0e-5, 6.5e-5, 7e-3},   {128, 33, 15, 12.5, 1.3e-4, 2.3e-4, 0.03},
+    {256, 44, 17, 16, 5.8e-4, 1.2e-3, 0.14},  {512, 57, 19, 20, 2.6e-3, 4.0e-3, 0.7},
+    {1024, 76, 21, 22, 1.15e-2, 1.8e-2, 4.4},
 };
 
 /* What a measured map takes more, mean of four maps on 100 to 800 points a side: heights that are not Gaussian, with a
@@ -42,7 +42,7 @@ static double ladder(const struct direct_predict_def *def, double n, double *sec
 
 struct direct_prediction direct_predict(const struct direct_predict_def *def)
 {
-    static const double bytes_a_point = 60;
+    static const double bytes_a_point = 80;
     double n = (double)def->n, times = def->fine_times > 1 ? (double)def->fine_times : 0, seeds = (double)def->seeds;
     double coarse_seconds, fine_seconds = 0, synthesis = def->heights ? column_at(n, SYNTHESIS_SECONDS) : 0;
     struct direct_prediction out = {.convolutions = seeds * ladder(def, n, &coarse_seconds),

@@ -383,3 +383,33 @@ TEST_CASE(few_points_at_the_hardness)
     direct_spectrum_free(&spectrum);
     free(height);
 }
+
+/** A grid of 256 points a side starts from one of 128, and that from one of 64: fewer convolutions, those of the coarse
+ * ones included, for the same solution. The same load again is no work. */
+TEST_CASE(starts_from_coarse_grids)
+{
+    enum { N = 256 };
+    double *height = recipe_surface(N);
+    for (double p = 1e-3; p < 0.01; p *= 9) {
+        struct direct_contact nested = contact_of(height, N, N), plain = contact_of(height, N, N);
+        assert_int_equal(nested.coarse->coarse->kernel.nx, 64);
+        assert_null(nested.coarse->coarse->coarse);
+        direct_contact_free(plain.coarse);
+        free(plain.coarse);
+        plain.coarse = NULL;
+        struct direct_contact_load load = load_of(p, INFINITY, 1e-6);
+        struct direct_contact_effort efforts[2] = {0}, again = {0};
+        struct status status = {0};
+        assert_int_equal(direct_contact_solve(&nested, &load, &efforts[0], &status), STATUS_OK);
+        assert_int_equal(direct_contact_solve(&plain, &load, &efforts[1], &status), STATUS_OK);
+        struct direct_quantities found = direct_quantities_of(&nested, &load);
+        assert_near(found.gap_m, direct_quantities_of(&plain, &load).gap_m, 1e-5);
+        assert_true(3 * efforts[0].convolutions < 2 * efforts[1].convolutions);
+        load.warm = true;
+        assert_int_equal(direct_contact_solve(&nested, &load, &again, &status), STATUS_OK);
+        assert_int_equal(again.iterations, 0);
+        direct_contact_free(&nested);
+        direct_contact_free(&plain);
+    }
+    free(height);
+}

@@ -5,8 +5,8 @@
 #include "thread_team.h"
 
 static const double loads[] = {5e-3, 0.02, 0.08, 0.3, 0.6};
-enum { LOADS = sizeof loads / sizeof loads[0], RANKS = 24, N = 64 };
-static const size_t sizes[] = {1, 2, 3, 4, RANKS}; /* of 24 the last have no rows of 64 */
+enum { LOADS = sizeof loads / sizeof loads[0], RANKS = 24, N = 128 }; /* with a coarse grid of 64 */
+static const size_t sizes[] = {1, 2, 3, RANKS};                       /* of 24 the last have no rows */
 enum { SIZES = sizeof sizes / sizeof sizes[0] };
 
 /** What every rank is given and finds. */
@@ -159,7 +159,7 @@ TEST_CASE(errors_and_stop)
         size_t stopped, n, gap; /* a height that is missing */
     } cases[] = {{STATUS_INTERRUPTED, "stopped", 2, N, N * N},
                  {STATUS_USAGE, "cannot be solved", RANKS, DIRECT_KERNEL_MOST + 2, N * N},
-                 {STATUS_MODEL, "height 3847 of", RANKS, N, 60 * N + 7}};
+                 {STATUS_MODEL, "height 7687 of", RANKS, N, 60 * N + 7}};
     for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
         double *height = recipe_surface(N);
         struct found *found = found_of(height, INFINITY);

@@ -61,3 +61,88 @@ TEST_CASE(sinusoid)
     direct_contact_free(&contact);
     free(height);
 }
+
+/** What stands for the inverse of the compliance on a set is symmetric, and an even field needs no pressure. */
+TEST_CASE(stiffness_of_a_set)
+{
+    enum { POINTS = 64 };
+    double height[POINTS], *field, x[2][POINTS] = {{0}}, product[2] = {0};
+    for (size_t k = 0; k < POINTS; k++)
+        height[k] = cos(2 * M_PI * (double)k / POINTS);
+    struct direct_contact contact = strip_of(height, POINTS, 1);
+    for (size_t k = 0; k < POINTS; k++)
+        contact.pressure[k] = k % 16 > 2 && k % 16 < 9;
+    direct_contact_select(&contact, false);
+    assert_int_equal(contact.set_count, 24);
+    field = contact.kernel.field;
+    for (size_t k = 0; k < POINTS; k++)
+        field[k] = contact.pressure[k];
+    direct_contact_stiffen(&contact);
+    for (size_t k = 0; k < contact.set_count; k++)
+        assert_within(field[contact.set[k]], 0, 1e-13);
+    for (int side = 0; side < 2; side++) { /* <b, S a> and <a, S b> */
+        for (size_t k = 0; k < POINTS; k++) {
+            x[side][k] = contact.pressure[k] * (double)((k * k * 7 + (size_t)side * k * 3) % 11);
+            field[k] = x[side][k];
+        }
+        direct_contact_stiffen(&contact);
+        for (size_t k = 0; k < POINTS; k++)
+            product[side] += field[k] * contact.pressure[k] * (double)((k * k * 7 + (size_t)(1 - side) * k * 3) % 11);
+    }
+    assert_near(product[0], product[1], 1e-12);
+    assert_true(fabs(product[0]) > 1);
+    direct_contact_free(&contact);
+}
+
+/** The current's density is what the pressure answers to the load with, and where the next solution starts: there, a
+ * load a little lower is solved as it begins. */
+TEST_CASE(response)
+{
+    enum { POINTS = 512 };
+    double height[POINTS], before[POINTS];
+    for (size_t k = 0; k < POINTS; k++)
+        height[k] = cos(2 * M_PI * ((double)k + 0.3) / POINTS) + 0.3 * cos(14 * M_PI * ((double)k + 0.1) / POINTS);
+    struct direct_contact contact = strip_of(height, POINTS, 1);
+    struct direct_contact_load load = load_of(2e-3, INFINITY, 1e-11);
+    (void)solved(&contact, &load);
+    (void)constriction_of(&contact, 1e-9);
+    memcpy(before, contact.pressure, sizeof before);
+    load.mean_pressure *= 1 - 1e-5;
+    load.tolerance = 1e-7;
+    load.warm = true;
+    struct direct_contact_effort effort = {0};
+    struct status status = {0};
+    assert_int_equal(direct_contact_solve(&contact, &load, &effort, &status), STATUS_OK);
+    assert_int_equal(effort.iterations, 0);
+    double most = 0;
+    for (size_t k = 0; k < POINTS; k++)
+        most = fmax(most, fabs(before[k] - contact.pressure[k]) / 2e-8);
+    assert_true(most > 2); /* far more at an edge than on the mean */
+    direct_contact_free(&contact);
+}
+
+/** Solutions take no more transforms however rough the heights are, and few more the more points there are. */
+TEST_CASE(transforms_of_a_solution)
+{
+    for (size_t points = 1024; points <= 16384; points *= 4) {
+        double *height = malloc(points * sizeof *height);
+        assert_non_null(height);
+        for (size_t k = 0; k < points; k++) /* white */
+            height[k] = (double)((k * k * 2654435761u >> 7) % 1009) * 1e-3;
+        struct direct_contact contact = strip_of(height, points, 1);
+        struct direct_contact_load load = load_of(0.1, INFINITY, 1e-3);
+        struct direct_contact_effort effort = {0}, constriction = {0};
+        struct status status = {0};
+        double length_m;
+        load.warm = true;
+        for (int k = 0; k < 5; k++, load.mean_pressure /= 2) {
+            assert_int_equal(direct_contact_solve(&contact, &load, &effort, &status), STATUS_OK);
+            assert_int_equal(direct_constriction_of_contact(&length_m, &contact, 1e-2, NULL, &constriction, &status),
+                             STATUS_OK);
+        }
+        assert_in_range(effort.convolutions, 5, 130);
+        assert_in_range(constriction.convolutions, 5, 50);
+        direct_contact_free(&contact);
+        free(height);
+    }
+}
