@@ -207,6 +207,81 @@ static enum status_code run_surface(void *context, size_t index, struct threads_
     return rc;
 }
 
+static enum status_code describe_one(void *context, size_t index, struct threads_turn *turn, struct status *status)
+{
+    const struct surfaces *all = context;
+    const struct results *results = &all->prepared->results;
+    (void)turn;
+    enum status_code rc = describe_surface(&results->surfaces[index], results->scene, &results->scene->surfaces[index],
+                                           all->prepared->counterface, status);
+    surface_drop_arrays(&results->surfaces[index]);
+    return rc;
+}
+
+/** The place among the loads next to the geometric middle of those at which A/A_n is 0.1 to 10 % on a surface, by the
+ * leading model, or what it has of Gaussian heights; the load nearest to 1 % where none is between. */
+static enum status_code middle_place(size_t *place, struct surface_record *record, const struct prepared *prepared,
+                                     size_t surface, struct status *status)
+{
+    const double least = 1e-3, most = 0.1, *loads = results_loads(&prepared->results, surface);
+    const struct model_row *row = model_rows[plan_leading_model(&prepared->allowed)];
+    size_t count = prepared->results.load_count;
+    struct model_task task = surface_model_task(record, prepared->results.scene, &prepared->allowed, loads, count);
+    struct model_curve curve = {.points = calloc(count + 1, sizeof *curve.points)};
+    enum status_code rc = curve.points ? STATUS_OK : status_memory(status);
+    task.wanted &= QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA);
+    if (rc == STATUS_OK)
+        rc = ensemble_curve(&curve, NULL, &record->ensemble, row->gaussian ? row->gaussian : row, &task, status);
+    double first = NAN, last = NAN, middle, nearest = INFINITY;
+    for (size_t i = 0; rc == STATUS_OK && curve.exists && i < curve.count; i++) {
+        double area = curve.points[i].value[QUANTITY_AREA], load = curve.points[i].value[QUANTITY_LOAD];
+        if (area < least || area > most)
+            continue;
+        first = isnan(first) ? load : first;
+        last = load;
+    }
+    middle = sqrt(first) * sqrt(last);
+    for (size_t i = 0; rc == STATUS_OK && curve.exists && i < curve.count && i < count; i++) {
+        double off = fabs(isnan(middle) ? log(curve.points[i].value[QUANTITY_AREA] / sqrt(least * most))
+                                        : log(loads[i] / middle));
+        if (off < nearest) {
+            nearest = off;
+            *place = i;
+        }
+    }
+    free(curve.points);
+    return rc;
+}
+
+/** Where the summary stands if the scene does not say. Of more surfaces than that, the baseline is sought among the
+ * first hundred. */
+static enum status_code choose_operating_load(struct surfaces *all, const struct threads *threads,
+                                              struct status *status)
+{
+    enum { MOST = 100 };
+    struct results *results = &all->prepared->results;
+    const struct scene *scene = results->scene;
+    size_t count = scene->surface_count < MOST ? scene->surface_count : MOST;
+    struct surface_record record = {0};
+    enum status_code rc = threads_run(threads, count, describe_one, all, status);
+    if (rc == STATUS_OK)
+        rc = rank_surfaces(results, status);
+    for (size_t i = 0; i < count; i++)
+        surface_record_free(&results->surfaces[i]);
+    free(results->by_roughness);
+    results->by_roughness = NULL;
+    if (rc != STATUS_OK || results->usable_count == 0)
+        return rc;
+    size_t baseline = results->baseline, place = all->prepared->allowed.operating_place - 1;
+    results->usable_count = 0;
+    rc = describe_surface(&record, scene, &scene->surfaces[baseline], all->prepared->counterface, status);
+    if (rc == STATUS_OK)
+        rc = middle_place(&place, &record, all->prepared, baseline, status);
+    all->prepared->allowed.operating_place = place + 1;
+    surface_record_free(&record);
+    return rc;
+}
+
 /** Runs the surfaces once more that the report shows, when the others' arrays have gone. */
 static enum status_code run_shown(struct surfaces *all, struct status *status)
 {
@@ -238,15 +313,15 @@ enum status_code prepare(struct prepared *out, const struct scene *scene, const 
         return status_memory(status);
     if (make_loads(out, scene, status) != STATUS_OK || read_counterface(out, scene, status) != STATUS_OK)
         return status->code;
+    const struct threads threads = {.jobs = options->jobs, .stop = options->stop};
+    struct surfaces all = {
+        .prepared = out, .options = options, .describe_only = describe_only, .lock = PTHREAD_MUTEX_INITIALIZER};
+    if (scene->operating.load == 0 && choose_operating_load(&all, &threads, status) != STATUS_OK)
+        return status->code;
     struct curve_tables *tables = NULL;
     if (curves && curve_tables_open(&tables, results, &out->allowed, curves, status) != STATUS_OK)
         return curve_tables_close(tables, status);
-    const struct threads threads = {.jobs = options->jobs, .stop = options->stop};
-    struct surfaces all = {.prepared = out,
-                           .options = options,
-                           .tables = tables,
-                           .describe_only = describe_only,
-                           .lock = PTHREAD_MUTEX_INITIALIZER};
+    all.tables = tables;
     enum status_code rc = threads_run(&threads, scene->surface_count, run_surface, &all, status);
     pthread_mutex_destroy(&all.lock);
     if (curve_tables_close(tables, status) != STATUS_OK)
