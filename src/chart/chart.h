@@ -45,7 +45,8 @@ struct chart {
     char name[CHART_NAME];   /* of its files */
     char numbers[64];        /* in chapter 6: "6-11 to 6-14"; "": none */
     char script[CHART_NAME]; /* its template: NAME.gp */
-    bool shares;             /* all panels have one x and one y axis */
+    bool shares;             /* all panels but those `alone` have one x and one y axis */
+    size_t columns;          /* of panels; 0: as their number asks for */
     bool terminal;           /* drawn by report --show */
     bool first_page;
     double panel_height; /* 0: as is usual */

@@ -51,19 +51,22 @@ static void put_effects(json_t *out, const struct view_source *source)
 {
     struct effects_row rows[EFFECTS_ROWS];
     const struct results *results = source->results;
-    json_t *list = view_list(out, "effects");
+    json_t *list = view_list(out, "effects"), *skipped = NULL;
     effects_account(rows, results->plan, results->surfaces, results->surface_count, &results->studies);
     for (int r = 0; r < EFFECTS_ROWS; r++) {
         json_t *item = view_item(list);
         view_text(item, "name", rows[r].name);
         view_flag(item, "runs", rows[r].runs);
         view_text(item, "reason", rows[r].reason);
+        if (skipped && !rows[r].runs)
+            view_flag(skipped, "more_skipped", true);
+        skipped = rows[r].runs ? skipped : item;
         if (rows[r].evaluations > 0)
             view_number(item, "evaluations", (double)rows[r].evaluations, 3, "");
         if (results->benchmark && rows[r].runs && rows[r].seconds > 0)
             put_seconds(item, "time", rows[r].seconds);
     }
-    view_flag(out, "has_times", results->benchmark != NULL);
+    view_flag(out, "any_skipped", skipped != NULL);
 }
 
 /** Numbers that were limited, clamped or refused, and on which surface most. */

@@ -133,7 +133,10 @@ static void put_all_surfaces(json_t *out, const struct view_source *source)
     view_flag(item, "has_statistical", plan_uses_asperities(results->plan));
     view_count(item, "shown", results->shown_count);
     view_flag(item, "some_shown", results->shown_count < results->usable_count);
-    json_object_set_new(out, "all_surfaces", item);
+    if (results->usable_count > 1 || json_array_size(rows) > 0)
+        json_object_set_new(out, "all_surfaces", item);
+    else
+        json_decref(item);
 }
 
 void view_models(json_t *out, const struct view_source *source)
