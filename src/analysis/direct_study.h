@@ -75,7 +75,9 @@ struct direct_study_task {
     unsigned threads;               /* 0: one a processor; the result does not depend on it */
     const struct direct_team *team; /* that shares each contact; NULL: this process alone */
     const atomic_bool *stop;
-    bool efforts; /* also at less expense, to tell what accuracy costs */
+    bool efforts;                                             /* also at less expense, to tell what accuracy costs */
+    void (*progress)(void *context, double done, double all); /* told of work done, from several threads; NULL: not */
+    void *progress_context;
 };
 
 /** Solves, and runs the models on the same surface. Errors: STATUS_MODEL where the solution does not converge,

@@ -282,15 +282,6 @@ struct layout {
     bool letters;                    /* on a terminal */
 };
 
-/** Characters of a text in UTF-8. */
-static size_t characters(const char *string)
-{
-    size_t count = 0;
-    for (; *string; string++)
-        count += ((unsigned char)*string & 0xC0) != 0x80;
-    return count;
-}
-
 /** The label below a panel, unless the panel further down says the same. */
 static const char *x_label_of(const struct chart *chart, size_t columns, size_t p)
 {
@@ -304,13 +295,14 @@ static struct layout layout_of(const struct chart *chart)
                                     : chart->panels > 4 || chart->panels == 3 ? 3
                                     : chart->panels > 1                       ? 2
                                                                               : 1};
-    size_t longest = 8, entries = json_array_size(chart->legend), i;
+    size_t entries = json_array_size(chart->legend), i;
+    int longest = 8;
     bool own = !chart->shares; /* axes of its own take each panel their room; shared ones are numbered at the first */
     double title = 10, y = 0;
     json_t *entry;
     json_array_foreach(chart->legend, i, entry)
     {
-        size_t length = characters(json_string_value(json_object_get(entry, "title")));
+        int length = text_characters(json_string_value(json_object_get(entry, "title")));
         longest = length > longest ? length : longest;
     }
     for (size_t p = 0; p < chart->panels; p++) {
@@ -330,9 +322,9 @@ static struct layout layout_of(const struct chart *chart)
     }
     size_t last_row = chart->panels - (out.rows - 1) * out.columns, free = out.columns - last_row;
     double beside = LEFT + (double)last_row * (out.wide + out.gap) - (own ? 50 : 0); /* no numbers stand there */
-    out.legend_beside = entries > 0 && free > 0 && LETTER * (double)longest + SAMPLE <= WIDTH - beside &&
+    out.legend_beside = entries > 0 && free > 0 && LETTER * longest + SAMPLE <= WIDTH - beside &&
                         LEGEND_ROW * (double)entries <= out.panel + BELOW + 10;
-    out.legend_columns = out.legend_beside ? 1 : (size_t)fmax(1, (WIDTH - 20) / (9.0 * (double)longest + 64));
+    out.legend_columns = out.legend_beside ? 1 : (size_t)fmax(1, (WIDTH - 20) / (9.0 * longest + 64));
     out.legend_x = out.legend_beside ? beside : WIDTH / 2.0;
     out.legend_y = out.legend_beside ? out.top[out.rows - 1] - 10 : y + 4;
     size_t legend_rows = (entries + out.legend_columns - 1) / out.legend_columns;

@@ -201,7 +201,8 @@ static enum status_code run_surface(void *context, size_t index, struct threads_
         surface_drop_arrays(record);
     if (all->options->progress) {
         pthread_mutex_lock(&all->lock);
-        all->options->progress(++all->done, results->surface_count, results->scene->surfaces[index].name);
+        all->options->progress("models of", results->scene->surfaces[index].name, (double)++all->done,
+                               (double)results->surface_count);
         pthread_mutex_unlock(&all->lock);
     }
     return rc;
@@ -322,6 +323,8 @@ enum status_code prepare(struct prepared *out, const struct scene *scene, const 
     if (curves && curve_tables_open(&tables, results, &out->allowed, curves, status) != STATUS_OK)
         return curve_tables_close(tables, status);
     all.tables = tables;
+    if (options->progress)
+        options->progress("models of", scene->surfaces[0].name, 0, (double)scene->surface_count);
     enum status_code rc = threads_run(&threads, scene->surface_count, run_surface, &all, status);
     pthread_mutex_destroy(&all.lock);
     if (curve_tables_close(tables, status) != STATUS_OK)
@@ -357,6 +360,7 @@ void prepared_free(struct prepared *prepared)
 
 uint64_t prepare_table(struct text *out, const struct results *results, bool done)
 {
+    enum { WIDTH = 80, INDENT = 26 };
     uint64_t evaluations = 0;
     struct effects_row rows[EFFECTS_ROWS];
     effects_account(rows, results->plan, results->surfaces, results->surface_count, &results->studies);
@@ -365,9 +369,13 @@ uint64_t prepare_table(struct text *out, const struct results *results, bool don
         text_add(out, "%-16s %-8s", rows[r].name, rows[r].runs ? "run" : "skipped");
         if (done)
             text_add(out, " %12llu %10.4f", (unsigned long long)rows[r].evaluations, rows[r].seconds);
+        struct text why = {0};
+        text_add_shown(&why, rows[r].reason); /* may name a surface */
+        text_add(&why, "%s%s", rows[r].runs && rows[r].method[0] ? "; " : "", rows[r].method);
         text_add(out, "  ");
-        text_add_shown(out, rows[r].reason); /* may name a surface */
-        text_add(out, "%s%s\n", rows[r].runs ? "; " : "", rows[r].method);
+        text_add_wrapped(out, text_string(&why), WIDTH, INDENT);
+        text_add(out, "\n");
+        text_free(&why);
         evaluations += rows[r].evaluations;
     }
     return evaluations;

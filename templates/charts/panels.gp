@@ -11,7 +11,7 @@ set multiplot
 
 set lmargin at screen {{left}}; set rmargin at screen {{right}}
 set tmargin at screen {{top}}; set bmargin at screen {{bottom}}
-unset logscale; unset arrow; unset label
+unset logscale; unset arrow; unset label; set autoscale
 {{#log_x}}
 set logscale x
 {{/log_x}}

@@ -62,6 +62,7 @@ TEST_IN_WORKSPACE(test_overrides)
 {
     const char *place = *state;
     workspace_scan(place, "d/a.csv", 200, 1);
+    workspace_scan(place, "d/b.csv", 200, 2);
     workspace_write(place, "d/scene.yaml", "material: tin\neffects: [thermal]\ntolerance: 1e-8\n");
     run_to_exit(place, 0, "report", "d");
     expect_in_file(place, "out/d/data/contact.csv", "tcr_K_m2_per_W");
@@ -165,6 +166,28 @@ TEST_IN_WORKSPACE(test_terminal)
     expect_no_part(process.err, "stage ");
     expect_no_part(process.out, "+--");
     process_free(&process);
+}
+
+/** On a terminal, one that `script` makes, a line says how far a long stage is; it is gone at the end. */
+TEST_IN_WORKSPACE(test_progress)
+{
+    const char *place = *state;
+    static const char *const run[] = {"script", "-qec", PROGRAM " report d -e direct -m tin --no-cost", "typescript",
+                                      NULL};
+    workspace_scan(place, "d/a.csv", 160, 1);
+    workspace_write(place, "d/scene.yaml",
+                    "load: {from: 1e-4, to: 1e-2, points: 5}\n"
+                    "direct: {grid: 64, seeds: 4, loads: 3}\n");
+    run_list(place, run);
+    char *seen = workspace_read(place, "typescript");
+    expect_parts(seen, "\r\033[Kmodels of a: 0 %", "\r\033[Kdirect solution of a: 0 %", " s left\r\033[K");
+    double before = -1; /* it grows, and ends before it is full */
+    for (const char *at = seen; (at = strstr(at, "direct solution of a: ")); before = strtod(at, NULL)) {
+        at += strlen("direct solution of a: ");
+        assert_true(strtod(at, NULL) > before && strtod(at, NULL) < 100);
+    }
+    assert_true(before > 50);
+    free(seen);
 }
 
 /** Nothing has a column for a model that did not run. */
