@@ -628,7 +628,8 @@ static void make_direct(struct chart *chart, const struct source *source)
             double error, value = direct_study_value(study, pair, study->leading, quantity, i, &error);
             double share =
                 fmax(isnan(error) ? 0 : error / value, direct_study_grid_error(study, study->leading, quantity, i));
-            chart_row(chart, scale * study->plan.load[i], 1 / (1 + share), 1 + share, 0);
+            if (value > 0)
+                chart_row(chart, scale * study->plan.load[i], 1 / (1 + share), 1 + share, 0);
         }
         for (size_t m = 0; m < model_count; m++) {
             const struct chart_curve look = model_look(m);
