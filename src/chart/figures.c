@@ -117,13 +117,20 @@ static void short_name(char *out, size_t size, const char *name, size_t most)
     out[used] = '\0';
 }
 
-/** Of more than eight surfaces the smoothest, the roughest and the baseline stand out. */
+/** Of more than eight surfaces the best, the worst and the baseline stand out. */
 static struct chart_curve surface_look(const struct source *source, size_t k, char *legend, size_t size)
 {
     const struct results *results = source->results;
     bool many = results->usable_count > results->shown_count;
-    bool plain = many && k > 0 && k + 1 < results->shown_count && results->shown[k] != results->baseline;
-    short_name(legend, size, results->surfaces[results->shown[k]].summary.scene->name, 28);
+    bool baseline = results->shown[k] == results->baseline, last = k + 1 == results->shown_count;
+    bool plain = many && k > 0 && !last && !baseline;
+    char name[100];
+    short_name(name, sizeof name, results->surfaces[results->shown[k]].summary.scene->name, 28);
+    snprintf(legend, size, "%s%s%s", name,
+             many && k == 0 ? ", best"
+             : many && last ? ", worst"
+                            : "",
+             many && baseline ? ", baseline" : "");
     return (struct chart_curve){.legend = plain ? "others" : legend,
                                 .colour = plain ? "#b4b4bc" : figures_surface_colour(k),
                                 .width = plain ? 1.2 : 2};
@@ -240,7 +247,7 @@ static void make_answer(struct chart *chart, const struct source *source)
         const struct surface_record *record = &results->surfaces[results->shown[k]];
         const struct axis x = {QUANTITY_LOAD, false, asked_load_of(results, results->shown[k]).scale};
         struct chart_curve look = surface_look(source, k, legend, sizeof legend);
-        look.width = 2.6;
+        look.width = look.width < 2 ? look.width : 2.6;
         put_curve(chart, &record->curves[source->leading], source->leading, &x, &y, record->summary.asperities.sigma_m,
                   &look);
     }

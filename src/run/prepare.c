@@ -37,6 +37,36 @@ static int compare_roughness(const void *a, const void *b, void *context)
     return x < y ? -1 : x > y ? 1 : i < j ? -1 : 1;
 }
 
+/** The number that surfaces are compared by where the summary stands, less is better; infinite: none. */
+static double answer_of(const struct results *results, size_t surface)
+{
+    enum quantity criterion = results_criterion(results);
+    const struct curve_summary *leading =
+        surface_model(&results->surfaces[surface].summary, plan_leading_model(results->plan));
+    double value = leading->exists ? leading->operating.value[criterion] : NAN;
+    return isnan(value) ? INFINITY : criterion == QUANTITY_AREA ? -value : value;
+}
+
+static int compare_answers(const void *a, const void *b, void *context)
+{
+    const struct results *results = context;
+    double x = answer_of(results, *(const size_t *)a), y = answer_of(results, *(const size_t *)b);
+    return x < y ? -1 : x > y ? 1 : compare_roughness(a, b, results->surfaces);
+}
+
+/** Of too many surfaces the best, the worst, the baseline and others evenly between are shown, in that order. */
+static void choose_shown(struct results *results, size_t *order, size_t usable)
+{
+    qsort_r(order, usable, sizeof *order, compare_answers, results);
+    for (size_t k = 0; k < SHOWN_MOST; k++)
+        results->shown[k] = order[k * (usable - 1) / (SHOWN_MOST - 1)];
+    for (size_t i = 1; i + 1 < usable; i++)
+        if (order[i] == results->baseline) {
+            size_t k = (i * (SHOWN_MOST - 1) + (usable - 1) / 2) / (usable - 1);
+            results->shown[k < 1 ? 1 : k > SHOWN_MOST - 2 ? SHOWN_MOST - 2 : k] = results->baseline;
+        }
+}
+
 /** Ranks the usable surfaces and chooses which the charts show and which is the baseline. */
 static enum status_code rank_surfaces(struct results *results, struct status *status)
 {
@@ -55,13 +85,15 @@ static enum status_code rank_surfaces(struct results *results, struct status *st
     results->shown_count = usable < SHOWN_MOST ? usable : SHOWN_MOST;
     memcpy(results->shown, order, results->shown_count * sizeof *order);
     qsort_r(order, usable, sizeof *order, compare_roughness, results->surfaces);
-    for (size_t k = 0; usable > SHOWN_MOST && k < SHOWN_MOST; k++) /* from smoothest to roughest, evenly */
-        results->shown[k] = order[k * (usable - 1) / (SHOWN_MOST - 1)];
     results->baseline = order[usable > 1 ? 1 : 0];
     if (baseline)
         for (size_t i = 0; i < usable; i++)
             if (strcmp(results->surfaces[order[i]].summary.scene->name, baseline) == 0)
                 results->baseline = order[i];
+    if (usable > SHOWN_MOST) {
+        choose_shown(results, order, usable);
+        qsort_r(order, usable, sizeof *order, compare_roughness, results->surfaces);
+    }
     return STATUS_OK;
 }
 

@@ -47,6 +47,20 @@ static void says(const char *place, const char *out, const char *page, const cha
     expect_part(page, text);
 }
 
+/** All that is to be read in a drawing. */
+static struct text words_of_svg(const char *place, const char *path)
+{
+    char *svg = workspace_read(place, path);
+    struct text out = {0};
+    for (const char *at = strstr(svg, "<path"); at && (at = strchr(at, '>'));) {
+        size_t length = strcspn(++at, "<");
+        if (strspn(at, " \t\r\n") < length)
+            text_add(&out, "%.*s\n", (int)length, at);
+    }
+    free(svg);
+    return out;
+}
+
 /** Newtons for 1 mohm; does my measurement agree; the textbook; best and significant; longer or finer scan. */
 TEST_IN_WORKSPACE(a_connector)
 {
@@ -62,6 +76,12 @@ TEST_IN_WORKSPACE(a_connector)
     expect_part(page, "They do not differ significantly (p = ");
     expect_part(page, "Least certain: ");
     expect_part(page, "scan length ×÷ "); /* or the spacing, whichever matters */
+    struct text drawn = words_of_svg(place, "out/figures/answer.svg"),
+                kept = words_of_svg(PROJECT_SOURCE, "surfaces/picture.svg");
+    assert_true(drawn.length > 100);
+    assert_string_equal(text_string(&kept), text_string(&drawn)); /* surfaces/make.sh draws the README's anew */
+    text_free(&drawn);
+    text_free(&kept);
     free(page);
 }
 

@@ -182,6 +182,47 @@ TEST_CASE(test_where_the_page_stands)
     assert_true(stands[1] > 1.5 * stands[0]);
 }
 
+/* Of more than eight surfaces the charts show eight: best, worst and baseline by name, the others as such. */
+TEST_CASE(test_the_best_and_the_worst_are_shown)
+{
+    const struct directory *place = *state;
+    char name[40], best[8] = "", worst[8] = "";
+    double ecr[2] = {INFINITY, 0};
+    mkdir(directory_path(place, "many"), 0777);
+    for (unsigned long i = 0; i < 11; i++) {
+        snprintf(name, sizeof name, "many/s%lu.csv", i);
+        pipeline_rough(place, name, 120, 0.1 * (double)(1 + i * 7 % 11), i + 1);
+    }
+    directory_write(place, "many/scene.yaml",
+                    "models: [corrected-persson]\nmaterial: tin\neffects: [plasticity, electrical]\nbaseline: s5\n"
+                    "load: {values: [1e-4]}\n");
+    assert_int_equal(pipeline_run(place, "many", "out", 1), 0);
+    struct table contact = directory_table(place, "out/data/contact.csv");
+    for (size_t row = 0; row < contact.rows; row++) {
+        double own = table_number(&contact, row, "ecr_ohm_m2");
+        if (strcmp(table_text(&contact, row, "model"), leading) != 0)
+            continue;
+        if (own < ecr[0])
+            snprintf(best, sizeof best, "%s", table_text(&contact, row, "surface"));
+        if (own > ecr[1])
+            snprintf(worst, sizeof worst, "%s", table_text(&contact, row, "surface"));
+        ecr[0] = fmin(ecr[0], own);
+        ecr[1] = fmax(ecr[1], own);
+    }
+    table_free(&contact);
+    struct text chart = directory_read(place, "out/figures/answer.csv");
+    char said[3][40];
+    snprintf(said[0], sizeof said[0], "# %s, best\n", best);
+    snprintf(said[1], sizeof said[1], "# %s, worst\n", worst);
+    snprintf(said[2], sizeof said[2], "# s5, baseline\n");
+    expect_parts(text_string(&chart), said[0], said[1], said[2]);
+    size_t others = 0;
+    for (const char *at = text_string(&chart); (at = strstr(at, "# others\n")); at++)
+        others++;
+    assert_int_equal(others, 5);
+    text_free(&chart);
+}
+
 static size_t count_figures(const struct directory *place, const char *folder)
 {
     size_t count = 0;
