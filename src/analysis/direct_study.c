@@ -196,58 +196,6 @@ static void borrow_scatter(struct direct_study *study, enum direct_study_kind ki
         }
 }
 
-/** Heights of the first surface. */
-static enum status_code first_surface(double *height_m, struct maker *maker, struct status *status)
-{
-    size_t n = maker->study->plan.grid;
-    struct direct_ensemble_def def = ensemble_def(maker, maker->study->leading);
-    if (maker->study->plan.side > 0) {
-        memcpy(height_m, maker->map.height_m, n * n * sizeof *height_m);
-        return STATUS_OK;
-    }
-    return direct_surface_make(height_m, n, def.variance, def.context, def.given_m, def.given_count, 1, status);
-}
-
-/** The picture's load: of those that give numbers, the one next to the load planned. Returns whether there is one. */
-static bool choose_picture(struct direct_study *study)
-{
-    const struct direct_study_curve *curve = &study->curves[study->leading];
-    double wanted = study->plan.load[study->plan.picture], nearest = INFINITY;
-    for (size_t i = 0; i < curve->loads; i++)
-        if (curve->points[i].state == DIRECT_ENSEMBLE_GIVEN && fabs(log(study->plan.load[i] / wanted)) < nearest) {
-            nearest = fabs(log(study->plan.load[i] / wanted));
-            study->plan.picture = i;
-        }
-    return isfinite(nearest);
-}
-
-/** Where the first surface touches at the picture's load; nothing where the grid resolves none. Frees the heights. */
-static enum status_code draw(struct maker *maker, double *height_m, struct status *status)
-{
-    struct direct_study *study = maker->study;
-    const struct direct_plan *plan = &study->plan;
-    struct direct_point point;
-    bool resolved = choose_picture(study);
-    struct direct_ladder_def ladder = {&plan->load[plan->picture], 1, INFINITY, contact_tolerance, plan->resistance,
-                                       maker->task->stop};
-    size_t n = plan->grid;
-    study->contact = malloc(n * n);
-    if (!study->contact) {
-        free(height_m);
-        return status_memory(status);
-    }
-    if (direct_ladder_of_heights(&point, NULL, study->contact, height_m, n, plan->length_m / (double)n, &ladder,
-                                 maker->task->team, status) == STATUS_OK) {
-        study->patches = point.patches;
-        study->solutions++;
-    }
-    if (!resolved) {
-        free(study->contact);
-        study->contact = NULL;
-    }
-    return status->code;
-}
-
 /** The models on the surface's rows, at each load and a step below and above. */
 static enum status_code run_models(struct maker *maker, struct status *status)
 {
@@ -374,14 +322,7 @@ static enum status_code run(struct maker *maker, struct status *status)
         }
     for (int kind = 0; kind < DIRECT_STUDY_KINDS && study->plan.side == 0; kind++)
         borrow_scatter(study, (enum direct_study_kind)kind);
-    double *height_m = malloc(study->plan.grid * study->plan.grid * sizeof *height_m);
-    enum status_code rc = height_m ? first_surface(height_m, maker, status) : status_memory(status);
-    if (rc == STATUS_OK)
-        rc = run_models(maker, status);
-    if (rc == STATUS_OK)
-        rc = draw(maker, height_m, status);
-    else
-        free(height_m);
+    enum status_code rc = run_models(maker, status);
     return rc == STATUS_OK && maker->task->efforts ? run_efforts(maker, status) : rc;
 }
 
@@ -406,7 +347,6 @@ void direct_study_free(struct direct_study *study)
         free(study->models[m].points);
     free(study->models);
     free(study->model_seconds);
-    free(study->contact);
     spectrum_free(&study->rows);
     *study = (struct direct_study){0};
 }

@@ -51,8 +51,6 @@ struct direct_study {
     struct model_curve *models; /* model_count of them, at each load and just below and above it; NULL: not run */
     double *model_seconds;      /* that their curve took */
     double load_triples[3 * SCENE_DIRECT_LOADS];
-    uint8_t *contact; /* grid x grid at the picture's load: 1 where the bodies touch; NULL: too few points to show */
-    size_t patches;   /* there */
     struct direct_study_effort effort[DIRECT_STUDY_EFFORTS];
     size_t efforts;
     uint64_t solutions; /* contacts solved, as planned */

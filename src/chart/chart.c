@@ -21,11 +21,10 @@ static const struct {
                         [CHART_BARS] = {"bars", 4},
                         [CHART_DOTS] = {"dots", 4}};
 
-struct chart chart_make(const char *name, const char *script)
+struct chart chart_make(const char *name)
 {
     struct chart out = {.legend = json_array()};
     snprintf(out.name, sizeof out.name, "%s", name);
-    snprintf(out.script, sizeof out.script, "%s", script);
     out.panel = calloc(CHART_PANELS, sizeof *out.panel);
     out.failed = !out.panel || !out.legend;
     return out;
@@ -413,10 +412,9 @@ enum status_code chart_script(struct text *out, struct chart *chart, struct must
         json_array_append_new(panels, panel_view(chart, &layout, p));
     json_object_set_new(view, "panels", panels);
     json_object_set_new(view, "size", json_string(terminal_size ? terminal_size : ""));
-    enum status_code rc =
-        !view || chart->failed
-            ? status_memory(templates->status)
-            : mustache_file(out, templates, terminal_size ? "letters" : chart->script, view, escape_gnuplot);
+    enum status_code rc = !view || chart->failed ? status_memory(templates->status)
+                                                 : mustache_file(out, templates, terminal_size ? "letters" : "panels",
+                                                                 view, escape_gnuplot);
     json_decref(view);
     return rc;
 }

@@ -747,7 +747,7 @@ enum status_code figures_make(struct figures *out, const struct results *results
         const struct figure_row *row = &figure_rows[r];
         if ((row->called_for && !row->called_for(&source)) || (brief && !row->first_page))
             continue;
-        struct chart chart = chart_make(row->name, "panels");
+        struct chart chart = chart_make(row->name);
         snprintf(chart.numbers, sizeof chart.numbers, "%s", row->numbers);
         chart.first_page = row->first_page;
         chart.terminal = row->terminal;
@@ -757,7 +757,7 @@ enum status_code figures_make(struct figures *out, const struct results *results
     for (size_t f = 0; f < QUANTITY_FIGURES && !brief; f++) {
         if (!(plan_quantities(results->plan) & QUANTITY_BIT(quantity_figures[f].y)) || results->usable_count < 2)
             continue;
-        struct chart chart = chart_make(quantity_figures[f].name, "panels");
+        struct chart chart = chart_make(quantity_figures[f].name);
         make_all_surfaces(&chart, &source, &quantity_figures[f]);
         keep(out, &chart);
     }

@@ -132,7 +132,7 @@ static void expect_nulls(const char *place)
     json_decref(all);
 }
 
-/* Fewer than 100 points in contact: no number in tables, ratios, charts, JSON or text, and no picture. */
+/* Fewer than 100 points in contact: no number in tables, ratios, charts, JSON or text. */
 TEST_IN_WORKSPACE(test_below_resolution)
 {
     const char *place = *state;
@@ -159,7 +159,7 @@ TEST_IN_WORKSPACE(test_below_resolution)
     free(page);
 }
 
-/* Where some loads are resolved, those have numbers and one of them the picture. */
+/* Where some loads are resolved, those have numbers. */
 TEST_IN_WORKSPACE(test_partly_below_resolution)
 {
     const char *place = *state;
@@ -264,7 +264,7 @@ TEST_IN_WORKSPACE(test_strange_surfaces)
     }
 }
 
-/* A map below its resolution, as a profile: no number, no picture. */
+/* A map below its resolution, as a profile: no number. */
 TEST_IN_WORKSPACE(test_map_below_resolution)
 {
     const char *place = *state;

@@ -254,7 +254,7 @@ TEST_IN_WORKSPACE(test_measured)
     snprintf(text, sizeof text, scene, "measured: {file: ecr.csv}\n");
     workspace_write(place, "d/scene.yaml", text);
     run_to_exit(place, 0, "report", "d", "--no-cost");
-    expect_in_file(place, "out/d/report.md", "GW is nearest to the 6 points measured on *a*", "GW 2.00, 0.500",
+    expect_in_file(place, "out/d/report.md", "GW is nearest to the 6 points measured on *a*", "GW 0.500, ×÷ 2.00",
                    "](figures/measured.svg)");
     char *data = workspace_read(place, "out/d/figures/answer.csv");
     char *rest = strstr(data, "# measured, loading\n"), *back = strstr(data, "# measured, unloading\n");
