@@ -155,6 +155,18 @@ static const char *load_label(const struct source *source, char *out, size_t siz
     return out;
 }
 
+/** The same of the unit that the user has loads in. */
+static void asked_load_label(char *out, size_t size, const struct results *results, const struct asked_load *load)
+{
+    bool force = results->scene->load.unit_text[0] ? results->scene->load.kind == UNIT_FORCE
+                                                   : isfinite(results->scene->nominal_area_m2);
+    snprintf(out, size,
+             !load->unit[0] ? "%s"
+             : force        ? "load (%s)"
+                            : "pressure (%s)",
+             load->unit[0] ? load->unit : quantity_rows[QUANTITY_LOAD].label);
+}
+
 /* ---- The first page ---- */
 
 /** The 95 % band of the asked quantity about a curve. */
@@ -229,7 +241,7 @@ static void make_answer(struct chart *chart, const struct source *source)
     const struct axis y = {asked.quantity, asked.reciprocal, asked.scale};
     size_t textbook = asked_textbook(results);
     char x_label[CHART_TEXT], y_label[CHART_TEXT], legend[120];
-    snprintf(x_label, sizeof x_label, load.unit[0] ? "load (%s)" : "load P/(Aₙ E′)%s", load.unit);
+    asked_load_label(x_label, sizeof x_label, results, &load);
     snprintf(y_label, sizeof y_label, asked.unit[0] ? "%s (%s)" : "%s", asked.symbol, asked.unit);
     if (!chart_panel(chart, "", x_label, y_label, true, true))
         return;
@@ -593,7 +605,7 @@ static void make_measured(struct chart *chart, const struct source *source)
     if (asked.quantity != measured_quantity(results->measured, results->plan->running))
         asked = (struct asked){.quantity = measured_quantity(results->measured, results->plan->running), .scale = 1};
     const struct axis x = {QUANTITY_LOAD, false, load.scale}, y = {asked.quantity, asked.reciprocal, asked.scale};
-    snprintf(x_label, sizeof x_label, load.unit[0] ? "load (%s)" : "load P/(Aₙ E′)%s", load.unit);
+    asked_load_label(x_label, sizeof x_label, results, &load);
     snprintf(y_label, sizeof y_label, "%s%s%s%s", asked.unit[0] ? asked.symbol : quantity_rows[asked.quantity].label,
              asked.unit[0] ? " (" : "", asked.unit, asked.unit[0] ? ")" : "");
     if (!chart_panel(chart, "", x_label, y_label, true, true))

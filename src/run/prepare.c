@@ -209,6 +209,7 @@ struct surfaces {
     const struct run_options *options;
     struct curve_tables *tables;
     bool describe_only;
+    size_t described; /* 1 + the surface that is described already; 0: none */
     size_t done;
     pthread_mutex_t lock;
 };
@@ -224,6 +225,7 @@ static struct evaluate_task task_of(const struct surfaces *all, size_t index)
                                   .load_count = results->load_count,
                                   .stop = all->options->stop,
                                   .describe_only = all->describe_only,
+                                  .described = all->described == index + 1,
                                   .keep_scans = results->scene->measured.file != NULL};
 }
 
@@ -293,16 +295,21 @@ static enum status_code middle_place(size_t *place, struct surface_record *recor
     return rc;
 }
 
-/** Where the summary stands if the scene does not say. Of more surfaces than that, the baseline is sought among the
- * first hundred. */
-static enum status_code choose_operating_load(struct surfaces *all, const struct threads *threads,
-                                              struct status *status)
+/** The baseline, before any model runs: the scene's, the only one, or by roughness. Of more surfaces than that it is
+ * sought among the first hundred. */
+static enum status_code find_baseline(size_t *baseline, struct surfaces *all, const struct threads *threads,
+                                      struct status *status)
 {
     enum { MOST = 100 };
     struct results *results = &all->prepared->results;
     const struct scene *scene = results->scene;
     size_t count = scene->surface_count < MOST ? scene->surface_count : MOST;
-    struct surface_record record = {0};
+    *baseline = 0;
+    for (size_t i = 0; i < scene->surface_count && scene->baseline; i++)
+        if (strcmp(scene->surfaces[i].name, scene->baseline) == 0)
+            *baseline = i;
+    if (scene->baseline || count == 1)
+        return STATUS_OK;
     enum status_code rc = threads_run(threads, count, describe_one, all, status);
     if (rc == STATUS_OK)
         rc = rank_surfaces(results, status);
@@ -310,15 +317,26 @@ static enum status_code choose_operating_load(struct surfaces *all, const struct
         surface_record_free(&results->surfaces[i]);
     free(results->by_roughness);
     results->by_roughness = NULL;
-    if (rc != STATUS_OK || results->usable_count == 0)
-        return rc;
-    size_t baseline = results->baseline, place = all->prepared->allowed.operating_place - 1;
     results->usable_count = 0;
-    rc = describe_surface(&record, scene, &scene->surfaces[baseline], all->prepared->counterface, status);
-    if (rc == STATUS_OK)
-        rc = middle_place(&place, &record, all->prepared, baseline, status);
-    all->prepared->allowed.operating_place = place + 1;
-    surface_record_free(&record);
+    *baseline = results->baseline;
+    return rc;
+}
+
+/** Where the summary stands if the scene does not say: the baseline is described for it, and stays so. */
+static enum status_code choose_operating_load(struct surfaces *all, const struct threads *threads,
+                                              struct status *status)
+{
+    struct prepared *prepared = all->prepared;
+    const struct scene *scene = prepared->results.scene;
+    size_t baseline, place = prepared->allowed.operating_place - 1;
+    if (find_baseline(&baseline, all, threads, status) != STATUS_OK)
+        return status->code;
+    struct surface_record *record = &prepared->results.surfaces[baseline];
+    enum status_code rc = describe_surface(record, scene, &scene->surfaces[baseline], prepared->counterface, status);
+    if (rc == STATUS_OK && record->summary.usable)
+        rc = middle_place(&place, record, prepared, baseline, status);
+    prepared->allowed.operating_place = place + 1;
+    all->described = baseline + 1;
     return rc;
 }
 
@@ -326,6 +344,7 @@ static enum status_code choose_operating_load(struct surfaces *all, const struct
 static enum status_code run_shown(struct surfaces *all, struct status *status)
 {
     struct results *results = &all->prepared->results;
+    all->described = 0;
     for (size_t k = 0; k < results->shown_count + 1 && results->usable_count > 0; k++) {
         size_t index = k < results->shown_count ? results->shown[k] : results->baseline;
         const struct evaluate_task task = task_of(all, index);
