@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes every scan below this directory again. ROUGHCONTACT names the program (default: the one in PATH).
+# Makes every scan below this directory, and the picture of README.md, again. ROUGHCONTACT names the program (default: the one in PATH).
 set -eu
 cd "$(dirname "$0")"
 synth() { "${ROUGHCONTACT:-roughcontact}" synth "$@"; }
@@ -23,3 +23,9 @@ synth --lambda-s 2.5um --seed 23 --alpha 0.02 --gamma 1.35 --scatter 0.28 --leng
 # thermal-interface: the two sides of a bare metal joint
 synth --lambda-s 8um --seed 21 --alpha 0.03 --gamma 1.40 --rq 0.80um --scatter 0.28 --length 0.60mm --points 1200 -o thermal-interface/cold-plate.csv
 synth --lambda-s 8um --seed 22 --alpha 0.06 --gamma 1.40 --rq 1.60um --scatter 0.28 --length 0.60mm --points 1200 -o thermal-interface/heat-spreader.csv
+
+# the picture: the first chart of the connector's report
+made=$(mktemp -d)
+trap 'rm -r "$made"' EXIT
+"${ROUGHCONTACT:-roughcontact}" report connector --brief --no-cost -o "$made/out" >/dev/null
+cp "$made/out/figures/answer.svg" picture.svg

@@ -63,7 +63,6 @@ static void choose_loads(struct direct_plan *plan, const struct direct_plan_task
     for (size_t k = 0; k < plan->loads; k++)
         if (fabs(log(plan->load[k] / middle)) < fabs(log(plan->load[nearest] / middle)))
             nearest = k;
-    plan->picture = nearest;
     bool inside = plan->loads > 0 && plan->load[0] <= middle && middle <= plan->load[plan->loads - 1];
     if (inside && !direct->values)
         plan->load[nearest] = middle;
@@ -96,7 +95,7 @@ static void count_work(struct direct_plan *plan)
                                          .resistance = plan->resistance,
                                          .heights = plan->heights && !plan->gaussian,
                                          .map = plan->side > 0},
-                              capped = leading, other = leading, picture = leading;
+                              capped = leading, other = leading;
     capped.fine_times = plan->capped_fine_times;
     capped.loads = plan->capped_loads;
     capped.seeds = plan->fewer;
@@ -104,15 +103,11 @@ static void count_work(struct direct_plan *plan)
     other.fine_times = 0;
     other.seeds = plan->heights ? plan->fewer : 0;
     other.heights = plan->gaussian;
-    picture.fine_times = 0;
-    picture.loads = plan->loads > 0;
-    picture.seeds = 1;
     plan->solutions = 0;
     plan->convolutions = plan->seconds = plan->bytes = 0;
     add_ensemble(plan, &leading);
     add_ensemble(plan, &capped);
     add_ensemble(plan, &other);
-    add_ensemble(plan, &picture);
     if (plan->side > 0) { /* the parts of a map that tell its error */
         leading.n = capped.n = plan->grid / 2;
         leading.seeds = capped.seeds = (plan->mirrored ? 5 : 1) + (size_t)(plan->lambda_s_m > 0);

@@ -49,7 +49,6 @@ struct direct_plan {
     bool resistance;
     double load[SCENE_DIRECT_LOADS];     /* P/(A_n E') */
     size_t loads, capped_loads;          /* those below the hardness come first */
-    size_t picture;                      /* the load whose patches are drawn: the middle one, if it is resolved */
     uint64_t solutions;                  /* contacts to be solved, exactly */
     double convolutions, seconds, bytes; /* likely, on one core */
     bool over_budget;                    /* nothing fits into the budget; this is the least */

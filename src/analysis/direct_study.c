@@ -19,7 +19,14 @@ struct maker {
     struct direct_map map;
     struct direct_point *first; /* the leading kind's solutions, of the first surface in front */
     double coarse_share;        /* of their time, without the fine grid's */
+    double work;                /* that the ensembles are, all together */
 };
+
+static void tell(void *context, double work)
+{
+    const struct maker *maker = context;
+    maker->task->progress(maker->task->progress_context, work, maker->work);
+}
 
 /** Surfaces made with the heights of a short scan have a top that is too flat, which shows at light loads; Gaussian
  * ones lead while skewness and kurtosis are nearly theirs. */
@@ -118,7 +125,7 @@ static enum status_code find_rows(struct maker *maker, struct status *status)
     return STATUS_OK;
 }
 
-static struct direct_ensemble_def ensemble_def(const struct maker *maker, enum direct_study_kind kind)
+static struct direct_ensemble_def ensemble_def(struct maker *maker, enum direct_study_kind kind)
 {
     const struct direct_plan *plan = &maker->study->plan;
     const struct surface_record *surface = maker->task->surface;
@@ -140,23 +147,25 @@ static struct direct_ensemble_def ensemble_def(const struct maker *maker, enum d
         .seeds = kind == leading ? plan->seeds : plan->fewer,
         .threads = maker->task->threads,
         .team = maker->task->team,
+        .solved = maker->task->progress ? tell : NULL,
+        .solved_context = maker,
     };
 }
 
-static enum status_code solve(struct maker *maker, enum direct_study_kind kind, struct status *status)
+static enum status_code solve(struct maker *maker, enum direct_study_kind kind, const struct direct_ensemble_def *def,
+                              struct status *status)
 {
     struct direct_study *study = maker->study;
     struct direct_study_curve *curve = &study->curves[kind];
-    struct direct_ensemble_def def = ensemble_def(maker, kind);
     struct direct_ensemble ensemble;
-    if (def.ladder.loads == 0 || def.seeds == 0)
+    if (def->ladder.loads == 0 || def->seeds == 0)
         return STATUS_OK;
     double started = clock_seconds();
-    if (direct_ensemble_run(&ensemble, &def, status) != STATUS_OK)
+    if (direct_ensemble_run(&ensemble, def, status) != STATUS_OK)
         return status->code;
-    *curve = (struct direct_study_curve){ensemble.point, def.ladder.loads, def.seeds, clock_seconds() - started};
+    *curve = (struct direct_study_curve){ensemble.point, def->ladder.loads, def->seeds, clock_seconds() - started};
     ensemble.point = NULL;
-    study->solutions += def.ladder.loads * ensemble.ladders;
+    study->solutions += def->ladder.loads * ensemble.ladders;
     if (kind == study->leading) {
         double coarse = (double)ensemble.convolutions;
         maker->coarse_share = coarse / (coarse + 4 * (double)ensemble.fine_convolutions);
@@ -185,58 +194,6 @@ static void borrow_scatter(struct direct_study *study, enum direct_study_kind ki
             if (to->value > 0 && share > 0)
                 to->standard_error = fmax(to->standard_error, share * to->value);
         }
-}
-
-/** Heights of the first surface. */
-static enum status_code first_surface(double *height_m, const struct maker *maker, struct status *status)
-{
-    size_t n = maker->study->plan.grid;
-    struct direct_ensemble_def def = ensemble_def(maker, maker->study->leading);
-    if (maker->study->plan.side > 0) {
-        memcpy(height_m, maker->map.height_m, n * n * sizeof *height_m);
-        return STATUS_OK;
-    }
-    return direct_surface_make(height_m, n, def.variance, def.context, def.given_m, def.given_count, 1, status);
-}
-
-/** The picture's load: of those that give numbers, the one next to the load planned. Returns whether there is one. */
-static bool choose_picture(struct direct_study *study)
-{
-    const struct direct_study_curve *curve = &study->curves[study->leading];
-    double wanted = study->plan.load[study->plan.picture], nearest = INFINITY;
-    for (size_t i = 0; i < curve->loads; i++)
-        if (curve->points[i].state == DIRECT_ENSEMBLE_GIVEN && fabs(log(study->plan.load[i] / wanted)) < nearest) {
-            nearest = fabs(log(study->plan.load[i] / wanted));
-            study->plan.picture = i;
-        }
-    return isfinite(nearest);
-}
-
-/** Where the first surface touches at the picture's load; nothing where the grid resolves none. Frees the heights. */
-static enum status_code draw(struct maker *maker, double *height_m, struct status *status)
-{
-    struct direct_study *study = maker->study;
-    const struct direct_plan *plan = &study->plan;
-    struct direct_point point;
-    bool resolved = choose_picture(study);
-    struct direct_ladder_def ladder = {&plan->load[plan->picture], 1, INFINITY, contact_tolerance, plan->resistance,
-                                       maker->task->stop};
-    size_t n = plan->grid;
-    study->contact = malloc(n * n);
-    if (!study->contact) {
-        free(height_m);
-        return status_memory(status);
-    }
-    if (direct_ladder_of_heights(&point, NULL, study->contact, height_m, n, plan->length_m / (double)n, &ladder,
-                                 maker->task->team, status) == STATUS_OK) {
-        study->patches = point.patches;
-        study->solutions++;
-    }
-    if (!resolved) {
-        free(study->contact);
-        study->contact = NULL;
-    }
-    return status->code;
 }
 
 /** The models on the surface's rows, at each load and a step below and above. */
@@ -353,20 +310,19 @@ static enum status_code run(struct maker *maker, struct status *status)
     roughness_from_spectrum(&study->moments, &study->rows);
     study->m4_over_scan = study->moments.m4_per_m2 / spectrum_moment(&surface->spectrum, 2);
     study->leading = study->plan.gaussian ? DIRECT_STUDY_GAUSSIAN : DIRECT_STUDY_HEIGHTS;
-    for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++)
-        if ((kind == DIRECT_STUDY_CAPPED || kind == (int)study->leading || study->plan.heights) &&
-            solve(maker, (enum direct_study_kind)kind, status) != STATUS_OK)
-            return status->code;
+    for (int pass = 0; pass < 2; pass++) /* first the work is counted */
+        for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++) {
+            struct direct_ensemble_def def = ensemble_def(maker, (enum direct_study_kind)kind);
+            if (kind != DIRECT_STUDY_CAPPED && kind != (int)study->leading && !study->plan.heights)
+                continue;
+            if (pass == 0)
+                maker->work += direct_ensemble_work(&def);
+            else if (solve(maker, (enum direct_study_kind)kind, &def, status) != STATUS_OK)
+                return status->code;
+        }
     for (int kind = 0; kind < DIRECT_STUDY_KINDS && study->plan.side == 0; kind++)
         borrow_scatter(study, (enum direct_study_kind)kind);
-    double *height_m = malloc(study->plan.grid * study->plan.grid * sizeof *height_m);
-    enum status_code rc = height_m ? first_surface(height_m, maker, status) : status_memory(status);
-    if (rc == STATUS_OK)
-        rc = run_models(maker, status);
-    if (rc == STATUS_OK)
-        rc = draw(maker, height_m, status);
-    else
-        free(height_m);
+    enum status_code rc = run_models(maker, status);
     return rc == STATUS_OK && maker->task->efforts ? run_efforts(maker, status) : rc;
 }
 
@@ -391,7 +347,6 @@ void direct_study_free(struct direct_study *study)
         free(study->models[m].points);
     free(study->models);
     free(study->model_seconds);
-    free(study->contact);
     spectrum_free(&study->rows);
     *study = (struct direct_study){0};
 }

@@ -51,8 +51,6 @@ struct direct_study {
     struct model_curve *models; /* model_count of them, at each load and just below and above it; NULL: not run */
     double *model_seconds;      /* that their curve took */
     double load_triples[3 * SCENE_DIRECT_LOADS];
-    uint8_t *contact; /* grid x grid at the picture's load: 1 where the bodies touch; NULL: too few points to show */
-    size_t patches;   /* there */
     struct direct_study_effort effort[DIRECT_STUDY_EFFORTS];
     size_t efforts;
     uint64_t solutions; /* contacts solved, as planned */
@@ -75,7 +73,9 @@ struct direct_study_task {
     unsigned threads;               /* 0: one a processor; the result does not depend on it */
     const struct direct_team *team; /* that shares each contact; NULL: this process alone */
     const atomic_bool *stop;
-    bool efforts; /* also at less expense, to tell what accuracy costs */
+    bool efforts;                                             /* also at less expense, to tell what accuracy costs */
+    void (*progress)(void *context, double done, double all); /* told of work done, from several threads; NULL: not */
+    void *progress_context;
 };
 
 /** Solves, and runs the models on the same surface. Errors: STATUS_MODEL where the solution does not converge,

@@ -25,7 +25,7 @@ struct effects_row {
     const char *name;
     bool runs;
     const char *reason;
-    char method[200];     /* how its numbers come about */
+    char method[400];     /* how its numbers come about */
     uint64_t evaluations; /* done because of it: visits of scales, asperity laws, loads solved, contacts; 0: none of its
                              own */
     double seconds;       /* that these took, all threads together */

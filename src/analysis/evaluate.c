@@ -375,7 +375,8 @@ enum status_code evaluate_surface(struct surface_record *out, const struct evalu
 {
     const struct scene *scene = task->scene;
     struct plan plan = *task->plan;
-    if (describe_surface(out, scene, task->surface, task->counterface, status) != STATUS_OK || !out->summary.usable)
+    if ((!task->described && describe_surface(out, scene, task->surface, task->counterface, status) != STATUS_OK) ||
+        !out->summary.usable)
         return status->code;
     if (effects_bound(out, scene, &plan, task->loads, task->load_count, status) != STATUS_OK)
         return status->code;

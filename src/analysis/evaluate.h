@@ -16,6 +16,7 @@ struct evaluate_task {
     size_t load_count;
     const atomic_bool *stop; /* becomes true when the work is to end early; NULL: never */
     bool describe_only;      /* no model runs */
+    bool described;          /* `out` is described already, not zeroed */
     bool keep_scans;         /* measured loads will be answered on each */
 };
 

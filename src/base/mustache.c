@@ -21,8 +21,8 @@ struct token {
 };
 
 struct tokens {
-    struct token *token;
-    size_t count, capacity;
+    struct token *token; /* room for as many as the template has characters, and two */
+    size_t count;
 };
 
 struct render {
@@ -42,27 +42,12 @@ static enum status_code fail(struct status *status, const char *name, const char
     return status_fail(status, STATUS_USAGE, "%s, line %d: %s '%.*s'", name, line, what, (int)length, tag);
 }
 
-static enum status_code add_token(struct tokens *tokens, struct token token, struct status *status)
-{
-    if (tokens->count == tokens->capacity) {
-        size_t capacity = 2 * tokens->capacity + 64;
-        struct token *grown = realloc(tokens->token, capacity * sizeof *grown);
-        if (!grown)
-            return status_memory(status);
-        tokens->token = grown;
-        tokens->capacity = capacity;
-    }
-    tokens->token[tokens->count++] = token;
-    return STATUS_OK;
-}
-
 /** The tag's name without blanks around it. */
 static void trim(const char **start, size_t *length)
 {
-    while (*length > 0 && strchr(" \t\r\n", **start)) {
-        ++*start;
-        --*length;
-    }
+    size_t blanks = strspn(*start, " \t\r\n"); /* the delimiter behind ends them */
+    *start += blanks;
+    *length -= blanks;
     while (*length > 0 && strchr(" \t\r\n", (*start)[*length - 1]))
         --*length;
 }
@@ -76,10 +61,8 @@ static bool set_delimiters(struct delimiters *out, const char *text, size_t leng
 {
     char copy[40] = "";
     struct delimiters found = {"", ""};
-    if (length < 2 || length >= sizeof copy || text[length - 1] != '=')
-        return false;
-    memcpy(copy, text, length - 1);
-    if (sscanf(copy, " %15s %15s", found.open, found.close) != 2)
+    if (length < 2 || length >= sizeof copy || text[length - 1] != '=' ||
+        sscanf(memcpy(copy, text, length - 1), " %15s %15s", found.open, found.close) != 2)
         return false;
     *out = found;
     return true;
@@ -91,8 +74,7 @@ static bool alone(const char *source, const char **start, const char **end)
     const char *first = *start, *last = *end;
     while (first > source && (first[-1] == ' ' || first[-1] == '\t'))
         first--;
-    while (*last == ' ' || *last == '\t')
-        last++;
+    last += strspn(last, " \t");
     if ((first > source && first[-1] != '\n') || (*last && *last != '\n' && strncmp(last, "\r\n", 2) != 0))
         return false;
     last += *last == '\r';
@@ -110,12 +92,8 @@ static enum status_code tokenize(struct tokens *out, const char *source, const c
                                             TOKEN_TEXT,    TOKEN_TEXT,     TOKEN_RAW, TOKEN_RAW};
     struct delimiters delimiters = {"{{", "}}"};
     size_t open[DEPTH_MOST], depth = 0;
-    for (const char *p = source; *p;) {
-        const char *tag = strstr(p, delimiters.open);
-        if (!tag)
-            return depth > 0 ? fail(status, name, source, p, "section that does not end:", out->token[open[0]].start,
-                                    out->token[open[0]].length)
-                             : add_token(out, (struct token){.start = p, .length = strlen(p)}, status);
+    const char *p = source;
+    for (const char *tag; (tag = strstr(p, delimiters.open));) {
         const char *inside = tag + strlen(delimiters.open), *sign = *inside ? strchr(signs, *inside) : NULL;
         char closing[24];
         snprintf(closing, sizeof closing, "%s%s", sign && *sign == '{' ? "}" : "", delimiters.close);
@@ -123,17 +101,13 @@ static enum status_code tokenize(struct tokens *out, const char *source, const c
         if (!close)
             return fail(status, name, source, tag, "tag that is not closed:", tag, strcspn(tag, "\n"));
         const char *start = tag, *end = close + strlen(closing);
-        struct token token = {sign ? kinds[sign - signs] : TOKEN_VARIABLE,
-                              inside + (sign != NULL),
-                              (size_t)(close - inside) - (sign != NULL),
-                              NULL,
-                              0,
-                              0};
+        struct token token = {.kind = sign ? kinds[sign - signs] : TOKEN_VARIABLE,
+                              .start = inside + (sign != NULL),
+                              .length = (size_t)(close - inside) - (sign != NULL)};
         bool line = sign && *sign != '{' && *sign != '&' && alone(source, &start, &end);
         if (start < p)
             start = p; /* two tags on one line: blanks before the second belong to the first */
-        if (add_token(out, (struct token){.start = p, .length = (size_t)(start - p)}, status) != STATUS_OK)
-            return status->code;
+        out->token[out->count++] = (struct token){.start = p, .length = (size_t)(start - p)};
         if (sign && *sign == '=' && !set_delimiters(&delimiters, token.start, token.length))
             return fail(status, name, source, tag, "delimiters not understood:", token.start, token.length);
         p = end;
@@ -156,36 +130,28 @@ static enum status_code tokenize(struct tokens *out, const char *source, const c
                 return fail(status, name, source, tag, "section ended that is not open:", token.start, token.length);
             out->token[open[depth]].end = out->count;
         }
-        if (add_token(out, token, status) != STATUS_OK)
-            return status->code;
+        out->token[out->count++] = token;
     }
-    return depth > 0 ? fail(status, name, source, source + strlen(source),
-                            "section that does not end:", out->token[open[0]].start, out->token[open[0]].length)
-                     : STATUS_OK;
+    if (depth > 0)
+        return fail(status, name, source, p, "section that does not end:", out->token[open[0]].start,
+                    out->token[open[0]].length);
+    out->token[out->count++] = (struct token){.start = p, .length = strlen(p)};
+    return STATUS_OK;
 }
 
 /** What a name stands for; NULL: nothing. The first part of a.b.c is looked up in all that is open, the rest in it. */
 static const json_t *look_up(const struct render *render, const char *start, size_t length)
 {
-    char name[NAME_MOST];
+    const char *dot = memchr(start, '.', length), *end = start + length;
     const json_t *found = NULL;
-    if (length == 1 && *start == '.')
+    if (length == 1 && dot)
         return render->stack[render->depth - 1];
-    if (length >= sizeof name)
-        return NULL;
-    memcpy(name, start, length);
-    name[length] = '\0';
-    char *rest = strchr(name, '.');
-    if (rest)
-        *rest++ = '\0';
     for (size_t d = render->depth; d-- > 0 && !found;)
-        found = json_object_get(render->stack[d], name);
-    while (found && rest) {
-        char *part = rest;
-        rest = strchr(part, '.');
-        if (rest)
-            *rest++ = '\0';
-        found = json_object_get(found, part);
+        found = json_object_getn(render->stack[d], start, (size_t)((dot ? dot : end) - start));
+    while (found && dot) {
+        start = dot + 1;
+        dot = memchr(start, '.', (size_t)(end - start));
+        found = json_object_getn(found, start, (size_t)((dot ? dot : end) - start));
     }
     return found;
 }
@@ -218,6 +184,7 @@ static bool holds(const json_t *value)
 }
 
 static enum status_code render_text(struct render *render, const char *source, const char *name);
+static enum status_code render_tokens(struct render *render, const struct tokens *tokens, size_t from, size_t to);
 
 static enum status_code render_partial(struct render *render, const struct token *token)
 {
@@ -239,8 +206,6 @@ static enum status_code render_partial(struct render *render, const struct token
     render->partials--;
     return rc;
 }
-
-static enum status_code render_tokens(struct render *render, const struct tokens *tokens, size_t from, size_t to);
 
 static enum status_code render_section(struct render *render, const struct tokens *tokens, size_t at)
 {
@@ -284,8 +249,9 @@ static enum status_code render_tokens(struct render *render, const struct tokens
 
 static enum status_code render_text(struct render *render, const char *source, const char *name)
 {
-    struct tokens tokens = {0};
-    enum status_code rc = tokenize(&tokens, source, name, render->status);
+    struct tokens tokens = {calloc(strlen(source) + 2, sizeof *tokens.token), 0};
+    enum status_code rc =
+        tokens.token ? tokenize(&tokens, source, name, render->status) : status_memory(render->status);
     if (rc == STATUS_OK)
         rc = render_tokens(render, &tokens, 0, tokens.count);
     free(tokens.token);

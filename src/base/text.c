@@ -248,6 +248,43 @@ void text_add_csv(struct text *text, const char *string)
     text_free(&shown);
 }
 
+int text_characters(const char *string)
+{
+    int count = 0;
+    for (; *string; string++)
+        count += ((unsigned char)*string & 0xC0) != 0x80;
+    return count;
+}
+
+void text_add_wrapped(struct text *text, const char *string, int width, int indent)
+{
+    const char *line = strrchr(text_string(text), '\n');
+    int at = text_characters(line ? line + 1 : text_string(text));
+    bool begun = false; /* a word stands on this line, which the next is told from by a blank */
+    while (*string) {
+        size_t length = strcspn(string, " \n");
+        int word = 0;
+        for (size_t i = 0; i < length; i++)
+            word += ((unsigned char)string[i] & 0xC0) != 0x80;
+        if (begun && at + 1 + word > width) {
+            text_add(text, "\n%*s", indent, "");
+            at = indent;
+            begun = false;
+        }
+        text_add(text, begun ? " " : "");
+        text_add_bytes(text, string, length);
+        at += begun + word;
+        begun = true;
+        string += length;
+        if (*string == '\n') {
+            text_add(text, "\n");
+            at = 0;
+            begun = false;
+        }
+        string += *string != '\0';
+    }
+}
+
 const char *text_string(const struct text *text)
 {
     return text->data ? text->data : "";

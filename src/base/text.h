@@ -46,6 +46,10 @@ bool text_is_formula(const char *string);
 /** Adds `string` as one CSV field, as it may be shown, an apostrophe before what is a formula; quoted, with quotes
  * doubled, when it holds a comma or a quote. */
 void text_add_csv(struct text *text, const char *string);
+/** How many characters `string` has, in UTF-8. */
+int text_characters(const char *string);
+/** Adds `string`, broken at blanks into lines of at most `width` characters; all but the first begin `indent` in. */
+void text_add_wrapped(struct text *text, const char *string, int width, int indent);
 /** The text so far, never NULL. */
 const char *text_string(const struct text *text);
 void text_free(struct text *text);

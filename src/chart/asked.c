@@ -221,31 +221,32 @@ struct asked_load asked_load_of(const struct results *results, size_t surface)
     return out;
 }
 
-double asked_direct(const struct results *results, enum quantity quantity, double load, double *error)
+struct asked_solved asked_direct(const struct results *results, enum quantity quantity, double load)
 {
-    double before = NAN, at_before = NAN;
-    *error = NAN;
+    struct asked_solved before = {NAN, NAN, NAN, NAN};
+    const size_t leading = plan_leading_model(results->plan);
     for (size_t k = 0; k < results->direct_count; k++) {
         const struct direct_study *study = &results->direct[k];
         const struct material_pair *pair = results_pair(results, study->surface);
-        enum direct_study_kind kind = direct_study_kind_of(study, plan_leading_model(results->plan));
-        if (study->surface != results->baseline)
-            continue;
-        for (size_t i = 0; i < study->curves[kind].loads; i++) {
-            double own_error, value = direct_study_value(study, pair, kind, quantity, i, &own_error);
+        enum direct_study_kind kind = direct_study_kind_of(study, leading);
+        for (size_t i = 0; study->surface == results->baseline && i < study->curves[kind].loads; i++) {
+            double error, value = direct_study_value(study, pair, kind, quantity, i, &error);
+            struct asked_solved at = {
+                study->plan.load[i], value,
+                fmax(isnan(error) ? 0 : error / value, direct_study_grid_error(study, kind, quantity, i)),
+                direct_study_ratio(study, pair, leading, quantity, i)};
             if (!(value > 0))
                 continue;
-            double share = fmax(isnan(own_error) ? 0 : own_error / value,
-                                direct_study_grid_error(study, kind, quantity, i)),
-                   at = study->plan.load[i];
-            if (at >= load) {
-                *error = share;
-                double weight = at > at_before ? log(load / at_before) / log(at / at_before) : 1;
-                return isnan(before) ? (at == load ? value : NAN) : before * pow(value / before, weight);
+            if (at.load > load && before.load < load) {
+                double weight = log(load / before.load) / log(at.load / before.load);
+                at.value = before.value * pow(at.value / before.value, weight);
+                at.ratio = before.ratio * pow(at.ratio / before.ratio, weight);
+                at.load = load;
             }
-            before = value;
-            at_before = at;
+            if (at.load >= load)
+                return at;
+            before = at;
         }
     }
-    return NAN;
+    return before;
 }

@@ -44,9 +44,15 @@ size_t asked_textbook(const struct results *results);
  * precedence; model_count: none. */
 size_t asked_beside(const struct results *results);
 
-/** The direct solution at a load of the baseline (P/(A_n E')), of the leading model's material law, straight in the
- * logarithms between those solved; NaN: none. *error: its relative standard error. */
-double asked_direct(const struct results *results, enum quantity quantity, double load, double *error);
+/** The direct solution of the baseline, of the leading model's material law. */
+struct asked_solved {
+    double load;         /* P/(A_n E') */
+    double value, error; /* relative standard error */
+    double ratio;        /* of the leading model, on the surface solved, to it */
+};
+/** At a load of the baseline, straight in the logarithms between those solved, else at the solved load that is nearest;
+ * NaN: none. */
+struct asked_solved asked_direct(const struct results *results, enum quantity quantity, double load);
 /** A unit as people print it: "mohm" as "mΩ", "W/m2/K" as "W/(m²·K)". */
 void asked_unit(char *out, size_t size, const char *unit);
 /** The same of a number with its unit. */

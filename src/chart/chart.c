@@ -9,7 +9,8 @@
 static const struct chart_extent nothing = {INFINITY, -INFINITY};
 
 /* The canvas, in the unit of the drawing: 17 cm of a page are 720 of it, so that 14 are 9 pt. */
-enum { WIDTH = 720, FONT = 14, LEFT = 82, RIGHT = 14, BELOW = 50, BETWEEN = 20, LEGEND_ROW = 21 };
+enum { WIDTH = 720, FONT = 14, LEFT = 82, RIGHT = 14, BELOW = 50, BETWEEN = 20, LEGEND_ROW = 20, NUMBERS = 26 };
+static const double LETTER = 6.7, SAMPLE = 44; /* of a legend: a letter, and what stands before the name */
 
 static const struct {
     const char *name;
@@ -20,11 +21,10 @@ static const struct {
                         [CHART_BARS] = {"bars", 4},
                         [CHART_DOTS] = {"dots", 4}};
 
-struct chart chart_make(const char *name, const char *script)
+struct chart chart_make(const char *name)
 {
     struct chart out = {.legend = json_array()};
     snprintf(out.name, sizeof out.name, "%s", name);
-    snprintf(out.script, sizeof out.script, "%s", script);
     out.panel = calloc(CHART_PANELS, sizeof *out.panel);
     out.failed = !out.panel || !out.legend;
     return out;
@@ -238,7 +238,7 @@ static json_t *ticks_of(const struct chart_extent *extent, bool logarithmic, boo
         for (int power = first; power <= log10(extent->high); power++)
             for (int digit = 1; digit <= 5; digit += digit == 2 ? 3 : 1) {
                 double at = digit * pow(10, power);
-                bool wanted = digit == 1 ? (power % step + step) % step == 0 : decades <= 0.34 * most;
+                bool wanted = digit == 1 ? (power % step + step) % step == 0 : decades <= 0.36 * most;
                 if (wanted && at >= extent->low * (1 - 1e-9) && at <= extent->high * (1 + 1e-9))
                     add_tick(ticks, at, true, letters);
             }
@@ -271,40 +271,63 @@ static struct chart_extent range_of(struct chart_extent data, const struct chart
     return (struct chart_extent){data.low - room, data.high + room};
 }
 
-/** Where things are, as shares of the canvas, y upwards. */
+/** Where things are, in the unit of the drawing, y downwards from the top. */
 struct layout {
-    size_t columns, rows, legend_columns, legend_rows;
-    double title, panel, height, legend;
-    bool letters; /* on a terminal */
+    size_t columns, rows, legend_columns;
+    double wide, gap, panel, height; /* of a panel, between two, of a panel, of all */
+    double top[CHART_PANELS];        /* of a row's panels */
+    double legend_x, legend_y;       /* of the legend's corner, or of the middle of its upper side */
+    bool legend_beside;              /* it stands where the last row has no panel */
+    bool letters;                    /* on a terminal */
 };
 
-/** Characters of a text in UTF-8. */
-static size_t characters(const char *string)
+/** The label below a panel, unless the panel further down says the same. */
+static const char *x_label_of(const struct chart *chart, size_t columns, size_t p)
 {
-    size_t count = 0;
-    for (; *string; string++)
-        count += ((unsigned char)*string & 0xC0) != 0x80;
-    return count;
+    const char *own = chart->panel[p].x_label;
+    return p + columns < chart->panels && strcmp(chart->panel[p + columns].x_label, own) == 0 ? "" : own;
 }
 
 static struct layout layout_of(const struct chart *chart)
 {
-    struct layout out = {.columns = chart->panels > 4 ? 3 : chart->panels > 1 ? 2 : 1};
-    size_t longest = 8, entries = json_array_size(chart->legend), i;
+    struct layout out = {.columns = chart->columns                            ? chart->columns
+                                    : chart->panels > 4 || chart->panels == 3 ? 3
+                                    : chart->panels > 1                       ? 2
+                                                                              : 1};
+    size_t entries = json_array_size(chart->legend), i;
+    int longest = 8;
+    bool own = !chart->shares; /* axes of its own take each panel their room; shared ones are numbered at the first */
+    double title = 10, y = 0;
     json_t *entry;
     json_array_foreach(chart->legend, i, entry)
     {
-        size_t length = characters(json_string_value(json_object_get(entry, "title")));
+        int length = text_characters(json_string_value(json_object_get(entry, "title")));
         longest = length > longest ? length : longest;
     }
+    for (size_t p = 0; p < chart->panels; p++) {
+        own = own || chart->panel[p].alone;
+        title = chart->panel[p].title[0] ? 26 : title;
+    }
     out.rows = (chart->panels + out.columns - 1) / out.columns;
-    for (size_t p = 0; p < chart->panels; p++)
-        out.title = chart->panel[p].title[0] ? 26 : fmax(out.title, 10);
-    out.panel = chart->panel_height > 0 ? chart->panel_height : out.columns == 1 ? 240 : 132;
-    out.legend_columns = (size_t)fmax(1, (WIDTH - 20) / (9.0 * (double)longest + 64));
-    out.legend_rows = (entries + out.legend_columns - 1) / out.legend_columns;
-    out.legend = entries > 0 ? LEGEND_ROW * (double)out.legend_rows + 8 : 0;
-    out.height = (double)out.rows * (out.title + out.panel + BELOW) + out.legend + 4;
+    out.panel = chart->panel_height > 0 ? chart->panel_height : out.columns == 1 ? 240 : 110;
+    out.gap = own ? LEFT + 4 : BETWEEN;
+    out.wide = (WIDTH - LEFT - RIGHT - (double)(out.columns - 1) * out.gap) / (double)out.columns;
+    for (size_t row = 0; row < out.rows; row++) {
+        bool labelled = row + 1 == out.rows;
+        for (size_t p = row * out.columns; p < (row + 1) * out.columns && p + out.columns < chart->panels; p++)
+            labelled = labelled || x_label_of(chart, out.columns, p)[0];
+        out.top[row] = y + title;
+        y += title + out.panel + (labelled ? BELOW : NUMBERS);
+    }
+    size_t last_row = chart->panels - (out.rows - 1) * out.columns, free = out.columns - last_row;
+    double beside = LEFT + (double)last_row * (out.wide + out.gap) - (own ? 50 : 0); /* no numbers stand there */
+    out.legend_beside = entries > 0 && free > 0 && LETTER * longest + SAMPLE <= WIDTH - beside &&
+                        LEGEND_ROW * (double)entries <= out.panel + BELOW + 10;
+    out.legend_columns = out.legend_beside ? 1 : (size_t)fmax(1, (WIDTH - 20) / (9.0 * longest + 64));
+    out.legend_x = out.legend_beside ? beside : WIDTH / 2.0;
+    out.legend_y = out.legend_beside ? out.top[out.rows - 1] - 10 : y + 4;
+    size_t legend_rows = (entries + out.legend_columns - 1) / out.legend_columns;
+    out.height = y + (entries > 0 && !out.legend_beside ? LEGEND_ROW * (double)legend_rows + 8 : 0) + 4;
     return out;
 }
 
@@ -332,12 +355,9 @@ static json_t *panel_view(const struct chart *chart, const struct layout *layout
     x = range_of(x, &panel->x_most, panel->log_x);
     y = range_of(y, &panel->y_most, panel->log_y);
     size_t row = p / layout->columns, column = p % layout->columns;
-    bool bare = chart->shares && column > 0; /* the numbers stand at the row's first panel */
-    /* axes of its own take each panel their room; shared ones are numbered at the first of a row */
-    double names = json_array_size(panel->names) > 0 ? 150 : 0, gap = chart->shares ? BETWEEN : LEFT - 4;
-    double wide = (WIDTH - LEFT - RIGHT - (double)(layout->columns - 1) * gap) / (double)layout->columns;
-    double left = LEFT + (double)column * (wide + gap);
-    double top = (double)row * (layout->title + layout->panel + BELOW) + layout->title;
+    bool bare = chart->shares && column > 0 && !panel->alone && !chart->panel[p - 1].alone; /* numbered before */
+    double names = json_array_size(panel->names) > 0 ? 150 : 0;
+    double left = LEFT + (double)column * (layout->wide + layout->gap), top = layout->top[row];
     mark_more(panel->curves, "more");
     json_t *ticks = json_array_size(panel->names) > 0
                         ? json_incref(panel->names)
@@ -349,10 +369,10 @@ static json_t *panel_view(const struct chart *chart, const struct layout *layout
     mark_more(ticks, "more");
     mark_more(x_ticks, "more");
     return json_pack("{so so so sb sb sb sf sf sf sf sf sf sf sf so so sO sO sf}", "title", shown(panel->title),
-                     "x_label", shown(chart->shares && p + layout->columns < chart->panels ? "" : panel->x_label),
-                     "y_label", shown(bare ? "" : panel->y_label), "log_x", panel->log_x, "log_y", panel->log_y, "bare",
-                     bare, "x_low", x.low, "x_high", x.high, "y_low", y.low, "y_high", y.high, "left",
-                     (left + names) / WIDTH, "right", (left + wide) / WIDTH, "top", 1 - top / layout->height, "bottom",
+                     "x_label", shown(x_label_of(chart, layout->columns, p)), "y_label",
+                     shown(bare ? "" : panel->y_label), "log_x", panel->log_x, "log_y", panel->log_y, "bare", bare,
+                     "x_low", x.low, "x_high", x.high, "y_low", y.low, "y_high", y.high, "left", (left + names) / WIDTH,
+                     "right", (left + layout->wide) / WIDTH, "top", 1 - top / layout->height, "bottom",
                      1 - (top + layout->panel) / layout->height, "y_ticks", ticks, "x_ticks", x_ticks, "curves",
                      panel->curves, "marks", panel->marks, "title_y", 1 - (top - 12) / layout->height);
 }
@@ -381,20 +401,20 @@ enum status_code chart_script(struct text *out, struct chart *chart, struct must
     drop_empty(chart);
     struct layout layout = layout_of(chart);
     layout.letters = terminal_size != NULL;
-    json_t *view = json_pack("{ss si sf si sb sO sb sI sf}", "name", chart->name, "width", WIDTH, "height",
+    json_t *view = json_pack("{ss si sf si sb sO sb sI sf sf sb}", "name", chart->name, "width", WIDTH, "height",
                              ceil(layout.height), "font", FONT, "letters", terminal_size != NULL, "legend",
-                             chart->legend, "has_legend", layout.legend > 0, "legend_columns",
-                             (json_int_t)layout.legend_columns, "legend_top", (layout.legend - 4) / layout.height);
+                             chart->legend, "has_legend", json_array_size(chart->legend) > 0, "legend_columns",
+                             (json_int_t)layout.legend_columns, "legend_x", layout.legend_x / WIDTH, "legend_y",
+                             1 - layout.legend_y / layout.height, "legend_beside", layout.legend_beside);
     json_t *panels = json_array();
     mark_more(chart->legend, "more_entries");
     for (size_t p = 0; p < chart->panels; p++)
         json_array_append_new(panels, panel_view(chart, &layout, p));
     json_object_set_new(view, "panels", panels);
     json_object_set_new(view, "size", json_string(terminal_size ? terminal_size : ""));
-    enum status_code rc =
-        !view || chart->failed
-            ? status_memory(templates->status)
-            : mustache_file(out, templates, terminal_size ? "letters" : chart->script, view, escape_gnuplot);
+    enum status_code rc = !view || chart->failed ? status_memory(templates->status)
+                                                 : mustache_file(out, templates, terminal_size ? "letters" : "panels",
+                                                                 view, escape_gnuplot);
     json_decref(view);
     return rc;
 }

@@ -42,11 +42,11 @@ struct chart_panel {
 };
 
 struct chart {
-    char name[CHART_NAME];   /* of its files */
-    char numbers[64];        /* in chapter 6: "6-11 to 6-14"; "": none */
-    char script[CHART_NAME]; /* its template: NAME.gp */
-    bool shares;             /* all panels have one x and one y axis */
-    bool terminal;           /* drawn by report --show */
+    char name[CHART_NAME]; /* of its files */
+    char numbers[64];      /* in chapter 6: "6-11 to 6-14"; "": none */
+    bool shares;           /* all panels but those `alone` have one x and one y axis */
+    size_t columns;        /* of panels; 0: as their number asks for */
+    bool terminal;         /* drawn by report --show */
     bool first_page;
     double panel_height; /* 0: as is usual */
     struct chart_panel *panel;
@@ -61,7 +61,7 @@ struct chart {
 };
 
 /** Starts a chart. Owned: chart_free(). */
-struct chart chart_make(const char *name, const char *script);
+struct chart chart_make(const char *name);
 void chart_free(struct chart *chart);
 /** Starts a panel; what is not said by the format strings is set in what it returns. NULL: out of memory, or too many.
  */
@@ -80,7 +80,7 @@ void chart_name_row(struct chart *chart, double y, const char *name);
 /** Is there anything to see? */
 bool chart_has_data(const struct chart *chart);
 
-/** Adds the script that draws the chart: templates/charts/SCRIPT.gp, or with `terminal_size`, "columns,rows",
+/** Adds the script that draws the chart: templates/charts/panels.gp, or with `terminal_size`, "columns,rows",
  * letters.gp. Errors: of templates, STATUS_MEMORY. */
 MUST_CHECK enum status_code chart_script(struct text *out, struct chart *chart, struct mustache_folder *templates,
                                          const char *terminal_size);

@@ -117,13 +117,20 @@ static void short_name(char *out, size_t size, const char *name, size_t most)
     out[used] = '\0';
 }
 
-/** Of more than eight surfaces the smoothest, the roughest and the baseline stand out. */
+/** Of more than eight surfaces the best, the worst and the baseline stand out. */
 static struct chart_curve surface_look(const struct source *source, size_t k, char *legend, size_t size)
 {
     const struct results *results = source->results;
     bool many = results->usable_count > results->shown_count;
-    bool plain = many && k > 0 && k + 1 < results->shown_count && results->shown[k] != results->baseline;
-    short_name(legend, size, results->surfaces[results->shown[k]].summary.scene->name, 28);
+    bool baseline = results->shown[k] == results->baseline, last = k + 1 == results->shown_count;
+    bool plain = many && k > 0 && !last && !baseline;
+    char name[100];
+    short_name(name, sizeof name, results->surfaces[results->shown[k]].summary.scene->name, 28);
+    snprintf(legend, size, "%s%s%s", name,
+             many && k == 0 ? ", best"
+             : many && last ? ", worst"
+                            : "",
+             many && baseline ? ", baseline" : "");
     return (struct chart_curve){.legend = plain ? "others" : legend,
                                 .colour = plain ? "#b4b4bc" : figures_surface_colour(k),
                                 .width = plain ? 1.2 : 2};
@@ -146,6 +153,18 @@ static const char *load_label(const struct source *source, char *out, size_t siz
                                                                : "pressure",
              unit);
     return out;
+}
+
+/** The same of the unit that the user has loads in. */
+static void asked_load_label(char *out, size_t size, const struct results *results, const struct asked_load *load)
+{
+    bool force = results->scene->load.unit_text[0] ? results->scene->load.kind == UNIT_FORCE
+                                                   : isfinite(results->scene->nominal_area_m2);
+    snprintf(out, size,
+             !load->unit[0] ? "%s"
+             : force        ? "load (%s)"
+                            : "pressure (%s)",
+             load->unit[0] ? load->unit : quantity_rows[QUANTITY_LOAD].label);
 }
 
 /* ---- The first page ---- */
@@ -222,7 +241,7 @@ static void make_answer(struct chart *chart, const struct source *source)
     const struct axis y = {asked.quantity, asked.reciprocal, asked.scale};
     size_t textbook = asked_textbook(results);
     char x_label[CHART_TEXT], y_label[CHART_TEXT], legend[120];
-    snprintf(x_label, sizeof x_label, load.unit[0] ? "load (%s)" : "load P/(Aₙ E′)%s", load.unit);
+    asked_load_label(x_label, sizeof x_label, results, &load);
     snprintf(y_label, sizeof y_label, asked.unit[0] ? "%s (%s)" : "%s", asked.symbol, asked.unit);
     if (!chart_panel(chart, "", x_label, y_label, true, true))
         return;
@@ -240,7 +259,7 @@ static void make_answer(struct chart *chart, const struct source *source)
         const struct surface_record *record = &results->surfaces[results->shown[k]];
         const struct axis x = {QUANTITY_LOAD, false, asked_load_of(results, results->shown[k]).scale};
         struct chart_curve look = surface_look(source, k, legend, sizeof legend);
-        look.width = 2.6;
+        look.width = look.width < 2 ? look.width : 2.6;
         put_curve(chart, &record->curves[source->leading], source->leading, &x, &y, record->summary.asperities.sigma_m,
                   &look);
     }
@@ -248,7 +267,7 @@ static void make_answer(struct chart *chart, const struct source *source)
     if (results->measured && asked.quantity == measured_quantity(results->measured, results->plan->running))
         put_measured(chart, results->measured, &asked, load.scale);
     if (asked.target)
-        chart_mark(chart, false, asked_shown(&asked, asked.target->value), "asked");
+        chart_mark(chart, false, asked_shown(&asked, asked.target->value), "target");
     chart_mark(chart, true, load.scale * results_operating_load(results, results->baseline), "operating load");
 }
 
@@ -273,13 +292,12 @@ static void make_models(struct chart *chart, const struct source *source)
     struct row *rows = calloc(model_count + 1, sizeof *rows);
     size_t count = 0;
     char x_label[CHART_TEXT];
-    double error,
-        direct = quantity_rows[asked.quantity].from
-                     ? NAN
-                     : asked_shown(&asked, asked_direct(results, asked.quantity,
-                                                        results_operating_load(results, results->baseline), &error));
+    double load = results_operating_load(results, results->baseline);
+    const struct asked_solved solved = asked_direct(results, asked.quantity, load);
+    bool known = solved.load == load && !quantity_rows[asked.quantity].from;
+    double direct = known ? asked_shown(&asked, solved.value) : NAN, error = solved.error;
     double truth =
-        isfinite(direct)
+        known
             ? direct
             : asked_shown(&asked, comparison_middle(results, source->leading, results->baseline).value[asked.quantity]);
     snprintf(x_label, sizeof x_label, asked.unit[0] ? "%s at the operating load (%s)" : "%s at the operating load",
@@ -289,7 +307,7 @@ static void make_models(struct chart *chart, const struct source *source)
         chart->failed = true;
         return;
     }
-    if (isfinite(direct))
+    if (known)
         rows[count++] =
             (struct row){direct, {direct / (1 + error), direct * (1 + error)}, "direct solution", "#c2185b", -1};
     for (size_t m = 0; m < model_count; m++) {
@@ -302,55 +320,31 @@ static void make_models(struct chart *chart, const struct source *source)
         if (!plan_runs_model(results->plan, m) || !(row.value > 0) || !isfinite(row.value))
             continue;
         asked_interval(row.ends, &asked, results, m, results->baseline);
-        row.distance = m == source->leading && !isfinite(direct) ? -1 : fabs(log(row.value / truth));
+        row.distance = m == source->leading && !known ? -1 : fabs(log(row.value / truth));
         rows[count++] = row;
     }
     qsort(rows, count, sizeof *rows, nearer);
     for (size_t r = 0; r < count; r++) {
         double y = (double)(count - r);
-        bool known = rows[r].ends[0] > 0 && isfinite(rows[r].ends[1]);
+        bool ends = rows[r].ends[0] > 0 && isfinite(rows[r].ends[1]);
         chart_name_row(chart, y, rows[r].label);
         chart_curve(chart, &(struct chart_curve){.kind = CHART_DOTS, .legend = "", .colour = rows[r].colour});
-        chart_row(chart, rows[r].value, y, known ? rows[r].ends[0] : rows[r].value,
-                  known ? rows[r].ends[1] : rows[r].value);
+        chart_row(chart, rows[r].value, y, ends ? rows[r].ends[0] : rows[r].value,
+                  ends ? rows[r].ends[1] : rows[r].value);
     }
     if (asked.target)
-        chart_mark(chart, true, asked_shown(&asked, asked.target->value), "asked");
+        chart_mark(chart, true, asked_shown(&asked, asked.target->value), "target");
     chart->panel_height = 40 + 24 * (double)count;
     free(rows);
 }
 
 /* ---- The surfaces ---- */
 
-static void make_profiles(struct chart *chart, const struct source *source)
-{
-    const struct results *results = source->results;
-    size_t count = results->shown_count + (results->counterface != NULL);
-    chart->panel_height = 84;
-    for (size_t k = 0; k < count; k++) {
-        const struct surface_record *record =
-            k < results->shown_count ? &results->surfaces[results->shown[k]] : results->counterface;
-        char title[CHART_TEXT], name[120];
-        short_name(name, sizeof name, k < results->shown_count ? record->summary.scene->name : "counterface", 28);
-        snprintf(title, sizeof title, "%s, Rq %.3g µm", name, record->summary.roughness.rq_m * 1e6);
-        if (!chart_panel(chart, title, k + 2 >= count ? "position (mm)" : "", "height (µm)", false, false))
-            return;
-        chart_curve(chart,
-                    &(struct chart_curve){.legend = "",
-                                          .width = 1,
-                                          .colour = k < results->shown_count ? figures_surface_colour(k) : quiet});
-        for (size_t i = 0; i < record->preview_points; i++)
-            chart_row(chart, record->preview_x_m[i] * 1e3, record->preview_z_m[i] * 1e6, 0, 0);
-    }
-}
-
 /** Bins of the spectrum that the law was, or was not, fitted to. */
 static void put_bins(struct chart *chart, const struct power_law_band *band, bool used)
 {
-    chart_curve(chart, &(struct chart_curve){.kind = CHART_BARS,
-                                             .legend = used ? "bins in the fit" : "bins left out",
-                                             .colour = used ? ink : "#a0a0a8",
-                                             .marker = used ? 7 : 6});
+    chart_curve(chart, &(struct chart_curve){
+                           .kind = CHART_BARS, .legend = "", .colour = used ? ink : "#a0a0a8", .marker = used ? 7 : 6});
     for (size_t j = 0; j < band->bins; j++) {
         double s = sqrt(band->bin[j].variance), y = band->bin[j].y;
         if ((band->use[j] == POWER_LAW_BAND_USED) == used)
@@ -359,38 +353,59 @@ static void put_bins(struct chart *chart, const struct power_law_band *band, boo
     }
 }
 
-static void make_spectra(struct chart *chart, const struct source *source)
+static void put_profile(struct chart *chart, const struct surface_record *record, const char *name, const char *colour)
+{
+    char title[CHART_TEXT], cut[120];
+    short_name(cut, sizeof cut, name, 28);
+    snprintf(title, sizeof title, "%s, Rq %.3g µm", cut, record->summary.roughness.rq_m * 1e6);
+    struct chart_panel *panel = chart_panel(chart, title, "position (mm)", "height (µm)", false, false);
+    if (!panel)
+        return;
+    panel->alone = true;
+    chart_curve(chart, &(struct chart_curve){.legend = "", .width = 1, .colour = colour});
+    for (size_t i = 0; i < record->preview_points; i++)
+        chart_row(chart, record->preview_x_m[i] * 1e3, record->preview_z_m[i] * 1e6, 0, 0);
+}
+
+static void put_spectrum(struct chart *chart, const struct surface_record *record, const char *colour)
 {
     enum { MOST = 300 };
+    const struct power_law *law = &record->summary.power_law;
+    size_t index[MOST], count = results_sweep_scales(index, MOST, record->spectrum.count);
+    char title[CHART_TEXT];
+    snprintf(title, sizeof title, isfinite(law->gamma) ? "γ %.2f ± %.2f" : "no power law", law->gamma,
+             law->gamma_error);
+    if (!chart_panel(chart, title, "wavelength (µm)", "amplitude (µm)", true, true))
+        return;
+    chart_curve(chart, &(struct chart_curve){.legend = "", .width = 0.8, .colour = colour});
+    for (size_t i = 0; i < count; i++)
+        chart_row(chart, 1e6 / spectrum_frequency(&record->spectrum, index[i]),
+                  record->spectrum.amplitude_m[index[i]] * 1e6, 0, 0);
+    if (record->band && record->band->bins > 0) {
+        put_bins(chart, record->band, true);
+        put_bins(chart, record->band, false);
+    }
+    chart_curve(chart, &(struct chart_curve){.legend = "", .colour = ink, .width = 2.4});
+    for (int i = 0; i < 2; i++)
+        chart_row(chart, law->band_m[i] * 1e6, power_law_amplitude(law, law->band_m[i]) * 1e6, 0, 0);
+    for (size_t i = 0; record->band && i + 1 < record->band->pieces; i++)
+        chart_mark(chart, true, record->band->knee_m[i] * 1e6, "");
+}
+
+/** A row a surface: its profile, and its spectrum on the axes of all. */
+static void make_surfaces(struct chart *chart, const struct source *source)
+{
     const struct results *results = source->results;
     chart->shares = true;
+    chart->columns = 2;
+    chart->panel_height = 76;
     for (size_t k = 0; k < results->shown_count; k++) {
         const struct surface_record *record = &results->surfaces[results->shown[k]];
-        const struct power_law *law = &record->summary.power_law;
-        size_t index[MOST], count = results_sweep_scales(index, MOST, record->spectrum.count);
-        char title[CHART_TEXT], name[120];
-        short_name(name, sizeof name, record->summary.scene->name, 28);
-        if (isfinite(law->gamma))
-            snprintf(title, sizeof title, "%s, γ %.2f ± %.2f", name, law->gamma, law->gamma_error);
-        else
-            snprintf(title, sizeof title, "%s, no power law", name);
-        if (!chart_panel(chart, title, k + 2 >= results->shown_count ? "wavelength (µm)" : "", "amplitude (µm)", true,
-                         true))
-            return;
-        chart_curve(chart, &(struct chart_curve){.legend = "", .width = 0.8, .colour = figures_surface_colour(k)});
-        for (size_t i = 0; i < count; i++)
-            chart_row(chart, 1e6 / spectrum_frequency(&record->spectrum, index[i]),
-                      record->spectrum.amplitude_m[index[i]] * 1e6, 0, 0);
-        if (record->band && record->band->bins > 0) {
-            put_bins(chart, record->band, true);
-            put_bins(chart, record->band, false);
-        }
-        chart_curve(chart, &(struct chart_curve){.legend = "power law", .colour = ink, .width = 2.4});
-        for (int i = 0; i < 2; i++)
-            chart_row(chart, law->band_m[i] * 1e6, power_law_amplitude(law, law->band_m[i]) * 1e6, 0, 0);
-        for (size_t i = 0; record->band && i + 1 < record->band->pieces; i++)
-            chart_mark(chart, true, record->band->knee_m[i] * 1e6, "");
+        put_profile(chart, record, record->summary.scene->name, figures_surface_colour(k));
+        put_spectrum(chart, record, figures_surface_colour(k));
     }
+    if (results->counterface)
+        put_profile(chart, results->counterface, "counterface", quiet);
 }
 
 /* ---- Chapter 6 ---- */
@@ -404,6 +419,7 @@ static void make_convergence(struct chart *chart, const struct source *source)
     size_t index[MOST], count = results_sweep_scales(index, MOST, study->scales);
     int number = 1;
     chart->shares = true;
+    chart->panel_height = 80;
     for (int s = 0; s < CONVERGENCE_SWEEP_COUNT; s++)
         for (size_t m = 0; m < model_count; m++) {
             const struct convergence_sweep_row *sweep = &convergence_sweeps[s];
@@ -432,15 +448,15 @@ static bool computes(const struct source *source, size_t m, enum quantity quanti
            (quantity_with_made(model_rows[m]->quantities) & source->results->plan->wanted & QUANTITY_BIT(quantity));
 }
 
-/* The charts of one surface, and of all, in the thesis's order of quantities. */
+/* The charts of one surface, and of all. */
 static const struct quantity_figure {
     int number, first; /* of the one surface's panel, and of the four of all surfaces, in chapter 6 */
     const char *name;  /* of the latter's file */
     enum quantity x, y, also;
 } quantity_figures[] = {
     {5, 11, "area", QUANTITY_LOAD, QUANTITY_AREA, QUANTITY_LOAD},
-    {6, 19, "separation-area", QUANTITY_AREA, QUANTITY_SEPARATION, QUANTITY_ADJUSTED},
     {7, 15, "separation-load", QUANTITY_LOAD, QUANTITY_SEPARATION, QUANTITY_ADJUSTED},
+    {6, 19, "separation-area", QUANTITY_AREA, QUANTITY_SEPARATION, QUANTITY_ADJUSTED},
     {8, 23, "ecr", QUANTITY_LOAD, QUANTITY_ECR, QUANTITY_LOAD},
     {9, 27, "tcr", QUANTITY_LOAD, QUANTITY_TCR, QUANTITY_TCR_SCALE_DEPENDENT},
 };
@@ -461,6 +477,7 @@ static void make_one_surface(struct chart *chart, const struct source *source)
 {
     const struct surface_record *record = source->baseline;
     size_t surface = source->results->baseline;
+    chart->panel_height = 88;
     for (size_t f = 0; f < QUANTITY_FIGURES; f++) {
         const struct quantity_figure *figure = &quantity_figures[f];
         char title[CHART_TEXT], label[CHART_TEXT];
@@ -544,11 +561,11 @@ static void make_joint(struct chart *chart, const struct source *source)
 {
     static const struct {
         enum quantity quantity;
-        const char *label;
-    } panels[] = {{QUANTITY_JOINT, "joint conductance (W/(m²·K))"},
-                  {QUANTITY_GAP, "conductance of the gaps (W/(m²·K))"},
-                  {QUANTITY_JOINT_ECR, "joint ECR·Aₙ (Ω·m²)"},
-                  {QUANTITY_TEMPERATURE, "hottest place (°C)"}};
+        const char *title, *label;
+    } panels[] = {{QUANTITY_JOINT, "Joint conductance", "W/(m²·K)"},
+                  {QUANTITY_GAP, "Conductance of the gaps", "W/(m²·K)"},
+                  {QUANTITY_JOINT_ECR, "ECR with film and plating", "Ω·m²"},
+                  {QUANTITY_TEMPERATURE, "Hottest place", "°C"}};
     for (size_t p = 0; p < sizeof panels / sizeof *panels; p++) {
         enum quantity quantity = panels[p].quantity;
         char label[CHART_TEXT];
@@ -557,7 +574,7 @@ static void make_joint(struct chart *chart, const struct source *source)
             continue;
         bool heat = quantity == QUANTITY_TEMPERATURE;
         struct chart_panel *panel =
-            chart_panel(chart, "", load_label(source, label, sizeof label), panels[p].label, true, !heat);
+            chart_panel(chart, panels[p].title, load_label(source, label, sizeof label), panels[p].label, true, !heat);
         if (!panel)
             return;
         for (size_t m = 0; m < model_count; m++) {
@@ -588,7 +605,7 @@ static void make_measured(struct chart *chart, const struct source *source)
     if (asked.quantity != measured_quantity(results->measured, results->plan->running))
         asked = (struct asked){.quantity = measured_quantity(results->measured, results->plan->running), .scale = 1};
     const struct axis x = {QUANTITY_LOAD, false, load.scale}, y = {asked.quantity, asked.reciprocal, asked.scale};
-    snprintf(x_label, sizeof x_label, load.unit[0] ? "load (%s)" : "load P/(Aₙ E′)%s", load.unit);
+    asked_load_label(x_label, sizeof x_label, results, &load);
     snprintf(y_label, sizeof y_label, "%s%s%s%s", asked.unit[0] ? asked.symbol : quantity_rows[asked.quantity].label,
              asked.unit[0] ? " (" : "", asked.unit, asked.unit[0] ? ")" : "");
     if (!chart_panel(chart, "", x_label, y_label, true, true))
@@ -601,84 +618,75 @@ static void make_measured(struct chart *chart, const struct source *source)
     put_measured(chart, results->measured, &asked, load.scale);
 }
 
+/** The models over the direct solution of the baseline, and how far that may itself be off. */
 static void make_direct(struct chart *chart, const struct source *source)
 {
     const struct results *results = source->results;
-    static const char *const names[DIRECT_STUDY_KINDS] = {"direct, the scan's heights", "direct, Gaussian heights",
-                                                          "direct, with the hardness"};
     const struct direct_study *study = NULL;
-    char label[CHART_TEXT];
+    char label[CHART_TEXT], x_label[CHART_TEXT];
+    chart->shares = true;
+    chart->panel_height = 160;
     for (size_t k = 0; k < results->direct_count; k++)
         if (results->direct[k].surface == results->baseline)
             study = &results->direct[k];
-    if (!study)
-        return;
-    const struct material_pair *pair = results_pair(results, study->surface);
-    const struct axis x = load_axis(source, study->surface);
-    double sigma_m = sqrt(study->moments.m0_m2);
-    for (int q = 0; q < DIRECT_STUDY_QUANTITIES; q++) {
-        enum quantity quantity = direct_study_quantities[q];
-        const struct axis y = {quantity, false, 1};
-        double scale = quantity_rows[quantity].over_sigma ? 1 / sigma_m : 1;
-        if (!(results->plan->wanted & QUANTITY_BIT(quantity)) ||
-            !chart_panel(chart, "", load_label(source, label, sizeof label), quantity_rows[quantity].label, true,
-                         quantity_rows[quantity].logarithmic))
+    for (int q = 0; study && q < DIRECT_STUDY_QUANTITIES; q++) {
+        const struct material_pair *pair = results_pair(results, study->surface);
+        const enum quantity quantity = direct_study_quantities[q];
+        const double scale = load_axis(source, study->surface).scale;
+        snprintf(label, sizeof label, "%s", quantity == QUANTITY_SEPARATION ? "Gap" : quantity_rows[quantity].title);
+        struct chart_panel *panel =
+            results->plan->wanted & QUANTITY_BIT(quantity)
+                ? chart_panel(chart, label, load_label(source, x_label, sizeof x_label), "model / direct", true, true)
+                : NULL;
+        if (!panel)
             continue;
+        panel->y_most = (struct chart_extent){0.1, 10};
+        chart_curve(chart,
+                    &(struct chart_curve){.kind = CHART_BAND, .legend = "error of the direct solution", .colour = ink});
+        for (size_t i = 0; i < study->plan.loads; i++) {
+            double error, value = direct_study_value(study, pair, study->leading, quantity, i, &error);
+            double share =
+                fmax(isnan(error) ? 0 : error / value, direct_study_grid_error(study, study->leading, quantity, i));
+            if (value > 0)
+                chart_row(chart, scale * study->plan.load[i], 1 / (1 + share), 1 + share, 0);
+        }
         for (size_t m = 0; m < model_count; m++) {
-            struct contact_point points[SCENE_DIRECT_LOADS];
-            struct model_curve curve = {.exists = true, .points = points};
             const struct chart_curve look = model_look(m);
-            for (size_t i = 0; i < study->plan.loads; i++)
-                if (direct_study_model(study, m, i))
-                    points[curve.count++] = *direct_study_model(study, m, i);
-            if (curve.count > 0 && computes(source, m, quantity))
-                put_curve(chart, &curve, m, &x, &y, sigma_m, &look);
+            chart_curve(chart, &look);
+            for (size_t i = 0; i < study->plan.loads && computes(source, m, quantity); i++)
+                chart_row(chart, scale * study->plan.load[i], direct_study_ratio(study, pair, m, quantity, i), 0, 0);
         }
-        for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++) {
-            chart_curve(chart, &(struct chart_curve){.kind = CHART_BARS,
-                                                     .legend = names[kind],
-                                                     .marker = kind == DIRECT_STUDY_CAPPED   ? 5
-                                                               : kind == (int)study->leading ? 7
-                                                                                             : 6,
-                                                     .colour = kind == DIRECT_STUDY_CAPPED ? "#c2185b" : ink});
-            for (size_t i = 0; study->curves[kind].points && i < study->curves[kind].loads; i++) {
-                double error,
-                    value = direct_study_value(study, pair, (enum direct_study_kind)kind, quantity, i, &error);
-                error = isnan(error) ? 0 : error;
-                if (value > 0)
-                    chart_row(chart, x.scale * study->plan.load[i], scale * value,
-                              scale * fmax(value - error, value * 1e-3), scale * (value + error));
-            }
-        }
+        chart_mark(chart, false, 1, "");
     }
 }
 
 /** Error against time: the report's own curves at several tolerances, and the rules that could take their place. */
 static void make_accuracy(struct chart *chart, const struct source *source)
 {
-    static const char *const colours[] = {"#1fb380", "#cc5500", "#a8366a", "#4fa6f0", "#85858f", "#734ca4"};
     const struct benchmark *cost = source->results->benchmark;
-    const struct benchmark_row *before = NULL;
+    const struct benchmark_row *before = NULL, *first = NULL; /* the first integral stands for all */
     size_t methods = 0;
+    chart->panel_height = 170;
     if (!chart_panel(chart, "", "time (ms)", "largest relative error", true, true))
         return;
     for (size_t i = 0; i < cost->count; before = &cost->rows[i++]) {
         const struct benchmark_row *row = &cost->rows[i];
         bool own = strcmp(row->study, "tolerance") == 0;
         char legend[160];
-        if (!own && row->chart != BENCHMARK_INTEGRALS)
+        if (!own && (row->chart != BENCHMARK_INTEGRALS || (first && row->model != first->model)))
             continue;
+        first = own || first ? first : row;
         if (!before || strcmp(before->study, row->study) != 0 || strcmp(before->method, row->method) != 0) {
-            snprintf(legend, sizeof legend, own ? "all curves of this report" : "%s: %s",
+            snprintf(legend, sizeof legend, own ? "all curves of this report" : "integrals of %s by %s",
                      row->model ? row->model->label : "", row->method);
             chart_curve(chart, &(struct chart_curve){.legend = legend,
                                                      .width = own ? 3 : 1.4,
-                                                     .colour = own ? "#1257d0" : colours[methods++ % 6]});
+                                                     .colour = own ? "#1257d0" : figures_surface_colour(++methods)});
         }
         if (row->error >= 1e-16)
             chart_row(chart, row->seconds * 1e3, row->error, 0, 0);
     }
-    chart_mark(chart, false, source->results->scene->tolerance, "tolerance of this report");
+    chart_mark(chart, false, source->results->scene->tolerance, "tolerance used");
 }
 
 /* ---- The list ---- */
@@ -728,8 +736,7 @@ static const struct figure_row {
 } figure_rows[] = {
     {"answer", "", true, true, NULL, make_answer},
     {"models", "", true, false, NULL, make_models},
-    {"profiles", "6-10", false, false, NULL, make_profiles},
-    {"spectra", "", false, false, NULL, make_spectra},
+    {"surfaces", "6-10", false, false, NULL, make_surfaces},
     {"convergence", "6-01 to 6-04", false, false, has_sweeps, make_convergence},
     {"one-surface", "6-05 to 6-09", false, false, NULL, make_one_surface},
     {"joint", "", false, false, has_joint, make_joint},
@@ -752,7 +759,7 @@ enum status_code figures_make(struct figures *out, const struct results *results
         const struct figure_row *row = &figure_rows[r];
         if ((row->called_for && !row->called_for(&source)) || (brief && !row->first_page))
             continue;
-        struct chart chart = chart_make(row->name, "panels");
+        struct chart chart = chart_make(row->name);
         snprintf(chart.numbers, sizeof chart.numbers, "%s", row->numbers);
         chart.first_page = row->first_page;
         chart.terminal = row->terminal;
@@ -760,9 +767,9 @@ enum status_code figures_make(struct figures *out, const struct results *results
         keep(out, &chart);
     }
     for (size_t f = 0; f < QUANTITY_FIGURES && !brief; f++) {
-        if (!(plan_quantities(results->plan) & QUANTITY_BIT(quantity_figures[f].y)))
+        if (!(plan_quantities(results->plan) & QUANTITY_BIT(quantity_figures[f].y)) || results->usable_count < 2)
             continue;
-        struct chart chart = chart_make(quantity_figures[f].name, "panels");
+        struct chart chart = chart_make(quantity_figures[f].name);
         make_all_surfaces(&chart, &source, &quantity_figures[f]);
         keep(out, &chart);
     }

@@ -170,7 +170,7 @@ static void make_chart(struct chart *out, const struct inspection *f, bool spect
 static enum status_code write_chart(struct text *script, const char *directory, const struct inspection *f,
                                     bool spectrum, struct mustache_folder *templates, const char *terminal_size)
 {
-    struct chart chart = chart_make(chart_names[spectrum], "letters");
+    struct chart chart = chart_make(chart_names[spectrum]);
     char path[PATH_MAX + 32];
     make_chart(&chart, f, spectrum);
     snprintf(path, sizeof path, "%s/%s.csv", directory, chart_names[spectrum]);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands on a scene, `report` and `plan`. */
+#include "base/clock.h"
 #include "cli/command.h"
 #include "run/messages.h"
 #include "run/prepare.h"
@@ -159,12 +160,21 @@ void command_use_team(const struct direct_team *team)
     direct_team = team;
 }
 
-static void progress(size_t done, size_t total, const char *name)
+/** A line that overwrites itself: the stage, and from its first step on how long it still takes. */
+static void progress(const char *stage, const char *name, double done, double all)
 {
+    static double started;
     struct text shown = {0};
+    if (done <= 0)
+        started = clock_seconds();
+    double left = (clock_seconds() - started) * (all - done) / done;
     text_add_shown(&shown, name);
-    fprintf(stderr, "\r\033[K%zu of %zu  %.*s%s", done, total, (int)text_fit(text_string(&shown), 40),
-            text_string(&shown), done == total ? "\r\033[K" : "");
+    fprintf(stderr, "\r\033[K");
+    if (done < all)
+        fprintf(stderr, "%s %.*s: %.0f %%", stage, (int)text_fit(text_string(&shown), 40), text_string(&shown),
+                100 * done / all);
+    if (done < all && done > 0)
+        fprintf(stderr, left < 100 ? ", %.0f s left" : ", %.0f min left", left < 100 ? left : left / 60);
     fflush(stderr);
     text_free(&shown);
 }
@@ -301,33 +311,39 @@ int command_report(int argc, char **argv)
     return run(argc, argv, &command_report_argp, false);
 }
 
+enum { WIDTH = 80 };
+
 static void print_plan(const struct results *results, double rough_seconds, bool brief)
 {
     const struct plan *plan = results->plan;
     const struct scene *scene = results->scene;
     struct text table = {0};
     prepare_table(&table, results, false);
+    text_add(&table, "\n%-31s %-8s %s\n", "model", "", "valid");
+    for (size_t m = 0; m < model_count; m++) {
+        text_add(&table, "%-31s %-8s ", model_rows[m]->label, plan_runs_model(plan, m) ? "run" : "skipped");
+        text_add_wrapped(&table, model_rows[m]->valid, WIDTH, 41);
+        text_add(&table, "\n");
+    }
+    text_add(&table, "\n");
+    if (!results_has_material(results)) {
+        text_add_wrapped(&table, results_without_material, WIDTH, 0);
+        text_add(&table, "\n\n");
+    }
     fputs(text_string(&table), stdout);
     text_free(&table);
-    printf("\n%-28s %-8s %s\n", "model", "", "valid");
-    for (size_t m = 0; m < model_count; m++)
-        printf("%-28s %-8s %s\n", model_rows[m]->label, plan_runs_model(plan, m) ? "run" : "skipped",
-               model_rows[m]->valid);
-    if (!results_has_material(results))
-        printf("\n%s\n", results_without_material);
-    printf("\n%zu surface%s, %zu loads, tolerance %g, closure %s: about %.2g s\n", scene->surface_count,
+    printf("%zu surface%s, %zu loads, tolerance %g, closure %s: about %.2g s\n", scene->surface_count,
            scene->surface_count == 1 ? "" : "s", results->load_count, scene->tolerance,
            sinusoid_fits[scene->closure].name, rough_seconds);
     if (scene_bins_spectra(scene))
-        printf(
-            "data/spectrum.csv holds bins of a tenth of a decade, as of more than %d surfaces; `data: full` has every "
-            "harmonic\n",
-            SCENE_DATA_SURFACES);
+        printf("data/spectrum.csv holds bins of a tenth of a decade, as of more than %d\n"
+               "surfaces; `data: full` has every harmonic\n",
+               SCENE_DATA_SURFACES);
     if (scene->target_count > 0)
         printf("%zu target%s: a search each on every model's curve of each surface\n", scene->target_count,
                scene->target_count == 1 ? "" : "s");
     if (brief)
-        puts("brief: the report is its first page alone, and no other figures are drawn; all of the above runs, for "
+        puts("brief: the report is its first page alone, and no other figures are drawn;\nall of the above runs, for "
              "data/ and results.json");
 }
 

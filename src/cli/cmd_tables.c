@@ -5,8 +5,9 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
-enum { KEY_JSON = 0x100 };
+enum { KEY_JSON = 0x100, WIDTH = 80, NAME_WIDTH = 21, COLUMNS = 4, COLUMN_WIDTH = 13 };
 
 static const struct argp_option options[] = {
     {"json", KEY_JSON, 0, 0, "print an array of objects, one a row (default: text)", 0},
@@ -40,6 +41,21 @@ static int print_json(json_t *rows)
     return command_finish(COMMAND_DONE, NULL);
 }
 
+/** A name and what is said of it, in lines that a terminal takes. */
+static void add_row(struct text *text, const char *before, int width, const char *name, const char *said)
+{
+    text_add(text, "%s%-*s ", before, width, name);
+    text_add_wrapped(text, said, WIDTH, (int)strlen(before) + width + 1);
+    text_add(text, "\n");
+}
+
+static int print_text(struct text *text)
+{
+    fputs(text_string(text), stdout);
+    text_free(text);
+    return command_finish(COMMAND_DONE, NULL);
+}
+
 static json_t *model_json(const struct model_row *row)
 {
     json_t *quantities = json_array();
@@ -64,19 +80,17 @@ int command_models(int argc, char **argv)
     if (json)
         return print_json(rows);
     json_decref(rows);
-    for (size_t m = 0; m < model_count; m++)
-        printf("%s%s (%s)\n  equations  %s\n  assumes    %s\n  valid      %s\n  source     %s\n", m > 0 ? "\n" : "",
-               model_rows[m]->name, model_rows[m]->label, model_rows[m]->equations, model_rows[m]->assumes,
-               model_rows[m]->valid, model_rows[m]->source);
-    return command_finish(COMMAND_DONE, NULL);
-}
-
-enum { NAME_WIDTH = 22 };
-
-/* Columns of the table as wide as their headings. */
-static int width(size_t property)
-{
-    return property == 3 ? 19 : property > 3 ? 24 : 12;
+    struct text text = {0};
+    for (size_t m = 0; m < model_count; m++) {
+        const char *const said[][2] = {{"equations", model_rows[m]->equations},
+                                       {"assumes", model_rows[m]->assumes},
+                                       {"valid", model_rows[m]->valid},
+                                       {"source", model_rows[m]->source}};
+        text_add(&text, "%s%s (%s)\n", m > 0 ? "\n" : "", model_rows[m]->name, model_rows[m]->label);
+        for (size_t i = 0; i < sizeof said / sizeof *said; i++)
+            add_row(&text, "  ", 10, said[i][0], said[i][1]);
+    }
+    return print_text(&text);
 }
 
 static json_t *material_json(const struct material *material)
@@ -99,23 +113,33 @@ int command_materials(int argc, char **argv)
     if (json)
         return print_json(rows);
     json_decref(rows);
-    printf("%-*s", NAME_WIDTH, "material");
-    for (size_t p = 0; p < material_property_count; p++)
-        printf(" %*s", width(p), material_properties[p].key);
-    printf("\n");
-    for (size_t i = 0; i < material_table_count; i++) {
-        printf("%-*s", NAME_WIDTH, material_table[i].name);
-        for (size_t p = 0; p < material_property_count; p++) {
-            double value = material_value(&material_table[i], &material_properties[p]);
-            if (isnan(value))
-                printf(" %*s", width(p), "-");
-            else
-                printf(" %*.6g", width(p), value);
+    struct text text = {0};
+    for (size_t from = 0; from < material_property_count; from += COLUMNS) { /* as many columns as a terminal takes */
+        size_t to = from + COLUMNS < material_property_count ? from + COLUMNS : material_property_count;
+        text_add(&text, "%s%-*s", from > 0 ? "\n" : "", NAME_WIDTH, "material");
+        for (size_t p = from; p < to; p++)
+            text_add(&text, " %*s", COLUMN_WIDTH, material_properties[p].name);
+        text_add(&text, "\n%-*s", NAME_WIDTH, "");
+        for (size_t p = from; p < to; p++)
+            text_add(&text, " %*s",
+                     COLUMN_WIDTH + (int)strlen(material_properties[p].unit) -
+                         text_characters(material_properties[p].unit),
+                     material_properties[p].unit);
+        text_add(&text, "\n");
+        for (size_t i = 0; i < material_table_count; i++) {
+            text_add(&text, "%-*s", NAME_WIDTH, material_table[i].name);
+            for (size_t p = from; p < to; p++) {
+                double value = material_value(&material_table[i], &material_properties[p]);
+                if (isnan(value))
+                    text_add(&text, " %*s", COLUMN_WIDTH, "-");
+                else
+                    text_add(&text, " %*.6g", COLUMN_WIDTH, value);
+            }
+            text_add(&text, "\n");
         }
-        printf("\n");
     }
-    printf("\nsources\n");
+    text_add(&text, "\nsources\n");
     for (size_t i = 0; i < material_table_count; i++)
-        printf("%-*s %s\n", NAME_WIDTH, material_table[i].name, material_table[i].source);
-    return command_finish(COMMAND_DONE, NULL);
+        add_row(&text, "", NAME_WIDTH, material_table[i].name, material_table[i].source);
+    return print_text(&text);
 }

@@ -48,11 +48,9 @@ static enum status_code solve_part(struct direct_point *out, double *rms_m, cons
                                     status);
 }
 
-static enum status_code solve_task(void *context, size_t index, struct threads_turn *turn, struct status *status)
+static enum status_code solve_one(const struct tasks *tasks, size_t index, struct status *status)
 {
-    const struct tasks *tasks = context;
     struct direct_ensemble *ensemble = tasks->ensemble;
-    (void)turn;
     if (tasks->fine && index == 0)
         return solve_surface(tasks->fine, NULL, tasks->def, 0, tasks->def->fine_times, status);
     size_t seed = tasks->fine ? index - 1 : index;
@@ -60,6 +58,30 @@ static enum status_code solve_task(void *context, size_t index, struct threads_t
     double *rms_m = seed == 0 ? &ensemble->rms_m : NULL;
     return tasks->def->map ? solve_part(out, rms_m, tasks->def, (enum direct_map_part)seed, status)
                            : solve_surface(out, rms_m, tasks->def, seed, 1, status);
+}
+
+/** Work that a task is, in points; of a map's parts each as much as the whole. */
+static double work_of(const struct direct_ensemble_def *def, bool fine)
+{
+    double points = (double)(def->n * (fine ? def->fine_times : 1));
+    return points * points * (double)def->ladder.loads;
+}
+
+double direct_ensemble_work(const struct direct_ensemble_def *def)
+{
+    bool fine = def->fine_times > 1 && !def->map;
+    return (double)(def->map ? DIRECT_MAP_PARTS : def->seeds) * work_of(def, false) + (fine ? work_of(def, true) : 0);
+}
+
+static enum status_code solve_task(void *context, size_t index, struct threads_turn *turn, struct status *status)
+{
+    const struct tasks *tasks = context;
+    const struct direct_ensemble_def *def = tasks->def;
+    (void)turn;
+    enum status_code rc = solve_one(tasks, index, status);
+    if (def->solved)
+        def->solved(def->solved_context, work_of(def, tasks->fine && index == 0));
+    return rc;
 }
 
 /** Mean and standard error over `count` surfaces. */

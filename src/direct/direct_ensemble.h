@@ -25,10 +25,15 @@ struct direct_ensemble_def {
     const void *context;   /* its */
     const double *given_m; /* heights whose distribution the surfaces take; NULL: Gaussian */
     size_t given_count;
-    size_t seeds;                   /* 1 ... seeds */
-    unsigned threads;               /* 0: one a processor. The result does not depend on it */
-    const struct direct_team *team; /* that shares each grid; NULL: none, a thread has one to itself */
+    size_t seeds;                               /* 1 ... seeds */
+    unsigned threads;                           /* 0: one a processor. The result does not depend on it */
+    const struct direct_team *team;             /* that shares each grid; NULL: none, a thread has one to itself */
+    void (*solved)(void *context, double work); /* told after each surface, on its thread; NULL: nobody is */
+    void *solved_context;
 };
+
+/** What `solved` is told in all: points times loads. */
+double direct_ensemble_work(const struct direct_ensemble_def *def);
 
 /** A mean over seeds, corrected for the grid. */
 struct direct_mean {

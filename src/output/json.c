@@ -124,7 +124,7 @@ static json_t *scene_json(const struct results *results, const struct cell_guard
     set_all(json, guard, "loads_over_AnEp", results->loads, results->loads_apart ? 0 : results->load_count);
     if (scene->load.unit_text[0])
         json_object_set_new(json, "load_unit", string(scene->load.unit_text));
-    if (scene->operating.load > 0)
+    if (results->usable_count > 0)
         set(json, guard, "operating_load_over_AnEp", results_operating_load(results, results->baseline));
     if (scene->called & results->plan->running)
         json_object_set_new(json, "joint", joint_json(results, guard));

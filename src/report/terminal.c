@@ -17,19 +17,10 @@ static const char *cell(const json_t *row, const char *name, const char *part)
     return json_is_string(value) ? json_string_value(value) : "-";
 }
 
-/** Characters, not bytes: texts are UTF-8. */
-static int width_of(const char *string)
-{
-    int width = 0;
-    for (; *string; string++)
-        width += ((unsigned char)*string & 0xC0) != 0x80;
-    return width;
-}
-
 /** A text in `most` characters: of a longer one the middle is cut, as names often differ at their end. */
 static void put_cut(struct text *out, const char *string, int most)
 {
-    int width = width_of(string), at = 0;
+    int width = text_characters(string), at = 0;
     for (size_t bytes; *string; string += bytes, at++) {
         for (bytes = 1; ((unsigned char)string[bytes] & 0xC0) == 0x80; bytes++)
             ;
@@ -85,13 +76,13 @@ static void put_table(struct text *out, const json_t *view)
             const char *texts[COLUMNS];
             texts_of(texts, r > 0 ? json_array_get(rows, r - 1) : NULL, view, heads);
             for (int c = 0; c < COLUMNS && pass == 0; c++)
-                widths[c] = width_of(texts[c]) > widths[c] ? width_of(texts[c]) : widths[c];
+                widths[c] = text_characters(texts[c]) > widths[c] ? text_characters(texts[c]) : widths[c];
             if (pass == 0)
                 continue;
             put_cut(out, texts[0], widths[0]);
-            fill(out, widths[0] - width_of(texts[0]));
+            fill(out, widths[0] - text_characters(texts[0]));
             for (int c = 1; c < COLUMNS; c++) {
-                fill(out, 2 + widths[c] - width_of(texts[c]));
+                fill(out, 2 + widths[c] - text_characters(texts[c]));
                 text_add(out, "%s", texts[c]);
             }
             text_add(out, "\n");
@@ -101,31 +92,6 @@ static void put_table(struct text *out, const json_t *view)
             if (more > 0)
                 text_add(out, "… %lld more in data/surfaces.csv\n", (long long)more);
         }
-    }
-}
-
-/** Adds text with its lines broken at blanks to fit the width. */
-static void add_wrapped(struct text *out, const char *string)
-{
-    int at = 0;
-    while (*string) {
-        size_t length = strcspn(string, " \n");
-        char word[256];
-        snprintf(word, sizeof word, "%.*s", (int)length, string);
-        int width = width_of(word);
-        if (at > 0 && at + 1 + width > WIDTH) {
-            text_add(out, "\n");
-            at = 0;
-        }
-        text_add(out, at > 0 ? " " : "");
-        text_add_bytes(out, string, length);
-        at += (at > 0) + width;
-        string += length;
-        if (*string == '\n') {
-            text_add(out, "\n");
-            at = 0;
-        }
-        string += *string != '\0';
     }
 }
 
@@ -141,7 +107,7 @@ enum status_code report_terminal(struct text *out, const json_t *view, const cha
     text_add(out, "\n");
     struct text words = {0};
     enum status_code rc = mustache_file(&words, &folder, "terminal", view, as_it_is);
-    add_wrapped(out, text_string(&words));
+    text_add_wrapped(out, text_string(&words), WIDTH, 0);
     text_free(&words);
     mustache_folder_free(&folder);
     return rc;

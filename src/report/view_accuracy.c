@@ -37,11 +37,21 @@ static void put_tolerances(json_t *out, const struct view_source *source)
             put_seconds(item, "report", rest + cost->rows[i].seconds);
             view_flag(item, "used", &cost->rows[i] == own);
         }
+    const char *first = json_string_value(json_object_get(json_array_get(list, 0), "report"));
+    bool alike = first != NULL;
+    size_t i;
+    json_t *item;
+    json_array_foreach(list, i, item)
+    {
+        alike = alike && strcmp(first, json_string_value(json_object_get(item, "report"))) == 0;
+    }
+    if (alike)
+        view_text(out, "report_alike", first);
     view_separate(list);
     put_seconds(out, "before", cost->before);
     if (own && cost->before > 0)
         view_number(out, "share_percent", 100 * own->seconds / cost->before, 2, "");
-    for (size_t i = 0; i < cost->count; i++)
+    for (i = 0; i < cost->count; i++)
         if (cost->rows[i].chart == BENCHMARK_INTEGRALS && strcmp(cost->rows[i].method, "Simpson") == 0 &&
             strcmp(cost->rows[i].setting, "1000") == 0)
             view_number(out, "simpson_error", cost->rows[i].error, 2, "");
@@ -51,19 +61,22 @@ static void put_effects(json_t *out, const struct view_source *source)
 {
     struct effects_row rows[EFFECTS_ROWS];
     const struct results *results = source->results;
-    json_t *list = view_list(out, "effects");
+    json_t *list = view_list(out, "effects"), *skipped = NULL;
     effects_account(rows, results->plan, results->surfaces, results->surface_count, &results->studies);
     for (int r = 0; r < EFFECTS_ROWS; r++) {
         json_t *item = view_item(list);
         view_text(item, "name", rows[r].name);
         view_flag(item, "runs", rows[r].runs);
         view_text(item, "reason", rows[r].reason);
+        if (skipped && !rows[r].runs)
+            view_flag(skipped, "more_skipped", true);
+        skipped = rows[r].runs ? skipped : item;
         if (rows[r].evaluations > 0)
             view_number(item, "evaluations", (double)rows[r].evaluations, 3, "");
         if (results->benchmark && rows[r].runs && rows[r].seconds > 0)
             put_seconds(item, "time", rows[r].seconds);
     }
-    view_flag(out, "has_times", results->benchmark != NULL);
+    view_flag(out, "any_skipped", skipped != NULL);
 }
 
 /** Numbers that were limited, clamped or refused, and on which surface most. */

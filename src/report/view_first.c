@@ -229,7 +229,6 @@ static void put_beside(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
     size_t textbook = asked_textbook(results), baseline = results->baseline;
-    double error, load = results_operating_load(results, baseline);
     if (textbook < model_count && textbook != source->leading) {
         json_t *item = json_object();
         view_text(item, "label", model_rows[textbook]->label);
@@ -245,17 +244,16 @@ static void put_beside(json_t *out, const struct view_source *source)
     }
     enum quantity quantity =
         quantity_rows[source->asked.quantity].from ? results_criterion(results) : source->asked.quantity;
-    double direct = asked_direct(results, quantity, load, &error);
-    if (direct > 0) {
+    const struct asked_solved solved = asked_direct(results, quantity, results_operating_load(results, baseline));
+    if (solved.value > 0) {
         json_t *item = json_object();
         bool own = quantity == source->asked.quantity;
-        view_number(item, "value", own ? asked_shown(&source->asked, direct) : direct, 3,
+        view_number(item, "value", own ? asked_shown(&source->asked, solved.value) : solved.value, 3,
                     own ? source->asked.unit : quantity_rows[quantity].unit);
-        const struct contact_point at = comparison_middle(results, source->leading, baseline);
-        double ratio = at.value[quantity] / direct;
-        put_ratio(item, "ratio", own && source->asked.reciprocal ? 1 / ratio : ratio);
+        put_ratio(item, "ratio", own && source->asked.reciprocal ? 1 / solved.ratio : solved.ratio);
         view_text(item, "surface", view_name(source, baseline));
-        view_load(item, "load", source, baseline, load);
+        view_load(item, "load", source, baseline, solved.load);
+        view_flag(item, "here", solved.load == results_operating_load(results, baseline));
         json_object_set_new(out, "direct_answer", item);
     }
 }
@@ -296,10 +294,12 @@ static double of_model(const struct view_source *source, size_t surface)
     const struct results *results = source->results;
     enum quantity quantity = results_criterion(results);
     const struct contact_point own = comparison_middle(results, source->leading, surface);
-    double error, factor = NAN, load = results_operating_load(results, surface);
-    double direct = surface == results->baseline ? asked_direct(results, quantity, load, &error) : NAN;
-    if (direct > 0)
-        return own.value[quantity] / direct;
+    double factor = NAN, load = results_operating_load(results, surface);
+    if (surface == results->baseline && results->direct_count > 0)
+        factor = asked_direct(results, quantity, load).ratio;
+    if (factor > 0)
+        return factor;
+    factor = NAN;
     double sd = model_sd(model_rows[source->leading], quantity);
     if (sd > 0)
         return exp(1.96 * sd);
@@ -360,9 +360,9 @@ static void put_limits(json_t *out, const struct view_source *source)
         struct limit limit = {.name = limit_rows[r].name, .factor = farthest(source, limit_rows[r].factor)};
         char key[40];
         snprintf(key, sizeof key, "%s_factor", limit.name);
-        if (!(limit.factor >= 1))
-            continue;
         view_number(out, key, limit.factor, DIGITS, "");
+        if (!(limit.factor >= 1.05)) /* "×÷ 1.0" says nothing */
+            continue;
         size_t at = count++;
         for (; at > 0 && limit.factor > limits[at - 1].factor; at--)
             limits[at] = limits[at - 1];

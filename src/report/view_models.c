@@ -79,13 +79,15 @@ static void put_one_surface(json_t *out, const struct view_source *source)
             put_model(view_item(rows), source, m);
     size_t i;
     json_t *row;
-    bool invalid = false, above = false;
+    bool invalid = false, above = false, full = false;
     json_array_foreach(rows, i, row)
     {
         invalid = invalid || json_is_true(json_object_get(row, "invalid"));
         above = above || json_is_true(json_object_get(row, "above_hardness"));
+        full = full || json_object_get(row, "full_load");
     }
     view_flag(item, "any_invalid", invalid);
+    view_flag(item, "any_full", full);
     view_flag(item, "any_above_hardness", above);
     const struct material_pair *pair = results_pair(results, results->baseline);
     if (wants(source, QUANTITY_TCR_SCALE_DEPENDENT) && results->scene->mean_free_path == SCENE_MEAN_FREE_PATH_THESIS)
@@ -133,7 +135,10 @@ static void put_all_surfaces(json_t *out, const struct view_source *source)
     view_flag(item, "has_statistical", plan_uses_asperities(results->plan));
     view_count(item, "shown", results->shown_count);
     view_flag(item, "some_shown", results->shown_count < results->usable_count);
-    json_object_set_new(out, "all_surfaces", item);
+    if (results->usable_count > 1 || json_array_size(rows) > 0)
+        json_object_set_new(out, "all_surfaces", item);
+    else
+        json_decref(item);
 }
 
 void view_models(json_t *out, const struct view_source *source)

@@ -35,7 +35,8 @@ struct results {
     const struct direct_study *direct;        /* the surfaces solved directly; NULL: none */
     size_t direct_count;
     const double *convergence; /* the sweeps' area ratios, see results_sweep(); NULL when the effect is off */
-    size_t *shown;             /* indices of the surfaces the charts show: all usable ones up to 8, else spread by Rq */
+    size_t *shown;             /* indices of the surfaces the charts show: all usable ones up to 8, else the best, the
+                                  worst, the baseline and others evenly between, by the criterion */
     size_t shown_count;
     size_t *by_roughness; /* indices of all usable surfaces, smoothest first */
     size_t usable_count;

@@ -7,9 +7,9 @@ enum { KINDS = 64 }; /* of others every message is said */
 
 /** Notes that differ in nothing but their numbers and names. */
 struct kind {
-    size_t count;
-    const char *surface; /* the last that was said */
-    const struct note *note;
+    size_t surfaces;
+    const char *first, *last; /* of the surfaces */
+    const struct note *note;  /* of the first */
 };
 
 /** Where a message goes on behind digits and what stands between single quotes. */
@@ -42,27 +42,31 @@ static void say(struct text *messages, const char *surface, const char *what, co
     text_add(messages, "\n");
 }
 
-static void say_note(struct text *messages, const char *surface, const struct note *note)
+/** A note of a surface and so many more. */
+static void say_note(struct text *messages, const char *surface, size_t more, const struct note *note)
 {
     struct text line = {0};
+    char count[40] = "";
     note_line(&line, note);
-    say(messages, surface, "", text_string(&line));
+    if (more > 0)
+        snprintf(count, sizeof count, " and %zu more", more);
+    say(messages, surface, count, text_string(&line));
     text_free(&line);
 }
 
-/** Says a note, or counts it. */
-static void take(struct text *messages, struct kind kinds[KINDS], const char *surface, const struct note *note)
+/** Counts a note among those alike; false: there are too many kinds. */
+static bool take(struct kind kinds[KINDS], const char *surface, const struct note *note)
 {
     size_t k = 0;
     while (k < KINDS && kinds[k].note && !is_alike(kinds[k].note->what, note->what))
         k++;
-    if (k < KINDS && kinds[k].count++ >= MESSAGES_OF_A_KIND)
-        return;
-    say_note(messages, surface, note);
-    if (k < KINDS) {
-        kinds[k].surface = surface;
-        kinds[k].note = note;
-    }
+    if (k == KINDS)
+        return false;
+    if (!kinds[k].note)
+        kinds[k] = (struct kind){0, surface, NULL, note};
+    kinds[k].surfaces += kinds[k].last != surface;
+    kinds[k].last = surface;
+    return true;
 }
 
 size_t messages_add(struct text *messages, const struct results *results, bool reported)
@@ -79,18 +83,13 @@ size_t messages_add(struct text *messages, const struct results *results, bool r
             say(messages, name, " refused", summary->refusal);
         for (size_t n = 0; n < summary->notes.count; n++) {
             const struct note *note = &summary->notes.notes[n];
-            if (!reported || summary->refusal || note->refused_scan) /* of a refused surface the report has none */
-                say_note(messages, name, note);
-            else
-                take(messages, kinds, name, note);
+            bool alone = !reported || summary->refusal || note->refused_scan; /* in no report, or to be seen to */
+            if (alone || !take(kinds, name, note))
+                say_note(messages, name, 0, note);
         }
     }
-    for (size_t k = 0; k < KINDS; k++)
-        if (kinds[k].count > MESSAGES_OF_A_KIND) {
-            text_add(messages,
-                     "... and %zu more like this, all in results.json: ", kinds[k].count - MESSAGES_OF_A_KIND);
-            say_note(messages, kinds[k].surface, kinds[k].note);
-        }
+    for (size_t k = 0; k < KINDS && kinds[k].note; k++)
+        say_note(messages, kinds[k].first, kinds[k].surfaces - 1, kinds[k].note);
     return refused;
 }
 

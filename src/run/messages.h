@@ -5,10 +5,9 @@
 
 #include "run/prepare.h"
 
-enum { MESSAGES_OF_A_KIND = 20 };
-
-/** A line each; returns how many surfaces were refused. Where notes stand in a report too (`reported`), of those that
- * differ in nothing but numbers and names in quotes only the first MESSAGES_OF_A_KIND, and how many there are more. */
+/** A line each; returns how many surfaces were refused. Where notes stand in a report too (`reported`), those that
+ * differ in nothing but numbers and names in quotes are one line: the first surface's, with the number of the others.
+ */
 size_t messages_add(struct text *messages, const struct results *results, bool reported);
 
 /** How many scans were refused of surfaces, and of the counterface, that go on with their others; and numbers that came

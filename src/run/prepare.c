@@ -37,6 +37,36 @@ static int compare_roughness(const void *a, const void *b, void *context)
     return x < y ? -1 : x > y ? 1 : i < j ? -1 : 1;
 }
 
+/** The number that surfaces are compared by where the summary stands, less is better; infinite: none. */
+static double answer_of(const struct results *results, size_t surface)
+{
+    enum quantity criterion = results_criterion(results);
+    const struct curve_summary *leading =
+        surface_model(&results->surfaces[surface].summary, plan_leading_model(results->plan));
+    double value = leading->exists ? leading->operating.value[criterion] : NAN;
+    return isnan(value) ? INFINITY : criterion == QUANTITY_AREA ? -value : value;
+}
+
+static int compare_answers(const void *a, const void *b, void *context)
+{
+    const struct results *results = context;
+    double x = answer_of(results, *(const size_t *)a), y = answer_of(results, *(const size_t *)b);
+    return x < y ? -1 : x > y ? 1 : compare_roughness(a, b, results->surfaces);
+}
+
+/** Of too many surfaces the best, the worst, the baseline and others evenly between are shown, in that order. */
+static void choose_shown(struct results *results, size_t *order, size_t usable)
+{
+    qsort_r(order, usable, sizeof *order, compare_answers, results);
+    for (size_t k = 0; k < SHOWN_MOST; k++)
+        results->shown[k] = order[k * (usable - 1) / (SHOWN_MOST - 1)];
+    for (size_t i = 1; i + 1 < usable; i++)
+        if (order[i] == results->baseline) {
+            size_t k = (i * (SHOWN_MOST - 1) + (usable - 1) / 2) / (usable - 1);
+            results->shown[k < 1 ? 1 : k > SHOWN_MOST - 2 ? SHOWN_MOST - 2 : k] = results->baseline;
+        }
+}
+
 /** Ranks the usable surfaces and chooses which the charts show and which is the baseline. */
 static enum status_code rank_surfaces(struct results *results, struct status *status)
 {
@@ -55,13 +85,15 @@ static enum status_code rank_surfaces(struct results *results, struct status *st
     results->shown_count = usable < SHOWN_MOST ? usable : SHOWN_MOST;
     memcpy(results->shown, order, results->shown_count * sizeof *order);
     qsort_r(order, usable, sizeof *order, compare_roughness, results->surfaces);
-    for (size_t k = 0; usable > SHOWN_MOST && k < SHOWN_MOST; k++) /* from smoothest to roughest, evenly */
-        results->shown[k] = order[k * (usable - 1) / (SHOWN_MOST - 1)];
     results->baseline = order[usable > 1 ? 1 : 0];
     if (baseline)
         for (size_t i = 0; i < usable; i++)
             if (strcmp(results->surfaces[order[i]].summary.scene->name, baseline) == 0)
                 results->baseline = order[i];
+    if (usable > SHOWN_MOST) {
+        choose_shown(results, order, usable);
+        qsort_r(order, usable, sizeof *order, compare_roughness, results->surfaces);
+    }
     return STATUS_OK;
 }
 
@@ -72,7 +104,14 @@ bool prepare_solves(const struct results *results, size_t index)
     return called && summary->usable && summary->direct && summary->direct->possible;
 }
 
-/** "256 x 256 points, 12 surfaces, 13 loads, about 9e3 convolutions, 5 s of one core". */
+/** Rounded to two digits. */
+static double two_digits(double value)
+{
+    double unit = value > 0 ? pow(10, floor(log10(value)) - 1) : 1;
+    return round(value / unit) * unit;
+}
+
+/** "256 x 256 points, 12 surfaces, 13 loads, about 9000 convolutions, 5 s of one core". */
 static void describe_direct(struct text *out, const struct direct_plan *plan)
 {
     text_add(out, "%zu x %zu points, ", plan->grid, plan->grid);
@@ -81,8 +120,8 @@ static void describe_direct(struct text *out, const struct direct_plan *plan)
     else
         text_add(out, "%zu surface%s%s, ", plan->seeds, plan->seeds == 1 ? "" : "s",
                  plan->fine_times > 1 ? " and a finer grid" : "");
-    text_add(out, "%zu load%s: about %.2g convolutions, %.2g s of one core", plan->loads, plan->loads == 1 ? "" : "s",
-             plan->convolutions, plan->seconds);
+    text_add(out, "%zu load%s: about %.10g convolutions, %.10g s of one core", plan->loads, plan->loads == 1 ? "" : "s",
+             two_digits(plan->convolutions), two_digits(plan->seconds));
     if (plan->of_spacing) /* else the scene says what the surface is */
         text_add(out, ", down to waves of four spacings, for want of a lambda_s: true at this resolution%s",
                  plan->law.gamma > 0 && plan->law.gamma < 1.5 ? ", its area falling with lambda_s" : "");
@@ -130,8 +169,8 @@ static void plan_direct(struct plan *plan, const struct results *results)
             text_add(&reason, ", more than the budget of %g s, which nothing fits", budget_s);
         else if (first->more_seconds > 0)
             text_add(&reason,
-                     " of the budget of %g s; the next better (%zu x %zu points, %zu surfaces) would take %.2g s",
-                     budget_s, first->more_grid, first->more_grid, first->more_seeds, first->more_seconds);
+                     " of the budget of %g s; the next better (%zu x %zu points, %zu surfaces) would take %.10g s",
+                     budget_s, first->more_grid, first->more_grid, first->more_seeds, two_digits(first->more_seconds));
     }
     snprintf(effect->reason, sizeof effect->reason, "%s", text_string(&reason));
     text_free(&reason);
@@ -170,6 +209,7 @@ struct surfaces {
     const struct run_options *options;
     struct curve_tables *tables;
     bool describe_only;
+    size_t described; /* 1 + the surface that is described already; 0: none */
     size_t done;
     pthread_mutex_t lock;
 };
@@ -185,6 +225,7 @@ static struct evaluate_task task_of(const struct surfaces *all, size_t index)
                                   .load_count = results->load_count,
                                   .stop = all->options->stop,
                                   .describe_only = all->describe_only,
+                                  .described = all->described == index + 1,
                                   .keep_scans = results->scene->measured.file != NULL};
 }
 
@@ -201,9 +242,101 @@ static enum status_code run_surface(void *context, size_t index, struct threads_
         surface_drop_arrays(record);
     if (all->options->progress) {
         pthread_mutex_lock(&all->lock);
-        all->options->progress(++all->done, results->surface_count, results->scene->surfaces[index].name);
+        all->options->progress("models of", results->scene->surfaces[index].name, (double)++all->done,
+                               (double)results->surface_count);
         pthread_mutex_unlock(&all->lock);
     }
+    return rc;
+}
+
+static enum status_code describe_one(void *context, size_t index, struct threads_turn *turn, struct status *status)
+{
+    const struct surfaces *all = context;
+    const struct results *results = &all->prepared->results;
+    (void)turn;
+    enum status_code rc = describe_surface(&results->surfaces[index], results->scene, &results->scene->surfaces[index],
+                                           all->prepared->counterface, status);
+    surface_drop_arrays(&results->surfaces[index]);
+    return rc;
+}
+
+/** The place among the loads next to the geometric middle of those at which A/A_n is 0.1 to 10 % on a surface, by the
+ * leading model, or what it has of Gaussian heights; the load nearest to 1 % where none is between. */
+static enum status_code middle_place(size_t *place, struct surface_record *record, const struct prepared *prepared,
+                                     size_t surface, struct status *status)
+{
+    const double least = 1e-3, most = 0.1, *loads = results_loads(&prepared->results, surface);
+    const struct model_row *row = model_rows[plan_leading_model(&prepared->allowed)];
+    size_t count = prepared->results.load_count;
+    struct model_task task = surface_model_task(record, prepared->results.scene, &prepared->allowed, loads, count);
+    struct model_curve curve = {.points = calloc(count + 1, sizeof *curve.points)};
+    enum status_code rc = curve.points ? STATUS_OK : status_memory(status);
+    task.wanted &= QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA);
+    if (rc == STATUS_OK)
+        rc = ensemble_curve(&curve, NULL, &record->ensemble, row->gaussian ? row->gaussian : row, &task, status);
+    double first = NAN, last = NAN, middle, nearest = INFINITY;
+    for (size_t i = 0; rc == STATUS_OK && curve.exists && i < curve.count; i++) {
+        double area = curve.points[i].value[QUANTITY_AREA], load = curve.points[i].value[QUANTITY_LOAD];
+        if (area < least || area > most)
+            continue;
+        first = isnan(first) ? load : first;
+        last = load;
+    }
+    middle = sqrt(first) * sqrt(last);
+    for (size_t i = 0; rc == STATUS_OK && curve.exists && i < curve.count && i < count; i++) {
+        double off = fabs(isnan(middle) ? log(curve.points[i].value[QUANTITY_AREA] / sqrt(least * most))
+                                        : log(loads[i] / middle));
+        if (off < nearest) {
+            nearest = off;
+            *place = i;
+        }
+    }
+    free(curve.points);
+    return rc;
+}
+
+/** The baseline, before any model runs: the scene's, the only one, or by roughness. Of more surfaces than that it is
+ * sought among the first hundred. */
+static enum status_code find_baseline(size_t *baseline, struct surfaces *all, const struct threads *threads,
+                                      struct status *status)
+{
+    enum { MOST = 100 };
+    struct results *results = &all->prepared->results;
+    const struct scene *scene = results->scene;
+    size_t count = scene->surface_count < MOST ? scene->surface_count : MOST;
+    *baseline = 0;
+    for (size_t i = 0; i < scene->surface_count && scene->baseline; i++)
+        if (strcmp(scene->surfaces[i].name, scene->baseline) == 0)
+            *baseline = i;
+    if (scene->baseline || count == 1)
+        return STATUS_OK;
+    enum status_code rc = threads_run(threads, count, describe_one, all, status);
+    if (rc == STATUS_OK)
+        rc = rank_surfaces(results, status);
+    for (size_t i = 0; i < count; i++)
+        surface_record_free(&results->surfaces[i]);
+    free(results->by_roughness);
+    results->by_roughness = NULL;
+    results->usable_count = 0;
+    *baseline = results->baseline;
+    return rc;
+}
+
+/** Where the summary stands if the scene does not say: the baseline is described for it, and stays so. */
+static enum status_code choose_operating_load(struct surfaces *all, const struct threads *threads,
+                                              struct status *status)
+{
+    struct prepared *prepared = all->prepared;
+    const struct scene *scene = prepared->results.scene;
+    size_t baseline, place = prepared->allowed.operating_place - 1;
+    if (find_baseline(&baseline, all, threads, status) != STATUS_OK)
+        return status->code;
+    struct surface_record *record = &prepared->results.surfaces[baseline];
+    enum status_code rc = describe_surface(record, scene, &scene->surfaces[baseline], prepared->counterface, status);
+    if (rc == STATUS_OK && record->summary.usable)
+        rc = middle_place(&place, record, prepared, baseline, status);
+    prepared->allowed.operating_place = place + 1;
+    all->described = baseline + 1;
     return rc;
 }
 
@@ -211,6 +344,7 @@ static enum status_code run_surface(void *context, size_t index, struct threads_
 static enum status_code run_shown(struct surfaces *all, struct status *status)
 {
     struct results *results = &all->prepared->results;
+    all->described = 0;
     for (size_t k = 0; k < results->shown_count + 1 && results->usable_count > 0; k++) {
         size_t index = k < results->shown_count ? results->shown[k] : results->baseline;
         const struct evaluate_task task = task_of(all, index);
@@ -238,15 +372,17 @@ enum status_code prepare(struct prepared *out, const struct scene *scene, const 
         return status_memory(status);
     if (make_loads(out, scene, status) != STATUS_OK || read_counterface(out, scene, status) != STATUS_OK)
         return status->code;
+    const struct threads threads = {.jobs = options->jobs, .stop = options->stop};
+    struct surfaces all = {
+        .prepared = out, .options = options, .describe_only = describe_only, .lock = PTHREAD_MUTEX_INITIALIZER};
+    if (scene->operating.load == 0 && choose_operating_load(&all, &threads, status) != STATUS_OK)
+        return status->code;
     struct curve_tables *tables = NULL;
     if (curves && curve_tables_open(&tables, results, &out->allowed, curves, status) != STATUS_OK)
         return curve_tables_close(tables, status);
-    const struct threads threads = {.jobs = options->jobs, .stop = options->stop};
-    struct surfaces all = {.prepared = out,
-                           .options = options,
-                           .tables = tables,
-                           .describe_only = describe_only,
-                           .lock = PTHREAD_MUTEX_INITIALIZER};
+    all.tables = tables;
+    if (options->progress)
+        options->progress("models of", scene->surfaces[0].name, 0, (double)scene->surface_count);
     enum status_code rc = threads_run(&threads, scene->surface_count, run_surface, &all, status);
     pthread_mutex_destroy(&all.lock);
     if (curve_tables_close(tables, status) != STATUS_OK)
@@ -282,6 +418,7 @@ void prepared_free(struct prepared *prepared)
 
 uint64_t prepare_table(struct text *out, const struct results *results, bool done)
 {
+    enum { WIDTH = 80, INDENT = 26 };
     uint64_t evaluations = 0;
     struct effects_row rows[EFFECTS_ROWS];
     effects_account(rows, results->plan, results->surfaces, results->surface_count, &results->studies);
@@ -290,9 +427,13 @@ uint64_t prepare_table(struct text *out, const struct results *results, bool don
         text_add(out, "%-16s %-8s", rows[r].name, rows[r].runs ? "run" : "skipped");
         if (done)
             text_add(out, " %12llu %10.4f", (unsigned long long)rows[r].evaluations, rows[r].seconds);
+        struct text why = {0};
+        text_add_shown(&why, rows[r].reason); /* may name a surface */
+        text_add(&why, "%s%s", rows[r].runs && rows[r].method[0] ? "; " : "", rows[r].method);
         text_add(out, "  ");
-        text_add_shown(out, rows[r].reason); /* may name a surface */
-        text_add(out, "%s%s\n", rows[r].runs ? "; " : "", rows[r].method);
+        text_add_wrapped(out, text_string(&why), done ? 1 << 20 : WIDTH, INDENT);
+        text_add(out, "\n");
+        text_free(&why);
         evaluations += rows[r].evaluations;
     }
     return evaluations;

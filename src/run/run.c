@@ -91,6 +91,23 @@ static enum status_code run_measured(struct run *run, struct status *status)
     return measured_answer(&run->answers, results->measured, models, &task, &joint, &baseline->ensemble, status);
 }
 
+/** How far one of them is. */
+struct direct_progress {
+    const struct run_options *options;
+    const char *surface;
+    double done;
+    pthread_mutex_t lock;
+};
+
+static void add_progress(void *context, double work, double all)
+{
+    struct direct_progress *progress = context;
+    pthread_mutex_lock(&progress->lock);
+    progress->done += work;
+    progress->options->progress("direct solution of", progress->surface, progress->done, all);
+    pthread_mutex_unlock(&progress->lock);
+}
+
 /** The direct solutions that the plan calls for, one surface after another, each on all threads. */
 static enum status_code run_direct(struct run *run, struct status *status)
 {
@@ -102,6 +119,9 @@ static enum status_code run_direct(struct run *run, struct status *status)
         if (!prepare_solves(results, i))
             continue;
         const struct surface_record *record = &results->surfaces[i];
+        struct direct_progress progress = {run->options, record->summary.scene->name, 0, PTHREAD_MUTEX_INITIALIZER};
+        if (run->options->progress)
+            run->options->progress("direct solution of", progress.surface, 0, 1);
         const struct direct_study_task task = {.surface = record,
                                                .index = i,
                                                .scene = results->scene,
@@ -109,10 +129,14 @@ static enum status_code run_direct(struct run *run, struct status *status)
                                                .threads = run->options->jobs,
                                                .team = run->options->team,
                                                .stop = run->options->stop,
-                                               .efforts = !run->options->no_cost && i == results->baseline};
+                                               .efforts = !run->options->no_cost && i == results->baseline,
+                                               .progress = run->options->progress ? add_progress : NULL,
+                                               .progress_context = &progress};
         struct direct_study *study = &run->direct[results->direct_count];
         struct status problem = {0};
         enum status_code rc = direct_study_run(study, &task, &problem);
+        if (run->options->progress)
+            run->options->progress("direct solution of", progress.surface, 1, 1);
         if (rc == STATUS_MODEL) { /* no number then; the models' curves stand */
             direct_study_free(study);
             direct_plan_give_up(record->summary.direct, problem.message);

@@ -21,8 +21,9 @@ struct run_options {
     unsigned jobs;                  /* threads; 0: one a processor */
     const struct direct_team *team; /* processes that share each direct solution; NULL: this one alone */
     const atomic_bool *stop;        /* becomes true when the run is to end early; NULL: never */
-    void (*progress)(size_t done, size_t total,
-                     const char *name); /* NULL: none; called from several threads, one at a time */
+    /** How much of a stage's work is done, 0 as it begins, and the name of what it is done to. NULL: nobody asks;
+     * called from several threads, one at a time. */
+    void (*progress)(const char *stage, const char *name, double done, double all);
 };
 
 /** Wall time by stage [s], the threads' own stages summed. */

@@ -6,7 +6,7 @@ set encoding utf8
 set datafile separator comma
 set output '{{name}}.txt'
 {{#panels}}
-unset logscale
+unset logscale; set autoscale
 {{#log_x}}
 set logscale x
 {{/log_x}}

@@ -11,7 +11,7 @@ set multiplot
 
 set lmargin at screen {{left}}; set rmargin at screen {{right}}
 set tmargin at screen {{top}}; set bmargin at screen {{bottom}}
-unset logscale; unset arrow; unset label
+unset logscale; unset arrow; unset label; set autoscale
 {{#log_x}}
 set logscale x
 {{/log_x}}
@@ -22,7 +22,7 @@ set xrange [{{x_low}}:{{x_high}}]; set yrange [{{y_low}}:{{y_high}}]
 set xtics nomirror offset 0,0.45 ({{#x_ticks}}'{{label}}' {{at}}{{#more}}, {{/more}}{{/x_ticks}})
 set ytics nomirror ({{#y_ticks}}'{{^bare}}{{label}}{{/bare}}' {{at}}{{#more}}, {{/more}}{{/y_ticks}})
 set xlabel '{{x_label}}' offset 0,0.9
-set ylabel '{{y_label}}' offset 1,0
+set ylabel '{{y_label}}' offset 0.4,0
 set label '{{title}}' at graph 0, screen {{title_y}} left
 {{#marks}}
 {{#vertical}}
@@ -40,11 +40,11 @@ plot {{#curves}}'{{name}}.csv' index {{index}} {{#line}}using 1:2 with lines lc 
 {{#has_legend}}
 
 # The legend
-set lmargin at screen 0; set rmargin at screen 1; set bmargin at screen 0; set tmargin at screen {{legend_top}}
+set lmargin at screen 0; set rmargin at screen 1; set bmargin at screen 0; set tmargin at screen {{legend_y}}
 unset logscale; unset arrow; unset label; unset border; unset tics; unset xlabel; unset ylabel
 set xrange [0:1]; set yrange [0:1]
-set key at screen 0.5, {{legend_top}} center top horizontal Left reverse maxcols {{legend_columns}} samplen 2.5
-plot {{#legend}}2 {{#line}}with lines lc rgb '{{colour}}' lw {{width}} dt {{dash}}{{/line}}{{^drawn_lines}}with points lc rgb '{{colour}}' pt {{marker}}{{/drawn_lines}} title '{{title}}'{{#more_entries}}, \
+set key at screen {{legend_x}}, {{legend_y}} {{#legend_beside}}left{{/legend_beside}}{{^legend_beside}}center{{/legend_beside}} top horizontal Left reverse maxcols {{legend_columns}} samplen 2
+plot {{#legend}}2 {{#line}}with lines lc rgb '{{colour}}' lw {{width}} dt {{dash}}{{/line}}{{#band}}with lines lc rgb '#dcdcdc' lw 8{{/band}}{{^drawn_lines}}with points lc rgb '{{colour}}' pt {{marker}}{{/drawn_lines}} title '{{title}}'{{#more_entries}}, \
  {{/more_entries}}{{/legend}}
 {{/has_legend}}
 unset multiplot

@@ -122,7 +122,7 @@ static const struct {
 TEST_CASE(axes_have_few_tics_with_plain_numbers)
 {
     for (size_t i = 0; i + 1 < sizeof axes / sizeof *axes; i++) {
-        struct chart chart = chart_make("chart", "panels");
+        struct chart chart = chart_make("chart");
         const double points[][2] = {{axes[i].low, 1}, {axes[i].high, 2}};
         chart_panel(&chart, "", "x", "y", axes[i].logarithmic, false);
         line(&chart, "one", points, 2);
@@ -135,7 +135,7 @@ TEST_CASE(axes_have_few_tics_with_plain_numbers)
 
 TEST_CASE(what_an_axis_cannot_show_is_left_out)
 {
-    struct chart chart = chart_make("chart", "panels");
+    struct chart chart = chart_make("chart");
     const double points[][2] = {{0, 1}, {1, 0}, {1, NAN}, {INFINITY, 1}, {10, -2}}, seen[][2] = {{2, 3}, {4, 5}};
     chart_panel(&chart, "", "x", "y", true, true);
     line(&chart, "nothing of this", points, 5);
@@ -145,7 +145,7 @@ TEST_CASE(what_an_axis_cannot_show_is_left_out)
     assert_int_equal(chart.blocks, 1);
     assert_true(chart_has_data(&chart));
     chart_free(&chart);
-    chart = chart_make("empty", "panels");
+    chart = chart_make("empty");
     chart_panel(&chart, "", "x", "y", true, true);
     assert_false(chart_has_data(&chart));
     chart_free(&chart);
@@ -153,7 +153,7 @@ TEST_CASE(what_an_axis_cannot_show_is_left_out)
 
 PLACED(every_kind_is_drawn_where_it_should)
 {
-    struct chart chart = chart_make("kinds", "panels");
+    struct chart chart = chart_make("kinds");
     const double straight[][2] = {{1, 1}, {10, 10}};
     for (int p = 0; p < 5; p++) {
         chart_panel(&chart, p == 0 ? "one" : "other", "x (m)", "y", true, true);
@@ -181,7 +181,7 @@ PLACED(every_kind_is_drawn_where_it_should)
 
 PLACED(panels_that_share_their_axes_have_one_range)
 {
-    struct chart chart = chart_make("shared", "panels");
+    struct chart chart = chart_make("shared");
     const double low[][2] = {{1, 1}, {2, 2}}, high[][2] = {{100, 5}, {200, 8}};
     chart.shares = true;
     chart_panel(&chart, "", "x", "y", true, false);
@@ -208,7 +208,7 @@ PLACED(hostile_names_mean_nothing)
                                         "a]]><script>alert(1)</script>",
                                         "γ_{x}^2 {/Bold b}",
                                         "line\nbreak \x1b[31m \xff"};
-    struct chart chart = chart_make("hostile", "panels");
+    struct chart chart = chart_make("hostile");
     const double points[][2] = {{1, 1}, {2, 2}};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         chart_panel(&chart, names[i], names[i], names[i], false, false);
@@ -226,15 +226,15 @@ PLACED(hostile_names_mean_nothing)
 
 TEST_CASE(a_script_that_is_not_there_is_an_error)
 {
-    struct chart chart = chart_make("chart", "no-such-script");
+    struct chart chart = chart_make("chart");
     struct text path = {0}, out = {0};
     struct status status = {0};
     const double points[][2] = {{1, 1}, {2, 2}};
-    struct mustache_folder folder = templates(&path, &status);
+    struct mustache_folder folder = chart_templates(&path, "/no-such-folder", &status);
     chart_panel(&chart, "", "x", "y", false, false);
     line(&chart, "one", points, 2);
     assert_int_equal(chart_script(&out, &chart, &folder, NULL), STATUS_IO);
-    assert_non_null(strstr(status.message, "no-such-script.gp"));
+    assert_non_null(strstr(status.message, "/no-such-folder/charts/panels.gp"));
     mustache_folder_free(&folder);
     text_free(&path);
     text_free(&out);

@@ -122,6 +122,17 @@ void process_free(struct process *process)
     *process = (struct process){0};
 }
 
+void process_unwrap(struct process *process)
+{
+    char *to = process->out;
+    for (const char *from = process->out; *from;) {
+        size_t blanks = *from == '\n' ? strspn(from + 1, " ") : 0;
+        *to++ = blanks >= 10 ? ' ' : *from;
+        from += blanks >= 10 ? blanks + 1 : 1;
+    }
+    *to = '\0';
+}
+
 static void complain(const struct process *process, const char *what, const char *file, int line)
 {
     print_error("%s; status %d, stdout:\n%.2000s\nstderr:\n%.4000s\n", what, process->status, process->out,

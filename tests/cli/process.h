@@ -43,6 +43,8 @@ int workspace_remove(void **state);
 struct process_running process_start_list(const char *place, const char *const *arguments, const char *output);
 struct process process_end(struct process_running running);
 void process_free(struct process *process);
+/** Joins lines of stdout that were broken to fit a terminal. */
+void process_unwrap(struct process *process);
 
 /** Runs the program and fails the test unless it exits with `status`; its result is to be freed. */
 #define expect_exit(place, status, ...) process_expect(process_run(place, __VA_ARGS__), status, __FILE__, __LINE__)

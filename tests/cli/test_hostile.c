@@ -191,7 +191,7 @@ TEST_IN_WORKSPACE(test_drawings)
     expect_failure(place, 3, 1, "'baseline' is '</title></svg><:table>', no surface's name", "report", "d");
     workspace_write(place, "d/scene.yaml", "material: tin\nbaseline: \"a|b\"\neffects: [plasticity]\n");
     run_to_exit(place, 0, "report", "d");
-    static const char *const figures[] = {"answer", "profiles", "area", "spectra"};
+    static const char *const figures[] = {"answer", "surfaces", "area", "models"};
     for (size_t i = 0; i < sizeof figures / sizeof *figures; i++) {
         char path[64];
         snprintf(path, sizeof path, "out/d/figures/%s.svg", figures[i]);

@@ -94,6 +94,38 @@ TEST_IN_WORKSPACE(manual_and_completion_have_every_option)
     free(manual);
 }
 
+/** docs/scene.md has a line for every key that the program knows, and for no other. */
+TEST_IN_WORKSPACE(the_scenes_page_has_every_key)
+{
+    char *page = workspace_read(PROJECT_SOURCE, "docs/scene.md"), *end = strstr(page, "\n```\n");
+    struct text known = {0}, shown = {0};
+    workspace_write(place, "d/scene.yaml", "foo: 1\n");
+    struct process process = expect_exit(place, 3, "plan", "d");
+    text_add(&known, " %s", strstr(process.err, "allowed: ") + strlen("allowed: "));
+    text_add(&shown, " ");
+    assert_non_null(end);
+    *end = '\0';
+    for (const char *line = strstr(page, "```yaml\n"); line; line = strchr(line + 1, '\n')) {
+        const char *key = line + 1 + (strncmp(line, "\n# ", 3) == 0 ? 2 : 0);
+        int length = (int)strspn(key, "abcdefghijklmnopqrstuvwxyz_");
+        if (*line == '\n' && length > 0 && key[length] == ':')
+            text_add(&shown, "%.*s, ", length, key);
+    }
+    for (int both = 0; both < 2; both++) /* each of either is in the other */
+        for (const char *at = text_string(both ? &known : &shown); *(at += strspn(at, ", \n"));) {
+            char key[64];
+            int length = (int)strcspn(at, ",\n");
+            snprintf(key, sizeof key, " %.*s%s", length, at, both ? "," : "");
+            if (!strstr(text_string(both ? &shown : &known), key))
+                fail_msg("%s has no%s", both ? "docs/scene.md" : "the program", key);
+            at += length;
+        }
+    text_free(&known);
+    text_free(&shown);
+    process_free(&process);
+    free(page);
+}
+
 /** The keys of a scene are those that the program names when it knows one not, in the same order. */
 TEST_IN_WORKSPACE(manual_has_every_key)
 {

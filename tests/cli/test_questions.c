@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What people ask, each answered on the first page of a scene that asks it: the value stands there, and is the data's.
  */
+#include "base/program.h"
+#include "base/text.h"
 #include "cli/process.h"
 
 #include <jansson.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 /** The first page of a report. To be freed. */
 static char *first_page(const char *place, const char *out)
@@ -42,6 +45,20 @@ static void says(const char *place, const char *out, const char *page, const cha
     expect_part(page, text);
 }
 
+/** All that is to be read in a drawing. */
+static struct text words_of_svg(const char *place, const char *path)
+{
+    char *svg = workspace_read(place, path);
+    struct text out = {0};
+    for (const char *at = strstr(svg, "<path"); at && (at = strchr(at, '>'));) {
+        size_t length = strcspn(++at, "<");
+        if (strspn(at, " \t\r\n") < length)
+            text_add(&out, "%.*s\n", (int)length, at);
+    }
+    free(svg);
+    return out;
+}
+
 /** Newtons for 1 mohm; does my measurement agree; the textbook; best and significant; longer or finer scan. */
 TEST_IN_WORKSPACE(a_connector)
 {
@@ -56,6 +73,12 @@ TEST_IN_WORKSPACE(a_connector)
     expect_part(page, "They do not differ significantly (p = ");
     expect_part(page, "Least certain: ");
     expect_part(page, "scan length ×÷ "); /* or the spacing, whichever matters */
+    struct text drawn = words_of_svg(place, "out/figures/answer.svg"),
+                kept = words_of_svg(PROJECT_SOURCE, "surfaces/picture.svg");
+    assert_true(drawn.length > 100);
+    assert_string_equal(text_string(&kept), text_string(&drawn)); /* surfaces/make.sh draws the README's anew */
+    text_free(&drawn);
+    text_free(&kept);
     free(page);
 }
 
@@ -122,4 +145,82 @@ TEST_IN_WORKSPACE(how_far_off)
     says(place, "out", page, "direct_answer", "value");
     expect_no_part(page, "let a direct solution run");
     free(page);
+}
+
+/** What a reader has to go through. */
+struct size {
+    size_t words, tables, figures, columns; /* words outside tables, captions, headings; columns: most of a table */
+};
+
+static struct size size_of(const char *text)
+{
+    struct size out = {0};
+    for (const char *line = text; *line; line += strcspn(line, "\n"), line += *line == '\n') {
+        size_t length = strcspn(line, "\n"), columns = 0;
+        out.tables += strncmp(line, "|---", 4) == 0;
+        out.figures += strncmp(line, "![", 2) == 0;
+        for (size_t i = 0; i < length && *line == '|'; i++)
+            columns += line[i] == '|';
+        out.columns = columns > out.columns + 1 ? columns - 1 : out.columns;
+        for (size_t i = 0; i < length && !strchr("|!#", *line) && strncmp(line, "**Table", 7) != 0; i++)
+            out.words += line[i] != ' ' && (i == 0 || line[i - 1] == ' ');
+    }
+    return out;
+}
+
+/** Sheets of A4 that a browser prints the report on. */
+static size_t sheets_of(const char *place)
+{
+    static const char mark[] = "/Type /Page";
+    char to[4200], from[4200];
+    snprintf(to, sizeof to, "--print-to-pdf=%s/out.pdf", place);
+    snprintf(from, sizeof from, "file://%s/out/report.html", place);
+    const char *const print[] = {
+        "chromium", "--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer", to, from, NULL};
+    run_list(place, print);
+    struct text pdf = {0};
+    struct status status = {0};
+    snprintf(to, sizeof to, "%s/out.pdf", place);
+    assert_int_equal(text_read_file(&pdf, to, &status), STATUS_OK);
+    size_t sheets = 0;
+    for (size_t i = 0; i + sizeof mark < pdf.length; i++)
+        sheets += memcmp(pdf.data + i, mark, sizeof mark - 1) == 0 && pdf.data[i + sizeof mark - 1] != 's';
+    text_free(&pdf);
+    return sheets;
+}
+
+/** A report is read in two minutes: its first page, and all of it, also on paper where a browser is there to print. */
+TEST_IN_WORKSPACE(no_longer_than_that)
+{
+    static const char *const runs[][2] = {
+        {"chapter6", NULL},
+        {"chapter6", "plasticity,separation,electrical,thermal,scale-dependent,convergence"},
+        {"connector", NULL},
+        {"thermal-interface", NULL}};
+    char program[4096], directory[4200];
+    bool prints = program_find(program, sizeof program, "chromium");
+    for (size_t k = 0; k < sizeof runs / sizeof *runs; k++) {
+        snprintf(directory, sizeof directory, PROJECT_SOURCE "/surfaces/%s", runs[k][0]);
+        if (runs[k][1])
+            run_to_exit(place, 0, "report", directory, "-o", "out", "-e", runs[k][1]);
+        else
+            run_to_exit(place, 0, "report", directory, "-o", "out");
+        char *whole = workspace_read(place, "out/report.md"), *first = first_page(place, "out");
+        const struct size all = size_of(whole), page = size_of(first);
+        assert_in_range(all.words, 300, 1000);
+        assert_in_range(all.figures, 5, 12);
+        assert_in_range(all.tables, 3, 6);
+        assert_in_range(page.words, 20, 120);
+        assert_in_range(page.columns, 4, 7);
+        assert_int_equal(page.tables, 1);
+        assert_int_equal(page.figures, 2);
+        size_t factors = 0;
+        for (const char *at = first; (at = strstr(at, "×÷ ")); at++)
+            factors++;
+        assert_in_range(factors, 1, 3);
+        if (prints)
+            assert_in_range(sheets_of(place), 3, 6);
+        free(whole);
+        free(first);
+    }
 }

@@ -61,6 +61,7 @@ TEST_IN_WORKSPACE(test_real_scans)
 TEST_IN_WORKSPACE(test_overrides)
 {
     workspace_scan(place, "d/a.csv", 200, 1);
+    workspace_scan(place, "d/b.csv", 200, 2);
     workspace_write(place, "d/scene.yaml", "material: tin\neffects: [thermal]\ntolerance: 1e-8\n");
     run_to_exit(place, 0, "report", "d");
     expect_in_file(place, "out/d/data/contact.csv", "tcr_K_m2_per_W");
@@ -163,6 +164,27 @@ TEST_IN_WORKSPACE(test_terminal)
     process_free(&process);
 }
 
+/** On a terminal, one that `script` makes, a line says how far a long stage is; it is gone at the end. */
+TEST_IN_WORKSPACE(test_progress)
+{
+    static const char *const run[] = {"script", "-qec", PROGRAM " report d -e direct -m tin --no-cost", "typescript",
+                                      NULL};
+    workspace_scan(place, "d/a.csv", 160, 1);
+    workspace_write(place, "d/scene.yaml",
+                    "load: {from: 1e-4, to: 1e-2, points: 5}\n"
+                    "direct: {grid: 64, seeds: 4, loads: 3}\n");
+    run_list(place, run);
+    char *seen = workspace_read(place, "typescript");
+    expect_parts(seen, "\r\033[Kmodels of a: 0 %", "\r\033[Kdirect solution of a: 0 %", " s left\r\033[K");
+    double before = -1; /* it grows, and ends before it is full */
+    for (const char *at = seen; (at = strstr(at, "direct solution of a: ")); before = strtod(at, NULL)) {
+        at += strlen("direct solution of a: ");
+        assert_true(strtod(at, NULL) > before && strtod(at, NULL) < 100);
+    }
+    assert_true(before > 50);
+    free(seen);
+}
+
 /** Nothing has a column for a model that did not run. */
 TEST_IN_WORKSPACE(test_table)
 {
@@ -224,7 +246,7 @@ TEST_IN_WORKSPACE(test_measured)
     snprintf(text, sizeof text, scene, "measured: {file: ecr.csv}\n");
     workspace_write(place, "d/scene.yaml", text);
     run_to_exit(place, 0, "report", "d", "--no-cost");
-    expect_in_file(place, "out/d/report.md", "GW is nearest to the 6 points measured on *a*", "GW 2.00, 0.500",
+    expect_in_file(place, "out/d/report.md", "GW is nearest to the 6 points measured on *a*", "GW 0.500, ×÷ 2.00",
                    "](figures/measured.svg)");
     char *data = workspace_read(place, "out/d/figures/answer.csv");
     char *rest = strstr(data, "# measured, loading\n"), *back = strstr(data, "# measured, unloading\n");

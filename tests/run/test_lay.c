@@ -13,7 +13,7 @@ static void run_scene(const struct directory *place, const char *out, const char
     struct text text = {0};
     text_add(&text,
              "material: tin\nhardness: 20 GPa\neffects: [plasticity, separation, electrical, uncertainty]\nload: "
-             "{from: 1e-5, to: 1e-1, points: 9}\nsurfaces: [{name: s, file: %s%s}]\n%s",
+             "{from: 1e-5, to: 1e-1, points: 9}\noperating_load: 1e-3\nsurfaces: [{name: s, file: %s%s}]\n%s",
              files, keys, more);
     directory_write(place, "in/scene.yaml", text_string(&text));
     text_free(&text);

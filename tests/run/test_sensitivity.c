@@ -28,8 +28,8 @@ static void write_scene(const struct directory *place, const char *in, const cha
     snprintf(path, sizeof path, "%s/scene.yaml", in);
     snprintf(text, sizeof text,
              "models: [multiscale, statistical, corrected-persson, strip, cmy]\n"
-             "effects: [plasticity, electrical]\nlevel: line\nwindow: none\nload: {from: 1e-6, to: 1e-3, points: "
-             "%d}\n%s",
+             "effects: [plasticity, electrical]\nlevel: line\nwindow: none\nload: {from: 1e-6, to: 1e-2, points: "
+             "%d}\noperating_load: 1e-4\n%s",
              LOADS, more);
     directory_write(place, path, text);
 }
@@ -149,7 +149,7 @@ static void make_report(const struct directory *place, const char *in, const cha
     snprintf(
         scene, sizeof scene,
         "models: [multiscale, corrected-persson, cmy]\neffects: [plasticity, electrical]\n%s\nmoments: difference\n"
-        "load: {from: 1e-6, to: 1e-3, points: %d}\n" METAL("1.4e7"),
+        "load: {from: 1e-6, to: 1e-2, points: %d}\noperating_load: 1e-4\n" METAL("1.4e7"),
         how, LOADS);
     snprintf(name, sizeof name, "%s/scene.yaml", in);
     directory_write(place, name, scene);
