@@ -60,28 +60,42 @@ void bearing_free(struct bearing *bearing)
     *bearing = (struct bearing){0};
 }
 
-static size_t count_crossings(const struct strip_rows *rows, double height_m)
+/** Where in the ordered heights the one is that a share of the surface exceeds. */
+static double place_of(double area_ratio, const struct bearing *bearing)
 {
-    size_t crossings = 0;
-    for (size_t r = 0; r < rows->rows; r++) {
-        const double *z = rows->height_m + r * rows->points;
-        for (size_t i = 1; i < rows->points; i++)
-            crossings += z[i - 1] <= height_m && z[i] > height_m;
-        crossings += rows->periodic && z[rows->points - 1] <= height_m && z[0] > height_m;
-    }
-    return crossings;
+    double n = (double)bearing->count;
+    return fmin(fmax(area_ratio * n - 0.5, 0), n - 1);
 }
 
+static double height_at(double area_ratio, const struct bearing *bearing)
+{
+    double place = place_of(area_ratio, bearing);
+    size_t above = (size_t)place, next = above + 1 < bearing->count ? above + 1 : above;
+    return bearing->height_m[above] + (place - (double)above) * (bearing->height_m[next] - bearing->height_m[above]);
+}
+
+/** Times per metre that profiles rise through a height, mean over those of low_m ... high_m. */
+static double crossings(const struct strip_rows *rows, double low_m, double high_m)
+{
+    double risen_m = 0;
+    size_t steps = rows->points - !rows->periodic; /* of a row */
+    for (size_t r = 0; r < rows->rows; r++) {
+        const double *z = rows->height_m + r * rows->points;
+        for (size_t i = 0; i < steps; i++)
+            risen_m += fmax(fmin(z[i + 1 < rows->points ? i + 1 : 0], high_m) - fmax(z[i], low_m), 0);
+    }
+    return risen_m / (high_m - low_m) / ((double)(rows->rows * steps) * rows->spacing_m);
+}
+
+/** Crossings are a mean over the heights of half to twice the odds A/(1-A): those of one height go by whole numbers. */
 static struct bearing_at count_at(double area_ratio, const struct bearing *bearing)
 {
-    const struct strip_rows *rows = bearing->rows;
-    double n = (double)bearing->count, place = fmin(fmax(area_ratio * n - 0.5, 0), n - 1);
-    size_t above = (size_t)place, next = above + 1 < bearing->count ? above + 1 : above;
-    double d =
-        bearing->height_m[above] + (place - (double)above) * (bearing->height_m[next] - bearing->height_m[above]);
-    size_t steps = rows->points - !rows->periodic; /* of a row */
-    return (struct bearing_at){((n - (double)next) * d - bearing->below_m[next]) / n,
-                               (double)count_crossings(rows, d) / ((double)(rows->rows * steps) * rows->spacing_m)};
+    double odds = area_ratio / (1 - area_ratio), d = height_at(area_ratio, bearing);
+    double low = height_at(2 * odds / (1 + 2 * odds), bearing), high = height_at(odds / (2 + odds), bearing);
+    size_t below = (size_t)place_of(area_ratio, bearing) + 1;
+    return (struct bearing_at){((double)(bearing->count - below) * d - bearing->below_m[below]) /
+                                   (double)bearing->count,
+                               crossings(bearing->rows, low, fmax(high, nextafter(low, INFINITY)))};
 }
 
 struct bearing_at bearing_counted(double area_ratio, const struct bearing *bearing)
@@ -109,10 +123,11 @@ static double in_parallel(double a, double b)
     return least / cbrt(1 + share * share * share);
 }
 
-struct bearing_contact bearing_contact(double area_ratio, const struct bearing_contact *elastic,
-                                       const struct bearing_at *at)
+struct bearing_contact bearing_contact(double area_ratio, double load_over_hardness,
+                                       const struct bearing_contact *elastic, const struct bearing_at *at)
 {
+    double longer = cbrt(area_ratio / load_over_hardness); /* w^(-1/3) */
     double length_m = pow(1 - sqrt(area_ratio), 1.5) / (2 * at->crossings_per_m);
-    return (struct bearing_contact){area_ratio, in_parallel(elastic->separation_m, at->gap_m),
-                                    in_parallel(elastic->constriction_m, length_m / 0.8)};
+    return (struct bearing_contact){area_ratio, in_parallel(elastic->separation_m, longer * at->gap_m),
+                                    in_parallel(elastic->constriction_m, longer * length_m / 0.8)};
 }
