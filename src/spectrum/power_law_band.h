@@ -55,7 +55,7 @@ struct power_law_band_fit {
 struct power_law_band_piece {
     double gamma;
     double band_m[2];       /* shortest and longest wavelength */
-    double candidate_gamma; /* without the bins beside its knees; NaN: too short, or not within 0.5 ... 2.2 */
+    double candidate_gamma; /* without the bins beside its knees; NaN: too short, or not within 0.5 ... 2.28 */
 };
 
 /** All that a report prints and draws. Arrays by bin run from long to short waves. */
@@ -87,8 +87,7 @@ struct power_law_band {
  *    bins, w = 1/(v + 0.05²) (Bellman 1961, doi:10.1145/366573.366611, with a penalty on pieces).
  * 4. A piece's end that is a knee loses 2 bins (1, 0 where less than 0.5 decade or 4 bins would stay). So does the long
  *    end of any piece of gamma > 1.75, where waves longer than the record leak.
- * 5. Candidates: at least 0.5 decade and 4 bins, 0.5 <= gamma <= 2.2; of a decade and more also if it is over 2.2 by no
- *    more than two standard errors at tau = 0.05. The widest with tau <= 0.1 decades wins.
+ * 5. Candidates: at least 0.5 decade and 4 bins, 0.5 <= gamma <= 2.28. The widest with tau <= 0.1 decades wins.
  * 6. The fit: w = 1/(v + tau²), tau² >= 0 such that sum w r² = n - 2 (Mandel & Paule 1970, doi:10.1021/ac60293a019);
  *    s² = a'(Sigma + tau² I)a for the estimate a'y. A knee adds, in quadrature, what 2 bins more off that end change,
  *    and once 0.04 (gamma) and 0.02 decades (amplitude). More scans lessen neither that nor tau² a'a.
