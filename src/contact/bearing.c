@@ -17,7 +17,7 @@ struct bearing_at bearing_gaussian(double area_ratio, double m0_m2, double m2)
 
 enum { LEAST_CROSSINGS = 6 };
 
-static struct bearing_at count_at(double area_ratio, const struct bearing *bearing);
+static double crossings_at(double area_ratio, const struct bearing *bearing);
 
 /** The share nearest to none (side 0) or to all of the surface (1) at which the profiles rise through its height
  * LEAST_CROSSINGS times; a half where at none nearer. */
@@ -25,7 +25,7 @@ static double last_area(const struct bearing *bearing, int side)
 {
     double length_m = (double)(bearing->rows->rows * bearing->rows->points) * bearing->rows->spacing_m, share;
     for (share = 1.5 / (double)bearing->count; share < 0.5; share *= 1.25)
-        if (count_at(side ? 1 - share : share, bearing).crossings_per_m * length_m >= LEAST_CROSSINGS)
+        if (crossings_at(side ? 1 - share : share, bearing) * length_m >= LEAST_CROSSINGS)
             break;
     share = fmin(share, 0.5);
     return side ? 1 - share : share;
@@ -87,26 +87,30 @@ static double crossings(const struct strip_rows *rows, double low_m, double high
     return risen_m / (high_m - low_m) / ((double)(rows->rows * steps) * rows->spacing_m);
 }
 
-/** Crossings are a mean over the heights of half to twice the odds A/(1-A): those of one height go by whole numbers. */
-static struct bearing_at count_at(double area_ratio, const struct bearing *bearing)
+/** Mean over the heights of half to twice the odds A/(1-A): crossings of one height alone go by whole numbers. */
+static double crossings_at(double area_ratio, const struct bearing *bearing)
 {
-    double odds = area_ratio / (1 - area_ratio), d = height_at(area_ratio, bearing);
+    double odds = area_ratio / (1 - area_ratio);
     double low = height_at(2 * odds / (1 + 2 * odds), bearing), high = height_at(odds / (2 + odds), bearing);
+    return crossings(bearing->rows, low, fmax(high, nextafter(low, INFINITY)));
+}
+
+static double gap_at(double area_ratio, const struct bearing *bearing)
+{
     size_t below = (size_t)place_of(area_ratio, bearing) + 1;
-    return (struct bearing_at){((double)(bearing->count - below) * d - bearing->below_m[below]) /
-                                   (double)bearing->count,
-                               crossings(bearing->rows, low, fmax(high, nextafter(low, INFINITY)))};
+    double points = (double)(bearing->count - below), all = (double)bearing->count;
+    return (points * height_at(area_ratio, bearing) - bearing->below_m[below]) / all;
 }
 
 struct bearing_at bearing_counted(double area_ratio, const struct bearing *bearing)
 {
-    double counted = fmin(fmax(area_ratio, bearing->area[0]), bearing->area[1]);
-    struct bearing_at at = count_at(counted, bearing);
-    if (counted == area_ratio)
-        return at;
-    struct bearing_at there = bearing_gaussian(counted, 1, 1), here = bearing_gaussian(area_ratio, 1, 1);
-    return (struct bearing_at){at.gap_m * (here.gap_m / there.gap_m),
-                               at.crossings_per_m * (here.crossings_per_m / there.crossings_per_m)};
+    double points = fmin(fmax(area_ratio, LEAST_CROSSINGS / (double)bearing->count), bearing->area[1]);
+    double counted = fmax(points, bearing->area[0]);
+    struct bearing_at here = bearing_gaussian(area_ratio, 1, 1);
+    return (struct bearing_at){
+        gap_at(points, bearing) * (points == area_ratio ? 1 : here.gap_m / bearing_gaussian(points, 1, 1).gap_m),
+        crossings_at(counted, bearing) *
+            (counted == area_ratio ? 1 : here.crossings_per_m / bearing_gaussian(counted, 1, 1).crossings_per_m)};
 }
 
 double bearing_area(double elastic_area_ratio, double load_over_hardness)

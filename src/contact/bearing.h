@@ -27,8 +27,9 @@ struct bearing {
 /** Error: STATUS_MEMORY. `rows` has to outlive it. */
 MUST_CHECK enum status_code bearing_make(struct bearing *out, const struct strip_rows *rows, struct status *status);
 void bearing_free(struct bearing *bearing);
-/** At a share of 0 ... 1; crossings are counted, a mean over heights near it. Beyond area[], where a few of the highest
- * or lowest points of the scans are left, both keep their ratio to those of Gaussian heights. */
+/** At a share of 0 ... 1; crossings are counted, a mean over heights near it. Beyond area[], and of the gap below six
+ * points, where a few of the highest or lowest of the scans are left, both keep their ratio to those of Gaussian
+ * heights. */
 struct bearing_at bearing_counted(double area_ratio, const struct bearing *bearing);
 
 /** A point of contact. */

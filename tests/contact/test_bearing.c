@@ -33,7 +33,7 @@ TEST_CASE(counted)
     struct bearing_at half = bearing_gaussian(0.5, 1, 1);
     for (double area = 0.1; area < 0.95; area += 0.2) {
         struct bearing_at at = bearing_counted(area, &bearing), gaussian = bearing_gaussian(area, 1, 1);
-        assert_near(at.gap_m, gaussian.gap_m / half.gap_m / 8, 1e-2);
+        assert_near(at.gap_m, area < 0.5 ? pow(1 - area, 2) / 2 : gaussian.gap_m / half.gap_m / 8, 1e-2);
         assert_near(at.crossings_per_m, gaussian.crossings_per_m / half.crossings_per_m * 1.25, 1e-9);
     }
     bearing_free(&bearing);

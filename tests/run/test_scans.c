@@ -2,6 +2,8 @@
 /* Several scans of a surface, one alone, and surfaces held against each other, through the whole program. */
 #include "run/pipeline.h"
 
+#include <jansson.h>
+
 enum { POINTS = 256, SCANS = 5 };
 
 /* A scene with these lines before its surfaces. */
@@ -251,6 +253,32 @@ PLACED(identical_scans)
     expect_in_file(place, "three/report.md", "the same to the last digit");
     table_free(&three);
     table_free(&one);
+}
+
+/** One scan with open ends that holds few of its longest waves: what it cannot know is in its interval. */
+PLACED(few_longest_waves)
+{
+    const struct directory *place = *state;
+    struct synth_def def = synth_def_default();
+    struct status status = {0};
+    double height_m[4 * POINTS];
+    def.points = 4 * POINTS;
+    def.length_m = 5e-7 * 4 * POINTS;
+    assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
+    pipeline_scan(place, "in/0.csv", height_m, POINTS);
+    report(place, "out", "effects: [separation, electrical, uncertainty]\nmodels: [strip]\n", "{name: m, file: 0.csv}");
+    struct table bands = directory_table(place, "out/data/bands.csv");
+    json_t *results = json_load_file(directory_path(place, "out/results.json"), 0, NULL);
+    size_t row = row_of(&bands, "m", "strip", 1e-5);
+    double low = table_number(&bands, row, "ecr_ohm_m2_mean_low_95"),
+           high = table_number(&bands, row, "ecr_ohm_m2_mean_high_95");
+    double waves =
+        json_number_value(json_object_get(json_array_get(json_object_get(results, "surfaces"), 0), "longest_waves"));
+    printf("%g %g %g\n", waves, low, high);
+    assert_true(waves > 1 && waves < 2);
+    assert_true(log(high / low) / 2 > 1.96 * hypot(0.3, 1.3 * log(2.5 / waves)));
+    json_decref(results);
+    table_free(&bands);
 }
 
 /** What is off is not computed: no band, no section, no letters, and nobody is called best. */

@@ -365,7 +365,7 @@ static const char introduction[] =
     "resistance; (printed of all) where a model leaves some empty. 0.10 is 10 %, 0.69 a factor of 2. The statistical\n"
     "models' gap is the distance of the mean planes. `longest_waves` in results.json says how many of its longest "
     "waves a\n"
-    "scan holds: with fewer than four, what it cannot know is more than the intervals allow for.\n";
+    "scan holds: below 2.5 the intervals are wider for what it cannot know.\n";
 
 int main(int count, char **word)
 {
