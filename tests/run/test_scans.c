@@ -263,6 +263,7 @@ PLACED(few_longest_waves)
     struct status status = {0};
     double height_m[4 * POINTS];
     def.points = 4 * POINTS;
+    def.gamma = 1.8;
     def.length_m = 5e-7 * 4 * POINTS;
     assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
     pipeline_scan(place, "in/0.csv", height_m, POINTS);
