@@ -268,18 +268,16 @@ PLACED(few_longest_waves)
     assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
     pipeline_scan(place, "in/0.csv", height_m, POINTS);
     report(place, "out", "effects: [separation, electrical, uncertainty]\nmodels: [strip]\n", "{name: m, file: 0.csv}");
-    struct table bands = directory_table(place, "out/data/bands.csv");
     json_t *results = json_load_file(directory_path(place, "out/results.json"), 0, NULL);
-    size_t row = row_of(&bands, "m", "strip", 1e-5);
-    double low = table_number(&bands, row, "ecr_ohm_m2_mean_low_95"),
-           high = table_number(&bands, row, "ecr_ohm_m2_mean_high_95");
-    double waves =
-        json_number_value(json_object_get(json_array_get(json_object_get(results, "surfaces"), 0), "longest_waves"));
-    printf("%g %g %g\n", waves, low, high);
+    json_t *surface = json_array_get(json_object_get(results, "surfaces"), 0), *ends;
+    double waves = json_number_value(json_object_get(surface, "longest_waves")), s, low, high;
     assert_true(waves > 1 && waves < 2);
-    assert_true(log(high / low) / 2 > 1.96 * hypot(0.3, 1.3 * log(2.5 / waves)));
+    assert_int_equal(json_unpack(surface, "{s:{s:{s:{s:{s:F, s:o}}}}}", "models", "strip", "at_middle_load",
+                                 "ecr_ohm_m2", "standard_deviation", &s, "mean_95", &ends),
+                     0);
+    assert_int_equal(json_unpack(ends, "[F, F]", &low, &high), 0);
+    assert_near(log(high / low) / 2, hypot(2.3 * s, 1.96 * hypot(0.3, 1.3 * log(2.5 / waves))), 1e-9);
     json_decref(results);
-    table_free(&bands);
 }
 
 /** What is off is not computed: no band, no section, no letters, and nobody is called best. */
