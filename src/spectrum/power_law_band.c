@@ -199,14 +199,11 @@ static enum status_code gather(struct power_law_band *band, struct selection *se
                                     .amplitude_m = NAN,
                                     .psd_m3 = NAN,
                                     .alpha = NAN,
-                                    .log10_alpha_s = NAN,
                                     .slope_share = NAN};
     if (log_bin_check(spectrum->square_m2, spectrum->count, status) != STATUS_OK)
         return status->code;
     band->bins =
         log_bin_fill(band->bin, spectrum->square_m2, spectrum->count, spectrum->length_m, spectrum->scans, split);
-    for (size_t j = 0; j < band->bins; j++)
-        band->residual_decades[j] = NAN;
     mark_lines(band);
     *selection = (struct selection){.all = band->bin};
     for (size_t j = 0; j < band->bins; j++) {
@@ -240,17 +237,12 @@ static void conclude(struct power_law_band *band, const struct power_law_band_fi
     band->law = log10((double)fit->last_harmonic / (double)fit->first_harmonic) >= law_width_decades
                     ? POWER_LAW_BAND_LAW
                     : POWER_LAW_BAND_NARROW;
-    double log10_wavelength = log10(fit->wavelength_m);
     band->amplitude_m = pow(10, fit->log10_amplitude);
     band->psd_m3 = band->amplitude_m * band->amplitude_m * spectrum->length_m / 2;
-    band->alpha = pow(10, fit->log10_amplitude - fit->gamma * log10_wavelength);
-    band->log10_alpha_s = hypot(fit->log10_amplitude_s, fit->gamma_s * log10_wavelength);
+    band->alpha = pow(10, fit->log10_amplitude - fit->gamma * log10(fit->wavelength_m));
     band->slope_share = slope_share(spectrum, fit);
     for (size_t i = 0; i < used->count; i++)
         band->use[used->index[i]] = POWER_LAW_BAND_USED;
-    for (size_t j = 0; j < band->bins; j++)
-        if (isfinite(band->bin[j].y))
-            band->residual_decades[j] = band->bin[j].y - log10_law(fit, band->bin[j].x);
 }
 
 /** Straight pieces of a selection: piece k has bins first[k] ... first[k+1]-1. */

@@ -65,9 +65,8 @@ struct power_law_band {
     double amplitude_m; /* 10^log10_amplitude, at fit.wavelength_m */
     double psd_m3; /* amplitude² L/2: the one-sided spectral density, which does not depend on the scan's length */
     double alpha;  /* m^(1-gamma), derived: amplitude/wavelength^gamma */
-    double log10_alpha_s; /* hypot(s of log10 amplitude, s of gamma |log10 wavelength|) decades */
-    double slope_share;   /* share of the mean square slope m2 that the band's harmonics carry */
-    size_t chosen;        /* which piece the band lies in */
+    double slope_share; /* share of the mean square slope m2 that the band's harmonics carry */
+    size_t chosen;      /* which piece the band lies in */
 
     size_t pieces; /* of a found band: none when too few bins are left to look */
     struct power_law_band_piece piece[POWER_LAW_BAND_PIECES];
@@ -76,7 +75,6 @@ struct power_law_band {
     size_t bins;
     struct log_bin bin[LOG_BIN_MOST];
     enum power_law_band_use use[LOG_BIN_MOST];
-    double residual_decades[LOG_BIN_MOST]; /* y - law; NaN where there is no law or no y */
 };
 
 /** Looks for the band.

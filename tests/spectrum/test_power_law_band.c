@@ -200,14 +200,11 @@ TEST_CASE(test_an_exact_law_comes_back)
         assert_near(band->alpha * pow(7e-6, band->fit.gamma), 3e-3 * bias * pow(7e-6, gamma), 1e-9);
         assert_near(band->psd_m3, pow(3e-3 * bias * pow(band->fit.wavelength_m, gamma), 2) * 2e-3, 1e-9);
         assert_near(band->amplitude_m, pow(10, band->fit.log10_amplitude), 1e-12);
-        assert_near(band->log10_alpha_s,
-                    hypot(band->fit.log10_amplitude_s, band->fit.gamma_s * log10(band->fit.wavelength_m)), 1e-12);
         assert_within(band->fit.misfit_decades, 0, 0);
         assert_near(band->fit.band_m[0], 4e-3 / 2000, 1e-12);
         assert_near(band->fit.band_m[1], 4e-3 / (gamma > 1.75 ? 8 : 5), 1e-12); /* steep ones leak at the long end */
         for (size_t j = 0; j < band->bins; j++) {
             assert_int_equal(band->use[j], gamma > 1.75 && j < 2 ? POWER_LAW_BAND_OUTSIDE : POWER_LAW_BAND_USED);
-            assert_within(band->residual_decades[j], 0, 1e-10);
         }
     }
 }
@@ -285,7 +282,7 @@ static void assert_none(const struct power_law_band *band)
     assert_true(isnan(band->fit.gamma) && isnan(band->alpha) && isnan(band->amplitude_m) && isnan(band->slope_share));
     assert_true(isnan(band->fit.gamma_s) && isnan(band->psd_m3) && isnan(band->alpha));
     for (size_t j = 0; j < band->bins; j++)
-        assert_true(band->use[j] != POWER_LAW_BAND_USED && isnan(band->residual_decades[j]));
+        assert_true(band->use[j] != POWER_LAW_BAND_USED);
 }
 
 TEST_CASE(test_white_noise_is_no_law)
@@ -340,8 +337,6 @@ TEST_CASE(test_lines_are_left_out)
     assert_near(line_m[0], 1e-4, 0.2);
     assert_near(line_m[1], 1e-4, 0.2);
     assert_within(band->fit.gamma, 1.5, 1e-9);
-    for (size_t j = 0; j < band->bins; j++)
-        assert_true(band->use[j] != POWER_LAW_BAND_LINE || band->residual_decades[j] > 0.2);
     for (size_t j = 1; j + 1 < band->bins; j++) { /* and what lies beside them */
         bool line = band->use[j] == POWER_LAW_BAND_LINE, next = band->use[j + 1] == POWER_LAW_BAND_LINE;
         assert_true(line == next || band->use[line ? j + 1 : j] == POWER_LAW_BAND_BESIDE);
