@@ -296,7 +296,7 @@ static enum status_code mean_curve(struct model_curve *curve, struct ensemble_re
                                    const struct model_curve *joined, struct status *status)
 {
     struct estimate unused, estimates[QUANTITY_COUNT];
-    double share = set->scan_count > 1 ? 0.5 : 1;
+    double share = set->scan_count > 1 ? 0.5 : 1, waves = model_task_longest_waves(task);
     size_t full = offsetof(struct model_curve, full_load), closed = offsetof(struct model_curve, closed_load),
            beta = offsetof(struct model_curve, beta);
     estimates[QUANTITY_LOAD] = estimate_none;
@@ -316,7 +316,7 @@ static enum status_code mean_curve(struct model_curve *curve, struct ensemble_re
         if (joined)
             join(point, estimates, &joined->points[i], share);
         for (int q = 0; q < QUANTITY_COUNT; q++)
-            estimates[q].model_sd = model_sd(model, (enum quantity)q);
+            estimates[q].model_sd = model_surface_sd(model, (enum quantity)q, waves);
         if (result->band)
             fill_band(&result->band[i], estimates, model);
         for (int q = 0; q < QUANTITY_COUNT && i == model_task_operating(task); q++)

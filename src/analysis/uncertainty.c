@@ -157,6 +157,7 @@ static enum status_code run_one(struct uncertainty *out, const struct simulated 
     }
     if (rc == STATUS_OK)
         *out = conclude(&curves[0], &curves[1], &curves[2], model, &all);
+    out->longest_waves = model_task_longest_waves(task);
     for (int k = 0; k < 3; k++)
         ensemble_curves_free(&curves[k]);
     return rc;
@@ -220,7 +221,7 @@ struct estimate uncertainty_estimate(const struct uncertainty *uncertainty, cons
     const struct single_scan *single = &uncertainty->middle[quantity];
     struct estimate out = isnan(single->s) ? estimate_none : estimate_single(value, single, true);
     out.share = quantity == QUANTITY_AREA;
-    out.model_sd = model_sd(model, quantity);
+    out.model_sd = model_surface_sd(model, quantity, uncertainty->longest_waves);
     return out;
 }
 
@@ -250,7 +251,7 @@ void uncertainty_band(struct ensemble_band *band, const struct uncertainty *unce
             struct estimate own = estimate_none;
             own.logarithmic = true;
             own.share = q == QUANTITY_AREA;
-            own.model_sd = model_sd(model, (enum quantity)q);
+            own.model_sd = model_surface_sd(model, (enum quantity)q, uncertainty->longest_waves);
             own.mean = answer(point, (enum quantity)q, model, sigma_m);
             own.half_width = ensemble_band_holds((enum quantity)q)
                                  ? half_width_at(uncertainty, (enum quantity)q, log(point->value[QUANTITY_LOAD]))

@@ -24,6 +24,7 @@ struct uncertainty_scan {
 struct uncertainty {
     double ln_load[UNCERTAINTY_LOADS], s[QUANTITY_COUNT][UNCERTAINTY_LOADS];
     size_t loads;
+    double longest_waves;                      /* model_task_longest_waves() of the scan */
     struct single_scan middle[QUANTITY_COUNT]; /* s NaN: not known */
 };
 

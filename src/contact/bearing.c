@@ -17,7 +17,7 @@ struct bearing_at bearing_gaussian(double area_ratio, double m0_m2, double m2)
 
 enum { LEAST_CROSSINGS = 6 };
 
-static struct bearing_at count_at(double area_ratio, const struct bearing *bearing);
+static double crossings_at(double area_ratio, const struct bearing *bearing);
 
 /** The share nearest to none (side 0) or to all of the surface (1) at which the profiles rise through its height
  * LEAST_CROSSINGS times; a half where at none nearer. */
@@ -25,7 +25,7 @@ static double last_area(const struct bearing *bearing, int side)
 {
     double length_m = (double)(bearing->rows->rows * bearing->rows->points) * bearing->rows->spacing_m, share;
     for (share = 1.5 / (double)bearing->count; share < 0.5; share *= 1.25)
-        if (count_at(side ? 1 - share : share, bearing).crossings_per_m * length_m >= LEAST_CROSSINGS)
+        if (crossings_at(side ? 1 - share : share, bearing) * length_m >= LEAST_CROSSINGS)
             break;
     share = fmin(share, 0.5);
     return side ? 1 - share : share;
@@ -60,39 +60,57 @@ void bearing_free(struct bearing *bearing)
     *bearing = (struct bearing){0};
 }
 
-static size_t count_crossings(const struct strip_rows *rows, double height_m)
+/** Where in the ordered heights the one is that a share of the surface exceeds. */
+static double place_of(double area_ratio, const struct bearing *bearing)
 {
-    size_t crossings = 0;
-    for (size_t r = 0; r < rows->rows; r++) {
-        const double *z = rows->height_m + r * rows->points;
-        for (size_t i = 1; i < rows->points; i++)
-            crossings += z[i - 1] <= height_m && z[i] > height_m;
-        crossings += rows->periodic && z[rows->points - 1] <= height_m && z[0] > height_m;
-    }
-    return crossings;
+    double n = (double)bearing->count;
+    return fmin(fmax(area_ratio * n - 0.5, 0), n - 1);
 }
 
-static struct bearing_at count_at(double area_ratio, const struct bearing *bearing)
+static double height_at(double area_ratio, const struct bearing *bearing)
 {
-    const struct strip_rows *rows = bearing->rows;
-    double n = (double)bearing->count, place = fmin(fmax(area_ratio * n - 0.5, 0), n - 1);
+    double place = place_of(area_ratio, bearing);
     size_t above = (size_t)place, next = above + 1 < bearing->count ? above + 1 : above;
-    double d =
-        bearing->height_m[above] + (place - (double)above) * (bearing->height_m[next] - bearing->height_m[above]);
+    return bearing->height_m[above] + (place - (double)above) * (bearing->height_m[next] - bearing->height_m[above]);
+}
+
+/** Times per metre that profiles rise through a height, mean over those of low_m ... high_m. */
+static double crossings(const struct strip_rows *rows, double low_m, double high_m)
+{
+    double risen_m = 0;
     size_t steps = rows->points - !rows->periodic; /* of a row */
-    return (struct bearing_at){((n - (double)next) * d - bearing->below_m[next]) / n,
-                               (double)count_crossings(rows, d) / ((double)(rows->rows * steps) * rows->spacing_m)};
+    for (size_t r = 0; r < rows->rows; r++) {
+        const double *z = rows->height_m + r * rows->points;
+        for (size_t i = 0; i < steps; i++)
+            risen_m += fmax(fmin(z[i + 1 < rows->points ? i + 1 : 0], high_m) - fmax(z[i], low_m), 0);
+    }
+    return risen_m / (high_m - low_m) / ((double)(rows->rows * steps) * rows->spacing_m);
+}
+
+/** Mean over the heights of half to twice the odds A/(1-A): crossings of one height alone go by whole numbers. */
+static double crossings_at(double area_ratio, const struct bearing *bearing)
+{
+    double odds = area_ratio / (1 - area_ratio);
+    double low = height_at(2 * odds / (1 + 2 * odds), bearing), high = height_at(odds / (2 + odds), bearing);
+    return crossings(bearing->rows, low, fmax(high, nextafter(low, INFINITY)));
+}
+
+static double gap_at(double area_ratio, const struct bearing *bearing)
+{
+    size_t below = (size_t)place_of(area_ratio, bearing) + 1;
+    double points = (double)(bearing->count - below), all = (double)bearing->count;
+    return (points * height_at(area_ratio, bearing) - bearing->below_m[below]) / all;
 }
 
 struct bearing_at bearing_counted(double area_ratio, const struct bearing *bearing)
 {
-    double counted = fmin(fmax(area_ratio, bearing->area[0]), bearing->area[1]);
-    struct bearing_at at = count_at(counted, bearing);
-    if (counted == area_ratio)
-        return at;
-    struct bearing_at there = bearing_gaussian(counted, 1, 1), here = bearing_gaussian(area_ratio, 1, 1);
-    return (struct bearing_at){at.gap_m * (here.gap_m / there.gap_m),
-                               at.crossings_per_m * (here.crossings_per_m / there.crossings_per_m)};
+    double points = fmin(fmax(area_ratio, LEAST_CROSSINGS / (double)bearing->count), bearing->area[1]);
+    double counted = fmax(points, bearing->area[0]);
+    struct bearing_at here = bearing_gaussian(area_ratio, 1, 1);
+    return (struct bearing_at){
+        gap_at(points, bearing) * (points == area_ratio ? 1 : here.gap_m / bearing_gaussian(points, 1, 1).gap_m),
+        crossings_at(counted, bearing) *
+            (counted == area_ratio ? 1 : here.crossings_per_m / bearing_gaussian(counted, 1, 1).crossings_per_m)};
 }
 
 double bearing_area(double elastic_area_ratio, double load_over_hardness)
@@ -109,10 +127,11 @@ static double in_parallel(double a, double b)
     return least / cbrt(1 + share * share * share);
 }
 
-struct bearing_contact bearing_contact(double area_ratio, const struct bearing_contact *elastic,
-                                       const struct bearing_at *at)
+struct bearing_contact bearing_contact(double area_ratio, double load_over_hardness,
+                                       const struct bearing_contact *elastic, const struct bearing_at *at)
 {
+    double longer = cbrt(area_ratio / load_over_hardness); /* w^(-1/3) */
     double length_m = pow(1 - sqrt(area_ratio), 1.5) / (2 * at->crossings_per_m);
-    return (struct bearing_contact){area_ratio, in_parallel(elastic->separation_m, at->gap_m),
-                                    in_parallel(elastic->constriction_m, length_m / 0.8)};
+    return (struct bearing_contact){area_ratio, in_parallel(elastic->separation_m, longer * at->gap_m),
+                                    in_parallel(elastic->constriction_m, longer * length_m / 0.8)};
 }

@@ -90,6 +90,18 @@ double model_sd(const struct model_row *row, enum quantity quantity)
                                              : 0;
 }
 
+double model_task_longest_waves(const struct model_task *task)
+{
+    return task->rows && !task->rows->periodic ? spectrum_longest_waves(task->spectrum) : 0;
+}
+
+double model_surface_sd(const struct model_row *row, enum quantity quantity, double longest_waves)
+{
+    static const double waves = 2.5, sd = 1.3;
+    double own = model_sd(row, quantity);
+    return own > 0 && longest_waves > 0 && longest_waves < waves ? hypot(own, sd * log(waves / longest_waves)) : own;
+}
+
 size_t model_task_operating(const struct model_task *task)
 {
     return task->operating_place > 0 ? task->operating_place - 1 : task->load_count / 2;

@@ -138,6 +138,11 @@ MUST_CHECK enum status_code model_run(struct model_curve *curve, const struct mo
 
 /** Its ln_sd of a quantity. */
 double model_sd(const struct model_row *row, enum quantity quantity);
+/** How many of their longest waves the scans hold (spectrum_longest_waves()) whose ends are open; 0: they close. */
+double model_task_longest_waves(const struct model_task *task);
+/** model_sd() with what scans of fewer than 2.5 longest waves cannot know of the surface, in quadrature: 1.3
+ * ln(2.5/waves), measured against direct solutions. waves 0: nothing; so of a model without an ln_sd. */
+double model_surface_sd(const struct model_row *row, enum quantity quantity, double longest_waves);
 
 /** The separation to show: the adjusted one of models that have it. Other quantities are as they are. */
 enum quantity model_shown(const struct model_row *row, enum quantity quantity);

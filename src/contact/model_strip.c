@@ -62,7 +62,7 @@ static enum status_code harden(struct bearing_contact *contact, size_t *count, c
         }
         struct bearing_at at =
             row->uses_strip ? bearing_counted(area, &bearing) : bearing_gaussian(area, persson->m0_m2, persson->m2);
-        contact[i] = bearing_contact(area, &contact[i], &at);
+        contact[i] = bearing_contact(area, ratio, &contact[i], &at);
     }
     bearing_free(&bearing);
     return STATUS_OK;

@@ -1,15 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spectrum/power_law.h"
 
-#include <gsl/gsl_sf_psi.h>
 #include <math.h>
 
 const char *const power_law_method_names[POWER_LAW_METHOD_COUNT] = {"auto", "thesis"};
-
-double power_law_gaussian_scatter(double scans)
-{
-    return sqrt(gsl_sf_psi_n(1, scans)) / (2 * M_LN10);
-}
 
 static struct power_law no_law(const double band_m[2])
 {

@@ -14,10 +14,6 @@ enum power_law_method {
 };
 extern const char *const power_law_method_names[POWER_LAW_METHOD_COUNT]; /* as a scene spells them */
 
-/** Standard deviation of log10 amplitude of the periodogram of a Gaussian random surface, averaged as powers over
- * `scans` M >= 1: sqrt(psi'(M))/(2 ln 10) decades; pi/sqrt(24)/ln 10 = 0.278 for one. */
-double power_law_gaussian_scatter(double scans);
-
 /** The law by either method, lambda in metres. One that cannot be fitted or is not found has gamma = NaN. */
 struct power_law {
     enum power_law_band_class found; /* of the thesis's method: LAW where there is a fit */

@@ -15,7 +15,9 @@ const char *const power_law_band_class_names[] = {"no power law found", "narrow"
 
 static const double one_law_decades = 0.05; /* what is called one power law: long scans do not split on less */
 static const double piece_penalty = 4;      /* ln J each */
-static const double least_gamma = 0.5, most_gamma = 2.2; /* below: plateau or noise; above: a filter's flank */
+/* below: plateau or noise; above: a filter's flank, 0.08 beyond 2.2, at which half of all laws are found higher */
+static const double least_gamma = 0.5, most_gamma = 2.28;
+static const double steep_gamma = 1.75; /* above: longer waves leak into a record's first harmonics */
 static const double least_width_decades = 0.5, law_width_decades = 1, most_misfit_decades = 0.1;
 static const double line_decades = 0.2, line_errors = 4;
 static const double knee_gamma_s = 0.04, knee_amplitude_s_decades = 0.02;
@@ -120,15 +122,19 @@ static struct power_law_band_fit fit_of(const struct selection *selection, doubl
     size_t last = bin_at(selection, selection->count - 1)->last, first = bin_at(selection, 0)->first;
     double shortest = log10(length_m / (double)last), longest = log10(length_m / (double)first);
     double middle = (shortest + longest) / 2;
-    double slope_factor[LOG_BIN_MOST], amplitude_factor[LOG_BIN_MOST];
+    double slope_factor[LOG_BIN_MOST], amplitude_factor[LOG_BIN_MOST], slope_square = 0, amplitude_square = 0;
     for (size_t i = 0; i < selection->count; i++) {
         const struct log_bin *bin = bin_at(selection, i);
         double w = 1 / (bin->variance + misfit_square);
         slope_factor[i] = w * (bin->x - line.x_mean) / line.x_spread;
         amplitude_factor[i] = w / line.weight + slope_factor[i] * (middle - line.x_mean);
+        slope_square += slope_factor[i] * slope_factor[i];
+        amplitude_square += amplitude_factor[i] * amplitude_factor[i];
     }
     return (struct power_law_band_fit){
         .gamma = line.slope,
+        .gamma_bias_s = sqrt(misfit_square * slope_square),
+        .log10_amplitude_bias_s = sqrt(misfit_square * amplitude_square),
         .gamma_s = sqrt(variance_of(slope_factor, selection, scans, misfit_square)),
         .log10_amplitude = line.y_mean + line.slope * (middle - line.x_mean),
         .log10_amplitude_s = sqrt(variance_of(amplitude_factor, selection, scans, misfit_square)),
@@ -161,7 +167,7 @@ static bool stands_out(const struct power_law_band *band, size_t j)
     return band->bin[j].y - gsl_stats_median_from_sorted_data(between, 1, count) > threshold;
 }
 
-/** A longer run of bins that stand out is a knee, no line. */
+/** A longer run of bins that stand out is a knee, no line. The tapers carry a line into the bins beside it. */
 static void mark_lines(struct power_law_band *band)
 {
     bool out[LOG_BIN_MOST];
@@ -170,8 +176,10 @@ static void mark_lines(struct power_law_band *band)
     for (size_t j = 0, end; j<band->bins; j = end> j ? end : j + 1) {
         for (end = j; end < band->bins && out[end]; end++)
             ;
-        for (size_t i = j; i < end && end - j <= LINE_RUN; i++)
-            band->use[i] = POWER_LAW_BAND_LINE;
+        if (end == j || end - j > LINE_RUN)
+            continue;
+        for (size_t i = j > 0 ? j - 1 : 0; i <= end && i < band->bins; i++)
+            band->use[i] = i >= j && i < end ? POWER_LAW_BAND_LINE : POWER_LAW_BAND_BESIDE;
     }
 }
 
@@ -191,19 +199,15 @@ static enum status_code gather(struct power_law_band *band, struct selection *se
                                     .amplitude_m = NAN,
                                     .psd_m3 = NAN,
                                     .alpha = NAN,
-                                    .log10_alpha_s = NAN,
                                     .slope_share = NAN};
     if (log_bin_check(spectrum->square_m2, spectrum->count, status) != STATUS_OK)
         return status->code;
     band->bins =
         log_bin_fill(band->bin, spectrum->square_m2, spectrum->count, spectrum->length_m, spectrum->scans, split);
-    for (size_t j = 0; j < band->bins; j++) {
-        band->use[j] = isfinite(band->bin[j].y) ? POWER_LAW_BAND_OUTSIDE : POWER_LAW_BAND_EMPTY;
-        band->residual_decades[j] = NAN;
-    }
     mark_lines(band);
     *selection = (struct selection){.all = band->bin};
     for (size_t j = 0; j < band->bins; j++) {
+        band->use[j] = isfinite(band->bin[j].y) ? band->use[j] : POWER_LAW_BAND_EMPTY;
         if (spectrum->shortest_m > 0 && band->bin[j].x < log10(spectrum->shortest_m) &&
             band->use[j] == POWER_LAW_BAND_OUTSIDE)
             band->use[j] = POWER_LAW_BAND_SHORT;
@@ -233,17 +237,12 @@ static void conclude(struct power_law_band *band, const struct power_law_band_fi
     band->law = log10((double)fit->last_harmonic / (double)fit->first_harmonic) >= law_width_decades
                     ? POWER_LAW_BAND_LAW
                     : POWER_LAW_BAND_NARROW;
-    double log10_wavelength = log10(fit->wavelength_m);
     band->amplitude_m = pow(10, fit->log10_amplitude);
     band->psd_m3 = band->amplitude_m * band->amplitude_m * spectrum->length_m / 2;
-    band->alpha = pow(10, fit->log10_amplitude - fit->gamma * log10_wavelength);
-    band->log10_alpha_s = hypot(fit->log10_amplitude_s, fit->gamma_s * log10_wavelength);
+    band->alpha = pow(10, fit->log10_amplitude - fit->gamma * log10(fit->wavelength_m));
     band->slope_share = slope_share(spectrum, fit);
     for (size_t i = 0; i < used->count; i++)
         band->use[used->index[i]] = POWER_LAW_BAND_USED;
-    for (size_t j = 0; j < band->bins; j++)
-        if (isfinite(band->bin[j].y))
-            band->residual_decades[j] = band->bin[j].y - log10_law(fit, band->bin[j].x);
 }
 
 /** Straight pieces of a selection: piece k has bins first[k] ... first[k+1]-1. */
@@ -312,11 +311,14 @@ struct candidate {
     double width_decades, gamma;
 };
 
-/** Shortens piece k at its knees by 2, 1 or no bins, the most that leaves enough. */
+/** Shortens piece k at its knees by 2, 1 or no bins, the most that leaves enough. A steep one has a knee at its long
+ * end whatever there is. */
 static bool candidate_of(struct candidate *out, const struct selection *selection, const struct pieces *pieces,
                          size_t k)
 {
-    *out = (struct candidate){.piece = k, .knee = {k > 0, k + 1 < pieces->count}};
+    double misfit_square = one_law_decades * one_law_decades;
+    bool steep = line_through(selection, pieces->first[k], pieces->first[k + 1] - 1, misfit_square).slope > steep_gamma;
+    *out = (struct candidate){.piece = k, .knee = {k > 0 || steep, k + 1 < pieces->count}};
     for (size_t trim = KNEE_BINS + 1; trim-- > 0;) {
         size_t first = pieces->first[k] + (out->knee[0] ? trim : 0), end = pieces->first[k + 1];
         end -= out->knee[1] ? trim : 0;
@@ -326,7 +328,6 @@ static bool candidate_of(struct candidate *out, const struct selection *selectio
         out->last = end - 1;
         out->width_decades = width_decades(selection, out->first, out->last);
         if (out->width_decades >= least_width_decades) {
-            double misfit_square = one_law_decades * one_law_decades;
             out->gamma = line_through(selection, out->first, out->last, misfit_square).slope;
             return out->gamma >= least_gamma && out->gamma <= most_gamma;
         }
@@ -339,6 +340,7 @@ static void add_knee_errors(struct power_law_band_fit *fit, const struct selecti
                             const struct candidate *candidate, const struct power_law_band_spectrum *spectrum)
 {
     struct power_law_band_fit whole = *fit;
+    double gamma_s = 0, amplitude_s = 0;
     size_t bins = candidate->last - candidate->first + 1;
     for (size_t side = 0; side < 2; side++) {
         if (!candidate->knee[side] || bins < CANDIDATE_BINS + KNEE_BINS)
@@ -346,15 +348,17 @@ static void add_knee_errors(struct power_law_band_fit *fit, const struct selecti
         struct selection part = part_of(selection, candidate->first + (side == 0 ? KNEE_BINS : 0), bins - KNEE_BINS);
         struct power_law_band_fit shorter = fit_of(&part, spectrum->length_m, spectrum->scans);
         double amplitude_change = log10_law(&shorter, log10(whole.wavelength_m)) - whole.log10_amplitude;
-        fit->gamma_bias_s = hypot(fit->gamma_bias_s, shorter.gamma - whole.gamma);
-        fit->log10_amplitude_bias_s = hypot(fit->log10_amplitude_bias_s, amplitude_change);
+        gamma_s = hypot(gamma_s, shorter.gamma - whole.gamma);
+        amplitude_s = hypot(amplitude_s, amplitude_change);
     }
     if (candidate->knee[0] || candidate->knee[1]) {
-        fit->gamma_bias_s = hypot(fit->gamma_bias_s, knee_gamma_s);
-        fit->log10_amplitude_bias_s = hypot(fit->log10_amplitude_bias_s, knee_amplitude_s_decades);
+        gamma_s = hypot(gamma_s, knee_gamma_s);
+        amplitude_s = hypot(amplitude_s, knee_amplitude_s_decades);
     }
-    fit->gamma_s = hypot(fit->gamma_s, fit->gamma_bias_s);
-    fit->log10_amplitude_s = hypot(fit->log10_amplitude_s, fit->log10_amplitude_bias_s);
+    fit->gamma_s = hypot(fit->gamma_s, gamma_s);
+    fit->gamma_bias_s = hypot(fit->gamma_bias_s, gamma_s);
+    fit->log10_amplitude_s = hypot(fit->log10_amplitude_s, amplitude_s);
+    fit->log10_amplitude_bias_s = hypot(fit->log10_amplitude_bias_s, amplitude_s);
 }
 
 /** Widest first, then the one of longer waves. */

@@ -22,9 +22,10 @@ extern const char *const power_law_band_class_names[];
 
 /** What became of a bin. */
 enum power_law_band_use {
-    POWER_LAW_BAND_USED,    /* in the fit */
     POWER_LAW_BAND_OUTSIDE, /* of the band */
+    POWER_LAW_BAND_USED,    /* in the fit */
     POWER_LAW_BAND_LINE,    /* a line of the spectrum: periodic marks */
+    POWER_LAW_BAND_BESIDE,  /* next to one */
     POWER_LAW_BAND_SHORT,   /* shorter than the shortest wavelength that says something about the surface */
     POWER_LAW_BAND_EMPTY    /* a harmonic in it has no power at all */
 };
@@ -42,7 +43,7 @@ struct power_law_band_spectrum {
 struct power_law_band_fit {
     double gamma, gamma_s;                       /* exponent and its standard error */
     double log10_amplitude, log10_amplitude_s;   /* of the rms amplitude [m] at wavelength_m; error in decades */
-    double gamma_bias_s, log10_amplitude_bias_s; /* of these, what knees add, which more scans do not lessen */
+    double gamma_bias_s, log10_amplitude_bias_s; /* of these, what misfit and knees add: more scans do not lessen it */
     double wavelength_m;                         /* the band's middle, sqrt(shortest longest) */
     double misfit_decades;                       /* tau: lack of fit beyond the scatter of a Gaussian random surface */
     double band_m[2];                            /* shortest and longest wavelength */
@@ -54,7 +55,7 @@ struct power_law_band_fit {
 struct power_law_band_piece {
     double gamma;
     double band_m[2];       /* shortest and longest wavelength */
-    double candidate_gamma; /* without the bins beside its knees; NaN: too short, or not within 0.5 ... 2.2 */
+    double candidate_gamma; /* without the bins beside its knees; NaN: too short, or not within 0.5 ... 2.28 */
 };
 
 /** All that a report prints and draws. Arrays by bin run from long to short waves. */
@@ -64,9 +65,8 @@ struct power_law_band {
     double amplitude_m; /* 10^log10_amplitude, at fit.wavelength_m */
     double psd_m3; /* amplitude² L/2: the one-sided spectral density, which does not depend on the scan's length */
     double alpha;  /* m^(1-gamma), derived: amplitude/wavelength^gamma */
-    double log10_alpha_s; /* hypot(s of log10 amplitude, s of gamma |log10 wavelength|) decades */
-    double slope_share;   /* share of the mean square slope m2 that the band's harmonics carry */
-    size_t chosen;        /* which piece the band lies in */
+    double slope_share; /* share of the mean square slope m2 that the band's harmonics carry */
+    size_t chosen;      /* which piece the band lies in */
 
     size_t pieces; /* of a found band: none when too few bins are left to look */
     struct power_law_band_piece piece[POWER_LAW_BAND_PIECES];
@@ -75,20 +75,20 @@ struct power_law_band {
     size_t bins;
     struct log_bin bin[LOG_BIN_MOST];
     enum power_law_band_use use[LOG_BIN_MOST];
-    double residual_decades[LOG_BIN_MOST]; /* y - law; NaN where there is no law or no y */
 };
 
 /** Looks for the band.
  * 1. log_bin_fill() of the harmonics n >= 5.
  * 2. Lines: bins above the median of (y_{j-m} + y_{j+m})/2, m = 2, 3, 4, by more than max(0.2, 4 sqrt v_j), in a run of
- *    at most 3 such bins; they are left out.
+ *    at most 3 such bins; they are left out, and the bin on either side.
  * 3. At most 6 straight pieces of at least 3 bins each, by dynamic programming: least sum of w r² + 4 ln J per piece, J
  *    bins, w = 1/(v + 0.05²) (Bellman 1961, doi:10.1145/366573.366611, with a penalty on pieces).
- * 4. A piece's end that is a knee loses 2 bins (1, 0 where less than 0.5 decade or 4 bins would stay).
- * 5. Candidates: at least 0.5 decade and 4 bins, 0.5 <= gamma <= 2.2. The widest with tau <= 0.1 decades wins.
+ * 4. A piece's end that is a knee loses 2 bins (1, 0 where less than 0.5 decade or 4 bins would stay). So does the long
+ *    end of any piece of gamma > 1.75, where waves longer than the record leak.
+ * 5. Candidates: at least 0.5 decade and 4 bins, 0.5 <= gamma <= 2.28. The widest with tau <= 0.1 decades wins.
  * 6. The fit: w = 1/(v + tau²), tau² >= 0 such that sum w r² = n - 2 (Mandel & Paule 1970, doi:10.1021/ac60293a019);
  *    s² = a'(Sigma + tau² I)a for the estimate a'y. A knee adds, in quadrature, what 2 bins more off that end change,
- *    and once 0.04 (gamma) and 0.02 decades (amplitude).
+ *    and once 0.04 (gamma) and 0.02 decades (amplitude). More scans lessen neither that nor tau² a'a.
  * Class NONE, and no error, when nothing is found. Error: STATUS_SCAN for a square that is negative or not finite. */
 MUST_CHECK enum status_code power_law_band_find(struct power_law_band *out,
                                                 const struct power_law_band_spectrum *spectrum, struct status *status);

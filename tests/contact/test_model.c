@@ -207,3 +207,25 @@ TEST_CASE(test_what_is_not_set)
     assert_nothing(&curve.full, 0);
     assert_true(isnan(curve.full_load) && isnan(curve.closed_load) && isnan(curve.beta));
 }
+
+/* What a model says of itself, and of scans that hold few of their longest waves; only of open ends, and only where it
+ * says something. */
+TEST_CASE(test_few_longest_waves)
+{
+    const struct model_row *strip = model_rows[model_named("strip")], *gw = model_rows[model_named("gw")];
+    double amplitude_m[40] = {[1] = 1e-6}; /* two waves */
+    const struct spectrum spectrum = {.amplitude_m = amplitude_m, .count = 40, .length_m = 1e-3};
+    struct strip_rows rows = {.periodic = false};
+    struct model_task task = {.spectrum = &spectrum, .rows = &rows};
+    assert_near(model_task_longest_waves(&task), 2, 1e-12);
+    rows.periodic = true;
+    assert_within(model_task_longest_waves(&task), 0, 0);
+    task.rows = NULL;
+    assert_within(model_task_longest_waves(&task), 0, 0);
+    assert_near(model_surface_sd(strip, QUANTITY_ECR, 2), hypot(0.3, 1.3 * log(1.25)), 1e-14);
+    assert_near(model_surface_sd(strip, QUANTITY_AREA, 1), hypot(0.2, 1.3 * log(2.5)), 1e-14);
+    assert_near(model_surface_sd(strip, QUANTITY_SEPARATION, 2.5), 0.3, 1e-14);
+    assert_near(model_surface_sd(strip, QUANTITY_SEPARATION, 0), 0.3, 1e-14);
+    assert_within(model_surface_sd(gw, QUANTITY_ECR, 1), 0, 0);
+    assert_within(model_surface_sd(strip, QUANTITY_VOLTAGE, 1), 0, 0);
+}

@@ -2,6 +2,8 @@
 /* Several scans of a surface, one alone, and surfaces held against each other, through the whole program. */
 #include "run/pipeline.h"
 
+#include <jansson.h>
+
 enum { POINTS = 256, SCANS = 5 };
 
 /* A scene with these lines before its surfaces. */
@@ -251,6 +253,31 @@ PLACED(identical_scans)
     expect_in_file(place, "three/report.md", "the same to the last digit");
     table_free(&three);
     table_free(&one);
+}
+
+/** One scan with open ends that holds few of its longest waves: what it cannot know is in its interval. */
+PLACED(few_longest_waves)
+{
+    const struct directory *place = *state;
+    struct synth_def def = synth_def_default();
+    struct status status = {0};
+    double height_m[4 * POINTS];
+    def.points = 4 * POINTS;
+    def.gamma = 1.8;
+    def.length_m = 5e-7 * 4 * POINTS;
+    assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
+    pipeline_scan(place, "in/0.csv", height_m, POINTS);
+    report(place, "out", "effects: [separation, electrical, uncertainty]\nmodels: [strip]\n", "{name: m, file: 0.csv}");
+    json_t *results = json_load_file(directory_path(place, "out/results.json"), 0, NULL);
+    json_t *surface = json_array_get(json_object_get(results, "surfaces"), 0), *ends;
+    double waves = json_number_value(json_object_get(surface, "longest_waves")), s, low, high;
+    assert_true(waves > 1 && waves < 2);
+    assert_int_equal(json_unpack(surface, "{s:{s:{s:{s:{s:F, s:o}}}}}", "models", "strip", "at_middle_load",
+                                 "ecr_ohm_m2", "standard_deviation", &s, "mean_95", &ends),
+                     0);
+    assert_int_equal(json_unpack(ends, "[F, F]", &low, &high), 0);
+    assert_near(log(high / low) / 2, hypot(2.3 * s, 1.96 * hypot(0.3, 1.3 * log(2.5 / waves))), 1e-9);
+    json_decref(results);
 }
 
 /** What is off is not computed: no band, no section, no letters, and nobody is called best. */
