@@ -332,9 +332,11 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
     return power_law_scans_end_file(scans, scan->ny - unusable, scan->kind == SCAN_AREAL, status);
 }
 
-/** Does a model that may run use strips? */
+/** Does a model that may run use strips, or unloading? */
 static bool wants_strips(const struct scene *scene)
 {
+    if (!scene->effects_auto && (scene->effects & EFFECT_BIT(EFFECT_UNLOADING)))
+        return true;
     for (size_t m = 0; m < model_count; m++)
         if ((scene->models & MODEL_BIT(m)) && model_rows[m]->uses_strip)
             return true;

@@ -9,8 +9,8 @@
 static const double shares[UNLOADING_SHARES] = {1, 0.75, 0.5, 0.35, 0.2, 0.13, 0.08, 0.05};
 
 /** Of a strip on the way up. With fewer its resistance says little: against direct solutions of surfaces the ratio is
- * off by a factor 1.4 with 8 ... 15 of them, by 1.25 with 16 ... 31, by 1.15 with 64 and more. */
-enum { LEAST_SPOTS = 16 };
+ * off by a factor 1.6 with 4 ... 7 of them, 1.4 with 8 ... 15, 1.25 with 16 ... 31, 1.15 with 64 and more. */
+enum { LEAST_SPOTS = 8 };
 
 /** Of the strip's solutions, over its rms height. */
 static const double tolerance = 1e-3;
@@ -20,30 +20,64 @@ static double ratio(const struct direct_point *down, const struct direct_point *
     return log(direct_point_value(down, quantity) / direct_point_value(up, quantity));
 }
 
-enum status_code unloading_solve(struct unloading *out, const struct strip_rows *rows, double largest_load,
-                                 double hardness, const atomic_bool *stop, struct status *status)
+/** Loads to which a strip with too few spots may be taken in place of the largest, over the hardness. */
+static const double light = 0.2;
+
+static enum status_code solve(struct unloading *out, const double *strip_m, size_t points, double spacing_m,
+                              double largest_load, double hardness, const atomic_bool *stop, struct status *status)
 {
     double load[UNLOADING_SHARES];
     struct direct_point up[UNLOADING_SHARES], down[UNLOADING_SHARES];
-    size_t length = strip_row_length(rows), points = rows->rows * length;
-    double *strip_m = malloc((points + 1) * sizeof *strip_m);
-    *out = (struct unloading){0};
-    if (!strip_m)
-        return status_memory(status);
-    for (size_t r = 0; r < rows->rows; r++)
-        strip_lay_row(strip_m + r * length, rows, r);
+    const struct direct_ladder_def def = {load, UNLOADING_SHARES, hardness, tolerance, true, stop};
     for (size_t i = 0; i < UNLOADING_SHARES; i++)
         load[i] = shares[i] * largest_load;
-    const struct direct_ladder_def def = {load, UNLOADING_SHARES, hardness, tolerance, true, stop};
-    enum status_code rc = direct_ladder_loop(up, down, strip_m, points, 1, rows->spacing_m, &def, LEAST_SPOTS, status);
+    enum status_code rc = direct_ladder_loop(up, down, strip_m, points, 1, spacing_m, &def, LEAST_SPOTS, status);
+    out->count = 0;
     for (size_t i = 0; i < UNLOADING_SHARES && rc == STATUS_OK && up[i].exists; i++) {
         for (int q = DIRECT_AREA; q <= DIRECT_CONSTRICTION; q++)
             out->value[i][q] = i > 0 ? ratio(&down[i], &up[i], (enum direct_quantity)q) : 0;
         out->transforms += points * (up[i].convolutions + down[i].convolutions);
         out->share[out->count++] = shares[i];
     }
-    free(strip_m);
     return rc;
+}
+
+enum status_code unloading_solve(struct unloading *out, const struct strip_rows *rows, double largest_load,
+                                 double hardness, const atomic_bool *stop, struct status *status)
+{
+    size_t length = strip_row_length(rows), points = rows->rows * length;
+    double *strip_m = malloc((points + 1) * sizeof *strip_m);
+    *out = (struct unloading){.raised = 1};
+    if (!strip_m)
+        return status_memory(status);
+    for (size_t r = 0; r < rows->rows; r++)
+        strip_lay_row(strip_m + r * length, rows, r);
+    while (solve(out, strip_m, points, rows->spacing_m, out->raised * largest_load, hardness, stop, status) ==
+               STATUS_OK &&
+           out->count < UNLOADING_SHARES && 2 * out->raised * largest_load <= light * hardness)
+        out->raised *= 2;
+    free(strip_m);
+    return status->code;
+}
+
+const struct unloading_range unloading_ranges[UNLOADING_RANGES] = {
+    {0.5, {1.4, 1.6}, {0.75, 0.81}},
+    {0.2, {1.8, 2.2}, {0.58, 0.78}},
+    {0.1, {2.2, 2.8}, {0.58, 0.75}},
+    {0.05, {2.5, 3.4}, {0.45, 0.68}},
+};
+const double unloading_ranges_hardness = 0.3;
+
+void unloading_from_ranges(struct unloading *out)
+{
+    *out = (struct unloading){.count = 1 + UNLOADING_RANGES, .share = {1}, .raised = 1, .tabled = true};
+    for (size_t i = 0; i < UNLOADING_RANGES; i++) {
+        const struct unloading_range *range = &unloading_ranges[i];
+        out->share[i + 1] = range->share;
+        out->value[i + 1][DIRECT_AREA] = log(range->area[0] * range->area[1]) / 2;
+        out->value[i + 1][DIRECT_GAP] = NAN;
+        out->value[i + 1][DIRECT_CONSTRICTION] = log(range->resistance[0] * range->resistance[1]) / 2;
+    }
 }
 
 double unloading_factor(const struct unloading *unloading, enum quantity quantity, double share)

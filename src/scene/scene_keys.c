@@ -308,15 +308,13 @@ static bool read_mean_free_path(struct scene_source *source, const struct scene_
     return true;
 }
 
-/* The load at which the summary stands. */
-static bool read_operating_load(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+static bool read_one_load(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
 {
-    struct scene_operating *operating = key->field;
+    struct scene_one_load *load = key->field;
     struct scene_quantity quantity;
-    source->operating_line = scene_source_line(value);
     if (!scene_source_quantity_of(&quantity, source, key, value))
         return false;
-    *operating = (struct scene_operating){quantity.value, quantity.kind};
+    *load = (struct scene_one_load){quantity.value, quantity.kind};
     return true;
 }
 
@@ -495,7 +493,9 @@ bool scene_keys_read(struct scene_source *source, const yaml_node_t *root)
         {"mean_free_path", read_mean_free_path, .field = NULL, .least = 1e-12, .most = 1e-3,
          .quantities = UNIT_DISTANCE},
         {"load", read_load, .field = &scene->load},
-        {"operating_load", read_operating_load, .field = &scene->operating, .least = LOAD_LEAST, .most = LOAD_MOST,
+        {"operating_load", read_one_load, .field = &scene->operating, .least = LOAD_LEAST, .most = LOAD_MOST,
+         .quantities = UNIT_LOADS},
+        {"unload_from", read_one_load, .field = &scene->unload_from, .least = LOAD_LEAST, .most = LOAD_MOST,
          .quantities = UNIT_LOADS},
         {"targets", scene_asked_targets, .field = NULL},
         {"limits", scene_asked_limits, .field = NULL},
@@ -527,6 +527,7 @@ bool scene_keys_read(struct scene_source *source, const yaml_node_t *root)
     if (!scene_source_mapping(source, root, "scene", keys, SCENE_COUNT(keys)))
         return false;
     source->hardness_line = scene_source_line_of(keys, "hardness");
+    source->operating_line = scene_source_line_of(keys, "operating_load");
     if (scene->direct.called)
         scene->effects |= EFFECT_BIT(EFFECT_DIRECT);
     for (int i = 0; i < EFFECT_COUNT; i++)
