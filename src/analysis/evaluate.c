@@ -338,26 +338,6 @@ static enum status_code unload(struct surface_unloading *out, const struct surfa
     return STATUS_OK;
 }
 
-/** Says by what the curve of falling load is known. */
-static void note_unloading(struct surface_summary *summary, const struct unloading *ratio)
-{
-    struct text ranges = {0};
-    for (size_t i = 0; i < UNLOADING_RANGES; i++) {
-        const struct unloading_range *range = &unloading_ranges[i];
-        text_add(&ranges, "%s%g (%g ... %g, %g ... %g)", i > 0 ? ", " : "", range->share, range->area[0],
-                 range->area[1], range->resistance[0], range->resistance[1]);
-    }
-    if (ratio->tabled)
-        surface_note(summary,
-                     "unloading: its strip has too few spots, so by what direct solutions of other surfaces have of "
-                     "area and resistance at a share of the largest load: %s",
-                     text_string(&ranges));
-    else if (ratio->raised > 1)
-        surface_note(summary, "unloading: its strip was loaded to %g times unload_from, so that enough spots touch",
-                     ratio->raised);
-    text_free(&ranges);
-}
-
 enum { STRIP_SHARES = 5 }; /* a strip that has fewer of them tells too little */
 
 /** The curve of falling load. Where there is none a note says why. */
@@ -385,10 +365,13 @@ static enum status_code run_unloading(struct surface_record *record, const struc
     if (rc == STATUS_OK)
         rc = unload(out, record, &asked, &problem);
     summary->times.unloading = clock_seconds() - started;
-    if (rc == STATUS_OK) {
-        note_unloading(summary, &out->ratio);
+    if (rc == STATUS_OK && out->ratio.tabled)
+        surface_note(summary, "unloading: too few spots touch in its strip, so by what other surfaces have");
+    if (rc == STATUS_OK && out->ratio.raised > 1)
+        surface_note(summary, "unloading: its strip was loaded to %g times unload_from, so that enough spots touch",
+                     out->ratio.raised);
+    if (rc == STATUS_OK)
         return rc;
-    }
     free(out);
     summary->unloading = NULL;
     if (rc != STATUS_MODEL)
