@@ -335,7 +335,7 @@ static enum status_code add_rows(struct surface_record *record, struct power_law
 /** Does a model that may run use strips, or unloading? */
 static bool wants_strips(const struct scene *scene)
 {
-    if (!scene->effects_auto && (scene->effects & EFFECT_BIT(EFFECT_UNLOADING)))
+    if (scene->effects & EFFECT_BIT(EFFECT_UNLOADING))
         return true;
     for (size_t m = 0; m < model_count; m++)
         if ((scene->models & MODEL_BIT(m)) && model_rows[m]->uses_strip)

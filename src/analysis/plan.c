@@ -69,7 +69,7 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
         snprintf(out->reason, sizeof out->reason, "a question to the multiscale models, which do not run");
     } else if (effect == EFFECT_DIRECT) { /* seconds where the rest takes milliseconds: never unasked */
         out->runs = scene->direct.called;
-    } else if (row->only_listed && (scene->effects_auto || !(scene->effects & EFFECT_BIT(effect)))) {
+    } else if (row->only_listed && !(scene->effects & EFFECT_BIT(effect))) {
         snprintf(out->reason, sizeof out->reason, "runs only where effects lists it");
     } else if (row->only_listed) {
         const struct model_row *leading = model_rows[plan_leading_model(plan)];

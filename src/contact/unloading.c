@@ -80,6 +80,8 @@ void unloading_from_ranges(struct unloading *out)
     }
 }
 
+static const double rounding = 1e-9; /* of a load given twice, in different units */
+
 double unloading_factor(const struct unloading *unloading, enum quantity quantity, double share)
 {
     int q = quantity == QUANTITY_AREA                              ? DIRECT_AREA
@@ -87,7 +89,7 @@ double unloading_factor(const struct unloading *unloading, enum quantity quantit
             : quantity == QUANTITY_ECR || quantity == QUANTITY_TCR ? DIRECT_CONSTRICTION
                                                                    : -1;
     size_t k = 0;
-    if (q < 0 || unloading->count < 2 || !(share <= 1 && share >= unloading->share[unloading->count - 1]))
+    if (q < 0 || unloading->count < 2 || !(share <= 1 + rounding && share >= unloading->share[unloading->count - 1]))
         return NAN;
     while (k + 2 < unloading->count && share < unloading->share[k + 1])
         k++;

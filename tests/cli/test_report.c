@@ -228,7 +228,8 @@ TEST_IN_WORKSPACE(test_unloading)
     snprintf(text, sizeof text, scene, listed);
     workspace_write(place, "d/scene.yaml", text);
     run_to_exit(place, 0, "report", "d", "--no-cost");
-    expect_in_file(place, "out/d/report.md", "Under a load that falls again from 3.00\u00a0N what has flowed on *a* keeps its shape");
+    expect_in_file(place, "out/d/report.md",
+                   "Under a load that falls again from 3.00\u00a0N what has flowed on *a* keeps its shape");
     expect_in_file(place, "out/d/figures/answer.csv", "# unloading");
     expect_in_file(place, "out/d/figures/separation-load.csv", "# unloading");
     struct table contact = workspace_table(place, "out/d/data/contact.csv"),
