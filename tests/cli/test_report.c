@@ -225,6 +225,12 @@ TEST_IN_WORKSPACE(test_unloading)
     expect_not_in_file(place, "out/d/report.md", "falls again");
     expect_not_in_file(place, "out/d/figures/answer.csv", "# unloading");
 
+    snprintf(text, sizeof text, scene, "effects: electrical\n");
+    workspace_write(place, "d/scene.yaml", text);
+    struct process plan = expect_exit(place, 0, "plan", "d");
+    expect_part(plan.out, "runs only where effects lists it");
+    process_free(&plan);
+
     snprintf(text, sizeof text, scene, listed);
     workspace_write(place, "d/scene.yaml", text);
     run_to_exit(place, 0, "report", "d", "--no-cost");
