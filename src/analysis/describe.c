@@ -9,9 +9,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Does a model that may run use strips? */
+/** Does a model that may run use strips, or unloading? */
 static bool wants_strips(const struct scene *scene)
 {
+    if (scene->effects & EFFECT_BIT(EFFECT_UNLOADING))
+        return true;
     for (size_t m = 0; m < model_count; m++)
         if ((scene->models & MODEL_BIT(m)) && model_rows[m]->uses_strip)
             return true;

@@ -288,6 +288,7 @@ static void add_method(struct effects_row *row, enum effect effect, const struct
         [EFFECT_ELECTRICAL] = "in the same pass as the area",
         [EFFECT_THERMAL] = "in the same pass as the area",
         [EFFECT_CONVERGENCE] = "direct sum over scales",
+        [EFFECT_UNLOADING] = "direct solution of strips with the hardness",
         [EFFECT_DIRECT] = "boundary elements; evaluations are contacts solved",
         [EFFECT_GAP] = "an integral over the gaps at every point of the curves",
         [EFFECT_FILM] = "a formula at every point of the curves",
@@ -329,7 +330,7 @@ void effects_account(struct effects_row rows[EFFECTS_ROWS], const struct plan *p
             add_method(&rows[e + 1], (enum effect)e, plan);
     }
     struct effects_row *convergence = &rows[1 + EFFECT_CONVERGENCE], *direct = &rows[1 + EFFECT_DIRECT],
-                       *uncertainty = &rows[1 + EFFECT_UNCERTAINTY];
+                       *uncertainty = &rows[1 + EFFECT_UNCERTAINTY], *unloading = &rows[1 + EFFECT_UNLOADING];
     convergence->evaluations = studies->sweep_scales;
     convergence->seconds = studies->sweep_seconds;
     direct->evaluations = studies->contacts;
@@ -342,6 +343,8 @@ void effects_account(struct effects_row rows[EFFECTS_ROWS], const struct plan *p
         convergence->seconds += summary->times.convergence;
         uncertainty->evaluations += summary->simulated_evaluations;
         uncertainty->seconds += summary->times.uncertainty;
+        unloading->evaluations += summary->unloading ? summary->unloading->ratio.transforms : 0;
+        unloading->seconds += summary->times.unloading;
     }
 }
 
@@ -363,6 +366,8 @@ double effects_rough_seconds(const struct plan *plan, const struct surface_recor
                (double)(models * load_count) * fmax(1, (double)summary->scans) * load_seconds;
         double strips = summary->has_strips ? summary->strip_cost * strip_seconds : 0;
         sum += strips;
+        if (plan_runs(plan, EFFECT_UNLOADING)) /* two branches of its shares in one strip */
+            sum += summary->strip_cost * strip_seconds * 2 * UNLOADING_SHARES / (STRIP_LOADS * (1 + STRIP_SURROGATES));
         longest = fmax(longest, strips);
         if (summary->simulates)
             sum += 2 * SINGLE_SCAN_RECORDS * (double)summary->points * record_height_seconds;

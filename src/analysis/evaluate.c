@@ -313,6 +313,73 @@ enum status_code evaluate_models(struct surface_record *record, const struct sce
     return answers_find(record, scene, plan, &task, status);
 }
 
+/** The leading model at the shares of the largest load, times what unloading does there. */
+static enum status_code unload(struct surface_unloading *out, const struct surface_record *record,
+                               const struct model_task *task, struct status *status)
+{
+    double loads[UNLOADING_SHARES];
+    size_t count = out->ratio.count;
+    struct contact_point points[UNLOADING_SHARES + 1];
+    struct model_curve curve = {.points = points};
+    for (size_t i = 0; i < count; i++)
+        loads[i] = out->largest_load * out->ratio.share[count - 1 - i];
+    struct model_task asked = model_task_at(task, loads, count);
+    if (ensemble_curve(&curve, NULL, &record->ensemble, model_rows[out->model], &asked, status) != STATUS_OK)
+        return status->code;
+    if (curve.count < count)
+        return status_fail(status, STATUS_MODEL, "the curve of %s ends below unload_from",
+                           model_rows[out->model]->label);
+    for (size_t i = 0; i < count; i++) {
+        out->points[i] = points[i];
+        for (int q = QUANTITY_AREA; q < QUANTITY_COUNT; q++)
+            out->points[i].value[q] *= unloading_factor(&out->ratio, (enum quantity)q, loads[i] / out->largest_load);
+        out->points[i].value[QUANTITY_AREA] = fmin(out->points[i].value[QUANTITY_AREA], 1);
+    }
+    return STATUS_OK;
+}
+
+enum { STRIP_SHARES = 5 }; /* a strip that has fewer of them tells too little */
+
+/** The curve of falling load. Where there is none a note says why. */
+static enum status_code run_unloading(struct surface_record *record, const struct evaluate_task *task,
+                                      const struct plan *plan, struct status *status)
+{
+    struct surface_summary *summary = &record->summary;
+    struct surface_unloading *out = summary->unloading = calloc(1, sizeof *out);
+    const struct model_task asked = surface_model_task(record, task->scene, plan, task->loads, task->load_count);
+    double started = clock_seconds(), hardness = asked.hardness_Pa / asked.pair->effective_modulus_Pa;
+    struct status problem = {0};
+    enum status_code rc = STATUS_OK;
+    if (!out)
+        return status_memory(status);
+    out->largest_load = scene_unload_from(task->scene, asked.pair);
+    out->model = plan_leading_model(plan);
+    if (asked.rows)
+        rc = unloading_solve(&out->ratio, asked.rows, out->largest_load, hardness, task->stop, &problem);
+    if (rc == STATUS_OK && out->ratio.count < STRIP_SHARES) {
+        if (hardness <= unloading_ranges_hardness * sqrt(2 * spectrum_moment(asked.spectrum, 1)))
+            unloading_from_ranges(&out->ratio);
+        else
+            rc = status_fail(&problem, STATUS_MODEL, "too few spots touch in its strip; take longer or more scans");
+    }
+    if (rc == STATUS_OK)
+        rc = unload(out, record, &asked, &problem);
+    summary->times.unloading = clock_seconds() - started;
+    if (rc == STATUS_OK && out->ratio.tabled)
+        note_say(&summary->notes, "unloading: too few spots touch in its strip, so by what other surfaces have");
+    if (rc == STATUS_OK && out->ratio.raised > 1)
+        note_say(&summary->notes, "unloading: its strip was loaded to %g times unload_from, so that enough spots touch",
+                 out->ratio.raised);
+    if (rc == STATUS_OK)
+        return rc;
+    free(out);
+    summary->unloading = NULL;
+    if (rc != STATUS_MODEL)
+        return status_fail(status, rc, "%s", problem.message);
+    note_say(&summary->notes, "no curve of unloading: %s", problem.message);
+    return STATUS_OK;
+}
+
 /** A plastic model that yielding cannot change on this surface has its elastic partner's numbers. */
 static enum status_code copy_elastic(struct surface_record *record, size_t m, size_t target_count,
                                      struct status *status)
@@ -389,6 +456,8 @@ enum status_code evaluate_surface(struct surface_record *out, const struct evalu
     enum status_code rc = solve_strips(out, scene, &plan, task->stop, status);
     if (rc == STATUS_OK)
         rc = evaluate_models(out, scene, &plan, task->loads, task->load_count, status);
+    if (rc == STATUS_OK && plan_runs(&plan, EFFECT_UNLOADING))
+        rc = run_unloading(out, task, &plan, status);
     if (rc == STATUS_OK)
         rc = fill_skipped(out, scene, task->plan, &plan, status);
     if (!task->keep_scans)

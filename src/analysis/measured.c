@@ -153,6 +153,14 @@ enum quantity measured_quantity(const struct measured *measured, unsigned effect
     return covered && !measured->thermal ? QUANTITY_JOINT_ECR : quantity_of(measured);
 }
 
+size_t measured_turn(const struct measured *measured)
+{
+    size_t turn = 0;
+    for (size_t i = 0; i < measured->count; i++)
+        turn = measured->load[i] > measured->load[turn] ? i : turn;
+    return turn;
+}
+
 static int compare_numbers(const void *a, const void *b)
 {
     double x = *(const double *)a, y = *(const double *)b;
@@ -196,14 +204,31 @@ static double resistance_at(const struct model_curve *curve, double load, enum q
     return NAN;
 }
 
+static void answer_branches(struct measured_answers *out, const struct measured *measured, enum quantity quantity,
+                            const struct surface_unloading *unloading)
+{
+    double *up = out->resistance + MEASURED_LOADING * measured->count, *down = up + measured->count;
+    for (size_t i = 0; i < measured->count; i++) {
+        bool falls = i > measured_turn(measured);
+        double rising = unloading ? out->resistance[unloading->model * measured->count + i] : NAN;
+        up[i] = falls ? NAN : rising;
+        down[i] = NAN;
+        if (unloading && falls)
+            down[i] =
+                rising * unloading_factor(&unloading->ratio, quantity, measured->load[i] / unloading->largest_load);
+    }
+}
+
 enum status_code measured_answer(struct measured_answers *out, const struct measured *measured, uint64_t models,
                                  const struct model_task *task, const struct joint_task *joint,
-                                 const struct ensemble *set, struct status *status)
+                                 const struct ensemble *set, const struct surface_unloading *unloading,
+                                 struct status *status)
 {
     const enum quantity quantity = measured_quantity(measured, joint->effects);
     double *loads = calloc(measured->count, sizeof *loads);
     struct contact_point *points = malloc((measured->count + 1) * sizeof *points);
-    *out = (struct measured_answers){.resistance = malloc(model_count * measured->count * sizeof *out->resistance)};
+    *out =
+        (struct measured_answers){.resistance = calloc((model_count + 2) * measured->count, sizeof *out->resistance)};
     bool stored = loads && points && out->resistance;
     size_t count = stored ? loads_within(loads, measured, task) : 0;
     struct model_task asked = task_at(measured, task, loads, count);
@@ -217,6 +242,8 @@ enum status_code measured_answer(struct measured_answers *out, const struct meas
         for (size_t i = 0; i < measured->count; i++)
             out->resistance[m * measured->count + i] = resistance_at(&curve, measured->load[i], quantity);
     }
+    if (rc == STATUS_OK)
+        answer_branches(out, measured, quantity, unloading);
     free(loads);
     free(points);
     return rc;

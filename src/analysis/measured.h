@@ -3,8 +3,7 @@
 #ifndef ANALYSIS_MEASURED_H
 #define ANALYSIS_MEASURED_H
 
-#include "analysis/ensemble.h"
-#include "analysis/plan.h"
+#include "analysis/surface.h"
 #include "base/unit.h"
 #include "contact/model.h"
 #include "joint/joint.h"
@@ -20,20 +19,28 @@ struct measured {
     char load_unit[UNIT_LENGTH], resistance_unit[UNIT_LENGTH]; /* that they were given in, as written */
 };
 
+/** The point of the largest load: where others follow, they are of the way down. */
+size_t measured_turn(const struct measured *measured);
+
+/** Beside the models, in the place of one: the model that leads on the way up alone, and its curve of falling load on
+ * the way down. */
+#define MEASURED_LOADING   model_count
+#define MEASURED_UNLOADING (model_count + 1)
+
 /** What the models say at the measured loads, as far as these lie within the run's. Owned: measured_answers_free(). */
 struct measured_answers {
-    double *resistance; /* [model][measured point]; NaN: beyond the run's loads, or none */
+    double *resistance; /* [model, branch][measured point]; NaN: beyond the run's loads, or none */
 };
 
 /** The models' quantity that measurements are held against with these EFFECT_BITs: the resistance with film and plating
  * where these are called for. */
 enum quantity measured_quantity(const struct measured *measured, unsigned effects);
 /** Runs the set `models` at the measured loads themselves, on every scan as the surface's curve, with what lies in the
- * joint. Error: STATUS_MEMORY. */
+ * joint; with the surface's curve of falling load (NULL: none) also the branches. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code measured_answer(struct measured_answers *out, const struct measured *measured,
                                             uint64_t models, const struct model_task *task,
                                             const struct joint_task *joint, const struct ensemble *set,
-                                            struct status *status);
+                                            const struct surface_unloading *unloading, struct status *status);
 void measured_answers_free(struct measured_answers *answers);
 
 /** How far a model is from the measurements, over the loads that it answers. */
@@ -53,7 +60,7 @@ MUST_CHECK enum status_code measured_read(struct measured *out, const struct sce
                                           const struct material_pair *pair, struct status *status);
 void measured_free(struct measured *measured);
 
-/** Distance of model `m`. */
+/** Distance of model `m`, or of a branch. */
 struct measured_distance measured_compare(const struct measured *measured, const struct measured_answers *answers,
                                           size_t m);
 

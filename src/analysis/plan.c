@@ -69,6 +69,13 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
         snprintf(out->reason, sizeof out->reason, "a question to the multiscale models, which do not run");
     } else if (effect == EFFECT_DIRECT) { /* seconds where the rest takes milliseconds: never unasked */
         out->runs = scene->direct.called;
+    } else if (row->only_listed && !(scene->effects & EFFECT_BIT(effect))) {
+        snprintf(out->reason, sizeof out->reason, "runs only where effects lists it");
+    } else if (row->only_listed) {
+        const struct model_row *leading = model_rows[plan_leading_model(plan)];
+        out->runs = leading->plastic;
+        snprintf(out->reason, sizeof out->reason,
+                 leading->plastic ? "listed in the scene" : "%s, which leads, has no hardness", leading->label);
     } else if (row->key && !(scene->called & EFFECT_BIT(effect))) {
         snprintf(out->reason, sizeof out->reason, "the scene has no '%s'", row->key);
     } else if (row->key && !scene->effects_auto) {

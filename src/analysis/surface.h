@@ -14,6 +14,7 @@
 #include "analysis/uncertainty.h"
 #include "base/text.h"
 #include "contact/model.h"
+#include "contact/unloading.h"
 #include "profile/profile.h"
 #include "spectrum/power_law_scans.h"
 
@@ -24,7 +25,15 @@ enum {
 
 /** Where a run's time goes, by stage [s]. */
 struct surface_times {
-    double read, prepare, spectrum, convergence, uncertainty, strips;
+    double read, prepare, spectrum, convergence, uncertainty, strips, unloading;
+};
+
+/** The curve of falling load. */
+struct surface_unloading {
+    double largest_load; /* P/(A_n E') */
+    size_t model;        /* the leading one, whose curve of rising load it leaves there */
+    struct unloading ratio;
+    struct contact_point points[UNLOADING_SHARES]; /* at its shares of the largest load: ratio.count, rising */
 };
 
 struct surface_summary {
@@ -72,7 +81,8 @@ struct surface_summary {
     double lay;                    /* rms slope along over across it: surface_kappa() */
     double perfect_lay[2]; /* where none is known: area and ECR of the leading model at the operating load if the scans
                               ran across a perfect one, over those as they are; NaN: no answer; 0: not asked */
-    struct direct_plan *direct; /* how its contact is solved directly; owned, NULL: it is not called for */
+    struct direct_plan *direct;          /* how its contact is solved directly; owned, NULL: it is not called for */
+    struct surface_unloading *unloading; /* the same; NULL: not called for, or it has none */
     struct surface_times times;
 };
 

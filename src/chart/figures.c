@@ -17,7 +17,12 @@ static const char *const surface_colours[] = {"#1257d0", "#cc5500", "#1fb380", "
 static const char *const sweep_colours[] = {"#431575", "#2b338f", "#025185", "#04657a", "#017775",
                                             "#058a64", "#4f9737", "#939803", "#c79608"};
 static const char ink[] = "#222222", quiet[] = "#8a8a8a";
-enum { COLOURS = sizeof surface_colours / sizeof *surface_colours, DASH_OUTSIDE = 2, DASH_OTHER = 4 };
+enum {
+    COLOURS = sizeof surface_colours / sizeof *surface_colours,
+    DASH_OUTSIDE = 2,
+    DASH_OTHER = 4,
+    DASH_UNLOADING = 5
+};
 
 /* Beyond this A/A_n a resistance goes to 0 over as many decades as a load happens to come close to full contact. */
 static const double nearly_full_area = 0.99;
@@ -92,6 +97,22 @@ static void put_curve(struct chart *chart, const struct model_curve *curve, size
         chart_curve(chart, &outside);
         put_part(chart, curve, valid.end > 0 ? valid.end - 1 : 0, curve->count, x, y, sigma_m);
     }
+}
+
+/** The curve of falling load, if that is model m's; named once. */
+static void put_unloading(struct chart *chart, const struct source *source, const struct surface_record *record,
+                          size_t m, const struct axis *x, const struct axis *y, const struct chart_curve *look)
+{
+    struct surface_unloading *unloading = record->summary.unloading;
+    struct chart_curve falling = *look;
+    if (!unloading || unloading->model != m)
+        return;
+    struct model_curve curve = {.points = unloading->points};
+    falling.legend = record == source->baseline ? "unloading" : "";
+    falling.dash = DASH_UNLOADING;
+    falling.width = 1.6;
+    chart_curve(chart, &falling);
+    put_part(chart, &curve, 0, unloading->ratio.count, x, y, record->summary.asperities.sigma_m);
 }
 
 static struct chart_curve model_look(size_t m)
@@ -190,10 +211,7 @@ static void put_band(struct chart *chart, const struct surface_record *record, s
 /** What was measured, loading filled, unloading open: from the largest load on. */
 static void put_measured(struct chart *chart, const struct measured *measured, const struct asked *asked, double scale)
 {
-    size_t turn = 0;
-    for (size_t i = 0; i < measured->count; i++)
-        if (measured->load[i] > measured->load[turn])
-            turn = i;
+    size_t turn = measured_turn(measured);
     for (int branch = 0; branch < 2; branch++) {
         bool both = turn + 1 < measured->count && turn > 0;
         chart_curve(chart, &(struct chart_curve){.kind = CHART_BARS,
@@ -262,6 +280,7 @@ static void make_answer(struct chart *chart, const struct source *source)
         look.width = look.width < 2 ? look.width : 2.6;
         put_curve(chart, &record->curves[source->leading], source->leading, &x, &y, record->summary.asperities.sigma_m,
                   &look);
+        put_unloading(chart, source, record, source->leading, &x, &y, &look);
     }
     put_direct(chart, source, &asked, load.scale);
     if (results->measured && asked.quantity == measured_quantity(results->measured, results->plan->running))
@@ -531,6 +550,7 @@ static void make_all_surfaces(struct chart *chart, const struct source *source, 
                                   also = {figure->also, false, 1};
                 struct chart_curve look = surface_look(source, k, legend, sizeof legend);
                 put_curve(chart, &record->curves[m], m, &x, &y, record->summary.asperities.sigma_m, &look);
+                put_unloading(chart, source, record, m, &x, &y, &look);
                 look.dash = 3;
                 look.width = 1.4;
                 look.legend = "";
@@ -614,6 +634,7 @@ static void make_measured(struct chart *chart, const struct source *source)
         if (computes(source, m, asked.quantity)) {
             const struct chart_curve look = model_look(m);
             put_curve(chart, &source->baseline->curves[m], m, &x, &y, NAN, &look);
+            put_unloading(chart, source, source->baseline, m, &x, &y, &look);
         }
     put_measured(chart, results->measured, &asked, load.scale);
 }

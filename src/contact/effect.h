@@ -14,6 +14,7 @@ enum effect {
     EFFECT_SCALE_DEPENDENT,
     EFFECT_CONVERGENCE,
     EFFECT_UNCERTAINTY,
+    EFFECT_UNLOADING,
     EFFECT_DIRECT,
     EFFECT_GAP,
     EFFECT_FILM,
@@ -31,6 +32,7 @@ struct effect_row {
     const char *properties[5]; /* material keys it needs besides E_Pa and nu, NULL-terminated */
     unsigned needs_effects;    /* effects it builds on (bits) */
     const char *key;           /* of the scene, that calls for it, and without which it does not run; NULL: none */
+    bool only_listed;          /* the key does not call for it: it runs where `effects` lists it */
 };
 
 extern const struct effect_row effect_rows[EFFECT_COUNT];

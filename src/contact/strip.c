@@ -28,16 +28,15 @@ static double logit(double area_ratio)
     return log(area_ratio) - log1p(-area_ratio);
 }
 
-/** Points of a row in the strip. */
-static size_t row_length(const struct strip_rows *rows)
+size_t strip_row_length(const struct strip_rows *rows)
 {
     return rows->periodic ? rows->points : 2 * rows->points;
 }
 
-static void lay_row(double *out, const struct strip_rows *rows, size_t row)
+void strip_lay_row(double *out, const struct strip_rows *rows, size_t row)
 {
     const double *height_m = rows->height_m + row * rows->points;
-    size_t length = row_length(rows);
+    size_t length = strip_row_length(rows);
     memcpy(out, height_m, rows->points * sizeof *out);
     for (size_t i = rows->points; i < length; i++)
         out[i] = height_m[length - 1 - i];
@@ -182,14 +181,14 @@ static enum status_code solve_strip(struct strip_curve *curve, const double *str
 enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, const size_t *which, size_t count,
                              size_t surrogates, const atomic_bool *stop, struct status *status)
 {
-    size_t length = row_length(rows), points = count * length;
+    size_t length = strip_row_length(rows), points = count * length;
     struct phases phases = {0};
     double *strip_m = malloc((points + 1) * sizeof *strip_m);
     *out = (struct strip){.surrogates = surrogates};
     if (!strip_m)
         return status_memory(status);
     for (size_t r = 0; r < count; r++)
-        lay_row(strip_m + r * length, rows, which[r]);
+        strip_lay_row(strip_m + r * length, rows, which[r]);
     if (phases_of(&phases, strip_m, length, count, status) == STATUS_OK)
         (void)solve_strip(&out->own, strip_m, points, rows->spacing_m, &out->transforms, stop, status);
     for (size_t s = 0; s < surrogates && status->code == STATUS_OK; s++) {
@@ -204,7 +203,8 @@ enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, c
 
 uint64_t strip_cost(const struct strip_rows *rows, size_t count, size_t surrogates)
 {
-    double points = (double)(count * row_length(rows)), pairs = 2.8 * sqrt(sqrt(points)); /* a load, as measured */
+    double points = (double)(count * strip_row_length(rows)),
+           pairs = 2.8 * sqrt(sqrt(points)); /* a load, as measured */
     return (uint64_t)(pairs * points * (double)(STRIP_LOADS * (1 + surrogates)));
 }
 

@@ -25,6 +25,10 @@ struct strip_rows {
     bool periodic; /* each closes on itself; else it is mirrored */
 };
 
+/** Points of one row in a strip, and these: the row, unless periodic with its mirror image. */
+size_t strip_row_length(const struct strip_rows *rows);
+void strip_lay_row(double *out, const struct strip_rows *rows, size_t row);
+
 /** Solutions of one strip by area, ascending. */
 struct strip_curve {
     size_t count;

@@ -126,6 +126,8 @@ static json_t *scene_json(const struct results *results, const struct cell_guard
         json_object_set_new(json, "load_unit", string(scene->load.unit_text));
     if (results->usable_count > 0)
         set(json, guard, "operating_load_over_AnEp", results_operating_load(results, results->baseline));
+    if (plan_runs(results->plan, EFFECT_UNLOADING))
+        set(json, guard, "unload_from_over_AnEp", scene_unload_from(scene, &pair));
     if (scene->called & results->plan->running)
         json_object_set_new(json, "joint", joint_json(results, guard));
     if (scene->mean_free_path == SCENE_MEAN_FREE_PATH_ELECTRON)

@@ -458,6 +458,40 @@ static void fill_answers(struct table *table, const struct results *results)
                 put_answer(table, results, i, m, t);
 }
 
+/** The quantities of unloading.csv, which a strip tells. */
+static bool unloads(const struct plan *plan, int q)
+{
+    return ensemble_band_holds((enum quantity)q) && (plan_quantities(plan) & QUANTITY_BIT(q));
+}
+
+static void fill_unloading(struct table *table, const struct results *results)
+{
+    text_add(&table->rows, "surface,model,load_over_AnEp,largest_load_over_AnEp");
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        if (unloads(results->plan, q))
+            text_add(&table->rows, ",%s,%s_over_loading", quantity_rows[q].column, quantity_rows[q].name);
+    end_row(table);
+    for (size_t s = 0; s < results->surface_count; s++) {
+        const struct surface_summary *summary = &results->surfaces[s].summary;
+        const struct surface_unloading *unloading = summary->unloading;
+        for (size_t i = 0; unloading && i < unloading->ratio.count; i++) {
+            const struct contact_point *point = &unloading->points[i];
+            double load = point->value[QUANTITY_LOAD];
+            put_surface(table, summary);
+            put_word(table, model_rows[unloading->model]->name);
+            put_number(table, "load_over_AnEp", load);
+            put_number(table, "largest_load_over_AnEp", unloading->largest_load);
+            for (int q = 0; q < QUANTITY_COUNT; q++)
+                if (unloads(results->plan, q)) {
+                    put_number(table, quantity_rows[q].column, point->value[q]);
+                    put_number(table, quantity_rows[q].column,
+                               unloading_factor(&unloading->ratio, (enum quantity)q, load / unloading->largest_load));
+                }
+            end_row(table);
+        }
+    }
+}
+
 /** What direct.csv says of each quantity: value and error. */
 static const struct {
     enum quantity quantity;
@@ -558,6 +592,7 @@ enum status_code tables_write(const struct results *results, const char *directo
         {"surfaces.csv", true, fill_surfaces},
         {"sensitivity.csv", true, fill_sensitivity},
         {"answers.csv", results->scene->target_count > 0, fill_answers},
+        {"unloading.csv", plan_runs(results->plan, EFFECT_UNLOADING), fill_unloading},
         {"convergence.csv", results->convergence != NULL, fill_convergence},
         {"direct.csv", results->direct != NULL, fill_direct},
         {"direct_ratio.csv", results->direct != NULL, fill_direct_ratio},

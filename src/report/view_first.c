@@ -207,9 +207,7 @@ static void put_measured(json_t *out, const struct view_source *source)
         return;
     json_t *item = json_object();
     json_object_set_new(out, "measured", item);
-    size_t turn = 0;
-    for (size_t i = 0; i < measured->count; i++)
-        turn = measured->load[i] > measured->load[turn] ? i : turn;
+    size_t turn = measured_turn(measured);
     const struct scene_asked *target = source->asked.target;
     if (target && source->asked.quantity == measured_quantity(measured, source->results->plan->running)) {
         view_load(item, "loading", source, source->results->baseline,

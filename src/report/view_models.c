@@ -65,6 +65,34 @@ static void put_heights(json_t *out, const struct view_source *source)
     json_object_set_new(out, "heights", item);
 }
 
+/** What falling load changes at some of its shares, over the same load rising. */
+static void put_unloading(json_t *out, const struct view_source *source)
+{
+    const struct surface_unloading *unloading = source->baseline->summary.unloading;
+    if (!unloading)
+        return;
+    const struct unloading *ratio = &unloading->ratio;
+    size_t baseline = source->results->baseline;
+    json_t *item = json_object(), *rows = view_list(item, "rows");
+    view_load(item, "from", source, baseline, unloading->largest_load);
+    view_text(item, "label", model_rows[unloading->model]->label);
+    view_flag(item, "tabled", ratio->tabled);
+    for (const struct unloading_range *at = unloading_ranges; at < unloading_ranges + UNLOADING_RANGES; at++) {
+        double area = unloading_factor(ratio, QUANTITY_AREA, at->share),
+               resistance = unloading_factor(ratio, QUANTITY_ECR, at->share);
+        if (isnan(area))
+            continue;
+        json_t *row = view_item(rows);
+        view_load(row, "load", source, baseline, at->share * unloading->largest_load);
+        view_range(row, "area", ratio->tabled ? at->area[0] : area, ratio->tabled ? at->area[1] : area, 2, "");
+        view_number(row, "gap", unloading_factor(ratio, QUANTITY_SEPARATION, at->share), 2, "");
+        view_range(row, "resistance", ratio->tabled ? at->resistance[0] : resistance,
+                   ratio->tabled ? at->resistance[1] : resistance, 2, "");
+    }
+    view_separate(rows);
+    json_object_set_new(out, "unloading", item);
+}
+
 static void put_one_surface(json_t *out, const struct view_source *source)
 {
     json_t *item = json_object(), *rows = view_list(item, "rows");
@@ -105,6 +133,7 @@ static void put_one_surface(json_t *out, const struct view_source *source)
             view_number(one, "load", kink->load * scale, 2, "");
             view_number(one, "wavelength_um", kink->wavelength_m * 1e6, 2, "");
         }
+    put_unloading(item, source);
     json_object_set_new(out, "one_surface", item);
 }
 
@@ -324,6 +353,26 @@ void view_joint(json_t *out, const struct view_source *source)
 
 /* ---- Measured, and the direct solution ---- */
 
+/** Branch by branch, where there is a curve of falling load for the second. */
+static void put_branches(json_t *out, const struct view_source *source)
+{
+    static const char *const names[] = {"loading", "unloading"};
+    const struct results *results = source->results;
+    const struct surface_unloading *unloading = source->baseline->summary.unloading;
+    if (!unloading || measured_compare(results->measured, results->answers, MEASURED_UNLOADING).points == 0)
+        return;
+    json_t *item = json_object();
+    view_text(item, "label", model_rows[unloading->model]->label);
+    for (size_t b = 0; b < 2; b++) {
+        struct measured_distance distance = measured_compare(results->measured, results->answers, MEASURED_LOADING + b);
+        json_t *branch = json_object();
+        view_number(branch, "factor", pow(10, distance.rms_decades), 3, "");
+        view_number(branch, "ratio", pow(10, distance.bias_decades), 3, "");
+        json_object_set_new(item, names[b], branch);
+    }
+    json_object_set_new(out, "branches", item);
+}
+
 /** How far each model is from what was measured. */
 static void put_measured_models(json_t *out, const struct view_source *source)
 {
@@ -342,6 +391,7 @@ static void put_measured_models(json_t *out, const struct view_source *source)
     struct measured_ranking rank = measured_rank(measured, source->results->answers);
     if (rank.nearest < model_count)
         view_text(item, "nearest", model_rows[rank.nearest]->label);
+    put_branches(item, source);
     view_count(item, "points", measured->count);
     view_text(item, "surface", view_name(source, source->results->baseline));
     view_separate(rows);

@@ -88,7 +88,8 @@ static enum status_code run_measured(struct run *run, struct status *status)
     for (size_t m = 0; m < model_count; m++)
         models |= plan_runs_model(results->plan, m) ? MODEL_BIT(m) : 0;
     results->answers = &run->answers;
-    return measured_answer(&run->answers, results->measured, models, &task, &joint, &baseline->ensemble, status);
+    return measured_answer(&run->answers, results->measured, models, &task, &joint, &baseline->ensemble,
+                           baseline->summary.unloading, status);
 }
 
 /** How far one of them is. */

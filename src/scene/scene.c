@@ -138,7 +138,8 @@ static bool call_effects(struct scene *scene, struct scene_source *source, bool 
             continue;
         if (source->call_line[i] == 0 && (scene->effects & bit))
             return fail_effect(source, i, "'%s'; add that key", row->key);
-        if (source->call_line[i] == 0 || (listed && !scene->effects_auto && !(scene->effects & bit)))
+        if (source->call_line[i] == 0 || row->only_listed ||
+            (listed && !scene->effects_auto && !(scene->effects & bit)))
             continue;
         scene->called |= bit;
         if (scene->effects_auto || (scene->effects & bit))
@@ -329,48 +330,45 @@ static bool has_one_modulus(const struct scene *scene)
     return true;
 }
 
-/* The operating load in the kind of the others; 0: none. */
-static double operating_load(const struct scene *scene, const struct material_pair *pair)
+/* A load in the kind of the others; 0: none. */
+static double one_load(const struct scene_one_load *one, const struct scene *scene, const struct material_pair *pair)
 {
-    const struct scene_operating *operating = &scene->operating;
-    if (operating->load == 0 || operating->kind == scene->load.kind)
-        return operating->load;
-    return operating->load / scene_load_divisor(scene, operating->kind, pair) *
-           scene_load_divisor(scene, scene->load.kind, pair);
+    if (one->load == 0 || one->kind == scene->load.kind)
+        return one->load;
+    return one->load / scene_load_divisor(scene, one->kind, pair) * scene_load_divisor(scene, scene->load.kind, pair);
 }
 
-static bool check_operating_load(const struct scene *scene, struct scene_source *source)
+static bool check_one_load(const struct scene_one_load *one, const char *key, size_t line, const struct scene *scene,
+                           struct scene_source *source)
 {
     const struct scene_load *load = &scene->load;
-    const struct scene_operating *operating = &scene->operating;
     double least = load->from, most = load->to;
     for (size_t i = 0; load->values && i < load->points; i++) {
         least = i == 0 ? load->values[i] : fmin(least, load->values[i]);
         most = i == 0 ? load->values[i] : fmax(most, load->values[i]);
     }
-    if (operating->load == 0)
+    if (one->load == 0)
         return true;
-    if (!check_load_kind(scene, source, "operating_load", operating->kind, source->operating_line))
+    if (!check_load_kind(scene, source, key, one->kind, line))
         return false;
-    if ((operating->kind == UNIT_NUMBER) != (load->kind == UNIT_NUMBER) && !has_one_modulus(scene))
+    if ((one->kind == UNIT_NUMBER) != (load->kind == UNIT_NUMBER) && !has_one_modulus(scene))
         return scene_source_fail(
-            source, source->operating_line,
-            "'operating_load' is %s and the loads are %s, which differ from material to material; give "
-            "both alike",
-            unit_quantity_name(operating->kind),
+            source, line, "'%s' is %s and the loads are %s, which differ from material to material; give both alike",
+            key, unit_quantity_name(one->kind),
             load->kind == UNIT_NUMBER ? "P/(A_n E')" : unit_quantity_name(load->kind));
     struct material_pair pair = scene_pair(bodies_at(scene, 0));
-    double value = operating_load(scene, &pair);
+    double value = one_load(one, scene, &pair);
     return (value >= least && value <= most) ||
-           scene_source_fail(source, source->operating_line, "'operating_load' is %g%s%s, outside the loads, %g to %g",
-                             value, load->kind == UNIT_NUMBER ? "" : " ", unit_si(load->kind), least, most);
+           scene_source_fail(source, line, "'%s' is %g%s%s, outside the loads, %g to %g", key, value,
+                             load->kind == UNIT_NUMBER ? "" : " ", unit_si(load->kind), least, most);
 }
 
 static bool check_loads(const struct scene *scene, struct scene_source *source)
 {
     return check_load_kind(scene, source, "load", scene->load.kind, scene->load.kind_line) &&
            check_load_kind(scene, source, "loads", scene->direct.kind, scene->direct.kind_line) &&
-           check_operating_load(scene, source);
+           check_one_load(&scene->operating, "operating_load", source->operating_line, scene, source) &&
+           check_one_load(&scene->unload_from, "unload_from", source->call_line[EFFECT_UNLOADING], scene, source);
 }
 
 static bool check_baseline(const struct scene *scene, struct scene_source *source)
@@ -460,11 +458,16 @@ double scene_load_divisor(const struct scene *scene, enum unit_quantity kind, co
     return kind == UNIT_NUMBER ? 1 : kind == UNIT_PRESSURE ? modulus_Pa : modulus_Pa * scene->nominal_area_m2;
 }
 
+double scene_unload_from(const struct scene *scene, const struct material_pair *pair)
+{
+    return one_load(&scene->unload_from, scene, pair) / scene_load_divisor(scene, scene->load.kind, pair);
+}
+
 enum status_code scene_loads(double **loads, size_t *count, size_t *operating, const struct scene *scene,
                              const struct material_pair *pair, struct status *status)
 {
     const struct scene_load *load = &scene->load;
-    double divisor = scene_load_divisor(scene, load->kind, pair), operates = operating_load(scene, pair);
+    double divisor = scene_load_divisor(scene, load->kind, pair), operates = one_load(&scene->operating, scene, pair);
     size_t points = load->points;
     double *all = malloc((points + 1) * sizeof *all);
     *loads = all;

@@ -54,9 +54,9 @@ struct scene_load {
     size_t plain_line;           /* the last plain number's; 0: there is none */
 };
 
-/** The load at which summary and tables stand; 0: the middle one. */
-struct scene_operating {
-    double load; /* SI */
+/** A load beside those of the curves. */
+struct scene_one_load {
+    double load; /* SI; 0: none */
     enum unit_quantity kind;
 };
 
@@ -163,8 +163,9 @@ struct scene {
     double nominal_area_m2;             /* NaN: resistances stay per area */
     enum scene_mean_free_path mean_free_path;
     struct scene_load load;
-    struct scene_operating operating;
-    double tolerance; /* relative */
+    struct scene_one_load operating;   /* where summary and tables stand; none: at the middle one */
+    struct scene_one_load unload_from; /* the largest that the contact has seen */
+    double tolerance;                  /* relative */
     enum level level;
     bool level_given;    /* else of a periodic record the mean is taken out */
     double max_missing;  /* share of a profile's points that may be missing */
@@ -232,6 +233,9 @@ const struct material_property *scene_lack(const char **body, const struct scene
 
 /** What a load of `kind` is divided by, to be P/(A_n E'); NaN where the nominal area or E' is not known. */
 double scene_load_divisor(const struct scene *scene, enum unit_quantity kind, const struct material_pair *pair);
+
+/** unload_from as P/(A_n E') of a pair of bodies; 0: none. */
+double scene_unload_from(const struct scene *scene, const struct material_pair *pair);
 
 /** The scene's loads on a pair of bodies as P/(A_n E'), ascending, without duplicates: malloc'ed array in *loads,
  * *count of them, as many whatever the pair is; *operating is the place of the one where the summary stands. Error:

@@ -293,14 +293,13 @@ static bool read_mean_free_path(struct scene_source *source, const struct scene_
     return true;
 }
 
-/* The load at which the summary stands. */
-static bool read_operating_load(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+static bool read_one_load(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
 {
-    struct scene_operating *operating = key->field;
+    struct scene_one_load *load = key->field;
     struct scene_quantity quantity;
     if (!scene_source_quantity_of(&quantity, source, key, value))
         return false;
-    *operating = (struct scene_operating){quantity.value, quantity.kind};
+    *load = (struct scene_one_load){quantity.value, quantity.kind};
     return true;
 }
 
@@ -461,8 +460,10 @@ bool scene_keys_read(struct scene_source *source, const yaml_node_t *root)
         {"mean_free_path", read_mean_free_path, .at = &source->mean_free_path_line, .least = 1e-12, .most = 1e-3,
          .quantities = UNIT_DISTANCE},
         {"load", read_load, .field = &scene->load},
-        {"operating_load", read_operating_load, .field = &scene->operating, .least = LOAD_LEAST, .most = LOAD_MOST,
+        {"operating_load", read_one_load, .field = &scene->operating, .least = LOAD_LEAST, .most = LOAD_MOST,
          .quantities = UNIT_LOADS, .at = &source->operating_line},
+        {"unload_from", read_one_load, .field = &scene->unload_from, .least = LOAD_LEAST, .most = LOAD_MOST,
+         .quantities = UNIT_LOADS},
         {"targets", scene_asked_targets, .field = scene},
         {"limits", scene_asked_limits, .field = scene},
         {"tolerance", SCENE_NUMBER(scene->tolerance, SCENE_KEYS_TOLERANCE_LEAST, SCENE_KEYS_TOLERANCE_MOST)},

@@ -392,7 +392,8 @@ TEST_CASE(models_answer_at_the_measured_loads)
         struct measured_answers answers;
         const struct joint_task no_joint = {.pair = task.pair};
         struct status status = {0};
-        assert_int_equal(measured_answer(&answers, &measured, models, &task, &no_joint, &one_scan, &status), STATUS_OK);
+        assert_int_equal(measured_answer(&answers, &measured, models, &task, &no_joint, &one_scan, NULL, &status),
+                         STATUS_OK);
         for (size_t m = 0; m < model_count; m++) {
             for (int i = 0; i < POINTS; i++) {
                 double answer = answers.resistance[m * POINTS + (size_t)i];

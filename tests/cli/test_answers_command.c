@@ -168,8 +168,12 @@ TEST_IN_WORKSPACE(the_sentence_is_of_the_data)
 /** Every number of results.json that is a load says in its key what it is in; returns how many keys there are. */
 static size_t check_load_keys(const json_t *json)
 {
-    static const char *const other[] = {"area_load_slope", "largest_load_share_beyond_fit",
-                                        "largest_load_share_clamped_at_radius", "load_unit", "at_middle_load"};
+    static const char *const other[] = {"area_load_slope",
+                                        "largest_load_share_beyond_fit",
+                                        "largest_load_share_clamped_at_radius",
+                                        "load_unit",
+                                        "at_middle_load",
+                                        "unloading"};
     const char *key;
     json_t *value;
     size_t index, found = 0;

@@ -6,14 +6,18 @@
 TEST_CASE(test_spellings)
 {
     static const char *const names[EFFECT_COUNT] = {
-        "plasticity",  "separation", "electrical", "thermal", "scale-dependent", "convergence",
-        "uncertainty", "direct",     "gap",        "film",    "plating",         "heating"};
-    static const char *const keys[EFFECT_COUNT] = {
-        [EFFECT_GAP] = "gap", [EFFECT_FILM] = "film", [EFFECT_PLATING] = "plating", [EFFECT_HEATING] = "current"};
+        "plasticity", "separation", "electrical", "thermal", "scale-dependent", "convergence", "uncertainty",
+        "unloading",  "direct",     "gap",        "film",    "plating",         "heating"};
+    static const char *const keys[EFFECT_COUNT] = {[EFFECT_UNLOADING] = "unload_from",
+                                                   [EFFECT_GAP] = "gap",
+                                                   [EFFECT_FILM] = "film",
+                                                   [EFFECT_PLATING] = "plating",
+                                                   [EFFECT_HEATING] = "current"};
     for (int i = 0; i < EFFECT_COUNT; i++) {
         assert_string_equal(effect_rows[i].name, names[i]);
         assert_true(strlen(effect_rows[i].adds) > 0);
         assert_true(!effect_rows[i].key == !keys[i]);
+        assert_true(effect_rows[i].only_listed == (i == EFFECT_UNLOADING));
         if (keys[i])
             assert_string_equal(effect_rows[i].key, keys[i]);
     }
@@ -21,8 +25,9 @@ TEST_CASE(test_spellings)
 
 TEST_CASE(test_what_they_need)
 {
-    static const size_t counts[EFFECT_COUNT] = {1, 0, 1, 1, 4, 0, 0, 0, 1, 1, 1, 1};
+    static const size_t counts[EFFECT_COUNT] = {1, 0, 1, 1, 4, 0, 0, 1, 0, 1, 1, 1, 1};
     static const unsigned needs[EFFECT_COUNT] = {[EFFECT_SCALE_DEPENDENT] = EFFECT_BIT(EFFECT_THERMAL),
+                                                 [EFFECT_UNLOADING] = EFFECT_BIT(EFFECT_PLASTICITY),
                                                  [EFFECT_GAP] =
                                                      EFFECT_BIT(EFFECT_SEPARATION) | EFFECT_BIT(EFFECT_THERMAL),
                                                  [EFFECT_FILM] = EFFECT_BIT(EFFECT_ELECTRICAL),

@@ -1,0 +1,99 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "contact/unloading.h"
+
+#include "direct/direct_ladder.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static const double shares[UNLOADING_SHARES] = {1, 0.75, 0.5, 0.35, 0.2, 0.13, 0.08, 0.05};
+
+/** Of a strip on the way up. Its ratio of resistances is off from a surface's by a factor 1.6 with 4 ... 7 of them, 1.4
+ * with 8 ... 15, 1.3 with 16 ... 63 and 1.25 with more. */
+enum { LEAST_SPOTS = 16 };
+
+/** Of the strip's solutions, over its rms height. */
+static const double tolerance = 1e-3;
+
+static double ratio(const struct direct_point *down, const struct direct_point *up, enum direct_quantity quantity)
+{
+    return log(direct_point_value(down, quantity) / direct_point_value(up, quantity));
+}
+
+/** Loads to which a strip with too few spots may be taken in place of the largest, over the hardness. */
+static const double light = 0.2;
+
+static enum status_code solve(struct unloading *out, const double *strip_m, size_t points, double spacing_m,
+                              double largest_load, double hardness, const atomic_bool *stop, struct status *status)
+{
+    double load[UNLOADING_SHARES];
+    struct direct_point up[UNLOADING_SHARES], down[UNLOADING_SHARES];
+    const struct direct_ladder_def def = {load, UNLOADING_SHARES, hardness, tolerance, true, stop};
+    for (size_t i = 0; i < UNLOADING_SHARES; i++)
+        load[i] = shares[i] * largest_load;
+    enum status_code rc = direct_ladder_loop(up, down, strip_m, points, 1, spacing_m, &def, LEAST_SPOTS, status);
+    out->count = 0;
+    for (size_t i = 0; i < UNLOADING_SHARES && rc == STATUS_OK && up[i].exists; i++) {
+        for (int q = DIRECT_AREA; q <= DIRECT_CONSTRICTION; q++)
+            out->value[i][q] = i > 0 ? ratio(&down[i], &up[i], (enum direct_quantity)q) : 0;
+        out->transforms += points * (up[i].convolutions + down[i].convolutions);
+        out->share[out->count++] = shares[i];
+    }
+    return rc;
+}
+
+enum status_code unloading_solve(struct unloading *out, const struct strip_rows *rows, double largest_load,
+                                 double hardness, const atomic_bool *stop, struct status *status)
+{
+    size_t length = strip_row_length(rows), points = rows->rows * length;
+    double *strip_m = malloc((points + 1) * sizeof *strip_m);
+    *out = (struct unloading){.raised = 1};
+    if (!strip_m)
+        return status_memory(status);
+    for (size_t r = 0; r < rows->rows; r++)
+        strip_lay_row(strip_m + r * length, rows, r);
+    while (solve(out, strip_m, points, rows->spacing_m, out->raised * largest_load, hardness, stop, status) ==
+               STATUS_OK &&
+           out->count < UNLOADING_SHARES && 2 * out->raised * largest_load <= light * hardness)
+        out->raised *= 2;
+    free(strip_m);
+    return status->code;
+}
+
+const struct unloading_range unloading_ranges[UNLOADING_RANGES] = {
+    {0.5, {1.4, 1.6}, {0.75, 0.81}},
+    {0.2, {1.8, 2.2}, {0.58, 0.78}},
+    {0.1, {2.2, 2.8}, {0.58, 0.75}},
+    {0.05, {2.5, 3.4}, {0.45, 0.68}},
+};
+const double unloading_ranges_hardness = 0.3;
+
+void unloading_from_ranges(struct unloading *out)
+{
+    *out = (struct unloading){.count = 1 + UNLOADING_RANGES, .share = {1}, .raised = 1, .tabled = true};
+    for (size_t i = 0; i < UNLOADING_RANGES; i++) {
+        const struct unloading_range *range = &unloading_ranges[i];
+        out->share[i + 1] = range->share;
+        out->value[i + 1][DIRECT_AREA] = log(range->area[0] * range->area[1]) / 2;
+        out->value[i + 1][DIRECT_GAP] = NAN;
+        out->value[i + 1][DIRECT_CONSTRICTION] = log(range->resistance[0] * range->resistance[1]) / 2;
+    }
+}
+
+static const double rounding = 1e-9; /* of a load given twice, in different units */
+
+double unloading_factor(const struct unloading *unloading, enum quantity quantity, double share)
+{
+    int q = quantity == QUANTITY_AREA                              ? DIRECT_AREA
+            : quantity == QUANTITY_SEPARATION                      ? DIRECT_GAP
+            : quantity == QUANTITY_ECR || quantity == QUANTITY_TCR ? DIRECT_CONSTRICTION
+                                                                   : -1;
+    size_t k = 0;
+    if (q < 0 || unloading->count < 2 || !(share <= 1 + rounding && share >= unloading->share[unloading->count - 1]))
+        return NAN;
+    while (k + 2 < unloading->count && share < unloading->share[k + 1])
+        k++;
+    double from = unloading->share[k], place = log(share / from) / log(unloading->share[k + 1] / from);
+    double ln = unloading->value[k][q] + place * (unloading->value[k + 1][q] - unloading->value[k][q]);
+    return isfinite(ln) ? exp(ln) : NAN; /* what touches everywhere has no gap and no resistance left */
+}
