@@ -349,8 +349,7 @@ void effects_account(struct effects_row rows[EFFECTS_ROWS], const struct plan *p
 }
 
 /* What a report takes, roughly, on one core of 2020; for planning only: a report prints what it took. */
-static const double report_seconds = 0.25, surface_seconds = 1e-3, point_seconds = 0.4e-6, load_seconds = 3e-6,
-                    record_height_seconds = 0.25e-6;
+static const double report_seconds = 0.25, surface_seconds = 1e-3, point_seconds = 0.4e-6, load_seconds = 3e-6;
 
 double effects_rough_seconds(const struct plan *plan, const struct surface_record *surfaces, size_t count,
                              size_t load_count, double direct_seconds, size_t threads)
@@ -370,7 +369,7 @@ double effects_rough_seconds(const struct plan *plan, const struct surface_recor
             sum += summary->strip_cost * strip_seconds * 2 * UNLOADING_SHARES / (STRIP_LOADS * (1 + STRIP_SURROGATES));
         longest = fmax(longest, strips);
         if (summary->simulates)
-            sum += 2 * SINGLE_SCAN_RECORDS * (double)summary->points * record_height_seconds;
+            sum += uncertainty_seconds(summary->points);
     }
     return report_seconds + fmax(sum / (double)threads, longest);
 }

@@ -40,8 +40,11 @@ MUST_CHECK enum status_code uncertainty_run(struct uncertainty *out, const struc
  * spectrum of these heights, as amplitudes; NULL: not known yet. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code uncertainty_possible(bool *out, const double *height_m, size_t points,
                                                  const struct spectrum *tapered, struct status *status);
+/** What simulating a scan of `points` takes, roughly, of one core [s]: heights drawn, levelled and transformed, and a
+ * model run on every record. */
+double uncertainty_seconds(size_t points);
 /** Would as many `surfaces` of one scan of `points` each take less than the ten seconds that `effects: auto` spends at
- * most, by a count of heights drawn, levelled and transformed? */
+ * most? */
 bool uncertainty_affordable(size_t points, size_t surfaces);
 
 /** What follows for the answer at the middle load, and in a band: half-widths at every load of the curve of a scan of
