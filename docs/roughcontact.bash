@@ -3,7 +3,7 @@
 _roughcontact()
 {
     local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
-    local commands='report direct plan inspect view synth models materials self-test help'
+    local commands='report direct plan init inspect view synth models materials self-test help'
     local scene='--material= -m --effects= -e --tolerance= -t --x-unit= --z-unit='
     local options='' kind=nothing words='' argument='' before=''
     COMPREPLY=()
@@ -23,6 +23,9 @@ _roughcontact()
     plan)
         options="--brief --json $scene"
         kind=directories ;;
+    init)
+        options='--output= -o'
+        kind=directories ;;
     inspect)
         options='--json --no-chart --chart --x-unit= --z-unit= --quantity= --column= --level= --lambda-s= --lambda-c='
         options+=' --fit= --limits'
@@ -38,7 +41,7 @@ _roughcontact()
     help) kind=words words=$commands ;;
     esac
     case "$command $previous" in # the value of an option
-    'synth --output' | 'synth -o') kind=files ;;
+    'synth --output' | 'synth -o' | 'init --output' | 'init -o') kind=files ;;
     *' --template') kind=files ;;
     *' --output' | *' -o') kind=directories ;;
     *' --material' | *' -m')

@@ -1,17 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/text.h"
 #include "cli/command.h"
-#include "output/output.h"
 #include "profile/synth.h"
 #include "scan/scan.h"
 
 #include <argp.h>
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-#include <sys/stat.h>
 
 struct arguments {
     struct synth_def def;
@@ -94,33 +90,6 @@ static error_t parse(int key, char *value, struct argp_state *state)
     }
 }
 
-/** Writes a file whole or not at all: in a hidden directory beside it, from where it takes its place. */
-static enum status_code write_file(const char *path, const struct text *content, struct status *status)
-{
-    struct temporary hidden;
-    struct stat info;
-    char *real = realpath(path, NULL), whole[PATH_MAX + 16];
-    const char *target = real ? real : path, *slash = strrchr(target, '/');
-    bool there = stat(path, &info) == 0;
-    if (there && !S_ISREG(info.st_mode)) { /* a pipe, a device */
-        free(real);
-        return text_write_file(path, content->data, content->length, status);
-    }
-    char *parent = slash ? strndup(target, (size_t)(slash - target) + 1) : strdup(".");
-    bool made = parent && temporary_make(&hidden, parent, output_clear, status) == STATUS_OK;
-    snprintf(whole, sizeof whole, "%s/report", made ? hidden.path : "");
-    if (!made || text_write_file(whole, content->data, content->length, status) != STATUS_OK ||
-        (there && chmod(whole, info.st_mode & 07777) != 0) || rename(whole, target) != 0) {
-        *status = (struct status){0};
-        (void)status_fail(status, STATUS_IO, "cannot write '%s': %s", path, status_reason(errno));
-    }
-    if (made)
-        temporary_remove(&hidden);
-    free(parent);
-    free(real);
-    return status->code;
-}
-
 static enum status_code write_scan(const struct arguments *arguments, const double *height_m, struct status *status)
 {
     const struct synth_def *def = &arguments->def;
@@ -133,7 +102,7 @@ static enum status_code write_scan(const struct arguments *arguments, const doub
     if (csv.failed)
         rc = status_memory(status);
     else if (arguments->output)
-        rc = write_file(arguments->output, &csv, status);
+        rc = command_write(arguments->output, &csv, false, status);
     else
         fwrite(csv.data, 1, csv.length, stdout);
     text_free(&csv);

@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/command.h"
+#include "base/temporary.h"
 #include "base/text.h"
+#include "output/output.h"
 #include "scene/scene_words.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <libgen.h>
 #include <limits.h>
 #include <math.h>
@@ -11,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/ioctl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 void command_complain(const char *what, const char *message)
@@ -42,6 +46,39 @@ enum status_code command_share(struct text *out, const char *name, struct status
         return status_fail(status, STATUS_IO, "no %s in '%s'; install the program with cmake --install", name,
                            text_string(out));
     return STATUS_OK;
+}
+
+/** Moves a file; `fresh`: not onto another one, where the file system can tell. */
+static bool move(const char *from, const char *to, bool fresh)
+{
+    bool moved = fresh && renameat2(AT_FDCWD, from, AT_FDCWD, to, RENAME_NOREPLACE) == 0;
+    return moved || ((!fresh || errno == EINVAL) && rename(from, to) == 0);
+}
+
+enum status_code command_write(const char *path, const struct text *content, bool fresh, struct status *status)
+{
+    struct temporary hidden;
+    struct stat info;
+    char *real = realpath(path, NULL), whole[PATH_MAX + 16];
+    const char *target = real ? real : path, *slash = strrchr(target, '/');
+    bool there = stat(path, &info) == 0;
+    if (there && !S_ISREG(info.st_mode)) { /* a pipe, a device */
+        free(real);
+        return text_write_file(path, content->data, content->length, status);
+    }
+    char *parent = slash ? strndup(target, (size_t)(slash - target) + 1) : strdup(".");
+    bool made = parent && temporary_make(&hidden, parent, output_clear, status) == STATUS_OK;
+    snprintf(whole, sizeof whole, "%s/report", made ? hidden.path : "");
+    if (!made || text_write_file(whole, content->data, content->length, status) != STATUS_OK ||
+        (there && chmod(whole, info.st_mode & 07777) != 0) || !move(whole, target, fresh)) {
+        *status = (struct status){0};
+        (void)status_fail(status, STATUS_IO, "cannot write '%s': %s", path, status_reason(errno));
+    }
+    if (made)
+        temporary_remove(&hidden);
+    free(parent);
+    free(real);
+    return status->code;
 }
 
 enum { KEY_USAGE = 0x1000 };

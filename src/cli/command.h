@@ -35,7 +35,7 @@ struct command_row {
     int (*run)(int argc, char **argv); /* argv[0] is "roughcontact NAME" */
     const struct argp *argp;           /* its options */
 };
-enum { COMMANDS = 10 };
+enum { COMMANDS = 11 };
 extern const struct command_row command_rows[COMMANDS];
 
 /** All of the program but main(): picks the command and returns the exit status. */
@@ -46,6 +46,7 @@ int command_direct(int argc, char **argv);
 int command_plan(int argc, char **argv);
 int command_view(int argc, char **argv);
 int command_inspect(int argc, char **argv);
+int command_init(int argc, char **argv);
 int command_synth(int argc, char **argv);
 int command_models(int argc, char **argv);
 int command_materials(int argc, char **argv);
@@ -53,8 +54,8 @@ int command_self_test(int argc, char **argv);
 int command_help(int argc, char **argv);
 
 extern const struct argp command_report_argp, command_direct_argp, command_plan_argp, command_inspect_argp,
-    command_synth_argp, command_view_argp, command_models_argp, command_materials_argp, command_self_test_argp,
-    command_help_argp;
+    command_init_argp, command_synth_argp, command_view_argp, command_models_argp, command_materials_argp,
+    command_self_test_argp, command_help_argp;
 
 /** What every command takes besides: -h and --help, which are the same, and --usage. */
 extern const struct argp command_common_argp;
@@ -78,6 +79,11 @@ int command_fail(const struct status *status);
 
 /** What is installed as share/roughcontact/`name` beside the program's bin. Error: STATUS_IO. */
 MUST_CHECK enum status_code command_share(struct text *out, const char *name, struct status *status);
+
+/** Writes a file whole or not at all: in a hidden directory beside it, from where it takes its place; `fresh`: and
+ * never that of another. A pipe or a device is written to. Error: STATUS_IO. */
+MUST_CHECK enum status_code command_write(const char *path, const struct text *content, bool fresh,
+                                          struct status *status);
 
 /** The length [m] that option `name` gives: 0.8mm, 8 um, or a plain number in m; ends the program where it is none. */
 double command_length(const char *name, const char *value, struct argp_state *state);

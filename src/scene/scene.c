@@ -13,8 +13,6 @@
 #include <string.h>
 #include <sys/stat.h>
 
-static const off_t most_bytes = 1024 * 1024; /* of scene.yaml */
-
 static struct scene default_scene(void)
 {
     return (struct scene){
@@ -81,7 +79,7 @@ static enum status_code load_text(struct text *bytes, struct scene *scene, struc
         return status_fail(status, STATUS_IO, "cannot open '%s': %s", scene->path, strerror(errno));
     if (!S_ISREG(info.st_mode))
         return status_fail(status, STATUS_SCENE, "'%s' is no regular file; remove it", scene->path);
-    if (info.st_size > most_bytes)
+    if (info.st_size > SCENE_BYTES_MOST)
         return status_fail(status, STATUS_SCENE, "'%s' is larger than 1 MiB; a scene is a few lines of text",
                            scene->path);
     return text_read_file(bytes, scene->path, status);

@@ -148,6 +148,8 @@ enum scene_data {
 extern const char *const scene_data_names[SCENE_DATA_COUNT];
 enum { SCENE_DATA_SURFACES = 100 };
 
+enum { SCENE_BYTES_MOST = 1024 * 1024 }; /* of scene.yaml */
+
 struct scene {
     char *directory; /* DIR as given */
     char *path;      /* of scene.yaml, NULL when there is none */
@@ -216,6 +218,15 @@ struct scene_overrides {
 MUST_CHECK enum status_code scene_read(struct scene *out, const char *directory,
                                        const struct scene_overrides *overrides, struct status *status);
 void scene_free(struct scene *scene);
+
+/** Joins surfaces of one file each whose names differ in a number at the end alone, or in a letter behind a mark, into
+ * one of repeated scans, named by what is left; not where that ends with surface, sample, specimen or part: the number
+ * then counts these. In the order of names, each its own. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code scene_join_repeats(struct scene *scene, struct status *status);
+
+/** A pattern that matches the files of a surface, as they were found, and no other; malloc'ed. NULL: there is none, or
+ * an error, STATUS_IO or STATUS_MEMORY. */
+char *scene_pattern(const struct scene *scene, const struct scene_surface *surface, struct status *status);
 
 /** Does data/ hold bins of the spectra instead of every harmonic? */
 bool scene_bins_spectra(const struct scene *scene);

@@ -12,8 +12,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
+
+static const char repeat_marks[] = "-_ ("; /* between the name of a surface and the number of its scan */
 
 char *scene_file_path(const struct scene *scene, const char *file)
 {
@@ -401,4 +404,91 @@ enum status_code scene_files_list(struct scene *scene, struct status *status)
     scene_files_free(&folders, NULL);
     return status->code == STATUS_OK && drop_others(scene, status) == STATUS_OK ? tell_apart(scene, status)
                                                                                 : status->code;
+}
+
+static const char *ending_of(const char *file)
+{
+    const char *dot = strrchr(file, '.');
+    return dot && dot > file ? dot : "";
+}
+
+/* How many bytes of a file's name are its surface's: those before the ending, without what tells repeated scans apart:
+ * a number (a-1, a 2, a (3), a4), or a letter behind a mark (a-b, but x, y and z are directions). 0.5 is a value;
+ * behind some words the number counts surfaces. */
+static size_t root_length(const char *file)
+{
+    static const char *const counted[] = {"surface", "sample", "specimen", "part"};
+    size_t whole = strlen(file) - strlen(ending_of(file)), end = whole - (file[whole - 1] == ')'), root = end;
+    while (root > 0 && isdigit((unsigned char)file[root - 1]))
+        root--;
+    if (root == end && end > 1 && isalpha((unsigned char)file[end - 1]) && !strchr("xyzXYZ", file[end - 1]) &&
+        strchr(repeat_marks, file[end - 2]))
+        root--;
+    bool repeated = root < end;
+    while (root > 0 && strchr(repeat_marks, file[root - 1]))
+        root--;
+    for (size_t i = 0; i < SCENE_COUNT(counted); i++) {
+        size_t length = strlen(counted[i]);
+        repeated = repeated && (root < length || strncasecmp(file + root - length, counted[i], length) != 0);
+    }
+    return repeated && root > 0 && file[root - 1] != '.' ? root : whole;
+}
+
+/* 0: alike but for the number. The ending of a folder's file has a slash where its name has none. */
+static int compare_roots(const char *a, const char *b)
+{
+    size_t first = root_length(a), second = root_length(b);
+    int order = first != second ? (first > second) - (first < second) : strncmp(a, b, first);
+    return order ? order : strcmp(ending_of(a), ending_of(b));
+}
+
+static int compare_repeats(const void *a, const void *b)
+{
+    const char *first = ((const struct scene_surface *)a)->files[0];
+    const char *second = ((const struct scene_surface *)b)->files[0];
+    int order = compare_roots(first, second);
+    return order ? order : natural_order(first, second);
+}
+
+enum status_code scene_join_repeats(struct scene *scene, struct status *status)
+{
+    struct scene_surface *all = scene->surfaces;
+    size_t joined = 0;
+    qsort(all, scene->surface_count, sizeof *all, compare_repeats);
+    for (size_t i = 0, end; i < scene->surface_count; i = end) {
+        struct scene_surface *surface = &all[joined++];
+        *surface = all[i];
+        const char *file = surface->files[0];
+        for (end = i + 1; end < scene->surface_count && compare_roots(file, all[end].files[0]) == 0 &&
+                          scene_files_add(surface, all[end].files[0], status) == STATUS_OK;
+             end++)
+            scene_files_free(&all[end], scene->shared_bodies);
+        if (end == i + 1)
+            continue;
+        free(surface->name);
+        if (!(surface->name = strndup(file, root_length(file))))
+            (void)status_memory(status);
+    }
+    scene->surface_count = joined;
+    return status->code == STATUS_OK ? tell_apart(scene, status) : status->code;
+}
+
+char *scene_pattern(const struct scene *scene, const struct scene_surface *surface, struct status *status)
+{
+    const char *first = surface->files[0], *slash = strrchr(first, '/');
+    size_t kept = slash ? (size_t)(slash + 1 - first) : root_length(first);
+    struct scene_surface found = {0};
+    char *pattern;
+    kept += slash ? 0 : strspn(first + kept, repeat_marks);
+    if (asprintf(&pattern, "%.*s*%s", (int)kept, first, slash ? "" : ending_of(first)) < 0)
+        return (void)status_memory(status), NULL;
+    bool exact = scene_files_match(&found, scene, pattern, S_IFREG, status) == STATUS_OK &&
+                 found.file_count == surface->file_count;
+    for (size_t i = 0; i < found.file_count && exact; i++) /* a file of that very name would be taken alone */
+        exact = strcmp(found.files[i], surface->files[i]) == 0 && strcmp(found.files[i], pattern) != 0;
+    scene_files_free(&found, NULL);
+    if (exact)
+        return pattern;
+    free(pattern);
+    return NULL;
 }

@@ -85,14 +85,15 @@ TEST_IN_WORKSPACE(test_usage)
 {
     expect_failure(place, 2, 1, "unknown command 'reprot'; did you mean 'report'?", "reprot", "d");
     expect_failure(place, 2, 1,
-                   "unknown command '--bogus'; allowed: report, direct, plan, inspect, view, synth, models, materials, "
-                   "self-test, help",
+                   "unknown command '--bogus'; allowed: report, direct, plan, init, inspect, view, synth, models, "
+                   "materials, self-test, help",
                    "--bogus");
     expect_failure(place, 2, 1, "unknown command 'a?b'",
                    "a\x1b"
                    "b");
     expect_failure(place, 2, 3, "roughcontact report: which directory of scans?", "report");
     expect_failure(place, 2, 3, "roughcontact plan: which directory of scans?", "plan");
+    expect_failure(place, 2, 3, "roughcontact init: which directory of scans?", "init");
     expect_failure(place, 2, 3, "roughcontact inspect: which file?", "inspect");
     expect_failure(place, 2, 3, "roughcontact models: no argument is taken, but there is 'x'", "models", "x");
     expect_failure(place, 2, 3, "option requires an argument -- 'o'", "report", "d", "-o");

@@ -1,0 +1,137 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* `init`: what it guesses from names, and that the program reads what it writes. */
+#include "cli/process.h"
+#include "scene/scene.h"
+
+#include <stdio.h>
+#include <unistd.h>
+
+/** Fails the test unless the scene of d has these surfaces: "name=file|file\n", a line each. */
+static void expect_surfaces(const char *place, const char *expected)
+{
+    char directory[4096];
+    struct scene scene;
+    struct status status = {0};
+    struct text found = {0};
+    snprintf(directory, sizeof directory, "%s/d", place);
+    if (scene_read(&scene, directory, NULL, &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    assert_non_null(scene.path);
+    for (size_t i = 0; i < scene.surface_count; i++) {
+        text_add(&found, "%s=", scene.surfaces[i].name);
+        for (size_t f = 0; f < scene.surfaces[i].file_count; f++)
+            text_add(&found, "%s%s", f > 0 ? "|" : "", scene.surfaces[i].files[f]);
+        text_add(&found, "\n");
+    }
+    assert_string_equal(text_string(&found), expected);
+    text_free(&found);
+    scene_free(&scene);
+}
+
+static const char numbers[] = "0,1\n1,2\n2,1.5\n3,1\n";
+
+/** A directory d of these files, "a|b|c", and no other. */
+static void make_files(const char *place, const char *files)
+{
+    char list[512], *rest = list, path[256];
+    free(workspace_shell(place, "rm -rf d"));
+    snprintf(list, sizeof list, "%s", files);
+    for (char *file; (file = strsep(&rest, "|"));) {
+        struct text content = {0};
+        snprintf(path, sizeof path, "d/%s", file);
+        text_add(&content, "x [um],z [um]\n%s", numbers);
+        workspace_write(place, path, text_string(&content));
+        text_free(&content);
+    }
+}
+
+TEST_IN_WORKSPACE(names_tell_surfaces)
+{
+    static const struct {
+        const char *files, *surfaces, *written;
+    } cases[] = {
+        {"new-1.csv|new-2.csv|new-10.csv|worn_a.csv|worn_b.csv|worn_c.csv",
+         "new=new-1.csv|new-2.csv|new-10.csv\nworn=worn_a.csv|worn_b.csv|worn_c.csv\n",
+         "  # A guess: these 3 files differ in a number or letter alone, so they are repeated scans of one surface;\n"
+         "  # else give each an item of its own.\n  - name: \"new\"\n    file: \"new-*.csv\"\n"},
+        {"a.csv|b.csv|c-1.csv", "a=a.csv\nb=b.csv\nc-1=c-1.csv\n", "\n  - name: \"a\"\n    file: \"a.csv\"\n"},
+        {"surface-1.csv|surface-2.csv|Sample 1.csv|Sample 2.csv",
+         "Sample 1=Sample 1.csv\nSample 2=Sample 2.csv\nsurface-1=surface-1.csv\nsurface-2=surface-2.csv\n",
+         "surfaces:"},
+        {"1.csv|2.csv|p-x.csv|p-y.csv|ra-0.5.csv|ra-0.7.csv",
+         "1=1.csv\n2=2.csv\np-x=p-x.csv\np-y=p-y.csv\nra-0.5=ra-0.5.csv\nra-0.7=ra-0.7.csv\n", "surfaces:"},
+        {"s.csv|s (1).csv|s (2).csv|t1.csv|t2.csv", "s=s (1).csv|s (2).csv|s.csv\nt=t1.csv|t2.csv\n",
+         "    file:\n      - \"s (1).csv\"\n      - \"s (2).csv\"\n      - \"s.csv\"\n"},
+        {"q-1.csv|q-2.csv|q-old.csv", "q=q-1.csv|q-2.csv\nq-old=q-old.csv\n", "    file:\n      - \"q-1.csv\"\n"},
+        {"a-1.csv|a-2.csv|a-1.txt|a-2.txt", "a-1.csv=a-1.csv|a-2.csv\na-1.txt=a-1.txt|a-2.txt\n", "\"a-*.txt\""},
+        {"worn/k.csv|worn/l.csv|worn-1.csv|one/k.csv", "one=one/k.csv\nworn=worn/k.csv|worn/l.csv\nworn-1=worn-1.csv\n",
+         "  # A guess: the 2 files of a directory are repeated scans of one surface.\n  - name: \"worn\"\n    file: "
+         "\"worn/*\"\n"},
+        {"h/*|h/b.csv", "h=h/*|h/b.csv\n", "      - \"h/*\"\n"},
+        {"w*-1.csv|w*-2.csv|wi-1.csv", "w*=w*-1.csv|w*-2.csv\nwi-1=wi-1.csv\n", "      - \"w*-2.csv\"\n"},
+        {"it's \"a: #1\" {x}, [y].csv|- &b *c.csv",
+         "- &b *c=- &b *c.csv\nit's \"a: #1\" {x}, [y]=it's \"a: #1\" {x}, [y].csv\n",
+         "    file: \"it's \\\"a: #1\\\" {x}, [y].csv\"\n"},
+        {"\u202e\u00e9.csv", "\\u202e\u00e9=\u202e\u00e9.csv\n", "    file: \"\\u202e\u00e9.csv\"\n"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        make_files(place, cases[i].files);
+        run_to_exit(place, 0, "init", "d");
+        expect_surfaces(place, cases[i].surfaces);
+        expect_in_file(place, "d/scene.yaml", cases[i].written);
+    }
+    make_files(place, "a\n: #.csv|\xff\x1b/b.csv|d.csv");
+    run_to_exit(place, 0, "init", "d");
+    expect_surfaces(place, "d=d.csv\n");
+    expect_in_file(place, "d/scene.yaml", "\n# Left out, as a scene cannot name its files; rename them: a\\x0a: #\n",
+                   "rename them: \\xff\\x1b\n");
+}
+
+TEST_IN_WORKSPACE(what_is_to_be_filled_in)
+{
+    workspace_scan(place, "d/a.csv", 200, 1);
+    free(workspace_shell(place, "tail -n +2 d/a.csv > d/both.csv; (echo 'x [um],z'; cat d/both.csv) > d/z.csv"));
+    workspace_write(place, "d/short.csv", "x [um],z [um]\n0,1\n");
+    workspace_write(place, "d/picture.png", "\x89PNG\r\n\x1a\n");
+    struct process before = expect_exit(place, 1, "report", "d", "--brief", "--no-cost");
+    run_to_exit(place, 0, "init", "d");
+    struct process after = expect_exit(place, 1, "report", "d", "--brief", "--no-cost");
+    expect_part(before.err, after.err); /* but for the picture, which is passed over last or first */
+    expect_in_file(place, "d/scene.yaml", "\n# passed over, no scan: 1 x PNG picture (picture.png)\n",
+                   "# The scene of 4 scans.", "file: \"both.csv\"\n    # x_unit: mm ", "\n    # z_unit: um ",
+                   "file: \"short.csv\"\n    # This is refused as it stands: ", "file: \"z.csv\"\n    # z_unit: um ");
+    /* with every line in force it is a scene, too */
+    free(workspace_shell(place, "sed -i -E 's/^( *)# ([a-z_]+:)/\\1\\2/' d/scene.yaml"));
+    expect_in_file(place, "d/scene.yaml", "\nmaterial: ", "\ncounterface: ", "\nnominal_area: ", "\nload: ",
+                   "\noperating_load: ", "\ntargets: ", "\n    x_unit: mm ", "\n    z_unit: um ");
+    json_t *plan = process_json(expect_exit(place, 1, "plan", "d", "--json")), *surface;
+    size_t i;
+    json_array_foreach(json_object_get(plan, "surfaces"), i, surface)
+        assert_int_equal(json_is_null(json_object_get(surface, "refused")), i != 2); /* short.csv */
+    assert_int_equal(json_integer_value(json_object_get(plan, "targets")), 3);
+    assert_true(json_is_true(json_object_get(plan, "material_known")));
+    json_decref(plan);
+    process_free(&before);
+    process_free(&after);
+}
+
+TEST_IN_WORKSPACE(nothing_is_written_over)
+{
+    make_files(place, "a.csv|b.csv");
+    workspace_write(place, "d/scene.yaml", "title: mine\n");
+    char *digest = workspace_digest(place, ".");
+    expect_failure(place, 4, 1, "'d/scene.yaml' is there already; `-o -` prints what would be written", "init", "d");
+    expect_failure(place, 4, 1, "'d/a.csv' is there already", "init", "d", "-o", "d/a.csv");
+    expect_failure(place, 4, 1, "cannot write 'no/s.yaml': No such file or directory", "init", "d", "-o", "no/s.yaml");
+    expect_failure(place, 4, 1, "cannot write '/proc/s.yaml'", "init", "d", "-o", "/proc/s.yaml");
+    expect_failure(place, 4, 1, "cannot open directory 'no'", "init", "no");
+    expect_output(expect_exit(place, 0, "init", "d", "-o", "-"), "surfaces:\n  - name: \"a\"\n    file: \"a.csv\"\n");
+    expect_digest(place, ".", digest);
+    free(digest);
+    free(workspace_shell(place, "rm d/scene.yaml; ln -s nowhere d/scene.yaml"));
+    expect_failure(place, 4, 1, "cannot write 'd/scene.yaml': File exists", "init", "d");
+    assert_false(workspace_has(place, "d/nowhere"));
+    workspace_folder(place, "empty");
+    expect_failure(place, 4, 1, "no scan in 'empty'", "init", "empty");
+    assert_int_equal(workspace_count(place, ".roughcontact"), 0);
+}
