@@ -18,7 +18,7 @@ _roughcontact()
     fi
     case $command in
     report | direct)
-        options="--output= -o --jobs= -j --show -s --no-cost --check --brief --template= --json --verbose -v $scene"
+        options="--output= -o --jobs= -j --show -s --no-cost --check --brief --template= --export= --json --verbose -v $scene"
         kind=directories ;;
     plan)
         options="--brief --json $scene"

@@ -21,7 +21,7 @@ struct arguments {
     bool show, verbose, check, json;
 };
 
-enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT, KEY_NO_COST, KEY_CHECK, KEY_BRIEF, KEY_JSON, KEY_TEMPLATE };
+enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT, KEY_NO_COST, KEY_CHECK, KEY_BRIEF, KEY_JSON, KEY_TEMPLATE, KEY_EXPORT };
 
 /* What both take: the directory, and what overrides its scene. */
 static const struct argp_option scene_options[] = {
@@ -95,6 +95,10 @@ static const struct argp_option report_options[] = {
      0},
     {"brief", KEY_BRIEF, 0, 0, "write the report's first page alone; data and results.json as ever (default: not)", 0},
     {"template", KEY_TEMPLATE, "FILE", 0, "fill FILE in place of the program's report.md (docs/templates.md)", 0},
+    {"export", KEY_EXPORT, "PROGRAMS", 0,
+     "also write tables of conductance over pressure for abaqus, ansys, calculix, comsol, elmer, moose, with commas "
+     "(default: the scene's, else none)",
+     0},
     {"json", KEY_JSON, 0, 0, "print what came out as one object, for scripts (default: a table)", 0},
     {"verbose", 'v', 0, 0, "end with where the time went (default: not)", 0},
     {0},
@@ -137,6 +141,9 @@ static error_t parse_report(int key, char *value, struct argp_state *state)
         return 0;
     case KEY_TEMPLATE:
         arguments->run.template = value;
+        return 0;
+    case KEY_EXPORT:
+        arguments->overrides.exports = value;
         return 0;
     case KEY_JSON:
         arguments->json = true;

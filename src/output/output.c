@@ -12,11 +12,11 @@
 #include <sys/xattr.h>
 #include <unistd.h>
 
-enum { FOLDERS = 3, LARGEST_MANIFEST = 1 << 20 }; /* bytes; a larger one is none of ours */
-static const char *const folders[FOLDERS] = {".", "data", "figures"};
-static const char *const prefixes[FOLDERS] = {"", "data/", "figures/"};
+enum { FOLDERS = 4, LARGEST_MANIFEST = 1 << 20 }; /* bytes; a larger one is none of ours */
+static const char *const folders[FOLDERS] = {".", "data", "figures", "export"};
+static const char *const prefixes[FOLDERS] = {"", "data/", "figures/", "export/"};
 
-/** Two reports whose files are gone over: their directories, open (itself, data and figures; -1: none), and what is
+/** Two reports whose files are gone over: their directories, open (itself and its folders; -1: none), and what is
  * made of them. What fails below leaves errno. */
 struct visit {
     int old[FOLDERS], new[FOLDERS];
@@ -219,7 +219,7 @@ static bool take_attributes(int from, int to)
 /** Goes over all that lies in OUT (there may be no such directory) by keep_entry(). */
 static enum status_code keep_others(const struct output *out, bool trial, struct status *status)
 {
-    struct visit v = {.new = {-1, -1, -1}, .trial = trial};
+    struct visit v = {.new = {-1, -1, -1, -1}, .trial = trial};
     if (!open_report(v.old, AT_FDCWD, out->target) && errno == ENOENT)
         return STATUS_OK;
     bool ok = v.old[0] >= 0 && open_report(v.new, AT_FDCWD, out->staging) && (v.listed = read_manifest(v.old[0]));
@@ -360,6 +360,8 @@ enum status_code output_commit(struct output *out, struct status *status)
     strcpy(out->staging, done);
     if (keep_others(out, false, status) != STATUS_OK)
         return status->code;
+    snprintf(done, sizeof done, "%.*s/export", PATH_MAX - 16, out->staging);
+    rmdir(done);      /* of a run that was asked for none */
     temporary_hold(); /* a signal comes before it or after */
     if (exchange(out, kept, status) == STATUS_OK) {
         temporary_note("the report is in ", out->target, "");

@@ -185,8 +185,8 @@ enum status_code view_make(json_t **out, const struct results *results, const st
                                  .asked = asked_of(results)};
     source.leading = asked_leading(results, &source.asked);
     static void (*const parts[])(json_t * out, const struct view_source *source) = {
-        view_first_page, view_surfaces, view_models,   view_joint,
-        view_direct,     view_accuracy, view_findings, view_inputs};
+        view_first_page, view_surfaces, view_models, view_joint, view_direct,
+        view_accuracy,   view_findings, view_inputs, view_export};
     *out = json_object();
     view_text(*out, "title", results->scene->title);
     view_text(*out, "version", version_string());

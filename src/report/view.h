@@ -31,6 +31,7 @@ void view_direct(json_t *out, const struct view_source *source);
 void view_accuracy(json_t *out, const struct view_source *source);
 void view_findings(json_t *out, const struct view_source *source);
 void view_inputs(json_t *out, const struct view_source *source);
+void view_export(json_t *out, const struct view_source *source);
 
 /** Rows that a table shows at most; data/ has all. */
 enum { VIEW_ROWS = 100 };

@@ -9,6 +9,7 @@
 #include "output/json.h"
 #include "output/output.h"
 #include "output/tables.h"
+#include "report/export.h"
 #include "report/report.h"
 #include "report/view.h"
 #include "run/messages.h"
@@ -236,6 +237,7 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
     const struct report_options how = {options->templates, options->template, options->brief};
     if (view_make(&run->view, run->results, &run->comparison, &run->figures, status) != STATUS_OK ||
         report_write(run->view, &how, staging, status) != STATUS_OK ||
+        export_write(run->view, run->scene, options->templates, staging, status) != STATUS_OK ||
         report_terminal(&out->table, run->view, options->templates, status) != STATUS_OK)
         return status->code;
     out->missed_count = view_missed_limits(&out->missed, run->results);
@@ -266,6 +268,8 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     struct run run = {.scene = scene, .options = options, .started = clock_seconds()};
     *out = (struct run_outcome){.times.models = calloc(model_count, sizeof *out->times.models)};
     enum status_code rc = out->times.models ? gnuplot_check(status) : status_memory(status);
+    if (rc == STATUS_OK)
+        rc = export_check(scene, options->templates, status);
     if (rc == STATUS_OK)
         rc = begin_output(&run, status);
     if (rc == STATUS_OK)

@@ -39,7 +39,7 @@ static struct scene default_scene(void)
 
 bool scene_bins_spectra(const struct scene *scene)
 {
-    return scene->data == SCENE_DATA_AUTO && scene->surface_count > SCENE_DATA_SURFACES;
+    return scene->data == SCENE_DATA_AUTO && !scene->exports && scene->surface_count > SCENE_DATA_SURFACES;
 }
 
 /* The directory's own name, also where it is given as "." or "..". */
@@ -175,6 +175,13 @@ static enum status_code override_values(struct scene *scene, struct scene_source
         scene->direct.called = scene->effects_auto ? scene->direct.called : scene->effects & EFFECT_BIT(EFFECT_DIRECT);
     scene->direct.called = scene->direct.called || overrides->direct || (scene->effects & EFFECT_BIT(EFFECT_DIRECT));
     (void)call_effects(scene, source, overrides->effects);
+    if (overrides->exports) {
+        free(scene->exports);
+        scene->exports_overridden = true;
+        scene->exports = strdup(overrides->exports);
+        if (!scene->exports)
+            return status_memory(source->status);
+    }
     return source->status->code;
 }
 
@@ -431,6 +438,7 @@ void scene_free(struct scene *scene)
     free(scene->load.values);
     free(scene->direct.values);
     free(scene->baseline);
+    free(scene->exports);
     free(scene->passed_over);
     free(scene->title);
     free(scene->path);

@@ -146,7 +146,7 @@ enum scene_data {
     SCENE_DATA_COUNT
 };
 extern const char *const scene_data_names[SCENE_DATA_COUNT];
-enum { SCENE_DATA_SURFACES = 100 };
+enum { SCENE_DATA_SURFACES = 100, SCENE_EXPORTS_MOST = 64 };
 
 enum { SCENE_BYTES_MOST = 1024 * 1024 }; /* of scene.yaml */
 
@@ -193,7 +193,9 @@ struct scene {
     size_t target_count, limit_count;
     struct scene_surface *surfaces;
     size_t surface_count;
-    char *passed_over; /* files of the directory that are no scans, a line a kind; NULL: none */
+    char *exports;           /* programs to write tables for, commas or blanks between; NULL: none */
+    bool exports_overridden; /* by the command line */
+    char *passed_over;       /* files of the directory that are no scans, a line a kind; NULL: none */
 };
 
 /** Overrides from the command line; NULL, or 0 for tolerance, means not given. */
@@ -201,6 +203,7 @@ struct scene_overrides {
     const struct text *text; /* in place of what the directory's scene.yaml says, if there is one */
     const char *material;    /* built-in name */
     const char *effects;     /* "auto" or names separated by commas or blanks */
+    const char *exports;     /* the same, of programs */
     double tolerance;
     const char *x_unit, *z_unit; /* for every surface */
     bool direct;                 /* calls for the direct solution */

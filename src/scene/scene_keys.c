@@ -120,6 +120,23 @@ static bool read_effects(struct scene_source *source, const struct scene_key *ke
     return true;
 }
 
+/* Names of programs, joined: report/export.h knows which there are. */
+static bool read_export(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+{
+    struct text names = {0};
+    for (size_t i = 0; i < scene_source_item_count(value); i++) {
+        const yaml_node_t *item = scene_source_item(source, value, i);
+        if (item->type != YAML_SCALAR_NODE) {
+            text_free(&names);
+            return scene_source_wrong_type(source, item, key->name, "a list of names");
+        }
+        text_add(&names, "%s ", (const char *)item->data.scalar.value);
+    }
+    source->scene->exports = strdup(text_string(&names));
+    text_free(&names);
+    return source->scene->exports || scene_source_memory(source);
+}
+
 /* Wavelengths [shortest, longest]. */
 static bool read_fit_band(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
 {
@@ -475,6 +492,7 @@ bool scene_keys_read(struct scene_source *source, const yaml_node_t *root)
         {"moments", SCENE_CHOICE(scene->moments, roughness_moments_names)},
         {"closure", SCENE_CHOICE(scene->closure, closure_names)},
         {"data", SCENE_CHOICE(scene->data, scene_data_names)},
+        {"export", read_export, .field = scene},
         {"max_missing", SCENE_QUANTITY(scene->max_missing, UNIT_NUMBER | UNIT_PERCENT, 0.0, 0.9)},
         {"lambda_s", SCENE_QUANTITY(scene->lambda_s_m, UNIT_DISTANCE, 1e-12, 1e3), .word = "none",
          .alias = "lambda_s_m"},

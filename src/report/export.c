@@ -1,0 +1,126 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "report/export.h"
+
+#include "base/mustache.h"
+#include "scene/scene_words.h"
+#include <dirent.h>
+#include <errno.h>
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/** The files of templates/export in order of their names, each cut in two at its last dot. */
+struct programs {
+    struct dirent **entry;
+    const char *name[SCENE_EXPORTS_MOST], *ending[SCENE_EXPORTS_MOST];
+    size_t count, files;
+};
+
+static enum status_code programs_read(struct programs *out, const char *templates, struct status *status)
+{
+    struct text path = {0};
+    *out = (struct programs){0};
+    text_add(&path, "%s/export", templates);
+    int found = scandir(text_string(&path), &out->entry, NULL, alphasort);
+    if (found < 0)
+        (void)status_fail(status, STATUS_IO, "cannot read the templates in '%s': %s", text_string(&path),
+                          status_reason(errno));
+    out->files = found < 0 ? 0 : (size_t)found;
+    for (size_t i = 0; i < out->files && out->count < SCENE_EXPORTS_MOST; i++) {
+        char *name = out->entry[i]->d_name, *dot = strrchr(name, '.');
+        if (!dot || name[0] == '.' || dot[1] == '\0')
+            continue;
+        *dot = '\0';
+        out->name[out->count] = name;
+        out->ending[out->count++] = dot + 1;
+    }
+    text_free(&path);
+    return status->code;
+}
+
+static void programs_free(struct programs *programs)
+{
+    for (size_t i = 0; i < programs->files; i++)
+        free(programs->entry[i]);
+    free(programs->entry);
+}
+
+enum status_code export_check(const struct scene *scene, const char *templates, struct status *status)
+{
+    struct programs programs;
+    struct text problem = {0};
+    size_t length, words = 0;
+    if (!scene->exports || programs_read(&programs, templates, status) != STATUS_OK)
+        return status->code;
+    for (const char *rest = scene->exports, *word; (word = scene_words_next(&rest, &length)); words++)
+        if (problem.length == 0 && scene_words_find(word, length, programs.name, programs.count) == programs.count) {
+            text_add(&problem, "unknown program '%s'; there are",
+                     scene_words_show_view((struct string_view){word, word + length}).text);
+            for (size_t k = 0; k < programs.count; k++)
+                text_add(&problem, "%s %s", k > 0 ? "," : "", programs.name[k]);
+        }
+    programs_free(&programs);
+    if (words == 0)
+        text_add(&problem, "names no program; name one, such as calculix");
+    for (size_t i = 0; i < scene->surface_count && problem.length == 0; i++)
+        if (isnan(scene->surfaces[i].bodies->material.youngs_modulus_Pa))
+            text_add(&problem, "surface '%s' has no material, and so no pressures; add 'material' or export nothing",
+                     scene_words_show(scene->surfaces[i].name).text);
+    if (problem.length > 0 && scene->exports_overridden)
+        (void)status_fail(status, STATUS_USAGE, "--export: %s", text_string(&problem));
+    else if (problem.length > 0)
+        (void)status_fail(status, STATUS_SCENE, "%s: export: %s", scene->path, text_string(&problem));
+    text_free(&problem);
+    return status->code;
+}
+
+/** For a comment of any of the programs: what ends one, continues a line or is computed in one of them is a "_". */
+static void add_comment(struct text *out, const char *string)
+{
+    for (const char *s = string; *s; s++)
+        text_add_bytes(out, strchr("$&#%!*\"'`\\", *s) ? "_" : s, 1);
+}
+
+static enum status_code write_one(const json_t *item, const char *folder, const char *program, const char *ending,
+                                  const char *directory, struct status *status)
+{
+    struct text path = {0}, content = {0};
+    char dotted[NAME_MAX + 2];
+    snprintf(dotted, sizeof dotted, ".%s", ending);
+    struct mustache_folder templates = {folder, dotted, NULL, status};
+    text_add(&path, "%s/export/%s.%s.%s", directory, json_string_value(json_object_get(item, "file")), program, ending);
+    enum status_code rc = mustache_file(&content, &templates, program, item, add_comment);
+    if (rc == STATUS_OK)
+        rc = path.failed || content.failed
+                 ? status_memory(status)
+                 : text_write_file(text_string(&path), text_string(&content), content.length, status);
+    mustache_folder_free(&templates);
+    text_free(&path);
+    text_free(&content);
+    return rc;
+}
+
+enum status_code export_write(const json_t *view, const struct scene *scene, const char *templates,
+                              const char *directory, struct status *status)
+{
+    struct programs programs;
+    struct text folder = {0};
+    size_t i, length;
+    const json_t *item, *exports = json_object_get(view, "exports");
+    if (!scene->exports || programs_read(&programs, templates, status) != STATUS_OK)
+        return status->code;
+    text_add(&folder, "%s/export", templates);
+    bool asked[SCENE_EXPORTS_MOST + 1] = {false};
+    for (const char *rest = scene->exports, *word; (word = scene_words_next(&rest, &length));)
+        asked[scene_words_find(word, length, programs.name, programs.count)] = true;
+    json_array_foreach(exports, i, item)
+    {
+        for (size_t k = 0; k < programs.count && status->code == STATUS_OK; k++)
+            if (asked[k])
+                (void)write_one(item, text_string(&folder), programs.name[k], programs.ending[k], directory, status);
+    }
+    text_free(&folder);
+    programs_free(&programs);
+    return status->code;
+}
