@@ -152,14 +152,15 @@ static void note_model(struct surface_record *record, size_t m, size_t left_out)
                  model_rows[m]->label);
 }
 
-/** Has a resistance of a curve of several scans no interval? An area, or a separation over sigma, that load and
- * hardness decide alone has none either. */
+/** Has a number of a curve of several scans no interval? Of a model that knows yield alone, area and separation over
+ * sigma have none either: load and hardness decide them. */
 static bool loses_interval(const struct surface_record *record, size_t m)
 {
     const struct model_curve *curve = &record->curves[m];
+    int first = model_rows[m]->plastic && !model_rows[m]->elastic ? QUANTITY_ECR : QUANTITY_AREA;
     for (size_t i = 0; record->bands[m] && i < curve->count && i < record->band_count; i++)
-        for (int q = QUANTITY_ECR;
-             q < QUANTITY_COUNT && record->bands[m][i].load == curve->points[i].value[QUANTITY_LOAD]; q++) {
+        for (int q = first; q < QUANTITY_COUNT && record->bands[m][i].load == curve->points[i].value[QUANTITY_LOAD];
+             q++) {
             double value = curve->points[i].value[model_shown(model_rows[m], (enum quantity)q)];
             if (ensemble_band_holds((enum quantity)q) && value > 0 && isnan(record->bands[m][i].mean[q][0]))
                 return true;

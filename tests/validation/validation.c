@@ -322,7 +322,7 @@ static void add_rms(struct page *page, const struct findings *findings, size_t m
         else
             text_add(&page->text, count > 0 ? " %.2f" : " –", sqrt(sum / count));
     }
-    if (printed < all)
+    if (printed < all && !bound)
         text_add(&page->text, " (%zu of %zu)", printed, all);
     text_add(&page->text, bound ? "\n" : all > 0 ? " |" : " – |");
 }
