@@ -71,7 +71,8 @@ struct convergence_tail convergence_tail(const struct spectrum *spectrum, size_t
     double gamma = n < 3 ? NAN : (sxy - sx * sy / n) / (sxx - sx * sx / n);
     if (!(gamma <= convergence_steepest))
         return (struct convergence_tail){NAN, NAN, NAN, count};
-    return (struct convergence_tail){shortest_m * exp(sx / n), exp(sy / n), gamma, count};
+    double wavelength_m = shortest_m * exp(sx / n), amplitude_m = exp(sy / n);
+    return (struct convergence_tail){wavelength_m, amplitude_m, gamma, count};
 }
 
 double convergence_tail_amplitude(const struct convergence_tail *tail, double wavelength_m)
