@@ -52,6 +52,17 @@ static inline int directory_teardown(void **state)
     return 0;
 }
 
+/* A test with that fixture, or one of its group's (TEST_CASE), which has it as `place`. */
+#define TEST_IN_DIRECTORY(name) TEST_OF_PLACE(name, directory_setup, directory_teardown)
+#define TEST_OF_PLACE(name, before, after)                                                                             \
+    static void name##_in(const struct directory *place);                                                              \
+    TEST_WITH(name, before, after)                                                                                     \
+    {                                                                                                                  \
+        name##_in(*state);                                                                                             \
+    }                                                                                                                  \
+    static void name##_in(__attribute__((unused)) const struct directory *place)
+#define TEST_IN_PLACE(name) TEST_OF_PLACE(name, NULL, NULL)
+
 /* Path of `name` below it; good until the next 8 calls. */
 static inline const char *directory_path(const struct directory *directory, const char *name)
 {

@@ -10,7 +10,6 @@ struct direct_study;
 
 enum benchmark_chart {
     BENCHMARK_INTEGRALS,
-    BENCHMARK_CURVES,
     BENCHMARK_DIRECT_AREA, /* against the direct solution, by quantity */
     BENCHMARK_DIRECT_GAP,
     BENCHMARK_DIRECT_ECR,
@@ -63,7 +62,7 @@ const struct benchmark_row *benchmark_find(const struct benchmark *cost, const c
 MUST_CHECK enum status_code benchmark_add(struct benchmark *cost, const struct benchmark_row *row,
                                           struct status *status);
 
-/** The studies: integrals of the statistical models; cut-off and number of loads of the curves, and the tolerance. */
+/** The studies: integrals of the statistical models; the tolerance of the curves. */
 MUST_CHECK enum status_code benchmark_integrals(struct benchmark *cost, const struct benchmark_task *task,
                                                 struct status *status);
 MUST_CHECK enum status_code benchmark_curves(struct benchmark *cost, const struct benchmark_task *task,

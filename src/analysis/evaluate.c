@@ -359,17 +359,11 @@ static enum status_code run_unloading(struct surface_record *record, const struc
     out->model = plan_leading_model(plan);
     if (asked.rows)
         rc = unloading_solve(&out->ratio, asked.rows, out->largest_load, hardness, task->stop, &problem);
-    if (rc == STATUS_OK && out->ratio.count < STRIP_SHARES) {
-        if (hardness <= unloading_ranges_hardness * sqrt(2 * spectrum_moment(asked.spectrum, 1)))
-            unloading_from_ranges(&out->ratio);
-        else
-            rc = status_fail(&problem, STATUS_MODEL, "too few spots touch in its strip; take longer or more scans");
-    }
+    if (rc == STATUS_OK && out->ratio.count < STRIP_SHARES)
+        rc = status_fail(&problem, STATUS_MODEL, "too few spots touch in its strip; take longer or more scans");
     if (rc == STATUS_OK)
         rc = unload(out, record, &asked, &problem);
     summary->times.unloading = clock_seconds() - started;
-    if (rc == STATUS_OK && out->ratio.tabled)
-        note_say(&summary->notes, "unloading: too few spots touch in its strip, so by what other surfaces have");
     if (rc == STATUS_OK && out->ratio.raised > 1)
         note_say(&summary->notes, "unloading: its strip was loaded to %g times unload_from, so that enough spots touch",
                  out->ratio.raised);

@@ -60,26 +60,6 @@ enum status_code unloading_solve(struct unloading *out, const struct strip_rows 
     return status->code;
 }
 
-const struct unloading_range unloading_ranges[UNLOADING_RANGES] = {
-    {0.5, {1.4, 1.6}, {0.75, 0.81}},
-    {0.2, {1.8, 2.2}, {0.58, 0.78}},
-    {0.1, {2.2, 2.8}, {0.58, 0.75}},
-    {0.05, {2.5, 3.4}, {0.45, 0.68}},
-};
-const double unloading_ranges_hardness = 0.3;
-
-void unloading_from_ranges(struct unloading *out)
-{
-    *out = (struct unloading){.count = 1 + UNLOADING_RANGES, .share = {1}, .raised = 1, .tabled = true};
-    for (size_t i = 0; i < UNLOADING_RANGES; i++) {
-        const struct unloading_range *range = &unloading_ranges[i];
-        out->share[i + 1] = range->share;
-        out->value[i + 1][DIRECT_AREA] = log(range->area[0] * range->area[1]) / 2;
-        out->value[i + 1][DIRECT_GAP] = NAN;
-        out->value[i + 1][DIRECT_CONSTRICTION] = log(range->resistance[0] * range->resistance[1]) / 2;
-    }
-}
-
 static const double rounding = 1e-9; /* of a load given twice, in different units */
 
 double unloading_factor(const struct unloading *unloading, enum quantity quantity, double share)

@@ -16,22 +16,8 @@ struct unloading {
     double value[UNLOADING_SHARES][3]; /* ln of area, gap and constriction length over those of loading */
     double raised; /* the strip's largest load over that given: under a light load too few spots touch in it, but there
                       contact is proportional to load, and the ratios are the shares' alone */
-    bool tabled;   /* there is none: unloading_from_ranges() */
     uint64_t transforms; /* pairs of transforms that it took, times points */
 };
-
-/** What direct solutions of rough surfaces have at a share of the largest load, over loading: least and greatest. */
-struct unloading_range {
-    double share, area[2], resistance[2];
-};
-enum { UNLOADING_RANGES = 4 };
-extern const struct unloading_range unloading_ranges[UNLOADING_RANGES];
-
-/** H/(E' g), g the rms gradient, up to which they hold; beyond contact is the more elastic, and has less of a loop. */
-extern const double unloading_ranges_hardness;
-
-/** Their geometric middle in place of a strip's answer; no gap. */
-void unloading_from_ranges(struct unloading *out);
 
 /** Loads are P/(A_n E'), hardness H/E'. Errors: STATUS_MODEL: flat rows, P no less than H, no convergence;
  * STATUS_INTERRUPTED when *stop (NULL: never) becomes non-zero; STATUS_MEMORY. */

@@ -68,6 +68,7 @@ static void put_heights(json_t *out, const struct view_source *source)
 /** What falling load changes at some of its shares, over the same load rising. */
 static void put_unloading(json_t *out, const struct view_source *source)
 {
+    static const double shares[] = {0.5, 0.2, 0.1, 0.05};
     const struct surface_unloading *unloading = source->baseline->summary.unloading;
     if (!unloading)
         return;
@@ -76,18 +77,15 @@ static void put_unloading(json_t *out, const struct view_source *source)
     json_t *item = json_object(), *rows = view_list(item, "rows");
     view_load(item, "from", source, baseline, unloading->largest_load);
     view_text(item, "label", model_rows[unloading->model]->label);
-    view_flag(item, "tabled", ratio->tabled);
-    for (const struct unloading_range *at = unloading_ranges; at < unloading_ranges + UNLOADING_RANGES; at++) {
-        double area = unloading_factor(ratio, QUANTITY_AREA, at->share),
-               resistance = unloading_factor(ratio, QUANTITY_ECR, at->share);
+    for (size_t i = 0; i < sizeof shares / sizeof *shares; i++) {
+        double area = unloading_factor(ratio, QUANTITY_AREA, shares[i]);
         if (isnan(area))
             continue;
         json_t *row = view_item(rows);
-        view_load(row, "load", source, baseline, at->share * unloading->largest_load);
-        view_range(row, "area", ratio->tabled ? at->area[0] : area, ratio->tabled ? at->area[1] : area, 2, "");
-        view_number(row, "gap", unloading_factor(ratio, QUANTITY_SEPARATION, at->share), 2, "");
-        view_range(row, "resistance", ratio->tabled ? at->resistance[0] : resistance,
-                   ratio->tabled ? at->resistance[1] : resistance, 2, "");
+        view_load(row, "load", source, baseline, shares[i] * unloading->largest_load);
+        view_number(row, "area", area, 2, "");
+        view_number(row, "gap", unloading_factor(ratio, QUANTITY_SEPARATION, shares[i]), 2, "");
+        view_number(row, "resistance", unloading_factor(ratio, QUANTITY_ECR, shares[i]), 2, "");
     }
     view_separate(rows);
     json_object_set_new(out, "unloading", item);

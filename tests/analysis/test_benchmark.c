@@ -167,72 +167,6 @@ TEST_CASE(test_what_is_chosen)
     assert_null(benchmark_find(&cost, "gw-integrals", "Simpson", NULL));
 }
 
-/* Leaving out the shorter half of the scales: the stack of the longer ones alone, worked out here. */
-TEST_CASE(test_the_cut_off)
-{
-    struct spectrum half = record->spectrum;
-    struct constriction none = {0};
-    struct multiscale stack;
-    uint64_t visits = 0;
-    double error = 0;
-    half.count /= 2;
-    assert_int_equal(multiscale_make(&stack, &half, &record->summary.pair, false, scene.closure, &(struct status){0}),
-                     STATUS_OK);
-    for (int i = 0; i < LOADS; i++) {
-        struct contact_point point;
-        multiscale_solve(&point, &stack, &none, 0, loads[i], &visits);
-        size_t m = model_index(&model_multiscale_elastic);
-        error = fmax(error, fabs(point.value[QUANTITY_AREA] / record->curves[m].points[i].value[QUANTITY_AREA] - 1));
-    }
-    multiscale_free(&stack);
-    const struct benchmark_row *row = NULL;
-    size_t rows = 0;
-    for (size_t i = 0; i < cost.count; i++)
-        if (strcmp(cost.rows[i].study, "cut-off") == 0 && strcmp(cost.rows[i].method, "multiscale-elastic") == 0) {
-            row = &cost.rows[i]; /* the last keeps most */
-            rows++;
-        }
-    assert_int_equal(rows, 7);
-    assert_string_equal(row->setting, "2um"); /* 128 um over 64 */
-    assert_int_equal(row->evaluations, visits);
-    assert_near(row->error, error, 1e-9);
-    assert_int_equal(row->chart, BENCHMARK_CURVES);
-}
-
-/* Loads left out: the interpolation falls short between loads at which the area follows no power; with more of them
- * less. Settings are the loads kept. */
-TEST_CASE(test_the_number_of_loads)
-{
-    static const char *const settings[] = {"5", "9", "17", "33", "65", "129"};
-    for (size_t m = 0; m < model_count; m++) {
-        if (!record->curves[m].exists)
-            continue;
-        for (int i = 0; i < 6; i++) {
-            const struct benchmark_row *row = find("loads", model_rows[m]->name, settings[i]);
-            assert_true(row->error >= 0 && row->error < 1);
-            assert_true(row->evaluations > 0);
-        }
-        assert_true(find("loads", model_rows[m]->name, "129")->error <= find("loads", model_rows[m]->name, "5")->error);
-    }
-    /* GW between 9 loads, from a run of its own at the 17 that halve their steps */
-    size_t gw = model_named("gw");
-    double fine[17], error = 0;
-    struct contact_point points[18];
-    struct model_curve curve = {.points = points};
-    struct status status = {0};
-    for (int i = 0; i < 17; i++)
-        fine[i] = loads[0] * pow(loads[LOADS - 1] / loads[0], i / 16.0);
-    struct model_task task = surface_model_task(record, &scene, &plan, fine, 17);
-    assert_int_equal(model_run(&curve, model_rows[gw], &task, &status), STATUS_OK);
-    for (size_t i = 1; i + 1 < curve.count; i += 2) {
-        double x = log(points[i].value[QUANTITY_LOAD] / points[i - 1].value[QUANTITY_LOAD]) /
-                   log(points[i + 1].value[QUANTITY_LOAD] / points[i - 1].value[QUANTITY_LOAD]);
-        double between = pow(points[i - 1].value[QUANTITY_AREA], 1 - x) * pow(points[i + 1].value[QUANTITY_AREA], x);
-        error = fmax(error, fabs(between / points[i].value[QUANTITY_AREA] - 1));
-    }
-    assert_near(find("loads", "gw", "9")->error, error, 1e-6);
-}
-
 static size_t most_waves; /* of any spectrum that persson_make() was given */
 
 /* In place of persson_make() where models call it (ld --wrap, tests/CMakeLists.txt). */
@@ -247,7 +181,7 @@ enum status_code __wrap_persson_make(struct persson *out, const struct spectrum 
     return __real_persson_make(out, spectrum, energy_factor, status);
 }
 
-/* The waves that every number of loads is summed over, of a scan so long that fewer show it too. */
+/* The waves that every tolerance is summed over, of a scan so long that fewer show it too. */
 TEST_CASE(test_a_long_scan)
 {
     enum { WAVES = 150000 };
@@ -269,7 +203,7 @@ TEST_CASE(test_a_long_scan)
         most_waves = 0;
         assert_int_equal(benchmark_curves(&rows, &task, &status), STATUS_OK);
         waves[longer] = most_waves;
-        assert_non_null(benchmark_find(&rows, "loads", "corrected-persson", "129"));
+        assert_non_null(benchmark_find(&rows, "tolerance", "all models", "1e-06"));
         benchmark_free(&rows);
         spectrum_free(&scan->spectrum);
         free(scan->curves);

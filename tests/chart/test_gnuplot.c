@@ -114,9 +114,8 @@ static size_t open_files(void)
     return n;
 }
 
-PLACED(test_the_user_s_setup_has_no_say)
+TEST_IN_DIRECTORY(test_the_user_s_setup_has_no_say)
 {
-    const struct directory *place = *state;
     directory_write(place, ".gnuplot", "print 'start-up file'\n");
     const char *home = getenv("HOME");
     char *kept = home ? strdup(home) : NULL;

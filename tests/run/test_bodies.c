@@ -12,12 +12,9 @@ static void write_scans(const struct directory *place)
 
 #define LOADS "nominal_area: 1 mm2\nload: {from: 0.1 N, to: 100 N, points: 7}\noperating_load: 12 N\n"
 
-#define PLACED(name) TEST_WITH(name, directory_setup, directory_teardown)
-
 /* Surfaces of three pairs of bodies under the same forces are what each is in a report of its own, digit by digit. */
-PLACED(each_surface_has_its_own_bodies)
+TEST_IN_DIRECTORY(each_surface_has_its_own_bodies)
 {
-    const struct directory *place = *state;
     static const char *const own[] = {"material: tin\n", "material: copper\ncounterface: same\n",
                                       "material: gold\ncounterface: tin\nhardness: 90 MPa\n"};
     static const char *const names[] = {"a", "b", "c"};
@@ -49,9 +46,8 @@ PLACED(each_surface_has_its_own_bodies)
 }
 
 /* What a surface does not say itself is the scene's. */
-PLACED(bodies_are_completed)
+TEST_IN_DIRECTORY(bodies_are_completed)
 {
-    const struct directory *place = *state;
     const struct material *tin = material_find("tin"), *copper = material_find("copper");
     struct scene scene;
     struct status status = {0};
@@ -79,9 +75,8 @@ PLACED(bodies_are_completed)
 }
 
 /* The summary stands at the operating load, where every surface has 12 MPa on 1 mm²; charts are over newtons. */
-PLACED(loads_are_shown_as_given)
+TEST_IN_DIRECTORY(loads_are_shown_as_given)
 {
-    const struct directory *place = *state;
     write_scans(place);
     directory_write(place, "in/scene.yaml",
                     LOADS "effects: [plasticity, electrical]\nmaterial: tin\nsurfaces:\n  - {name: a, file: a.csv}\n"
@@ -114,9 +109,8 @@ PLACED(loads_are_shown_as_given)
 }
 
 /* What needs no material is what it is with any: loads are P/(A_n E'). */
-PLACED(without_a_material)
+TEST_IN_DIRECTORY(without_a_material)
 {
-    const struct directory *place = *state;
     static const char loads[] = "load: {from: 1e-5, to: 1e-2, points: 5}\n";
     char text[128];
     pipeline_rough(place, "in/a.csv", 400, 1, 5);
@@ -149,9 +143,8 @@ PLACED(without_a_material)
 }
 
 /* The thesis's length is one of phonons, and the report says so; the electrons' is far shorter in tin. */
-PLACED(whose_mean_free_path)
+TEST_IN_DIRECTORY(whose_mean_free_path)
 {
-    const struct directory *place = *state;
     static const char *const kinds[] = {"thesis", "electron", "20 nm"};
     static const double expected_nm[] = {44.2376, 3.94994, 20};
     pipeline_rough(place, "in/a.csv", 400, 1, 5);

@@ -23,9 +23,8 @@ static void make_surfaces(const struct directory *place, int count)
 }
 
 /* Bins keep each surface's mean square height, and there is one a tenth of a decade. */
-TEST_WITH(of_many_surfaces_bins, directory_setup, directory_teardown)
+TEST_IN_DIRECTORY(of_many_surfaces_bins)
 {
-    const struct directory *place = *state;
     make_surfaces(place, MANY);
     write_scene(place, "");
     assert_int_equal(pipeline_run(place, "in", "one", 1), 0);
@@ -82,9 +81,8 @@ static size_t lines_of_surfaces(const struct directory *place, bool *more)
     return lines;
 }
 
-TEST_WITH(the_terminal_shows_a_hundred, directory_setup, directory_teardown)
+TEST_IN_DIRECTORY(the_terminal_shows_a_hundred)
 {
-    const struct directory *place = *state;
     bool more;
     make_surfaces(place, MANY - 1);
     write_scene(place, "");
@@ -96,9 +94,8 @@ TEST_WITH(the_terminal_shows_a_hundred, directory_setup, directory_teardown)
 }
 
 /* The JSON of many surfaces by several threads, and up to a hundred of them every harmonic. */
-TEST_WITH(of_a_hundred_every_harmonic, directory_setup, directory_teardown)
+TEST_IN_DIRECTORY(of_a_hundred_every_harmonic)
 {
-    const struct directory *place = *state;
     make_surfaces(place, MANY - 1);
     write_scene(place, "");
     assert_int_equal(pipeline_run(place, "in", "one", 1), 0);

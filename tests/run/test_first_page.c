@@ -82,9 +82,8 @@ static double resistance(const struct directory *place, const char *surface, con
     return value;
 }
 
-TEST_CASE(test_factors_are_those_of_the_data)
+TEST_IN_PLACE(test_factors_are_those_of_the_data)
 {
-    const struct directory *place = *state;
     assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
     assert_near(shown(place, "length_factor"), either_way(farthest(place, "scan /2")), 0.05);
     assert_near(shown(place, "spacing_factor"), either_way(farthest(place, "cut-off x2")), 0.05);
@@ -111,9 +110,8 @@ TEST_CASE(test_factors_are_those_of_the_data)
 }
 
 /* Where the surface was solved directly, the model's distance from that counts, and its chart stands on the page. */
-TEST_CASE(test_against_the_direct_solution)
+TEST_IN_PLACE(test_against_the_direct_solution)
 {
-    const struct directory *place = *state;
     mkdir(directory_path(place, "one"), 0777);
     pipeline_rough(place, "one/a.csv", 160, 0.3, 1);
     directory_write(
@@ -139,12 +137,11 @@ TEST_CASE(test_against_the_direct_solution)
 
 /* Where the scene does not say it stands at the load next to the geometric middle of those at which A/A_n is 0.1 to
  * 10 % on the baseline, by the leading model; beyond the direct solutions their nearest is what it speaks of. */
-TEST_CASE(test_where_the_page_stands)
+TEST_IN_PLACE(test_where_the_page_stands)
 {
     static const char *const scenes[] = {"load: {from: 1e-7, to: 1e-2, points: 41}\n",
                                          "load: {from: 1e-7, to: 1e-2, points: 41}\nbaseline: c\n",
                                          "load: {values: [1e-9, 2e-9, 3e-9]}\n"};
-    const struct directory *place = *state;
     double stands[3];
     mkdir(directory_path(place, "three"), 0777);
     pipeline_rough(place, "three/a.csv", 160, 0.3, 1);
@@ -183,9 +180,8 @@ TEST_CASE(test_where_the_page_stands)
 }
 
 /* Of more than eight surfaces the charts show eight: best, worst and baseline by name, the others as such. */
-TEST_CASE(test_the_best_and_the_worst_are_shown)
+TEST_IN_PLACE(test_the_best_and_the_worst_are_shown)
 {
-    const struct directory *place = *state;
     char name[40], best[8] = "", worst[8] = "";
     double ecr[2] = {INFINITY, 0};
     mkdir(directory_path(place, "many"), 0777);
@@ -235,9 +231,8 @@ static size_t count_figures(const struct directory *place, const char *folder)
 }
 
 /* Brief: the page up to the rule, byte by byte, its figure alone, and the same data. */
-TEST_CASE(test_brief)
+TEST_IN_PLACE(test_brief)
 {
-    const struct directory *place = *state;
     struct run_outcome outcome;
     struct status status = {0};
     char target[4096];

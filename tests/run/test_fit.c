@@ -114,9 +114,8 @@ TEST_CASE(test_the_law_made_is_found)
 
 /* A periodic record loses its mean alone, so that its amplitudes stay those it was made with; asked for by name, a line
  * is taken out. */
-TEST_CASE(test_levelling_of_a_periodic_record)
+TEST_IN_PLACE(test_levelling_of_a_periodic_record)
 {
-    const struct directory *place = *state;
     double height_m[POINTS];
     for (size_t i = 0; i < POINTS; i++) /* a sine: its line has a slope */
         height_m[i] = 1e-6 * sin(2 * M_PI * (double)i / POINTS) + 3e-6;
@@ -132,9 +131,8 @@ TEST_CASE(test_levelling_of_a_periodic_record)
 }
 
 /* The report says what each scan got. */
-TEST_CASE(test_the_report_names_windows)
+TEST_IN_PLACE(test_the_report_names_windows)
 {
-    const struct directory *place = *state;
     write_law(place, "three/a-1.csv", 512, 1, 0, 1);
     write_law(place, "three/a-2.csv", 512, 1, 0, 2);
     write_law(place, "three/a-3.csv", 512, 8, 0.02, 3);
@@ -147,9 +145,8 @@ TEST_CASE(test_the_report_names_windows)
 }
 
 /* A constant window: the windowed spectrum's power is the mean of many records', not forced to be this one's. */
-TEST_CASE(test_a_window_by_name)
+TEST_IN_PLACE(test_a_window_by_name)
 {
-    const struct directory *place = *state;
     double height_m[POINTS];
     for (size_t i = 0; i < POINTS; i++)
         height_m[i] = 1e-6 * cos(2 * M_PI * 32 * (double)i / POINTS);
@@ -163,9 +160,8 @@ TEST_CASE(test_a_window_by_name)
 }
 
 /* What is no law is none, and neither stops a run nor goes into the convergence study. */
-TEST_CASE(test_no_law)
+TEST_IN_PLACE(test_no_law)
 {
-    const struct directory *place = *state;
     double height_m[POINTS];
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     for (size_t i = 0; i < POINTS; i++)
@@ -202,9 +198,8 @@ TEST_CASE(test_no_law)
 }
 
 /* A band of under a decade is printed and marked, and carried on nowhere. */
-TEST_CASE(test_a_narrow_law)
+TEST_IN_PLACE(test_a_narrow_law)
 {
-    const struct directory *place = *state;
     write_law(place, "narrow/a.csv", POINTS, 1, 0, 5);
     write_law(place, "narrow/b.csv", POINTS, 1, 0, 5);
     directory_write(
@@ -220,12 +215,11 @@ TEST_CASE(test_a_narrow_law)
 
 /* Heights to the picometre of a law that an instrument has cut at 8 um: what is left below is the file's last digit.
  * The spectrum is carried on from 8 um where the scene says so; where it does not, the filter's flank tells nothing. */
-TEST_CASE(test_what_lies_below_a_cut_off)
+TEST_IN_PLACE(test_what_lies_below_a_cut_off)
 {
     static const char scene[] = "material: tin\nmodels: [multiscale]\neffects: [convergence]\nfit: thesis\n"
                                 "convergence: {scales: 64, load: 1e-6}\n";
     static const char finding[] = "| γ ≥ 1, so the area converges | **";
-    const struct directory *place = *state;
     enum { HEIGHTS = 1200 };
     struct synth_def def = synth_def_default();
     struct status status = {0};
@@ -267,9 +261,8 @@ TEST_CASE(test_what_lies_below_a_cut_off)
 }
 
 /* Rows of a map: copies of one row say nothing more than it does; the errors must not shrink with their number. */
-TEST_CASE(test_rows_of_a_map)
+TEST_IN_PLACE(test_rows_of_a_map)
 {
-    const struct directory *place = *state;
     enum { ROWS = 40, ROW = 256 };
     struct synth_def def = synth_def_default();
     struct status status = {0};
@@ -298,9 +291,8 @@ TEST_CASE(test_rows_of_a_map)
 }
 
 /* Against a rough counterface the law is that of both together. */
-TEST_CASE(test_the_counterface_is_in_the_law)
+TEST_IN_PLACE(test_the_counterface_is_in_the_law)
 {
-    const struct directory *place = *state;
     double height_m[POINTS];
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     for (size_t i = 0; i < POINTS; i++)

@@ -57,9 +57,8 @@ static void expect(double actual, double expected)
         assert_near(actual, expected, 1e-10);
 }
 
-TEST_CASE(columns_follow_from_the_others)
+TEST_IN_PLACE(columns_follow_from_the_others)
 {
-    const struct directory *place = *state;
     struct text report = report_of(place, JOINT);
     struct table contact = directory_table(place, "out/data/contact.csv");
     const struct gas *helium = gas_find("helium");
@@ -108,9 +107,8 @@ TEST_CASE(columns_follow_from_the_others)
 }
 
 /** Off: no column, chart, section, word; a key alone brings its own. */
-TEST_CASE(nothing_that_is_not_called_for)
+TEST_IN_PLACE(nothing_that_is_not_called_for)
 {
-    const struct directory *place = *state;
     struct text report = report_of(place, "");
     struct text plain = directory_read(place, "out/data/contact.csv");
     expect_no_parts(text_string(&report), "## The joint", "joint.svg");
@@ -148,9 +146,8 @@ TEST_CASE(nothing_that_is_not_called_for)
 }
 
 /** Vacuum carries nothing, no film adds nothing; tin says when it softens and melts. */
-TEST_CASE(sentences)
+TEST_IN_PLACE(sentences)
 {
-    const struct directory *place = *state;
     struct text report = report_of(place, "gap: {gas: vacuum}\nfilm: 0\n");
     struct table contact = directory_table(place, "out/data/contact.csv");
     for (size_t i = 0; i < contact.rows; i++) {

@@ -76,7 +76,7 @@ static void expect_same(const struct directory *place, const char *file, const c
 
 /** A surface of lay r is the one whose waves are sqrt(2/(1 + r²)) times as long, in every model; what describes the
  * scans stays as measured. Along scans 0.6 times as high are r = 0.6. */
-TEST_WITH(a_lay_stretches_the_waves, directory_setup, directory_teardown)
+TEST_IN_DIRECTORY(a_lay_stretches_the_waves)
 {
     static const struct {
         const char *files, *stretched;
@@ -89,7 +89,6 @@ TEST_WITH(a_lay_stretches_the_waves, directory_setup, directory_teardown)
                              *const spectra[4] = {"wavelength_m", "amplitude_m", "fit_m"},
                              *const bands[4] = {"area_ratio_mean_low_95", "ecr_ohm_m2_mean_high_95"},
                              *const solved[4] = {"area_ratio", "gap_m", "ecr_ohm_m2"};
-    const struct directory *place = *state;
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
         const char *direct = k == 2 ? "direct: {grid: 64, seeds: 2, loads: 3}\n" : "";
         double kappa = sqrt((1 + rows[k].r * rows[k].r) / 2);
@@ -110,10 +109,9 @@ TEST_WITH(a_lay_stretches_the_waves, directory_setup, directory_teardown)
 }
 
 /** Where no lay is known, what a perfect one would change is what it does change where it is given. */
-TEST_WITH(an_unknown_lay_is_tried, directory_setup, directory_teardown)
+TEST_IN_DIRECTORY(an_unknown_lay_is_tried)
 {
     static const char *const files[] = {"'a*.csv'", "a1.csv"};
-    const struct directory *place = *state;
     write_scans(place, "a", 1, 1);
     for (int k = 0; k < 2; k++) {
         double numbers[2][2] = {{0}};
@@ -138,10 +136,9 @@ TEST_WITH(an_unknown_lay_is_tried, directory_setup, directory_teardown)
 }
 
 /** A map of waves along x and weaker ones along y, on a plane, has the ratio of their slopes; turned, the inverse. */
-TEST_WITH(a_map_knows_its_lay, directory_setup, directory_teardown)
+TEST_IN_DIRECTORY(a_map_knows_its_lay)
 {
     enum { NX = 200, NY = 80 };
-    const struct directory *place = *state;
     for (int turned = 0; turned < 2; turned++) {
         struct text grid = {0};
         text_add(&grid, "DSAA\n%d %d\n0 %.9g\n0 %.9g\n-1 1\n", NX, NY, 1e-6 * (NX - 1), 2e-6 * (NY - 1));

@@ -274,7 +274,6 @@ TEST_CASE(test_the_other_tables)
     } files[] = {
         {"out/data/surfaces.csv", {",beta_numeric-stack"}, "area-alone"},
         {"out/data/convergence.csv", {"alpha,0.001", ",numeric-stack,"}, "area-alone"},
-        {"out/data/cost.csv", {"cut-off,numeric-stack,", "loads,numeric-stack,", "loads,area-alone,"}, "cut-off,area"},
         {"out/data/spread.csv",
          {"full_contact_load_over_AnEp_numeric-stack,3", "beta_numeric-stack,3"},
          "full_contact_load_over_AnEp_area-alone"},

@@ -55,16 +55,13 @@ static size_t row_of(const struct table *table, const char *surface, const char 
     return 0;
 }
 
-#define PLACED(name) TEST_WITH(name, directory_setup, directory_teardown)
-
 /** The surface's curve is the geometric mean of those of its scans, each reported by itself: of
  * separation/sigma, not of metres; of what may be negative the arithmetic one. The scans' order in the scene does not
  * matter. */
-PLACED(the_mean_of_five_reports)
+TEST_IN_DIRECTORY(the_mean_of_five_reports)
 {
     static const char *const columns[] = {"area_ratio", "ecr_ohm_m2", "separation_over_sigma",
                                           "adjusted_separation_over_sigma"};
-    const struct directory *place = *state;
     struct table alone[SCANS];
     char name[64], surface[64];
     for (int s = 0; s < SCANS; s++) {
@@ -107,9 +104,8 @@ PLACED(the_mean_of_five_reports)
 
 /** The interval of the mean is Student's over ln answer: t = 12.7062 for two scans, whose s is |a - b|/2. The mean lies
  * in it, and it in that of another scan. */
-PLACED(the_interval_of_two)
+TEST_IN_DIRECTORY(the_interval_of_two)
 {
-    const struct directory *place = *state;
     double ln[2], ln_gap[2];
     rough(place, "in/0.csv", POINTS, 1, 1);
     rough(place, "in/1.csv", POINTS, 1, 2);
@@ -152,10 +148,9 @@ static double cell(const struct table *table, size_t row, const char *column)
 
 /** Intervals of one scan and of two that are quite unlike, up to full contact: each about its value and with a width,
  * above 0, of an area up to 1; none where a number is that of the load alone. */
-PLACED(intervals_in_the_data)
+TEST_IN_DIRECTORY(intervals_in_the_data)
 {
     static const char *const names[] = {"area_ratio", "separation_over_sigma", "ecr_ohm_m2"};
-    const struct directory *place = *state;
     rough(place, "in/0.csv", POINTS, 1, 1);
     rough(place, "in/1.csv", POINTS, 4, 2);
     rough(place, "in/2.csv", POINTS, 0.02, 3);
@@ -201,9 +196,8 @@ PLACED(intervals_in_the_data)
 }
 
 /** A scan of twice the length is cut in two: it then says what its halves, reported as scans of one surface, say. */
-PLACED(unlike_lengths)
+TEST_IN_DIRECTORY(unlike_lengths)
 {
-    const struct directory *place = *state;
     double height_m[2 * POINTS];
     struct synth_def def = synth_def_default();
     struct status status = {0};
@@ -233,9 +227,8 @@ PLACED(unlike_lengths)
 }
 
 /** Scans that are all the same count as one: the numbers, and the interval, of that one. */
-PLACED(identical_scans)
+TEST_IN_DIRECTORY(identical_scans)
 {
-    const struct directory *place = *state;
     for (int s = 0; s < 3; s++)
         rough(place, s == 0 ? "in/0.csv" : s == 1 ? "in/1.csv" : "in/2.csv", POINTS, 1, 1);
     static const char all[] = "effects: [plasticity, separation, electrical, uncertainty]\n";
@@ -256,9 +249,8 @@ PLACED(identical_scans)
 }
 
 /** One scan with open ends that holds few of its longest waves: what it cannot know is in its interval. */
-PLACED(few_longest_waves)
+TEST_IN_DIRECTORY(few_longest_waves)
 {
-    const struct directory *place = *state;
     struct synth_def def = synth_def_default();
     struct status status = {0};
     double height_m[4 * POINTS];
@@ -281,9 +273,8 @@ PLACED(few_longest_waves)
 }
 
 /** What is off is not computed: no band, no section, no letters, and nobody is called best. */
-PLACED(one_scan_each)
+TEST_IN_DIRECTORY(one_scan_each)
 {
-    const struct directory *place = *state;
     rough(place, "in/a.csv", POINTS, 1, 1);
     rough(place, "in/b.csv", POINTS, 3, 2);
     report(place, "off", listed, "{name: a, file: a.csv}, {name: b, file: b.csv}");
@@ -299,9 +290,8 @@ PLACED(one_scan_each)
 
 /** Two surfaces of the same kind are not told apart; one a hundred times as rough is, by Welch's test with the count of
  * scans. */
-PLACED(ranked_in_words)
+TEST_IN_DIRECTORY(ranked_in_words)
 {
-    const struct directory *place = *state;
     char name[64];
     for (int s = 0; s < 9; s++) {
         snprintf(name, sizeof name, "in/%c%d.csv", "abc"[s / 3], s % 3);
@@ -330,9 +320,8 @@ static double first_p(const struct directory *place, const char *report)
 }
 
 /** Holm's adjustment: the same two surfaces, best and next, beside a third far from both have a larger p. */
-PLACED(more_pairs_ask_for_more)
+TEST_IN_DIRECTORY(more_pairs_ask_for_more)
 {
-    const struct directory *place = *state;
     char name[64];
     for (int s = 0; s < 6; s++) {
         snprintf(name, sizeof name, "in/%c%d.csv", "abc"[s / 2], s % 2);
@@ -347,10 +336,9 @@ PLACED(more_pairs_ask_for_more)
 }
 
 /** A map of more rows than are run: 8 of each of 16 blocks, which it says; rows that are all alike have no spread. */
-PLACED(a_map_by_blocks)
+TEST_IN_DIRECTORY(a_map_by_blocks)
 {
     enum { NX = 64, NY = 300 };
-    const struct directory *place = *state;
     struct text grid = {0};
     text_add(&grid, "DSAA\n%d %d\n0 %.9g\n0 %.9g\n-1 1\n", NX, NY, 5e-7 * (NX - 1), 5e-7 * (NY - 1));
     for (int row = 0; row < NY; row++) {
@@ -370,9 +358,8 @@ PLACED(a_map_by_blocks)
 
 /* Scans that cannot be used, one of which is refused after another of its surface was added, leave no trace in numbers:
  * the surface is that of the others, and says so. */
-PLACED(bad_scans_of_several)
+TEST_IN_DIRECTORY(bad_scans_of_several)
 {
-    const struct directory *place = *state;
     static const char *const folders[] = {"good", "bad"};
     struct run_outcome good, bad;
     for (int f = 0; f < 2; f++) {
@@ -404,9 +391,8 @@ PLACED(bad_scans_of_several)
 }
 
 /* A surface of too short a scan is none, and leads nothing; the shortest that is taken has 11 points. */
-PLACED(too_short_to_lead)
+TEST_IN_DIRECTORY(too_short_to_lead)
 {
-    const struct directory *place = *state;
     struct run_outcome outcome;
     rough(place, "in/long.csv", POINTS, 1, 3);
     static const double height_m[] = {0, 3e-7, 1e-7, 4e-7, -2e-7, 2e-7, 5e-7, -1e-7, 1e-7, 3e-7, -3e-7};
@@ -423,9 +409,8 @@ PLACED(too_short_to_lead)
 
 /* Scans of one surface that have nothing in common, as um read as mm or a factor too many: a number that cannot be had
  * is empty, with its reason, and the report is made. */
-PLACED(scans_that_have_nothing_in_common)
+TEST_IN_DIRECTORY(scans_that_have_nothing_in_common)
 {
-    const struct directory *place = *state;
     struct run_outcome outcome;
     struct text csv = {0};
     rough(place, "in/a.csv", POINTS, 1, 3);

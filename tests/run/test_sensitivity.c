@@ -80,9 +80,8 @@ static void assert_factor(const struct table *table, size_t row, const char *col
 
 /** Every model and change against reports of the low-passed scan, of its halves and of a harder metal; strips stay
  * those of the scan as it is. */
-TEST_CASE(factors_are_those_of_separate_reports)
+TEST_IN_PLACE(factors_are_those_of_separate_reports)
 {
-    const struct directory *place = *state;
     struct synth_def def = synth_def_default();
     struct status status = {0};
     double z[POINTS], smooth[POINTS];
@@ -160,9 +159,8 @@ static void make_report(const struct directory *place, const char *in, const cha
 /** A scan that closes on itself keeps its window and levelling when its cut-off is doubled, and is smoothed around its
  * ends: here by a sum over the circle. Its halves do not close: they are held against the whole windowed as they are.
  */
-TEST_CASE(a_scan_that_closes_stays_closed)
+TEST_IN_PLACE(a_scan_that_closes_stays_closed)
 {
-    const struct directory *place = *state;
     struct synth_def def = synth_def_default();
     struct status status = {0};
     double z[POINTS], smooth[POINTS];
@@ -214,9 +212,8 @@ TEST_CASE(a_scan_that_closes_stays_closed)
 
 /** Waves far longer than the cut-off: doubling it changes nothing. Two equal halves: nor does halving, where the answer
  * does not depend on length (the corrected Persson theory's area). */
-TEST_CASE(smooth_waves_do_not_change)
+TEST_IN_PLACE(smooth_waves_do_not_change)
 {
-    const struct directory *place = *state;
     double z[POINTS];
     for (size_t i = 0; i < POINTS; i++) /* full periods in each half, even about its middle: level as they are */
         z[i] = 1e-7 * cos(2 * M_PI * 4 * ((double)i + 0.5) / POINTS) +
@@ -242,9 +239,8 @@ TEST_CASE(smooth_waves_do_not_change)
 }
 
 /** Fewer than 16 points are not halved: cells without a number, and no section. */
-TEST_CASE(a_short_scan_says_nothing)
+TEST_IN_PLACE(a_short_scan_says_nothing)
 {
-    const struct directory *place = *state;
     double z[15];
     for (size_t i = 0; i < 15; i++)
         z[i] = 1e-7 * sin(2.4 * (double)i) + 3e-8 * cos(5.1 * (double)i);

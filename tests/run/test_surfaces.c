@@ -30,10 +30,9 @@ static void scene(const struct directory *place, const char *more, const char *s
 
 /** Columns of a turned map are the rows of the map; rows that are all alike give the profile's own curves, without a
  * spread to speak of. */
-TEST_WITH(a_map_is_its_rows, directory_setup, directory_teardown)
+TEST_IN_DIRECTORY(a_map_is_its_rows)
 {
     enum { NX = 64, NY = 12 };
-    const struct directory *place = *state;
     double map[NX * NY], turned[NX * NY];
     for (size_t row = 0; row < NY; row++)
         for (size_t i = 0; i < NX; i++) {
@@ -54,9 +53,8 @@ TEST_WITH(a_map_is_its_rows, directory_setup, directory_teardown)
 }
 
 /** One file twice is that file; a surface of one scan has no spread. */
-TEST_WITH(averaging_a_scan_with_itself_changes_nothing, directory_setup, directory_teardown)
+TEST_IN_DIRECTORY(averaging_a_scan_with_itself_changes_nothing)
 {
-    const struct directory *place = *state;
     pipeline_rough(place, "in/a.csv", 200, 1, 1);
     scene(place, "", "{name: s, file: a.csv}");
     assert_int_equal(pipeline_run(place, "in", "once", 1), 0);
@@ -77,9 +75,8 @@ TEST_WITH(averaging_a_scan_with_itself_changes_nothing, directory_setup, directo
 
 /** Pressed against its own copy: amplitudes times sqrt 2, and half the modulus; the counterface is no surface itself.
  */
-TEST_WITH(two_rough_bodies_add_their_squares, directory_setup, directory_teardown)
+TEST_IN_DIRECTORY(two_rough_bodies_add_their_squares)
 {
-    const struct directory *place = *state;
     pipeline_rough(place, "in/a.csv", 200, 1, 1);
     directory_write(place, "in/scene.yaml", "material: tin\neffects: [electrical]\n");
     assert_int_equal(pipeline_run(place, "in", "smooth", 1), 0);
