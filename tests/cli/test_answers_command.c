@@ -82,7 +82,7 @@ TEST_IN_WORKSPACE(a_missed_limit_ends_with_5)
     expect_no_part(run.err, "A/Aₙ");
     expect_part(run.out, "Limit A/Aₙ ≥ 1e-09: all surfaces meet it\n");
     process_free(&run);
-    expect_in_file(place, "out/report.md", "| ✗ missed |", "**2 miss it.**");
+    expect_in_file(place, "out/report.md", "| ✗ missed |", "**Missed by 2.**");
     run = run_scene(place, 0, missed, NULL); /* nobody asked for the check */
     expect_no_part(run.err, "misses");
     process_free(&run);
