@@ -35,33 +35,8 @@ double benchmark_time(void (*work)(void *context), void *context)
     return least;
 }
 
-enum status_code benchmark_measure(struct benchmark *out, const struct benchmark_task *task, struct status *status)
-{
-    double started = clock_seconds();
-    *out = (struct benchmark){0};
-    enum status_code rc = benchmark_direct(out, task, status);
-    if (rc == STATUS_OK)
-        rc = benchmark_integrals(out, task, status);
-    if (rc == STATUS_OK)
-        rc = benchmark_curves(out, task, status);
-    out->seconds = clock_seconds() - started;
-    return rc;
-}
-
 void benchmark_free(struct benchmark *cost)
 {
     free(cost->rows);
     *cost = (struct benchmark){0};
-}
-
-const struct benchmark_row *benchmark_find(const struct benchmark *cost, const char *study, const char *method,
-                                           const char *setting)
-{
-    for (size_t i = 0; i < cost->count; i++) {
-        const struct benchmark_row *row = &cost->rows[i];
-        if (strcmp(row->study, study) == 0 && strcmp(row->method, method) == 0 &&
-            (setting ? strcmp(row->setting, setting) == 0 : row->chosen))
-            return row;
-    }
-    return NULL;
 }

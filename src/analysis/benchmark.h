@@ -54,10 +54,6 @@ MUST_CHECK enum status_code benchmark_measure(struct benchmark *out, const struc
                                               struct status *status);
 void benchmark_free(struct benchmark *cost);
 
-/** The row of that study and method, and setting unless NULL (then the chosen one); NULL when there is none. */
-const struct benchmark_row *benchmark_find(const struct benchmark *cost, const char *study, const char *method,
-                                           const char *setting);
-
 /** For the studies: adds a row (text of `setting` by format). Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code benchmark_add(struct benchmark *cost, const struct benchmark_row *row,
                                           struct status *status);

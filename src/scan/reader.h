@@ -3,8 +3,7 @@
 #ifndef SCAN_READER_H
 #define SCAN_READER_H
 
-#include "scan/scan.h"
-#include "scan/string_view.h"
+#include "scan/scan_unit.h"
 
 #include <stdint.h>
 
@@ -31,18 +30,6 @@ struct scan_quote scan_quote(struct string_view view);
 
 /** Copies `view` into the `size` bytes at `to`, cut off where it is longer. */
 void scan_copy(char *to, size_t size, struct string_view view);
-
-/** A unit of length or of slope: its name as the program prints it ("um" for every spelling of micrometre), and metres
- * or dz/dx per unit. */
-struct scan_unit {
-    const char *name;
-    double si;
-};
-/** The unit of that quantity spelled so; name NULL and 0 when there is none. Of slopes: "rad", "mrad", "urad", "nrad"
- * (an angle counts as its tangent, as is the custom for slope errors), "um/mm", "um/m", "nm/mm"..., "1". */
-struct scan_unit scan_unit_find(struct string_view name, enum scan_quantity quantity);
-/** The unit of so many metres, or of that slope; NULL when it has no name. */
-const char *scan_unit_of(double factor, enum scan_quantity quantity);
 
 /** SI per unit of both axes, which the file names (x_named, z_named; NULL or "" where it does not), else the sidecar
  * for out->x_column and out->z_column, else the scene. out->quantity says whether the file calls z a slope in other

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/text.h"
-#include "scan/string_view.h"
+#include "scan/reader.h"
 #include "scan/text_header.h"
 
 #include <jansson.h>

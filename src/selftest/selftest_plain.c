@@ -9,7 +9,7 @@
 #include "joint/joint.h"
 #include "joint/plating.h"
 #include "material/material.h"
-#include "selftest/selftest.h"
+#include "selftest/selftest_table.h"
 #include "statistics/interval.h"
 
 #include <math.h>

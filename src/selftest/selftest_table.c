@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "selftest/selftest_table.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum status_code selftest_unknown(const struct selftest_reference *reference, struct status *status)
+{
+    return status_fail(status, STATUS_IO, "the self-test's table asks for '%.60s, %.60s', which is not computed here",
+                       reference->of, reference->quantity);
+}
+
+/** A cell that holds one number; an empty one holds 0. */
+static bool read_number(double *out, const char *cell)
+{
+    char *end;
+    *out = *cell ? strtod(cell, &end) : 0;
+    return !*cell || (end != cell && *end == '\0' && isfinite(*out));
+}
+
+static bool read_reference(struct selftest_reference *out, char *line)
+{
+    char *cell[9] = {NULL};
+    for (int c = 0; c < 9; c++)
+        if (!(cell[c] = strsep(&line, ",")))
+            return false;
+    *out = (struct selftest_reference){.group = cell[0], .of = cell[1], .quantity = cell[2], .source = cell[8]};
+    for (int k = 0; k < 3; k++)
+        if (!read_number(&out->at[k], cell[3 + k]))
+            return false;
+    return line == NULL && read_number(&out->expected, cell[6]) && read_number(&out->tolerance, cell[7]);
+}
+
+/** Reads an input's list of numbers, a blank between two, to where it belongs. */
+static bool read_input(struct selftest_table *out, const struct selftest_reference *input)
+{
+    const struct {
+        const char *name;
+        double *list;
+        size_t count;
+    } inputs[] = {{"five scans", out->scans, SELFTEST_SCANS},
+                  {"plateau", out->plateau_m, SELFTEST_PLATEAU},
+                  {"rough law", out->law_m2, SELFTEST_LAW}};
+    size_t i = 0, n = 0;
+    while (i < 3 && strcmp(inputs[i].name, input->of) != 0)
+        i++;
+    const char *at = input->source;
+    for (char *end; i < 3 && n < inputs[i].count; n++, at = end) {
+        inputs[i].list[n] = strtod(at, &end);
+        if (end == at)
+            break;
+    }
+    return i < 3 && n == inputs[i].count && *at == '\0';
+}
+
+/** The references first, then the inputs; these are the file's last lines, so that one that is cut off lacks some. */
+static enum status_code read_lines(struct selftest_table *out, const char *path, struct status *status)
+{
+    bool ended = out->text.length > 0 && out->text.data[out->text.length - 1] == '\n';
+    size_t inputs = 0, number = 0;
+    for (char *rest = out->text.data, *line; (line = strsep(&rest, "\n")) != NULL;) {
+        struct selftest_reference *reference = &out->references[out->count];
+        bool header = strncmp(line, "group,", 6) == 0;
+        number++;
+        if (*line == '#' || *line == '\0' || header)
+            continue;
+        bool right = read_reference(reference, line);
+        if (right && strcmp(reference->group, "input") == 0) {
+            right = read_input(out, reference);
+            inputs++;
+        } else {
+            right = right && reference->expected != 0 && reference->tolerance > 0;
+            out->count++;
+        }
+        if (!right)
+            return status_fail(status, STATUS_IO, "%s:%zu: damaged; install the program again", path, number);
+    }
+    return ended && inputs == 3 ? STATUS_OK
+                                : status_fail(status, STATUS_IO, "%s: cut off; install the program again", path);
+}
+
+enum status_code selftest_table_read(struct selftest_table *out, const char *path, struct status *status)
+{
+    *out = (struct selftest_table){.count = 0};
+    if (text_read_file(&out->text, path, status) != STATUS_OK)
+        return status->code;
+    size_t lines = 1;
+    for (size_t i = 0; i < out->text.length; i++)
+        lines += out->text.data[i] == '\n';
+    out->references = calloc(lines, sizeof *out->references);
+    if (!out->references)
+        return status_memory(status);
+    return read_lines(out, path, status);
+}
+
+void selftest_table_free(struct selftest_table *table)
+{
+    text_free(&table->text);
+    free(table->references);
+    table->references = NULL;
+}
+
+bool selftest_covers_model(const struct selftest_table *table, const char *name)
+{
+    for (size_t i = 0; i < table->count; i++)
+        if (strcmp(table->references[i].group, "models") == 0 && strcmp(table->references[i].of, name) == 0)
+            return true;
+    return false;
+}

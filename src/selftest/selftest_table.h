@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* selftest.csv, and what computes its groups. */
+#ifndef SELFTEST_SELFTEST_TABLE_H
+#define SELFTEST_SELFTEST_TABLE_H
+
+#include "base/text.h"
+
+/** One number: of what, at which arguments, and what it has to be. A line of selftest.csv. */
+struct selftest_reference {
+    const char *group;
+    const char *of;       /* a model, a gas, a wave, ... */
+    const char *quantity; /* which of its numbers */
+    double at[3];         /* arguments, as the table says */
+    double expected;
+    double tolerance;   /* relative */
+    const char *source; /* where the group's numbers are from: in its first line */
+};
+
+/** Inputs that take a list: how many numbers each has. */
+enum { SELFTEST_PLATEAU = 512, SELFTEST_LAW = 60, SELFTEST_SCANS = 5 };
+
+/** The table. Owned: selftest_table_free(). */
+struct selftest_table {
+    struct text text; /* of the file, which the references point into */
+    struct selftest_reference *references;
+    size_t count;
+    double plateau_m[SELFTEST_PLATEAU]; /* heights of a profile worn flat on top, 1 um apart */
+    double law_m2[SELFTEST_LAW];        /* squared amplitudes of a multitaper spectrum of 1 mm */
+    double scans[SELFTEST_SCANS];
+};
+
+/** Reads the table. Errors: STATUS_IO with path and line: not there, cut off, not to be read; STATUS_MEMORY. */
+MUST_CHECK enum status_code selftest_table_read(struct selftest_table *out, const char *path, struct status *status);
+void selftest_table_free(struct selftest_table *table);
+
+/** Has the table numbers of the model of this name? */
+bool selftest_covers_model(const struct selftest_table *table, const char *name);
+
+/* What computes the groups of selftest.csv; selftest_plain those that have no function of their own. Private to
+ * src/selftest. */
+
+/** Computes the number of one reference. Errors: those of what it tests; selftest_unknown(). */
+typedef enum status_code selftest_compute(double *value, const struct selftest_reference *reference,
+                                          const struct selftest_table *table, struct status *status);
+
+selftest_compute selftest_softgauge, selftest_spectrum, selftest_plain, selftest_model, selftest_direct;
+
+/** STATUS_IO: the table asks for something that is not computed here. */
+enum status_code selftest_unknown(const struct selftest_reference *reference, struct status *status);
+
+#endif
