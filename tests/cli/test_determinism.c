@@ -91,10 +91,10 @@ static void expect_hash(const char *place, const char *path, const char *file)
     free(text);
 }
 
-/* One scan so large that what is made of it is shared out among threads; of some models and of all. */
+/* One large scan; by some models, and by all: its strips take seconds, so that they are solved but twice. */
 TEST_IN_WORKSPACE(test_one_large_scan)
 {
-    static const char *const scenes[] = {"material: tin\nmodels: [multiscale, strip]\n", "material: tin\n"};
+    static const char *const scenes[] = {"material: tin\nmodels: [multiscale, gw]\n", "material: tin\n"};
     workspace_scan(place, "d/a.csv", 70000, 5);
     for (size_t s = 0; s < sizeof scenes / sizeof *scenes; s++) {
         workspace_write(place, "d/scene.yaml", scenes[s]);
@@ -104,8 +104,10 @@ TEST_IN_WORKSPACE(test_one_large_scan)
         char *reference = workspace_digest(place, "one");
         run(place, "two", "--jobs=2");
         expect_same(place, reference, "two");
-        run(place, "seven", "--jobs=7");
-        expect_same(place, reference, "seven");
+        if (s == 0) {
+            run(place, "seven", "--jobs=7");
+            expect_same(place, reference, "seven");
+        }
         free(reference);
     }
 }
