@@ -9,7 +9,7 @@
 static const struct chart_extent nothing = {INFINITY, -INFINITY};
 
 /* The canvas, in the unit of the drawing: 17 cm of a page are 720 of it, so that 14 are 9 pt. */
-enum { WIDTH = 720, FONT = 14, LEFT = 82, RIGHT = 14, BELOW = 50, BETWEEN = 20, LEGEND_ROW = 20, NUMBERS = 26 };
+enum { WIDTH = 720, FONT = 14, LEFT = 90, RIGHT = 14, BELOW = 50, BETWEEN = 20, LEGEND_ROW = 20, NUMBERS = 26 };
 static const double LETTER = 6.7, SAMPLE = 44; /* of a legend: a letter, and what stands before the name */
 
 static const struct {
