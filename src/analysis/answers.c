@@ -1,28 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/answers.h"
 
-#include "analysis/landmarks.h"
 #include "analysis/surface.h"
 #include "base/clock.h"
 #include "joint/joint_curve.h"
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_roots.h>
 #include <math.h>
 #include <stdlib.h>
 
 const double answers_least_spots = 10;
 
-static const struct ensemble alone; /* one scan */
 static const struct answer no_answer = {.load = NAN, .low = NAN, .high = NAN, .spots_per_m2 = NAN};
 
 /** Share by which a number may miss its target where the curve ends without a full contact. */
 static const double end_slack = 0.01;
-
-static const struct contact_point *point_at(const struct model_curve *curve, double load)
-{
-    for (size_t i = 0; i < curve->count; i++)
-        if (curve->points[i].value[QUANTITY_LOAD] == load)
-            return &curve->points[i];
-    return NULL;
-}
 
 /** `point` NULL: contact is full. */
 static bool is_invalid(const struct contact_point *point, const struct model_row *row)
@@ -43,17 +35,6 @@ static double full_value(enum quantity quantity, const struct joint_task *joint)
         return INFINITY;
     joint_apply(&point, NULL, 1, joint);
     return point.value[quantity];
-}
-
-/** Is what lies between two loads, of which nothing is known at the upper one, the target? It is where the contact
- * becomes complete, or where the curve's end is the target to within a hundredth. */
-static bool ends_there(const struct model_curve *curve, const struct contact_point *before,
-                       const struct contact_point *after, const struct scene_asked *target, bool full_meets)
-{
-    if (!after && curve->exists && isfinite(curve->full_load))
-        return full_meets;
-    double value = before ? before->value[target->row->quantity] : NAN;
-    return fabs(log(value / target->value)) < end_slack;
 }
 
 /** Does an elastic contact bear more than the hardness? */
@@ -116,67 +97,104 @@ static double band_shift(double ln_load, const void *context)
     return before;
 }
 
-/** The curve that is searched, with what lies in the joint. */
+/** A target, sought on a surface's curve or on an end of its band. */
 struct search {
-    struct landmarks_model model;
+    const struct model_row *row;
+    struct model_task task; /* but its loads, between the first and the last of which it is sought */
+    const struct ensemble *set;
     struct joint_task joint;
+    const struct scene_asked *target;
+    const struct band_end *end; /* NULL: the curve itself */
+    struct contact_point point; /* at the load that was asked for last; nothing where the curve has none */
+    double value, full_load;    /* NaN: the model has none there */
+    struct status *status;
 };
 
-static enum status_code run_search(struct model_curve *out, const double *loads, size_t count, void *context,
-                                   struct status *status)
+/** Runs the model at one load. */
+static void run_at(struct search *search, double load)
 {
-    struct search *search = context;
-    const struct model_task task = model_task_at(&search->model.task, loads, count);
-    if (landmarks_run_model(out, loads, count, &search->model, status) != STATUS_OK)
-        return status->code;
-    return joint_curve(out, search->model.row, &task, &search->joint, status);
+    struct contact_point points[2];
+    struct model_curve curve = {.points = points};
+    const struct model_task one = model_task_at(&search->task, &load, 1);
+    search->point = quantity_nothing();
+    search->value = NAN;
+    if (ensemble_curve(&curve, NULL, search->set, search->row, &one, search->status) != STATUS_OK ||
+        joint_curve(&curve, search->row, &one, &search->joint, search->status) != STATUS_OK)
+        return;
+    search->full_load = curve.exists ? curve.full_load : NAN;
+    if (curve.count > 0 && points[0].value[QUANTITY_LOAD] == load) {
+        search->point = points[0];
+        search->value = points[0].value[search->target->row->quantity];
+    }
 }
 
-/** A target on one curve: of one scan, or the mean of several; or on an end of its band (NULL: the curve itself). */
-static enum status_code solve(struct answer *out, struct search *search, const struct scene_asked *target,
-                              const struct band_end *end, struct status *status)
+/** ln of the number over the target at ln P, the other way round where the number falls: negative where the target is
+ * not met yet. Where there is no number it is far beyond. */
+static double excess(double ln_load, void *context)
 {
-    const struct landmarks_value value = {target->row->quantity, target->value, target->row->rises,
-                                          end ? band_shift : NULL, end};
-    const struct landmarks_curve searched = {run_search, search, search->model.task.tolerance};
-    const double first = search->model.task.loads[0],
-                 last = search->model.task.loads[search->model.task.load_count - 1];
-    struct contact_point points[3];
-    struct model_curve curve = {.points = points};
-    double ends[2] = {first, last};
-    bool found;
-    *out = no_answer;
-    if (landmarks_find(ends, &found, &value, &searched, status) != STATUS_OK)
-        return status->code;
-    size_t count = found && ends[1] > ends[0] ? 2 : 1; /* else the list has one load */
-    const double *loads = found ? ends : &last;
-    if (run_search(&curve, loads, count, search, status) != STATUS_OK)
-        return status->code;
-    const struct contact_point *after = point_at(&curve, loads[count - 1]), *before = point_at(&curve, loads[0]);
-    double there = after ? after->value[value.quantity] : NAN;
-    bool passed = found || (first == last && (value.rises ? there >= value.value : there <= value.value));
-    double full = full_value(value.quantity, &search->joint);
-    bool full_meets = value.rises ? full >= value.value : full <= value.value;
-    bool closes = curve.exists && curve.full_load <= last;
-    out->load = loads[count - 1];
-    bool lightest = out->load == first;
-    if (!passed) {
-        out->kind = isnan(there) ? ANSWER_NONE : ANSWER_NOT_REACHED;
-    } else if (!isnan(there) || ends_there(&curve, lightest ? NULL : before, after, target, full_meets)) {
-        out->kind = lightest ? ANSWER_LIGHTEST : ANSWER_LOAD;
-    } else if (closes && full_meets) {
-        out->full = curve.full_load > first;
-        out->kind = out->full ? ANSWER_LOAD : ANSWER_LIGHTEST;
-        out->load = fmax(curve.full_load, first);
-        after = NULL;
-    } else {
-        out->kind = lightest && !closes ? ANSWER_NONE : ANSWER_NOT_REACHED;
-        out->load = closes ? last : ends[0];
-        after = closes ? NULL : before;
+    static const double beyond = 1e3;
+    struct search *search = context;
+    run_at(search, exp(ln_load));
+    double ratio = log(search->value / search->target->value) + (search->end ? band_shift(ln_load, search->end) : 0);
+    return isnan(search->value) ? beyond : fmin(fmax(search->target->row->rises ? ratio : -ratio, -beyond), beyond);
+}
+
+/** Narrows two loads between which the target is met to within the tolerance. */
+static enum status_code narrow(double ends[2], struct search *search)
+{
+    enum { STEPS_MOST = 200 };
+    gsl_function function = {excess, search};
+    gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
+    if (!solver)
+        return status_memory(search->status);
+    int rc = gsl_root_fsolver_set(solver, &function, log(ends[0]), log(ends[1]));
+    for (int i = 0; i < STEPS_MOST && rc == GSL_SUCCESS && search->status->code == STATUS_OK; i++) {
+        rc = gsl_root_fsolver_iterate(solver);
+        if (gsl_root_test_interval(gsl_root_fsolver_x_lower(solver), gsl_root_fsolver_x_upper(solver),
+                                   search->task.tolerance, 0) == GSL_SUCCESS)
+            break;
     }
-    out->invalid = is_invalid(after, search->model.row);
-    out->above_hardness = is_above_hardness(after, out->load, search->model.row, &search->model.task);
-    return STATUS_OK;
+    ends[0] = fmax(exp(gsl_root_fsolver_x_lower(solver)), ends[0]);
+    ends[1] = fmin(exp(gsl_root_fsolver_x_upper(solver)), ends[1]);
+    gsl_root_fsolver_free(solver);
+    return search->status->code;
+}
+
+/** The load at which the target is met. */
+static enum status_code solve(struct answer *out, struct search *search)
+{
+    const enum quantity quantity = search->target->row->quantity;
+    const double first = search->task.loads[0], last = search->task.loads[search->task.load_count - 1];
+    const double full = full_value(quantity, &search->joint);
+    double ends[2] = {first, last}, at_last = excess(log(last), search), at_first = excess(log(first), search);
+    bool known = !isnan(search->value), full_meets;
+    *out = no_answer;
+    out->load = first;
+    full_meets = search->target->row->rises ? full >= search->target->value : full <= search->target->value;
+    if (known && at_first >= 0) {
+        out->kind = ANSWER_LIGHTEST;
+    } else if (known && at_last < 0) {
+        out->kind = ANSWER_NOT_REACHED;
+        out->load = last;
+    } else if (known && narrow(ends, search) == STATUS_OK) {
+        out->kind = ANSWER_LOAD;
+        out->load = ends[1];
+    }
+    run_at(search, out->load);
+    if (isnan(search->value) && search->full_load <= last && full_meets) {
+        out->full = search->full_load > first;
+        out->kind = out->full ? ANSWER_LOAD : ANSWER_LIGHTEST;
+        out->load = fmax(search->full_load, first);
+    } else if (isnan(search->value) && known) { /* where the numbers end */
+        run_at(search, ends[0]);
+        bool near = fabs(log(search->value / search->target->value)) < end_slack;
+        out->kind = near ? ANSWER_LOAD : ANSWER_NOT_REACHED;
+        out->load = near ? ends[1] : search->full_load <= last ? last : ends[0];
+    }
+    const struct contact_point *point = search->full_load <= out->load ? NULL : &search->point;
+    out->invalid = is_invalid(point, search->row);
+    out->above_hardness = is_above_hardness(point, out->load, search->row, &search->task);
+    return search->status->code;
 }
 
 /** The model that counts the spots of an answer of model `m`: itself, else the running one of the greatest precedence
@@ -218,71 +236,27 @@ static enum status_code count_spots(struct answer *out, const struct ensemble *s
     return STATUS_OK;
 }
 
-/** A target on every scan alone. The answer has no load where some of them does not meet it between the loads. */
-static enum status_code solve_runs(struct answer *out, const struct search *search, const struct scene_asked *target,
-                                   struct status *status)
+/** The loads at which the ends of the curve's band pass the target. */
+static enum status_code solve_band(struct answer *out, const struct surface_record *record, struct search *search)
 {
-    const struct landmarks_model *model = &search->model;
-    const struct ensemble *set = model->set;
-    size_t all = set->count, invalid = 0, above = 0;
-    double *load = malloc(all * sizeof *load);
-    size_t *scan = malloc(all * sizeof *scan), count = 0;
-    enum status_code rc = load && scan ? STATUS_OK : status_memory(status);
-    *out = no_answer;
-    for (size_t r = 0; r < all && rc == STATUS_OK; r++) {
-        struct asperities asperities;
-        struct answer one;
-        struct search run = *search;
-        run.model.task = member_task(&asperities, &set->members[r], &model->task);
-        run.model.set = &alone;
-        rc = solve(&one, &run, target, NULL, status);
-        if (rc != STATUS_OK || one.kind == ANSWER_NONE)
-            continue; /* on which the model has no solution: its curve is of the others too */
-        out->runs++;
-        out->unsolved += one.kind != ANSWER_LOAD;
-        invalid += one.invalid;
-        above += one.above_hardness;
-        out->full = out->full || one.full;
-        scan[count] = set->members[r].scan;
-        load[count++] = one.load;
-    }
-    if (rc == STATUS_OK && out->runs > 0 && out->unsolved == 0) {
-        struct estimate estimate;
-        rc = ensemble_estimate(&estimate, set, load, scan, count, true, status);
-        out->kind = ANSWER_LOAD;
-        out->load = estimate_value(&estimate);
-        out->low = out->full ? NAN : estimate_end(&estimate, 0);
-        out->high = out->full ? NAN : estimate_end(&estimate, 1);
-        out->invalid = 2 * invalid >= out->runs;
-        out->above_hardness = 2 * above >= out->runs;
-    }
-    free(load);
-    free(scan);
-    return rc;
-}
-
-/** The loads at which the ends of the band of one scan pass the target. */
-static enum status_code solve_band(struct answer *out, const struct surface_record *record, struct search *search,
-                                   const struct scene_asked *target, struct status *status)
-{
-    size_t m = model_index(search->model.row);
+    const struct scene_asked_row *row = search->target->row;
+    size_t m = model_index(search->row);
     for (int side = 0; side < 2; side++) {
-        const bool made = quantity_rows[target->row->quantity].from;
         const struct band_end end = {&record->curves[m],
                                      record->bands[m],
                                      record->band_count,
-                                     target->row->quantity,
+                                     row->quantity,
                                      side,
-                                     made ? &search->joint : NULL,
-                                     target->row->rises ? !side : side};
-        bool sooner = side == target->row->rises; /* that end gets there at the lighter load */
+                                     quantity_rows[row->quantity].from ? &search->joint : NULL,
+                                     row->rises ? !side : side};
         struct answer one;
         if (isnan(band_shift(log(out->load), &end)))
             return STATUS_OK;
-        if (solve(&one, search, target, &end, status) != STATUS_OK)
-            return status->code;
+        search->end = &end;
+        if (solve(&one, search) != STATUS_OK)
+            return search->status->code;
         double load = one.kind == ANSWER_LOAD && !one.full ? one.load : NAN;
-        if (sooner)
+        if (side == row->rises) /* that end gets there at the lighter load */
             out->low = isnan(load) ? NAN : fmin(load, out->load);
         else
             out->high = isnan(load) ? NAN : fmax(load, out->load);
@@ -296,27 +270,18 @@ static enum status_code answer_target(struct answer *out, const struct surface_r
 {
     const struct model_row *row = model_rows[m];
     const unsigned from = quantity_rows[target->row->quantity].from,
-                   needed = from ? from : QUANTITY_BIT(target->row->quantity),
-                   quantities = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | needed;
-    struct search search = {{row, *task, quantities, &record->ensemble}, *joint};
-    /* a model that says how far off it may be has more in its band than the scans' scatter */
-    bool several = record->ensemble.count > 1 && model_sd(row, QUANTITY_ECR) == 0;
+                   needed = from ? from : QUANTITY_BIT(target->row->quantity);
+    struct search search = {
+        .row = row, .task = *task, .set = &record->ensemble, .joint = *joint, .target = target, .status = status};
     *out = no_answer;
     search.joint.effects = from ? joint->effects : 0;
-    search.model.task.wanted &= quantities;
+    search.task.wanted &= QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | needed;
     if (!record->curves[m].exists || (row->quantities & task->wanted & needed) != needed)
         return STATUS_OK;
-    if (several && solve_runs(out, &search, target, status) != STATUS_OK)
+    if (solve(out, &search) != STATUS_OK)
         return status->code;
-    if (several && out->kind == ANSWER_LOAD)
-        return STATUS_OK;
-    size_t runs = out->runs, unsolved = out->unsolved;
-    if (solve(out, &search, target, NULL, status) != STATUS_OK)
-        return status->code;
-    out->runs = runs;
-    out->unsolved = unsolved;
-    bool banded = !several && record->bands[m] && out->kind == ANSWER_LOAD && !out->full;
-    return banded ? solve_band(out, record, &search, target, status) : STATUS_OK;
+    bool banded = record->bands[m] && out->kind == ANSWER_LOAD && !out->full;
+    return banded ? solve_band(out, record, &search) : STATUS_OK;
 }
 
 enum limit_verdict answers_judge(const struct limit_check *check, const struct scene_asked *limit)
@@ -352,26 +317,20 @@ static struct limit_check check_point(const struct surface_record *record, size_
     return out;
 }
 
-/** Where the model has no number at the load, it may be full contact, or what was met or missed for good below it. */
+/** Where the model has no number at the load, it may be full contact. */
 static struct limit_check check_limit(const struct surface_record *record, size_t leading,
                                       const struct scene_asked *limit, const struct joint_task *joint, double load)
 {
     const struct model_curve *curve = &record->curves[leading];
     struct limit_check out = {.value = NAN, .low = NAN, .high = NAN};
-    size_t below = 0;
-    while (curve->exists && below < curve->count && curve->points[below].value[QUANTITY_LOAD] < load)
-        below++;
-    if (curve->exists && below < curve->count && curve->points[below].value[QUANTITY_LOAD] == load)
-        out = check_point(record, leading, limit, joint, below);
+    for (size_t i = 0; curve->exists && i < curve->count; i++)
+        if (curve->points[i].value[QUANTITY_LOAD] == load)
+            out = check_point(record, leading, limit, joint, i);
     if (out.verdict == LIMIT_NO_VALUE && curve->exists && curve->full_load <= load) {
         out.value = full_value(limit->row->quantity, joint);
         out.verdict = answers_judge(&out, limit);
         out.value = isfinite(out.value) ? out.value : NAN;
     }
-    const enum limit_verdict lasting = limit->is_upper == limit->row->rises ? LIMIT_MISSED : LIMIT_MET;
-    for (size_t i = 0; i < below && out.verdict == LIMIT_NO_VALUE; i++)
-        if (check_point(record, leading, limit, joint, i).verdict == lasting)
-            out.verdict = lasting;
     return out;
 }
 
@@ -433,11 +392,6 @@ void answers_note(struct text *out, const struct answer *answer, double nominal_
     if (answer->full)
         text_add(out, "at full contact at the latest");
     before = answer->kind == ANSWER_LOAD && !answer->full ? "" : "; ";
-    if (answer->unsolved > 0) {
-        text_add(out, "%sno interval: %zu of %zu scans do not meet it between the loads", before, answer->unsolved,
-                 answer->runs);
-        before = "; ";
-    }
     if (answer->invalid && answer->kind != ANSWER_NONE) {
         text_add(out, "%sbeyond the model's validity", before);
         before = "; ";

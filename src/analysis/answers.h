@@ -20,31 +20,27 @@ enum answer_kind {
 struct answer {
     enum answer_kind kind;
     double load;
-    double low, high;      /* 95 % interval of the surface's load; NaN: not known */
-    double spots_per_m2;   /* at that load; NaN: not known */
-    bool invalid;          /* beyond the model's range of validity there */
-    size_t runs, unsolved; /* scans run alone (0: one), and those that do not meet it between the loads */
-    bool full;             /* the load is that of full contact, where it is met at the latest: numbers end before */
-    bool above_hardness;   /* an elastic model whose contact bears more than that there */
-    size_t counted_by;     /* the model whose spots they are, where they are known */
+    double low, high;    /* 95 % interval of the surface's load; NaN: not known */
+    double spots_per_m2; /* at that load; NaN: not known */
+    bool invalid;        /* beyond the model's range of validity there */
+    bool full;           /* the load is that of full contact, where it is met at the latest: numbers end before */
+    bool above_hardness; /* an elastic model whose contact bears more than that there */
+    size_t counted_by;   /* the model whose spots they are, where they are known */
 };
 
 enum limit_verdict { LIMIT_NO_VALUE, LIMIT_MET, LIMIT_MISSED, LIMIT_CANNOT_TELL };
 
 /** A limit at the operating load, by the leading model; numbers of its row's quantity. */
 struct limit_check {
-    double value;     /* NaN: the model has none there; a verdict is then that of lighter loads, which more only bears
-                         out */
+    double value;     /* NaN: the model has none there */
     double low, high; /* 95 % interval; NaN: not known, and the value alone decides */
     enum limit_verdict verdict;
 };
 
 /** Fills record->summary.answers and .limits, once all models and intervals are there, and adds a search a target to
- * each model's work. Each target is solved on the model itself to the tolerance of `task`. Several scans: on every scan
- * alone, the geometric mean and the t interval of ln P; where some scan does not meet it between the loads, on the
- * surface's curve, without interval. One scan, or a model that says how far off it may be: the interval is where the
- * ends of the quantity's band pass the target, the model times the band's factor, which goes straight in ln P between
- * the loads. Error: STATUS_MEMORY. */
+ * each model's work. Each target is solved on the surface's curve, to the tolerance of `task`. The interval is where
+ * the ends of the quantity's band pass the target: the model times the band's factor, which goes straight in ln P
+ * between the loads. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code answers_find(struct surface_record *record, const struct scene *scene,
                                          const struct plan *plan, const struct model_task *task, struct status *status);
 

@@ -30,8 +30,8 @@ struct curve_summary {
     double full_load, closed_load, beta, beta_multiscale;
     double area_slope;        /* d ln A/d ln P, least squares over A/A_n < 0.1 */
     double area_slope_rms;    /* decades */
-    double elbow_load;        /* where |d ln ECR/d ln P| first exceeds 2, by landmarks_solve(); NaN: nowhere; the first
-                                 load: there or below */
+    double elbow_load;        /* where |d ln ECR/d ln P| first exceeds 2, over the loads; NaN: nowhere; the
+                                 first load: there or below */
     double sd_least, sd_most; /* TCR_sd/TCR - 1 over the curve */
     double invalid_area_load; /* first load beyond the model's largest valid area; NaN: none */
     double
@@ -75,7 +75,7 @@ bool curve_summary_is_valid(const struct curve_summary *model, double load);
 double curve_summary_elbow_share(const struct curve_summary *model);
 
 /** Condenses one model's curve on a surface of rms height sigma_m; sensitivity, seconds and evaluations are kept. Loads
- * that are not the model's own answer are points of the curve: landmarks_solve() solves for them. */
+ * that are not the model's own answer are points of the curve. */
 void curve_summary_make(struct curve_summary *out, const struct model_curve *curve, const struct model_row *row,
                         double sigma_m, double operating_load);
 

@@ -4,8 +4,8 @@
 #include "analysis/describe.h"
 #include "analysis/direct_study.h"
 #include "analysis/effects.h"
-#include "analysis/landmarks.h"
 #include "base/clock.h"
+#include "contact/statistical.h"
 #include "joint/joint_curve.h"
 #include <math.h>
 #include <stdlib.h>
@@ -91,16 +91,6 @@ static enum status_code run_sensitivity(struct surface_record *record, size_t m,
                            status);
 }
 
-/** Where model `m` bends and its validity ends on this surface. */
-static enum status_code run_landmarks(struct surface_record *record, size_t m, const struct model_task *task,
-                                      struct status *status)
-{
-    const unsigned quantities = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_ECR);
-    struct landmarks_model searched = {model_rows[m], *task, quantities, &record->ensemble};
-    const struct landmarks_curve landmarks = {landmarks_run_model, &searched, task->tolerance};
-    return landmarks_solve(record->summary.models[m], &record->curves[m], model_rows[m], &landmarks, status);
-}
-
 /** Is the beta of model `m` sought that is nearest to its multiscale counterpart? */
 static bool seeks_beta(const struct plan *plan, size_t m)
 {
@@ -108,24 +98,22 @@ static bool seeks_beta(const struct plan *plan, size_t m)
            plan_runs_model(plan, model_index(model_rows[m]->counterpart));
 }
 
-/** The second estimate of beta, against the multiscale model of the same material law. */
-static enum status_code estimate_beta(struct surface_record *record, size_t m, const struct model_task *task,
-                                      struct status *status)
+/** The other estimate of beta (4.54), which brings delta_ADJ closest to the separation H of the multiscale model of the
+ * same material law, in the mean square: the mean of 4 (H - delta/2)/sigma over the loads that both answer. */
+static double nearest_beta(const struct surface_record *record, size_t m)
 {
-    const unsigned quantities =
-        QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION);
-    const struct model_row *counterpart = model_rows[m]->counterpart;
-    const struct model_curve *curve = &record->curves[m];
-    struct curve_summary *model = record->summary.models[m];
-    if (!curve->exists || !record->curves[model_index(counterpart)].exists)
-        return STATUS_OK;
-    struct landmarks_model own = {model_rows[m], *task, quantities, &record->ensemble},
-                           other = {counterpart, *task, quantities, &record->ensemble};
-    const struct landmarks_curve adjusted = {landmarks_run_model, &own, task->tolerance},
-                                 multiscale = {landmarks_run_model, &other, task->tolerance};
-    double to = fmin(curve->full_load, task->loads[task->load_count - 1]);
-    return landmarks_nearest_beta(&model->beta_multiscale, &adjusted, &multiscale, task->loads[0], to,
-                                  record->summary.asperities.sigma_m, status);
+    const struct model_curve *curve = &record->curves[m],
+                             *other = &record->curves[model_index(model_rows[m]->counterpart)];
+    double sum = 0, count = 0;
+    for (size_t i = 0; i < curve->count && i < other->count; i++) {
+        const double *own = curve->points[i].value, *multiscale = other->points[i].value;
+        if (own[QUANTITY_LOAD] != multiscale[QUANTITY_LOAD])
+            continue;
+        sum += statistical_beta_multiscale(&own[QUANTITY_SEPARATION], &multiscale[QUANTITY_SEPARATION], 1,
+                                           record->summary.asperities.sigma_m);
+        count++;
+    }
+    return sum / count;
 }
 
 static enum status_code keep_estimates(struct curve_summary *model, const struct ensemble_result *result,
@@ -204,12 +192,9 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     const struct joint_task joint = surface_joint(record, scene, plan, task);
     if (joint_curve(curve, model_rows[m], task, &joint, status) != STATUS_OK) /* of several scans, the mean curve's */
         return status->code;
-    if (curve->exists) {
+    if (curve->exists)
         curve_summary_make(model, curve, model_rows[m], record->summary.asperities.sigma_m,
                            task->loads[model_task_operating(task)]);
-        if (run_landmarks(record, m, task, status) != STATUS_OK)
-            return status->code;
-    }
     if ((several && keep_estimates(model, &result, status) != STATUS_OK) ||
         run_sensitivity(record, m, task, status) != STATUS_OK)
         return status->code;
@@ -308,8 +293,8 @@ enum status_code evaluate_models(struct surface_record *record, const struct sce
         run_uncertainty(record, scene, plan, &task, status) != STATUS_OK)
         return status->code;
     for (size_t m = 0; m < model_count; m++)
-        if (seeks_beta(plan, m) && estimate_beta(record, m, &task, status) != STATUS_OK)
-            return status->code;
+        if (seeks_beta(plan, m))
+            record->summary.models[m]->beta_multiscale = nearest_beta(record, m);
     if (plan_runs(plan, EFFECT_CONVERGENCE))
         extend(record, scene);
     note_intervals(record);
