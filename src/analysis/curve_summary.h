@@ -8,12 +8,6 @@
 #include "analysis/sensitivity.h"
 #include "contact/convergence.h"
 
-/** What is known of a model on a surface before it runs, until it has run. */
-struct curve_bounds {
-    double yield;            /* model_row.yield_bound: of the surface, its scans alone and its extension */
-    double scale_dependence; /* model_row.scale_dependence_bound */
-};
-
 /** Numbers of a curve that scans run alone, or simulated records, say how far off may be: each quantity at the middle
  * load, as the model shows it, then these. */
 enum { CURVE_FULL_LOAD = QUANTITY_COUNT, CURVE_BETA, CURVE_ESTIMATES };

@@ -6,18 +6,16 @@
 
 #include "analysis/surface.h"
 
-/** Fills the bounds of a described surface, for an `auto` scene, over all the numbers it reports. Not all of them lie
- * between the first and the last of `loads`: the load of full contact and that of no gap, what is left of the gap
- * there, beta and with it the adjusted separation at any load, the power law carried on below the sampling limit (at
- * the convergence study's load), and the same of scans run alone. So each model bounds what yielding can change up to
- * full contact, and scale dependence over the loads; a surface has converged when gamma >= 1 and the nominal pressure
- * alone is at least p* at the sampling limit. Error: STATUS_MEMORY. */
+/** Fills the bounds of a described surface, for an `auto` scene: what its spots bear, over the hardness, up to nearly
+ * full contact and whatever its heights; and what scale dependence adds to TCR at the first and the last load. Error:
+ * STATUS_MEMORY. */
 MUST_CHECK enum status_code effects_bound(struct surface_record *record, const struct scene *scene,
                                           const struct plan *plan, const double *loads, size_t load_count,
                                           struct status *status);
 
 /** Takes the effects out of an `auto` plan that no usable one of `count` surfaces (one, or all of a run) calls for, and
- * gives every effect its reason with the number that decided. A plan from a list of effects keeps what was listed. */
+ * gives every effect its reason with the number that decided. A plan from a list of effects keeps what was listed, and
+ * one that was decided what it has; but strips run only where there are any. */
 void effects_decide(struct plan *plan, const struct scene *scene, const struct surface_record *surfaces, size_t count);
 
 /** One row of the account: an effect, or the base that always runs (the elastic models' area). */
@@ -25,7 +23,6 @@ struct effects_row {
     const char *name;
     bool runs;
     const char *reason;
-    char method[400];     /* how its numbers come about */
     uint64_t evaluations; /* done because of it: visits of scales, asperity laws, loads solved, contacts; 0: none of its
                              own */
     double seconds;       /* that these took, all threads together */

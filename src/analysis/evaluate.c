@@ -18,7 +18,7 @@ static void extend(struct surface_record *record, const struct scene *scene)
     double started = clock_seconds();
     for (size_t m = 0; m < model_count; m++) {
         struct curve_summary *model = summary->models ? summary->models[m] : NULL;
-        if (!model_rows[m]->stacks_scales || !model || !model->exists || !surface_extends(summary, scene))
+        if (!model_rows[m]->stacks_scales || !model || !model->exists || isnan(summary->tail.gamma))
             continue;
         model->extension = convergence_extend(&record->spectrum, &summary->tail, &summary->pair, model_rows[m]->plastic,
                                               scene->convergence.load);
@@ -362,64 +362,6 @@ static enum status_code run_unloading(struct surface_record *record, const struc
     return STATUS_OK;
 }
 
-/** A plastic model that yielding cannot change on this surface has its elastic partner's numbers. */
-static enum status_code copy_elastic(struct surface_record *record, size_t m, size_t target_count,
-                                     struct status *status)
-{
-    struct surface_summary *summary = &record->summary;
-    size_t elastic = model_index(model_rows[m]->elastic);
-    struct curve_summary *model = elastic < model_count ? surface_model_room(summary, m) : NULL;
-    const struct model_curve *from = &record->curves[elastic];
-    struct estimate all[CURVE_ESTIMATES];
-    if (elastic == model_count || !from->points)
-        return STATUS_OK;
-    if (!model)
-        return status_memory(status);
-    *model = *summary->models[elastic];
-    model->estimates = NULL;
-    model->evaluations = 0;
-    model->seconds = 0;
-    model->sensitivity.area[SENSITIVITY_HARDNESS_RAISED] = model->sensitivity.ecr[SENSITIVITY_HARDNESS_RAISED] = 1;
-    for (int which = 0; which < CURVE_ESTIMATES; which++)
-        all[which] = *curve_summary_estimate(summary->models[elastic], which);
-    record->curves[m] = *from;
-    record->curves[m].points = malloc((from->count + 1) * sizeof *from->points);
-    if (!record->curves[m].points || curve_summary_put_estimates(model, all, status) != STATUS_OK)
-        return status_memory(status);
-    memcpy(record->curves[m].points, from->points, from->count * sizeof *from->points);
-    if (record->bands[elastic]) {
-        record->bands[m] = malloc(record->band_count * sizeof *record->bands[m]);
-        if (!record->bands[m])
-            return status_memory(status);
-        memcpy(record->bands[m], record->bands[elastic], record->band_count * sizeof *record->bands[m]);
-    }
-    for (size_t t = 0; t < target_count; t++)
-        summary->answers[t * model_count + m] = summary->answers[t * model_count + elastic];
-    return STATUS_OK;
-}
-
-/** What was skipped on this surface, because it could change nothing, may run on others: the numbers without it stand
- * for it. */
-static enum status_code fill_skipped(struct surface_record *record, const struct scene *scene,
-                                     const struct plan *allowed, const struct plan *plan, struct status *status)
-{
-    bool without_scale = plan_runs(allowed, EFFECT_SCALE_DEPENDENT) && !plan_runs(plan, EFFECT_SCALE_DEPENDENT);
-    for (size_t m = 0; m < model_count && without_scale; m++)
-        for (size_t i = 0; i < record->curves[m].count; i++)
-            if (model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT))
-                record->curves[m].points[i].value[QUANTITY_TCR_SCALE_DEPENDENT] =
-                    record->curves[m].points[i].value[QUANTITY_TCR];
-    for (size_t m = 0; m < model_count && without_scale; m++)
-        if (record->summary.models && record->summary.models[m])
-            record->summary.models[m]->operating.value[QUANTITY_TCR_SCALE_DEPENDENT] =
-                record->summary.models[m]->operating.value[QUANTITY_TCR];
-    for (size_t m = 0; m < model_count; m++)
-        if (plan_runs_model(allowed, m) && model_rows[m]->plastic && !plan_runs(plan, EFFECT_PLASTICITY) &&
-            copy_elastic(record, m, scene->target_count, status) != STATUS_OK)
-            return status->code;
-    return STATUS_OK;
-}
-
 enum status_code evaluate_surface(struct surface_record *out, const struct evaluate_task *task, struct status *status)
 {
     const struct scene *scene = task->scene;
@@ -430,6 +372,7 @@ enum status_code evaluate_surface(struct surface_record *out, const struct evalu
     if (effects_bound(out, scene, &plan, task->loads, task->load_count, status) != STATUS_OK)
         return status->code;
     effects_decide(&plan, scene, out, 1);
+    out->summary.running = plan.running;
     if (plan_runs(&plan, EFFECT_DIRECT) &&
         direct_study_plan(out, scene, &plan, task->loads, task->load_count, status) != STATUS_OK)
         return status->code;
@@ -440,8 +383,6 @@ enum status_code evaluate_surface(struct surface_record *out, const struct evalu
         rc = evaluate_models(out, scene, &plan, task->loads, task->load_count, status);
     if (rc == STATUS_OK && plan_runs(&plan, EFFECT_UNLOADING))
         rc = run_unloading(out, task, &plan, status);
-    if (rc == STATUS_OK)
-        rc = fill_skipped(out, scene, task->plan, &plan, status);
     if (!task->keep_scans)
         surface_drop_scans(out);
     return rc;

@@ -16,6 +16,7 @@ struct plan {
     unsigned running;       /* EFFECT_BITs of those that run */
     unsigned wanted;        /* QUANTITY_BITs that follow */
     uint64_t models;        /* MODEL_BITs asked for; a plastic one runs only with plasticity */
+    bool decided;           /* nothing is left to `auto`: effects run on every surface */
     bool all_uncertain;     /* the effect uncertainty was listed: of all models; else of the leading one alone */
     size_t operating_place; /* as in struct model_task */
     char area_reason[160];  /* why the area is computed as it is, for the account */

@@ -87,11 +87,6 @@ double surface_lambda_s(const struct surface_summary *summary, const struct scen
     return fmax(scene->lambda_s_m, summary->cutoff_m);
 }
 
-bool surface_extends(const struct surface_summary *summary, const struct scene *scene)
-{
-    return !isnan(summary->tail.gamma) && !(scene->effects_auto && summary->converged);
-}
-
 struct model_task surface_middle_task(const struct model_task *task)
 {
     return model_task_at(task, task->loads ? &task->loads[model_task_operating(task)] : NULL, 1);
@@ -145,7 +140,6 @@ void surface_record_free(struct surface_record *record)
     free(summary->models);
     free(summary->refusal);
     note_list_free(&summary->notes);
-    free(summary->bounds);
     free(summary->repeats);
     free(summary->direct);
     free(summary->answers);

@@ -70,15 +70,17 @@ struct surface_summary {
     struct convergence_tail tail; /* the spectrum's own short end, carried on below what is known */
     size_t harmonics;
     double longest_waves; /* spectrum_longest_waves(); fewer than SURFACE_LONGEST_WAVES: a longer scan may differ */
-    struct curve_bounds *bounds; /* [model], of an `auto` scene; owned like the texts, NULL: effects are listed */
-    bool converged; /* no scale below the sampling limit can take any area at the convergence study's load; the same */
-    struct curve_summary **models; /* [model]: of those that have run, NULL of others; the same: surface_model() */
-    struct answer *answers;        /* [target][model]; owned, NULL: the scene has no targets */
-    struct limit_check *limits;    /* one a limit of the scene; the same */
-    struct direct_map_def map;     /* the square that a map offers to a direct solution; nx 0: profiles */
-    double cutoff_m;               /* of the low-pass that a map has had; 0: none */
-    bool has_lay;                  /* it is known */
-    double lay;                    /* rms slope along over across it: surface_kappa() */
+    double pressure_over_hardness; /* and scale_dependence: effects_bound(); 0: not asked, or none */
+    double scale_dependence;
+    unsigned running; /* EFFECT_BITs of the effects that ran on it */
+    struct curve_summary *
+        *models;            /* [model]: of those that have run, NULL of others; owned like the texts: surface_model() */
+    struct answer *answers; /* [target][model]; owned, NULL: the scene has no targets */
+    struct limit_check *limits; /* one a limit of the scene; the same */
+    struct direct_map_def map;  /* the square that a map offers to a direct solution; nx 0: profiles */
+    double cutoff_m;            /* of the low-pass that a map has had; 0: none */
+    bool has_lay;               /* it is known */
+    double lay;                 /* rms slope along over across it: surface_kappa() */
     double perfect_lay[2]; /* where none is known: area and ECR of the leading model at the operating load if the scans
                               ran across a perfect one, over those as they are; NaN: no answer; 0: not asked */
     struct direct_plan *direct;          /* how its contact is solved directly; owned, NULL: it is not called for */
@@ -144,10 +146,6 @@ double surface_kappa(const struct surface_summary *summary);
 
 /** Cut-off of the low-pass that a surface's scans have had, by the scene's wish or as a map; 0: none. */
 double surface_lambda_s(const struct surface_summary *summary, const struct scene *scene);
-
-/** Will the fitted law of a described surface be carried on below its sampling limit, if the effect convergence runs?
- */
-bool surface_extends(const struct surface_summary *summary, const struct scene *scene);
 
 /** Frees the scans that only the models need: those run alone, the heights of a single one. */
 void surface_drop_scans(struct surface_record *record);

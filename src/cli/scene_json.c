@@ -102,9 +102,8 @@ static json_t *effects_json(const struct results *results)
     json_t *effects = json_array();
     effects_account(rows, results->plan, results->surfaces, results->surface_count, &results->studies);
     for (int r = 0; r < EFFECTS_ROWS; r++)
-        json_array_append_new(effects, json_pack("{s:s, s:b, s:o, s:o}", "effect", rows[r].name, "runs", rows[r].runs,
-                                                 "reason", command_json_text(rows[r].reason), "method",
-                                                 command_json_text(rows[r].method)));
+        json_array_append_new(effects, json_pack("{s:s, s:b, s:o}", "effect", rows[r].name, "runs", rows[r].runs,
+                                                 "reason", command_json_text(rows[r].reason)));
     return effects;
 }
 

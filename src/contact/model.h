@@ -87,8 +87,7 @@ struct model_row {
     const char *source;
     const char *assumes;
     const char *valid;
-    const char *method;                 /* how its numbers come about */
-    const char *scale_dependent_method; /* the same for scale dependence; NULL: in the same pass */
+    const char *method; /* how its numbers come about */
     /** Fills the curve. Error: STATUS_MEMORY. */
     enum status_code (*run)(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
                             struct status *status);
@@ -97,17 +96,6 @@ struct model_row {
      * STATUS_MEMORY. */
     enum status_code (*spots)(struct contact_spots *spots, const struct model_row *row, const struct model_task *task,
                               struct status *status);
-    /* Bounds for `effects: auto`, next to nothing to compute. NULL: not known, and so the effect runs; plasticity where
-     * the model is named. */
-    /** Of a plastic model: how far yielding can move any of its numbers from its elastic partner's, relative (of a
-     * separation: to sigma), also beyond the loads, up to full contact; 0: it changes nothing. */
-    double (*yield_bound)(const struct model_row *row, const struct model_task *task);
-    /** Says why yielding runs or not, from the largest bound of all surfaces. */
-    void (*yield_reason)(char *out, size_t size, double bound, bool runs);
-    /** The largest TCR_sd/TCR - 1 over the loads, exact or above where it decides against task->tolerance. Error:
-     * STATUS_MEMORY. */
-    enum status_code (*scale_dependence_bound)(double *most, const struct model_row *row, const struct model_task *task,
-                                               struct status *status);
 };
 
 extern const struct model_row *const model_rows[];

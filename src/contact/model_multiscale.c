@@ -73,96 +73,6 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     return STATUS_OK;
 }
 
-/** p_c over p* falls with the slope Delta f alone, so that the steepest harmonic answers for all. Returns the inverse
- * of it for a harmonic that yields before it is complete, which then brings full contact forward; else 0. */
-static double yield_bound(const struct model_row *row, const struct model_task *task)
-{
-    const struct spectrum *spectrum = task->spectrum;
-    size_t steepest = 0;
-    (void)row;
-    for (size_t i = 1; i < spectrum->count; i++)
-        if (spectrum->amplitude_m[i] * spectrum_frequency(spectrum, i) >
-            spectrum->amplitude_m[steepest] * spectrum_frequency(spectrum, steepest))
-            steepest = i;
-    if (spectrum->count == 0)
-        return 0;
-    struct sinusoid_scale scale =
-        sinusoid_scale(spectrum->amplitude_m[steepest], spectrum_frequency(spectrum, steepest), task->pair, true);
-    double sooner = scale.full_pressure_Pa / scale.critical_pressure_Pa;
-    return sooner > 1 ? sooner : 0;
-}
-
-static void yield_reason(char *out, size_t size, double bound, bool runs)
-{
-    if (runs)
-        snprintf(out, size, "the steepest scale yields at %.3g p*, so that full contact comes sooner", 1 / bound);
-    else
-        snprintf(out, size, "every scale is complete before it yields");
-}
-
-/** What bounding the scale dependence of one stack takes along. */
-struct stack_study {
-    struct multiscale stack;
-    struct constriction constriction;
-    const double *loads;
-    double tolerance;
-    uint64_t visits;
-};
-
-static double raise(const struct contact_point *point)
-{
-    return point->value[QUANTITY_TCR] > 0 ? point->value[QUANTITY_TCR_SCALE_DEPENDENT] / point->value[QUANTITY_TCR] - 1
-                                          : 0;
-}
-
-static double raise_at(struct contact_point *point, struct stack_study *study, size_t load)
-{
-    multiscale_solve(point, &study->stack, &study->constriction,
-                     QUANTITY_BIT(QUANTITY_TCR) | QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT), study->loads[load],
-                     &study->visits);
-    return raise(point);
-}
-
-/** Bound on TCR_sd/TCR - 1 at the loads between two solved ones. TCR and what scale dependence adds both fall with the
- * load, so that the added part at the lower over TCR at the upper load bounds it; halved until that is within the
- * tolerance, or one load exceeds it. */
-static double bound_between(struct stack_study *study, size_t low, const struct contact_point *at_low, size_t high,
-                            const struct contact_point *at_high)
-{
-    /* yield of a long scale unloads the shorter ones: TCR then rises, by 3 % in the worst of random stacks */
-    static const double slack = 1.1;
-    if (high - low < 2 || !(at_low->value[QUANTITY_TCR] > 0))
-        return 0;
-    double added = at_low->value[QUANTITY_TCR_SCALE_DEPENDENT] - at_low->value[QUANTITY_TCR];
-    if (slack * added <= study->tolerance * at_high->value[QUANTITY_TCR])
-        return slack * added / at_high->value[QUANTITY_TCR];
-    struct contact_point at_middle;
-    size_t middle = low + (high - low) / 2;
-    double most = raise_at(&at_middle, study, middle);
-    if (most <= study->tolerance)
-        most = fmax(most, bound_between(study, low, at_low, middle, &at_middle));
-    if (most <= study->tolerance)
-        most = fmax(most, bound_between(study, middle, &at_middle, high, at_high));
-    return most;
-}
-
-static enum status_code scale_dependence_bound(double *most, const struct model_row *row, const struct model_task *task,
-                                               struct status *status)
-{
-    struct stack_study study = {
-        .constriction = constriction_make(task->pair), .loads = task->loads, .tolerance = task->tolerance};
-    struct contact_point first, last;
-    if (stack_of(&study.stack, row, task, status) != STATUS_OK)
-        return status->code;
-    *most = raise_at(&first, &study, 0);
-    if (*most <= study.tolerance && task->load_count > 1)
-        *most = fmax(*most, raise_at(&last, &study, task->load_count - 1));
-    if (*most <= study.tolerance)
-        *most = fmax(*most, bound_between(&study, 0, &first, task->load_count - 1, &last));
-    multiscale_free(&study.stack);
-    return STATUS_OK;
-}
-
 enum {
     COMPUTES = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
                QUANTITY_RESISTANCES
@@ -192,7 +102,6 @@ const struct model_row model_multiscale_elastic = {
     .valid = "any area ratio; needs a spectrum that converges (gamma >= 1)",
     .method = "direct sum over scales",
     .run = run,
-    .scale_dependence_bound = scale_dependence_bound,
 };
 
 const struct model_row model_multiscale_plastic = {
@@ -219,7 +128,4 @@ const struct model_row model_multiscale_plastic = {
     .valid = "any area ratio; the area steps up by up to 8 % where a scale begins to yield",
     .method = "direct sum over scales",
     .run = run,
-    .yield_bound = yield_bound,
-    .yield_reason = yield_reason,
-    .scale_dependence_bound = scale_dependence_bound,
 };

@@ -83,23 +83,6 @@ static struct contact_point point_of(const struct bearing_contact *contact, doub
     return point;
 }
 
-/** Of the area: (1 + r^4)^(1/4) - 1, r the pressure in contact over the hardness at the largest area, where it is
- * highest; of any heights four times what Gaussian ones have. */
-static double yield_bound(const struct model_row *row, const struct model_task *task)
-{
-    double m2 = spectrum_moment(task->spectrum, 1), area = corrected_persson_largest_area;
-    double ratio = corrected_persson_load(area, m2) / area * task->pair->effective_modulus_Pa / task->hardness_Pa *
-                   (row->uses_strip ? 4 : 1);
-    return m2 > 0 && task->hardness_Pa > 0 ? pow(1 + pow(ratio, 4), 0.25) - 1 : 0;
-}
-
-static void yield_reason(char *out, size_t size, double bound, bool runs)
-{
-    double ratio = pow(pow(1 + bound, 4) - 1, 0.25);
-    snprintf(out, size, runs ? "spots bear up to %.2g of the hardness" : "no spot bears more than %.2g of the hardness",
-             ratio);
-}
-
 static enum status_code run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
                             struct status *status)
 {
@@ -163,8 +146,6 @@ const struct model_row model_corrected_persson_plastic = {
     .precedence = 6,
     .plastic = true,
     .elastic = &model_corrected_persson,
-    .yield_bound = yield_bound,
-    .yield_reason = yield_reason,
     .quantities = COMPUTES,
     .largest_area = 0.97, /* that of corrected_persson.h */
     .style = "gp",
@@ -214,8 +195,6 @@ const struct model_row model_strip_plastic = {
     .plastic = true,
     .elastic = &model_strip,
     .gaussian = &model_corrected_persson_plastic,
-    .yield_bound = yield_bound,
-    .yield_reason = yield_reason,
     .uses_strip = true,
     .ln_sd = {0.2, 0.3, 0.3},
     .quantities = COMPUTES,

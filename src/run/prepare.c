@@ -208,6 +208,7 @@ struct surfaces {
     struct prepared *prepared;
     const struct run_options *options;
     struct curve_tables *tables;
+    const struct plan *plan;
     bool describe_only;
     size_t described; /* 1 + the surface that is described already; 0: none */
     size_t done;
@@ -220,7 +221,7 @@ static struct evaluate_task task_of(const struct surfaces *all, size_t index)
     return (struct evaluate_task){.scene = results->scene,
                                   .surface = &results->scene->surfaces[index],
                                   .counterface = all->prepared->counterface,
-                                  .plan = &all->prepared->allowed,
+                                  .plan = all->plan,
                                   .loads = results_loads(results, index),
                                   .load_count = results->load_count,
                                   .stop = all->options->stop,
@@ -340,18 +341,24 @@ static enum status_code choose_operating_load(struct surfaces *all, const struct
     return rc;
 }
 
-/** Runs the surfaces once more that the report shows, when the others' arrays have gone. */
-static enum status_code run_shown(struct surfaces *all, struct status *status)
+/** Runs the surfaces once more that the report shows, when the others' arrays have gone; or, while all are in memory,
+ * those on which an effect was skipped that another called for. */
+static enum status_code run_again(struct surfaces *all, bool shown_only, struct status *status)
 {
+    const unsigned skipped = EFFECT_BIT(EFFECT_PLASTICITY) | EFFECT_BIT(EFFECT_SCALE_DEPENDENT);
     struct results *results = &all->prepared->results;
     all->described = 0;
-    for (size_t k = 0; k < results->shown_count + 1 && results->usable_count > 0; k++) {
-        size_t index = k < results->shown_count ? results->shown[k] : results->baseline;
-        const struct evaluate_task task = task_of(all, index);
-        if (results->surfaces[index].curves)
+    for (size_t i = 0; i < results->surface_count; i++) {
+        struct surface_record *record = &results->surfaces[i];
+        bool shown = i == results->baseline;
+        for (size_t k = 0; k < results->shown_count; k++)
+            shown = shown || results->shown[k] == i;
+        bool whole = !(all->plan->running & ~record->summary.running & skipped);
+        if (!record->summary.usable || (shown_only ? !shown : whole))
             continue;
-        surface_record_free(&results->surfaces[index]);
-        if (evaluate_surface(&results->surfaces[index], &task, status) != STATUS_OK)
+        const struct evaluate_task task = task_of(all, i);
+        surface_record_free(record);
+        if (evaluate_surface(record, &task, status) != STATUS_OK)
             return status->code;
     }
     return STATUS_OK;
@@ -373,14 +380,18 @@ enum status_code prepare(struct prepared *out, const struct scene *scene, const 
     if (make_loads(out, scene, status) != STATUS_OK || read_counterface(out, scene, status) != STATUS_OK)
         return status->code;
     const struct threads threads = {.jobs = options->jobs, .stop = options->stop};
-    struct surfaces all = {
-        .prepared = out, .options = options, .describe_only = describe_only, .lock = PTHREAD_MUTEX_INITIALIZER};
+    struct surfaces all = {.prepared = out,
+                           .options = options,
+                           .plan = &out->allowed,
+                           .describe_only = describe_only,
+                           .lock = PTHREAD_MUTEX_INITIALIZER};
     if (scene->operating.load == 0 && choose_operating_load(&all, &threads, status) != STATUS_OK)
         return status->code;
     struct curve_tables *tables = NULL;
     if (curves && curve_tables_open(&tables, results, &out->allowed, curves, status) != STATUS_OK)
         return curve_tables_close(tables, status);
     all.tables = tables;
+    out->allowed.decided = curves != NULL; /* what went to a file cannot be run again */
     if (options->progress)
         options->progress("models of", scene->surfaces[0].name, 0, (double)scene->surface_count);
     enum status_code rc = threads_run(&threads, scene->surface_count, run_surface, &all, status);
@@ -388,12 +399,16 @@ enum status_code prepare(struct prepared *out, const struct scene *scene, const 
     if (curve_tables_close(tables, status) != STATUS_OK)
         rc = status->code;
     out->plan = out->allowed;
+    out->plan.decided = false;
     effects_decide(&out->plan, scene, results->surfaces, results->surface_count);
-    if (rc != STATUS_OK || rank_surfaces(results, status) != STATUS_OK)
+    struct plan decided = out->plan;
+    decided.decided = true;
+    all.plan = curves ? &out->allowed : &decided;
+    if (rc != STATUS_OK || (!curves && !describe_only && run_again(&all, false, status) != STATUS_OK) ||
+        rank_surfaces(results, status) != STATUS_OK ||
+        (curves && !describe_only && run_again(&all, true, status) != STATUS_OK))
         return status->code;
     plan_direct(&out->plan, results);
-    if (curves && run_shown(&all, status) != STATUS_OK)
-        return status->code;
     if (!scene->measured.file)
         return STATUS_OK;
     if (measured_read(&out->measured, scene, &out->plan, results_pair(results, results->baseline), status) != STATUS_OK)
@@ -422,14 +437,13 @@ uint64_t prepare_table(struct text *out, const struct results *results, bool don
     uint64_t evaluations = 0;
     struct effects_row rows[EFFECTS_ROWS];
     effects_account(rows, results->plan, results->surfaces, results->surface_count, &results->studies);
-    text_add(out, "%-16s %-8s%s  %s\n", "effect", "", done ? "  evaluations    seconds" : "", "why; how");
+    text_add(out, "%-16s %-8s%s  %s\n", "effect", "", done ? "  evaluations    seconds" : "", "why");
     for (int r = 0; r < EFFECTS_ROWS; r++) {
         text_add(out, "%-16s %-8s", rows[r].name, rows[r].runs ? "run" : "skipped");
         if (done)
             text_add(out, " %12llu %10.4f", (unsigned long long)rows[r].evaluations, rows[r].seconds);
         struct text why = {0};
         text_add_shown(&why, rows[r].reason); /* may name a surface */
-        text_add(&why, "%s%s", rows[r].runs && rows[r].method[0] ? "; " : "", rows[r].method);
         text_add(out, "  ");
         text_add_wrapped(out, text_string(&why), done ? 1 << 20 : WIDTH, INDENT);
         text_add(out, "\n");

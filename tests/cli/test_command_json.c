@@ -178,7 +178,6 @@ TEST_IN_WORKSPACE(test_plan)
         assert_int_equal(sscanf(line + strlen(start), "%15s", runs), 1);
         assert_int_equal(strcmp(runs, "run") == 0, json_is_true(json_object_get(row, "runs")));
         expect_part(line, text_of(row, "reason"));
-        expect_part(line, text_of(row, "method"));
     }
     char about[32];
     snprintf(about, sizeof about, ": about %.2g s\n", number_of(json, "seconds"));
