@@ -32,7 +32,8 @@ static double bound_pressure(const struct surface_record *record)
     return fmax(most, pressure_over_hardness(&end, &summary->pair));
 }
 
-/** TCR_sd/TCR - 1 at the first and the last load, the most of the elastic models that have it. */
+/** TCR_sd/TCR - 1 at the first and the last load, the most of the models that have it, of which an elastic one stands
+ * for its plastic partner. */
 static enum status_code bound_scale_dependence(double *most, const struct surface_record *record,
                                                const struct plan *plan, const struct model_task *task,
                                                struct status *status)
@@ -44,8 +45,10 @@ static enum status_code bound_scale_dependence(double *most, const struct surfac
     for (size_t m = 0; m < model_count; m++) {
         struct contact_point points[3];
         struct model_curve curve = {.points = points};
-        if (!plan_runs_model(plan, m) || model_rows[m]->plastic ||
-            !(model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT)))
+        const struct model_row *row = model_rows[m];
+        bool stands_for_it = row->elastic && plan_runs_model(plan, model_index(row->elastic));
+        if (!plan_runs_model(plan, m) || stands_for_it ||
+            !(row->quantities & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT)))
             continue;
         if (ensemble_curve(&curve, NULL, &record->ensemble, model_rows[m], &ends, status) != STATUS_OK)
             return status->code;
