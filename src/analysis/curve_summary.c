@@ -3,15 +3,16 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 const double curve_summary_beyond_fit_share = 0.1;
 const double curve_summary_elbow_slope = 2;
 static const double slope_area = 0.1; /* A/A_n up to which the area is held to be a power of the load */
 
-/** Least-squares slope of ln A over ln P where A/A_n < 0.1, and its RMS residual in decades. */
+/** Least-squares slope of ln A over ln P where A/A_n < 0.1. */
 static void fit_area_slope(struct curve_summary *model, const struct model_curve *curve)
 {
-    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0, syy = 0;
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
     for (size_t i = 0; i < curve->count; i++) {
         const struct contact_point *point = &curve->points[i];
         if (point->value[QUANTITY_AREA] >= slope_area || !(point->value[QUANTITY_AREA] > 0))
@@ -22,25 +23,14 @@ static void fit_area_slope(struct curve_summary *model, const struct model_curve
         sy += y;
         sxx += x * x;
         sxy += x * y;
-        syy += y * y;
     }
-    model->area_slope = model->area_slope_rms = NAN;
-    if (n < 5)
-        return;
-    double spread = sxx - sx * sx / n, common = sxy - sx * sy / n;
-    double residual = syy - sy * sy / n - common * common / spread;
-    model->area_slope = common / spread;
-    model->area_slope_rms = sqrt(fmax(0, residual) / n) / M_LN10;
-}
-
-static bool is_touching(const struct contact_point *point, const struct model_row *row)
-{
-    return row->largest_area > 0 && point->value[QUANTITY_AREA] > row->largest_area;
+    model->area_slope = n < 5 ? NAN : (sxy - sx * sy / n) / (sxx - sx * sx / n);
 }
 
 static bool is_valid(const struct contact_point *point, const struct model_row *row)
 {
-    return !is_touching(point, row) && !(point->beyond_fit > curve_summary_beyond_fit_share);
+    return !(row->largest_area > 0 && point->value[QUANTITY_AREA] > row->largest_area) &&
+           !(point->beyond_fit > curve_summary_beyond_fit_share);
 }
 
 struct curve_validity curve_summary_validity(const struct model_curve *curve, const struct model_row *row)
@@ -56,44 +46,23 @@ struct curve_validity curve_summary_validity(const struct model_curve *curve, co
     return valid;
 }
 
-static size_t curve_estimates_size(uint32_t known)
-{
-    return sizeof(struct curve_estimates) + (size_t)__builtin_popcount(known) * sizeof(struct estimate);
-}
-
 const struct estimate *curve_summary_estimate(const struct curve_summary *model, int which)
 {
-    const struct curve_estimates *estimates = model->estimates;
-    uint32_t bit = UINT32_C(1) << which;
-    return estimates && estimates->known & bit ? &estimates->of[__builtin_popcount(estimates->known & (bit - 1))]
-                                               : &estimate_none;
+    return model->estimates ? &model->estimates[which] : &estimate_none;
 }
 
 enum status_code curve_summary_put_estimates(struct curve_summary *model, const struct estimate *all,
                                              struct status *status)
 {
-    uint32_t known = 0;
-    size_t count = 0;
-    for (int which = 0; which < CURVE_ESTIMATES; which++)
-        known |= (uint32_t)(all[which].count > 0) << which;
-    free(model->estimates);
-    model->estimates = NULL;
-    if (known == 0)
-        return STATUS_OK;
-    struct curve_estimates *estimates = malloc(curve_estimates_size(known));
-    if (!estimates)
+    if (!model->estimates && !(model->estimates = malloc(CURVE_ESTIMATES * sizeof *all)))
         return status_memory(status);
-    estimates->known = known;
-    for (int which = 0; which < CURVE_ESTIMATES; which++)
-        if (all[which].count > 0)
-            estimates->of[count++] = all[which];
-    model->estimates = estimates;
+    memcpy(model->estimates, all, CURVE_ESTIMATES * sizeof *all);
     return STATUS_OK;
 }
 
 bool curve_summary_is_valid(const struct curve_summary *model, double load)
 {
-    return !(model->invalid_area_load <= load) && !(model->invalid_fit_load <= load);
+    return !(model->invalid_load <= load);
 }
 
 double curve_summary_elbow_share(const struct curve_summary *model)
@@ -108,17 +77,12 @@ void curve_summary_make(struct curve_summary *model, const struct model_curve *c
         .exists = curve->exists,
         .first_load = curve->count > 0 ? curve->points[0].value[QUANTITY_LOAD] : NAN,
         .full_load = curve->full_load,
-        .closed_load = curve->closed_load,
         .beta = curve->beta,
         .beta_multiscale = NAN,
         .elbow_load = NAN,
-        .sd_least = INFINITY,
         .sd_most = -INFINITY,
-        .invalid_area_load = NAN,
-        .invalid_fit_load = NAN,
+        .invalid_load = NAN,
         .gap_at_full = quantity_shown(&curve->full, model_shown(row, QUANTITY_SEPARATION), sigma_m),
-        .area_low = curve->count > 0 ? curve->points[0].value[QUANTITY_AREA] : NAN,
-        .yielding_scales = curve->yielding_scales,
         .clamped = curve->clamped,
         .sensitivity = model->sensitivity,
         .seconds = model->seconds,
@@ -126,23 +90,18 @@ void curve_summary_make(struct curve_summary *model, const struct model_curve *c
         .operating = quantity_nothing(),
     };
     struct curve_validity valid = curve_summary_validity(curve, row);
+    if (valid.end < curve->count)
+        model->invalid_load = curve->points[valid.end].value[QUANTITY_LOAD];
     fit_area_slope(model, curve);
     for (size_t i = 0; i < curve->count; i++) {
         const struct contact_point *point = &curve->points[i], *before = i > 0 ? point - 1 : NULL;
         if (point->value[QUANTITY_LOAD] == operating_load)
             model->operating = *point;
-        if (isnan(model->invalid_area_load) && is_touching(point, row))
-            model->invalid_area_load = point->value[QUANTITY_LOAD];
-        if (i >= valid.first && isnan(model->invalid_fit_load) && point->beyond_fit > curve_summary_beyond_fit_share)
-            model->invalid_fit_load = point->value[QUANTITY_LOAD];
         model->most_beyond_fit = fmax(model->most_beyond_fit, point->beyond_fit);
         model->most_radius_clamped = fmax(model->most_radius_clamped, point->radius_clamped);
-        if (point->value[QUANTITY_TCR] > 0 && !isnan(point->value[QUANTITY_TCR_SCALE_DEPENDENT])) {
-            model->sd_least =
-                fmin(model->sd_least, point->value[QUANTITY_TCR_SCALE_DEPENDENT] / point->value[QUANTITY_TCR] - 1);
+        if (point->value[QUANTITY_TCR] > 0) /* of a number and NaN, the number */
             model->sd_most =
                 fmax(model->sd_most, point->value[QUANTITY_TCR_SCALE_DEPENDENT] / point->value[QUANTITY_TCR] - 1);
-        }
         /* a load where the resistance has gone to 0 ends the elbow too */
         if (before && before->value[QUANTITY_ECR] > 0 && !isnan(point->value[QUANTITY_ECR]) &&
             isnan(model->elbow_load) &&

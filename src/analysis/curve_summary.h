@@ -8,38 +8,24 @@
 #include "analysis/sensitivity.h"
 #include "contact/convergence.h"
 
-/** Numbers of a curve that scans run alone, or simulated records, say how far off may be: each quantity at the middle
- * load, as the model shows it, then these. */
-enum { CURVE_FULL_LOAD = QUANTITY_COUNT, CURVE_BETA, CURVE_ESTIMATES };
-/** Those known of a curve, the rest left out: of a hundred thousand single scans few are. */
-struct curve_estimates {
-    uint32_t known; /* bits: which */
-    struct estimate of[];
-};
-
 struct curve_summary {
     bool exists;
     double first_load;              /* of the curve */
     struct contact_point operating; /* where the summary stands; quantity_nothing(): the curve has no point there */
-    double full_load, closed_load, beta, beta_multiscale;
-    double area_slope;        /* d ln A/d ln P, least squares over A/A_n < 0.1 */
-    double area_slope_rms;    /* decades */
-    double elbow_load;        /* where |d ln ECR/d ln P| first exceeds 2, over the loads; NaN: nowhere; the
-                                 first load: there or below */
-    double sd_least, sd_most; /* TCR_sd/TCR - 1 over the curve */
-    double invalid_area_load; /* first load beyond the model's largest valid area; NaN: none */
-    double
-        invalid_fit_load;   /* first load from a valid one on with over 10 % of it beyond the fitted range; NaN: none */
-    double most_beyond_fit; /* largest share of the load beyond the fitted range */
-    double gap_at_full;     /* separation/sigma as shown, at the load of A = A_n */
-    double area_low;        /* A/A_n at the lowest load */
-    size_t yielding_scales;
+    double full_load, beta, beta_multiscale;
+    double area_slope;          /* d ln A/d ln P, least squares over A/A_n < 0.1 */
+    double elbow_load;          /* where |d ln ECR/d ln P| first exceeds 2, over the loads; NaN: nowhere; the
+                                   first load: there or below */
+    double sd_most;             /* largest TCR_sd/TCR - 1 of the curve */
+    double invalid_load;        /* first load from a valid one on beyond the model's validity; NaN: none */
+    double most_beyond_fit;     /* largest share of the load beyond the fitted range */
+    double gap_at_full;         /* separation/sigma as shown, at the load of A = A_n */
     uint64_t clamped;           /* visits in which the published plastic area was cut off at 1 */
     double most_radius_clamped; /* largest share of the load on asperities whose a/R is clamped to 1 */
     uint64_t evaluations;       /* that the curve and what is known of it took */
     bool extended;              /* the fitted power law was carried on below the sampling limit */
     struct convergence_extension extension;
-    struct curve_estimates *estimates; /* owned; NULL: none known */
+    struct estimate *estimates; /* CURVE_ESTIMATES of them; owned; NULL: none known, as of most single scans */
     struct sensitivity_factors sensitivity;
     double seconds; /* that the curve took */
 };
@@ -58,8 +44,7 @@ struct curve_validity curve_summary_validity(const struct model_curve *curve, co
 
 /** How far number `which` (a quantity, CURVE_FULL_LOAD, CURVE_BETA) may be off; estimate_none: not known. */
 const struct estimate *curve_summary_estimate(const struct curve_summary *model, int which);
-/** Keeps those of `all`, CURVE_ESTIMATES of them, that are known, in place of what the curve had. Error: STATUS_MEMORY.
- */
+/** Keeps a copy of `all`, CURVE_ESTIMATES of them. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code curve_summary_put_estimates(struct curve_summary *model, const struct estimate *all,
                                                         struct status *status);
 /** Is the model inside its range of validity there, as far as the curve's summary tells? */

@@ -5,6 +5,7 @@
 
 #include "spectrum/areal.h"
 #include "spectrum/grid.h"
+#include "spectrum/simulated_record.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -78,26 +79,21 @@ enum status_code describe_repeats(struct surface_record *record, const struct sc
 }
 
 /** One scan: the surface itself, of which others may be simulated. */
-static enum status_code keep_single(struct surface_record *record, const struct power_law_scans *scans,
-                                    const struct scene *scene, struct status *status)
+static void keep_single(struct surface_record *record, const struct power_law_scans *scans, const struct scene *scene)
 {
     struct member *part = &record->ensemble.members[0];
-    const struct spectrum *tapered = scans->scan_count == 1 ? &scans->scan[0] : NULL;
-    bool listed = scene->effects & EFFECT_BIT(EFFECT_UNCERTAINTY), simulable = false;
-    if (part->height_m && scene->counterface_surface.file_count == 0 && (scene->effects_auto || listed)) {
-        bool wanted = listed || uncertainty_affordable(part->points, scene->surface_count);
-        simulable = true;
-        if (wanted && uncertainty_possible(&simulable, part->height_m, part->points, tapered, status) != STATUS_OK)
-            return status->code;
-        record->summary.single_points = simulable ? part->points : 0;
-        record->summary.simulates = simulable && wanted;
+    bool listed = scene->effects & EFFECT_BIT(EFFECT_UNCERTAINTY);
+    if (part->height_m && scene->counterface_surface.file_count == 0 && (scene->effects_auto || listed) &&
+        part->points >= SIMULATED_RECORD_LEAST_POINTS &&
+        (scans->scan_count == 0 || simulated_record_possible(scans->scan[0].amplitude_m, part->points))) {
+        record->summary.single_points = part->points;
+        record->summary.simulates = listed || uncertainty_affordable(part->points, scene->surface_count);
         if (record->summary.simulates) {
             record->height_m = part->height_m;
             part->height_m = NULL;
         }
     }
     ensemble_free(&record->ensemble);
-    return STATUS_OK;
 }
 
 /** Scans of unlike lengths are cut to subrecords of the shortest one's. */
@@ -139,8 +135,10 @@ enum status_code describe_conclude(struct surface_record *record, struct power_l
         return status->code;
     if (set->keeps_heights && record->strips.rows.rows == 0)
         note_say(&record->summary.notes, "no strip transfer: its scans differ in spacing or points");
-    if (set->count == 1)
-        return keep_single(record, scans, scene, status);
+    if (set->count == 1) {
+        keep_single(record, scans, scene);
+        return STATUS_OK;
+    }
     for (size_t p = 0; p < set->count; p++) {
         free(set->members[p].height_m);
         set->members[p].height_m = NULL;

@@ -295,15 +295,14 @@ static enum status_code mean_curve(struct model_curve *curve, struct ensemble_re
                                    const struct model_row *model, const struct model_task *task,
                                    const struct model_curve *joined, struct status *status)
 {
-    struct estimate unused, estimates[QUANTITY_COUNT];
+    struct estimate estimates[QUANTITY_COUNT];
     double share = set->scan_count > 1 ? 0.5 : 1, waves = model_task_longest_waves(task);
-    size_t full = offsetof(struct model_curve, full_load), closed = offsetof(struct model_curve, closed_load),
-           beta = offsetof(struct model_curve, beta);
+    size_t full = offsetof(struct model_curve, full_load), beta = offsetof(struct model_curve, beta);
     estimates[QUANTITY_LOAD] = estimate_none;
     curve->exists = true;
-    if (mean_number(&curve->full_load, &result->full_load, curves, set, full, true, status) != STATUS_OK ||
-        mean_number(&curve->closed_load, &unused, curves, set, closed, true, status) != STATUS_OK ||
-        mean_number(&curve->beta, &result->beta, curves, set, beta, false, status) != STATUS_OK ||
+    if (mean_number(&curve->full_load, &result->estimates[CURVE_FULL_LOAD], curves, set, full, true, status) !=
+            STATUS_OK ||
+        mean_number(&curve->beta, &result->estimates[CURVE_BETA], curves, set, beta, false, status) != STATUS_OK ||
         mean_point(&curve->full, NULL, curves, set, model, SIZE_MAX, status) != STATUS_OK)
         return status->code;
     curve->full.value[QUANTITY_LOAD] = curve->full_load;
@@ -320,7 +319,7 @@ static enum status_code mean_curve(struct model_curve *curve, struct ensemble_re
         if (result->band)
             fill_band(&result->band[i], estimates, model);
         for (int q = 0; q < QUANTITY_COUNT && i == model_task_operating(task); q++)
-            result->middle[q] = estimates[model_shown(model, (enum quantity)q)];
+            result->estimates[q] = estimates[model_shown(model, (enum quantity)q)];
     }
     if (curve->count < task->load_count && all_close(curves))
         curve->points[curve->count++] = curve->full;
@@ -335,18 +334,13 @@ enum status_code ensemble_curve(struct model_curve *curve, struct ensemble_resul
     if (set->count <= 1)
         return model_run(curve, model, task, status);
     result = result ? result : &unused;
-    result->full_load = result->beta = estimate_none;
-    for (int q = 0; q < QUANTITY_COUNT; q++)
-        result->middle[q] = estimate_none;
+    for (int q = 0; q < CURVE_ESTIMATES; q++)
+        result->estimates[q] = estimate_none;
     enum status_code rc = ensemble_run(&curves, set, model, task, status);
     curve->evaluations = curves.evaluations;
     curve->overflows = curves.overflows;
-    for (size_t r = 0; rc == STATUS_OK && r < curves.count; r++) {
-        const struct model_curve *own = &curves.curves[r];
-        curve->clamped += own->clamped;
-        curve->yielding_scales =
-            own->yielding_scales > curve->yielding_scales ? own->yielding_scales : curve->yielding_scales;
-    }
+    for (size_t r = 0; rc == STATUS_OK && r < curves.count; r++)
+        curve->clamped += curves.curves[r].clamped;
     result->left_out = set->count - curves.count;
     struct model_curve joined = {.points = malloc((task->load_count + 1) * sizeof *joined.points)};
     if (rc == STATUS_OK && !joined.points)

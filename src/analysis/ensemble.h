@@ -104,11 +104,14 @@ struct ensemble_band *ensemble_band_make(const double *loads, size_t count);
 /** Does a band hold this quantity? Area, separation, ECR and TCR. */
 bool ensemble_band_holds(enum quantity quantity);
 
+/** Numbers of a curve that scans run alone, or simulated records, say how far off may be: each quantity at the
+ * operating load, as the model shows it, then these. */
+enum { CURVE_FULL_LOAD = QUANTITY_COUNT, CURVE_BETA, CURVE_ESTIMATES };
+
 /** What the members say beside the surface's curve. */
 struct ensemble_result {
-    struct ensemble_band *band;             /* task->load_count, the caller's; NULL: not wanted */
-    struct estimate middle[QUANTITY_COUNT]; /* as in a band, at the task's operating load */
-    struct estimate full_load, beta;
+    struct ensemble_band *band; /* task->load_count, the caller's; NULL: not wanted */
+    struct estimate estimates[CURVE_ESTIMATES];
     size_t left_out; /* members on which the model has no solution */
 };
 

@@ -49,7 +49,10 @@ static enum status_code run_uncertainty(struct surface_record *record, const str
     struct uncertainty *all = calloc(model_count, sizeof *all);
     if (!all)
         return status_memory(status);
-    enum status_code rc = uncertainty_run(all, &scan, plan, status);
+    struct status problem = {0};
+    enum status_code rc = uncertainty_run(all, &scan, plan, &problem);
+    if (rc == STATUS_MEMORY)
+        (void)status_memory(status);
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
         const struct model_curve *curve = &record->curves[m];
         if (!curve->exists || !uncertainty_holds(plan, m))
@@ -57,38 +60,26 @@ static enum status_code run_uncertainty(struct surface_record *record, const str
         struct estimate estimates[CURVE_ESTIMATES];
         for (int which = 0; which < CURVE_ESTIMATES; which++)
             estimates[which] = estimate_none;
-        for (size_t i = 0; i < curve->count; i++)
-            for (int q = 0;
-                 q < QUANTITY_COUNT && curve->points[i].value[QUANTITY_LOAD] == task->loads[model_task_operating(task)];
-                 q++)
-                estimates[q] =
-                    uncertainty_estimate(&all[m], model_rows[m], (enum quantity)q,
-                                         quantity_shown(&curve->points[i], model_shown(model_rows[m], (enum quantity)q),
-                                                        summary->asperities.sigma_m));
+        if ((rc = make_band(record, m, task, status)) != STATUS_OK)
+            break;
+        for (size_t i = 0; i < curve->count; i++) {
+            const struct contact_point *point = &curve->points[i];
+            if (point->value[QUANTITY_LOAD] != record->bands[m][i].load)
+                break; /* a statistical curve closes at a load of its own */
+            for (int q = 0; q < QUANTITY_COUNT; q++) {
+                struct estimate own =
+                    uncertainty_estimate(&all[m], model_rows[m], (enum quantity)q, point, summary->asperities.sigma_m);
+                for (int side = 0; side < 2; side++)
+                    record->bands[m][i].mean[q][side] = estimate_end(&own, side);
+                if (i == model_task_operating(task))
+                    estimates[q] = own;
+            }
+        }
         rc = curve_summary_put_estimates(summary->models[m], estimates, status);
-        if (rc == STATUS_OK)
-            rc = make_band(record, m, task, status);
-        if (rc == STATUS_OK)
-            uncertainty_band(record->bands[m], &all[m], curve, model_rows[m], summary->asperities.sigma_m);
     }
     free(all);
     summary->times.uncertainty += clock_seconds() - started;
-    return rc;
-}
-
-/** What area and resistance at the middle load hang on. */
-static enum status_code run_sensitivity(struct surface_record *record, size_t m, const struct model_task *task,
-                                        struct status *status)
-{
-    struct curve_summary *model = record->summary.models[m];
-    struct model_task one = surface_middle_task(task);
-    struct contact_point as_is = quantity_nothing();
-    for (size_t i = 0; i < record->curves[m].count; i++)
-        if (record->curves[m].points[i].value[QUANTITY_LOAD] == one.loads[0])
-            as_is = record->curves[m].points[i];
-    bool averaged = record->ensemble.count > 0; /* as the changed scans are: the curve is not of the mean spectrum */
-    return sensitivity_run(&model->sensitivity, &record->sensitivity, model_rows[m], &one, averaged ? NULL : &as_is,
-                           status);
+    return rc == STATUS_SCAN ? STATUS_OK : rc; /* no records of this one */
 }
 
 /** Is the beta of model `m` sought that is nearest to its multiscale counterpart? */
@@ -116,16 +107,6 @@ static double nearest_beta(const struct surface_record *record, size_t m)
     return sum / count;
 }
 
-static enum status_code keep_estimates(struct curve_summary *model, const struct ensemble_result *result,
-                                       struct status *status)
-{
-    struct estimate all[CURVE_ESTIMATES];
-    memcpy(all, result->middle, sizeof result->middle);
-    all[CURVE_FULL_LOAD] = result->full_load;
-    all[CURVE_BETA] = result->beta;
-    return curve_summary_put_estimates(model, all, status);
-}
-
 /** What a model that has run leaves to say. */
 static void note_model(struct surface_record *record, size_t m, size_t left_out)
 {
@@ -138,37 +119,6 @@ static void note_model(struct surface_record *record, size_t m, size_t left_out)
         note_say(&record->summary.notes,
                  "no %s: its numbers leave what can be computed with; check the units, the material and the loads",
                  model_rows[m]->label);
-}
-
-/** Has a number of a curve of several scans no interval? Of a model that knows yield alone, area and separation over
- * sigma have none either: load and hardness decide them. */
-static bool loses_interval(const struct surface_record *record, size_t m)
-{
-    const struct model_curve *curve = &record->curves[m];
-    int first = model_rows[m]->plastic && !model_rows[m]->elastic ? QUANTITY_ECR : QUANTITY_AREA;
-    for (size_t i = 0; record->bands[m] && i < curve->count && i < record->band_count; i++)
-        for (int q = first; q < QUANTITY_COUNT && record->bands[m][i].load == curve->points[i].value[QUANTITY_LOAD];
-             q++) {
-            double value = curve->points[i].value[model_shown(model_rows[m], (enum quantity)q)];
-            if (ensemble_band_holds((enum quantity)q) && value > 0 && isnan(record->bands[m][i].mean[q][0]))
-                return true;
-        }
-    return false;
-}
-
-/** Names the models whose scans answer so differently that an interval's ends are no numbers. */
-static void note_intervals(struct surface_record *record)
-{
-    struct text names = {0};
-    for (size_t m = 0; m < model_count; m++)
-        if (record->ensemble.count > 1 && !record->ensemble.no_intervals && loses_interval(record, m))
-            text_add(&names, "%s%s", names.length > 0 ? ", " : "", model_rows[m]->label);
-    if (names.length > 0)
-        note_say(&record->summary.notes,
-                 "no interval at some loads (%s): the scans differ there by more than numbers hold; are they of one "
-                 "surface, in one unit?",
-                 text_string(&names));
-    text_free(&names);
 }
 
 /** One model: its curve, or the mean of its scans' curves; what lies in the joint; where it bends; what it hangs on. */
@@ -195,8 +145,9 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     if (curve->exists)
         curve_summary_make(model, curve, model_rows[m], record->summary.asperities.sigma_m,
                            task->loads[model_task_operating(task)]);
-    if ((several && keep_estimates(model, &result, status) != STATUS_OK) ||
-        run_sensitivity(record, m, task, status) != STATUS_OK)
+    const struct model_task middle = surface_middle_task(task);
+    if ((several && curve_summary_put_estimates(model, result.estimates, status) != STATUS_OK) ||
+        sensitivity_run(&model->sensitivity, &record->sensitivity, model_rows[m], &middle, status) != STATUS_OK)
         return status->code;
     model->seconds = clock_seconds() - started;
     if (several && record->ensemble.count - result.left_out < 2) { /* one scan alone says nothing of others */
@@ -297,7 +248,6 @@ enum status_code evaluate_models(struct surface_record *record, const struct sce
             record->summary.models[m]->beta_multiscale = nearest_beta(record, m);
     if (plan_runs(plan, EFFECT_CONVERGENCE))
         extend(record, scene);
-    note_intervals(record);
     return answers_find(record, scene, plan, &task, status);
 }
 

@@ -92,95 +92,65 @@ void sensitivity_free(struct sensitivity *sensitivity)
     *sensitivity = (struct sensitivity){0};
 }
 
-/** What is asked of the variants. */
-static const unsigned variant_wanted =
-    QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_ECR);
-
-/** One load through a model; NaN throughout where it has no answer there. */
+/** Area and ECR at the one load of the task; NaN where the model has no answer there. */
 static enum status_code solve_one(struct contact_point *out, const struct model_row *model,
                                   const struct model_task *task, struct status *status)
 {
     struct contact_point points[2] = {0};
     struct model_curve curve = {.points = points};
+    struct model_task own = *task;
+    own.wanted &= QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_ECR);
     *out = quantity_nothing();
-    if (model_run(&curve, model, task, status) != STATUS_OK)
+    if (model_run(&curve, model, &own, status) != STATUS_OK)
         return status->code;
     if (curve.exists && curve.count > 0 && points[0].value[QUANTITY_LOAD] == task->loads[0])
         *out = points[0];
     return STATUS_OK;
 }
 
-/** The task with the softer body harder. */
-static struct model_task harder_task(struct material_pair *pair, const struct model_task *task)
+/** The geometric mean of two numbers over a third; NaN where that is 0. */
+static double ratio(const struct contact_point *a, const struct contact_point *b, const struct contact_point *as_is,
+                    enum quantity quantity)
 {
-    struct model_task own = *task;
-    *pair = *task->pair;
-    pair->yield_strength_Pa *= sensitivity_hardness_factor;
-    own.pair = pair;
-    own.hardness_Pa *= sensitivity_hardness_factor;
-    own.wanted &= variant_wanted;
-    return own;
-}
-
-static enum status_code run_variants(struct sensitivity_factors *out, const struct sensitivity *sensitivity,
-                                     const struct model_row *model, const struct model_task *task,
-                                     const struct contact_point *as_is, struct status *status)
-{
-    struct contact_point points[SENSITIVITY_VARIANTS];
-    for (int v = 0; v < SENSITIVITY_VARIANTS; v++) {
-        struct asperities asperities;
-        struct model_task own = member_task(&asperities, &sensitivity->variants[v], task);
-        own.wanted &= variant_wanted;
-        if (solve_one(&points[v], model, &own, status) != STATUS_OK)
-            return status->code;
-    }
-    const struct contact_point *first = &points[SENSITIVITY_FIRST_HALF], *second = &points[SENSITIVITY_SECOND_HALF],
-                               *whole = &points[SENSITIVITY_WHOLE];
-    out->area[SENSITIVITY_CUTOFF_DOUBLED] =
-        points[SENSITIVITY_CUTOFF].value[QUANTITY_AREA] / as_is->value[QUANTITY_AREA];
-    out->area[SENSITIVITY_SCAN_HALVED] =
-        sqrt(first->value[QUANTITY_AREA] * second->value[QUANTITY_AREA]) / whole->value[QUANTITY_AREA];
-    if (as_is->value[QUANTITY_ECR] > 0)
-        out->ecr[SENSITIVITY_CUTOFF_DOUBLED] =
-            points[SENSITIVITY_CUTOFF].value[QUANTITY_ECR] / as_is->value[QUANTITY_ECR];
-    if (whole->value[QUANTITY_ECR] > 0)
-        out->ecr[SENSITIVITY_SCAN_HALVED] =
-            sqrt(first->value[QUANTITY_ECR]) * sqrt(second->value[QUANTITY_ECR]) / whole->value[QUANTITY_ECR];
-    return STATUS_OK;
-}
-
-static enum status_code run_harder(struct sensitivity_factors *out, const struct model_row *model,
-                                   const struct model_task *task, const struct contact_point *as_is,
-                                   struct status *status)
-{
-    struct material_pair pair;
-    struct contact_point point;
-    struct model_task own = harder_task(&pair, task);
-    if (solve_one(&point, model, &own, status) != STATUS_OK)
-        return status->code;
-    out->area[SENSITIVITY_HARDNESS_RAISED] = point.value[QUANTITY_AREA] / as_is->value[QUANTITY_AREA];
-    if (as_is->value[QUANTITY_ECR] > 0)
-        out->ecr[SENSITIVITY_HARDNESS_RAISED] = point.value[QUANTITY_ECR] / as_is->value[QUANTITY_ECR];
-    return STATUS_OK;
+    double whole = as_is->value[quantity];
+    return whole > 0 ? sqrt(a->value[quantity]) * sqrt(b->value[quantity]) / whole : NAN;
 }
 
 enum status_code sensitivity_run(struct sensitivity_factors *out, const struct sensitivity *sensitivity,
-                                 const struct model_row *model, const struct model_task *task,
-                                 const struct contact_point *as_is, struct status *status)
+                                 const struct model_row *model, const struct model_task *task, struct status *status)
 {
-    struct contact_point itself;
+    struct contact_point as_is, harder = quantity_nothing(), points[SENSITIVITY_VARIANTS];
+    struct material_pair pair = *task->pair;
+    struct model_task raised = *task;
     for (int c = 0; c < SENSITIVITY_CHANGES; c++)
         out->area[c] = out->ecr[c] = NAN;
     if (sensitivity->scans == 0)
         return STATUS_OK;
-    if (!as_is) {
-        as_is = &itself;
-        struct model_task own = *task;
-        own.wanted &= variant_wanted;
-        if (solve_one(&itself, model, &own, status) != STATUS_OK)
+    if (solve_one(&as_is, model, task, status) != STATUS_OK)
+        return status->code;
+    for (int v = 0; v < SENSITIVITY_VARIANTS; v++) {
+        struct asperities asperities;
+        struct model_task own = member_task(&asperities, &sensitivity->variants[v], task);
+        if (solve_one(&points[v], model, &own, status) != STATUS_OK)
             return status->code;
     }
-    if (run_variants(out, sensitivity, model, task, as_is, status) == STATUS_OK && model->plastic)
-        (void)run_harder(out, model, task, as_is, status);
-    return status->code;
+    pair.yield_strength_Pa *= sensitivity_hardness_factor;
+    raised.pair = &pair;
+    raised.hardness_Pa *= sensitivity_hardness_factor;
+    if (model->plastic && solve_one(&harder, model, &raised, status) != STATUS_OK)
+        return status->code;
+    const struct contact_point *cutoff = &points[SENSITIVITY_CUTOFF];
+    const struct {
+        const struct contact_point *first, *second, *as_is;
+    } changes[SENSITIVITY_CHANGES] = {
+        [SENSITIVITY_CUTOFF_DOUBLED] = {cutoff, cutoff, &as_is},
+        [SENSITIVITY_SCAN_HALVED] = {&points[SENSITIVITY_FIRST_HALF], &points[SENSITIVITY_SECOND_HALF],
+                                     &points[SENSITIVITY_WHOLE]},
+        [SENSITIVITY_HARDNESS_RAISED] = {&harder, &harder, &as_is},
+    };
+    for (int c = 0; c < SENSITIVITY_CHANGES; c++) {
+        out->area[c] = ratio(changes[c].first, changes[c].second, changes[c].as_is, QUANTITY_AREA);
+        out->ecr[c] = ratio(changes[c].first, changes[c].second, changes[c].as_is, QUANTITY_ECR);
+    }
+    return STATUS_OK;
 }

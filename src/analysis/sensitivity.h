@@ -52,11 +52,11 @@ MUST_CHECK enum status_code sensitivity_add(struct sensitivity *out, const struc
                                             enum roughness_moments moments, struct status *status);
 void sensitivity_free(struct sensitivity *sensitivity);
 
-/** Runs a model on the variants, and with the hardness raised, at the one load of `task`, whose surface is as it is,
- * and compares with `as_is` (NULL: what the model answers for `task` itself, which it then runs too); of the halves the
- * geometric mean counts, over the whole. Strips stay those of the scan as it is. Error: STATUS_MEMORY. */
+/** Runs a model on the variants, with the hardness raised, and as it is (of the mean spectrum, as the variants are), at
+ * the one load of `task`; of the halves the geometric mean counts, over the whole. Strips stay those of the scan as it
+ * is. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code sensitivity_run(struct sensitivity_factors *out, const struct sensitivity *sensitivity,
                                             const struct model_row *model, const struct model_task *task,
-                                            const struct contact_point *as_is, struct status *status);
+                                            struct status *status);
 
 #endif

@@ -3,7 +3,6 @@
 
 #include "spectrum/multitaper.h"
 #include "spectrum/simulated_record.h"
-#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -164,31 +163,6 @@ static enum status_code run_one(struct uncertainty *out, const struct simulated 
     return rc;
 }
 
-/** The squared amplitudes of the multitaper spectrum, malloc'ed. */
-static enum status_code squares(double **out, const double *height_m, size_t points, struct status *status)
-{
-    *out = malloc(points * sizeof **out);
-    if (!*out)
-        return status_memory(status);
-    return multitaper_square(*out, height_m, points, status);
-}
-
-enum status_code uncertainty_possible(bool *out, const double *height_m, size_t points, const struct spectrum *tapered,
-                                      struct status *status)
-{
-    *out = false;
-    if (tapered || points < SIMULATED_RECORD_LEAST_POINTS) {
-        *out = tapered && simulated_record_possible(tapered->amplitude_m, points);
-        return STATUS_OK;
-    }
-    struct status none = {0};
-    double *square_m2;
-    enum status_code rc = squares(&square_m2, height_m, points, &none);
-    *out = rc == STATUS_OK && simulated_record_possible(square_m2, points);
-    free(square_m2);
-    return rc == STATUS_MEMORY ? status_memory(status) : STATUS_OK;
-}
-
 double uncertainty_seconds(size_t points)
 {
     return RECORDS * (2 * (double)points * height_seconds + record_seconds);
@@ -204,12 +178,14 @@ enum status_code uncertainty_run(struct uncertainty *out, const struct uncertain
 {
     struct simulated_record spectrum = {0};
     struct simulated simulated = {.records = {.count = 0}};
-    double *height_m = malloc(scan->points * sizeof *height_m), *square_m2 = NULL;
-    enum status_code rc = height_m ? squares(&square_m2, scan->height_m, scan->points, status) : status_memory(status);
+    double *height_m = malloc(2 * scan->points * sizeof *height_m), *square_m2 = height_m + scan->points;
+    enum status_code rc = height_m ? STATUS_OK : status_memory(status);
+    if (rc == STATUS_OK && scan->points < SIMULATED_RECORD_LEAST_POINTS)
+        rc = status_fail(status, STATUS_SCAN, "%zu points are too few to simulate records of", scan->points);
+    if (rc == STATUS_OK)
+        rc = multitaper_square(square_m2, scan->height_m, scan->points, status);
     if (rc == STATUS_OK)
         rc = simulated_record_prepare(&spectrum, square_m2, scan->points, status);
-    free(square_m2);
-    assert(rc != STATUS_SCAN);
     if (rc == STATUS_OK)
         rc = simulate(&simulated, &spectrum, height_m, scan, status);
     simulated_record_free(&spectrum);
@@ -219,16 +195,6 @@ enum status_code uncertainty_run(struct uncertainty *out, const struct uncertain
             rc = run_one(&out[m], &simulated, model_rows[m], scan->task, status);
     simulated_free(&simulated);
     return rc;
-}
-
-struct estimate uncertainty_estimate(const struct uncertainty *uncertainty, const struct model_row *model,
-                                     enum quantity quantity, double value)
-{
-    const struct single_scan *single = &uncertainty->middle[quantity];
-    struct estimate out = isnan(single->s) ? estimate_none : estimate_single(value, single, true);
-    out.share = quantity == QUANTITY_AREA;
-    out.model_sd = model_surface_sd(model, quantity, uncertainty->longest_waves);
-    return out;
 }
 
 /** Half-width at a load; where the scan is not the same along its length, at least the one its quarters give. */
@@ -248,23 +214,15 @@ static double half_width_at(const struct uncertainty *uncertainty, enum quantity
     return middle->heterogeneous ? fmax(half_width, middle->half_width) : half_width;
 }
 
-void uncertainty_band(struct ensemble_band *band, const struct uncertainty *uncertainty,
-                      const struct model_curve *curve, const struct model_row *model, double sigma_m)
+struct estimate uncertainty_estimate(const struct uncertainty *uncertainty, const struct model_row *model,
+                                     enum quantity quantity, const struct contact_point *point, double sigma_m)
 {
-    for (int q = 0; q < QUANTITY_COUNT; q++)
-        for (size_t i = 0; i < curve->count; i++) {
-            const struct contact_point *point = &curve->points[i];
-            struct estimate own = estimate_none;
-            own.logarithmic = true;
-            own.share = q == QUANTITY_AREA;
-            own.model_sd = model_surface_sd(model, (enum quantity)q, uncertainty->longest_waves);
-            own.mean = answer(point, (enum quantity)q, model, sigma_m);
-            own.half_width = ensemble_band_holds((enum quantity)q)
-                                 ? half_width_at(uncertainty, (enum quantity)q, log(point->value[QUANTITY_LOAD]))
-                                 : NAN;
-            if (point->value[QUANTITY_LOAD] != band[i].load)
-                continue; /* a statistical curve closes at a load of its own */
-            for (int side = 0; side < 2; side++)
-                band[i].mean[q][side] = estimate_end(&own, side);
-        }
+    struct single_scan single = uncertainty->middle[quantity];
+    if (isnan(single.s))
+        return estimate_none;
+    single.half_width = half_width_at(uncertainty, quantity, log(point->value[QUANTITY_LOAD]));
+    struct estimate out = estimate_single(quantity_shown(point, model_shown(model, quantity), sigma_m), &single, true);
+    out.share = quantity == QUANTITY_AREA;
+    out.model_sd = model_surface_sd(model, quantity, uncertainty->longest_waves);
+    return out;
 }

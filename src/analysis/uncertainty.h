@@ -32,14 +32,10 @@ struct uncertainty {
 bool uncertainty_holds(const struct plan *plan, size_t model);
 
 /** SINGLE_SCAN_RECORDS simulated records through the running models at UNCERTAINTY_LOADS of the task's loads, and from
- * 64 points on their quarters, and the scan's own, at the middle load. out: model_count. The same scan, which must be
- * uncertainty_possible(), gives the same records. Error: STATUS_MEMORY. */
+ * 64 points on their quarters, and the scan's own, at the middle load. out: model_count. The same scan gives the same
+ * records. Errors: STATUS_SCAN where it has too few points, or no power, to simulate records of; STATUS_MEMORY. */
 MUST_CHECK enum status_code uncertainty_run(struct uncertainty *out, const struct uncertainty_scan *scan,
                                             const struct plan *plan, struct status *status);
-/** Can records be simulated of this scan: is it long enough, with power in its spectrum? tapered: the multitaper
- * spectrum of these heights, as amplitudes; NULL: not known yet. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code uncertainty_possible(bool *out, const double *height_m, size_t points,
-                                                 const struct spectrum *tapered, struct status *status);
 /** What simulating a scan of `points` takes, roughly, of one core [s]: heights drawn, levelled and transformed, and a
  * model run on every record. */
 double uncertainty_seconds(size_t points);
@@ -47,11 +43,8 @@ double uncertainty_seconds(size_t points);
  * most? */
 bool uncertainty_affordable(size_t points, size_t surfaces);
 
-/** What follows for the answer at the middle load, and in a band: half-widths at every load of the curve of a scan of
- * rms height sigma_m. */
+/** How far a point of the curve of a scan of rms height sigma_m may be off. */
 struct estimate uncertainty_estimate(const struct uncertainty *uncertainty, const struct model_row *model,
-                                     enum quantity quantity, double value);
-void uncertainty_band(struct ensemble_band *band, const struct uncertainty *uncertainty,
-                      const struct model_curve *curve, const struct model_row *model, double sigma_m);
+                                     enum quantity quantity, const struct contact_point *point, double sigma_m);
 
 #endif

@@ -287,7 +287,7 @@ static void let_count(struct fixture *f, const char *model)
 {
     struct curve_summary *summary = surface_model_room(&f->record.summary, model_named(model));
     assert_non_null(summary);
-    *summary = (struct curve_summary){.exists = true, .invalid_area_load = NAN, .invalid_fit_load = NAN};
+    *summary = (struct curve_summary){.exists = true, .invalid_load = NAN};
 }
 
 /* Spots per area of a model at a load; of several scans the mean. */
@@ -337,7 +337,7 @@ TEST_CASE(spots_are_those_at_the_answers_load)
         answers_note(&note, plastic, 10.5 / plastic->spots_per_m2, 1, "");
         assert_string_equal(text_string(&note), "");
         text_free(&note);
-        surface_model_room(&f.record.summary, model_named("cmy"))->invalid_area_load = f.loads[0];
+        surface_model_room(&f.record.summary, model_named("cmy"))->invalid_load = f.loads[0];
         find(&f);
         assert_true(isnan(answer(&f, target, "corrected-persson-plastic")->spots_per_m2));
         drop(&f);

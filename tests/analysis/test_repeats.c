@@ -176,7 +176,7 @@ TEST_CASE(the_mean_of_curves)
     assert_int_equal(reached, LOADS);
     assert_int_equal(curve.count, LOADS);
     assert_near(curve.full_load, exp(full), 1e-12);
-    assert_near(estimate_value(&result.full_load), curve.full_load, 1e-12);
+    assert_near(estimate_value(&result.estimates[CURVE_FULL_LOAD]), curve.full_load, 1e-12);
     for (size_t i = 0; i < reached; i++) {
         double area[2] = {log(own_points[0][i].value[QUANTITY_AREA]),
                           (log(own_points[1][i].value[QUANTITY_AREA]) + log(own_points[2][i].value[QUANTITY_AREA])) /
@@ -204,7 +204,7 @@ TEST_CASE(the_mean_of_curves)
         assert_near(result.band[i].next[QUANTITY_AREA][1], fmin(1, exp(mean + t * sd * sqrt(1 + 1 / 3.0))), 1e-9);
         assert_true(isnan(result.band[i].mean[QUANTITY_LOAD][0]));
     }
-    assert_near(estimate_value(&result.middle[QUANTITY_AREA]), curve.points[LOADS / 2].value[QUANTITY_AREA], 1e-12);
+    assert_near(estimate_value(&result.estimates[QUANTITY_AREA]), curve.points[LOADS / 2].value[QUANTITY_AREA], 1e-12);
     assert_int_equal(result.left_out, 0);
     free(result.band);
 }

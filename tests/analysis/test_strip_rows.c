@@ -257,7 +257,7 @@ FREED(a_curve_from_strips)
                     cut_off += above;
                 }
                 if (i == LOADS / 2)
-                    assert_near(result.middle[q].model_sd, sd_of(model->ln_sd[k], waves), 1e-15);
+                    assert_near(result.estimates[q].model_sd, sd_of(model->ln_sd[k], waves), 1e-15);
             }
         free(result.band);
     }

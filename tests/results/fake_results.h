@@ -125,7 +125,6 @@ static inline void make_fake(struct fake *fake)
                                                                           .beta = k == 1 ? 7 : 6,
                                                                           .area_slope = 0.95,
                                                                           .gap_at_full = 0,
-                                                                          .sd_least = 0.001,
                                                                           .sd_most = 0.01};
     }
     for (size_t m = 0; m < model_count; m++) {
