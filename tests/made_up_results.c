@@ -211,12 +211,11 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
                 make_bands(record, m);
         }
         if (index == 0) {
-            assert_non_null(surface_repeats_room(summary));
-            *summary->repeats = (struct repeats){.count = 2,
-                                                 .scans = 2,
-                                                 .rq_m = about(rq_m, 0.05, true),
-                                                 .gamma = about(gamma, 0.02, false),
-                                                 .psd_m3 = about(1e-20, 0.1, true)};
+            summary->repeats = (struct repeats){.count = 2,
+                                                .scans = 2,
+                                                .rq_m = about(rq_m, 0.05, true),
+                                                .gamma = about(gamma, 0.02, false),
+                                                .psd_m3 = about(1e-20, 0.1, true)};
         }
     }
 }

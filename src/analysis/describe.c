@@ -64,18 +64,19 @@ enum status_code describe_counterface(struct surface_record *record, struct powe
     return grid_add(&record->spectrum, &counterface->spectrum, status);
 }
 
-enum status_code describe_repeats(struct surface_record *record, const struct scene *scene, struct status *status)
+enum status_code describe_repeats(struct surface_record *record, struct status *status)
 {
     struct ensemble *set = &record->ensemble;
     set->sigma_m = sqrt(record->summary.roughness.m0_m2);
     if (set->count == 0)
         return STATUS_OK;
-    struct repeats *repeats = surface_repeats_room(&record->summary);
-    if (!repeats)
-        return status_memory(status);
+    struct repeats *repeats = &record->summary.repeats;
+    repeats->count = set->count;
+    repeats->scans = set->scan_count;
+    repeats->gamma = repeats->psd_m3 = estimate_none;
     if (repeats_align(set, &record->spectrum, status) != STATUS_OK)
         return status->code;
-    return repeats_laws(repeats, set, scene->fit == POWER_LAW_THESIS ? &record->summary.power_law : NULL, status);
+    return repeats_rq(&repeats->rq_m, set, status);
 }
 
 /** One scan: the surface itself, of which others may be simulated. */
@@ -106,12 +107,7 @@ static enum status_code cut_to_shortest(struct surface_record *record, const str
     if (odd)
         note_say(&record->summary.notes,
                  "%s is less than half as long as the others, which are all cut to its length; leave it out", odd);
-    if (cut == 0)
-        return STATUS_OK;
-    struct repeats *repeats = surface_repeats_room(&record->summary);
-    if (!repeats)
-        return status_memory(status);
-    repeats->cut = cut;
+    record->summary.repeats.cut = cut;
     return STATUS_OK;
 }
 
@@ -199,9 +195,9 @@ static enum status_code fit_alone(struct surface_record *record, const struct po
                                   const struct scene *scene, struct status *status)
 {
     const struct power_law_scans_def def = fit_def(&record->summary, scene);
-    struct repeats *repeats = record->summary.repeats;
+    struct repeats *repeats = &record->summary.repeats;
     size_t count = scans->scan_count;
-    if (!repeats)
+    if (repeats->count == 0)
         return STATUS_OK;
     double *gamma = malloc(2 * count * sizeof *gamma);
     if (!gamma)
@@ -338,7 +334,7 @@ static enum status_code conclude(struct surface_record *record, struct power_law
     record->summary.has_strips = strips_surrogates(&record->strips, scene) > 0;
     if (describe(record, scans, scene, status) != STATUS_OK)
         return status->code;
-    if (describe_repeats(record, scene, status) != STATUS_OK)
+    if (describe_repeats(record, status) != STATUS_OK)
         return status->code;
     bool found = scene->fit == POWER_LAW_AUTO && record->band->law != POWER_LAW_BAND_NONE;
     if (found && fit_alone(record, scans, scene, status) != STATUS_OK)

@@ -27,7 +27,6 @@ MUST_CHECK enum status_code describe_conclude(struct surface_record *record, str
                                               const struct scene *scene, struct status *status);
 
 /** Puts the scans to be run alone on the mean's grid and lets them say how far they differ. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code describe_repeats(struct surface_record *record, const struct scene *scene,
-                                             struct status *status);
+MUST_CHECK enum status_code describe_repeats(struct surface_record *record, struct status *status);
 
 #endif

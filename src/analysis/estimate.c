@@ -50,22 +50,33 @@ static struct estimate alone(double value, bool logarithmic)
     return out;
 }
 
-/** A finite copy of the values to work on; *known is false, and it NULL, where one has none. */
+/** A copy of the values to work on; *known: all are finite. */
 static enum status_code scale_all(double **out, bool *known, const double *value, size_t count, bool logarithmic,
                                   struct status *status)
 {
-    *out = NULL;
     *known = count > 0;
-    for (size_t i = 0; i < count; i++)
-        *known = *known && !isnan(scaled(value[i], logarithmic));
-    if (!*known)
-        return STATUS_OK;
-    *out = malloc(count * sizeof **out);
-    if (!*out)
-        return status_memory(status);
-    for (size_t i = 0; i < count; i++)
+    *out = malloc((count + 1) * sizeof **out);
+    for (size_t i = 0; *out && i < count; i++) {
         (*out)[i] = scaled(value[i], logarithmic);
-    return STATUS_OK;
+        *known = *known && !isnan((*out)[i]);
+    }
+    return *out ? STATUS_OK : status_memory(status);
+}
+
+/** Of finite values, or of what there is to say of one. */
+static enum status_code conclude(struct estimate *out, const double *own, const double *weight, size_t count, bool rows,
+                                 bool logarithmic, struct status *status)
+{
+    struct interval interval;
+    if (count == 1) {
+        *out = alone(own[0], logarithmic);
+        return STATUS_OK;
+    }
+    enum status_code rc = rows ? interval_rows(&interval, own, count, estimate_level, status)
+                               : interval_scans(&interval, own, weight, count, estimate_level, status);
+    if (rc == STATUS_OK)
+        *out = from_interval(&interval, logarithmic);
+    return rc;
 }
 
 enum status_code estimate_scans(struct estimate *out, const double *value, const double *weight, size_t count,
@@ -75,14 +86,9 @@ enum status_code estimate_scans(struct estimate *out, const double *value, const
     bool known;
     *out = estimate_none;
     out->logarithmic = logarithmic;
-    if (scale_all(&own, &known, value, count, logarithmic, status) != STATUS_OK || !known)
-        return status->code;
-    struct interval interval;
-    enum status_code rc = STATUS_OK;
-    if (count == 1)
-        *out = alone(own[0], logarithmic);
-    else if ((rc = interval_scans(&interval, own, weight, count, estimate_level, status)) == STATUS_OK)
-        *out = from_interval(&interval, logarithmic);
+    enum status_code rc = scale_all(&own, &known, value, count, logarithmic, status);
+    if (rc == STATUS_OK && known)
+        rc = conclude(out, own, weight, count, false, logarithmic, status);
     free(own);
     return rc;
 }
@@ -94,21 +100,16 @@ enum status_code estimate_rows(struct estimate *out, const double *value, size_t
     bool known;
     *out = estimate_none;
     out->logarithmic = logarithmic;
-    if (scale_all(&own, &known, value, count, logarithmic, status) != STATUS_OK || !known)
-        return status->code;
+    enum status_code rc = scale_all(&own, &known, value, count, logarithmic, status);
     size_t blocks = count < ESTIMATE_BLOCKS ? count : ESTIMATE_BLOCKS;
-    for (size_t b = 0; b < blocks; b++) {
+    for (size_t b = 0; rc == STATUS_OK && known && b < blocks; b++) {
         size_t first = b * count / blocks, end = (b + 1) * count / blocks;
         for (size_t i = first; i < end; i++)
             mean[b] += (own[i] - own[first]) / (double)(end - first);
         mean[b] += own[first]; /* equal rows have this very mean */
     }
-    struct interval interval;
-    enum status_code rc = STATUS_OK;
-    if (count == 1)
-        *out = alone(own[0], logarithmic);
-    else if ((rc = interval_rows(&interval, mean, blocks, estimate_level, status)) == STATUS_OK)
-        *out = from_interval(&interval, logarithmic);
+    if (rc == STATUS_OK && known)
+        rc = conclude(out, mean, NULL, blocks, true, logarithmic, status);
     out->next_half_width = NAN; /* another row is no other scan */
     free(own);
     return rc;

@@ -146,31 +146,18 @@ enum status_code repeats_align(struct ensemble *set, const struct spectrum *mean
     return STATUS_OK;
 }
 
-enum status_code repeats_laws(struct repeats *out, const struct ensemble *set, const struct power_law *law,
-                              struct status *status)
+enum status_code repeats_rq(struct estimate *out, const struct ensemble *set, struct status *status)
 {
-    struct estimate *const estimates[] = {&out->rq_m, &out->gamma, &out->psd_m3};
-    double *value = malloc(3 * (set->count + 1) * sizeof *value);
+    double *rq_m = malloc((set->count + 1) * sizeof *rq_m);
     size_t *scan = malloc((set->count + 1) * sizeof *scan);
-    enum status_code rc = value && scan ? STATUS_OK : status_memory(status);
-    double middle_m = law ? sqrt(law->band_m[0]) * sqrt(law->band_m[1]) : NAN;
-    out->count = set->count;
-    out->scans = set->scan_count;
+    enum status_code rc = rq_m && scan ? STATUS_OK : status_memory(status);
     for (size_t p = 0; p < set->count && rc == STATUS_OK; p++) {
-        const struct member *member = &set->members[p];
-        struct power_law own = {.gamma = NAN};
-        bool fits = law && !isnan(law->gamma);
-        if (fits)
-            own = power_law_fit(&member->spectrum, law->band_m);
-        scan[p] = member->scan;
-        value[p] = member->roughness.rq_m;
-        value[set->count + p] = own.gamma;
-        value[2 * set->count + p] =
-            fits ? pow(power_law_amplitude(&own, middle_m), 2) * member->spectrum.length_m / 2 : NAN;
+        rq_m[p] = set->members[p].roughness.rq_m;
+        scan[p] = set->members[p].scan;
     }
-    for (int k = 0; k < 3 && rc == STATUS_OK; k++)
-        rc = ensemble_estimate(estimates[k], set, value + (size_t)k * set->count, scan, set->count, k != 1, status);
-    free(value);
+    if (rc == STATUS_OK)
+        rc = ensemble_estimate(out, set, rq_m, scan, set->count, true, status);
+    free(rq_m);
     free(scan);
     return rc;
 }

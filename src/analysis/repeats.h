@@ -5,14 +5,13 @@
 
 #include "analysis/ensemble.h"
 #include "profile/profile.h"
-#include "spectrum/power_law.h"
 
 /** What the scans of a surface say apart. */
 struct repeats {
     size_t count; /* members: 0 or at least 2 */
     size_t scans; /* files; 1: a map, whose rows they are */
     size_t cut;   /* subrecords that scans longer than the shortest were cut to; 0: all of one length */
-    struct estimate rq_m, gamma, psd_m3; /* the latter two by a fit to each */
+    struct estimate rq_m, gamma, psd_m3; /* the latter two by `fit: auto`, where there is a law */
 };
 
 /** Adds a file, of which nothing is known yet. Error: STATUS_MEMORY. */
@@ -36,9 +35,7 @@ MUST_CHECK enum status_code repeats_cut_to_shortest(struct ensemble *set, size_t
 /** Puts the members on the grid of `mean`, their mean spectrum. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code repeats_align(struct ensemble *set, const struct spectrum *mean, struct status *status);
 
-/** Rq, and gamma and C = Delta² L/2 (power spectral density at the middle of `law`, the mean spectrum's) of a fit to
- * each member in that law's band (law NULL: not, that is done elsewhere). Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code repeats_laws(struct repeats *out, const struct ensemble *set, const struct power_law *law,
-                                         struct status *status);
+/** Rq of the members. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code repeats_rq(struct estimate *out, const struct ensemble *set, struct status *status);
 
 #endif

@@ -28,19 +28,6 @@ const struct curve_summary *surface_model(const struct surface_summary *summary,
     return summary->models && summary->models[m] ? summary->models[m] : &none;
 }
 
-const struct repeats *surface_repeats(const struct surface_summary *summary)
-{
-    static const struct repeats none = {.rq_m = ESTIMATE_NONE, .gamma = ESTIMATE_NONE, .psd_m3 = ESTIMATE_NONE};
-    return summary->repeats ? summary->repeats : &none;
-}
-
-struct repeats *surface_repeats_room(struct surface_summary *summary)
-{
-    if (!summary->repeats)
-        summary->repeats = calloc(1, sizeof *summary->repeats);
-    return summary->repeats;
-}
-
 struct curve_summary *surface_model_room(struct surface_summary *summary, size_t m)
 {
     if (!summary->models && !(summary->models = calloc(model_count, sizeof *summary->models)))
@@ -140,7 +127,6 @@ void surface_record_free(struct surface_record *record)
     free(summary->models);
     free(summary->refusal);
     note_list_free(&summary->notes);
-    free(summary->repeats);
     free(summary->direct);
     free(summary->answers);
     free(summary->limits);

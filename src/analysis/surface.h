@@ -47,7 +47,7 @@ struct surface_summary {
     char format[32];
     char units[40];                 /* "x mm, z um" as read */
     size_t scans;                   /* averaged: files, or rows of a map */
-    struct repeats *repeats;        /* what they say apart; owned like the texts, NULL: surface_repeats() */
+    struct repeats repeats;         /* what they say apart */
     size_t single_points;           /* of a surface with one scan, which records can be simulated of; else 0 */
     bool simulates;                 /* they will be, or have been, simulated */
     uint64_t simulated_evaluations; /* of the models, on those */
@@ -108,10 +108,6 @@ struct surface_record {
     double *preview_x_m, *preview_z_m; /* the first scan's profile, thinned */
 };
 
-/** What the scans of a surface say apart: nothing, of a single one. */
-const struct repeats *surface_repeats(const struct surface_summary *summary);
-/** The same, to be filled. NULL: out of memory. */
-struct repeats *surface_repeats_room(struct surface_summary *summary);
 /** What model `m` said of a surface; where it did not run, a curve that does not exist. */
 const struct curve_summary *surface_model(const struct surface_summary *summary, size_t m);
 /** The same, to be filled: zeroed where there was none. NULL: out of memory. */

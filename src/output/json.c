@@ -367,8 +367,8 @@ static json_t *surface_json(const struct results *results, size_t index)
     set_count(json, "scans_windowed", s->windowed);
     set(json, guard, "scans_independent", s->independent);
     set(json, guard, "longest_waves", s->longest_waves);
-    if (surface_repeats(s)->count > 0)
-        json_object_set_new(json, "spread", repeats_json(surface_repeats(s), guard));
+    if (s->repeats.count > 0)
+        json_object_set_new(json, "spread", repeats_json(&s->repeats, guard));
     json_object_set_new(json, "notes", notes_json(&s->notes));
     json_object_set_new(json, "models", models);
     return json;

@@ -378,7 +378,7 @@ static void fill_spread(struct table *table, const struct results *results)
         const struct surface_summary *s = &results->surfaces[i].summary;
         if (!s->usable)
             continue;
-        const struct repeats *repeats = surface_repeats(s);
+        const struct repeats *repeats = &s->repeats;
         char quantity[80];
         if (repeats->count > 0) {
             put_spread_number(table, s, "rq_m", &repeats->rq_m);

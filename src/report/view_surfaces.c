@@ -22,7 +22,7 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
 {
     const struct surface_summary *s = view_summary(source, surface);
     const struct power_law *law = &s->power_law;
-    const struct repeats *repeats = surface_repeats(s);
+    const struct repeats *repeats = &s->repeats;
     view_text(row, "surface", view_name(source, surface));
     view_number(row, "rq_um", s->roughness.rq_m * 1e6, 3, "");
     view_number(row, "ra_um", s->roughness.ra_m * 1e6, 3, "");
