@@ -11,51 +11,34 @@ static const struct scene_bodies *bodies_of(const struct scene *scene, size_t i)
     return i < scene->surface_count ? scene->surfaces[i].bodies : &scene->bodies;
 }
 
-/** What an effect lacks to run on every surface. */
-struct lack {
-    const char *property; /* NULL: nothing */
-    const char *surface;  /* the first that lacks it, where not all do; else NULL */
-    bool material;        /* nothing at all is known of its material */
-};
-
-static struct lack find_lack(const struct effect_row *row, const struct scene *scene)
+/** Says what an effect lacks to run on every surface, and whose; false: nothing. */
+static bool say_lack(struct plan_effect *out, const struct effect_row *row, const struct scene *scene)
 {
-    struct lack out = {0};
-    size_t lacking = 0, count = scene->surface_count > 0 ? scene->surface_count : 1;
+    size_t lacking = 0, count = scene->surface_count > 0 ? scene->surface_count : 1, first = 0;
+    const struct material_property *property = NULL;
     for (size_t k = 0; k < count; k++) {
         const struct scene_bodies *bodies = bodies_of(scene, k);
         bool other = bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC, lacks = false;
         for (size_t i = 0; row->properties[i] && !lacks; i++) {
-            const struct material_property *property = material_property_find(row->properties[i]);
-            lacks = isnan(material_value(&bodies->material, property)) ||
-                    (other && isnan(material_value(&bodies->counterface, property)));
-            if (lacks && !out.property)
-                out = (struct lack){property->name, k < scene->surface_count ? scene->surfaces[k].name : NULL,
-                                    isnan(bodies->material.youngs_modulus_Pa)};
+            const struct material_property *own = material_property_find(row->properties[i]);
+            lacks = isnan(material_value(&bodies->material, own)) ||
+                    (other && isnan(material_value(&bodies->counterface, own)));
+            property = property || !lacks ? property : own;
+            first = lacks && lacking == 0 ? k : first;
         }
         lacking += lacks;
     }
-    if (lacking == count)
-        out.surface = NULL;
-    return out;
-}
-
-static void say_lack(struct plan_effect *out, const struct lack *lack)
-{
-    char whose[140] = "";
-    if (lack->surface) /* escaped where the reason is written */
-        snprintf(whose, sizeof whose, " of surface '%.*s'", (int)text_fit(lack->surface, 100), lack->surface);
-    if (lack->material && !lack->surface)
-        snprintf(out->reason, sizeof out->reason, "no material is given, so no %s", lack->property);
-    else
-        snprintf(out->reason, sizeof out->reason, "the material%s has no %s", whose, lack->property);
-}
-
-static bool same_bodies(const struct scene *scene)
-{
-    for (size_t i = 1; i < scene->surface_count; i++)
-        if (strcmp(scene->surfaces[i].bodies->material.name, scene->surfaces[0].bodies->material.name) != 0)
-            return false;
+    if (lacking == 0)
+        return false;
+    if (lacking < count) { /* escaped where the reason is written */
+        const char *name = scene->surfaces[first].name;
+        snprintf(out->reason, sizeof out->reason, "the material of surface '%.*s' has no %s", (int)text_fit(name, 100),
+                 name, property->name);
+    } else {
+        bool none = isnan(bodies_of(scene, 0)->material.youngs_modulus_Pa);
+        snprintf(out->reason, sizeof out->reason, none ? "no material is given, so no %s" : "the material has no %s",
+                 property->name);
+    }
     return true;
 }
 
@@ -63,7 +46,6 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
 {
     const struct effect_row *row = &effect_rows[effect];
     struct plan_effect *out = &plan->effects[effect];
-    const struct lack lack = find_lack(row, scene);
     unsigned lacking = row->needs_effects & ~plan->running;
     if (effect == EFFECT_CONVERGENCE && !plan_stacks_scales(plan)) {
         snprintf(out->reason, sizeof out->reason, "a question to the multiscale models, which do not run");
@@ -84,30 +66,17 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
     } else if (!scene->effects_auto) {
         out->runs = scene->effects & EFFECT_BIT(effect);
         snprintf(out->reason, sizeof out->reason, out->runs ? "listed in the scene" : "not listed in the scene");
-    } else if (lack.property) {
-        say_lack(out, &lack);
+    } else if (say_lack(out, row, scene)) {
+        out->runs = false;
     } else if (lacking) {
         snprintf(out->reason, sizeof out->reason, "builds on an effect that does not run");
     } else {
         out->runs = true;
-        const char *key = row->properties[0];
-        const struct scene_bodies *bodies = bodies_of(scene, 0);
-        struct material_pair pair = scene_pair(bodies);
-        if (row->key)
-            snprintf(out->reason, sizeof out->reason, "the scene has '%s'", row->key);
-        else if (key && same_bodies(scene))
-            snprintf(out->reason, sizeof out->reason, "the material gives what it needs: %s %.4g %s",
-                     material_property_find(key)->name, material_value(&bodies->material, material_property_find(key)),
-                     material_property_find(key)->unit);
-        else if (key)
-            snprintf(out->reason, sizeof out->reason, "every surface's material gives what it needs: %s",
-                     material_property_find(key)->name);
-        else if (pair.unknown)
-            snprintf(out->reason, sizeof out->reason, "needs no material");
-        else if (same_bodies(scene))
-            snprintf(out->reason, sizeof out->reason, "needs E' alone: %.4g Pa", pair.effective_modulus_Pa);
-        else
-            snprintf(out->reason, sizeof out->reason, "needs E' alone, which every surface's material gives");
+        snprintf(out->reason, sizeof out->reason,
+                 row->key             ? "the scene has '%s'"
+                 : row->properties[0] ? "the material gives what it needs"
+                                      : "needs no more than E'",
+                 row->key);
     }
     if (out->runs)
         plan->running |= EFFECT_BIT(effect);
