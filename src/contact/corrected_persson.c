@@ -91,9 +91,8 @@ double corrected_persson_load(double area_ratio, double m2)
 
 double corrected_persson_area(double load, double m2)
 {
-    double before = 0, area = 0.5;
-    for (int i = 0; i < 100 && fabs(area - before) > 1e-15 * area;
-         i++) { /* A moves the right side by a third as much */
+    double before = 0, area = 0.5; /* which moves the right side by a third as much */
+    for (int i = 0; i < 100 && area < 1 && fabs(area - before) > 1e-15 * area; i++) {
         before = area;
         double eased = m2 * (persson_energy_factor + (1 - persson_energy_factor) * area);
         area = erf(load / exp(corrected_persson_factors(area).load) / sqrt(eased));

@@ -2,6 +2,7 @@
 #include "contact/model.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 size_t model_index(const struct model_row *row)
@@ -73,6 +74,30 @@ enum status_code model_run(struct model_curve *curve, const struct model_row *ro
         curve->count = 0;
     }
     return STATUS_OK;
+}
+
+enum status_code model_scale_dependence(double *most, const struct model_row *row, const struct model_task *task,
+                                        struct status *status)
+{
+    const size_t loads[2] = {1, task->load_count};
+    struct model_curve curve = {.points = malloc((task->load_count + 1) * sizeof *curve.points)};
+    if (!curve.points)
+        return status_memory(status);
+    *most = 0;
+    for (int all = 0; all < 2 && !(*most > task->tolerance) && status->code == STATUS_OK; all++) {
+        struct model_task alone = model_task_at(task, task->loads, loads[all]);
+        alone.wanted = QUANTITY_BIT(QUANTITY_TCR) | QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
+        alone.evaluations = NULL;
+        curve.count = 0;
+        if (model_run(&curve, row, &alone, status) == STATUS_OK)
+            for (size_t i = 0; i < curve.count; i++) {
+                const double *value = curve.points[i].value;
+                if (value[QUANTITY_TCR] > 0)
+                    *most = fmax(*most, value[QUANTITY_TCR_SCALE_DEPENDENT] / value[QUANTITY_TCR] - 1);
+            }
+    }
+    free(curve.points);
+    return status->code;
 }
 
 enum quantity model_shown(const struct model_row *row, enum quantity quantity)

@@ -99,13 +99,12 @@ struct model_row {
                               struct status *status);
     /* Bounds for `effects: auto`, next to nothing to compute. NULL: not known, and so the effect runs; plasticity where
      * the model is named. */
-    /** Of a plastic model: how far yielding can move any of its numbers from its elastic partner's, relative (of a
+    /** Of a plastic model: how far yielding moves any of its numbers from its elastic partner's, relative (of a
      * separation: to sigma), also beyond the loads, up to full contact; 0: it changes nothing. */
     double (*yield_bound)(const struct model_row *row, const struct model_task *task);
     /** Says why yielding runs or not, from the largest bound of all surfaces. */
     void (*yield_reason)(char *out, size_t size, double bound, bool runs);
-    /** The largest TCR_sd/TCR - 1 over the loads, exact or above where it decides against task->tolerance. Error:
-     * STATUS_MEMORY. */
+    /** model_scale_dependence(). */
     enum status_code (*scale_dependence_bound)(double *most, const struct model_row *row, const struct model_task *task,
                                                struct status *status);
 };
@@ -135,6 +134,12 @@ struct model_task model_task_at(const struct model_task *task, const double *loa
  * of double together (JG's exponent 23 S_y/E' of 1e6). Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code model_run(struct model_curve *curve, const struct model_row *row,
                                       const struct model_task *task, struct status *status);
+
+/** The largest TCR_sd/TCR - 1 over the loads; once the first load's exceeds task->tolerance, that. Error:
+ * STATUS_MEMORY.
+ */
+MUST_CHECK enum status_code model_scale_dependence(double *most, const struct model_row *row,
+                                                   const struct model_task *task, struct status *status);
 
 /** Its ln_sd of a quantity. */
 double model_sd(const struct model_row *row, enum quantity quantity);

@@ -6,12 +6,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static enum status_code stack_of(struct multiscale *out, const struct model_row *row, const struct model_task *task,
-                                 struct status *status)
-{
-    return multiscale_make(out, task->spectrum, task->pair, row->plastic, task->sinusoid_fit, status);
-}
-
 /** The first drop of |d ln R/d ln P| behind point `from`, as two points it lies between; false: none. The other curves
  * get ever steeper. */
 static bool find_kink(size_t *low, size_t *high, const struct model_curve *curve, size_t from, enum quantity resistance)
@@ -56,7 +50,7 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
 {
     struct multiscale stack;
     struct constriction constriction = constriction_make(task->pair);
-    if (stack_of(&stack, row, task, status) != STATUS_OK)
+    if (multiscale_make(&stack, task->spectrum, task->pair, row->plastic, task->sinusoid_fit, status) != STATUS_OK)
         return status->code;
     for (size_t i = 0; i < task->load_count; i++)
         curve->clamped += multiscale_solve(&curve->points[i], &stack, &constriction, task->wanted, task->loads[i],
@@ -100,69 +94,6 @@ static void yield_reason(char *out, size_t size, double bound, bool runs)
         snprintf(out, size, "every scale is complete before it yields");
 }
 
-/** What bounding the scale dependence of one stack takes along. */
-struct stack_study {
-    struct multiscale stack;
-    struct constriction constriction;
-    const double *loads;
-    double tolerance;
-    uint64_t visits;
-};
-
-static double raise(const struct contact_point *point)
-{
-    return point->value[QUANTITY_TCR] > 0 ? point->value[QUANTITY_TCR_SCALE_DEPENDENT] / point->value[QUANTITY_TCR] - 1
-                                          : 0;
-}
-
-static double raise_at(struct contact_point *point, struct stack_study *study, size_t load)
-{
-    multiscale_solve(point, &study->stack, &study->constriction,
-                     QUANTITY_BIT(QUANTITY_TCR) | QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT), study->loads[load],
-                     &study->visits);
-    return raise(point);
-}
-
-/** Bound on TCR_sd/TCR - 1 at the loads between two solved ones. TCR and what scale dependence adds both fall with the
- * load, so that the added part at the lower over TCR at the upper load bounds it; halved until that is within the
- * tolerance, or one load exceeds it. */
-static double bound_between(struct stack_study *study, size_t low, const struct contact_point *at_low, size_t high,
-                            const struct contact_point *at_high)
-{
-    /* yield of a long scale unloads the shorter ones: TCR then rises, by 3 % in the worst of random stacks */
-    static const double slack = 1.1;
-    if (high - low < 2 || !(at_low->value[QUANTITY_TCR] > 0))
-        return 0;
-    double added = at_low->value[QUANTITY_TCR_SCALE_DEPENDENT] - at_low->value[QUANTITY_TCR];
-    if (slack * added <= study->tolerance * at_high->value[QUANTITY_TCR])
-        return slack * added / at_high->value[QUANTITY_TCR];
-    struct contact_point at_middle;
-    size_t middle = low + (high - low) / 2;
-    double most = raise_at(&at_middle, study, middle);
-    if (most <= study->tolerance)
-        most = fmax(most, bound_between(study, low, at_low, middle, &at_middle));
-    if (most <= study->tolerance)
-        most = fmax(most, bound_between(study, middle, &at_middle, high, at_high));
-    return most;
-}
-
-static enum status_code scale_dependence_bound(double *most, const struct model_row *row, const struct model_task *task,
-                                               struct status *status)
-{
-    struct stack_study study = {
-        .constriction = constriction_make(task->pair), .loads = task->loads, .tolerance = task->tolerance};
-    struct contact_point first, last;
-    if (stack_of(&study.stack, row, task, status) != STATUS_OK)
-        return status->code;
-    *most = raise_at(&first, &study, 0);
-    if (*most <= study.tolerance && task->load_count > 1)
-        *most = fmax(*most, raise_at(&last, &study, task->load_count - 1));
-    if (*most <= study.tolerance)
-        *most = fmax(*most, bound_between(&study, 0, &first, task->load_count - 1, &last));
-    multiscale_free(&study.stack);
-    return STATUS_OK;
-}
-
 enum {
     COMPUTES = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
                QUANTITY_RESISTANCES
@@ -192,7 +123,7 @@ const struct model_row model_multiscale_elastic = {
     .valid = "any area ratio; needs a spectrum that converges (gamma >= 1)",
     .method = "direct sum over scales",
     .run = run,
-    .scale_dependence_bound = scale_dependence_bound,
+    .scale_dependence_bound = model_scale_dependence,
 };
 
 const struct model_row model_multiscale_plastic = {
@@ -221,5 +152,5 @@ const struct model_row model_multiscale_plastic = {
     .run = run,
     .yield_bound = yield_bound,
     .yield_reason = yield_reason,
-    .scale_dependence_bound = scale_dependence_bound,
+    .scale_dependence_bound = model_scale_dependence,
 };

@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The statistical models: asperities of one radius with Gaussian heights, by Hertz's law (GW) or Jackson and Green's
  * (JG) (thesis 4.19-4.38, 4.43-4.46, 4.54). */
-#include "contact/gaussian.h"
 #include "contact/multiscale.h"
 #include "contact/statistical.h"
 
-#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -62,96 +60,46 @@ static enum status_code spots(struct contact_spots *out, const struct model_row 
     return rc;
 }
 
-/** The largest relative change of a number of the statistical models (of a separation: over sigma) that JG can make,
- * from the asperities beyond its yield at GW's full contact, where they are most.
- *  - load: JG's is between 0 and 1.08 times Hertz's. u^(3/2) <= sqrt2 (v^(3/2) + y^(3/2)) for u = y + v, y the yield.
- *  - area and radius: JG's grow by at most (u/y)^B <= exp(B v/y), which only shifts the Gaussian.
- * At a given load, or at full contact, d moves by the change over the slope of its logarithm; the resistance takes the
- * slope of Psi at `area`, the largest A/A_n short of full contact. */
-static double jg_excess(const struct asperities *surface, const struct model_task *task, double full_d, double area)
-{
-    static const double highest_d = 40; /* exp(-d²/2) is below the smallest double */
-    struct asperity asperity = asperity_make(surface->radius_m, task->pair, ASPERITY_JG);
-    double yield = asperity_yield_onset * asperity.critical_interference_m / surface->sigma_s_m;
-    if (full_d + yield > highest_d)
-        return 0;
-    double shift = asperity.area_exponent / yield;
-    struct gaussian_integrals all = gaussian_integrals(full_d), beyond = gaussian_integrals(full_d + yield),
-                              grown = gaussian_integrals(full_d + yield - shift);
-    double load = M_SQRT2 * (beyond.three_halves + yield * sqrt(yield) * beyond.zero) / all.three_halves *
-                  exp(beyond.log_factor - all.log_factor);
-    double more = (grown.one + yield * grown.zero) / all.one *
-                  exp(shift * (shift / 2 - full_d - yield) + grown.log_factor - all.log_factor);
-    double change = isnan(more) ? INFINITY : 1.5 * more + load;
-    double sigma_s = surface->sigma_s_m / surface->sigma_m;
-    if (task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION)) /* beta is twice a separation */
-        change =
-            fmax(change, 2 * sigma_s * fmax(more * all.one / all.zero, load * all.three_halves / (1.5 * all.half)));
-    if (task->wanted &
-        (QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR))) /* d ln Psi/d ln A = -(3/4) sqrt(A)/(1 - sqrt(A)) */
-        change = fmax(change, more + 2 * load + 0.75 * sqrt(area) / (1 - sqrt(area)) * (more + load));
-    return change;
-}
-
-/** K F_0 over sqrt(R sigma_s) F_1/2 at the lowest load: K over the mean radius of GW. TCR_sd/TCR - 1 is
- * K E[g]/E[a g] with g = a/(a + K), which rises with a, so at most that; as does the mean of g with the load, since a
- * lower d weights larger spots. JG's spots are no smaller than GW's where they carry the same load or less. */
-static double statistical_raise(const struct asperities *surface, const struct model_task *task, double d)
-{
-    struct gaussian_integrals f = gaussian_integrals(d);
-    return constriction_make(task->pair).knudsen_length_m * f.zero /
-           (sqrt(surface->radius_m * surface->sigma_s_m) * f.half);
-}
-
-/** GW, in closed forms. */
-static struct statistical closed_gw(const struct model_task *task)
-{
-    struct statistical model;
-    struct status status = {0};
-    uint64_t none = 0;
-    enum status_code rc =
-        statistical_make(&model, task->asperities, task->pair, ASPERITY_HERTZ, 0, 1, INFINITY, &none, &status);
-    assert(rc == STATUS_OK && none == 0); /* no quadrature, so nothing is allocated */
-    (void)rc;
-    return model;
-}
-
+/** The largest relative change (of a separation: to sigma) that JG makes to GW's numbers at the last load short of full
+ * contact, and at full contact: there the most asperities yield, and the farthest. */
 static double yield_bound(const struct model_row *row, const struct model_task *task)
 {
-    (void)row;
-    if (!task->asperities)
+    struct contact_point points[2][2];
+    struct model_curve curve[2] = {{0}, {0}};
+    struct status status = {0};
+    double most = 0;
+    for (size_t last = task->load_count; last > 0; last--) {
+        struct model_task at_last = model_task_at(task, task->loads + last - 1, 1);
+        at_last.evaluations = NULL;
+        for (int side = 0; side < 2; side++) {
+            curve[side] = (struct model_curve){.points = points[side]};
+            if (model_run(&curve[side], side == 0 ? row->elastic : row, &at_last, &status) != STATUS_OK)
+                return INFINITY;
+        }
+        if (!curve[0].exists)
+            return 0;
+        if (!curve[1].exists)
+            return INFINITY;
+        if (task->loads[last - 1] < fmin(curve[0].full_load, curve[1].full_load))
+            break;
+    }
+    if (!curve[1].exists) /* no load was asked for */
         return 0;
-    struct statistical model = closed_gw(task);
-    struct contact_point point = {0};
-    double d = 3;
-    for (size_t loads = task->load_count; loads > 0 && !statistical_solve(&point, &model, task->loads[loads - 1], &d);)
-        loads--;
-    return jg_excess(task->asperities, task, model.full_d, point.value[QUANTITY_AREA]);
+    for (int q = 0; q < QUANTITY_COUNT; q++) {
+        double elastic = points[0][0].value[q], change = fabs(points[1][0].value[q] - elastic);
+        double scale = quantity_rows[q].over_sigma ? task->asperities->sigma_m : elastic;
+        if (!isnan(change) && scale > 0)
+            most = fmax(most, change / scale);
+    }
+    return fmax(most, fmax(fabs(curve[1].full_load / curve[0].full_load - 1), fabs(curve[1].beta - curve[0].beta)));
 }
 
 static void yield_reason(char *out, size_t size, double bound, bool runs)
 {
     if (runs)
-        snprintf(out, size, "asperities beyond 1.9 ωc can change a number by %s%.2g, up to full contact",
-                 bound > 1 ? "over " : "up to ", fmin(bound, 1));
+        snprintf(out, size, "asperities beyond 1.9 ωc change a number by up to %.2g", bound);
     else
         snprintf(out, size, "JG stays within %.2g of GW up to full contact", bound);
-}
-
-static enum status_code scale_dependence_bound(double *most, const struct model_row *row, const struct model_task *task,
-                                               struct status *status)
-{
-    static const double jg_load_most = 1.08; /* JG's load over Hertz's, at 1.9 omega_c for nu = 0 */
-    (void)status;
-    *most = 0;
-    if (!task->asperities)
-        return STATUS_OK;
-    struct statistical model = closed_gw(task);
-    struct contact_point point;
-    double d = 3;
-    if (statistical_solve(&point, &model, row->plastic ? task->loads[0] / jg_load_most : task->loads[0], &d))
-        *most = statistical_raise(task->asperities, task, d);
-    return STATUS_OK;
 }
 
 enum {
@@ -184,7 +132,7 @@ const struct model_row model_gw = {
     .scale_dependent_method = "Gauss-Legendre panels, since no closed form exists",
     .run = run,
     .spots = spots,
-    .scale_dependence_bound = scale_dependence_bound,
+    .scale_dependence_bound = model_scale_dependence,
 };
 
 const struct model_row model_jg = {
@@ -215,5 +163,5 @@ const struct model_row model_jg = {
     .spots = spots,
     .yield_bound = yield_bound,
     .yield_reason = yield_reason,
-    .scale_dependence_bound = scale_dependence_bound,
+    .scale_dependence_bound = model_scale_dependence,
 };
