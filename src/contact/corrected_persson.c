@@ -18,7 +18,7 @@ static const double knot_constriction[KNOTS] = {-0.604, -0.469, -0.384, -0.336, 
 /** d ln c/d logit A below the first knot and above the last. */
 static const double slope_below = 0.115, slope_above = 0.13;
 
-static const double step = 0.1; /* in logit A, of the integral */
+static const double step = 0.2; /* in logit A, of the integral */
 static const double reach = 8;  /* in logit A beyond the largest area: from there on the integrand falls as a power */
 
 static double logit(double area_ratio)
@@ -139,15 +139,17 @@ void corrected_persson_curve(struct corrected_persson_point *out, const double *
     /* l p falls as a power of 1 - A, and p does not */
     double sum_m =
         (above.product_m + below.product_m) * (above.ln_load - below.ln_load) / log(below.product_m / above.product_m);
-    for (size_t i = count; i-- > 0;) {
-        double to = logit(area_ratio[i]), steps = fmax(1, ceil((x - to) / step)), width = (x - to) / steps;
+    for (size_t i = count + 1; i-- > 0;) { /* first to the last knot, where the slope of c changes */
+        double area = i == count ? knot_area[KNOTS - 1] : area_ratio[i], to = logit(area);
+        double steps = fmax(1, ceil((x - to) / step)), width = (x - to) / steps;
         for (double k = 1; k <= steps; k++) {
             struct place middle = place_at(area_of(x - (k - 0.5) * width), persson),
-                         here = place_at(k < steps ? area_of(x - k * width) : area_ratio[i], persson);
+                         here = place_at(k < steps ? area_of(x - k * width) : area, persson);
             sum_m += 2 * between(&here, &middle, &above);
             above = here;
         }
         x = to;
-        out[i] = (struct corrected_persson_point){above.constriction_m, sum_m};
+        if (i < count)
+            out[i] = (struct corrected_persson_point){above.constriction_m, sum_m};
     }
 }

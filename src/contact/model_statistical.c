@@ -70,6 +70,7 @@ static double yield_bound(const struct model_row *row, const struct model_task *
     double most = 0;
     for (size_t last = task->load_count; last > 0; last--) {
         struct model_task at_last = model_task_at(task, task->loads + last - 1, 1);
+        at_last.wanted &= ~QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT); /* moves as TCR does */
         at_last.evaluations = NULL;
         for (int side = 0; side < 2; side++) {
             curve[side] = (struct model_curve){.points = points[side]};

@@ -64,11 +64,11 @@ double persson_integral(double x)
 }
 
 /** Distance of the nodes in ln y. */
-static const double distance = 0.05;
+static const double distance = 0.1;
 
 /** Lagrange's polynomials through so many nodes: their barycentric weights. */
-enum { SHARES = 10 };
-static const double barycentric[SHARES] = {1, -9, 36, -84, 126, -126, 84, -36, 9, -1};
+enum { SHARES = 12 };
+static const double barycentric[SHARES] = {1, -11, 55, -165, 330, -462, 462, -330, 165, -55, 11, -1};
 
 /** Shares a ring at `place` out to nodes 0 ... SHARES-1, so that it stands for what it is in every polynomial of degree
  * SHARES-1. */

@@ -39,7 +39,7 @@ void persson_free(struct persson *persson);
 double persson_integral(double x);
 
 /** l_0 = (1/sqrt(pi)) sum_n [I_2(p/Y_n) - I_2(p/Y_{n-1})]/q_n, summed by parts, at 0 < p = P/(A_n E') < 5 sqrt(m2):
- * R A_n = (rho_1 + rho_2) l_0. Relative error below 1e-9 up to A = 0.97 (tests). */
+ * R A_n = (rho_1 + rho_2) l_0. Relative error below 1e-7 up to A = 0.97 (tests). */
 double persson_constriction(const struct persson *persson, double load);
 
 #endif
