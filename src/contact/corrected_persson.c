@@ -18,8 +18,8 @@ static const double knot_constriction[KNOTS] = {-0.604, -0.469, -0.384, -0.336, 
 /** d ln c/d logit A below the first knot and above the last. */
 static const double slope_below = 0.115, slope_above = 0.13;
 
-static const double step = 0.045; /* in logit A, of the integral */
-static const double reach = 6;    /* in logit A: beyond, what is left is a power of u_0 */
+static const double step = 0.2; /* in logit A, of the integral */
+static const double reach = 8;  /* in logit A beyond the largest area: from there on the integrand falls as a power */
 
 static double logit(double area_ratio)
 {
@@ -86,53 +86,45 @@ struct corrected_persson_factors corrected_persson_factors(double area_ratio)
 
 double corrected_persson_load(double area_ratio, double m2)
 {
-    return exp(corrected_persson_factors(area_ratio).load) * persson_load(area_ratio, m2, persson_energy_factor);
+    return exp(corrected_persson_factors(area_ratio).load) * persson_load(area_ratio, m2);
 }
 
 double corrected_persson_area(double load, double m2)
 {
-    double factor = 0, before = 0, excess_before = 0; /* ln s hardly changes with A: a secant finds it at once */
-    for (int i = 0;; i++) {
-        double area = persson_area(load / exp(factor), m2, persson_energy_factor);
-        double excess = area > 0 && area < 1 ? corrected_persson_factors(area).load - factor : 0;
-        if (fabs(excess) <= 1e-13 || i == 40)
-            return area;
-        double change = i == 0 ? excess : excess * (factor - before) / (excess_before - excess);
-        before = factor;
-        excess_before = excess;
-        factor += change;
+    double before = 0, area = 0.5; /* which moves the right side by a third as much */
+    for (int i = 0; i < 100 && area < 1 && fabs(area - before) > 1e-15 * area; i++) {
+        before = area;
+        double eased = m2 * (persson_energy_factor + (1 - persson_energy_factor) * area);
+        area = erf(load / exp(corrected_persson_factors(area).load) / sqrt(eased));
     }
+    return area;
 }
 
-/** Where the integral stands: its integrand l dp = c l_0 d(s p_0), of which l_0 dp_0 = -du_0/2 is known in closed form.
- */
+/** Where the integral stands. */
 struct place {
-    double factor;       /* c s */
-    double load_factor;  /* ln s */
-    double separation_m; /* u_0 */
-    double product_m;    /* c l_0 s p_0 */
-    double constriction_m;
+    double ln_load, constriction_m, product_m; /* ln p, l, l p */
 };
 
 static struct place place_at(double area_ratio, const struct persson *persson)
 {
     struct corrected_persson_factors ln = corrected_persson_factors(area_ratio);
-    double load = persson_load(area_ratio, persson->m2, persson_energy_factor);
-    struct persson_separation at = persson_separation(persson, load);
-    double length_m = exp(ln.constriction) * at.constriction_m / 2;
-    return (struct place){exp(ln.load + ln.constriction), ln.load, at.separation_m, length_m * exp(ln.load) * load,
-                          length_m};
+    double load = persson_load(area_ratio, persson->m2);
+    double length_m = exp(ln.constriction) * persson_constriction(persson, load);
+    return (struct place){log(load) + ln.load, length_m, length_m * load * exp(ln.load)};
 }
 
-static struct place place_of_logit(double x, const struct persson *persson)
+/** int l p d ln p by the parabola through three places (Simpson's rule where they are even). */
+static double between(const struct place *a, const struct place *b, const struct place *c)
 {
-    return place_at(1 / (1 + exp(-x)), persson);
+    double first = b->ln_load - a->ln_load, second = c->ln_load - b->ln_load, both = first + second;
+    return both / 6 *
+           ((2 - second / first) * a->product_m + both * both / (first * second) * b->product_m +
+            (2 - first / second) * c->product_m);
 }
 
-/** d ln(c s)/d ln u_0 between two places: small and even. */
-static double power(const struct place *a, const struct place *b)
+static double area_of(double logit)
 {
-    return log(a->factor / b->factor) / log(a->separation_m / b->separation_m);
+    return 1 / (1 + exp(-logit));
 }
 
 void corrected_persson_curve(struct corrected_persson_point *out, const double *area_ratio, size_t count,
@@ -140,21 +132,24 @@ void corrected_persson_curve(struct corrected_persson_point *out, const double *
 {
     for (size_t i = 0; i < count && !with_separation; i++)
         out[i] = (struct corrected_persson_point){place_at(area_ratio[i], persson).constriction_m, NAN};
-    if (count == 0 || !with_separation)
+    if (!with_separation)
         return;
     double x = logit(corrected_persson_largest_area) + reach;
-    struct place beyond = place_of_logit(x + step, persson), above = place_of_logit(x, persson);
-    double sum_m = above.factor * above.separation_m / (1 + power(&beyond, &above));
-    for (size_t i = count; i-- > 0;) {
-        double from = x, to = logit(area_ratio[i]), steps = fmax(1, ceil((from - to) / step));
+    struct place above = place_at(area_of(x), persson), below = place_at(area_of(x - step), persson);
+    /* l p falls as a power of 1 - A, and p does not */
+    double sum_m =
+        (above.product_m + below.product_m) * (above.ln_load - below.ln_load) / log(below.product_m / above.product_m);
+    for (size_t i = count + 1; i-- > 0;) { /* first to the last knot, where the slope of c changes */
+        double area = i == count ? knot_area[KNOTS - 1] : area_ratio[i], to = logit(area);
+        double steps = fmax(1, ceil((x - to) / step)), width = (x - to) / steps;
         for (double k = 1; k <= steps; k++) {
-            x = from + (to - from) * k / steps;
-            struct place here = k < steps ? place_of_logit(x, persson) : place_at(area_ratio[i], persson);
-            sum_m +=
-                (here.factor * here.separation_m - above.factor * above.separation_m) / (1 + power(&above, &here)) +
-                (here.product_m + above.product_m) * (above.load_factor - here.load_factor);
+            struct place middle = place_at(area_of(x - (k - 0.5) * width), persson),
+                         here = place_at(k < steps ? area_of(x - k * width) : area, persson);
+            sum_m += 2 * between(&here, &middle, &above);
             above = here;
         }
-        out[i] = (struct corrected_persson_point){above.constriction_m, sum_m};
+        x = to;
+        if (i < count)
+            out[i] = (struct corrected_persson_point){above.constriction_m, sum_m};
     }
 }

@@ -18,7 +18,7 @@ struct corrected_persson_factors corrected_persson_factors(double area_ratio);
 
 /** p = P/(A_n E') at which A/A_n (0...1, exclusive) of a surface touches whose profile has the mean-square slope m2. */
 double corrected_persson_load(double area_ratio, double m2);
-/** Its inverse. */
+/** Its inverse, A = erf(p/(s sqrt(m2 (g + (1-g) A)))), by iteration; without a meaning above the largest area. */
 double corrected_persson_area(double load, double m2);
 
 /** What a share in contact goes with. */
@@ -28,7 +28,7 @@ struct corrected_persson_point {
 };
 
 /** At `count` ascending area_ratio, above 0 and up to the largest; the integral goes from each to the next in steps.
- * Relative error of the separation below 3e-5 (tests); with_separation false: NaN, for a tenth of the time. */
+ * Relative error of the separation below 1e-4 (tests); with_separation false: NaN, for a tenth of the time. */
 void corrected_persson_curve(struct corrected_persson_point *out, const double *area_ratio, size_t count,
                              const struct persson *persson, bool with_separation);
 

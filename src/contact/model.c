@@ -2,6 +2,7 @@
 #include "contact/model.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 size_t model_index(const struct model_row *row)

@@ -6,12 +6,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static enum status_code stack_of(struct multiscale *out, const struct model_row *row, const struct model_task *task,
-                                 struct status *status)
-{
-    return multiscale_make(out, task->spectrum, task->pair, row->plastic, task->sinusoid_fit, status);
-}
-
 /** The first drop of |d ln R/d ln P| behind point `from`, as two points it lies between; false: none. The other curves
  * get ever steeper. */
 static bool find_kink(size_t *low, size_t *high, const struct model_curve *curve, size_t from, enum quantity resistance)
@@ -56,7 +50,7 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
 {
     struct multiscale stack;
     struct constriction constriction = constriction_make(task->pair);
-    if (stack_of(&stack, row, task, status) != STATUS_OK)
+    if (multiscale_make(&stack, task->spectrum, task->pair, row->plastic, task->sinusoid_fit, status) != STATUS_OK)
         return status->code;
     for (size_t i = 0; i < task->load_count; i++)
         curve->clamped += multiscale_solve(&curve->points[i], &stack, &constriction, task->wanted, task->loads[i],

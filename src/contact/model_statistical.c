@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The statistical models: asperities of one radius with Gaussian heights, by Hertz's law (GW) or Jackson and Green's
  * (JG) (thesis 4.19-4.38, 4.43-4.46, 4.54). */
-#include "contact/gaussian.h"
 #include "contact/multiscale.h"
 #include "contact/statistical.h"
 

@@ -94,7 +94,7 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     struct bearing_contact *contact = malloc((task->load_count + 1) * sizeof *contact);
     if (!contact)
         return status_memory(status);
-    if (persson_make(&persson, task->spectrum, persson_energy_factor, status) == STATUS_OK) {
+    if (persson_make(&persson, task->spectrum, status) == STATUS_OK) {
         size_t count = 0;
         if (persson.m2 > 0 && elastic(contact, &count, &persson, row, task, status) == STATUS_OK && row->plastic)
             (void)harden(contact, &count, &persson, row, task, status);

@@ -38,10 +38,11 @@ struct logarithm {
 static struct logarithm closed_logarithm(const struct statistical *model, bool area, double d)
 {
     double radius_m = model->asperity.radius_m, sigma_s_m = model->surface.sigma_s_m, n = area ? 1 : 1.5;
-    struct gaussian_pair f = area ? gaussian_wholes(d) : gaussian_halves(d);
+    struct gaussian_integrals f = gaussian_integrals(d);
+    double upper = area ? f.one : f.three_halves, lower = area ? f.zero : f.half;
     double scale = area ? M_PI * radius_m * sigma_s_m : 4.0 / 3 * sqrt(radius_m * sigma_s_m) * sigma_s_m;
-    double first = -n * f.lower / f.upper, second = n - first * (d + first);
-    return (struct logarithm){log(model->surface.density_per_m2 * scale * f.upper) + f.log_factor, first, second,
+    double first = -n * lower / upper, second = n - first * (d + first);
+    return (struct logarithm){log(model->surface.density_per_m2 * scale * upper) + f.log_factor, first, second,
                               -first - second * (d + 2 * first)};
 }
 

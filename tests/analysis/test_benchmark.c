@@ -181,15 +181,12 @@ TEST_CASE(test_what_is_chosen)
 static size_t most_waves; /* of any spectrum that persson_make() was given */
 
 /* In place of persson_make() where models call it (ld --wrap, tests/CMakeLists.txt). */
-enum status_code __real_persson_make(struct persson *out, const struct spectrum *spectrum, double energy_factor,
-                                     struct status *status);
-enum status_code __wrap_persson_make(struct persson *out, const struct spectrum *spectrum, double energy_factor,
-                                     struct status *status);
-enum status_code __wrap_persson_make(struct persson *out, const struct spectrum *spectrum, double energy_factor,
-                                     struct status *status)
+enum status_code __real_persson_make(struct persson *out, const struct spectrum *spectrum, struct status *status);
+enum status_code __wrap_persson_make(struct persson *out, const struct spectrum *spectrum, struct status *status);
+enum status_code __wrap_persson_make(struct persson *out, const struct spectrum *spectrum, struct status *status)
 {
     most_waves = spectrum->count > most_waves ? spectrum->count : most_waves;
-    return __real_persson_make(out, spectrum, energy_factor, status);
+    return __real_persson_make(out, spectrum, status);
 }
 
 /* The waves that every tolerance is summed over, of a scan so long that fewer show it too. */

@@ -30,11 +30,11 @@ struct spectrum model_support_law(double length_m, double alpha, double gamma, s
     return spectrum;
 }
 
-struct persson model_support_persson(const struct spectrum *spectrum, double energy_factor)
+struct persson model_support_persson(const struct spectrum *spectrum)
 {
     struct persson persson;
     struct status status = {0};
-    assert_int_equal(persson_make(&persson, spectrum, energy_factor, &status), STATUS_OK);
+    assert_int_equal(persson_make(&persson, spectrum, &status), STATUS_OK);
     return persson;
 }
 

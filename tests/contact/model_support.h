@@ -23,7 +23,7 @@ void model_support_loads(double *load, size_t count, double from, double to);
 struct spectrum model_support_law(double length_m, double alpha, double gamma, size_t count);
 
 /** Its waves ready for Persson's theory. To be freed. */
-struct persson model_support_persson(const struct spectrum *spectrum, double energy_factor);
+struct persson model_support_persson(const struct spectrum *spectrum);
 
 /** Tin against a rigid flat. */
 struct material_pair model_support_tin(void);

@@ -180,7 +180,7 @@ TEST_CASE(models)
     double m2 = spectrum_moment(&spectrum, 1);
     struct persson persson;
     struct status status = {0};
-    assert_int_equal(persson_make(&persson, &spectrum, persson_energy_factor, &status), STATUS_OK);
+    assert_int_equal(persson_make(&persson, &spectrum, &status), STATUS_OK);
     double sixth = corrected_persson_area(load[5], m2);
     struct corrected_persson_point at;
     corrected_persson_curve(&at, &sixth, 1, &persson, true);

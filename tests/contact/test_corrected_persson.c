@@ -29,7 +29,7 @@ TEST_CASE(matches_reference)
     assert_int_equal(table.rows, 18);
     for (size_t i = 0; i < table.rows; i++) {
         struct spectrum spectrum = golden_spectrum(table_text(&table, i, "profile"));
-        struct persson persson = model_support_persson(&spectrum, persson_energy_factor);
+        struct persson persson = model_support_persson(&spectrum);
         double area = table_number(&table, i, "area_ratio"), load = table_number(&table, i, "load_over_AnEp");
         struct corrected_persson_point point;
         corrected_persson_curve(&point, &area, 1, &persson, true);
@@ -73,7 +73,7 @@ TEST_CASE(separation_is_the_integral_of_constriction)
 {
     enum { AREAS = 200 };
     struct spectrum spectrum = model_support_law(1e-3, 0.01, 1.1, 1000);
-    struct persson persson = model_support_persson(&spectrum, persson_energy_factor);
+    struct persson persson = model_support_persson(&spectrum);
     double area[AREAS];
     struct corrected_persson_point all[AREAS], alone;
     for (size_t i = 0; i < AREAS; i++) {
@@ -84,7 +84,7 @@ TEST_CASE(separation_is_the_integral_of_constriction)
     for (size_t i = 0; i < AREAS; i += 7) {
         corrected_persson_curve(&alone, area + i, 1, &persson, true);
         assert_near(alone.constriction_m, all[i].constriction_m, 1e-14);
-        assert_near(alone.separation_m, all[i].separation_m, 3e-5);
+        assert_near(alone.separation_m, all[i].separation_m, 1e-4);
     }
     for (size_t i = 0; i + 2 < AREAS; i++) { /* by trapezia */
         double load[3], product = 0;

@@ -211,7 +211,7 @@ static void add_published(struct page *page)
     struct persson persson;
     struct corrected_persson_point point[2];
     struct status status = {0};
-    coverage_must(persson_make(&persson, &spectrum, persson_energy_factor, &status), &status);
+    coverage_must(persson_make(&persson, &spectrum, &status), &status);
     corrected_persson_curve(point, area, 2, &persson, true);
     const double mine[] = {point[0].separation_m / sigma, point[1].separation_m / sigma,
                            corrected_persson_load(area[1], persson.m2) / corrected_persson_load(area[0], persson.m2)};
