@@ -287,6 +287,7 @@ static void add_method(struct effects_row *row, enum effect effect, const struct
         [EFFECT_SEPARATION] = "in the same pass as the area",
         [EFFECT_ELECTRICAL] = "in the same pass as the area",
         [EFFECT_THERMAL] = "in the same pass as the area",
+        [EFFECT_STIFFNESS] = "the slope of each model's separation",
         [EFFECT_CONVERGENCE] = "direct sum over scales",
         [EFFECT_UNLOADING] = "direct solution of strips with the hardness",
         [EFFECT_DIRECT] = "boundary elements; evaluations are contacts solved",

@@ -165,6 +165,7 @@ static enum status_code scale_dependence_bound(double *most, const struct model_
 
 enum {
     COMPUTES = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
+               QUANTITY_BIT(QUANTITY_STIFFNESS) |
                QUANTITY_RESISTANCES
 };
 
@@ -176,6 +177,7 @@ const struct model_row model_multiscale_elastic = {
     .by_default = true,
     .stacks_scales = true,
     .quantities = COMPUTES,
+    .stiffness_step = MODEL_STIFFNESS_STEP,
     .precedence = 3,
     .thesis_place = 2,
     .in_findings = true,
@@ -205,6 +207,7 @@ const struct model_row model_multiscale_plastic = {
     .elastic = &model_multiscale_elastic,
     .stacks_scales = true,
     .quantities = COMPUTES,
+    .stiffness_step = MODEL_STIFFNESS_STEP,
     .precedence = 4,
     .thesis_place = 1,
     .in_findings = true,

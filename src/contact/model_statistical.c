@@ -156,6 +156,7 @@ static enum status_code scale_dependence_bound(double *most, const struct model_
 
 enum {
     COMPUTES = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
+               QUANTITY_BIT(QUANTITY_STIFFNESS) |
                QUANTITY_BIT(QUANTITY_ADJUSTED) | QUANTITY_RESISTANCES
 };
 #define TOUCHING_AREA 0.1 /* A/A_n up to which asperities may be taken as apart */
@@ -169,6 +170,7 @@ const struct model_row model_gw = {
     .counterpart = &model_multiscale_elastic,
     .asperity_model = &asperity_models[ASPERITY_HERTZ],
     .quantities = COMPUTES,
+    .stiffness_step = MODEL_STIFFNESS_STEP,
     .largest_area = TOUCHING_AREA,
     .precedence = 1,
     .thesis_place = 4,
@@ -198,6 +200,7 @@ const struct model_row model_jg = {
     .counterpart = &model_multiscale_plastic,
     .asperity_model = &asperity_models[ASPERITY_JG],
     .quantities = COMPUTES,
+    .stiffness_step = MODEL_STIFFNESS_STEP,
     .largest_area = TOUCHING_AREA,
     .fitted_to = "a/R = 0.41",
     .precedence = 2,
