@@ -165,8 +165,7 @@ static enum status_code scale_dependence_bound(double *most, const struct model_
 
 enum {
     COMPUTES = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
-               QUANTITY_BIT(QUANTITY_STIFFNESS) |
-               QUANTITY_RESISTANCES
+               QUANTITY_BIT(QUANTITY_STIFFNESS) | QUANTITY_RESISTANCES
 };
 
 const struct model_row model_multiscale_elastic = {

@@ -156,8 +156,7 @@ static enum status_code scale_dependence_bound(double *most, const struct model_
 
 enum {
     COMPUTES = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
-               QUANTITY_BIT(QUANTITY_STIFFNESS) |
-               QUANTITY_BIT(QUANTITY_ADJUSTED) | QUANTITY_RESISTANCES
+               QUANTITY_BIT(QUANTITY_STIFFNESS) | QUANTITY_BIT(QUANTITY_ADJUSTED) | QUANTITY_RESISTANCES
 };
 #define TOUCHING_AREA 0.1 /* A/A_n up to which asperities may be taken as apart */
 

@@ -11,8 +11,7 @@
 
 enum {
     COMPUTES = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
-               QUANTITY_BIT(QUANTITY_STIFFNESS) |
-               QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR)
+               QUANTITY_BIT(QUANTITY_STIFFNESS) | QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR)
 };
 
 /** Elastic contact at the task's loads up to the largest area; `count` of them. */
@@ -225,7 +224,7 @@ const struct model_row model_strip_plastic = {
     .ln_sd = {0.2, 0.3, 0.3},
     .quantities = COMPUTES,
     .stiffness_step = 0.5, /* its separations are of few heights and lie on lines between areas */
-    .largest_area = 0.97, /* that of corrected_persson.h */
+    .largest_area = 0.97,  /* that of corrected_persson.h */
     .style = "sp",
     .colour = "#137A56",
     .marker = 9,
