@@ -53,7 +53,7 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
         out->runs = scene->direct.called;
     } else if (row->only_listed && !(scene->effects & EFFECT_BIT(effect))) {
         snprintf(out->reason, sizeof out->reason, "runs only where effects lists it");
-    } else if (row->only_listed) {
+    } else if (effect == EFFECT_UNLOADING) {
         const struct model_row *leading = model_rows[plan_leading_model(plan)];
         out->runs = leading->plastic;
         snprintf(out->reason, sizeof out->reason,

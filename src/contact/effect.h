@@ -12,6 +12,7 @@ enum effect {
     EFFECT_ELECTRICAL,
     EFFECT_THERMAL,
     EFFECT_SCALE_DEPENDENT,
+    EFFECT_STIFFNESS,
     EFFECT_CONVERGENCE,
     EFFECT_UNCERTAINTY,
     EFFECT_UNLOADING,
@@ -32,7 +33,7 @@ struct effect_row {
     const char *properties[5]; /* material keys it needs besides E_Pa and nu, NULL-terminated */
     unsigned needs_effects;    /* effects it builds on (bits) */
     const char *key;           /* of the scene, that calls for it, and without which it does not run; NULL: none */
-    bool only_listed;          /* the key does not call for it: it runs where `effects` lists it */
+    bool only_listed;          /* nothing else calls for it: it runs where `effects` lists it */
 };
 
 extern const struct effect_row effect_rows[EFFECT_COUNT];

@@ -48,6 +48,42 @@ static bool is_finite(const struct contact_point *points, size_t count, enum qua
     return true;
 }
 
+/** k = -dP/d separation, by the separations at P exp(-h) and P exp(+h): P 2 sinh(h) over their difference. Empty where
+ * the model has none on either side. */
+static enum status_code add_stiffness(struct model_curve *curve, const struct model_row *row,
+                                      const struct model_task *task, struct status *status)
+{
+    const double step = row->stiffness_step, modulus_Pa = task->pair->effective_modulus_Pa;
+    size_t count = task->load_count;
+    struct contact_point *beside = calloc(count + 1, sizeof *beside);
+    double *loads = malloc((count + 1) * sizeof *loads), *lost_m = calloc(count + 1, sizeof *lost_m);
+    if (!beside || !loads || !lost_m)
+        (void)status_memory(status);
+    for (int side = -1; side <= 1 && status->code == STATUS_OK; side += 2) {
+        struct model_curve shifted = {.points = beside};
+        struct model_task asked = model_task_at(task, loads, count);
+        asked.wanted = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION);
+        for (size_t i = 0; i < count; i++) {
+            loads[i] = task->loads[i] * exp(side * step);
+            beside[i] = quantity_nothing();
+        }
+        if (row->run(&shifted, row, &asked, status) != STATUS_OK)
+            break;
+        curve->evaluations += shifted.evaluations;
+        for (size_t i = 0; i < count; i++) {
+            bool there = i < shifted.count && beside[i].value[QUANTITY_LOAD] == loads[i];
+            lost_m[i] -= there ? side * beside[i].value[QUANTITY_SEPARATION] : NAN;
+        }
+    }
+    for (size_t i = 0; i < curve->count && i < count && status->code == STATUS_OK; i++)
+        if (lost_m[i] > 0)
+            curve->points[i].value[QUANTITY_STIFFNESS] = modulus_Pa * task->loads[i] * 2 * sinh(step) / lost_m[i];
+    free(beside);
+    free(loads);
+    free(lost_m);
+    return status->code;
+}
+
 enum status_code model_run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
                            struct status *status)
 {
@@ -57,11 +93,14 @@ enum status_code model_run(struct model_curve *curve, const struct model_row *ro
     curve->full_load = curve->closed_load = curve->beta = NAN;
     if (row->run(curve, row, task, status) != STATUS_OK)
         return status->code;
+    if (curve->exists && row->stiffness_step > 0 && (task->wanted & QUANTITY_BIT(QUANTITY_STIFFNESS)) &&
+        add_stiffness(curve, row, task, status) != STATUS_OK)
+        return status->code;
     if (task->evaluations)
         *task->evaluations += curve->evaluations;
     /* a model that knows of no full contact says nothing of it */
     bool full = curve->exists && !(isnan(curve->full_load) && isnan(curve->full.value[QUANTITY_AREA]));
-    unsigned always = task->wanted & row->quantities & ~row->may_be_empty;
+    unsigned always = task->wanted & row->quantities & ~row->may_be_empty & ~QUANTITY_BIT(QUANTITY_STIFFNESS);
     bool finite = true;
     for (int q = 0; q < QUANTITY_COUNT && finite; q++) {
         bool needed = always & QUANTITY_BIT(q);

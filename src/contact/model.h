@@ -31,6 +31,8 @@ struct model_task {
                               solved for a separation; NULL: it is not counted */
 };
 
+#define MODEL_STIFFNESS_STEP 1e-3 /* in ln P, where a separation is a smooth function of it */
+
 enum { MODEL_KINKS_MOST = 16 };
 
 /** Where |d ln R/d ln P| of a curve falls, because a scale's contact becomes complete and its resistance is gone. */
@@ -76,6 +78,8 @@ struct model_row {
                         it is from a surface of any heights; 0: it does not */
     unsigned may_be_empty; /* those of them that it leaves empty (NaN) where it should not be trusted */
     double largest_area;   /* A/A_n up to which it is valid; 0: any */
+    double stiffness_step; /* in ln P to either side, over which model_run() takes the slope of its separation; 0: it
+                              computes its stiffness itself, or none */
     const char *fitted_to; /* end of its fitted range, which contact_point.beyond_fit is the share beyond; NULL: none */
     int precedence;        /* the summary speaks of the running model with the greatest */
     int thesis_place;      /* among the four charts of each quantity in chapter 6, 1...4; 0: not in the thesis */

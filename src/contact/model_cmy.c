@@ -71,7 +71,8 @@ const struct model_row model_cmy = {
     .by_default = true,
     .plastic = true,
     .quantities = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
-                  QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR),
+                  QUANTITY_BIT(QUANTITY_STIFFNESS) | QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR),
+    .stiffness_step = MODEL_STIFFNESS_STEP,
     .may_be_empty = QUANTITY_BIT(QUANTITY_SEPARATION),
     .largest_area = CMY_VALID_AREA,
     .style = "cy",

@@ -69,7 +69,7 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
 
 enum {
     COMPUTES = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
-               QUANTITY_RESISTANCES
+               QUANTITY_BIT(QUANTITY_STIFFNESS) | QUANTITY_RESISTANCES
 };
 
 const struct model_row model_multiscale_elastic = {
@@ -80,6 +80,7 @@ const struct model_row model_multiscale_elastic = {
     .by_default = true,
     .stacks_scales = true,
     .quantities = COMPUTES,
+    .stiffness_step = MODEL_STIFFNESS_STEP,
     .precedence = 3,
     .thesis_place = 2,
     .in_findings = true,
@@ -108,6 +109,7 @@ const struct model_row model_multiscale_plastic = {
     .elastic = &model_multiscale_elastic,
     .stacks_scales = true,
     .quantities = COMPUTES,
+    .stiffness_step = MODEL_STIFFNESS_STEP,
     .precedence = 4,
     .thesis_place = 1,
     .in_findings = true,

@@ -61,7 +61,7 @@ static enum status_code spots(struct contact_spots *out, const struct model_row 
 
 enum {
     COMPUTES = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
-               QUANTITY_BIT(QUANTITY_ADJUSTED) | QUANTITY_RESISTANCES
+               QUANTITY_BIT(QUANTITY_STIFFNESS) | QUANTITY_BIT(QUANTITY_ADJUSTED) | QUANTITY_RESISTANCES
 };
 #define TOUCHING_AREA 0.1 /* A/A_n up to which asperities may be taken as apart */
 
@@ -74,6 +74,7 @@ const struct model_row model_gw = {
     .counterpart = &model_multiscale_elastic,
     .asperity_model = &asperity_models[ASPERITY_HERTZ],
     .quantities = COMPUTES,
+    .stiffness_step = MODEL_STIFFNESS_STEP,
     .largest_area = TOUCHING_AREA,
     .precedence = 1,
     .thesis_place = 4,
@@ -101,6 +102,7 @@ const struct model_row model_jg = {
     .counterpart = &model_multiscale_plastic,
     .asperity_model = &asperity_models[ASPERITY_JG],
     .quantities = COMPUTES,
+    .stiffness_step = MODEL_STIFFNESS_STEP,
     .largest_area = TOUCHING_AREA,
     .fitted_to = "a/R = 0.41",
     .precedence = 2,

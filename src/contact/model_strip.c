@@ -11,7 +11,7 @@
 
 enum {
     COMPUTES = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
-               QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR)
+               QUANTITY_BIT(QUANTITY_STIFFNESS) | QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR)
 };
 
 /** Elastic contact at the task's loads up to the largest area; `count` of them. */
@@ -68,7 +68,8 @@ static enum status_code harden(struct bearing_contact *contact, size_t *count, c
     return STATUS_OK;
 }
 
-static struct contact_point point_of(const struct bearing_contact *contact, double load, const struct model_task *task)
+static struct contact_point point_of(const struct bearing_contact *contact, double load, const struct model_row *row,
+                                     const struct model_task *task)
 {
     struct contact_point point = quantity_nothing();
     double resistance_m = 2 * contact->constriction_m; /* (rho_1 + rho_2) l = 2 rho l */
@@ -76,6 +77,8 @@ static struct contact_point point_of(const struct bearing_contact *contact, doub
     point.value[QUANTITY_AREA] = contact->area_ratio;
     if (task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION))
         point.value[QUANTITY_SEPARATION] = contact->separation_m;
+    if ((task->wanted & QUANTITY_BIT(QUANTITY_STIFFNESS)) && !(row->stiffness_step > 0)) /* Barber: d gap = -2 l dp */
+        point.value[QUANTITY_STIFFNESS] = task->pair->effective_modulus_Pa / resistance_m;
     if (task->wanted & QUANTITY_BIT(QUANTITY_ECR))
         point.value[QUANTITY_ECR] = task->pair->resistivity_ohm_m * resistance_m;
     if (task->wanted & QUANTITY_BIT(QUANTITY_TCR))
@@ -99,7 +102,7 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
         if (persson.m2 > 0 && elastic(contact, &count, &persson, row, task, status) == STATUS_OK && row->plastic)
             (void)harden(contact, &count, &persson, row, task, status);
         for (size_t i = 0; i < count; i++)
-            curve->points[i] = point_of(&contact[i], task->loads[i], task);
+            curve->points[i] = point_of(&contact[i], task->loads[i], row, task);
         curve->count = count;
         curve->exists = count > 0; /* complete contact is beyond */
         curve->evaluations = task->load_count;
@@ -147,6 +150,7 @@ const struct model_row model_corrected_persson_plastic = {
     .plastic = true,
     .elastic = &model_corrected_persson,
     .quantities = COMPUTES,
+    .stiffness_step = MODEL_STIFFNESS_STEP,
     .largest_area = 0.97, /* that of corrected_persson.h */
     .style = "gp",
     .colour = "#6B3FA0",
@@ -198,7 +202,8 @@ const struct model_row model_strip_plastic = {
     .uses_strip = true,
     .ln_sd = {0.2, 0.3, 0.3},
     .quantities = COMPUTES,
-    .largest_area = 0.97, /* that of corrected_persson.h */
+    .stiffness_step = 0.5, /* its separations are of few heights and lie on lines between areas */
+    .largest_area = 0.97,  /* that of corrected_persson.h */
     .style = "sp",
     .colour = "#137A56",
     .marker = 9,

@@ -20,6 +20,8 @@ const struct quantity_row quantity_rows[] = {
      EFFECT_BIT(EFFECT_THERMAL), 0, true, false},
     {"tcr_sd_K_m2_per_W", "tcr_sd_K_m2_per_W", NULL, "TCR·Aₙ, scale-dependent", "TCR", "TCR", "K·m²/W",
      "TCR·Aₙ (K·m²/W)", EFFECT_BIT(EFFECT_SCALE_DEPENDENT), 0, true, false},
+    {"stiffness_Pa_per_m", "stiffness_Pa_per_m", NULL, "k/Aₙ", "stiffness", "Stiffness", "Pa/m",
+     "contact stiffness k/Aₙ (Pa/m)", EFFECT_BIT(EFFECT_STIFFNESS), 0, true, false},
     {"gap_W_per_m2K", "gap_W_per_m2K", NULL, "h_g", "h_g", "Gap conductance", "W/(m²·K)",
      "gap conductance h_g (W/(m²·K))", EFFECT_BIT(EFFECT_GAP), QUANTITY_BIT(QUANTITY_SEPARATION), true, false},
     {"joint_W_per_m2K", "joint_W_per_m2K", NULL, "h_j", "h_j", "Joint conductance", "W/(m²·K)",
