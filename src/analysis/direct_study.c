@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/direct_study.h"
 
-#include "base/clock.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +8,6 @@
 const enum quantity direct_study_quantities[DIRECT_STUDY_QUANTITIES] = {QUANTITY_AREA, QUANTITY_SEPARATION,
                                                                         QUANTITY_ECR};
 static const double contact_tolerance = 1e-6; /* finds the set of points that 1e-12 finds */
-static const double load_step = 0.01;         /* of a model's gap for its slope */
 
 /** What the surfaces of a study are made of. */
 struct maker {
@@ -17,9 +15,7 @@ struct maker {
     struct direct_study *study;
     struct direct_spectrum spectrum; /* of a profile's surfaces */
     struct direct_map map;
-    struct direct_point *first; /* the leading kind's solutions, of the first surface in front */
-    double coarse_share;        /* of their time, without the fine grid's */
-    double work;                /* that the ensembles are, all together */
+    double work; /* that the ensembles are, all together */
 };
 
 static void tell(void *context, double work)
@@ -160,17 +156,12 @@ static enum status_code solve(struct maker *maker, enum direct_study_kind kind, 
     struct direct_ensemble ensemble;
     if (def->ladder.loads == 0 || def->seeds == 0)
         return STATUS_OK;
-    double started = clock_seconds();
     if (direct_ensemble_run(&ensemble, def, status) != STATUS_OK)
         return status->code;
-    *curve = (struct direct_study_curve){ensemble.point, def->ladder.loads, def->seeds, clock_seconds() - started};
+    *curve = (struct direct_study_curve){ensemble.point, def->ladder.loads, def->seeds};
     ensemble.point = NULL;
     study->solutions += def->ladder.loads * ensemble.ladders;
     if (kind == study->leading) {
-        double coarse = (double)ensemble.convolutions;
-        maker->coarse_share = coarse / (coarse + 4 * (double)ensemble.fine_convolutions);
-        maker->first = ensemble.seed_point; /* the first surface comes first */
-        ensemble.seed_point = NULL;
         study->rms_m = ensemble.rms_m;
     }
     direct_ensemble_free(&ensemble);
@@ -196,7 +187,7 @@ static void borrow_scatter(struct direct_study *study, enum direct_study_kind ki
         }
 }
 
-/** The models on the surface's rows, at each load and a step below and above. */
+/** The models on the surface's rows. */
 static enum status_code run_models(struct maker *maker, struct status *status)
 {
     struct direct_study *study = maker->study;
@@ -206,14 +197,9 @@ static enum status_code run_models(struct maker *maker, struct status *status)
     struct status none = {0};
     bool has_asperities = roughness_asperities(&asperities, &study->moments, &none) == STATUS_OK;
     study->models = calloc(model_count, sizeof *study->models);
-    study->model_seconds = calloc(model_count, sizeof *study->model_seconds);
-    if (!study->models || !study->model_seconds)
+    if (!study->models)
         return status_memory(status);
-    for (size_t i = 0; i < plan->loads; i++)
-        for (int side = -1; side <= 1; side++)
-            study->load_triples[3 * i + (size_t)(side + 1)] = plan->load[i] * (1 + side * load_step);
-    struct model_task ask =
-        surface_model_task(task->surface, task->scene, task->plan, study->load_triples, 3 * plan->loads);
+    struct model_task ask = surface_model_task(task->surface, task->scene, task->plan, plan->load, plan->loads);
     ask.spectrum = &study->rows;
     ask.asperities = has_asperities ? &asperities : NULL;
     enum status_code rc = STATUS_OK;
@@ -222,75 +208,9 @@ static enum status_code run_models(struct maker *maker, struct status *status)
         if (!plan_runs_model(task->plan, m))
             continue;
         curve->points = calloc(ask.load_count + 1, sizeof *curve->points);
-        if (!curve->points)
-            rc = status_memory(status);
-        double started = clock_seconds();
-        if (rc == STATUS_OK)
-            rc = model_run(curve, model_rows[m], &ask, status);
-        study->model_seconds[m] = (clock_seconds() - started) / 3;
+        rc = curve->points ? model_run(curve, model_rows[m], &ask, status) : status_memory(status);
     }
     return rc;
-}
-
-/** Mean |ln| of what the grid of one surface's solution, or the scatter of `seeds` surfaces, moves a quantity by; and
- * the largest. */
-static double effort_error(double *largest, const struct maker *maker, const struct direct_point *coarse, size_t seeds,
-                           enum direct_quantity q)
-{
-    const struct direct_study *study = maker->study;
-    double sum = 0, count = 0;
-    *largest = 0;
-    for (size_t i = 0; i < study->plan.loads; i++) {
-        const struct direct_mean *mean = &study->curves[study->leading].points[i].mean[q];
-        double grid = coarse ? log(direct_point_value(&coarse[i], q) / direct_point_value(&maker->first[i], q))
-                             : mean->fine_ratio - 1;
-        double scatter = mean->standard_error / mean->value * sqrt((double)study->plan.seeds / (double)seeds);
-        if (mean->value > 0 && isfinite(grid) && isfinite(scatter)) {
-            sum += hypot(grid, scatter);
-            *largest = fmax(*largest, hypot(grid, scatter));
-            count++;
-        }
-    }
-    return count > 0 ? sum / count : NAN;
-}
-
-/** The same curve at less expense: coarser grids on the first surface, fewer surfaces on the grid itself. */
-static enum status_code run_efforts(struct maker *maker, struct status *status)
-{
-    static const struct {
-        size_t divisor, seeds; /* 0: all */
-    } efforts[] = {{4, 1}, {2, 1}, {1, 1}, {1, 4}, {1, 0}};
-    struct direct_study *study = maker->study;
-    const struct direct_study_curve *all = &study->curves[study->leading];
-    for (size_t e = 0; e < sizeof efforts / sizeof *efforts && study->plan.side == 0; e++) {
-        struct direct_ensemble_def def = ensemble_def(maker, study->leading);
-        struct direct_study_effort *effort = &study->effort[study->efforts];
-        struct direct_ensemble ensemble = {0};
-        size_t seeds = efforts[e].seeds > 0 ? efforts[e].seeds : def.seeds;
-        bool whole = efforts[e].divisor == 1;
-        *effort = (struct direct_study_effort){def.n / efforts[e].divisor / 2 * 2, seeds, all->seconds,
-                                               whole && efforts[e].seeds > 0,      {0},   {0}};
-        if (effort->grid < SCENE_DIRECT_GRID_LEAST || (efforts[e].seeds > 1 && seeds >= def.seeds))
-            continue;
-        if (whole) /* without the fine grid, whose share is known by its convolutions */
-            effort->seconds *= efforts[e].seeds > 0 ? maker->coarse_share * (double)seeds / (double)def.seeds : 1;
-        def.n = effort->grid;
-        def.seeds = 1;
-        def.fine_times = 0;
-        double started = clock_seconds();
-        if (!whole && direct_ensemble_run(&ensemble, &def, status) != STATUS_OK)
-            return status->code;
-        if (!whole)
-            effort->seconds = clock_seconds() - started;
-        for (int k = 0; k < DIRECT_STUDY_QUANTITIES; k++) {
-            enum quantity q = direct_study_quantities[k];
-            effort->error[q] =
-                effort_error(&effort->largest[q], maker, ensemble.seed_point, seeds, (enum direct_quantity)k);
-        }
-        study->efforts++;
-        direct_ensemble_free(&ensemble);
-    }
-    return STATUS_OK;
 }
 
 static enum status_code run(struct maker *maker, struct status *status)
@@ -322,8 +242,7 @@ static enum status_code run(struct maker *maker, struct status *status)
         }
     for (int kind = 0; kind < DIRECT_STUDY_KINDS && study->plan.side == 0; kind++)
         borrow_scatter(study, (enum direct_study_kind)kind);
-    enum status_code rc = run_models(maker, status);
-    return rc == STATUS_OK && maker->task->efforts ? run_efforts(maker, status) : rc;
+    return run_models(maker, status);
 }
 
 enum status_code direct_study_run(struct direct_study *out, const struct direct_study_task *task, struct status *status)
@@ -333,7 +252,6 @@ enum status_code direct_study_run(struct direct_study *out, const struct direct_
     enum status_code rc = run(&maker, status);
     direct_spectrum_free(&maker.spectrum);
     direct_map_free(&maker.map);
-    free(maker.first);
     if (rc != STATUS_OK)
         direct_study_free(out);
     return rc;
@@ -346,7 +264,6 @@ void direct_study_free(struct direct_study *study)
     for (size_t m = 0; study->models && m < model_count; m++)
         free(study->models[m].points);
     free(study->models);
-    free(study->model_seconds);
     spectrum_free(&study->rows);
     *study = (struct direct_study){0};
 }
@@ -407,41 +324,23 @@ enum direct_study_kind direct_study_kind_of(const struct direct_study *study, si
                                                                                    : study->leading;
 }
 
-/** The model's point at one of the three loads round load `i`. */
-static const struct contact_point *point_at(const struct direct_study *study, size_t model, size_t i, int side)
+/** The model's point at load `i` on the surface solved; NULL: it has none. */
+static const struct contact_point *point_at(const struct direct_study *study, size_t model, size_t i)
 {
     const struct model_curve *curve = &study->models[model];
-    double load = study->load_triples[3 * i + (size_t)(side + 1)];
     for (size_t k = 0; curve->exists && k < curve->count; k++)
-        if (curve->points[k].value[QUANTITY_LOAD] == load)
+        if (curve->points[k].value[QUANTITY_LOAD] == study->plan.load[i])
             return &curve->points[k];
     return NULL;
-}
-
-const struct contact_point *direct_study_model(const struct direct_study *study, size_t model, size_t i)
-{
-    return point_at(study, model, i, 0);
 }
 
 double direct_study_ratio(const struct direct_study *study, const struct material_pair *pair, size_t model,
                           enum quantity quantity, size_t i)
 {
-    const struct contact_point *point = direct_study_model(study, model, i);
+    const struct contact_point *point = point_at(study, model, i);
     double direct = direct_study_value(study, pair, direct_study_kind_of(study, model), quantity, i, NULL);
     double value = point ? point->value[quantity] : NAN;
     return value > 0 && direct > 0 ? value / direct : NAN;
-}
-
-double direct_study_conductance(const struct direct_study *study, const struct material_pair *pair, size_t model,
-                                size_t i)
-{
-    const struct contact_point *low = point_at(study, model, i, -1), *at = point_at(study, model, i, 0),
-                               *high = point_at(study, model, i, 1);
-    if (model_rows[model]->plastic || !low || !at || !high || !(at->value[QUANTITY_ECR] > 0))
-        return NAN;
-    double slope_m = (high->value[QUANTITY_SEPARATION] - low->value[QUANTITY_SEPARATION]) /
-                     (high->value[QUANTITY_LOAD] - low->value[QUANTITY_LOAD]);
-    return -pair->resistivity_ohm_m * slope_m / at->value[QUANTITY_ECR];
 }
 
 struct direct_study_distance direct_study_distance(const struct direct_study *study, const struct material_pair *pair,

@@ -24,18 +24,7 @@ enum direct_study_kind {
 struct direct_study_curve {
     struct direct_ensemble_point *points; /* one a load; NULL: not solved */
     size_t loads, seeds;
-    double seconds;
 };
-
-/** The direct solution at another expense. */
-struct direct_study_effort {
-    size_t grid, seeds;
-    double seconds;
-    bool scaled;                    /* not run: time and error follow from those of more surfaces */
-    double error[QUANTITY_COUNT];   /* of area, separation, ECR, against the best; NaN: no number */
-    double largest[QUANTITY_COUNT]; /* the same at the load where it is largest; those are means over the loads */
-};
-enum { DIRECT_STUDY_EFFORTS = 8 };
 
 /** Of one surface. Owned: direct_study_free(). */
 struct direct_study {
@@ -48,12 +37,8 @@ struct direct_study {
     struct roughness moments;   /* the same: m0, m2, m4 */
     double rms_m;               /* Sq of the surface */
     double m4_over_scan;        /* m4 of the rows over the scan's */
-    struct model_curve *models; /* model_count of them, at each load and just below and above it; NULL: not run */
-    double *model_seconds;      /* that their curve took */
-    double load_triples[3 * SCENE_DIRECT_LOADS];
-    struct direct_study_effort effort[DIRECT_STUDY_EFFORTS];
-    size_t efforts;
-    uint64_t solutions; /* contacts solved, as planned */
+    struct model_curve *models; /* model_count of them; NULL: not run */
+    uint64_t solutions;         /* contacts solved, as planned */
 };
 
 /** How a described surface's contact would be solved, from its summary alone. */
@@ -73,7 +58,6 @@ struct direct_study_task {
     unsigned threads;               /* 0: one a processor; the result does not depend on it */
     const struct direct_team *team; /* that shares each contact; NULL: this process alone */
     const atomic_bool *stop;
-    bool efforts;                                             /* also at less expense, to tell what accuracy costs */
     void (*progress)(void *context, double done, double all); /* told of work done, from several threads; NULL: not */
     void *progress_context;
 };
@@ -97,15 +81,9 @@ double direct_study_grid_error(const struct direct_study *study, enum direct_stu
                                size_t i);
 /** What a model is held against: with a hardness where it yields and that is solved, else elastic. */
 enum direct_study_kind direct_study_kind_of(const struct direct_study *study, size_t model);
-/** The model's point at load `i` on the surface solved; NULL: it has none. */
-const struct contact_point *direct_study_model(const struct direct_study *study, size_t model, size_t i);
 /** Model over direct solution; NaN where either has no number. */
 double direct_study_ratio(const struct direct_study *study, const struct material_pair *pair, size_t model,
                           enum quantity quantity, size_t i);
-/** Barber's conductance of an elastic model: -1/2 (rho1 + rho2) E' dg/dp by differences of its own gap over its own
- * ECR A_n: 1 for a model that is consistent; NaN where it has not both. */
-double direct_study_conductance(const struct direct_study *study, const struct material_pair *pair, size_t model,
-                                size_t i);
 /** How far a model is from the direct solution over all loads: exp of the mean |ln ratio|, and the extremes of the
  * ratio. loads 0: nowhere comparable. */
 struct direct_study_distance {

@@ -694,7 +694,7 @@ static void make_accuracy(struct chart *chart, const struct source *source)
         const struct benchmark_row *row = &cost->rows[i];
         bool own = strcmp(row->study, "tolerance") == 0;
         char legend[160];
-        if (!own && (row->chart != BENCHMARK_INTEGRALS || (first && row->model != first->model)))
+        if (!own && first && row->model != first->model)
             continue;
         first = own || first ? first : row;
         if (!before || strcmp(before->study, row->study) != 0 || strcmp(before->method, row->method) != 0) {
