@@ -2,10 +2,8 @@
 #include "analysis/direct_plan.h"
 
 #include "direct/direct_ensemble.h"
-#include "direct/direct_predict.h"
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 enum { GRID_LEAST = 64, GRID_USUAL = 256, GRID_MOST = 1024, FINE_MOST = 2048, SIDE_MOST = 400, LOADS = 13, SEEDS = 12 };
 
@@ -74,51 +72,21 @@ static void choose_loads(struct direct_plan *plan, const struct direct_plan_task
             break;
 }
 
-/** Adds the ladders of an ensemble to the counts. */
-static void add_ensemble(struct direct_plan *plan, const struct direct_predict_def *def)
+/** Of one core, from counts: a contact and its constriction take 0.04 s at 256 points a side, and as the power 2.5 of
+ * these (64 ... 1024; measured in 2026); a surface with a scan's heights takes four contacts to make. A finer grid is
+ * twice as fine; a map's parts, which tell its error, have half its points a side. */
+static double likely_seconds(const struct direct_plan *plan)
 {
-    if (def->loads == 0 || def->seeds == 0)
-        return;
-    struct direct_prediction prediction = direct_predict(def);
-    plan->solutions += def->loads * (def->seeds + (def->fine_times > 1));
-    plan->convolutions += prediction.convolutions;
-    plan->seconds += prediction.seconds;
-    plan->bytes = fmax(plan->bytes, prediction.bytes);
-}
-
-static void count_work(struct direct_plan *plan)
-{
-    struct direct_predict_def leading = {.n = plan->grid,
-                                         .fine_times = plan->fine_times,
-                                         .loads = plan->loads,
-                                         .seeds = plan->seeds,
-                                         .resistance = plan->resistance,
-                                         .heights = plan->heights && !plan->gaussian,
-                                         .map = plan->side > 0},
-                              capped = leading, other = leading;
-    capped.fine_times = plan->capped_fine_times;
-    capped.loads = plan->capped_loads;
-    capped.seeds = plan->fewer;
-    capped.capped = true;
-    other.fine_times = 0;
-    other.seeds = plan->heights ? plan->fewer : 0;
-    other.heights = plan->gaussian;
-    plan->solutions = 0;
-    plan->convolutions = plan->seconds = plan->bytes = 0;
-    add_ensemble(plan, &leading);
-    add_ensemble(plan, &capped);
-    add_ensemble(plan, &other);
-    if (plan->side > 0) { /* the parts of a map that tell its error */
-        leading.n = capped.n = plan->grid / 2;
-        leading.seeds = capped.seeds = (plan->mirrored ? 5 : 1) + (size_t)(plan->lambda_s_m > 0);
-        add_ensemble(plan, &leading);
-        add_ensemble(plan, &capped);
-    }
+    double made = plan->side > 0 || plan->gaussian ? 0 : 4, one = 0.04 * pow((double)plan->grid / 256, 2.5);
+    double parts = plan->side > 0 ? (plan->mirrored ? 5 : 1) + (plan->lambda_s_m > 0) : 0;
+    double leading = (double)plan->loads + made,
+           capped = plan->capped_loads > 0 ? (double)plan->capped_loads + made : 0;
+    double fine = plan->fine_times > 0 ? pow(2, 2.5) : 0, half = pow(2, -2.5) * parts;
+    return one * (leading * ((double)plan->seeds + fine + half) + capped * ((double)plan->fewer + fine + half));
 }
 
 /** One way to do it; `seeds` of a profile. */
-static void try(struct direct_plan *plan, const struct direct_plan_task *task, size_t size, size_t seeds, bool fine,
-                bool capped_fine)
+static void try(struct direct_plan *plan, const struct direct_plan_task *task, size_t size, size_t seeds, bool fine)
 {
     bool map = task->map.nx > 0;
     plan->side = map ? size : 0;
@@ -127,17 +95,15 @@ static void try(struct direct_plan *plan, const struct direct_plan_task *task, s
     plan->seeds = map ? 1 : seeds;
     plan->fewer = map || seeds < 2 ? 1 : seeds < 6 ? 2 : (seeds + 2) / 3; /* one has no scatter to tell */
     plan->fine_times = fine && !map && 2 * plan->grid <= FINE_MOST ? 2 : 0;
-    plan->capped_fine_times = capped_fine ? plan->fine_times : 0;
     plan->length_m = map ? task->map.dx_m * (double)plan->grid : task->length_m;
     double resolved_m = direct_plan_points_a_wave * plan->length_m / (double)plan->grid;
     plan->coarse = !map && resolved_m > task->lambda_s_m * (1 + 1e-9);
     plan->lambda_s_m = map ? task->map.cutoff * task->map.dx_m : plan->coarse ? resolved_m : task->lambda_s_m;
     plan->of_spacing = task->of_spacing && !plan->coarse && !map;
-    plan->heights = task->heights && !map;
     plan->gaussian = task->gaussian && !map;
     plan->resistance = task->resistance;
     choose_loads(plan, task);
-    count_work(plan);
+    plan->seconds = likely_seconds(plan);
 }
 
 /** The largest number up to `most` without prime factors above 5: transforms of others take several times as long. */
@@ -170,32 +136,22 @@ static void choose(struct direct_plan *plan, const struct direct_plan_task *task
 {
     static const struct {
         size_t seeds;
-        bool fine, capped_fine;
-    } ways[] = {{SEEDS, true, true}, {SEEDS, true, false}, {8, true, true},   {8, true, false},  {SEEDS, false, false},
-                {8, false, false},   {6, false, false},    {4, false, false}, {3, false, false}, {2, false, false}};
-    enum { WAYS = sizeof ways / sizeof *ways };
+        bool fine;
+    } ways[] = {{SEEDS, true}, {8, true}, {SEEDS, false}, {8, false}, {6, false}, {4, false}, {3, false}, {2, false}};
     const struct scene_direct *direct = task->direct;
+    double budget_s = direct->budget_s > 0 ? direct->budget_s : INFINITY;
     bool map = task->map.nx > 0, free_size = map || direct->grid == 0;
     size_t size = free_size ? usual_size(task) : direct->grid, least = map ? GRID_LEAST / 2 : GRID_LEAST;
-    struct direct_plan before = {0};
-    plan->over_budget = direct->budget_s > 0;
-    for (bool last = false; !last; size /= 2) {
-        last = !(direct->budget_s > 0) || !free_size || size / 2 < least;
-        for (size_t w = 0; w < (map ? 1 : WAYS); w++) {
-            if (!map && direct->seeds > 0 && ways[w].seeds != SEEDS)
-                continue; /* the surfaces are given; the fine grid is not */
-            try(plan, task, size, direct->seeds > 0 ? direct->seeds : ways[w].seeds, ways[w].fine, ways[w].capped_fine);
-            if (!(direct->budget_s > 0) || plan->seconds <= direct->budget_s) {
-                plan->over_budget = false;
-                last = true;
-                break;
-            }
-            before = *plan;
+    for (;; size /= 2) {
+        for (size_t w = 0; w < sizeof ways / sizeof *ways; w++) {
+            try(plan, task, size, direct->seeds > 0 ? direct->seeds : ways[w].seeds, ways[w].fine);
+            plan->over_budget = plan->seconds > budget_s;
+            if (!plan->over_budget)
+                return;
         }
+        if (!free_size || size / 2 < least)
+            return;
     }
-    plan->more_grid = before.grid;
-    plan->more_seeds = before.seeds;
-    plan->more_seconds = before.seconds;
 }
 
 void direct_plan_make(struct direct_plan *out, const struct direct_plan_task *task)
@@ -211,15 +167,12 @@ void direct_plan_make(struct direct_plan *out, const struct direct_plan_task *ta
                  "contact",
                  range[0], range[1], out->grid);
     }
-    if (!out->possible)
-        out->solutions = 0;
 }
 
 void direct_plan_give_up(struct direct_plan *plan, const char *problem)
 {
     plan->possible = false;
-    plan->solutions = 0;
-    plan->convolutions = plan->seconds = plan->bytes = 0;
+    plan->seconds = 0;
     snprintf(plan->problem, sizeof plan->problem, "%.*s", (int)sizeof plan->problem - 1, problem);
 }
 
@@ -247,5 +200,5 @@ void direct_plan_elastic(struct direct_plan *plan)
     plan->hardness = INFINITY;
     plan->capped_loads = 0;
     if (plan->possible)
-        count_work(plan);
+        plan->seconds = likely_seconds(plan);
 }

@@ -25,7 +25,7 @@ static void tell(void *context, double work)
 }
 
 /** Surfaces made with the heights of a short scan have a top that is too flat, which shows at light loads; Gaussian
- * ones lead while skewness and kurtosis are nearly theirs. */
+ * ones stand for it while skewness and kurtosis are nearly theirs. */
 static bool is_nearly_gaussian(const struct roughness *roughness)
 {
     double kurtosis = roughness_kurtosis(roughness);
@@ -39,7 +39,6 @@ static struct direct_plan_task plan_task(const struct surface_summary *surface, 
     bool capped = plan_runs(plan, EFFECT_PLASTICITY) && hardness_Pa > 0;
     double resolved_m = 4 * surface->spacing_m; /* two points a wave is all a scan has, of which noise is half */
     double kappa = surface->map.nx > 0 ? 1 : surface_kappa(surface); /* a map is solved as it is */
-    bool heights = scene->counterface_surface.file_count == 0;
     return (struct direct_plan_task){
         .direct = &scene->direct,
         .divisor = scene_load_divisor(scene, scene->direct.kind, &surface->pair),
@@ -57,8 +56,7 @@ static struct direct_plan_task plan_task(const struct surface_summary *surface, 
         .slope = sqrt(surface->roughness.m2) * kappa,
         .hardness = capped ? hardness_Pa / surface->pair.effective_modulus_Pa : INFINITY,
         .resistance = plan->running & (EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL)),
-        .heights = heights,
-        .gaussian = !heights || is_nearly_gaussian(&surface->roughness),
+        .gaussian = scene->counterface_surface.file_count > 0 || is_nearly_gaussian(&surface->roughness),
     };
 }
 
@@ -79,15 +77,6 @@ enum status_code direct_study_plan(struct surface_record *record, const struct s
     struct direct_plan_task task = plan_task(&record->summary, scene, plan, loads, load_count);
     task.spectrum = &record->spectrum;
     direct_plan_make(out, &task);
-    if (out->possible && out->side > 0) {
-        struct status problem = {0};
-        struct direct_map map = {0};
-        if (direct_map_make(&map, record->direct_m, &record->summary.map, out->side, &problem) == STATUS_MEMORY)
-            return status_memory(status);
-        direct_map_free(&map);
-        if (problem.code != STATUS_OK)
-            direct_plan_give_up(out, problem.message);
-    }
     return direct_plan_match(out, &record->spectrum, status);
 }
 
@@ -125,22 +114,19 @@ static struct direct_ensemble_def ensemble_def(struct maker *maker, enum direct_
 {
     const struct direct_plan *plan = &maker->study->plan;
     const struct surface_record *surface = maker->task->surface;
-    enum direct_study_kind leading = maker->study->leading;
-    bool capped = kind == DIRECT_STUDY_CAPPED, heights = (capped ? leading : kind) == DIRECT_STUDY_HEIGHTS;
+    bool capped = kind == DIRECT_STUDY_CAPPED;
     return (struct direct_ensemble_def){
         .ladder = {plan->load, capped ? plan->capped_loads : plan->loads, capped ? plan->hardness : INFINITY,
                    contact_tolerance, plan->resistance, maker->task->stop},
         .map = plan->side > 0 ? &maker->map : NULL,
         .length_m = plan->length_m,
         .n = plan->grid,
-        .fine_times = kind == leading ? plan->fine_times
-                      : capped        ? plan->capped_fine_times
-                                      : 0,
+        .fine_times = plan->fine_times,
         .variance = direct_spectrum_variance,
         .context = &maker->spectrum,
-        .given_m = heights ? surface->direct_m : NULL,
+        .given_m = plan->gaussian ? NULL : surface->direct_m,
         .given_count = surface->direct_count,
-        .seeds = kind == leading ? plan->seeds : plan->fewer,
+        .seeds = capped ? plan->fewer : plan->seeds,
         .threads = maker->task->threads,
         .team = maker->task->team,
         .solved = maker->task->progress ? tell : NULL,
@@ -151,37 +137,33 @@ static struct direct_ensemble_def ensemble_def(struct maker *maker, enum direct_
 static enum status_code solve(struct maker *maker, enum direct_study_kind kind, const struct direct_ensemble_def *def,
                               struct status *status)
 {
-    struct direct_study *study = maker->study;
-    struct direct_study_curve *curve = &study->curves[kind];
     struct direct_ensemble ensemble;
-    if (def->ladder.loads == 0 || def->seeds == 0)
+    if (def->ladder.loads == 0)
         return STATUS_OK;
     if (direct_ensemble_run(&ensemble, def, status) != STATUS_OK)
         return status->code;
-    *curve = (struct direct_study_curve){ensemble.point, def->ladder.loads, def->seeds};
+    maker->study->curves[kind] = (struct direct_study_curve){ensemble.point, def->ladder.loads, def->seeds};
+    maker->study->solutions += def->ladder.loads * ensemble.ladders;
     ensemble.point = NULL;
-    study->solutions += def->ladder.loads * ensemble.ladders;
-    if (kind == study->leading) {
-        study->rms_m = ensemble.rms_m;
-    }
     direct_ensemble_free(&ensemble);
     return STATUS_OK;
 }
 
 /** Two or three surfaces tell next to nothing of their own scatter: where that is less, it is taken as the relative one
- * of the leading kind at that load, whose surfaces have the same spectrum. The area under a hardness is p̄/H on all. */
-static void borrow_scatter(struct direct_study *study, enum direct_study_kind kind)
+ * of the elastic solution at that load, whose surfaces have the same spectrum. The area under a hardness is p̄/H on all.
+ */
+static void borrow_scatter(struct direct_study *study)
 {
     enum { FEW = 4 };
-    const struct direct_study_curve *leading = &study->curves[study->leading];
-    struct direct_study_curve *curve = &study->curves[kind];
-    if (!curve->points || kind == study->leading || curve->seeds >= FEW || leading->seeds <= curve->seeds)
+    const struct direct_study_curve *elastic = &study->curves[DIRECT_STUDY_ELASTIC];
+    struct direct_study_curve *capped = &study->curves[DIRECT_STUDY_CAPPED];
+    if (!capped->points || capped->seeds >= FEW || elastic->seeds <= capped->seeds)
         return;
-    for (size_t i = 0; i < curve->loads; i++)
-        for (int q = kind == DIRECT_STUDY_CAPPED ? DIRECT_GAP : DIRECT_AREA; q <= DIRECT_CONSTRICTION; q++) {
-            const struct direct_mean *from = &leading->points[i].mean[q];
-            struct direct_mean *to = &curve->points[i].mean[q];
-            double share = from->standard_error / from->value * sqrt((double)leading->seeds / (double)curve->seeds);
+    for (size_t i = 0; i < capped->loads; i++)
+        for (int q = DIRECT_GAP; q <= DIRECT_CONSTRICTION; q++) {
+            const struct direct_mean *from = &elastic->points[i].mean[q];
+            struct direct_mean *to = &capped->points[i].mean[q];
+            double share = from->standard_error / from->value * sqrt((double)elastic->seeds / (double)capped->seeds);
             if (to->value > 0 && share > 0)
                 to->standard_error = fmax(to->standard_error, share * to->value);
         }
@@ -193,9 +175,11 @@ static enum status_code run_models(struct maker *maker, struct status *status)
     struct direct_study *study = maker->study;
     const struct direct_study_task *task = maker->task;
     const struct direct_plan *plan = &study->plan;
+    struct roughness moments = task->surface->summary.roughness;
     struct asperities asperities;
     struct status none = {0};
-    bool has_asperities = roughness_asperities(&asperities, &study->moments, &none) == STATUS_OK;
+    roughness_from_spectrum(&moments, &study->rows);
+    bool has_asperities = roughness_asperities(&asperities, &moments, &none) == STATUS_OK;
     study->models = calloc(model_count, sizeof *study->models);
     if (!study->models)
         return status_memory(status);
@@ -226,22 +210,16 @@ static enum status_code run(struct maker *maker, struct status *status)
     }
     if (find_rows(maker, status) != STATUS_OK)
         return status->code;
-    study->moments = surface->summary.roughness;
-    roughness_from_spectrum(&study->moments, &study->rows);
-    study->m4_over_scan = study->moments.m4_per_m2 / spectrum_moment(&surface->spectrum, 2);
-    study->leading = study->plan.gaussian ? DIRECT_STUDY_GAUSSIAN : DIRECT_STUDY_HEIGHTS;
-    for (int pass = 0; pass < 2; pass++) /* first the work is counted */
-        for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++) {
-            struct direct_ensemble_def def = ensemble_def(maker, (enum direct_study_kind)kind);
-            if (kind != DIRECT_STUDY_CAPPED && kind != (int)study->leading && !study->plan.heights)
-                continue;
-            if (pass == 0)
-                maker->work += direct_ensemble_work(&def);
-            else if (solve(maker, (enum direct_study_kind)kind, &def, status) != STATUS_OK)
-                return status->code;
-        }
-    for (int kind = 0; kind < DIRECT_STUDY_KINDS && study->plan.side == 0; kind++)
-        borrow_scatter(study, (enum direct_study_kind)kind);
+    struct direct_ensemble_def defs[DIRECT_STUDY_KINDS];
+    for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++) {
+        defs[kind] = ensemble_def(maker, (enum direct_study_kind)kind);
+        maker->work += direct_ensemble_work(&defs[kind]);
+    }
+    for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++)
+        if (solve(maker, (enum direct_study_kind)kind, &defs[kind], status) != STATUS_OK)
+            return status->code;
+    if (study->plan.side == 0)
+        borrow_scatter(study);
     return run_models(maker, status);
 }
 
@@ -268,10 +246,9 @@ void direct_study_free(struct direct_study *study)
     *study = (struct direct_study){0};
 }
 
-const char *direct_study_heights(const struct direct_study *study, enum direct_study_kind kind)
+const char *direct_study_heights(const struct direct_study *study)
 {
-    enum direct_study_kind whose = kind == DIRECT_STUDY_CAPPED ? study->leading : kind;
-    return study->plan.side > 0 ? "map" : whose == DIRECT_STUDY_HEIGHTS ? "scan" : "gaussian";
+    return study->plan.side > 0 ? "map" : study->plan.gaussian ? "gaussian" : "scan";
 }
 
 /** The mean that a quantity is made from, and the factor to it; NULL: not solved. */
@@ -321,7 +298,7 @@ double direct_study_grid_error(const struct direct_study *study, enum direct_stu
 enum direct_study_kind direct_study_kind_of(const struct direct_study *study, size_t model)
 {
     return model_rows[model]->plastic && study->curves[DIRECT_STUDY_CAPPED].points ? DIRECT_STUDY_CAPPED
-                                                                                   : study->leading;
+                                                                                   : DIRECT_STUDY_ELASTIC;
 }
 
 /** The model's point at load `i` on the surface solved; NULL: it has none. */
@@ -367,13 +344,13 @@ size_t direct_study_nearest(const struct direct_study *study, const struct mater
     size_t nearest = model_count, most = 0;
     double least = INFINITY;
     for (size_t m = 0; m < model_count; m++) /* of those that answer at most loads: one load is no curve */
-        if (direct_study_kind_of(study, m) == study->leading) {
+        if (direct_study_kind_of(study, m) == DIRECT_STUDY_ELASTIC) {
             size_t loads = direct_study_distance(study, pair, m, quantity).loads;
             most = loads > most ? loads : most;
         }
     for (size_t m = 0; m < model_count; m++) {
         struct direct_study_distance distance = direct_study_distance(study, pair, m, quantity);
-        if (direct_study_kind_of(study, m) == study->leading && 2 * distance.loads > most &&
+        if (direct_study_kind_of(study, m) == DIRECT_STUDY_ELASTIC && 2 * distance.loads > most &&
             distance.mean_factor < least) {
             least = distance.mean_factor;
             nearest = m;

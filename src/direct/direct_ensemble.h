@@ -61,8 +61,6 @@ struct direct_ensemble {
     struct direct_ensemble_point *point; /* one a load */
     struct direct_point *seed_point;     /* seeds x loads, as solved on the coarse grid; of a map its parts' */
     size_t loads, seeds, ladders;        /* done; ladders with the finer grid, or the parts of a map */
-    size_t convolutions, fine_convolutions;
-    double rms_m; /* Sq of the first seed's surface */
 };
 
 /** Solves the ensemble. Errors: those of surfaces and solutions, of the first task that failed; STATUS_INTERRUPTED. */

@@ -527,7 +527,7 @@ static void put_direct(struct table *table, const struct results *results, const
                 put_number(table, direct_columns[c].error, error);
         }
         put_number(table, "patches", curve->points[i].mean[DIRECT_PATCHES].value);
-        text_add(&table->rows, ",%zu,%zu,%s", curve->seeds, study->plan.grid, direct_study_heights(study, kind));
+        text_add(&table->rows, ",%zu,%zu,%s", curve->seeds, study->plan.grid, direct_study_heights(study));
         put_number(table, "hardness_Pa",
                    kind == DIRECT_STUDY_CAPPED
                        ? study->plan.hardness * results_pair(results, study->surface)->effective_modulus_Pa

@@ -138,7 +138,7 @@ static enum status_code run_direct(struct run *run, struct status *status)
         enum status_code rc = direct_study_run(study, &task, &problem);
         if (run->options->progress)
             run->options->progress("direct solution of", progress.surface, 1, 1);
-        if (rc == STATUS_MODEL) { /* no number then; the models' curves stand */
+        if (rc == STATUS_MODEL || rc == STATUS_SCAN) { /* no number then; the models' curves stand */
             direct_study_free(study);
             direct_plan_give_up(record->summary.direct, problem.message);
         } else if (rc != STATUS_OK) {
