@@ -32,14 +32,15 @@ static bool is_nearly_gaussian(const struct roughness *roughness)
     return fabs(roughness_skewness(roughness)) < 0.5 && kurtosis >= 2.5 && kurtosis <= 4;
 }
 
-static struct direct_plan_task plan_task(const struct surface_summary *surface, const struct scene *scene,
-                                         const struct plan *plan, const double *loads, size_t load_count)
+enum status_code direct_study_plan(struct surface_record *record, const struct scene *scene, const struct plan *plan,
+                                   const double *loads, size_t load_count, struct status *status)
 {
+    struct surface_summary *surface = &record->summary;
     double hardness_Pa = !isnan(scene->direct.hardness_Pa) ? scene->direct.hardness_Pa : surface->pair.hardness_Pa;
     bool capped = plan_runs(plan, EFFECT_PLASTICITY) && hardness_Pa > 0;
     double resolved_m = 4 * surface->spacing_m; /* two points a wave is all a scan has, of which noise is half */
     double kappa = surface->map.nx > 0 ? 1 : surface_kappa(surface); /* a map is solved as it is */
-    return (struct direct_plan_task){
+    const struct direct_plan_task task = {
         .direct = &scene->direct,
         .divisor = scene_load_divisor(scene, scene->direct.kind, &surface->pair),
         .operating = plan->operating_place > 0 ? plan->operating_place - 1 : load_count / 2,
@@ -47,6 +48,7 @@ static struct direct_plan_task plan_task(const struct surface_summary *surface, 
         .load_count = load_count,
         .map = surface->map,
         .length_m = surface->length_m / kappa,
+        .spectrum = &record->spectrum,
         .lambda_s_m = fmin(scene->lambda_s_m > 0      ? scene->lambda_s_m
                            : scene->fit_band_m[0] > 0 ? fmax(scene->fit_band_m[0], resolved_m)
                                                       : resolved_m,
@@ -58,26 +60,11 @@ static struct direct_plan_task plan_task(const struct surface_summary *surface, 
         .resistance = plan->running & (EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL)),
         .gaussian = scene->counterface_surface.file_count > 0 || is_nearly_gaussian(&surface->roughness),
     };
-}
-
-void direct_study_outline(struct direct_plan *out, const struct surface_summary *surface, const struct scene *scene,
-                          const struct plan *plan, const double *loads, size_t load_count)
-{
-    struct direct_plan_task task = plan_task(surface, scene, plan, loads, load_count);
-    direct_plan_make(out, &task);
-}
-
-enum status_code direct_study_plan(struct surface_record *record, const struct scene *scene, const struct plan *plan,
-                                   const double *loads, size_t load_count, struct status *status)
-{
-    struct direct_plan *out = calloc(1, sizeof *out);
-    if (!out)
+    surface->direct = calloc(1, sizeof *surface->direct);
+    if (!surface->direct)
         return status_memory(status);
-    record->summary.direct = out;
-    struct direct_plan_task task = plan_task(&record->summary, scene, plan, loads, load_count);
-    task.spectrum = &record->spectrum;
-    direct_plan_make(out, &task);
-    return direct_plan_match(out, &record->spectrum, status);
+    direct_plan_make(surface->direct, &task);
+    return direct_plan_match(surface->direct, &record->spectrum, status);
 }
 
 /** The spectrum that the models are given: of the law, as every surface of it has it, or the mean of the map's rows. */

@@ -35,10 +35,8 @@ struct direct_study {
     uint64_t solutions;         /* contacts solved, as planned */
 };
 
-/** How a described surface's contact would be solved, from its summary alone. */
-void direct_study_outline(struct direct_plan *out, const struct surface_summary *surface, const struct scene *scene,
-                          const struct plan *plan, const double *loads, size_t load_count);
-/** How it will be, with the law matched: into summary.direct. Error: STATUS_MEMORY. */
+/** How a described surface's contact will be solved, with the law matched: into summary.direct. Error: STATUS_MEMORY.
+ */
 MUST_CHECK enum status_code direct_study_plan(struct surface_record *record, const struct scene *scene,
                                               const struct plan *plan, const double *loads, size_t load_count,
                                               struct status *status);

@@ -125,29 +125,24 @@ static struct direct_mean of_map(const struct direct_ensemble *ensemble, const s
     return (struct direct_mean){value[DIRECT_MAP_WHOLE], fabs(error), 1};
 }
 
-static enum direct_ensemble_state state_of(const struct direct_ensemble *ensemble, size_t load)
+static bool resolved(const struct direct_ensemble *ensemble, size_t load)
 {
-    bool few = false;
+    bool enough = true;
     for (size_t k = 0; k < ensemble->seeds; k++) {
         const struct direct_point *point = &ensemble->seed_point[k * ensemble->loads + load];
-        if (!point->exists)
-            return DIRECT_ENSEMBLE_COMPLETE;
-        few |= point->quantities.contact_points < DIRECT_ENSEMBLE_POINTS;
+        enough &= point->exists && point->quantities.contact_points >= DIRECT_ENSEMBLE_POINTS;
     }
-    return few ? DIRECT_ENSEMBLE_FEW_POINTS : DIRECT_ENSEMBLE_GIVEN;
+    return enough;
 }
 
 static void summarise(struct direct_ensemble *ensemble, const struct direct_point *fine,
                       const struct direct_ensemble_def *def)
 {
-    for (size_t load = 0; load < ensemble->loads; load++) {
-        struct direct_ensemble_point *point = &ensemble->point[load];
-        point->state = state_of(ensemble, load);
+    for (size_t load = 0; load < ensemble->loads; load++)
         for (int q = 0; q < DIRECT_QUANTITIES; q++)
-            point->mean[q] = point->state != DIRECT_ENSEMBLE_GIVEN ? (struct direct_mean){NAN, NAN, NAN}
-                             : def->map ? of_map(ensemble, def->map, load, (enum direct_quantity)q)
-                                        : over_seeds(ensemble, fine, load, (enum direct_quantity)q);
-    }
+            ensemble->point[load].mean[q] = !resolved(ensemble, load) ? (struct direct_mean){NAN, NAN, NAN}
+                                            : def->map ? of_map(ensemble, def->map, load, (enum direct_quantity)q)
+                                                       : over_seeds(ensemble, fine, load, (enum direct_quantity)q);
 }
 
 enum status_code direct_ensemble_run(struct direct_ensemble *out, const struct direct_ensemble_def *def,

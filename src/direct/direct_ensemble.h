@@ -44,15 +44,9 @@ struct direct_mean {
     double fine_ratio;  /* by which the grid has been corrected, 1 without a fine one */
 };
 
-/** What hinders a number at one load. */
-enum direct_ensemble_state {
-    DIRECT_ENSEMBLE_GIVEN,
-    DIRECT_ENSEMBLE_FEW_POINTS, /* some seed, or the map, has fewer than DIRECT_ENSEMBLE_POINTS points in contact */
-    DIRECT_ENSEMBLE_COMPLETE    /* p̄ >= H */
-};
-
+/** At one load; without numbers where some seed, or the map, has fewer than DIRECT_ENSEMBLE_POINTS points in contact,
+ * or p̄ >= H. */
 struct direct_ensemble_point {
-    enum direct_ensemble_state state;
     struct direct_mean mean[DIRECT_QUANTITIES];
 };
 

@@ -115,23 +115,10 @@ static void describe_direct(struct text *out, const struct direct_plan *plan)
                  plan->fine_times > 1 ? " and a finer grid" : "");
     text_add(out, "%zu load%s, about %.2g s of one core", plan->loads, plan->loads == 1 ? "" : "s", plan->seconds);
     if (plan->of_spacing) /* else the scene says what the surface is */
-        text_add(out, ", down to waves of four spacings, for want of a lambda_s: true at this resolution%s",
-                 plan->law.gamma > 0 && plan->law.gamma < 1.5 ? ", its area falling with lambda_s" : "");
+        text_add(out, ", down to waves of four spacings, for want of a lambda_s: true at this resolution");
 }
 
-/** What the direct solution would say and cost where it is not called for. */
-static void outline_direct(struct text *out, const struct plan *plan, const struct results *results)
-{
-    struct direct_plan outline;
-    direct_study_outline(&outline, &results->surfaces[results->baseline].summary, results->scene, plan,
-                         results_loads(results, results->baseline), results->load_count);
-    text_add(out, "not called for; %s",
-             outline.possible ? "it would say how far each model is off: " : outline.problem);
-    if (outline.possible)
-        describe_direct(out, &outline);
-}
-
-/** The direct solution's part of the plan: what it says of itself, or would cost. */
+/** The direct solution's part of the plan, where it is called for: what it is of, and costs. */
 static void plan_direct(struct plan *plan, const struct results *results)
 {
     struct plan_effect *effect = &plan->effects[EFFECT_DIRECT];
@@ -139,9 +126,9 @@ static void plan_direct(struct plan *plan, const struct results *results)
     double budget_s = results->scene->direct.budget_s;
     struct text reason = {0};
     size_t surfaces = 0;
-    if (results->usable_count == 0)
+    if (results->usable_count == 0 || !effect->runs)
         return;
-    for (size_t i = 0; i < results->surface_count && effect->runs; i++) {
+    for (size_t i = 0; i < results->surface_count; i++) {
         struct direct_plan *own = results->surfaces[i].summary.direct;
         if (own && !plan_runs(plan, EFFECT_PLASTICITY))
             direct_plan_elastic(own);
@@ -150,9 +137,7 @@ static void plan_direct(struct plan *plan, const struct results *results)
         first = first && i != results->baseline ? first : own;
         surfaces++;
     }
-    if (!effect->runs) {
-        outline_direct(&reason, plan, results);
-    } else if (!first) {
+    if (!first) {
         text_add(&reason, "called for, but %s", none ? none->problem : "no surface can be solved");
     } else {
         text_add(&reason, "called for on %zu surface%s: ", surfaces, surfaces == 1 ? "" : "s");

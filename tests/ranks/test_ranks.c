@@ -61,8 +61,8 @@ static void ensembles(void **state)
         expect_same(found.seed_point, expected.seed_point, found.seeds * LOADS);
         for (size_t i = 0; i < LOADS; i++) {
             struct direct_mean one = found.point[i].mean[DIRECT_GAP], two = expected.point[i].mean[DIRECT_GAP];
-            assert_int_equal(found.point[i].state, expected.point[i].state);
-            if (found.point[i].state != DIRECT_ENSEMBLE_GIVEN)
+            assert_int_equal(isnan(one.value), isnan(two.value));
+            if (isnan(two.value))
                 continue;
             assert_near(one.value, two.value, 1e-9);
             assert_near(one.fine_ratio, two.fine_ratio, 1e-9);
