@@ -8,7 +8,7 @@
 enum { GRID_LEAST = 64, GRID_USUAL = 256, GRID_MOST = 1024, FINE_MOST = 2048, SIDE_MOST = 400, LOADS = 13, SEEDS = 12 };
 
 /** Points that the shortest wave needs: gap within 3e-4, constriction within 0.5 %, area within 1 %. */
-const double direct_plan_points_a_wave = 6;
+static const double points_a_wave = 6;
 
 /** m0, m1 and m2 of a spectrum, low-passed like the law's taper where `cut`. */
 static void moments(double out[3], const struct spectrum *spectrum, double lambda_s_m, bool cut)
@@ -65,11 +65,10 @@ static void choose_loads(struct direct_plan *plan, const struct direct_plan_task
     if (inside && !direct->values)
         plan->load[nearest] = middle;
     plan->hardness = task->hardness;
-    for (plan->capped_loads = 0; plan->capped_loads < plan->loads;)
-        if (plan->load[plan->capped_loads] < plan->hardness && isfinite(plan->hardness))
-            plan->capped_loads++;
-        else
-            break;
+    plan->capped_loads = 0;
+    while (plan->capped_loads < plan->loads && isfinite(plan->hardness) &&
+           plan->load[plan->capped_loads] < plan->hardness)
+        plan->capped_loads++;
 }
 
 /** Of one core, from counts: a contact and its constriction take 0.04 s at 256 points a side, and as the power 2.5 of
@@ -96,7 +95,7 @@ static void try(struct direct_plan *plan, const struct direct_plan_task *task, s
     plan->fewer = map || seeds < 2 ? 1 : seeds < 6 ? 2 : (seeds + 2) / 3; /* one has no scatter to tell */
     plan->fine_times = fine && !map && 2 * plan->grid <= FINE_MOST ? 2 : 0;
     plan->length_m = map ? task->map.dx_m * (double)plan->grid : task->length_m;
-    double resolved_m = direct_plan_points_a_wave * plan->length_m / (double)plan->grid;
+    double resolved_m = points_a_wave * plan->length_m / (double)plan->grid;
     plan->coarse = !map && resolved_m > task->lambda_s_m * (1 + 1e-9);
     plan->lambda_s_m = map ? task->map.cutoff * task->map.dx_m : plan->coarse ? resolved_m : task->lambda_s_m;
     plan->of_spacing = task->of_spacing && !plan->coarse && !map;
@@ -126,7 +125,7 @@ static size_t usual_size(const struct direct_plan_task *task)
     size_t grid = GRID_USUAL;
     if (task->map.nx > 0)
         return task->map.periodic ? task->map.nx : smooth(task->map.nx < SIDE_MOST ? task->map.nx : SIDE_MOST);
-    while (grid < GRID_MOST && (double)grid < direct_plan_points_a_wave * task->length_m / task->lambda_s_m)
+    while (grid < GRID_MOST && (double)grid < points_a_wave * task->length_m / task->lambda_s_m)
         grid *= 2;
     return grid;
 }
@@ -193,12 +192,4 @@ enum status_code direct_plan_match(struct direct_plan *plan, const struct spectr
     if (rc != STATUS_OK)
         direct_plan_give_up(plan, problem.message);
     return STATUS_OK;
-}
-
-void direct_plan_elastic(struct direct_plan *plan)
-{
-    plan->hardness = INFINITY;
-    plan->capped_loads = 0;
-    if (plan->possible)
-        plan->seconds = likely_seconds(plan);
 }

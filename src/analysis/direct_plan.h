@@ -50,9 +50,6 @@ struct direct_plan {
     bool over_budget;                /* nothing fits into the budget; this is the least */
 };
 
-/** Points that the shortest wave needs. */
-extern const double direct_plan_points_a_wave;
-
 /** Chooses. Never fails: see out->possible. */
 void direct_plan_make(struct direct_plan *out, const struct direct_plan_task *task);
 
@@ -64,8 +61,5 @@ MUST_CHECK enum status_code direct_plan_match(struct direct_plan *plan, const st
 
 /** Makes a plan impossible. */
 void direct_plan_give_up(struct direct_plan *plan, const char *problem);
-
-/** Takes the hardness out again. */
-void direct_plan_elastic(struct direct_plan *plan);
 
 #endif

@@ -129,12 +129,9 @@ static void plan_direct(struct plan *plan, const struct results *results)
     if (results->usable_count == 0 || !effect->runs)
         return;
     for (size_t i = 0; i < results->surface_count; i++) {
-        struct direct_plan *own = results->surfaces[i].summary.direct;
-        if (own && !plan_runs(plan, EFFECT_PLASTICITY))
-            direct_plan_elastic(own);
         if (!prepare_solves(results, i))
             continue;
-        first = first && i != results->baseline ? first : own;
+        first = first && i != results->baseline ? first : results->surfaces[i].summary.direct;
         surfaces++;
     }
     if (!first) {

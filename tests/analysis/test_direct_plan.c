@@ -95,11 +95,10 @@ static void loads_are_the_scenes(void **state)
         assert_true(plan.load[k] * 2 / (M_SQRT2 * 0.02) * 256 * 256 > 100); /* points in contact */
         assert_true((plan.load[k] < 8e-4) == (k < plan.capped_loads));
     }
-    double seconds = plan.seconds;
     assert_true(plan.capped_loads > 0);
-    direct_plan_elastic(&plan);
+    task.hardness = INFINITY;
+    direct_plan_make(&plan, &task);
     assert_int_equal(plan.capped_loads, 0);
-    assert_true(plan.seconds < 0.9 * seconds);
     task = a_task(&(struct scene_direct){.seeds = 2, .loads = 2, .values = (double[]){1e-4, 3e-4}});
     direct_plan_make(&plan, &task);
     assert_int_equal(plan.loads, 2);
