@@ -27,7 +27,7 @@ static void moments(double out[3], const struct spectrum *spectrum, double lambd
 static void range_of_loads(double range[2], const struct direct_plan *plan, const struct direct_plan_task *task)
 {
     double points = (double)plan->grid * (double)plan->grid, known[3] = {0, 0, task->slope * task->slope};
-    if (task->spectrum && plan->coarse)
+    if (plan->coarse)
         moments(known, task->spectrum, plan->lambda_s_m, true);
     double gradient = sqrt(2 * known[2]);
     range[0] = 1.3 * DIRECT_ENSEMBLE_POINTS / (2 * points) * gradient;
@@ -153,21 +153,6 @@ static void choose(struct direct_plan *plan, const struct direct_plan_task *task
     }
 }
 
-void direct_plan_make(struct direct_plan *out, const struct direct_plan_task *task)
-{
-    *out = (struct direct_plan){.possible = true};
-    choose(out, task);
-    if (out->loads == 0) {
-        double range[2];
-        range_of_loads(range, out, task);
-        out->possible = false;
-        snprintf(out->problem, sizeof out->problem,
-                 "no load of the scene lies between %.2g and %.2g E', where the grid of %zu points a side resolves the "
-                 "contact",
-                 range[0], range[1], out->grid);
-    }
-}
-
 void direct_plan_give_up(struct direct_plan *plan, const char *problem)
 {
     plan->possible = false;
@@ -175,21 +160,20 @@ void direct_plan_give_up(struct direct_plan *plan, const char *problem)
     snprintf(plan->problem, sizeof plan->problem, "%.*s", (int)sizeof plan->problem - 1, problem);
 }
 
-enum status_code direct_plan_match(struct direct_plan *plan, const struct spectrum *spectrum, struct status *status)
+void direct_plan_make(struct direct_plan *out, const struct direct_plan_task *task)
 {
-    double known[3];
+    double known[3], range[2];
     struct status problem = {0};
-    struct direct_spectrum areal = {0};
-    if (!plan->possible || plan->side > 0)
-        return STATUS_OK;
-    moments(known, spectrum, plan->lambda_s_m, plan->coarse);
-    enum status_code rc = direct_law_match(&plan->law, known, plan->length_m, plan->lambda_s_m, &problem);
-    if (rc == STATUS_OK)
-        rc = direct_spectrum_of_law(&areal, &plan->law, &problem);
-    direct_spectrum_free(&areal);
-    if (rc == STATUS_MEMORY)
-        return status_memory(status);
-    if (rc != STATUS_OK)
-        direct_plan_give_up(plan, problem.message);
-    return STATUS_OK;
+    *out = (struct direct_plan){.possible = true};
+    choose(out, task);
+    range_of_loads(range, out, task);
+    moments(known, task->spectrum, out->lambda_s_m, out->coarse);
+    if (out->loads == 0)
+        (void)status_fail(&problem, STATUS_MODEL,
+                          "no load of the scene lies between %.2g and %.2g E', where the grid of %zu points a side "
+                          "resolves the contact",
+                          range[0], range[1], out->grid);
+    if (problem.code != STATUS_OK ||
+        (out->side == 0 && direct_law_match(&out->law, known, out->length_m, out->lambda_s_m, &problem) != STATUS_OK))
+        direct_plan_give_up(out, problem.message);
 }

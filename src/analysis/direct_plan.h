@@ -21,7 +21,7 @@ struct direct_plan_task {
     double lambda_s_m;               /* shortest wavelength that the scan stands for */
     bool of_spacing;                 /* that is four spacings of it, as nothing says where its roughness ends */
     double slope;                    /* root mean square slope of the scan: sets the range of loads */
-    const struct spectrum *spectrum; /* where the grid leaves short waves out, its slope instead; NULL: not known yet */
+    const struct spectrum *spectrum; /* of the scan */
     double hardness;                 /* H/E'; INFINITY: elastic alone */
     bool resistance;                 /* constriction too */
     bool gaussian;                   /* surfaces have Gaussian heights, not the scan's */
@@ -50,14 +50,10 @@ struct direct_plan {
     bool over_budget;                /* nothing fits into the budget; this is the least */
 };
 
-/** Chooses. Never fails: see out->possible. */
+/** Chooses, and matches the law to a profile's spectrum: the power law with the cut-off lambda_s whose rows have the
+ * spectrum's own m0, m1 and m2; where the grid is too coarse for the scan's cut-off, those of the spectrum low-passed
+ * at the grid's. Never fails: see out->possible. */
 void direct_plan_make(struct direct_plan *out, const struct direct_plan_task *task);
-
-/** Matches the law to the scan's spectrum: the power law with the cut-off lambda_s whose rows have the spectrum's own
- * m0, m1 and m2; where the grid is too coarse for the scan's cut-off, those of the spectrum low-passed at the grid's.
- * What cannot be matched makes the plan impossible. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code direct_plan_match(struct direct_plan *plan, const struct spectrum *spectrum,
-                                              struct status *status);
 
 /** Makes a plan impossible. */
 void direct_plan_give_up(struct direct_plan *plan, const char *problem);
