@@ -37,7 +37,7 @@ _roughcontact()
         options='--alpha= -a --gamma= -g --rq= -r --length= -l --points= -n --scatter= -c --lambda-s= -s --seed= -d'
         options+=' --output= -o' ;;
     models | materials) options='--json' ;;
-    self-test) options='--json --verbose -v' ;;
+    self-test) options='--verbose -v' ;;
     help) kind=words words=$commands ;;
     esac
     case "$command $previous" in # the value of an option

@@ -14,8 +14,8 @@ int main(int argc, char **argv)
     struct roughcontact_surface *surface = NULL;
     struct roughcontact_material *tin = NULL;
     struct roughcontact_curve *curve = NULL;
-    roughcontact_scan_options_init(&units, sizeof units);
-    roughcontact_run_options_init(&how, sizeof how);
+    roughcontact_scan_options_init(&units);
+    roughcontact_run_options_init(&how);
     units.x_unit = units.z_unit = argc > 2 ? argv[2] : NULL; /* where the file names none */
     if (argc < 2 || roughcontact_scan_read_file(&scan, argv[1], &units, &status) != ROUGHCONTACT_OK ||
         roughcontact_surface_make(&surface, scan, NULL, &status) != ROUGHCONTACT_OK ||

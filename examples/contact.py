@@ -3,7 +3,7 @@
 import ctypes
 import itertools
 import sys
-from ctypes import byref, c_char_p, c_double, c_int, c_size_t, c_void_p, sizeof
+from ctypes import byref, c_char_p, c_double, c_int, c_size_t, c_void_p
 
 
 class Status(ctypes.Structure):
@@ -11,12 +11,11 @@ class Status(ctypes.Structure):
 
 
 class ScanOptions(ctypes.Structure):
-    _fields_ = [("size", c_size_t), ("x_unit", c_char_p), ("z_unit", c_char_p)]
+    _fields_ = [("x_unit", c_char_p), ("z_unit", c_char_p)]
 
 
 class RunOptions(ctypes.Structure):
-    _fields_ = [("size", c_size_t), ("material", c_void_p), ("counterface", c_void_p), ("hardness_Pa", c_double),
-                ("load", c_int)]
+    _fields_ = [("material", c_void_p), ("counterface", c_void_p), ("hardness_Pa", c_double), ("load", c_int)]
 
 
 class Point(ctypes.Structure):
@@ -49,8 +48,8 @@ def make(function, *arguments):
 
 
 units, how = ScanOptions(), RunOptions()
-library.roughcontact_scan_options_init(byref(units), c_size_t(sizeof(units)))
-library.roughcontact_run_options_init(byref(how), c_size_t(sizeof(how)))
+library.roughcontact_scan_options_init(byref(units))
+library.roughcontact_run_options_init(byref(how))
 units.x_unit = units.z_unit = sys.argv[2].encode() if len(sys.argv) > 2 else None  # where the file names none
 loads = (c_double * 5)(1e-6, 1e-5, 1e-4, 1e-3, 1e-2)  # P/(A_n E')
 

@@ -2,15 +2,13 @@
 #include "analysis/direct_plan.h"
 
 #include "direct/direct_ensemble.h"
-#include "direct/direct_predict.h"
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 enum { GRID_LEAST = 64, GRID_USUAL = 256, GRID_MOST = 1024, FINE_MOST = 2048, SIDE_MOST = 400, LOADS = 13, SEEDS = 12 };
 
 /** Points that the shortest wave needs: gap within 3e-4, constriction within 0.5 %, area within 1 %. */
-const double direct_plan_points_a_wave = 6;
+static const double points_a_wave = 6;
 
 /** m0, m1 and m2 of a spectrum, low-passed like the law's taper where `cut`. */
 static void moments(double out[3], const struct spectrum *spectrum, double lambda_s_m, bool cut)
@@ -29,7 +27,7 @@ static void moments(double out[3], const struct spectrum *spectrum, double lambd
 static void range_of_loads(double range[2], const struct direct_plan *plan, const struct direct_plan_task *task)
 {
     double points = (double)plan->grid * (double)plan->grid, known[3] = {0, 0, task->slope * task->slope};
-    if (task->spectrum && plan->coarse)
+    if (plan->coarse)
         moments(known, task->spectrum, plan->lambda_s_m, true);
     double gradient = sqrt(2 * known[2]);
     range[0] = 1.3 * DIRECT_ENSEMBLE_POINTS / (2 * points) * gradient;
@@ -67,58 +65,27 @@ static void choose_loads(struct direct_plan *plan, const struct direct_plan_task
     if (inside && !direct->values)
         plan->load[nearest] = middle;
     plan->hardness = task->hardness;
-    for (plan->capped_loads = 0; plan->capped_loads < plan->loads;)
-        if (plan->load[plan->capped_loads] < plan->hardness && isfinite(plan->hardness))
-            plan->capped_loads++;
-        else
-            break;
+    plan->capped_loads = 0;
+    while (plan->capped_loads < plan->loads && isfinite(plan->hardness) &&
+           plan->load[plan->capped_loads] < plan->hardness)
+        plan->capped_loads++;
 }
 
-/** Adds the ladders of an ensemble to the counts. */
-static void add_ensemble(struct direct_plan *plan, const struct direct_predict_def *def)
+/** Of one core, from counts: a contact and its constriction take 0.04 s at 256 points a side, and as the power 2.5 of
+ * these (64 ... 1024; measured in 2026); a surface with a scan's heights takes four contacts to make. A finer grid is
+ * twice as fine; a map's parts, which tell its error, have half its points a side. */
+static double likely_seconds(const struct direct_plan *plan)
 {
-    if (def->loads == 0 || def->seeds == 0)
-        return;
-    struct direct_prediction prediction = direct_predict(def);
-    plan->solutions += def->loads * (def->seeds + (def->fine_times > 1));
-    plan->convolutions += prediction.convolutions;
-    plan->seconds += prediction.seconds;
-    plan->bytes = fmax(plan->bytes, prediction.bytes);
-}
-
-static void count_work(struct direct_plan *plan)
-{
-    struct direct_predict_def leading = {.n = plan->grid,
-                                         .fine_times = plan->fine_times,
-                                         .loads = plan->loads,
-                                         .seeds = plan->seeds,
-                                         .resistance = plan->resistance,
-                                         .heights = plan->heights && !plan->gaussian,
-                                         .map = plan->side > 0},
-                              capped = leading, other = leading;
-    capped.fine_times = plan->capped_fine_times;
-    capped.loads = plan->capped_loads;
-    capped.seeds = plan->fewer;
-    capped.capped = true;
-    other.fine_times = 0;
-    other.seeds = plan->heights ? plan->fewer : 0;
-    other.heights = plan->gaussian;
-    plan->solutions = 0;
-    plan->convolutions = plan->seconds = plan->bytes = 0;
-    add_ensemble(plan, &leading);
-    add_ensemble(plan, &capped);
-    add_ensemble(plan, &other);
-    if (plan->side > 0) { /* the parts of a map that tell its error */
-        leading.n = capped.n = plan->grid / 2;
-        leading.seeds = capped.seeds = (plan->mirrored ? 5 : 1) + (size_t)(plan->lambda_s_m > 0);
-        add_ensemble(plan, &leading);
-        add_ensemble(plan, &capped);
-    }
+    double made = plan->side > 0 || plan->gaussian ? 0 : 4, one = 0.04 * pow((double)plan->grid / 256, 2.5);
+    double parts = plan->side > 0 ? (plan->mirrored ? 5 : 1) + (plan->lambda_s_m > 0) : 0;
+    double leading = (double)plan->loads + made,
+           capped = plan->capped_loads > 0 ? (double)plan->capped_loads + made : 0;
+    double fine = plan->fine_times > 0 ? pow(2, 2.5) : 0, half = pow(2, -2.5) * parts;
+    return one * (leading * ((double)plan->seeds + fine + half) + capped * ((double)plan->fewer + fine + half));
 }
 
 /** One way to do it; `seeds` of a profile. */
-static void try(struct direct_plan *plan, const struct direct_plan_task *task, size_t size, size_t seeds, bool fine,
-                bool capped_fine)
+static void try(struct direct_plan *plan, const struct direct_plan_task *task, size_t size, size_t seeds, bool fine)
 {
     bool map = task->map.nx > 0;
     plan->side = map ? size : 0;
@@ -127,17 +94,15 @@ static void try(struct direct_plan *plan, const struct direct_plan_task *task, s
     plan->seeds = map ? 1 : seeds;
     plan->fewer = map || seeds < 2 ? 1 : seeds < 6 ? 2 : (seeds + 2) / 3; /* one has no scatter to tell */
     plan->fine_times = fine && !map && 2 * plan->grid <= FINE_MOST ? 2 : 0;
-    plan->capped_fine_times = capped_fine ? plan->fine_times : 0;
     plan->length_m = map ? task->map.dx_m * (double)plan->grid : task->length_m;
-    double resolved_m = direct_plan_points_a_wave * plan->length_m / (double)plan->grid;
+    double resolved_m = points_a_wave * plan->length_m / (double)plan->grid;
     plan->coarse = !map && resolved_m > task->lambda_s_m * (1 + 1e-9);
     plan->lambda_s_m = map ? task->map.cutoff * task->map.dx_m : plan->coarse ? resolved_m : task->lambda_s_m;
     plan->of_spacing = task->of_spacing && !plan->coarse && !map;
-    plan->heights = task->heights && !map;
     plan->gaussian = task->gaussian && !map;
     plan->resistance = task->resistance;
     choose_loads(plan, task);
-    count_work(plan);
+    plan->seconds = likely_seconds(plan);
 }
 
 /** The largest number up to `most` without prime factors above 5: transforms of others take several times as long. */
@@ -160,7 +125,7 @@ static size_t usual_size(const struct direct_plan_task *task)
     size_t grid = GRID_USUAL;
     if (task->map.nx > 0)
         return task->map.periodic ? task->map.nx : smooth(task->map.nx < SIDE_MOST ? task->map.nx : SIDE_MOST);
-    while (grid < GRID_MOST && (double)grid < direct_plan_points_a_wave * task->length_m / task->lambda_s_m)
+    while (grid < GRID_MOST && (double)grid < points_a_wave * task->length_m / task->lambda_s_m)
         grid *= 2;
     return grid;
 }
@@ -170,82 +135,45 @@ static void choose(struct direct_plan *plan, const struct direct_plan_task *task
 {
     static const struct {
         size_t seeds;
-        bool fine, capped_fine;
-    } ways[] = {{SEEDS, true, true}, {SEEDS, true, false}, {8, true, true},   {8, true, false},  {SEEDS, false, false},
-                {8, false, false},   {6, false, false},    {4, false, false}, {3, false, false}, {2, false, false}};
-    enum { WAYS = sizeof ways / sizeof *ways };
+        bool fine;
+    } ways[] = {{SEEDS, true}, {8, true}, {SEEDS, false}, {8, false}, {6, false}, {4, false}, {3, false}, {2, false}};
     const struct scene_direct *direct = task->direct;
+    double budget_s = direct->budget_s > 0 ? direct->budget_s : INFINITY;
     bool map = task->map.nx > 0, free_size = map || direct->grid == 0;
     size_t size = free_size ? usual_size(task) : direct->grid, least = map ? GRID_LEAST / 2 : GRID_LEAST;
-    struct direct_plan before = {0};
-    plan->over_budget = direct->budget_s > 0;
-    for (bool last = false; !last; size /= 2) {
-        last = !(direct->budget_s > 0) || !free_size || size / 2 < least;
-        for (size_t w = 0; w < (map ? 1 : WAYS); w++) {
-            if (!map && direct->seeds > 0 && ways[w].seeds != SEEDS)
-                continue; /* the surfaces are given; the fine grid is not */
-            try(plan, task, size, direct->seeds > 0 ? direct->seeds : ways[w].seeds, ways[w].fine, ways[w].capped_fine);
-            if (!(direct->budget_s > 0) || plan->seconds <= direct->budget_s) {
-                plan->over_budget = false;
-                last = true;
-                break;
-            }
-            before = *plan;
+    for (;; size /= 2) {
+        for (size_t w = 0; w < sizeof ways / sizeof *ways; w++) {
+            try(plan, task, size, direct->seeds > 0 ? direct->seeds : ways[w].seeds, ways[w].fine);
+            plan->over_budget = plan->seconds > budget_s;
+            if (!plan->over_budget)
+                return;
         }
+        if (!free_size || size / 2 < least)
+            return;
     }
-    plan->more_grid = before.grid;
-    plan->more_seeds = before.seeds;
-    plan->more_seconds = before.seconds;
-}
-
-void direct_plan_make(struct direct_plan *out, const struct direct_plan_task *task)
-{
-    *out = (struct direct_plan){.possible = true};
-    choose(out, task);
-    if (out->loads == 0) {
-        double range[2];
-        range_of_loads(range, out, task);
-        out->possible = false;
-        snprintf(out->problem, sizeof out->problem,
-                 "no load of the scene lies between %.2g and %.2g E', where the grid of %zu points a side resolves the "
-                 "contact",
-                 range[0], range[1], out->grid);
-    }
-    if (!out->possible)
-        out->solutions = 0;
 }
 
 void direct_plan_give_up(struct direct_plan *plan, const char *problem)
 {
     plan->possible = false;
-    plan->solutions = 0;
-    plan->convolutions = plan->seconds = plan->bytes = 0;
+    plan->seconds = 0;
     snprintf(plan->problem, sizeof plan->problem, "%.*s", (int)sizeof plan->problem - 1, problem);
 }
 
-enum status_code direct_plan_match(struct direct_plan *plan, const struct spectrum *spectrum, struct status *status)
+void direct_plan_make(struct direct_plan *out, const struct direct_plan_task *task)
 {
-    double known[3];
+    double known[3], range[2];
     struct status problem = {0};
-    struct direct_spectrum areal = {0};
-    if (!plan->possible || plan->side > 0)
-        return STATUS_OK;
-    moments(known, spectrum, plan->lambda_s_m, plan->coarse);
-    enum status_code rc = direct_law_match(&plan->law, known, plan->length_m, plan->lambda_s_m, &problem);
-    if (rc == STATUS_OK)
-        rc = direct_spectrum_of_law(&areal, &plan->law, &problem);
-    direct_spectrum_free(&areal);
-    if (rc == STATUS_MEMORY)
-        return status_memory(status);
-    if (rc != STATUS_OK)
-        direct_plan_give_up(plan, problem.message);
-    return STATUS_OK;
-}
-
-void direct_plan_elastic(struct direct_plan *plan)
-{
-    plan->hardness = INFINITY;
-    plan->capped_loads = 0;
-    if (plan->possible)
-        count_work(plan);
+    *out = (struct direct_plan){.possible = true};
+    choose(out, task);
+    range_of_loads(range, out, task);
+    moments(known, task->spectrum, out->lambda_s_m, out->coarse);
+    if (out->loads == 0)
+        (void)status_fail(&problem, STATUS_MODEL,
+                          "no load of the scene lies between %.2g and %.2g E', where the grid of %zu points a side "
+                          "resolves the contact",
+                          range[0], range[1], out->grid);
+    if (problem.code != STATUS_OK ||
+        (out->side == 0 && direct_law_match(&out->law, known, out->length_m, out->lambda_s_m, &problem) != STATUS_OK))
+        direct_plan_give_up(out, problem.message);
 }

@@ -21,25 +21,22 @@ struct direct_plan_task {
     double lambda_s_m;               /* shortest wavelength that the scan stands for */
     bool of_spacing;                 /* that is four spacings of it, as nothing says where its roughness ends */
     double slope;                    /* root mean square slope of the scan: sets the range of loads */
-    const struct spectrum *spectrum; /* where the grid leaves short waves out, its slope instead; NULL: not known yet */
+    const struct spectrum *spectrum; /* of the scan */
     double hardness;                 /* H/E'; INFINITY: elastic alone */
     bool resistance;                 /* constriction too */
-    bool gaussian;                   /* surfaces with Gaussian heights lead */
-    bool heights;                    /* the scan tells how heights are distributed; a rough counterface hides it */
+    bool gaussian;                   /* surfaces have Gaussian heights, not the scan's */
 };
 
 struct direct_plan {
     bool possible; /* false: `problem` says why not */
     char problem[320];
-    size_t side;              /* a map: points along the square taken; 0: a profile */
-    size_t grid;              /* points a side */
-    size_t seeds;             /* surfaces; 1 of a map */
-    size_t fewer;             /* surfaces with the other heights (the scan's, or Gaussian), and with a hardness */
-    bool heights;             /* there are others */
-    bool gaussian;            /* models are held against surfaces with Gaussian heights, not with the scan's */
-    size_t fine_times;        /* the first surface also on a grid so much finer; 0: not */
-    size_t capped_fine_times; /* with a hardness too */
-    double length_m;          /* L of the cell */
+    size_t side;       /* a map: points along the square taken; 0: a profile */
+    size_t grid;       /* points a side */
+    size_t seeds;      /* surfaces; 1 of a map */
+    size_t fewer;      /* surfaces with a hardness */
+    bool gaussian;     /* with Gaussian heights, not with the scan's */
+    size_t fine_times; /* the first surface also on a grid so much finer; 0: not */
+    double length_m;   /* L of the cell */
     double lambda_s_m; /* cut-off of the law: the scan's, or what the grid resolves; of a map's low-pass, 0: none */
     bool mirrored;     /* the grid holds a map's square and its mirror images */
     bool coarse;       /* the latter */
@@ -47,31 +44,18 @@ struct direct_plan {
     struct direct_law law;
     double hardness; /* H/E' */
     bool resistance;
-    double load[SCENE_DIRECT_LOADS];     /* P/(A_n E') */
-    size_t loads, capped_loads;          /* those below the hardness come first */
-    uint64_t solutions;                  /* contacts to be solved, exactly */
-    double convolutions, seconds, bytes; /* likely, on one core */
-    bool over_budget;                    /* nothing fits into the budget; this is the least */
-    size_t more_grid, more_seeds;        /* the next better choice that the budget forbids; 0: none */
-    double more_seconds;
+    double load[SCENE_DIRECT_LOADS]; /* P/(A_n E') */
+    size_t loads, capped_loads;      /* those below the hardness come first */
+    double seconds;                  /* likely, of one core */
+    bool over_budget;                /* nothing fits into the budget; this is the least */
 };
 
-/** Points that the shortest wave needs. */
-extern const double direct_plan_points_a_wave;
-
-/** Chooses. Never fails: see out->possible. */
+/** Chooses, and matches the law to a profile's spectrum: the power law with the cut-off lambda_s whose rows have the
+ * spectrum's own m0, m1 and m2; where the grid is too coarse for the scan's cut-off, those of the spectrum low-passed
+ * at the grid's. Never fails: see out->possible. */
 void direct_plan_make(struct direct_plan *out, const struct direct_plan_task *task);
-
-/** Matches the law to the scan's spectrum: the power law with the cut-off lambda_s whose rows have the spectrum's own
- * m0, m1 and m2; where the grid is too coarse for the scan's cut-off, those of the spectrum low-passed at the grid's.
- * What cannot be matched makes the plan impossible. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code direct_plan_match(struct direct_plan *plan, const struct spectrum *spectrum,
-                                              struct status *status);
 
 /** Makes a plan impossible. */
 void direct_plan_give_up(struct direct_plan *plan, const char *problem);
-
-/** Takes the hardness out again. */
-void direct_plan_elastic(struct direct_plan *plan);
 
 #endif

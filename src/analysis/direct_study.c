@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/direct_study.h"
 
-#include "base/clock.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,7 +8,6 @@
 const enum quantity direct_study_quantities[DIRECT_STUDY_QUANTITIES] = {QUANTITY_AREA, QUANTITY_SEPARATION,
                                                                         QUANTITY_ECR};
 static const double contact_tolerance = 1e-6; /* finds the set of points that 1e-12 finds */
-static const double load_step = 0.01;         /* of a model's gap for its slope */
 
 /** What the surfaces of a study are made of. */
 struct maker {
@@ -17,9 +15,7 @@ struct maker {
     struct direct_study *study;
     struct direct_spectrum spectrum; /* of a profile's surfaces */
     struct direct_map map;
-    struct direct_point *first; /* the leading kind's solutions, of the first surface in front */
-    double coarse_share;        /* of their time, without the fine grid's */
-    double work;                /* that the ensembles are, all together */
+    double work; /* that the ensembles are, all together */
 };
 
 static void tell(void *context, double work)
@@ -29,22 +25,22 @@ static void tell(void *context, double work)
 }
 
 /** Surfaces made with the heights of a short scan have a top that is too flat, which shows at light loads; Gaussian
- * ones lead while skewness and kurtosis are nearly theirs. */
+ * ones stand for it while skewness and kurtosis are nearly theirs. */
 static bool is_nearly_gaussian(const struct roughness *roughness)
 {
     double kurtosis = roughness_kurtosis(roughness);
     return fabs(roughness_skewness(roughness)) < 0.5 && kurtosis >= 2.5 && kurtosis <= 4;
 }
 
-static struct direct_plan_task plan_task(const struct surface_summary *surface, const struct scene *scene,
-                                         const struct plan *plan, const double *loads, size_t load_count)
+enum status_code direct_study_plan(struct surface_record *record, const struct scene *scene, const struct plan *plan,
+                                   const double *loads, size_t load_count, struct status *status)
 {
+    struct surface_summary *surface = &record->summary;
     double hardness_Pa = !isnan(scene->direct.hardness_Pa) ? scene->direct.hardness_Pa : surface->pair.hardness_Pa;
     bool capped = plan_runs(plan, EFFECT_PLASTICITY) && hardness_Pa > 0;
     double resolved_m = 4 * surface->spacing_m; /* two points a wave is all a scan has, of which noise is half */
     double kappa = surface->map.nx > 0 ? 1 : surface_kappa(surface); /* a map is solved as it is */
-    bool heights = scene->counterface_surface.file_count == 0;
-    return (struct direct_plan_task){
+    const struct direct_plan_task task = {
         .direct = &scene->direct,
         .divisor = scene_load_divisor(scene, scene->direct.kind, &surface->pair),
         .operating = plan->operating_place > 0 ? plan->operating_place - 1 : load_count / 2,
@@ -52,6 +48,7 @@ static struct direct_plan_task plan_task(const struct surface_summary *surface, 
         .load_count = load_count,
         .map = surface->map,
         .length_m = surface->length_m / kappa,
+        .spectrum = &record->spectrum,
         .lambda_s_m = fmin(scene->lambda_s_m > 0      ? scene->lambda_s_m
                            : scene->fit_band_m[0] > 0 ? fmax(scene->fit_band_m[0], resolved_m)
                                                       : resolved_m,
@@ -61,38 +58,13 @@ static struct direct_plan_task plan_task(const struct surface_summary *surface, 
         .slope = sqrt(surface->roughness.m2) * kappa,
         .hardness = capped ? hardness_Pa / surface->pair.effective_modulus_Pa : INFINITY,
         .resistance = plan->running & (EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL)),
-        .heights = heights,
-        .gaussian = !heights || is_nearly_gaussian(&surface->roughness),
+        .gaussian = scene->counterface_surface.file_count > 0 || is_nearly_gaussian(&surface->roughness),
     };
-}
-
-void direct_study_outline(struct direct_plan *out, const struct surface_summary *surface, const struct scene *scene,
-                          const struct plan *plan, const double *loads, size_t load_count)
-{
-    struct direct_plan_task task = plan_task(surface, scene, plan, loads, load_count);
-    direct_plan_make(out, &task);
-}
-
-enum status_code direct_study_plan(struct surface_record *record, const struct scene *scene, const struct plan *plan,
-                                   const double *loads, size_t load_count, struct status *status)
-{
-    struct direct_plan *out = calloc(1, sizeof *out);
-    if (!out)
+    surface->direct = calloc(1, sizeof *surface->direct);
+    if (!surface->direct)
         return status_memory(status);
-    record->summary.direct = out;
-    struct direct_plan_task task = plan_task(&record->summary, scene, plan, loads, load_count);
-    task.spectrum = &record->spectrum;
-    direct_plan_make(out, &task);
-    if (out->possible && out->side > 0) {
-        struct status problem = {0};
-        struct direct_map map = {0};
-        if (direct_map_make(&map, record->direct_m, &record->summary.map, out->side, &problem) == STATUS_MEMORY)
-            return status_memory(status);
-        direct_map_free(&map);
-        if (problem.code != STATUS_OK)
-            direct_plan_give_up(out, problem.message);
-    }
-    return direct_plan_match(out, &record->spectrum, status);
+    direct_plan_make(surface->direct, &task);
+    return STATUS_OK;
 }
 
 /** The spectrum that the models are given: of the law, as every surface of it has it, or the mean of the map's rows. */
@@ -129,22 +101,19 @@ static struct direct_ensemble_def ensemble_def(struct maker *maker, enum direct_
 {
     const struct direct_plan *plan = &maker->study->plan;
     const struct surface_record *surface = maker->task->surface;
-    enum direct_study_kind leading = maker->study->leading;
-    bool capped = kind == DIRECT_STUDY_CAPPED, heights = (capped ? leading : kind) == DIRECT_STUDY_HEIGHTS;
+    bool capped = kind == DIRECT_STUDY_CAPPED;
     return (struct direct_ensemble_def){
         .ladder = {plan->load, capped ? plan->capped_loads : plan->loads, capped ? plan->hardness : INFINITY,
                    contact_tolerance, plan->resistance, maker->task->stop},
         .map = plan->side > 0 ? &maker->map : NULL,
         .length_m = plan->length_m,
         .n = plan->grid,
-        .fine_times = kind == leading ? plan->fine_times
-                      : capped        ? plan->capped_fine_times
-                                      : 0,
+        .fine_times = plan->fine_times,
         .variance = direct_spectrum_variance,
         .context = &maker->spectrum,
-        .given_m = heights ? surface->direct_m : NULL,
+        .given_m = plan->gaussian ? NULL : surface->direct_m,
         .given_count = surface->direct_count,
-        .seeds = kind == leading ? plan->seeds : plan->fewer,
+        .seeds = capped ? plan->fewer : plan->seeds,
         .threads = maker->task->threads,
         .team = maker->task->team,
         .solved = maker->task->progress ? tell : NULL,
@@ -155,65 +124,53 @@ static struct direct_ensemble_def ensemble_def(struct maker *maker, enum direct_
 static enum status_code solve(struct maker *maker, enum direct_study_kind kind, const struct direct_ensemble_def *def,
                               struct status *status)
 {
-    struct direct_study *study = maker->study;
-    struct direct_study_curve *curve = &study->curves[kind];
     struct direct_ensemble ensemble;
-    if (def->ladder.loads == 0 || def->seeds == 0)
+    if (def->ladder.loads == 0)
         return STATUS_OK;
-    double started = clock_seconds();
     if (direct_ensemble_run(&ensemble, def, status) != STATUS_OK)
         return status->code;
-    *curve = (struct direct_study_curve){ensemble.point, def->ladder.loads, def->seeds, clock_seconds() - started};
+    maker->study->curves[kind] = (struct direct_study_curve){ensemble.point, def->ladder.loads, def->seeds};
+    maker->study->solutions += def->ladder.loads * ensemble.ladders;
     ensemble.point = NULL;
-    study->solutions += def->ladder.loads * ensemble.ladders;
-    if (kind == study->leading) {
-        double coarse = (double)ensemble.convolutions;
-        maker->coarse_share = coarse / (coarse + 4 * (double)ensemble.fine_convolutions);
-        maker->first = ensemble.seed_point; /* the first surface comes first */
-        ensemble.seed_point = NULL;
-        study->rms_m = ensemble.rms_m;
-    }
     direct_ensemble_free(&ensemble);
     return STATUS_OK;
 }
 
 /** Two or three surfaces tell next to nothing of their own scatter: where that is less, it is taken as the relative one
- * of the leading kind at that load, whose surfaces have the same spectrum. The area under a hardness is p̄/H on all. */
-static void borrow_scatter(struct direct_study *study, enum direct_study_kind kind)
+ * of the elastic solution at that load, whose surfaces have the same spectrum. The area under a hardness is p̄/H on all.
+ */
+static void borrow_scatter(struct direct_study *study)
 {
     enum { FEW = 4 };
-    const struct direct_study_curve *leading = &study->curves[study->leading];
-    struct direct_study_curve *curve = &study->curves[kind];
-    if (!curve->points || kind == study->leading || curve->seeds >= FEW || leading->seeds <= curve->seeds)
+    const struct direct_study_curve *elastic = &study->curves[DIRECT_STUDY_ELASTIC];
+    struct direct_study_curve *capped = &study->curves[DIRECT_STUDY_CAPPED];
+    if (!capped->points || capped->seeds >= FEW || elastic->seeds <= capped->seeds)
         return;
-    for (size_t i = 0; i < curve->loads; i++)
-        for (int q = kind == DIRECT_STUDY_CAPPED ? DIRECT_GAP : DIRECT_AREA; q <= DIRECT_CONSTRICTION; q++) {
-            const struct direct_mean *from = &leading->points[i].mean[q];
-            struct direct_mean *to = &curve->points[i].mean[q];
-            double share = from->standard_error / from->value * sqrt((double)leading->seeds / (double)curve->seeds);
+    for (size_t i = 0; i < capped->loads; i++)
+        for (int q = DIRECT_GAP; q <= DIRECT_CONSTRICTION; q++) {
+            const struct direct_mean *from = &elastic->points[i].mean[q];
+            struct direct_mean *to = &capped->points[i].mean[q];
+            double share = from->standard_error / from->value * sqrt((double)elastic->seeds / (double)capped->seeds);
             if (to->value > 0 && share > 0)
                 to->standard_error = fmax(to->standard_error, share * to->value);
         }
 }
 
-/** The models on the surface's rows, at each load and a step below and above. */
+/** The models on the surface's rows. */
 static enum status_code run_models(struct maker *maker, struct status *status)
 {
     struct direct_study *study = maker->study;
     const struct direct_study_task *task = maker->task;
     const struct direct_plan *plan = &study->plan;
+    struct roughness moments = task->surface->summary.roughness;
     struct asperities asperities;
     struct status none = {0};
-    bool has_asperities = roughness_asperities(&asperities, &study->moments, &none) == STATUS_OK;
+    roughness_from_spectrum(&moments, &study->rows);
+    bool has_asperities = roughness_asperities(&asperities, &moments, &none) == STATUS_OK;
     study->models = calloc(model_count, sizeof *study->models);
-    study->model_seconds = calloc(model_count, sizeof *study->model_seconds);
-    if (!study->models || !study->model_seconds)
+    if (!study->models)
         return status_memory(status);
-    for (size_t i = 0; i < plan->loads; i++)
-        for (int side = -1; side <= 1; side++)
-            study->load_triples[3 * i + (size_t)(side + 1)] = plan->load[i] * (1 + side * load_step);
-    struct model_task ask =
-        surface_model_task(task->surface, task->scene, task->plan, study->load_triples, 3 * plan->loads);
+    struct model_task ask = surface_model_task(task->surface, task->scene, task->plan, plan->load, plan->loads);
     ask.spectrum = &study->rows;
     ask.asperities = has_asperities ? &asperities : NULL;
     enum status_code rc = STATUS_OK;
@@ -222,75 +179,9 @@ static enum status_code run_models(struct maker *maker, struct status *status)
         if (!plan_runs_model(task->plan, m))
             continue;
         curve->points = calloc(ask.load_count + 1, sizeof *curve->points);
-        if (!curve->points)
-            rc = status_memory(status);
-        double started = clock_seconds();
-        if (rc == STATUS_OK)
-            rc = model_run(curve, model_rows[m], &ask, status);
-        study->model_seconds[m] = (clock_seconds() - started) / 3;
+        rc = curve->points ? model_run(curve, model_rows[m], &ask, status) : status_memory(status);
     }
     return rc;
-}
-
-/** Mean |ln| of what the grid of one surface's solution, or the scatter of `seeds` surfaces, moves a quantity by; and
- * the largest. */
-static double effort_error(double *largest, const struct maker *maker, const struct direct_point *coarse, size_t seeds,
-                           enum direct_quantity q)
-{
-    const struct direct_study *study = maker->study;
-    double sum = 0, count = 0;
-    *largest = 0;
-    for (size_t i = 0; i < study->plan.loads; i++) {
-        const struct direct_mean *mean = &study->curves[study->leading].points[i].mean[q];
-        double grid = coarse ? log(direct_point_value(&coarse[i], q) / direct_point_value(&maker->first[i], q))
-                             : mean->fine_ratio - 1;
-        double scatter = mean->standard_error / mean->value * sqrt((double)study->plan.seeds / (double)seeds);
-        if (mean->value > 0 && isfinite(grid) && isfinite(scatter)) {
-            sum += hypot(grid, scatter);
-            *largest = fmax(*largest, hypot(grid, scatter));
-            count++;
-        }
-    }
-    return count > 0 ? sum / count : NAN;
-}
-
-/** The same curve at less expense: coarser grids on the first surface, fewer surfaces on the grid itself. */
-static enum status_code run_efforts(struct maker *maker, struct status *status)
-{
-    static const struct {
-        size_t divisor, seeds; /* 0: all */
-    } efforts[] = {{4, 1}, {2, 1}, {1, 1}, {1, 4}, {1, 0}};
-    struct direct_study *study = maker->study;
-    const struct direct_study_curve *all = &study->curves[study->leading];
-    for (size_t e = 0; e < sizeof efforts / sizeof *efforts && study->plan.side == 0; e++) {
-        struct direct_ensemble_def def = ensemble_def(maker, study->leading);
-        struct direct_study_effort *effort = &study->effort[study->efforts];
-        struct direct_ensemble ensemble = {0};
-        size_t seeds = efforts[e].seeds > 0 ? efforts[e].seeds : def.seeds;
-        bool whole = efforts[e].divisor == 1;
-        *effort = (struct direct_study_effort){def.n / efforts[e].divisor / 2 * 2, seeds, all->seconds,
-                                               whole && efforts[e].seeds > 0,      {0},   {0}};
-        if (effort->grid < SCENE_DIRECT_GRID_LEAST || (efforts[e].seeds > 1 && seeds >= def.seeds))
-            continue;
-        if (whole) /* without the fine grid, whose share is known by its convolutions */
-            effort->seconds *= efforts[e].seeds > 0 ? maker->coarse_share * (double)seeds / (double)def.seeds : 1;
-        def.n = effort->grid;
-        def.seeds = 1;
-        def.fine_times = 0;
-        double started = clock_seconds();
-        if (!whole && direct_ensemble_run(&ensemble, &def, status) != STATUS_OK)
-            return status->code;
-        if (!whole)
-            effort->seconds = clock_seconds() - started;
-        for (int k = 0; k < DIRECT_STUDY_QUANTITIES; k++) {
-            enum quantity q = direct_study_quantities[k];
-            effort->error[q] =
-                effort_error(&effort->largest[q], maker, ensemble.seed_point, seeds, (enum direct_quantity)k);
-        }
-        study->efforts++;
-        direct_ensemble_free(&ensemble);
-    }
-    return STATUS_OK;
 }
 
 static enum status_code run(struct maker *maker, struct status *status)
@@ -306,24 +197,17 @@ static enum status_code run(struct maker *maker, struct status *status)
     }
     if (find_rows(maker, status) != STATUS_OK)
         return status->code;
-    study->moments = surface->summary.roughness;
-    roughness_from_spectrum(&study->moments, &study->rows);
-    study->m4_over_scan = study->moments.m4_per_m2 / spectrum_moment(&surface->spectrum, 2);
-    study->leading = study->plan.gaussian ? DIRECT_STUDY_GAUSSIAN : DIRECT_STUDY_HEIGHTS;
-    for (int pass = 0; pass < 2; pass++) /* first the work is counted */
-        for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++) {
-            struct direct_ensemble_def def = ensemble_def(maker, (enum direct_study_kind)kind);
-            if (kind != DIRECT_STUDY_CAPPED && kind != (int)study->leading && !study->plan.heights)
-                continue;
-            if (pass == 0)
-                maker->work += direct_ensemble_work(&def);
-            else if (solve(maker, (enum direct_study_kind)kind, &def, status) != STATUS_OK)
-                return status->code;
-        }
-    for (int kind = 0; kind < DIRECT_STUDY_KINDS && study->plan.side == 0; kind++)
-        borrow_scatter(study, (enum direct_study_kind)kind);
-    enum status_code rc = run_models(maker, status);
-    return rc == STATUS_OK && maker->task->efforts ? run_efforts(maker, status) : rc;
+    struct direct_ensemble_def defs[DIRECT_STUDY_KINDS];
+    for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++) {
+        defs[kind] = ensemble_def(maker, (enum direct_study_kind)kind);
+        maker->work += direct_ensemble_work(&defs[kind]);
+    }
+    for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++)
+        if (solve(maker, (enum direct_study_kind)kind, &defs[kind], status) != STATUS_OK)
+            return status->code;
+    if (study->plan.side == 0)
+        borrow_scatter(study);
+    return run_models(maker, status);
 }
 
 enum status_code direct_study_run(struct direct_study *out, const struct direct_study_task *task, struct status *status)
@@ -333,7 +217,6 @@ enum status_code direct_study_run(struct direct_study *out, const struct direct_
     enum status_code rc = run(&maker, status);
     direct_spectrum_free(&maker.spectrum);
     direct_map_free(&maker.map);
-    free(maker.first);
     if (rc != STATUS_OK)
         direct_study_free(out);
     return rc;
@@ -346,15 +229,13 @@ void direct_study_free(struct direct_study *study)
     for (size_t m = 0; study->models && m < model_count; m++)
         free(study->models[m].points);
     free(study->models);
-    free(study->model_seconds);
     spectrum_free(&study->rows);
     *study = (struct direct_study){0};
 }
 
-const char *direct_study_heights(const struct direct_study *study, enum direct_study_kind kind)
+const char *direct_study_heights(const struct direct_study *study)
 {
-    enum direct_study_kind whose = kind == DIRECT_STUDY_CAPPED ? study->leading : kind;
-    return study->plan.side > 0 ? "map" : whose == DIRECT_STUDY_HEIGHTS ? "scan" : "gaussian";
+    return study->plan.side > 0 ? "map" : study->plan.gaussian ? "gaussian" : "scan";
 }
 
 /** The mean that a quantity is made from, and the factor to it; NULL: not solved. */
@@ -404,44 +285,26 @@ double direct_study_grid_error(const struct direct_study *study, enum direct_stu
 enum direct_study_kind direct_study_kind_of(const struct direct_study *study, size_t model)
 {
     return model_rows[model]->plastic && study->curves[DIRECT_STUDY_CAPPED].points ? DIRECT_STUDY_CAPPED
-                                                                                   : study->leading;
+                                                                                   : DIRECT_STUDY_ELASTIC;
 }
 
-/** The model's point at one of the three loads round load `i`. */
-static const struct contact_point *point_at(const struct direct_study *study, size_t model, size_t i, int side)
+/** The model's point at load `i` on the surface solved; NULL: it has none. */
+static const struct contact_point *point_at(const struct direct_study *study, size_t model, size_t i)
 {
     const struct model_curve *curve = &study->models[model];
-    double load = study->load_triples[3 * i + (size_t)(side + 1)];
     for (size_t k = 0; curve->exists && k < curve->count; k++)
-        if (curve->points[k].value[QUANTITY_LOAD] == load)
+        if (curve->points[k].value[QUANTITY_LOAD] == study->plan.load[i])
             return &curve->points[k];
     return NULL;
-}
-
-const struct contact_point *direct_study_model(const struct direct_study *study, size_t model, size_t i)
-{
-    return point_at(study, model, i, 0);
 }
 
 double direct_study_ratio(const struct direct_study *study, const struct material_pair *pair, size_t model,
                           enum quantity quantity, size_t i)
 {
-    const struct contact_point *point = direct_study_model(study, model, i);
+    const struct contact_point *point = point_at(study, model, i);
     double direct = direct_study_value(study, pair, direct_study_kind_of(study, model), quantity, i, NULL);
     double value = point ? point->value[quantity] : NAN;
     return value > 0 && direct > 0 ? value / direct : NAN;
-}
-
-double direct_study_conductance(const struct direct_study *study, const struct material_pair *pair, size_t model,
-                                size_t i)
-{
-    const struct contact_point *low = point_at(study, model, i, -1), *at = point_at(study, model, i, 0),
-                               *high = point_at(study, model, i, 1);
-    if (model_rows[model]->plastic || !low || !at || !high || !(at->value[QUANTITY_ECR] > 0))
-        return NAN;
-    double slope_m = (high->value[QUANTITY_SEPARATION] - low->value[QUANTITY_SEPARATION]) /
-                     (high->value[QUANTITY_LOAD] - low->value[QUANTITY_LOAD]);
-    return -pair->resistivity_ohm_m * slope_m / at->value[QUANTITY_ECR];
 }
 
 struct direct_study_distance direct_study_distance(const struct direct_study *study, const struct material_pair *pair,
@@ -468,13 +331,13 @@ size_t direct_study_nearest(const struct direct_study *study, const struct mater
     size_t nearest = model_count, most = 0;
     double least = INFINITY;
     for (size_t m = 0; m < model_count; m++) /* of those that answer at most loads: one load is no curve */
-        if (direct_study_kind_of(study, m) == study->leading) {
+        if (direct_study_kind_of(study, m) == DIRECT_STUDY_ELASTIC) {
             size_t loads = direct_study_distance(study, pair, m, quantity).loads;
             most = loads > most ? loads : most;
         }
     for (size_t m = 0; m < model_count; m++) {
         struct direct_study_distance distance = direct_study_distance(study, pair, m, quantity);
-        if (direct_study_kind_of(study, m) == study->leading && 2 * distance.loads > most &&
+        if (direct_study_kind_of(study, m) == DIRECT_STUDY_ELASTIC && 2 * distance.loads > most &&
             distance.mean_factor < least) {
             least = distance.mean_factor;
             nearest = m;

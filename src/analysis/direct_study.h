@@ -2,9 +2,9 @@
 /* The models against a direct solution of the contact, on one and the same surface.
  *
  * A map is solved as it is, mirrored if it does not close on itself. For a profile, isotropic surfaces are made whose
- * rows have the matched power law and whose heights are distributed like the scan's; Gaussian ones with the same
- * spectrum stand beside them. The models are given the spectrum of those surfaces' rows, so that what differs is the
- * models' error and not what a scan leaves open about its surface. */
+ * rows have the matched power law and whose heights are distributed like the scan's, or are Gaussian where the scan's
+ * nearly are. The models are given the spectrum of those surfaces' rows, so that what differs is the models' error and
+ * not what a scan leaves open about its surface. */
 #ifndef ANALYSIS_DIRECT_STUDY_H
 #define ANALYSIS_DIRECT_STUDY_H
 
@@ -15,51 +15,28 @@
 
 /** Direct solutions of one kind. */
 enum direct_study_kind {
-    DIRECT_STUDY_HEIGHTS,  /* elastic, with the scan's heights, or of the map */
-    DIRECT_STUDY_GAUSSIAN, /* elastic, Gaussian heights, of a profile */
-    DIRECT_STUDY_CAPPED,   /* the leading kind with a hardness, at the loads below it */
+    DIRECT_STUDY_ELASTIC,
+    DIRECT_STUDY_CAPPED, /* with a hardness, at the loads below it */
     DIRECT_STUDY_KINDS
 };
 
 struct direct_study_curve {
     struct direct_ensemble_point *points; /* one a load; NULL: not solved */
     size_t loads, seeds;
-    double seconds;
 };
-
-/** The direct solution at another expense. */
-struct direct_study_effort {
-    size_t grid, seeds;
-    double seconds;
-    bool scaled;                    /* not run: time and error follow from those of more surfaces */
-    double error[QUANTITY_COUNT];   /* of area, separation, ECR, against the best; NaN: no number */
-    double largest[QUANTITY_COUNT]; /* the same at the load where it is largest; those are means over the loads */
-};
-enum { DIRECT_STUDY_EFFORTS = 8 };
 
 /** Of one surface. Owned: direct_study_free(). */
 struct direct_study {
     size_t surface; /* its index */
     struct direct_plan plan;
-    enum direct_study_kind leading; /* what models are held against: the map; or the scan's heights where they are none
-                                       that a Gaussian surface of this spectrum shows in such a scan, else Gaussian */
     struct direct_study_curve curves[DIRECT_STUDY_KINDS];
     struct spectrum rows;       /* of the surface solved */
-    struct roughness moments;   /* the same: m0, m2, m4 */
-    double rms_m;               /* Sq of the surface */
-    double m4_over_scan;        /* m4 of the rows over the scan's */
-    struct model_curve *models; /* model_count of them, at each load and just below and above it; NULL: not run */
-    double *model_seconds;      /* that their curve took */
-    double load_triples[3 * SCENE_DIRECT_LOADS];
-    struct direct_study_effort effort[DIRECT_STUDY_EFFORTS];
-    size_t efforts;
-    uint64_t solutions; /* contacts solved, as planned */
+    struct model_curve *models; /* model_count of them; NULL: not run */
+    uint64_t solutions;         /* contacts solved, as planned */
 };
 
-/** How a described surface's contact would be solved, from its summary alone. */
-void direct_study_outline(struct direct_plan *out, const struct surface_summary *surface, const struct scene *scene,
-                          const struct plan *plan, const double *loads, size_t load_count);
-/** How it will be, with the law matched, or the map looked at: into summary.direct. Error: STATUS_MEMORY. */
+/** How a described surface's contact will be solved, with the law matched: into summary.direct. Error: STATUS_MEMORY.
+ */
 MUST_CHECK enum status_code direct_study_plan(struct surface_record *record, const struct scene *scene,
                                               const struct plan *plan, const double *loads, size_t load_count,
                                               struct status *status);
@@ -73,19 +50,18 @@ struct direct_study_task {
     unsigned threads;               /* 0: one a processor; the result does not depend on it */
     const struct direct_team *team; /* that shares each contact; NULL: this process alone */
     const atomic_bool *stop;
-    bool efforts;                                             /* also at less expense, to tell what accuracy costs */
     void (*progress)(void *context, double done, double all); /* told of work done, from several threads; NULL: not */
     void *progress_context;
 };
 
 /** Solves, and runs the models on the same surface. Errors: STATUS_MODEL where the solution does not converge,
- * STATUS_INTERRUPTED, STATUS_MEMORY. */
+ * STATUS_SCAN of a map that cannot be used, STATUS_INTERRUPTED, STATUS_MEMORY. */
 MUST_CHECK enum status_code direct_study_run(struct direct_study *out, const struct direct_study_task *task,
                                              struct status *status);
 void direct_study_free(struct direct_study *study);
 
 /** Whose heights they are: "map", "scan" or "gaussian". */
-const char *direct_study_heights(const struct direct_study *study, enum direct_study_kind kind);
+const char *direct_study_heights(const struct direct_study *study);
 /** A quantity at load `i` by one kind of direct solution, SI, NaN where there is none: the mean gap, ECR A_n =
  * (rho1 + rho2) l, TCR A_n = (1/k1 + 1/k2) l. *error (NULL: not wanted): standard error over the surfaces, NaN from
  * one; of a map as in direct_ensemble.h. */
@@ -97,15 +73,9 @@ double direct_study_grid_error(const struct direct_study *study, enum direct_stu
                                size_t i);
 /** What a model is held against: with a hardness where it yields and that is solved, else elastic. */
 enum direct_study_kind direct_study_kind_of(const struct direct_study *study, size_t model);
-/** The model's point at load `i` on the surface solved; NULL: it has none. */
-const struct contact_point *direct_study_model(const struct direct_study *study, size_t model, size_t i);
 /** Model over direct solution; NaN where either has no number. */
 double direct_study_ratio(const struct direct_study *study, const struct material_pair *pair, size_t model,
                           enum quantity quantity, size_t i);
-/** Barber's conductance of an elastic model: -1/2 (rho1 + rho2) E' dg/dp by differences of its own gap over its own
- * ECR A_n: 1 for a model that is consistent; NaN where it has not both. */
-double direct_study_conductance(const struct direct_study *study, const struct material_pair *pair, size_t model,
-                                size_t i);
 /** How far a model is from the direct solution over all loads: exp of the mean |ln ratio|, and the extremes of the
  * ratio. loads 0: nowhere comparable. */
 struct direct_study_distance {

@@ -51,6 +51,8 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
         snprintf(out->reason, sizeof out->reason, "a question to the multiscale models, which do not run");
     } else if (effect == EFFECT_DIRECT) { /* seconds where the rest takes milliseconds: never unasked */
         out->runs = scene->direct.called;
+        snprintf(out->reason, sizeof out->reason,
+                 "not called for; it takes seconds and says how far each model is off");
     } else if (row->only_listed && !(scene->effects & EFFECT_BIT(effect))) {
         snprintf(out->reason, sizeof out->reason, "runs only where effects lists it");
     } else if (effect == EFFECT_UNLOADING) {

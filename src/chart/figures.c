@@ -665,9 +665,9 @@ static void make_direct(struct chart *chart, const struct source *source)
         chart_curve(chart,
                     &(struct chart_curve){.kind = CHART_BAND, .legend = "error of the direct solution", .colour = ink});
         for (size_t i = 0; i < study->plan.loads; i++) {
-            double error, value = direct_study_value(study, pair, study->leading, quantity, i, &error);
-            double share =
-                fmax(isnan(error) ? 0 : error / value, direct_study_grid_error(study, study->leading, quantity, i));
+            double error, value = direct_study_value(study, pair, DIRECT_STUDY_ELASTIC, quantity, i, &error);
+            double share = fmax(isnan(error) ? 0 : error / value,
+                                direct_study_grid_error(study, DIRECT_STUDY_ELASTIC, quantity, i));
             if (value > 0)
                 chart_row(chart, scale * study->plan.load[i], 1 / (1 + share), 1 + share, 0);
         }
@@ -694,7 +694,7 @@ static void make_accuracy(struct chart *chart, const struct source *source)
         const struct benchmark_row *row = &cost->rows[i];
         bool own = strcmp(row->study, "tolerance") == 0;
         char legend[160];
-        if (!own && (row->chart != BENCHMARK_INTEGRALS || (first && row->model != first->model)))
+        if (!own && first && row->model != first->model)
             continue;
         first = own || first ? first : row;
         if (!before || strcmp(before->study, row->study) != 0 || strcmp(before->method, row->method) != 0) {

@@ -1,35 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `self-test`: does this build compute correctly here? */
 #include "cli/command.h"
-#include "contact/model.h"
 #include "selftest/selftest.h"
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-struct arguments {
-    bool json, verbose;
-};
-
-enum { KEY_JSON = 0x100 };
-
 static const struct argp_option options[] = {
-    {"json", KEY_JSON, 0, 0, "print an object with every number (default: text)", 0},
     {"verbose", 'v', 0, 0, "print every number (default: a line a group)", 0},
     {0},
 };
 
 static error_t parse(int key, char *value, struct argp_state *state)
 {
-    struct arguments *arguments = state->input;
     switch (key) {
-    case KEY_JSON:
-        arguments->json = true;
-        return 0;
     case 'v':
-        arguments->verbose = true;
+        *(bool *)state->input = true;
         return 0;
     case ARGP_KEY_ARG:
         return command_no_argument(value, state);
@@ -45,148 +32,66 @@ const struct argp command_self_test_argp = {
         "Computes numbers that are known from elsewhere (softgauges, closed forms, other programs) and compares. They "
         "stand in PREFIX/share/roughcontact/selftest.csv; nothing is written. Ends with 1 where a number is off."};
 
-/** Numbers that are told together: references of a table, one behind the other. */
-struct group {
-    const struct selftest_reference *references;
-    double *values;
-    size_t count, wrong, worst; /* how many are off, and which one most; all where `problem` says why */
-    struct status problem;
-};
-
-static void print_group(const struct group *group, bool verbose)
+/** One number, its arguments and its error. */
+static void print_number(const struct selftest_reference *reference, double value)
 {
-    const struct selftest_reference *worst = &group->references[group->worst];
-    printf("%-12s %3zu number%s  ", group->references->group, group->count, group->count == 1 ? " " : "s");
-    if (group->problem.code != STATUS_OK)
-        printf("WRONG: %s\n", group->problem.message);
-    else if (group->wrong > 0)
-        printf("WRONG: %zu of them; %s, %s is %.17g, not %.17g\n", group->wrong, worst->of, worst->quantity,
-               group->values[group->worst], worst->expected);
-    else
-        printf("right  largest error %.2g of its tolerance  (%s)\n", selftest_error(worst, group->values[group->worst]),
-               group->references->source);
-    for (size_t i = 0; i < group->count && verbose && group->problem.code == STATUS_OK; i++) {
-        const struct selftest_reference *reference = &group->references[i];
-        double value = group->values[i], error = selftest_error(reference, value);
-        printf("  %-20s %-24s %-9.4g %-9.4g %-9.4g %24.17g %24.17g  %.2g of %.2g%s\n", reference->of,
-               reference->quantity, reference->at[0], reference->at[1], reference->at[2], value, reference->expected,
-               error * reference->tolerance, reference->tolerance, error <= 1 ? "" : "  WRONG");
-    }
+    double error = selftest_error(reference, value);
+    printf("  %-20s %-24s %-9.4g %-9.4g %-9.4g %24.17g %24.17g  %.2g of %.2g%s\n", reference->of, reference->quantity,
+           reference->at[0], reference->at[1], reference->at[2], value, reference->expected,
+           error * reference->tolerance, reference->tolerance, error <= 1 ? "" : "  WRONG");
 }
 
-static json_t *group_json(const struct group *group)
+/** Computes and prints the group whose first reference is `first`; adds how many are off to *wrong. Returns where the
+ * next one begins. */
+static size_t run_group(const struct selftest_table *table, size_t first, bool verbose, size_t *wrong)
 {
-    bool computed = group->problem.code == STATUS_OK;
-    json_t *numbers = json_array();
-    for (size_t i = 0; i < group->count; i++) {
-        const struct selftest_reference *reference = &group->references[i];
-        json_array_append_new(
-            numbers, json_pack("{s:s, s:s, s:[f, f, f], s:o, s:f, s:f, s:b}", "of", reference->of, "quantity",
-                               reference->quantity, "arguments", reference->at[0], reference->at[1], reference->at[2],
-                               "value", command_json_number(computed ? group->values[i] : NAN), "expected",
-                               reference->expected, "relative_tolerance", reference->tolerance, "right",
-                               computed && selftest_error(reference, group->values[i]) <= 1));
-    }
-    double worst = selftest_error(&group->references[group->worst], group->values[group->worst]);
-    return json_pack("{s:s, s:s, s:b, s:o, s:o, s:o}", "group", group->references->group, "source",
-                     group->references->source, "right", group->wrong == 0, "problem",
-                     command_json_optional(computed ? NULL : group->problem.message), "largest_error_over_tolerance",
-                     command_json_number(computed ? worst : INFINITY), "numbers", numbers);
-}
-
-/** The models that nothing here speaks of, a blank between two. */
-static void add_uncovered(struct text *out, const struct selftest_table *table)
-{
-    for (size_t m = 0; m < model_count; m++)
-        if (!selftest_covers_model(table, model_rows[m]->name))
-            text_add(out, "%s%s", out->length > 0 ? " " : "", model_rows[m]->name);
-}
-
-/** Computes the group that begins at reference `first`. */
-static struct group run_group(const struct selftest_table *table, size_t first, double *values)
-{
-    struct group group = {.references = &table->references[first], .values = values};
-    for (; first + group.count < table->count; group.count++) {
-        const struct selftest_reference *reference = &group.references[group.count];
-        double *value = &values[group.count];
-        if (strcmp(reference->group, group.references->group) != 0)
-            break;
-        *value = NAN;
-        if (group.problem.code != STATUS_OK || selftest_value(value, reference, table, &group.problem) != STATUS_OK)
+    const struct selftest_reference *group = &table->references[first], *worst = group;
+    double value, worst_value = NAN, most = -1;
+    size_t count = 0, off = 0;
+    struct status problem = {0};
+    for (; first + count < table->count && strcmp(group[count].group, group->group) == 0; count++) {
+        if (problem.code != STATUS_OK || selftest_value(&value, &group[count], table, &problem) != STATUS_OK)
             continue;
-        group.wrong += !(selftest_error(reference, *value) <= 1);
-        if (selftest_error(reference, *value) > selftest_error(&group.references[group.worst], values[group.worst]))
-            group.worst = group.count;
-    }
-    if (group.problem.code != STATUS_OK)
-        group.wrong = group.count;
-    return group;
-}
-
-/** Runs one group after another, and prints each or adds it to `groups`. Returns how many numbers are wrong in
- * `wrong`. */
-static enum status_code run_groups(size_t *wrong, json_t *groups, const struct selftest_table *table, bool verbose,
-                                   struct status *status)
-{
-    double *values = calloc(table->count, sizeof *values);
-    if (!values)
-        return status_memory(status);
-    for (size_t first = 0; first < table->count;) {
-        struct group group = run_group(table, first, values + first);
-        if (group.problem.code == STATUS_IO) { /* the table is of another version */
-            *status = group.problem;
-            break;
+        double error = selftest_error(&group[count], value);
+        if (verbose)
+            print_number(&group[count], value);
+        off += !(error <= 1);
+        if (error > most) {
+            most = error;
+            worst = &group[count];
+            worst_value = value;
         }
-        if (groups)
-            json_array_append_new(groups, group_json(&group));
-        else
-            print_group(&group, verbose);
-        *wrong += group.wrong;
-        first += group.count;
     }
-    free(values);
-    return status->code;
-}
-
-static bool print_end(size_t wrong, json_t *groups, const struct selftest_table *table)
-{
-    struct text uncovered = {0};
-    bool right = wrong == 0;
-    add_uncovered(&uncovered, table);
-    if (groups)
-        right = command_json_print(json_pack("{s:b, s:I, s:I, s:o, s:O}", "right", right, "numbers",
-                                             (json_int_t)table->count, "wrong", (json_int_t)wrong, "models_not_covered",
-                                             command_json_text(text_string(&uncovered)), "groups", groups)) &&
-                right;
-    else {
-        if (uncovered.length > 0)
-            printf("not covered: %s\n", text_string(&uncovered));
-        printf(right ? "%zu numbers: this build computes correctly here\n"
-                     : "%zu numbers: this build does NOT compute correctly here; please report this with --verbose and "
-                       "--version\n",
-               table->count);
-    }
-    text_free(&uncovered);
-    return right;
+    printf("%-12s %3zu number%s  ", group->group, count, count == 1 ? " " : "s");
+    if (problem.code != STATUS_OK)
+        printf("WRONG: %s\n", problem.message);
+    else if (off > 0)
+        printf("WRONG: %zu of them; %s, %s is %.17g, not %.17g\n", off, worst->of, worst->quantity, worst_value,
+               worst->expected);
+    else
+        printf("right  largest error %.2g of its tolerance  (%s)\n", most, group->source);
+    *wrong += problem.code != STATUS_OK ? count : off;
+    return first + count;
 }
 
 int command_self_test(int argc, char **argv)
 {
-    struct arguments arguments = {0};
+    bool verbose = false;
     struct status status = {0};
     struct selftest_table table = {.count = 0};
     struct text path = {0};
     size_t wrong = 0;
-    command_parse(&command_self_test_argp, argc, argv, &arguments);
-    json_t *groups = arguments.json ? json_array() : NULL;
+    command_parse(&command_self_test_argp, argc, argv, &verbose);
     bool done = command_share(&path, "selftest.csv", &status) == STATUS_OK &&
-                selftest_table_read(&table, text_string(&path), &status) == STATUS_OK &&
-                run_groups(&wrong, groups, &table, arguments.verbose, &status) == STATUS_OK;
-    bool right = done && print_end(wrong, groups, &table);
-    if (!done && groups)
-        (void)command_json_print(json_pack("{s:b, s:o}", "right", 0, "error", command_json_text(status.message)));
-    json_decref(groups);
+                selftest_table_read(&table, text_string(&path), &status) == STATUS_OK;
+    for (size_t first = 0; done && first < table.count;)
+        first = run_group(&table, first, verbose, &wrong);
+    if (done)
+        printf(wrong == 0 ? "%zu numbers: this build computes correctly here\n"
+                          : "%zu numbers: this build does NOT compute correctly here; please report this with "
+                            "--verbose and --version\n",
+               table.count);
     selftest_table_free(&table);
     text_free(&path);
-    return done ? command_finish(right ? COMMAND_DONE : COMMAND_REFUSED, NULL) : command_fail(&status);
+    return done ? command_finish(wrong == 0 ? COMMAND_DONE : COMMAND_REFUSED, NULL) : command_fail(&status);
 }

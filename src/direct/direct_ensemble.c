@@ -14,8 +14,8 @@ struct tasks {
 };
 
 /** One surface's ladder; times > 1: on the finer grid. */
-static enum status_code solve_surface(struct direct_point *out, double *rms_m, const struct direct_ensemble_def *def,
-                                      size_t seed, size_t times, struct status *status)
+static enum status_code solve_surface(struct direct_point *out, const struct direct_ensemble_def *def, size_t seed,
+                                      size_t times, struct status *status)
 {
     size_t n = def->n, fine_n = n * times;
     double *height_m = malloc(n * n * sizeof *height_m);
@@ -29,14 +29,14 @@ static enum status_code solve_surface(struct direct_point *out, double *rms_m, c
         height_m = fine_m;
     }
     if (rc == STATUS_OK)
-        return direct_ladder_of_heights(out, rms_m, NULL, height_m, fine_n, def->length_m / (double)fine_n,
-                                        &def->ladder, def->team, status);
+        return direct_ladder_of_heights(out, height_m, fine_n, def->length_m / (double)fine_n, &def->ladder, def->team,
+                                        status);
     free(height_m);
     return rc;
 }
 
 /** A part of the map, if it has it. */
-static enum status_code solve_part(struct direct_point *out, double *rms_m, const struct direct_ensemble_def *def,
+static enum status_code solve_part(struct direct_point *out, const struct direct_ensemble_def *def,
                                    enum direct_map_part part, struct status *status)
 {
     struct direct_map taken;
@@ -44,20 +44,18 @@ static enum status_code solve_part(struct direct_point *out, double *rms_m, cons
         return STATUS_OK;
     if (direct_map_take(&taken, def->map, part, status) != STATUS_OK)
         return status->code;
-    return direct_ladder_of_heights(out, rms_m, NULL, taken.height_m, taken.n, taken.spacing_m, &def->ladder, def->team,
-                                    status);
+    return direct_ladder_of_heights(out, taken.height_m, taken.n, taken.spacing_m, &def->ladder, def->team, status);
 }
 
 static enum status_code solve_one(const struct tasks *tasks, size_t index, struct status *status)
 {
     struct direct_ensemble *ensemble = tasks->ensemble;
     if (tasks->fine && index == 0)
-        return solve_surface(tasks->fine, NULL, tasks->def, 0, tasks->def->fine_times, status);
+        return solve_surface(tasks->fine, tasks->def, 0, tasks->def->fine_times, status);
     size_t seed = tasks->fine ? index - 1 : index;
     struct direct_point *out = ensemble->seed_point + seed * ensemble->loads;
-    double *rms_m = seed == 0 ? &ensemble->rms_m : NULL;
-    return tasks->def->map ? solve_part(out, rms_m, tasks->def, (enum direct_map_part)seed, status)
-                           : solve_surface(out, rms_m, tasks->def, seed, 1, status);
+    return tasks->def->map ? solve_part(out, tasks->def, (enum direct_map_part)seed, status)
+                           : solve_surface(out, tasks->def, seed, 1, status);
 }
 
 /** Work that a task is, in points; of a map's parts each as much as the whole. */
@@ -127,29 +125,24 @@ static struct direct_mean of_map(const struct direct_ensemble *ensemble, const s
     return (struct direct_mean){value[DIRECT_MAP_WHOLE], fabs(error), 1};
 }
 
-static enum direct_ensemble_state state_of(const struct direct_ensemble *ensemble, size_t load)
+static bool resolved(const struct direct_ensemble *ensemble, size_t load)
 {
-    bool few = false;
+    bool enough = true;
     for (size_t k = 0; k < ensemble->seeds; k++) {
         const struct direct_point *point = &ensemble->seed_point[k * ensemble->loads + load];
-        if (!point->exists)
-            return DIRECT_ENSEMBLE_COMPLETE;
-        few |= point->quantities.contact_points < DIRECT_ENSEMBLE_POINTS;
+        enough &= point->exists && point->quantities.contact_points >= DIRECT_ENSEMBLE_POINTS;
     }
-    return few ? DIRECT_ENSEMBLE_FEW_POINTS : DIRECT_ENSEMBLE_GIVEN;
+    return enough;
 }
 
 static void summarise(struct direct_ensemble *ensemble, const struct direct_point *fine,
                       const struct direct_ensemble_def *def)
 {
-    for (size_t load = 0; load < ensemble->loads; load++) {
-        struct direct_ensemble_point *point = &ensemble->point[load];
-        point->state = state_of(ensemble, load);
+    for (size_t load = 0; load < ensemble->loads; load++)
         for (int q = 0; q < DIRECT_QUANTITIES; q++)
-            point->mean[q] = point->state != DIRECT_ENSEMBLE_GIVEN ? (struct direct_mean){NAN, NAN, NAN}
-                             : def->map ? of_map(ensemble, def->map, load, (enum direct_quantity)q)
-                                        : over_seeds(ensemble, fine, load, (enum direct_quantity)q);
-    }
+            ensemble->point[load].mean[q] = !resolved(ensemble, load) ? (struct direct_mean){NAN, NAN, NAN}
+                                            : def->map ? of_map(ensemble, def->map, load, (enum direct_quantity)q)
+                                                       : over_seeds(ensemble, fine, load, (enum direct_quantity)q);
 }
 
 enum status_code direct_ensemble_run(struct direct_ensemble *out, const struct direct_ensemble_def *def,
@@ -158,7 +151,7 @@ enum status_code direct_ensemble_run(struct direct_ensemble *out, const struct d
     assert(def->seeds > 0 && def->ladder.loads > 0);
     const struct threads threads = {def->team ? 1 : def->threads, def->ladder.stop};
     size_t fine = def->fine_times > 1 && !def->map, surfaces = def->map ? DIRECT_MAP_PARTS : def->seeds;
-    *out = (struct direct_ensemble){.loads = def->ladder.loads, .seeds = def->map ? 1 : def->seeds, .rms_m = NAN};
+    *out = (struct direct_ensemble){.loads = def->ladder.loads, .seeds = def->map ? 1 : def->seeds};
     out->point = calloc(out->loads, sizeof *out->point);
     out->seed_point = calloc(surfaces * out->loads, sizeof *out->seed_point);
     struct tasks tasks = {def, out, fine ? calloc(out->loads, sizeof *tasks.fine) : NULL};
@@ -168,10 +161,6 @@ enum status_code direct_ensemble_run(struct direct_ensemble *out, const struct d
         out->ladders = fine;
         for (size_t k = 0; k < surfaces; k++)
             out->ladders += !def->map || direct_map_has(def->map, (enum direct_map_part)k);
-        for (size_t k = 0; k < surfaces * out->loads; k++)
-            out->convolutions += out->seed_point[k].convolutions;
-        for (size_t k = 0; tasks.fine && k < out->loads; k++)
-            out->fine_convolutions += tasks.fine[k].convolutions;
         summarise(out, tasks.fine, def);
     }
     free(tasks.fine);

@@ -4,7 +4,6 @@
 #include "direct/direct_constriction.h"
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 double direct_point_value(const struct direct_point *point, enum direct_quantity quantity)
 {
@@ -86,9 +85,9 @@ enum status_code direct_ladder_loop(struct direct_point *up, struct direct_point
     return rc;
 }
 
-enum status_code direct_ladder_of_heights(struct direct_point *out, double *rms_m, uint8_t *touching, double *height_m,
-                                          size_t n, double spacing_m, const struct direct_ladder_def *def,
-                                          const struct direct_team *team, struct status *status)
+enum status_code direct_ladder_of_heights(struct direct_point *out, double *height_m, size_t n, double spacing_m,
+                                          const struct direct_ladder_def *def, const struct direct_team *team,
+                                          struct status *status)
 {
     struct direct_contact contact;
     enum status_code rc = STATUS_OK;
@@ -99,11 +98,7 @@ enum status_code direct_ladder_of_heights(struct direct_point *out, double *rms_
     free(height_m);
     if (rc != STATUS_OK)
         return rc;
-    if (rms_m)
-        *rms_m = contact.rms_m;
     rc = direct_ladder_run(out, &contact, def, status);
-    if (rc == STATUS_OK && touching)
-        memcpy(touching, team ? contact.touching : contact.member, n * n); /* of the last solution */
     direct_contact_free(&contact);
     return rc;
 }

@@ -40,12 +40,10 @@ MUST_CHECK enum status_code direct_ladder_loop(struct direct_point *up, struct d
                                                const struct direct_ladder_def *def, size_t least_patches,
                                                struct status *status);
 
-/** direct_ladder_run() of n x n heights, which are freed as soon as they are taken, and their Sq (NULL: not wanted).
- * `touching` (NULL: not wanted): n x n, 1 where the bodies touch under the last load. With a team (NULL: none) the
- * first rank calls the others, which have none of the three. Errors: those of the surface and the solutions. */
-MUST_CHECK enum status_code direct_ladder_of_heights(struct direct_point *out, double *rms_m, uint8_t *touching,
-                                                     double *height_m, size_t n, double spacing_m,
-                                                     const struct direct_ladder_def *def,
+/** direct_ladder_run() of n x n heights, which are freed as soon as they are taken. With a team (NULL: none) the first
+ * rank calls the others, which have no heights. Errors: those of the surface and the solutions. */
+MUST_CHECK enum status_code direct_ladder_of_heights(struct direct_point *out, double *height_m, size_t n,
+                                                     double spacing_m, const struct direct_ladder_def *def,
                                                      const struct direct_team *team, struct status *status);
 
 #endif

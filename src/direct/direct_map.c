@@ -194,18 +194,18 @@ static enum status_code take_square(struct direct_map *map, double *height, size
                                     struct status *status)
 {
     bool *missing = malloc(n * n * sizeof *missing);
+    size_t holes = 0;
     if (!missing)
         return status_memory(status);
     for (size_t k = 0; k < n * n; k++) {
         height[k] = from[k / n * nx + k % n];
         missing[k] = !isfinite(height[k]);
-        map->filled += missing[k];
+        holes += missing[k];
     }
-    if (2 * map->filled > n * n)
+    if (2 * holes > n * n)
         (void)status_fail(status, STATUS_SCAN,
-                          "%zu of the map's %zu points are missing; fill them or take another part", map->filled,
-                          n * n);
-    else if (map->filled == 0 || fill(height, missing, n, map->cutoff, status) == STATUS_OK)
+                          "%zu of the map's %zu points are missing; fill them or take another part", holes, n * n);
+    else if (holes == 0 || fill(height, missing, n, map->cutoff, status) == STATUS_OK)
         take_plane(height, n, !map->mirrored);
     free(missing);
     return status->code;

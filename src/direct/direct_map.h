@@ -32,7 +32,6 @@ struct direct_map {
     double *height_m; /* n x n */
     size_t n;
     double spacing_m;
-    size_t filled; /* missing points that took their nearest neighbour's height */
     bool mirrored; /* n is twice the square taken from the map */
     double cutoff; /* as in the definition */
 };

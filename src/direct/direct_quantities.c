@@ -28,29 +28,23 @@ struct direct_quantities direct_quantities_of(struct direct_contact *contact, co
     const struct direct_kernel *kernel = &contact->kernel;
     const uint8_t *touching = direct_contact_touching(contact);
     struct direct_quantities out = {0};
-    double sums[3] = {0}; /* of the open gap, of the gap, of points at the hardness */
+    double open = 0;
     for (size_t j = 0; j < kernel->rows; j++) {
-        double row_open = 0, row_plane = 0;
-        for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++) {
-            sums[2] += contact->pressure[k] >= load->hardness;
-            row_open += fmax(contact->gap_m[k], 0);
-            row_plane += contact->gap_m[k];
-        }
-        sums[0] += row_open;
-        sums[1] += row_plane;
+        double row = 0;
+        for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++)
+            row += fmax(contact->gap_m[k], 0);
+        open += row;
     }
-    direct_team_add(kernel->team, sums, 3);
+    open = direct_team_sum(kernel->team, open);
     for (size_t k = 0; touching && k < kernel->points; k++) {
         out.contact_points += touching[k];
         out.perimeter_faces += touching[k] != touching[right_of(k, kernel->nx)];
         out.perimeter_faces += touching[k] != touching[above(k, kernel->nx, kernel->points)];
     }
-    out.capped_points = (size_t)sums[2];
     out.area_ratio =
         fmax(direct_area_corrected(&out, kernel->points, direct_kappa), load->mean_pressure / load->hardness);
     bool complete = out.contact_points == kernel->points && isinf(load->hardness);
-    out.gap_m = complete ? 0 : sums[0] / (double)kernel->points; /* what is left there is the solver's tolerance */
-    out.plane_gap_m = complete ? 0 : sums[1] / (double)kernel->points;
+    out.gap_m = complete ? 0 : open / (double)kernel->points; /* what is left there is the solver's tolerance */
     return out;
 }
 

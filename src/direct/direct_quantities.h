@@ -15,11 +15,9 @@ extern const double direct_kappa, direct_kappa_yastrebov;
 struct direct_quantities {
     size_t contact_points;  /* p > 0 */
     size_t perimeter_faces; /* between such a point and one that is not, periodic; outline S_d = faces dx */
-    size_t capped_points;   /* p = H */
-    double area_ratio;  /* A/A_n = contact points over all - kappa S_d dx/L², kappa = direct_kappa; under a hardness at
-                           least p̄/H */
-    double gap_m;       /* mean of max(g, 0): 0 at complete contact */
-    double plane_gap_m; /* mean g, the distance of the mean planes: less than gap_m by what has flowed */
+    double area_ratio; /* A/A_n = contact points over all - kappa S_d dx/L², kappa = direct_kappa; under a hardness at
+                          least p̄/H */
+    double gap_m;      /* mean of max(g, 0): 0 at complete contact */
 };
 
 /** Of a contact just solved for `load`; of a team, on the first rank. */

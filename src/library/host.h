@@ -11,9 +11,9 @@ struct host {
     fenv_t environment;
 };
 
-/** Locale C, round to nearest without traps, no GSL error handler, in this thread: decimal points stay points, numbers
- * come out to the last bit as they do in the program, and an error of GSL's does not end the host. Errors of GSL in
- * other threads go to the host's handler as before. May be nested. */
+/** Locale C and round to nearest without traps in this thread, no GSL error handler in any: decimal points stay points,
+ * numbers come out to the last bit as they do in the program, and an error of GSL's does not end the host. May be
+ * nested. */
 void host_put_aside(struct host *out);
 /** Gives back what was put aside. */
 void host_give_back(const struct host *host);

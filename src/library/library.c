@@ -63,42 +63,24 @@ static int end(const struct host *host, const struct status *problem, struct rou
     (void)(work);                                                                                                      \
     return end(&host, &problem, status)
 
-/** The caller's options over the defaults in `own`; what the caller does not know stays as it is. `given` NULL: all of
- * it. Error: STATUS_USAGE: not set up by `name`, or something set that this library does not know. */
-static enum status_code take_options(void *own, size_t own_size, const void *given, const char *name,
-                                     struct status *status)
+static const struct roughcontact_scan_options scan_defaults;
+static const struct roughcontact_surface_options surface_defaults = {.row = ROUGHCONTACT_NO_ROW};
+static const struct roughcontact_run_options run_defaults = {.hardness_Pa = NAN};
+
+void roughcontact_scan_options_init(struct roughcontact_scan_options *options)
 {
-    size_t size;
-    if (!given)
-        return STATUS_OK;
-    memcpy(&size, given, sizeof size);
-    if (size < sizeof size || size > SIZE_MAX / 2)
-        return status_fail(status, STATUS_USAGE, "the options have no size; set them up by %s()", name);
-    const unsigned char *bytes = given;
-    for (size_t i = own_size; i < size; i++)
-        if (bytes[i] != 0)
-            return status_fail(status, STATUS_USAGE,
-                               "an option is set that version %s of the library does not know; use a later one",
-                               version_string());
-    memcpy(own, given, size < own_size ? size : own_size);
-    return STATUS_OK;
+    *options = scan_defaults;
 }
 
-/** Options, whose first member is their size, and the function that fills those of the `size` bytes that the caller
- * knows. */
-#define LIBRARY_OPTIONS(kind, ...)                                                                                     \
-    static const struct roughcontact_##kind##_options kind##_defaults = {.size = sizeof kind##_defaults, __VA_ARGS__}; \
-    void roughcontact_##kind##_options_init(struct roughcontact_##kind##_options *options, size_t size)                \
-    {                                                                                                                  \
-        if (!options || size < sizeof size)                                                                            \
-            return;                                                                                                    \
-        memset(options, 0, size);                                                                                      \
-        memcpy(options, &kind##_defaults, size < sizeof kind##_defaults ? size : sizeof kind##_defaults);              \
-        options->size = size;                                                                                          \
-    }
-LIBRARY_OPTIONS(scan, .x_unit = NULL)
-LIBRARY_OPTIONS(surface, .row = ROUGHCONTACT_NO_ROW)
-LIBRARY_OPTIONS(run, .hardness_Pa = NAN, .load = ROUGHCONTACT_LOAD_OVER_MODULUS)
+void roughcontact_surface_options_init(struct roughcontact_surface_options *options)
+{
+    *options = surface_defaults;
+}
+
+void roughcontact_run_options_init(struct roughcontact_run_options *options)
+{
+    *options = run_defaults;
+}
 
 const char *roughcontact_version(void)
 {
@@ -109,13 +91,11 @@ const char *roughcontact_version(void)
 static enum status_code read_scan(struct roughcontact_scan **out, const char *path, const struct scan_bytes *given,
                                   const struct roughcontact_scan_options *options, struct status *status)
 {
-    struct roughcontact_scan_options own = scan_defaults;
+    const struct roughcontact_scan_options own = options ? *options : scan_defaults;
     struct text copy = {0};
     *out = NULL;
     if (!path && !given->bytes)
         return status_fail(status, STATUS_USAGE, given->path ? "there are no bytes" : "no file is named");
-    if (take_options(&own, sizeof own, options, "roughcontact_scan_options_init", status) != STATUS_OK)
-        return status->code;
     const char *const units[2] = {own.x_unit, own.z_unit};
     for (int axis = 0; axis < 2; axis++)
         if (units[axis] && *units[axis] && !(scan_unit_m(units[axis]) > 0))
@@ -251,13 +231,12 @@ static enum status_code describe(struct roughcontact_surface *out, double lambda
 static enum status_code make(struct roughcontact_surface **out, const struct roughcontact_scan *scan,
                              const struct roughcontact_surface_options *options, struct status *status)
 {
-    struct roughcontact_surface_options own = surface_defaults;
+    const struct roughcontact_surface_options own = options ? *options : surface_defaults;
     size_t row;
     *out = NULL;
     if (!scan)
         return status_fail(status, STATUS_USAGE, "no scan is given");
-    if (take_options(&own, sizeof own, options, "roughcontact_surface_options_init", status) != STATUS_OK ||
-        check_options(&own, status) != STATUS_OK || find_row(&row, &scan->scan, own.row, status) != STATUS_OK)
+    if (check_options(&own, status) != STATUS_OK || find_row(&row, &scan->scan, own.row, status) != STATUS_OK)
         return status->code;
     const struct profile_options how = {.level = LEVEL_LINE,
                                         .max_missing = 0.1,
@@ -524,7 +503,7 @@ static enum status_code run(struct roughcontact_curve **out, const struct roughc
                             const char *model, const double *loads, size_t count,
                             const struct roughcontact_run_options *options, struct status *status)
 {
-    struct roughcontact_run_options own = run_defaults;
+    const struct roughcontact_run_options own = options ? *options : run_defaults;
     struct scene_bodies bodies;
     const struct model_row *row = find_model(model);
     double *over_modulus = NULL;
@@ -532,8 +511,7 @@ static enum status_code run(struct roughcontact_curve **out, const struct roughc
     *out = NULL;
     if (!surface)
         return status_fail(status, STATUS_USAGE, "no surface is given");
-    if (take_options(&own, sizeof own, options, "roughcontact_run_options_init", status) != STATUS_OK ||
-        take_bodies(&bodies, &own, status) != STATUS_OK ||
+    if (take_bodies(&bodies, &own, status) != STATUS_OK ||
         check_model(row, model, surface, &bodies, status) != STATUS_OK)
         return status->code;
     const struct material_pair pair = scene_pair(&bodies);

@@ -19,13 +19,12 @@
  *
  * The host: the library prints nothing, ends nothing, starts no program, sets no signal handler and keeps no state that
  * shows. Locale, rounding mode and floating-point traps of the calling thread are put aside for the time of a call, so
- * they change no number and no message. GSL's error handler, one for the process, is replaced while any call lasts by
- * one that hands the errors of other threads on to the host's; do not set it at such a time. FFTW's planner is made
- * safe for threads (fftw_make_planner_thread_safe()) at the first call.
+ * they change no number and no message. GSL's error handler, one for the process, is off while any call lasts: GSL's
+ * functions then return their errors, in all threads; do not set it at such a time. FFTW's planner is made safe for
+ * threads (fftw_make_planner_thread_safe()) at the first call.
  *
- * Binary interface: structures that the library fills (roughness, ...) are its own and may grow at their end.
- * Options are the caller's; ..._init() is told their size and fills in the defaults, so that a program built with this
- * header works with later libraries of the same soname. */
+ * Binary interface: structures that the library fills (roughness, ...) are its own and may grow at their end. Options
+ * are the caller's, and stay as they are within a soname. */
 #ifndef ROUGHCONTACT_H
 #define ROUGHCONTACT_H
 
@@ -65,11 +64,10 @@ ROUGHCONTACT_API const char *roughcontact_version(void);
 
 /** What is known of a file besides its content. */
 struct roughcontact_scan_options {
-    size_t size;                 /* set by ..._init() */
     const char *x_unit, *z_unit; /* where the file (and its sidecar) names none: "mm", "um", ...; NULL: not known */
 };
-/** Fills in the defaults: nothing is known. `size`: sizeof *options. */
-ROUGHCONTACT_API void roughcontact_scan_options_init(struct roughcontact_scan_options *options, size_t size);
+/** Fills in the defaults: nothing is known. */
+ROUGHCONTACT_API void roughcontact_scan_options_init(struct roughcontact_scan_options *options);
 
 /** A scan as it was measured. */
 struct roughcontact_scan;
@@ -95,12 +93,11 @@ ROUGHCONTACT_API void roughcontact_scan_free(struct roughcontact_scan *scan);
 
 /** How a scan is made ready, besides what the program does unasked. */
 struct roughcontact_surface_options {
-    size_t size;                   /* set by ..._init() */
     size_t row;                    /* of a map, which is read as a profile; ROUGHCONTACT_NO_ROW: it has to be one */
     double lambda_s_m, lambda_c_m; /* Gaussian low-pass and high-pass (ISO 16610-21); 0: none */
 };
-/** Fills in the defaults: a profile, no filter. `size`: sizeof *options. */
-ROUGHCONTACT_API void roughcontact_surface_options_init(struct roughcontact_surface_options *options, size_t size);
+/** Fills in the defaults: a profile, no filter. */
+ROUGHCONTACT_API void roughcontact_surface_options_init(struct roughcontact_surface_options *options);
 
 /** A profile made ready, with its spectrum and power law. */
 struct roughcontact_surface;
@@ -173,14 +170,13 @@ ROUGHCONTACT_API const char *roughcontact_model_name(size_t i);
 enum roughcontact_load { ROUGHCONTACT_LOAD_OVER_MODULUS = 0, ROUGHCONTACT_LOAD_PRESSURE_PA = 1 };
 
 struct roughcontact_run_options {
-    size_t size;                                     /* set by ..._init() */
     const struct roughcontact_material *material;    /* NULL: none; then area and separation alone, elastic */
     const struct roughcontact_material *counterface; /* NULL: a rigid flat that conducts like the material */
     double hardness_Pa;                              /* of the softer body; NaN: the material's, else 2.84 S_y */
     int load;                                        /* roughcontact_load */
 };
-/** Fills in the defaults: no material, loads over the modulus. `size`: sizeof *options. */
-ROUGHCONTACT_API void roughcontact_run_options_init(struct roughcontact_run_options *options, size_t size);
+/** Fills in the defaults: no material, loads over the modulus. */
+ROUGHCONTACT_API void roughcontact_run_options_init(struct roughcontact_run_options *options);
 
 /** What a model says of a surface at a list of loads. */
 struct roughcontact_curve;

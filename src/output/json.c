@@ -382,8 +382,7 @@ static json_t *direct_curve_json(const struct direct_study *study, const struct 
     const struct direct_study_curve *curve = &study->curves[kind];
     const struct material_pair *pair = results_pair(results, study->surface);
     double value[SCENE_DIRECT_LOADS], error[SCENE_DIRECT_LOADS];
-    json_t *json =
-        json_pack("{s:s, s:I}", "heights", direct_study_heights(study, kind), "seeds", (json_int_t)curve->seeds);
+    json_t *json = json_pack("{s:s, s:I}", "heights", direct_study_heights(study), "seeds", (json_int_t)curve->seeds);
     set(json, guard, "hardness_Pa",
         kind == DIRECT_STUDY_CAPPED ? study->plan.hardness * pair->effective_modulus_Pa : NAN);
     set_all(json, guard, quantity_rows[QUANTITY_LOAD].name, study->plan.load, curve->loads);
@@ -433,7 +432,6 @@ static json_t *direct_json(const struct direct_study *study, const struct result
     set(json, &guard, "alpha_SI", plan->side > 0 ? NAN : plan->law.alpha);
     set(json, &guard, "gamma", plan->side > 0 ? NAN : plan->law.gamma);
     set(json, &guard, "roll_off_m", plan->side > 0 ? NAN : plan->length_m / plan->law.roll_off);
-    set(json, &guard, "sq_m", study->rms_m);
     return json;
 }
 

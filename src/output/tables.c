@@ -342,7 +342,7 @@ static void fill_cost(struct table *table, const struct results *results)
     end_row(table);
     for (size_t i = 0; i < benchmark->count; i++) {
         const struct benchmark_row *row = &benchmark->rows[i];
-        text_add(&table->rows, "%s,%s,%s,%llu", row->study, row->method, row->setting,
+        text_add(&table->rows, "%s,%s,%g,%llu", row->study, row->method, row->setting,
                  (unsigned long long)row->evaluations);
         put_number(table, "seconds", row->seconds);
         put_number(table, "max_relative_error", row->error);
@@ -527,7 +527,7 @@ static void put_direct(struct table *table, const struct results *results, const
                 put_number(table, direct_columns[c].error, error);
         }
         put_number(table, "patches", curve->points[i].mean[DIRECT_PATCHES].value);
-        text_add(&table->rows, ",%zu,%zu,%s", curve->seeds, study->plan.grid, direct_study_heights(study, kind));
+        text_add(&table->rows, ",%zu,%zu,%s", curve->seeds, study->plan.grid, direct_study_heights(study));
         put_number(table, "hardness_Pa",
                    kind == DIRECT_STUDY_CAPPED
                        ? study->plan.hardness * results_pair(results, study->surface)->effective_modulus_Pa
@@ -558,8 +558,6 @@ static void fill_direct_ratio(struct table *table, const struct results *results
     for (int c = 0; c < DIRECT_COLUMNS; c++)
         if (has_column(results, c) && direct_columns[c].ratio)
             text_add(&table->rows, ",%s", direct_columns[c].ratio);
-    bool both = has_column(results, 1) && has_column(results, 2);
-    text_add(&table->rows, both ? ",conductance" : "");
     end_row(table);
     for (size_t k = 0; k < results->direct_count; k++)
         for (size_t m = 0; m < model_count; m++) {
@@ -574,9 +572,6 @@ static void fill_direct_ratio(struct table *table, const struct results *results
                         put_number(table, direct_columns[c].ratio,
                                    direct_study_ratio(study, results_pair(results, study->surface), m,
                                                       direct_columns[c].quantity, i));
-                if (both)
-                    put_number(table, "conductance",
-                               direct_study_conductance(study, results_pair(results, study->surface), m, i));
                 end_row(table);
             }
         }

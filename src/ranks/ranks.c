@@ -123,7 +123,7 @@ static enum status_code follow(struct order *order, const atomic_bool *stop)
         spread(&team, load, def->loads * sizeof *load);
         def->load = load;
         def->stop = stop;
-        rc = direct_ladder_of_heights(points, NULL, NULL, NULL, order->n, order->spacing_m, def, &team, &status);
+        rc = direct_ladder_of_heights(points, NULL, order->n, order->spacing_m, def, &team, &status);
     }
     free(load);
     free(points);

@@ -4,7 +4,6 @@
 
 #include "base/number_format.h"
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 /** "12 ms", "1.4 s", "3 min". */
@@ -26,13 +25,13 @@ static void put_tolerances(json_t *out, const struct view_source *source)
     json_t *list = view_list(out, "tolerances");
     for (size_t i = 0; i < cost->count; i++)
         if (strcmp(cost->rows[i].study, "tolerance") == 0 &&
-            fabs(log(atof(cost->rows[i].setting) / source->results->scene->tolerance)) < 0.01)
+            fabs(log(cost->rows[i].setting / source->results->scene->tolerance)) < 0.01)
             own = &cost->rows[i];
     double rest = own && cost->before > own->seconds ? cost->before - own->seconds : 0;
     for (size_t i = cost->count; i-- > 0;)
         if (strcmp(cost->rows[i].study, "tolerance") == 0) {
             json_t *item = view_item(list);
-            view_number(item, "tolerance", atof(cost->rows[i].setting), 1, "");
+            view_number(item, "tolerance", cost->rows[i].setting, 1, "");
             put_seconds(item, "curves", cost->rows[i].seconds);
             put_seconds(item, "report", rest + cost->rows[i].seconds);
             view_flag(item, "used", &cost->rows[i] == own);
@@ -52,8 +51,7 @@ static void put_tolerances(json_t *out, const struct view_source *source)
     if (own && cost->before > 0)
         view_number(out, "share_percent", 100 * own->seconds / cost->before, 2, "");
     for (i = 0; i < cost->count; i++)
-        if (cost->rows[i].chart == BENCHMARK_INTEGRALS && strcmp(cost->rows[i].method, "Simpson") == 0 &&
-            strcmp(cost->rows[i].setting, "1000") == 0)
+        if (strcmp(cost->rows[i].method, "Simpson") == 0 && cost->rows[i].setting == 1000)
             view_number(out, "simpson_error", cost->rows[i].error, 2, "");
 }
 

@@ -411,8 +411,8 @@ static void put_study(json_t *item, const struct view_source *source, const stru
     view_text(item, "surface", view_name(source, study->surface));
     view_flag(item, "map", study->plan.side > 0);
     view_count(item, "grid", study->plan.grid);
-    view_count(item, "seeds", study->curves[study->leading].seeds);
-    view_flag(item, "gaussian", study->leading == DIRECT_STUDY_GAUSSIAN);
+    view_count(item, "seeds", study->curves[DIRECT_STUDY_ELASTIC].seeds);
+    view_flag(item, "gaussian", study->plan.gaussian);
     view_flag(item, "at_this_resolution", study->plan.side > 0 || study->plan.of_spacing);
     view_number(item, "cell_um", study->plan.length_m * 1e6, 3, "");
     for (size_t m = 0; m < model_count; m++) {
@@ -426,7 +426,7 @@ static void put_study(json_t *item, const struct view_source *source, const stru
     }
     bool resolved = false;
     for (size_t i = 0; i < study->plan.loads; i++)
-        resolved = resolved || isfinite(direct_study_value(study, pair, study->leading, QUANTITY_AREA, i, NULL));
+        resolved = resolved || isfinite(direct_study_value(study, pair, DIRECT_STUDY_ELASTIC, QUANTITY_AREA, i, NULL));
     view_flag(item, "unresolved", !resolved);
     view_count(item, "least_points", DIRECT_ENSEMBLE_POINTS);
     size_t nearest = direct_study_nearest(

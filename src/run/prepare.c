@@ -104,14 +104,7 @@ bool prepare_solves(const struct results *results, size_t index)
     return called && summary->usable && summary->direct && summary->direct->possible;
 }
 
-/** Rounded to two digits. */
-static double two_digits(double value)
-{
-    double unit = value > 0 ? pow(10, floor(log10(value)) - 1) : 1;
-    return round(value / unit) * unit;
-}
-
-/** "256 x 256 points, 12 surfaces, 13 loads, about 9000 convolutions, 5 s of one core". */
+/** "256 x 256 points, 12 surfaces, 13 loads, about 5.2 s of one core". */
 static void describe_direct(struct text *out, const struct direct_plan *plan)
 {
     text_add(out, "%zu x %zu points, ", plan->grid, plan->grid);
@@ -120,26 +113,12 @@ static void describe_direct(struct text *out, const struct direct_plan *plan)
     else
         text_add(out, "%zu surface%s%s, ", plan->seeds, plan->seeds == 1 ? "" : "s",
                  plan->fine_times > 1 ? " and a finer grid" : "");
-    text_add(out, "%zu load%s: about %.10g convolutions, %.10g s of one core", plan->loads, plan->loads == 1 ? "" : "s",
-             two_digits(plan->convolutions), two_digits(plan->seconds));
+    text_add(out, "%zu load%s, about %.2g s of one core", plan->loads, plan->loads == 1 ? "" : "s", plan->seconds);
     if (plan->of_spacing) /* else the scene says what the surface is */
-        text_add(out, ", down to waves of four spacings, for want of a lambda_s: true at this resolution%s",
-                 plan->law.gamma > 0 && plan->law.gamma < 1.5 ? ", its area falling with lambda_s" : "");
+        text_add(out, ", down to waves of four spacings, for want of a lambda_s: true at this resolution");
 }
 
-/** What the direct solution would say and cost where it is not called for. */
-static void outline_direct(struct text *out, const struct plan *plan, const struct results *results)
-{
-    struct direct_plan outline;
-    direct_study_outline(&outline, &results->surfaces[results->baseline].summary, results->scene, plan,
-                         results_loads(results, results->baseline), results->load_count);
-    text_add(out, "not called for; %s",
-             outline.possible ? "it would say how far each model is off: " : outline.problem);
-    if (outline.possible)
-        describe_direct(out, &outline);
-}
-
-/** The direct solution's part of the plan: what it says of itself, or would cost. */
+/** The direct solution's part of the plan, where it is called for: what it is of, and costs. */
 static void plan_direct(struct plan *plan, const struct results *results)
 {
     struct plan_effect *effect = &plan->effects[EFFECT_DIRECT];
@@ -147,30 +126,21 @@ static void plan_direct(struct plan *plan, const struct results *results)
     double budget_s = results->scene->direct.budget_s;
     struct text reason = {0};
     size_t surfaces = 0;
-    if (results->usable_count == 0)
+    if (results->usable_count == 0 || !effect->runs)
         return;
-    for (size_t i = 0; i < results->surface_count && effect->runs; i++) {
-        struct direct_plan *own = results->surfaces[i].summary.direct;
-        if (own && !plan_runs(plan, EFFECT_PLASTICITY))
-            direct_plan_elastic(own);
+    for (size_t i = 0; i < results->surface_count; i++) {
         if (!prepare_solves(results, i))
             continue;
-        first = first && i != results->baseline ? first : own;
+        first = first && i != results->baseline ? first : results->surfaces[i].summary.direct;
         surfaces++;
     }
-    if (!effect->runs) {
-        outline_direct(&reason, plan, results);
-    } else if (!first) {
+    if (!first) {
         text_add(&reason, "called for, but %s", none ? none->problem : "no surface can be solved");
     } else {
         text_add(&reason, "called for on %zu surface%s: ", surfaces, surfaces == 1 ? "" : "s");
         describe_direct(&reason, first);
         if (first->over_budget)
             text_add(&reason, ", more than the budget of %g s, which nothing fits", budget_s);
-        else if (first->more_seconds > 0)
-            text_add(&reason,
-                     " of the budget of %g s; the next better (%zu x %zu points, %zu surfaces) would take %.10g s",
-                     budget_s, first->more_grid, first->more_grid, first->more_seeds, two_digits(first->more_seconds));
     }
     snprintf(effect->reason, sizeof effect->reason, "%s", text_string(&reason));
     text_free(&reason);

@@ -131,7 +131,6 @@ static enum status_code run_direct(struct run *run, struct status *status)
                                                .threads = run->options->jobs,
                                                .team = run->options->team,
                                                .stop = run->options->stop,
-                                               .efforts = !run->options->no_cost && i == results->baseline,
                                                .progress = run->options->progress ? add_progress : NULL,
                                                .progress_context = &progress};
         struct direct_study *study = &run->direct[results->direct_count];
@@ -139,7 +138,7 @@ static enum status_code run_direct(struct run *run, struct status *status)
         enum status_code rc = direct_study_run(study, &task, &problem);
         if (run->options->progress)
             run->options->progress("direct solution of", progress.surface, 1, 1);
-        if (rc == STATUS_MODEL) { /* no number then; the models' curves stand */
+        if (rc == STATUS_MODEL || rc == STATUS_SCAN) { /* no number then; the models' curves stand */
             direct_study_free(study);
             direct_plan_give_up(record->summary.direct, problem.message);
         } else if (rc != STATUS_OK) {
@@ -154,22 +153,13 @@ static enum status_code run_direct(struct run *run, struct status *status)
     return STATUS_OK;
 }
 
-static const struct direct_study *direct_of_baseline(const struct results *results)
-{
-    for (size_t k = 0; k < results->direct_count; k++)
-        if (results->direct[k].surface == results->baseline)
-            return &results->direct[k];
-    return NULL;
-}
-
 /** What accuracy costs, on the baseline surface. */
 static enum status_code measure_cost(struct run *run, struct status *status)
 {
     double before = clock_seconds() - run->started;
     const struct results *results = run->results;
-    const struct benchmark_task task = {
-        &results->surfaces[results->baseline],     results->scene,      results->plan,
-        results_loads(results, results->baseline), results->load_count, direct_of_baseline(results)};
+    const struct benchmark_task task = {&results->surfaces[results->baseline], results->scene, results->plan,
+                                        results_loads(results, results->baseline), results->load_count};
     enum status_code rc = benchmark_measure(&run->benchmark, &task, status);
     run->benchmark.before = before;
     run->results->benchmark = &run->benchmark;
@@ -294,7 +284,6 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     prepared_free(&run.prepared);
     output_abandon(&run.output);
     free(run.sweeps);
-    benchmark_free(&run.benchmark);
     measured_answers_free(&run.answers);
     comparison_free(&run.comparison);
     figures_free(&run.figures);

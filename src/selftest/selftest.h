@@ -7,8 +7,7 @@
 
 #include "selftest/selftest_table.h"
 
-/** Computes the number of one reference. Errors: those of what it tests; STATUS_IO: the table asks for what nothing
- * here computes. */
+/** Computes the number of one reference; NaN: nothing here computes it. Errors: those of what it tests. */
 MUST_CHECK enum status_code selftest_value(double *value, const struct selftest_reference *reference,
                                            const struct selftest_table *table, struct status *status);
 

@@ -5,12 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum status_code selftest_unknown(const struct selftest_reference *reference, struct status *status)
-{
-    return status_fail(status, STATUS_IO, "the self-test's table asks for '%.60s, %.60s', which is not computed here",
-                       reference->of, reference->quantity);
-}
-
 /** A cell that holds one number; an empty one holds 0. */
 static bool read_number(double *out, const char *cell)
 {
@@ -54,30 +48,23 @@ static bool read_input(struct selftest_table *out, const struct selftest_referen
     return i < 3 && n == inputs[i].count && *at == '\0';
 }
 
-/** The references first, then the inputs; these are the file's last lines, so that one that is cut off lacks some. */
+/** The inputs are the last lines, so that a table that is cut off lacks some. */
 static enum status_code read_lines(struct selftest_table *out, const char *path, struct status *status)
 {
-    bool ended = out->text.length > 0 && out->text.data[out->text.length - 1] == '\n';
-    size_t inputs = 0, number = 0;
+    size_t number = 0, inputs = 0;
     for (char *rest = out->text.data, *line; (line = strsep(&rest, "\n")) != NULL;) {
         struct selftest_reference *reference = &out->references[out->count];
-        bool header = strncmp(line, "group,", 6) == 0;
         number++;
-        if (*line == '#' || *line == '\0' || header)
+        if (*line == '#' || *line == '\0' || strncmp(line, "group,", 6) == 0)
             continue;
-        bool right = read_reference(reference, line);
-        if (right && strcmp(reference->group, "input") == 0) {
-            right = read_input(out, reference);
-            inputs++;
-        } else {
-            right = right && reference->expected != 0 && reference->tolerance > 0;
-            out->count++;
-        }
+        bool right = read_reference(reference, line), input = right && strcmp(reference->group, "input") == 0;
+        right = input ? read_input(out, reference) : right && reference->expected != 0 && reference->tolerance > 0;
+        out->count += !input;
+        inputs += input;
         if (!right)
             return status_fail(status, STATUS_IO, "%s:%zu: damaged; install the program again", path, number);
     }
-    return ended && inputs == 3 ? STATUS_OK
-                                : status_fail(status, STATUS_IO, "%s: cut off; install the program again", path);
+    return inputs == 3 ? STATUS_OK : status_fail(status, STATUS_IO, "%s: cut off; install the program again", path);
 }
 
 enum status_code selftest_table_read(struct selftest_table *out, const char *path, struct status *status)
@@ -99,12 +86,4 @@ void selftest_table_free(struct selftest_table *table)
     text_free(&table->text);
     free(table->references);
     table->references = NULL;
-}
-
-bool selftest_covers_model(const struct selftest_table *table, const char *name)
-{
-    for (size_t i = 0; i < table->count; i++)
-        if (strcmp(table->references[i].group, "models") == 0 && strcmp(table->references[i].of, name) == 0)
-            return true;
-    return false;
 }

@@ -29,23 +29,17 @@ struct selftest_table {
     double scans[SELFTEST_SCANS];
 };
 
-/** Reads the table. Errors: STATUS_IO with path and line: not there, cut off, not to be read; STATUS_MEMORY. */
+/** Reads the table. Errors: STATUS_IO with path and line: not there, damaged, cut off; STATUS_MEMORY. */
 MUST_CHECK enum status_code selftest_table_read(struct selftest_table *out, const char *path, struct status *status);
 void selftest_table_free(struct selftest_table *table);
-
-/** Has the table numbers of the model of this name? */
-bool selftest_covers_model(const struct selftest_table *table, const char *name);
 
 /* What computes the groups of selftest.csv; selftest_plain those that have no function of their own. Private to
  * src/selftest. */
 
-/** Computes the number of one reference. Errors: those of what it tests; selftest_unknown(). */
+/** Computes the number of one reference; leaves NaN what nothing here computes. Errors: those of what it tests. */
 typedef enum status_code selftest_compute(double *value, const struct selftest_reference *reference,
                                           const struct selftest_table *table, struct status *status);
 
 selftest_compute selftest_softgauge, selftest_spectrum, selftest_plain, selftest_model, selftest_direct;
-
-/** STATUS_IO: the table asks for something that is not computed here. */
-enum status_code selftest_unknown(const struct selftest_reference *reference, struct status *status);
 
 #endif

@@ -50,7 +50,7 @@ static int make(void **state)
     for (int i = 0; i < LOADS; i++)
         loads[i] = pow(10, -6 + i / 4.0);
     assert_int_equal(evaluate_models(record, &scene, &plan, loads, LOADS, &status), STATUS_OK);
-    const struct benchmark_task task = {record, &scene, &plan, loads, LOADS, NULL};
+    const struct benchmark_task task = {record, &scene, &plan, loads, LOADS};
     assert_int_equal(benchmark_measure(&cost, &task, &status), STATUS_OK);
     return 0;
 }
@@ -58,29 +58,18 @@ static int make(void **state)
 static int end(void **state)
 {
     (void)state;
-    benchmark_free(&cost);
     surface_record_free(record);
     free(record);
     return 0;
 }
 
-/** Row of that study and method, and setting unless NULL (then the chosen one); NULL: none. */
-static const struct benchmark_row *row_of(const struct benchmark *rows, const char *study, const char *method,
-                                          const char *setting)
+static const struct benchmark_row *find(const char *study, const char *method, double setting)
 {
-    for (const struct benchmark_row *row = rows->rows; row < rows->rows + rows->count; row++)
-        if (strcmp(row->study, study) == 0 && strcmp(row->method, method) == 0 &&
-            (setting ? strcmp(row->setting, setting) == 0 : row->chosen))
+    for (const struct benchmark_row *row = cost.rows; row < cost.rows + cost.count; row++)
+        if (strcmp(row->study, study) == 0 && strcmp(row->method, method) == 0 && row->setting == setting)
             return row;
+    fail_msg("no %s, %s, %g", study, method, setting);
     return NULL;
-}
-
-static const struct benchmark_row *find(const char *study, const char *method, const char *setting)
-{
-    const struct benchmark_row *row = row_of(&cost, study, method, setting);
-    if (!row)
-        fail_msg("no %s, %s, %s", study, method, setting ? setting : "(chosen)");
-    return row;
 }
 
 /* Each method comes to the same integrals, from its own formula of the law: one that did not would be off by as much
@@ -88,17 +77,17 @@ static const struct benchmark_row *find(const char *study, const char *method, c
 TEST_CASE(test_the_integrals_agree)
 {
     static const struct {
-        const char *study, *method, *setting;
-        double most;
+        const char *study, *method;
+        double setting, most;
     } rows[] = {
-        {"gw-integrals", "Simpson", "10000", 3e-4},        {"gw-integrals", "Gauss-Legendre", "1e-10", 1e-9},
-        {"jg-integrals", "Simpson", "10000", 1e-3},        {"jg-integrals", "Gauss-Legendre", "1e-10", 1e-9},
-        {"jg-integrals", "Gauss-Legendre", "1e-07", 1e-6}, {"jg-integrals", "Gauss-Legendre", "0.001", 1e-2},
+        {"gw-integrals", "Simpson", 1e4, 3e-4},         {"gw-integrals", "Gauss-Legendre", 1e-10, 1e-9},
+        {"jg-integrals", "Simpson", 1e4, 1e-3},         {"jg-integrals", "Gauss-Legendre", 1e-10, 1e-9},
+        {"jg-integrals", "Gauss-Legendre", 1e-6, 1e-5}, {"jg-integrals", "Gauss-Legendre", 1e-3, 1e-2},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         double error = find(rows[i].study, rows[i].method, rows[i].setting)->error;
         if (!(error <= rows[i].most))
-            fail_msg("%s, %s, %s: %g", rows[i].study, rows[i].method, rows[i].setting, error);
+            fail_msg("%s, %s, %g: %g", rows[i].study, rows[i].method, rows[i].setting, error);
     }
 }
 
@@ -106,17 +95,16 @@ TEST_CASE(test_the_integrals_agree)
 TEST_CASE(test_effort_and_error)
 {
     static const char *const studies[] = {"gw-integrals", "jg-integrals"};
-    static const char *const intervals[] = {"10", "100", "1000", "10000"};
+    static const double intervals[] = {10, 100, 1000, 10000};
     for (int s = 0; s < 2; s++) {
         double before = INFINITY;
         for (int i = 0; i < 4; i++) {
             const struct benchmark_row *row = find(studies[s], "Simpson", intervals[i]);
-            assert_int_equal(row->evaluations, 100 * (strtoul(intervals[i], NULL, 10) + 1)); /* for 100 separations */
+            assert_int_equal(row->evaluations, 100 * (intervals[i] + 1)); /* for 100 separations */
             assert_true(row->error < before);
             before = row->error;
-            assert_int_equal(row->chart, BENCHMARK_INTEGRALS);
         }
-        assert_true(find(studies[s], "Simpson", "10")->error > 1e-3);
+        assert_true(find(studies[s], "Simpson", 10)->error > 1e-3);
     }
 }
 
@@ -159,44 +147,18 @@ TEST_CASE(test_the_error_itself)
             for (int q = 0; q < 4; q++)
                 error = fmax(error, fabs(simpson(q, d, k, intervals[i], false) / simpson(q, d, k, 20000, true) - 1));
         }
-        char setting[24];
-        snprintf(setting, sizeof setting, "%zu", intervals[i]);
-        assert_near(find("gw-integrals", "Simpson", setting)->error, error, 1e-4);
+        assert_near(find("gw-integrals", "Simpson", (double)intervals[i])->error, error, 1e-4);
     }
     statistical_free(&gw);
-}
-
-/* What the report uses: the panels at the scene's tolerance. */
-TEST_CASE(test_what_is_chosen)
-{
-    size_t chosen = 0;
-    assert_string_equal(find("jg-integrals", "Gauss-Legendre", NULL)->setting, "1e-07");
-    assert_string_equal(find("gw-integrals", "Gauss-Legendre", NULL)->setting, "1e-07");
-    for (size_t i = 0; i < cost.count; i++)
-        chosen += cost.rows[i].chosen;
-    assert_int_equal(chosen, 2);
-    assert_null(row_of(&cost, "gw-integrals", "Simpson", NULL));
-}
-
-static size_t most_waves; /* of any spectrum that persson_make() was given */
-
-/* In place of persson_make() where models call it (ld --wrap, tests/CMakeLists.txt). */
-enum status_code __real_persson_make(struct persson *out, const struct spectrum *spectrum, struct status *status);
-enum status_code __wrap_persson_make(struct persson *out, const struct spectrum *spectrum, struct status *status);
-enum status_code __wrap_persson_make(struct persson *out, const struct spectrum *spectrum, struct status *status)
-{
-    most_waves = spectrum->count > most_waves ? spectrum->count : most_waves;
-    return __real_persson_make(out, spectrum, status);
 }
 
 /* The waves that every tolerance is summed over, of a scan so long that fewer show it too. */
 TEST_CASE(test_a_long_scan)
 {
     enum { WAVES = 150000 };
-    size_t waves[2], persson = model_named("corrected-persson");
+    uint64_t evaluations[2];
     for (int longer = 0; longer < 2; longer++) {
         struct surface_record *scan = malloc(sizeof *scan);
-        struct benchmark rows = {0};
         struct status status = {0};
         assert_non_null(scan);
         *scan = *record;
@@ -205,34 +167,20 @@ TEST_CASE(test_a_long_scan)
         scan->spectrum.amplitude_m = malloc(scan->spectrum.count * sizeof *scan->spectrum.amplitude_m);
         assert_true(scan->curves && scan->spectrum.amplitude_m);
         for (size_t i = 0; i < scan->spectrum.count; i++)
-            scan->spectrum.amplitude_m[i] = 1e-7 * pow((double)(i + 1), -1.5);
-        scan->curves[persson].exists = true;
-        const struct benchmark_task task = {scan, &scene, &plan, loads, LOADS, NULL};
-        most_waves = 0;
-        assert_int_equal(benchmark_curves(&rows, &task, &status), STATUS_OK);
-        waves[longer] = most_waves;
-        assert_non_null(row_of(&rows, "tolerance", "all models", "1e-06"));
-        benchmark_free(&rows);
+            scan->spectrum.amplitude_m[i] = 1e-7 * pow((double)(i + 1), -0.6);
+        scan->curves[model_named("multiscale-elastic")].exists = true;
+        struct benchmark of_scan;
+        assert_int_equal(
+            benchmark_measure(&of_scan, &(struct benchmark_task){scan, &scene, &plan, loads, LOADS}, &status),
+            STATUS_OK);
+        assert_int_equal(of_scan.count, 4);
+        evaluations[longer] = of_scan.rows[0].evaluations;
         spectrum_free(&scan->spectrum);
         free(scan->curves);
         free(scan);
     }
-    assert_true(waves[0] > 10000);
-    assert_int_equal(waves[0], waves[1]);
-}
-
-static void count_runs(void *context)
-{
-    ++*(int *)context;
-}
-
-TEST_CASE(test_the_clock)
-{
-    int runs = 0;
-    double seconds = benchmark_time(count_runs, &runs);
-    assert_true(runs >= 2 && runs <= 12);
-    assert_true(seconds >= 0 && seconds < INFINITY);
-    assert_true(cost.seconds > 0);
+    assert_true(evaluations[0] > 10000);
+    assert_int_equal(evaluations[0], evaluations[1]);
 }
 
 TEST_GROUP(make, end)

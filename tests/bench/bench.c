@@ -1,12 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Times the program's kernels: case, method, evaluations, nanoseconds each, error, and how often the case fits into the
- * time of the same work by Simpson's rule with 1000 sub-intervals. cmake --workflow --preset bench.
- * Times are the least of several runs; ratios come from one run of this program. The direct solution follows: its
- * convolutions, CPU and elapsed time, memory held, and what is aimed at. Last, how whole reports grow with what they
- * are of. */
+/* Times the direct solution: convolutions, CPU and elapsed time, memory held, and what is aimed at; and how whole
+ * reports grow with what they are of. cmake --workflow --preset bench. Times are the least of several runs; those of
+ * the methods for a model's integrals stand in any report's cost.csv. */
 #include "base/clock.h"
 #include "contact/multiscale.h"
-#include "contact/statistical.h"
 #include "direct/direct_ensemble.h"
 #include "profile/synth.h"
 #include "run/run.h"
@@ -24,29 +21,8 @@
 enum {
     EVERYTHING = QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_RESISTANCES,
     LOADS = 121,
-    SEPARATIONS = 100,
-    SCALES = 4096,
     RUNS = 10,
 };
-
-/** One timed case. */
-struct result {
-    double seconds, error;
-    uint64_t evaluations;
-};
-
-static void print(const char *name, const char *method, const struct result *result, double simpson_seconds)
-{
-    printf("%-34s %-24s %9llu %9.3f %9.2f", name, method, (unsigned long long)result->evaluations,
-           result->seconds * 1e3, result->seconds / (double)result->evaluations * 1e9);
-    if (isnan(result->error))
-        printf(" %10s", "");
-    else
-        printf(" %10.1e", result->error);
-    if (simpson_seconds > 0)
-        printf(" %10.1f", simpson_seconds / result->seconds);
-    printf("\n");
-}
 
 static void must(enum status_code code)
 {
@@ -90,140 +66,6 @@ static double stack_run(const struct spectrum *spectrum, const struct material_p
         multiscale_solve(&point, &stack, &spot, EVERYTHING, load_at(i), visits);
     multiscale_free(&stack);
     return cpu_seconds() - started;
-}
-
-static struct result multiscale_case(const struct material_pair *pair, bool plastic, double gamma)
-{
-    struct spectrum spectrum = law_spectrum(SCALES, gamma);
-    struct result result = {INFINITY, NAN, 0};
-    for (int run = 0; run < RUNS; run++) {
-        result.evaluations = 0;
-        result.seconds = fmin(result.seconds, stack_run(&spectrum, pair, plastic, &result.evaluations));
-    }
-    spectrum_free(&spectrum);
-    return result;
-}
-
-static struct asperities surface(void)
-{
-    struct asperities asperities;
-    struct roughness roughness = {.m0_m2 = 1.156e-13, .m2 = 0.0012, .m4_per_m2 = 4.5e8};
-    struct status status = {0};
-    must(roughness_asperities(&asperities, &roughness, &status));
-    return asperities;
-}
-
-/** d/sigma_s of the i-th separation, from far apart to full contact of JG. */
-static double separation_at(int i)
-{
-    return 6 - 0.06 * i;
-}
-
-static double largest_error(const struct contact_point *point, const struct contact_point *better)
-{
-    const double errors[] = {point->value[QUANTITY_AREA] / better->value[QUANTITY_AREA] - 1,
-                             point->value[QUANTITY_LOAD] / better->value[QUANTITY_LOAD] - 1,
-                             point->value[QUANTITY_TCR] / better->value[QUANTITY_TCR] - 1,
-                             point->value[QUANTITY_TCR_SCALE_DEPENDENT] / better->value[QUANTITY_TCR_SCALE_DEPENDENT] -
-                                 1};
-    double largest = 0;
-    for (size_t i = 0; i < sizeof errors / sizeof errors[0]; i++)
-        largest = fmax(largest, fabs(errors[i]));
-    return largest;
-}
-
-/** The model made and evaluated at all separations, every integral. */
-static struct result separations_case(const struct material_pair *pair, enum asperity_model_id law, double tolerance)
-{
-    struct asperities asperities = surface();
-    struct status status = {0};
-    struct statistical model, better;
-    struct contact_point points[SEPARATIONS], point;
-    struct result result = {INFINITY, 0, 0};
-    uint64_t laws = 0;
-    must(statistical_make(&better, &asperities, pair, law, EVERYTHING, 1e-14, INFINITY, &laws, &status));
-    for (int run = 0; run < RUNS; run++) {
-        result.evaluations = 0;
-        double started = clock_seconds();
-        must(statistical_make(&model, &asperities, pair, law, EVERYTHING, tolerance, INFINITY, &result.evaluations,
-                              &status));
-        for (int i = 0; i < SEPARATIONS; i++)
-            statistical_at(&points[i], &model, separation_at(i));
-        statistical_free(&model);
-        result.seconds = fmin(result.seconds, clock_seconds() - started);
-    }
-    for (int i = 0; i < SEPARATIONS; i++) {
-        statistical_at(&point, &better, separation_at(i));
-        if (points[i].value[QUANTITY_AREA] < 0.999 && point.value[QUANTITY_AREA] < 0.999)
-            result.error = fmax(result.error, largest_error(&points[i], &point));
-    }
-    statistical_free(&better);
-    return result;
-}
-
-/** The same integrals by composite Simpson with the thesis's 1000 sub-intervals; the error is that of the area. */
-static struct result simpson_case(const struct material_pair *pair, enum asperity_model_id law)
-{
-    enum { INTERVALS = 1000 };
-    struct asperities asperities = surface();
-    struct asperity asperity = asperity_make(asperities.radius_m, pair, law);
-    double knudsen_m = constriction_make(pair).knudsen_length_m, area[SEPARATIONS], kept = 0;
-    struct status status = {0};
-    struct statistical better;
-    struct contact_point point;
-    struct result result = {INFINITY, 0, 0};
-    uint64_t laws = 0;
-    must(statistical_make(&better, &asperities, pair, law, EVERYTHING, 1e-14, INFINITY, &laws, &status));
-    for (int run = 0; run < 3; run++) {
-        double started = clock_seconds();
-        for (int s = 0; s < SEPARATIONS; s++) {
-            double d = separation_at(s), step = (9 - fmin(d, 0)) / INTERVALS, sum[4] = {0};
-            for (int i = 0; i <= INTERVALS; i++) {
-                struct asperity_contact contact;
-                double u = i * step, weight = (i == 0 || i == INTERVALS ? 1
-                                               : i % 2                  ? 4
-                                                                        : 2) *
-                                              exp(-(u + d) * (u + d) / 2);
-                asperity_models[law].press(&contact, &asperity, u * asperities.sigma_s_m);
-                sum[0] += weight * contact.area_m2;
-                sum[1] += weight * contact.load_N;
-                sum[2] += weight * contact.radius_m;
-                sum[3] += weight * contact.radius_m * contact.radius_m / (contact.radius_m + knudsen_m);
-            }
-            area[s] = asperities.density_per_m2 * sum[0] * step / 3 / sqrt(2 * M_PI);
-            kept += sum[1] + sum[2] + sum[3]; /* or the compiler would leave them out */
-        }
-        result.seconds = fmin(result.seconds, clock_seconds() - started);
-    }
-    result.evaluations = SEPARATIONS * (INTERVALS + 1);
-    for (int s = 0; s < SEPARATIONS && isfinite(kept); s++) {
-        statistical_at(&point, &better, separation_at(s));
-        result.error = fmax(result.error, fabs(area[s] / point.value[QUANTITY_AREA] - 1));
-    }
-    statistical_free(&better);
-    return result;
-}
-
-/** Every load of a curve solved for its separation. */
-static struct result loads_case(const struct material_pair *pair, enum asperity_model_id law, double tolerance)
-{
-    struct asperities asperities = surface();
-    struct status status = {0};
-    struct result result = {INFINITY, NAN, 0};
-    for (int run = 0; run < RUNS; run++) {
-        struct statistical model;
-        struct contact_point point;
-        double d = 3, started = clock_seconds();
-        result.evaluations = 0;
-        must(statistical_make(&model, &asperities, pair, law, EVERYTHING, tolerance, INFINITY, &result.evaluations,
-                              &status));
-        for (int i = 0; i < LOADS; i++)
-            if (statistical_solve(&point, &model, load_at(i), &d))
-                result.evaluations++;
-        statistical_free(&model);
-        result.seconds = fmin(result.seconds, clock_seconds() - started);
-    }
-    return result;
 }
 
 /** A tin-like surface: gamma 1.3, Rq 0.24 um in 0.3 mm, lambda_s = 6 dx. */
@@ -302,7 +144,9 @@ static struct direct_result direct_ladder_case(void)
         must(direct_ensemble_run(&ensemble, &def, &status));
         result.elapsed_seconds = fmin(result.elapsed_seconds, clock_seconds() - started);
         result.cpu_seconds = fmin(result.cpu_seconds, cpu_seconds() - cpu);
-        result.convolutions = ensemble.convolutions;
+        result.convolutions = 0;
+        for (size_t k = 0; k < ensemble.seeds * ensemble.loads; k++)
+            result.convolutions += ensemble.seed_point[k].convolutions;
         direct_ensemble_free(&ensemble);
     }
     direct_spectrum_free(&spectrum);
@@ -494,30 +338,6 @@ static void growth(void)
 
 int main(void)
 {
-    static const char *const names[] = {"GW", "JG"};
-    struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
-    char name[64];
-    printf("%-34s %-24s %9s %9s %9s %10s %10s\n", "case", "method", "evals", "ms", "ns each", "error", "Simpson/it");
-    for (int plastic = 0; plastic < 2; plastic++)
-        for (double gamma = 0.5; gamma < 1.6; gamma += 0.5) {
-            struct result result = multiscale_case(&pair, plastic, gamma);
-            snprintf(name, sizeof name, "4096 scales x 121 loads, gamma %.1f", gamma);
-            print(name, plastic ? "multiscale plastic" : "multiscale elastic", &result, 0);
-        }
-    for (int law = 0; law < ASPERITY_MODEL_COUNT; law++) {
-        struct result simpson = simpson_case(&pair, (enum asperity_model_id)law);
-        snprintf(name, sizeof name, "%s, 100 separations, all integrals", names[law]);
-        print(name, "Simpson 1000", &simpson, simpson.seconds);
-        for (double tolerance = 1e-6; tolerance > 1e-11; tolerance *= 1e-4) {
-            char method[40];
-            struct result result = separations_case(&pair, (enum asperity_model_id)law, tolerance);
-            snprintf(method, sizeof method, "%s %.0e", law == ASPERITY_HERTZ ? "closed + panels" : "panels", tolerance);
-            print(name, method, &result, simpson.seconds);
-        }
-        struct result loads = loads_case(&pair, (enum asperity_model_id)law, 1e-6);
-        snprintf(name, sizeof name, "%s, 121 loads, all integrals", names[law]);
-        print(name, "Newton 1e-06", &loads, 0);
-    }
     direct_cases();
     growth();
     return 0;

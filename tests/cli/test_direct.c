@@ -57,7 +57,7 @@ TEST_IN_WORKSPACE(test_files)
     assert_string_equal(csv,
                         "surface,source,load_over_AnEp,area_ratio,area_stderr,gap_m,gap_stderr,ecr_ohm_m2,ecr_stderr,"
                         "tcr_K_m2_per_W,patches,seeds,grid,heights,hardness_Pa");
-    assert_string_equal(ratios, "surface,model,load_over_AnEp,area,gap,ecr,conductance");
+    assert_string_equal(ratios, "surface,model,load_over_AnEp,area,gap,ecr");
     free(csv);
     free(ratios);
     assert_true(workspace_has(place, "out/figures/direct.svg"));
@@ -76,8 +76,7 @@ TEST_IN_WORKSPACE(test_numbers)
     double g = gradient_of(json_array_get(json_object_get(all, "direct"), 0)), modulus = 41.4e9 / (1 - 0.36 * 0.36);
     size_t elastic = 0, capped = 0;
     for (size_t i = 0; i < t.rows; i++) {
-        bool cap = *table_text(&t, i, "hardness_Pa") != '\0',
-             gaussian = !strcmp(table_text(&t, i, "heights"), "gaussian");
+        bool cap = *table_text(&t, i, "hardness_Pa") != '\0';
         double load = table_number(&t, i, "load_over_AnEp"), area = table_number(&t, i, "area_ratio");
         assert_near(table_number(&t, i, "tcr_K_m2_per_W") / table_number(&t, i, "ecr_ohm_m2"), 1 / (66.8 * 11.5e-8),
                     1e-12);
@@ -85,7 +84,7 @@ TEST_IN_WORKSPACE(test_numbers)
             assert_near(table_number(&t, i, "hardness_Pa"), 400e6, 1e-12);
             assert_true(area >= load * modulus / 400e6 * (1 - 1e-12));
             capped++;
-        } else if (gaussian && i + 2 < t.rows && load == 1e-3) {
+        } else if (i + 2 < t.rows && load == 1e-3) {
             assert_within(area * g / load, 2.05, 0.35);
             double slope = (table_number(&t, i + 2, "gap_m") - table_number(&t, i, "gap_m")) / 1e-4;
             assert_near(table_number(&t, i + 1, "ecr_ohm_m2"), -11.5e-8 * slope, 0.01);
@@ -96,8 +95,7 @@ TEST_IN_WORKSPACE(test_numbers)
     assert_int_equal(capped, 4); /* 4e-3 E' = 190 MPa */
     size_t persson = 0;
     for (size_t i = 0; i < r.rows; i++)
-        if (strcmp(table_text(&r, i, "model"), "corrected-persson") == 0 && *table_text(&r, i, "conductance")) {
-            assert_near(table_number(&r, i, "conductance"), 1, 0.01); /* its resistance is Barber's */
+        if (strcmp(table_text(&r, i, "model"), "corrected-persson") == 0 && *table_text(&r, i, "area")) {
             assert_within(log(table_number(&r, i, "area")), 0, log(2));
             persson++;
         }
@@ -127,15 +125,11 @@ TEST_IN_WORKSPACE(test_off)
         assert_int_equal(workspace_count(place, "direct"), 0);
         assert_int_equal(workspace_count(place, "patches"), 0);
         expect_not_in_file(place, "out/report.md", "## Against a direct solution");
-        expect_in_file(place, "out/report.md", "direct (not called for; it would say how far each model is off: ");
+        expect_in_file(place, "out/report.md",
+                       "direct (not called for; it takes seconds and says how far each model is off)");
         json_t *all = workspace_json(place, "out/results.json");
         assert_null(json_object_get(all, "direct"));
         json_decref(all);
-        struct process plan = expect_exit(place, 0, "plan", "d");
-        process_unwrap(&plan);
-        expect_part(plan.out,
-                    "it would say how far each model is off: 1024 x 1024 points, 12 surfaces and a finer grid");
-        process_free(&plan);
     }
 }
 
@@ -271,7 +265,8 @@ TEST_IN_WORKSPACE(test_resolution)
     expect_not_in_file(place, "out/report.md", "true at this resolution");
 }
 
-/* Two surfaces beside six: an error no less than the scatter of the six says; of the capped area none is borrowed. */
+/* Two surfaces with a hardness beside five: an error no less than the scatter of the five says; of the capped area none
+ * is borrowed. */
 TEST_IN_WORKSPACE(test_few_surfaces)
 {
     write_profile(place, EFFECTS "direct: {grid: 64, seeds: 5, loads: [1e-3, 2e-3, 4e-3], hardness: 400 MPa}\n");
@@ -299,45 +294,8 @@ TEST_IN_WORKSPACE(test_few_surfaces)
                 compared++;
             }
         }
-    assert_true(compared >= 10 && alike > 0 && alike < compared && bare > 0);
+    assert_true(compared == 6 && alike > 0 && alike < compared && bare > 0);
     table_free(&t);
-}
-
-/* An error against the direct solution is the largest, over as many loads as have one, both as in direct_ratio.csv; an
- * elastic-plastic area that is P/H in both says so, and what was not run does. */
-TEST_IN_WORKSPACE(test_cost_errors)
-{
-    write_profile(place, EFFECTS "direct: {grid: 64, seeds: 3, loads: [1e-4, 3e-4, 1e-3, 1e-2]}\n");
-    run_to_exit(place, 0, "report", "d", "-o", "out");
-    struct table cost = workspace_table(place, "out/data/cost.csv"),
-                 ratios = workspace_table(place, "out/data/direct_ratio.csv");
-    static const char *const quantities[] = {"area", "gap", "ecr"};
-    size_t compared = 0, fewer = 0;
-    for (size_t r = 0; r < cost.rows; r++)
-        for (int q = 0; q < 3; q++)
-            for (size_t m = 0; m < model_count; m++) {
-                char study[16], setting[32];
-                double largest = 0;
-                size_t loads = 0;
-                snprintf(study, sizeof study, "direct-%s", quantities[q]);
-                if (strcmp(table_text(&cost, r, "study"), study) != 0 ||
-                    strcmp(table_text(&cost, r, "method"), model_rows[m]->label) != 0)
-                    continue;
-                for (size_t k = 0; k < ratios.rows; k++)
-                    if (strcmp(table_text(&ratios, k, "model"), model_rows[m]->name) == 0 &&
-                        *table_text(&ratios, k, quantities[q])) {
-                        largest = fmax(largest, fabs(table_number(&ratios, k, quantities[q]) - 1));
-                        loads++;
-                    }
-                snprintf(setting, sizeof setting, "%zu load%s", loads, loads == 1 ? "" : "s");
-                assert_string_equal(table_text(&cost, r, "setting"), setting);
-                assert_within(table_number(&cost, r, "max_relative_error"), largest, 1e-12 * (1 + largest));
-                compared++;
-                fewer += loads < 4;
-            }
-    assert_true(compared > 12 && fewer > 0);
-    table_free(&cost);
-    table_free(&ratios);
 }
 
 TEST_IN_WORKSPACE(test_impossible)

@@ -130,7 +130,7 @@ TEST_IN_WORKSPACE(test_below_resolution)
     report(place, 0, "grid: 64, seeds: 2, loads: [1e-9, 1e-8], surfaces: all");
     struct table t = workspace_table(place, "out/data/direct.csv"),
                  r = workspace_table(place, "out/data/direct_ratio.csv");
-    assert_int_equal(t.rows, 6); /* two loads of three kinds */
+    assert_int_equal(t.rows, 4); /* two loads, elastic and with a hardness */
     for (size_t i = 0; i < t.rows; i++)
         for (size_t k = 0; k < NUMBERS; k++)
             assert_string_equal(table_text(&t, i, numbers[k]), "");
@@ -163,7 +163,7 @@ TEST_IN_WORKSPACE(test_partly_below_resolution)
         with += resolved;
         without += !resolved;
     }
-    assert_true(with >= 2 && without >= 2);
+    assert_true(with >= 1 && without >= 2);
     table_free(&t);
     assert_true(points_drawn(place) >= 3); /* the check above sees them */
 }
@@ -186,7 +186,7 @@ TEST_IN_WORKSPACE(test_loads_at_the_hardness)
         assert_true(table_number(&t, i, "area_ratio") >= load * modulus / 475e6 * (1 - 1e-12));
         capped++;
     }
-    assert_int_equal(elastic, 6);
+    assert_int_equal(elastic, 3);
     assert_int_equal(capped, 1);
     table_free(&t);
     report(place, 0, "grid: 64, seeds: 2, loads: [8e-3, 2e-2], hardness: 1 MPa, surfaces: all");
@@ -204,7 +204,7 @@ TEST_IN_WORKSPACE(test_complete_contact)
     report(place, 0, "grid: 64, seeds: 2, loads: [10], surfaces: all");
     struct table t = workspace_table(place, "out/data/direct.csv"),
                  r = workspace_table(place, "out/data/direct_ratio.csv");
-    assert_int_equal(t.rows, 2);
+    assert_int_equal(t.rows, 1);
     for (size_t i = 0; i < t.rows; i++) {
         assert_true(table_number(&t, i, "area_ratio") == 1 && table_number(&t, i, "gap_m") == 0);
         assert_true(table_number(&t, i, "ecr_ohm_m2") == 0 && table_number(&t, i, "tcr_K_m2_per_W") == 0);
@@ -243,7 +243,7 @@ TEST_IN_WORKSPACE(test_strange_surfaces)
             if (table_number(&t, i, "load_over_AnEp") > 50)
                 assert_true(given && table_number(&t, i, "area_ratio") == 1);
         }
-        assert_true(rows[0] >= 8 && rows[1] >= 8 && rows[2] >= 8);
+        assert_true(rows[0] >= 4 && rows[1] >= 4 && rows[2] >= 4);
         table_free(&t);
     }
 }

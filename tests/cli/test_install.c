@@ -78,12 +78,6 @@ TEST_IN_WORKSPACE(test_install)
     process_expect_failure(process_end(process_start_list(place, self_test, NULL)), 4, 1,
                            "first/share/roughcontact/selftest.csv'; install the program with cmake --install", __FILE__,
                            __LINE__);
-    const char *const as_json[] = {program, "self-test", "--json", NULL};
-    struct process json = process_end(process_start_list(place, as_json, NULL));
-    assert_int_equal(json.status, 4);
-    expect_part(json.out, "\"right\": false");
-    expect_part(json.out, "selftest.csv");
-    process_free(&json);
     free(reference);
     free(second);
     free(third);

@@ -143,6 +143,18 @@ double largest_pressure(const struct direct_contact *contact)
     return most;
 }
 
+struct overlap overlap_of(const struct direct_contact *contact, double hardness)
+{
+    const struct direct_kernel *kernel = &contact->kernel;
+    struct overlap out = {0};
+    for (size_t j = 0; j < kernel->ny; j++)
+        for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++) {
+            out.capped_points += contact->pressure[k] >= hardness;
+            out.plane_gap_m += contact->gap_m[k] / (double)kernel->points;
+        }
+    return out;
+}
+
 /** K p by FFTW's own transform of two dimensions, not in place. */
 static double *displacement(const struct direct_contact *contact)
 {

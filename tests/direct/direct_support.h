@@ -43,6 +43,13 @@ double twenty_spots_of(size_t n);
 
 double largest_pressure(const struct direct_contact *contact);
 
+/** Points at the hardness, and the mean gap where what overlaps counts, just after a solution. */
+struct overlap {
+    size_t capped_points;
+    double plane_gap_m;
+};
+struct overlap overlap_of(const struct direct_contact *contact, double hardness);
+
 /** Largest violation of the conditions of contact, by a gap computed anew with the pixel's sums left to FFTW alone: the
  * pressure's bounds and mean, and the gap's sign on each side, as a share of the heights' rms. */
 double violation_of(const struct direct_contact *contact, const struct direct_contact_load *load);

@@ -3,8 +3,6 @@
 
 #include "direct/direct_constriction.h"
 #include "direct/direct_ensemble.h"
-#include "direct/direct_map.h"
-#include "direct/direct_predict.h"
 
 static const double loads[] = {1e-3, 5e-3, 0.02, 0.08, 0.3, 0.6};
 enum { LOADS = sizeof loads / sizeof loads[0] };
@@ -39,7 +37,6 @@ TEST_CASE(means_of_single_solutions)
     double *coarse = recipe_surface(64), *fine = recipe_surface(128);
     struct direct_contact contact = contact_of(coarse, 64, 64), finer = contact_of(fine, 128, 128);
     assert_int_equal(found.seeds, 6);
-    assert_near(found.rms_m, contact.rms_m, 1e-12);
     for (size_t i = 0; i < LOADS; i++) {
         const struct direct_ensemble_point *point = &found.point[i];
         struct direct_contact_load load = load_of(loads[i], INFINITY, 1e-9);
@@ -56,11 +53,10 @@ TEST_CASE(means_of_single_solutions)
         }
         for (size_t k = 0; k < 6; k++)
             square += pow(found.seed_point[k * LOADS + i].quantities.gap_m - gap, 2);
-        assert_int_equal(point->state, least < 100 ? DIRECT_ENSEMBLE_FEW_POINTS : DIRECT_ENSEMBLE_GIVEN);
-        if (point->state != DIRECT_ENSEMBLE_GIVEN) {
-            assert_true(isnan(point->mean[DIRECT_AREA].value) && isnan(point->mean[DIRECT_GAP].value));
+        assert_int_equal(isnan(point->mean[DIRECT_GAP].value), least < 100);
+        assert_int_equal(isnan(point->mean[DIRECT_AREA].value), least < 100);
+        if (least < 100)
             continue;
-        }
         double ratio = two.gap_m / one.gap_m;
         assert_near(point->mean[DIRECT_GAP].fine_ratio, ratio, 1e-5);
         assert_near(point->mean[DIRECT_GAP].value, gap * ratio, 1e-5);
@@ -68,8 +64,7 @@ TEST_CASE(means_of_single_solutions)
         assert_near(point->mean[DIRECT_CONSTRICTION].fine_ratio, finer_length / length, 1e-5);
         assert_near(point->mean[DIRECT_AREA].fine_ratio, two.area_ratio / one.area_ratio, 1e-9);
     }
-    assert_int_equal(found.point[0].state, DIRECT_ENSEMBLE_FEW_POINTS);
-    assert_int_equal(found.point[LOADS - 1].state, DIRECT_ENSEMBLE_GIVEN);
+    assert_true(isnan(found.point[0].mean[DIRECT_GAP].value) && !isnan(found.point[LOADS - 1].mean[DIRECT_GAP].value));
     direct_ensemble_free(&found);
     direct_contact_free(&contact);
     direct_contact_free(&finer);
@@ -101,7 +96,6 @@ TEST_CASE(threads_do_not_matter)
             }
             assert_true(first.point[3].mean[DIRECT_GAP].value == found.point[3].mean[DIRECT_GAP].value);
             assert_true(first.point[3].mean[DIRECT_AREA].fine_ratio == found.point[3].mean[DIRECT_AREA].fine_ratio);
-            assert_int_equal(first.fine_convolutions, found.fine_convolutions);
             direct_ensemble_free(&found);
         }
         direct_ensemble_free(&first);
@@ -116,16 +110,15 @@ TEST_CASE(ladder_with_a_hardness)
     def.ladder.hardness = 0.3;
     struct direct_ensemble found = ensemble_of(&def);
     for (size_t i = 0; i < LOADS; i++) {
-        assert_true((found.point[i].state == DIRECT_ENSEMBLE_COMPLETE) == (loads[i] >= 0.3));
-        if (found.point[i].state == DIRECT_ENSEMBLE_GIVEN)
-            assert_true(found.point[i].mean[DIRECT_AREA].value > loads[i] / 0.3 - 0.05);
-        if (found.point[i].state == DIRECT_ENSEMBLE_GIVEN) { /* the finer grid corrects these too */
-            assert_true(found.point[i].mean[DIRECT_GAP].fine_ratio != 1);
-            assert_within(found.point[i].mean[DIRECT_GAP].fine_ratio, 1, 0.05);
+        const struct direct_mean *mean = found.point[i].mean;
+        if (!isnan(mean[DIRECT_AREA].value)) {
+            assert_true(loads[i] < 0.3 && mean[DIRECT_AREA].value > loads[i] / 0.3 - 0.05);
+            assert_true(mean[DIRECT_GAP].fine_ratio != 1); /* the finer grid corrects these too */
+            assert_within(mean[DIRECT_GAP].fine_ratio, 1, 0.05);
         }
         assert_true(found.seed_point[i].exists == (loads[i] < 0.3));
     }
-    assert_true(isnan(found.point[LOADS - 1].mean[DIRECT_GAP].value));
+    assert_true(!isnan(found.point[3].mean[DIRECT_GAP].value) && isnan(found.point[LOADS - 1].mean[DIRECT_GAP].value));
     direct_ensemble_free(&found);
 }
 
@@ -144,87 +137,4 @@ TEST_CASE(errors_and_stop)
     def.context = &negative;
     status = (struct status){0};
     assert_int_equal(direct_ensemble_run(&found, &def, &status), STATUS_MODEL);
-}
-
-/** Predicted convolutions against those of ladders solved, elastic and with a hardness; time and memory by what they
- * are in proportion to. */
-TEST_CASE(predictions)
-{
-    double load[13];
-    struct direct_law law = {1, 1.297, 3e-4 / (128.0 / 6), 3e-4, 1};
-    struct direct_spectrum spectrum;
-    struct status status = {0};
-    double m0 = 0;
-    for (size_t m = 1; m <= direct_law_harmonics(&law); m++)
-        m0 += pow(direct_law_amplitude(&law, m), 2) / 2;
-    law.alpha *= 0.242e-6 / sqrt(m0);
-    assert_int_equal(direct_spectrum_of_law(&spectrum, &law, &status), STATUS_OK);
-    for (int capped = 0; capped < 2; capped++) {
-        for (int i = 0; i < 13; i++)
-            load[i] = (capped ? 0.45e-5 : 1e-5) * pow(10, i / 4.0) * (capped ? 0.1 : 1);
-        struct direct_ensemble_def def = {.ladder = {load, 13, capped ? 4.97e-4 : INFINITY, 1e-6, true, NULL},
-                                          .length_m = 3e-4,
-                                          .n = 128,
-                                          .variance = direct_spectrum_variance,
-                                          .context = &spectrum,
-                                          .seeds = 2};
-        struct direct_ensemble found = ensemble_of(&def);
-        struct direct_predict_def asked = {.n = 128, .loads = 13, .seeds = 2, .capped = capped, .resistance = true};
-        struct direct_prediction predicted = direct_predict(&asked);
-        assert_true(predicted.convolutions < 1.5 * (double)found.convolutions);
-        assert_true(predicted.convolutions > (double)found.convolutions / 1.5);
-        direct_ensemble_free(&found);
-    }
-    direct_spectrum_free(&spectrum);
-    struct direct_predict_def one = {.n = 256, .loads = 13, .seeds = 12, .resistance = true}, fine = one, more = one;
-    more.seeds = 24;
-    fine.fine_times = 4;
-    assert_near(direct_predict(&more).seconds, 2 * direct_predict(&one).seconds, 1e-12);
-    assert_near(direct_predict(&fine).bytes, 16 * direct_predict(&one).bytes, 1e-12);
-    double seconds[] = {direct_predict(&one).seconds, direct_predict(&fine).seconds};
-    assert_true(seconds[1] > 1.5 * seconds[0]);
-    assert_near(direct_predict(&one).convolutions, 12 * 13 * (44 + 16), 1e-12);
-    fine.heights = one.heights = true; /* each of the surfaces is made, the finer one's too, on the coarse grid */
-    assert_near(direct_predict(&one).seconds - seconds[0], 12 * 0.14, 1e-9);
-    assert_near(direct_predict(&fine).seconds - seconds[1], 13 * 0.14, 1e-9);
-}
-
-/** The counts hold on a square that is no power of two and mirrored, up to full contact. */
-TEST_CASE(predictions_of_a_map)
-{
-    enum { SIDE = 75 };
-    double *height = recipe_surface(128), *square = malloc(SIDE * SIDE * sizeof *square), load[13];
-    struct status status = {0};
-    struct direct_map map;
-    struct direct_map_def def = {SIDE, SIDE, 1.0 / 128, 1.0 / 128, false, 0};
-    for (size_t k = 0; k < SIDE * SIDE; k++)
-        square[k] = height[k / SIDE * 128 + k % SIDE];
-    assert_int_equal(direct_map_make(&map, square, &def, SIDE, &status), STATUS_OK);
-    double gradient = gradient_of(map.height_m, map.n, map.spacing_m);
-    for (int capped = 0; capped < 2; capped++) {
-        struct direct_contact contact;
-        struct direct_point point[13];
-        size_t convolutions = 0;
-        for (int i = 0; i < 13; i++) /* a hardness of 0.1 g; from few points to the hardness, or to full contact */
-            load[i] = gradient * (capped ? 0.08 : 0.8) * pow(10, (i - 12) / 4.0);
-        struct direct_ladder_def ladder = {load, 13, capped ? 0.1 * gradient : INFINITY, 1e-6, true, NULL};
-        assert_int_equal(direct_contact_make(&contact, NULL, map.height_m, map.n, map.n, map.spacing_m, &status),
-                         STATUS_OK);
-        assert_int_equal(direct_ladder_run(point, &contact, &ladder, &status), STATUS_OK);
-        for (int i = 0; i < 13; i++)
-            convolutions += point[i].convolutions;
-        struct direct_predict_def asked = {
-            .n = map.n, .loads = 13, .seeds = 1, .capped = capped, .resistance = true, .map = true};
-        struct direct_prediction predicted = direct_predict(&asked);
-        print_message("capped %d: %zu convolutions, %.0f predicted\n", capped, convolutions, predicted.convolutions);
-        assert_true(predicted.convolutions < 2 * (double)convolutions);
-        assert_true(predicted.convolutions > (double)convolutions / 2);
-        direct_contact_free(&contact);
-        struct direct_predict_def made = asked;
-        made.map = false;
-        assert_true(predicted.seconds > 1.3 * direct_predict(&made).seconds);
-    }
-    direct_map_free(&map);
-    free(square);
-    free(height);
 }

@@ -40,7 +40,7 @@ static struct direct_point solved(struct direct_contact *contact, double load, d
     const struct direct_quantities *q = &point.quantities;
     assert_true(point.exists && q->contact_points > 0 && point.patches > 0);
     assert_true(q->area_ratio >= 0 && q->area_ratio <= 1);
-    assert_true(isfinite(q->gap_m) && q->gap_m >= 0 && isfinite(q->plane_gap_m) && q->plane_gap_m <= q->gap_m);
+    assert_true(isfinite(q->gap_m) && q->gap_m >= 0);
     assert_true(isfinite(point.constriction_m) && point.constriction_m >= 0);
     return point;
 }

@@ -102,7 +102,7 @@ TEST_IN_WORKSPACE(the_header_stands_alone)
     workspace_write(place, "use",
                     "#include <roughcontact.h>\n#include <roughcontact.h>\n"
                     "int main() { struct roughcontact_run_options how;\n"
-                    "roughcontact_run_options_init(&how, sizeof how);\n"
+                    "roughcontact_run_options_init(&how);\n"
                     "return roughcontact_version() == 0; }\n");
     for (size_t i = 0; i < 2; i++) {
         const char *compiler = i == 0 ? C_COMPILER : languages[i][0];

@@ -230,8 +230,8 @@ TEST_IN_WORKSPACE(report_and_library_agree)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct roughcontact_run_options how;
         struct roughcontact_surface_options options;
-        roughcontact_run_options_init(&how, sizeof how);
-        roughcontact_surface_options_init(&options, sizeof options);
+        roughcontact_run_options_init(&how);
+        roughcontact_surface_options_init(&options);
         how.material = cases[i].material;
         how.counterface = cases[i].counterface;
         how.hardness_Pa = cases[i].hardness_Pa;
@@ -346,7 +346,7 @@ TEST_IN_WORKSPACE(units_are_not_guessed)
     assert_int_equal(process.status, 4);
 #define READ(code)                                                                                                     \
     assert_int_equal(roughcontact_scan_read_bytes(&scan, text, strlen(text), "bare.csv", &options, &status), code)
-    roughcontact_scan_options_init(&options, sizeof options);
+    roughcontact_scan_options_init(&options);
     READ(ROUGHCONTACT_SCAN);
     assert_null(scan);
     expect_part(process.err, status.message);
@@ -382,18 +382,17 @@ TEST_IN_WORKSPACE(units_are_not_guessed)
 
 TEST_IN_WORKSPACE(faults_of_surfaces_are_errors)
 {
-    const size_t size = sizeof(struct roughcontact_surface_options), profile = ROUGHCONTACT_NO_ROW;
+    const size_t profile = ROUGHCONTACT_NO_ROW;
     const struct {
         struct roughcontact_surface_options options;
         int code;
         const char *part;
     } faults[] = {
-        {{size, profile, NAN, 0}, ROUGHCONTACT_USAGE, "lambda_s_m is nan"},
-        {{size, profile, 0, -1}, ROUGHCONTACT_USAGE, "lambda_c_m is -1"},
-        {{size, profile, 1e-5, 1e-6}, ROUGHCONTACT_USAGE, "nothing would be left"},
-        {{size, profile, 1e-5, 1}, ROUGHCONTACT_SCAN, "lambda_c"},
-        {{size, 1, 0, 0}, ROUGHCONTACT_USAGE, "there is no row 1"},
-        {{0, profile, 0, 0}, ROUGHCONTACT_USAGE, "roughcontact_surface_options_init"},
+        {{profile, NAN, 0}, ROUGHCONTACT_USAGE, "lambda_s_m is nan"},
+        {{profile, 0, -1}, ROUGHCONTACT_USAGE, "lambda_c_m is -1"},
+        {{profile, 1e-5, 1e-6}, ROUGHCONTACT_USAGE, "nothing would be left"},
+        {{profile, 1e-5, 1}, ROUGHCONTACT_SCAN, "lambda_c"},
+        {{1, 0, 0}, ROUGHCONTACT_USAGE, "there is no row 1"},
     };
     struct roughcontact_surface *surface;
     workspace_scan(place, "a.csv", 300, 9);
@@ -458,7 +457,7 @@ TEST_IN_WORKSPACE(faults_of_runs_are_errors)
         {"gw", rising, 2, NULL, some, NAN, 0, "counterface"},
     };
     for (size_t i = 0; i < sizeof faults / sizeof *faults; i++) {
-        roughcontact_run_options_init(&how, sizeof how);
+        roughcontact_run_options_init(&how);
         how.material = faults[i].material;
         how.counterface = faults[i].counterface;
         how.hardness_Pa = faults[i].hardness_Pa;
@@ -501,7 +500,7 @@ TEST_CASE(a_map_needs_a_row)
     struct roughcontact_surface *surface;
     struct roughcontact_surface_options options;
     EXPECT(roughcontact_surface_make(&surface, scan, NULL, &status), ROUGHCONTACT_USAGE, "`row`");
-    roughcontact_surface_options_init(&options, sizeof options);
+    roughcontact_surface_options_init(&options);
     double rq_m[3];
     for (options.row = 0; options.row < 3; options.row++) {
         assert_int_equal(roughcontact_surface_make(&surface, scan, &options, NULL), ROUGHCONTACT_OK);
@@ -549,7 +548,7 @@ TEST_IN_WORKSPACE(loads_may_be_pressures)
     struct roughcontact_material *material = make_material(NULL, elastic);
     struct roughcontact_run_options how;
     struct roughcontact_curve *one, *two;
-    roughcontact_run_options_init(&how, sizeof how);
+    roughcontact_run_options_init(&how);
     how.material = material;
     assert_int_equal(roughcontact_run(&one, surface, "multiscale-elastic", loads, 3, &how, NULL), ROUGHCONTACT_OK);
     how.load = ROUGHCONTACT_LOAD_PRESSURE_PA;
@@ -601,35 +600,4 @@ TEST_IN_WORKSPACE(validity_is_told)
     assert_int_equal(m, model_count);
     assert_true(bounded > 0);
     roughcontact_surface_free(surface);
-}
-
-/** A program built with an older header knows shorter options; one with a newer one, longer. */
-TEST_IN_WORKSPACE(options_may_grow)
-{
-    workspace_scan(place, "a.csv", 300, 4);
-    struct roughcontact_scan *scan = read_scan(place, "a.csv");
-    struct roughcontact_surface *surface;
-    struct roughcontact_surface_options older;
-    const size_t known = offsetof(struct roughcontact_surface_options, lambda_c_m);
-    memset(&older, 0xaa, sizeof older); /* what lies behind is not the library's */
-    roughcontact_surface_options_init(&older, known);
-    assert_int_equal(older.size, known);
-    assert_true(((const unsigned char *)&older)[known] == 0xaa);
-    assert_int_equal(roughcontact_surface_make(&surface, scan, &older, NULL), ROUGHCONTACT_OK);
-    roughcontact_surface_free(surface);
-
-    struct {
-        struct roughcontact_surface_options known;
-        double later;
-    } newer;
-    memset(&newer, 0xaa, sizeof newer);
-    roughcontact_surface_options_init(&newer.known, sizeof newer);
-    assert_true(newer.later == 0);
-    assert_true(newer.known.lambda_s_m == 0 && newer.known.row == ROUGHCONTACT_NO_ROW);
-    assert_int_equal(roughcontact_surface_make(&surface, scan, &newer.known, NULL), ROUGHCONTACT_OK);
-    roughcontact_surface_free(surface);
-    newer.later = 1;
-    EXPECT(roughcontact_surface_make(&surface, scan, &newer.known, &status), ROUGHCONTACT_USAGE,
-           roughcontact_version());
-    roughcontact_scan_free(scan);
 }

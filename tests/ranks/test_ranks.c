@@ -58,12 +58,11 @@ static void ensembles(void **state)
         def.team = team;
         assert_int_equal(direct_ensemble_run(&found, &def, &status), STATUS_OK);
         assert_int_equal(found.seeds, expected.seeds);
-        assert_near(found.rms_m, expected.rms_m, 1e-12);
         expect_same(found.seed_point, expected.seed_point, found.seeds * LOADS);
         for (size_t i = 0; i < LOADS; i++) {
             struct direct_mean one = found.point[i].mean[DIRECT_GAP], two = expected.point[i].mean[DIRECT_GAP];
-            assert_int_equal(found.point[i].state, expected.point[i].state);
-            if (found.point[i].state != DIRECT_ENSEMBLE_GIVEN)
+            assert_int_equal(isnan(one.value), isnan(two.value));
+            if (isnan(two.value))
                 continue;
             assert_near(one.value, two.value, 1e-9);
             assert_near(one.fine_ratio, two.fine_ratio, 1e-9);
@@ -74,18 +73,18 @@ static void ensembles(void **state)
     direct_spectrum_free(&spectrum);
 }
 
-static enum status_code solve(struct direct_point *out, uint8_t *touching, const double *height,
-                              const struct direct_team *by, const atomic_bool *stop, struct status *status)
+static enum status_code solve(struct direct_point *out, const double *height, const struct direct_team *by,
+                              const atomic_bool *stop, struct status *status)
 {
     struct direct_ladder_def ladder = {loads, LOADS, INFINITY, 1e-6, true, stop};
     double *copy = malloc(N * N * sizeof *copy);
     assert_non_null(copy);
     memcpy(copy, height, N * N * sizeof *copy);
     *status = (struct status){0};
-    return direct_ladder_of_heights(out, NULL, touching, copy, N, 1.0 / N, &ladder, by, status);
+    return direct_ladder_of_heights(out, copy, N, 1.0 / N, &ladder, by, status);
 }
 
-/** Where the bodies touch comes back; the first rank's stop ends all, and so does what one rank finds wrong; and the
+/** The first rank's stop ends all, and so does what one rank finds wrong; and the
  * ranks are there for the next surface. */
 static void heights_errors_and_stop(void **state)
 {
@@ -93,27 +92,23 @@ static void heights_errors_and_stop(void **state)
     static const atomic_bool stop = true;
     struct direct_spectrum spectrum = spectrum_of_law();
     struct direct_point expected[LOADS], found[LOADS];
-    uint8_t *touching = malloc(2 * N * N), *there = touching + N * N;
     double *height = malloc(N * N * sizeof *height);
     struct status status = {0};
-    assert_true(touching && height);
+    assert_non_null(height);
     assert_int_equal(direct_surface_make(height, N, direct_spectrum_variance, &spectrum, NULL, 0, 1, &status),
                      STATUS_OK);
-    assert_int_equal(solve(expected, touching, height, NULL, NULL, &status), STATUS_OK);
+    assert_int_equal(solve(expected, height, NULL, NULL, &status), STATUS_OK);
     for (int round = 0; round < 2; round++) {
         double last = height[N * N - 1];
-        memset(there, 2, N * N);
-        assert_int_equal(solve(found, there, height, team, NULL, &status), STATUS_OK);
+        assert_int_equal(solve(found, height, team, NULL, &status), STATUS_OK);
         expect_same(found, expected, LOADS);
-        assert_memory_equal(touching, there, N * N);
-        assert_int_equal(solve(found, NULL, height, team, &stop, &status), STATUS_INTERRUPTED);
+        assert_int_equal(solve(found, height, team, &stop, &status), STATUS_INTERRUPTED);
         height[N * N - 1] = INFINITY; /* on the last rank */
-        assert_int_equal(solve(found, NULL, height, team, NULL, &status), STATUS_MODEL);
+        assert_int_equal(solve(found, height, team, NULL, &status), STATUS_MODEL);
         assert_non_null(strstr(status.message, "height 16383 of the surface"));
         height[N * N - 1] = last;
     }
     free(height);
-    free(touching);
     direct_spectrum_free(&spectrum);
 }
 

@@ -172,7 +172,7 @@ static void add_hertz(struct page *page)
         struct direct_quantities found = solved(&contact, &load);
         double deviation[] = {sqrt(direct_area_corrected(&found, n * n, direct_kappa) / M_PI) / a - 1,
                               largest_pressure(&contact) / (2 * a / M_PI) - 1,
-                              -(found.plane_gap_m + mean) / (a * a - 3.900264920 * p / M_PI) - 1};
+                              -(found.gap_m + mean) / (a * a - 3.900264920 * p / M_PI) - 1};
         add_grid(page, n, deviation, bound, 3, n == 512);
         direct_contact_free(&contact);
         free(height);

@@ -147,7 +147,7 @@ static void solve(struct direct_point *out, const double *height_m, double hardn
         own[i] = loads[i] * gradient;
     const struct direct_ladder_def def = {
         .load = own, .loads = LOADS, .hardness = hardness * gradient, .tolerance = 1e-6, .resistance = true};
-    coverage_must(direct_ladder_of_heights(out, NULL, NULL, copy, SIDE, spacing_m, &def, NULL, &status), &status);
+    coverage_must(direct_ladder_of_heights(out, copy, SIDE, spacing_m, &def, NULL, &status), &status);
 }
 
 /** Writes rows and a scene into the directory. */
@@ -245,7 +245,8 @@ static void hold_synthesis(struct findings *findings, const struct surface_recor
             for (size_t a = 0; a < ASKED && fabs(study.plan.load[k] / (loads[i] * gradient) - 1) < 1e-9; a++) {
                 double value[ASKED] = {truth[i].quantities.area_ratio, truth[i].quantities.gap_m,
                                        2 * resistivity_ohm_m * truth[i].constriction_m};
-                double mine = direct_study_value(&study, &record->summary.pair, study.leading, asked[a], k, NULL);
+                double mine =
+                    direct_study_value(&study, &record->summary.pair, DIRECT_STUDY_ELASTIC, asked[a], k, NULL);
                 add(findings, &(struct finding){model_count + 1, law, a, i, false, log(mine / value[a]), NAN, false});
             }
     direct_study_free(&study);
