@@ -236,15 +236,3 @@ TEST_CASE(test_refusals)
     assert_refused_bytes(text_string(&text), text.length, &no_units, "positions stored point by point");
     text_free(&text);
 }
-
-TEST_CASE(test_checksum)
-{
-    struct text text = smd(SMD_HEAD POINTS "$\r\n1\r\n$\r\n\x1a");
-    struct scan scan;
-    struct status status = {0};
-    assert_int_equal(read_bytes(&scan, text_string(&text), text.length, &no_units, &status), STATUS_OK);
-    assert_int_equal(scan.warning_count, 1);
-    assert_non_null(strstr(scan.warnings[0], "checksum"));
-    scan_free(&scan);
-    text_free(&text);
-}
