@@ -124,8 +124,7 @@ static enum status_code check(struct scan *scan, const struct scan_file *file)
 static enum status_code check_asked(const struct scan *scan, const struct scan_file *file)
 {
     const struct scan_options *options = file->options;
-    bool column = (options->x_column && *options->x_column) || (options->z_column && *options->z_column);
-    if (column && scan->z_column == 0)
+    if (options->z_column > 0 && scan->z_column == 0)
         return scan_fail(file, 0, "a file of format %s has no columns to choose from; remove `column`", scan->format);
     if (options->quantity == SCAN_SLOPE && scan->quantity != SCAN_SLOPE)
         return scan_fail(file, 0, "a file of format %s has heights, not slopes; remove `quantity: slope`",
@@ -196,15 +195,13 @@ enum status_code scan_read_beside(struct scan *out, const struct scan_bytes *byt
     const struct scan_file file = {bytes->bytes, bytes->length, bytes->path, options, &problem};
     struct sidecar sidecar;
     char *found = NULL;
-    bool refused_text = code == STATUS_SCAN && out->z_column == 0 && !foreign_is_binary(&file);
     if (code == STATUS_SCAN && !options->no_programs && is_foreign_scan(&file) && gwyddion_exists()) {
         scan_free(out);
         return read_converted(out, &file, path, &problem, status);
     }
-    if (code != STATUS_MEMORY && (out->units_lacking || refused_text) &&
-        sidecar_find(&sidecar, &found, path, status) != STATUS_OK)
+    if (code != STATUS_MEMORY && out->units_lacking && sidecar_find(&sidecar, &found, path, status) != STATUS_OK)
         return status->code;
-    if (found && (out->units_lacking || sidecar.header.lines > 0)) { /* else it says nothing of what went wrong */
+    if (found) {
         struct scan_options with = *options;
         with.sidecar = &sidecar;
         scan_free(out);

@@ -47,9 +47,9 @@ struct sidecar;
 /** What the scene says about a file; "" or NULL where it says nothing. Its units are used only where neither the file
  * itself nor a sidecar names any. */
 struct scan_options {
-    const char *x_unit, *z_unit;     /* a unit of length; of slopes: rad, mrad, urad, nrad, um/mm, ..., or 1 */
-    enum scan_quantity quantity;     /* slopes are read only where this says so */
-    const char *x_column, *z_column; /* of a table of text: a number, from 1, or a title; else the header decides */
+    const char *x_unit, *z_unit;   /* a unit of length; of slopes: rad, mrad, urad, nrad, um/mm, ..., or 1 */
+    enum scan_quantity quantity;   /* slopes are read only where this says so */
+    size_t x_column, z_column;     /* of a table of text, from 1; 0: the header decides */
     size_t entry;                  /* of an archive of several scans: 0 the first, then next_entry of the one before */
     const struct sidecar *sidecar; /* set by scan_read_beside() */
     bool no_programs;              /* no other program is asked to convert what no reader knows */
