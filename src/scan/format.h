@@ -10,8 +10,7 @@
 
 enum format_kind {
     FORMAT_UNKNOWN, /* empty, or binary of no known format */
-    FORMAT_SCAN,    /* a reader knows its bytes */
-    FORMAT_TEXT,    /* may be a scan */
+    FORMAT_SCAN,    /* a reader knows its bytes, or a text that may be a scan */
     FORMAT_PACKED,  /* "zip", an archive that may hold scans, or "gz" */
     FORMAT_FOREIGN, /* a measurement in a format that is not read */
     FORMAT_OTHER    /* certainly no scan */

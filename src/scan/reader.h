@@ -85,9 +85,9 @@ static inline struct string_view scan_view(const struct scan_file *file)
     return (struct string_view){file->bytes, file->bytes + file->length};
 }
 
-/** Index of the first position that breaks the order set by the first two (strictly up or strictly down), n when none
- * does. A non-finite position breaks it. */
-size_t scan_disorder(const double *x, size_t n);
+/** Index of the first of n positions, `stride` numbers apart, that breaks the order set by the first two (strictly up
+ * or strictly down), n when none does. A non-finite position breaks it. */
+size_t scan_disorder(const double *x, size_t stride, size_t n);
 
 /* One line a format (packed files apart): the prefix of its functions, its name. The order matters where one looks like
  * another: the first match wins, and text takes what no other reader knows. */

@@ -27,7 +27,7 @@ static void reverse(double *values, size_t n)
 static enum status_code check_positions(struct scan *scan, const struct scan_file *file)
 {
     if (scan->x_m) {
-        size_t bad = scan_disorder(scan->x_m, scan->nx);
+        size_t bad = scan_disorder(scan->x_m, 1, scan->nx);
         if (bad < scan->nx)
             return scan_fail(file, 0, "x of point %zu does not go on from the point before; sort the points by x",
                              bad + 1);

@@ -496,7 +496,7 @@ static enum status_code take_points(struct scan *out, struct table *table, size_
         out->x_m[i] = row[x] * x_m;
         table->cell[i] = valid ? row[z] * z_m : NAN; /* never beyond row i itself */
     }
-    size_t bad = scan_disorder(out->x_m, rows);
+    size_t bad = scan_disorder(out->x_m, 1, rows);
     if (bad < rows && isnan(out->x_m[bad]))
         return scan_fail(table->file, line_of_row(table, bad), "no x here; fill it in or remove this line");
     if (bad < rows)
@@ -512,13 +512,7 @@ static enum status_code take_points(struct scan *out, struct table *table, size_
 
 static bool goes_one_way(const struct table *table, size_t column)
 {
-    bool up = at(table, 1, column) > at(table, 0, column);
-    for (size_t i = 1; i < table->rows; i++) {
-        double here = at(table, i, column), before = at(table, i - 1, column);
-        if (!(up ? here > before : here < before))
-            return false;
-    }
-    return true;
+    return scan_disorder(table->cell + column, table->columns, table->rows) == table->rows;
 }
 
 static bool counts_up(const struct table *table)

@@ -184,13 +184,6 @@ TEST_CASE(test_binary)
         noise[i] = (char)(i * i * 37 >> 4);
     assert_refused_bytes(noise, sizeof noise, &no_units,
                          "is a binary file of no known format; export it as text (x z columns), .sdf, .sur or .x3p");
-    /* text at first, data behind it: the first letter of those would be no help */
-    struct text head = {0};
-    for (size_t i = 0; i < 1000; i++)
-        text_add(&head, "%zu 1.5\n", i);
-    text_add_bytes(&head, "j\0\0k\xff\n1 2\n", 10);
-    assert_refused_bytes(head.data, head.length, &no_units, "is a binary file of no known format");
-    text_free(&head);
 }
 
 TEST_CASE(test_no_file)
@@ -219,16 +212,6 @@ TEST_CASE(test_hostile_name)
     assert_null(strchr(status.message, '\n'));
     assert_non_null(strstr(status.message, ":2: 'x' in a column"));
     scan_free(&scan);
-}
-
-TEST_CASE(test_warnings_overflow)
-{
-    struct scan scan = {0};
-    for (int i = 1; i <= 12; i++)
-        scan_warn(&scan, "number\n%d", i);
-    assert_int_equal(scan.warning_count, SCAN_WARNINGS);
-    assert_string_equal(scan.warnings[6], "number?7");
-    assert_string_equal(scan.warnings[7], "and 5 more warnings");
 }
 
 /* What instruments write where they measured nothing, and empty cells, are missing points. */

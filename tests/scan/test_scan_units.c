@@ -307,10 +307,9 @@ IN_FOLDER(test_dabam)
                         second_slope = {.z_column = 3, .quantity = SCAN_SLOPE};
     directory_write(folder, "s.dat", "0 0 5 0\n1 2 6 4\n2 4 7 8\n3 6 9 12\n");
     directory_write(folder, "s.txt", dabam);
-    expect_refusal(&no_units, "column 2 is a slope in urad by its sidecar 's.txt', not heights; to integrate it add "
-                              "`quantity: slope`");
-    expect_refusal(&um, "column 2 is a slope in urad by its sidecar");
-    expect_refusal(&second_slope, "column 3 has heights in nm by its sidecar 's.txt', not slopes");
+    expect_refusal(&no_units, "column 2 is a slope in urad, not heights; to integrate it add `quantity: slope`");
+    expect_refusal(&um, "column 2 is a slope in urad, not heights");
+    expect_refusal(&second_slope, "column 3 has heights in nm, not slopes");
     expect_units(&slope, "urad", "s.txt");
     expect_units(&second, "nm", "s.txt");
     expect_units(&third, "mrad", "s.txt");
