@@ -8,17 +8,31 @@
 #include <string.h>
 #include <strings.h>
 
-static const struct scan_reader readers[] = {
-#define SCAN_ROW(prefix, name) {name, scan_##prefix##_sniff, scan_##prefix##_read},
-    SCAN_FORMATS(SCAN_ROW)
-#undef SCAN_ROW
+const struct scan_reader scan_readers[] = {
+    {"x3p", NULL, scan_x3p_sniff, scan_x3p_read},
+    {"mahr-prf", "[p3dlin]", NULL, scan_mahr_prf_read},
+    {"sur", "DIGITAL SURF", NULL, scan_sur_read},
+    {"sur", "DSCOMPRESSED", NULL, scan_sur_read},
+    {"al3d", "AliconaImaging", NULL, scan_al3d_read},
+    {"sdf", NULL, scan_sdf_sniff, scan_sdf_read},
+    {"gsf", "Gwyddion Simple Field 1.0\n", NULL, scan_gsf_read},
+    {"gwy", "GWYPGwyContainer", NULL, scan_gwy_read},
+    {"surfer", "DSAA", NULL, scan_surfer_read},
+    {"surfer", "DSBB", NULL, scan_surfer_read},
+    {"surfer", "DSRB", NULL, scan_surfer_read},
+    {"mahr-text", "[PROFILE_HEADER]", NULL, scan_mahr_text_read},
+    {"npl-prf", NULL, scan_npl_prf_sniff, scan_npl_prf_read},
+    {"smd", NULL, scan_smd_sniff, scan_smd_read},
+    {"nist-xml", NULL, scan_nist_xml_sniff, scan_nist_xml_read},
+    {"text", NULL, scan_text_sniff, scan_text_read},
 };
+const size_t scan_reader_count = sizeof scan_readers / sizeof *scan_readers;
 
 static const struct scan_reader *find_reader(const struct scan_file *file)
 {
-    for (size_t i = 0; i < sizeof readers / sizeof *readers; i++)
-        if (readers[i].sniff(file))
-            return &readers[i];
+    for (const struct scan_reader *row = scan_readers; row < scan_readers + scan_reader_count; row++)
+        if (row->magic ? string_view_starts(scan_view(file), row->magic) : row->sniff(file))
+            return row;
     return NULL;
 }
 

@@ -88,12 +88,8 @@ enum status_code scan_smd_read(struct scan *out, const struct scan_file *file)
     if (read_header(axis, header, file) != STATUS_OK)
         return file->status->code;
     size_t nx = axis[0].n, ny = axis[1].unit.name ? axis[1].n : 1;
-    if (scan_reserve(out, nx, ny, (string_view_length(heights) + 1) / 2, file) != STATUS_OK ||
-        scan_fill(out, &heights, axis[2].scale * axis[2].unit.si, file) != STATUS_OK)
+    if (scan_take_text(out, nx, ny, heights, axis[2].scale * axis[2].unit.si, NULL, file) != STATUS_OK)
         return file->status->code;
-    struct string_view word;
-    if (scan_word(&heights, &word))
-        return scan_fail(file, scan_line(file, word.start), "more heights than the header says, %zu x %zu", nx, ny);
     out->dx_m = axis[0].increment * axis[0].scale * axis[0].unit.si;
     out->dy_m = axis[1].increment * axis[1].scale * axis[1].unit.si;
     scan_set_units(out, axis[0].unit.name, axis[2].unit.name);

@@ -274,17 +274,6 @@ static enum status_code read_size(const struct main_xml *xml, size_t *nx, size_t
     return scan_check_points(*nx, *ny, file);
 }
 
-/* The type that a letter of X3P stands for. */
-static bool find_type(char letter, enum bytes_type *type)
-{
-    static const char letters[] = "ILFD";
-    static const enum bytes_type types[] = {BYTES_I16, BYTES_I32, BYTES_F32, BYTES_F64};
-    const char *found = memchr(letters, letter, strlen(letters));
-    if (found)
-        *type = types[found - letters];
-    return found;
-}
-
 static double scaled(const struct x3p_axis *axis, double value)
 {
     double result = value * axis->increment + axis->offset;
@@ -295,10 +284,14 @@ static double scaled(const struct x3p_axis *axis, double value)
 static enum status_code find_types(enum bytes_type type[3], size_t *size, const struct x3p_axis axis[3],
                                    const struct scan_file *file)
 {
+    static const char letters[] = {'I', 'L', 'F', 'D'};
+    static const enum bytes_type types[] = {BYTES_I16, BYTES_I32, BYTES_F32, BYTES_F64};
     *size = 0;
     for (size_t i = 0; i < 3; i++) {
-        if (!find_type(axis[i].type, &type[i]))
+        const char *found = memchr(letters, axis[i].type, sizeof letters);
+        if (!found)
             return scan_fail(file, 0, "data type '%c' is none of ISO 25178-72", axis[i].type);
+        type[i] = types[found - letters];
         *size += stored(&axis[i]) ? bytes_size(type[i]) : 0;
     }
     return STATUS_OK;
