@@ -121,6 +121,11 @@ TEST_CASE(test_refusals)
     refuse_text(zip(damaged, true), &second, "file(b.csv): no line of numbers in it");
     refuse_text(zip(wyko, true), &no_units,
                 "file(b.opd): the format is not read here: Wyko OPD file; export it in Vision");
+    struct text text = zip(wyko, true);
+    const struct member nested[] = {{"inner.zip", text.data, text.length}, {NULL, NULL, 0}};
+    refuse_text(zip(nested, false), &no_units, "no scan in this zip archive, only inner.zip");
+    assert_refused_bytes(text.data, text.length - 30, &no_units, "damaged zip archive");
+    text_free(&text);
     const struct member workbook[] = {{"[Content_Types].xml", "x", 1}, {"xl/workbook.xml", "y", 1}, {NULL, NULL, 0}};
     refuse_text(zip(workbook, true), &no_units, "Excel workbook; save the sheet with the scan as CSV");
     static struct member many[1002];

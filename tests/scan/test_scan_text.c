@@ -148,7 +148,6 @@ TEST_CASE(test_refusals)
     assert_refused("0 1\n\n1 2\n2 3 4\n", "file:4: 3 columns where line 1 has 2");
     assert_refused("0,1\n1\n2,3\n", "file:2: 1 columns where line 1 has 2");
     assert_refused("0,1\n1,\n2,3\n", "file: 1 of 3 heights are missing");
-    assert_refused("0,1\n1\n2,3\n", "file:2: 1 columns where line 1 has 2");
     assert_refused("0,1\n,2\n2,3\n", "file:2: no x here; fill it in or remove this line");
     assert_refused("0,1\n1,2\n2,3\nend\n", "file:4: 'end'");
     assert_refused("0;1\n1;2\n;x\n", "file:3: 'x'");

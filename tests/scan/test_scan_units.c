@@ -333,29 +333,6 @@ IN_FOLDER(test_dabam)
     expect_units(&no_units, "nm", "s.txt");
 }
 
-/* A sidecar cut off anywhere gives units or none; the sanitizers watch the rest. */
-IN_FOLDER(test_cut_sidecars)
-{
-    folder = *state;
-    static const char lines[] = "x unit: mm, z unit: um/mm\nunits: mm/\n";
-    const char *const contents[] = {dabam, lines};
-    directory_write(folder, "s.dat", "0 0 5 0\n1 2 6 4\n2 4 7 8\n3 6 9 12\n");
-    for (size_t k = 0; k < 2; k++)
-        for (size_t length = strlen(contents[k]); length > 0; length--) {
-            struct scan_options options = {.x_unit = "um", .z_unit = "urad", .quantity = SCAN_SLOPE};
-            struct scan scan;
-            struct status status;
-            char *cut = strndup(contents[k], length);
-            directory_write(folder, "s.txt", cut);
-            if (take(&scan, &options, &status) == STATUS_OK)
-                assert_sound(&scan);
-            else
-                assert_int_equal(status.code, STATUS_SCAN);
-            scan_free(&scan);
-            free(cut);
-        }
-}
-
 /* Column 4 of the real file has the slopes of column 2: integrated they are its heights, but for the quadrature. */
 TEST_CASE(test_real_slopes)
 {
