@@ -132,29 +132,12 @@ static enum status_code check_asked(const struct scan *scan, const struct scan_f
     return STATUS_OK;
 }
 
-static enum status_code read_any(struct scan *out, const struct scan_file *file)
-{
-    struct format format = format_of(file, false);
-    if (format.kind != FORMAT_PACKED)
-        return format_read(out, file);
-    out->format = format.name;
-    if (strcmp(format.name, "zip") == 0)
-        return scan_zip_read(out, file);
-    struct text text = {0};
-    enum status_code code = scan_gz_unpack(&text, file);
-    const struct scan_file inner = {text_string(&text), text.length, file->path, file->options, file->status};
-    if (code == STATUS_OK)
-        code = format_read(out, &inner);
-    text_free(&text);
-    return code;
-}
-
 enum status_code scan_read_bytes(struct scan *out, const struct scan_bytes *bytes, const struct scan_options *options,
                                  struct status *status)
 {
     const struct scan_file file = {bytes->bytes, bytes->length, bytes->path, options, status};
     *out = (struct scan){.ny = 1};
-    if (read_any(out, &file) != STATUS_OK || check_asked(out, &file) != STATUS_OK)
+    if (format_read(out, &file, false) != STATUS_OK || check_asked(out, &file) != STATUS_OK)
         return status->code;
     return check(out, &file);
 }

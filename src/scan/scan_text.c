@@ -23,8 +23,6 @@ struct table {
     size_t rows, columns;
     double *cell;                 /* rows x columns */
     size_t first_line, last_line; /* where the rows are, counted from 1 */
-    size_t announced;             /* how many rows the line right above them says follow */
-    size_t announced_line;        /* and its line, 0 when there is none */
     struct text_header header;    /* of the preamble */
     const struct scan_file *file;
 };
@@ -169,7 +167,7 @@ static enum status_code fail_row(const struct table *table, const struct row *ro
 /* Is `content`, trimmed and not empty, a comment below the first row? */
 static bool is_comment(const struct table *table, struct string_view content)
 {
-    return strchr("#%", *content.start) || string_view_starts(content, "//") ||
+    return *content.start == '#' || *content.start == '%' || string_view_starts(content, "//") ||
            (*content.start == ';' && table->delimiter != ';');
 }
 
@@ -238,12 +236,12 @@ static bool is_damaged_row(const struct table *table, struct string_view line, s
 }
 
 /* Is `content` nothing but how many rows follow? `lines` goes on with the next line, which then has more columns. */
-static bool is_count(struct table *table, struct string_view content, struct lines lines)
+static bool is_count(size_t *announced, struct string_view content, struct lines lines)
 {
     size_t columns = 0;
     while (content.end > content.start && strchr(",;", content.end[-1]))
         content.end--;
-    if (!number_read_size(content, &table->announced))
+    if (!number_read_size(content, announced))
         return false;
     for (struct string_view line; lines_next(&lines, &line);) {
         bool comment;
@@ -252,16 +250,6 @@ static bool is_count(struct table *table, struct string_view content, struct lin
             return find_delimiter(line, &columns) && columns > 1;
     }
     return false;
-}
-
-/* Are there as many rows as the line above them says? */
-static enum status_code check_count(const struct table *table)
-{
-    if (table->announced_line == 0 || table->announced == table->rows)
-        return STATUS_OK;
-    return scan_fail(table->file, table->announced_line,
-                     "%zu points are announced, %zu follow; copy the file again, or remove this line", table->announced,
-                     table->rows);
 }
 
 /* Is `line` of `text`, which is no row of numbers yet, farther down than a header goes? */
@@ -277,7 +265,7 @@ static enum status_code read_table(struct table *table)
     table->text = text_of(table->file);
     struct lines lines = lines_begin(table->text), before = lines;
     struct string_view above = {NULL, NULL};
-    size_t above_line = 0;
+    size_t above_line = 0, announced = 0, announced_line = 0; /* rows that a line above them says follow */
     for (struct string_view line; lines_next(&lines, &line); before = lines) {
         bool comment;
         if (string_view_length(line) > limit_most(LIMIT_LINE_BYTES))
@@ -294,8 +282,8 @@ static enum status_code read_table(struct table *table)
             above_line = lines.number;
             continue;
         }
-        if (table->columns == 1 && is_count(table, content, lines)) {
-            table->announced_line = lines.number;
+        if (table->columns == 1 && is_count(&announced, content, lines)) {
+            announced_line = lines.number;
             continue;
         }
         struct row row = {0};
@@ -307,7 +295,11 @@ static enum status_code read_table(struct table *table)
         table->first_line = lines.number;
         struct string_view preamble = {table->text.start, before.next};
         table->header = text_header_read(preamble, table->delimiter, table->columns);
-        return read_rows(table, before) == STATUS_OK ? check_count(table) : table->file->status->code;
+        if (read_rows(table, before) == STATUS_OK && announced_line > 0 && announced != table->rows)
+            return scan_fail(table->file, announced_line,
+                             "%zu points are announced, %zu follow; copy the file again, or remove this line",
+                             announced, table->rows);
+        return table->file->status->code;
     }
     return scan_fail(table->file, 0, "no line of numbers in it: not a scan");
 }

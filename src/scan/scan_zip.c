@@ -82,7 +82,7 @@ static enum status_code read_archive(struct scan *out, const struct archive *arc
             found = true;
             snprintf(out->part, sizeof out->part, "%.100s", name);
             scan_printable(out->part);
-            code = kind == FORMAT_FOREIGN ? file->status->code : format_read(out, &entry.file);
+            code = kind == FORMAT_FOREIGN ? file->status->code : format_read(out, &entry.file, true);
         } else if (out->next_entry == 0) {
             out->next_entry = i;
         }
@@ -107,9 +107,8 @@ enum status_code scan_zip_read(struct scan *out, const struct scan_file *file)
     return file->status->code;
 }
 
-/* Any other format, packed by gzip (RFC 1952). */
-/* Unpacks every member of the file, which are one after another, into `text`. */
-enum status_code scan_gz_unpack(struct text *text, const struct scan_file *file)
+/* Unpacks every member of a file packed by gzip (RFC 1952), which are one after another, into `text`. */
+static enum status_code unpack_gz(struct text *text, const struct scan_file *file)
 {
     z_stream stream = {.next_in = (Bytef *)file->bytes};
     const char *end = file->bytes + file->length;
@@ -143,4 +142,15 @@ enum status_code scan_gz_unpack(struct text *text, const struct scan_file *file)
     if (!ended)
         return scan_fail(file, 0, "damaged or cut off within the gzip data; copy the file again");
     return STATUS_OK;
+}
+
+enum status_code scan_gz_read(struct scan *out, const struct scan_file *file)
+{
+    struct text text = {0};
+    enum status_code code = unpack_gz(&text, file);
+    const struct scan_file inner = {text_string(&text), text.length, file->path, file->options, file->status};
+    if (code == STATUS_OK)
+        code = format_read(out, &inner, true);
+    text_free(&text);
+    return code;
 }

@@ -332,19 +332,3 @@ IN_FOLDER(test_dabam)
     directory_write(folder, "s.dat", BLANK);
     expect_units(&no_units, "nm", "s.txt");
 }
-
-/* Column 4 of the real file has the slopes of column 2: integrated they are its heights, but for the quadrature. */
-TEST_CASE(test_real_slopes)
-{
-    NEED_REAL_SCANS();
-    struct scan heights, slopes;
-    struct status status = {0};
-    struct scan_options slope = {.z_column = 4, .quantity = SCAN_SLOPE};
-    assert_int_equal(scan_read(&heights, REAL_SCANS "/dabam-013.dat", &no_units, &status), STATUS_OK);
-    assert_int_equal(scan_read(&slopes, REAL_SCANS "/dabam-013.dat", &slope, &status), STATUS_OK);
-    assert_non_null(strstr(slopes.sidecar, "/dabam-013.txt"));
-    assert_null(heights.sidecar);
-    assert_near(rq_of_profile(&slopes), rq_of_profile(&heights), 1e-3);
-    scan_free(&heights);
-    scan_free(&slopes);
-}
