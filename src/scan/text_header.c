@@ -50,6 +50,11 @@ static const struct {
     {"z-unit z-units zunit zunits", AXIS_Z, true},     {"xyunits", AXIS_X | AXIS_Y, true},
 };
 
+static const char *either(const char *first, const char *second)
+{
+    return first ? first : second;
+}
+
 /* Does `word` begin with a number? */
 static bool is_number(struct string_view word)
 {
@@ -262,40 +267,33 @@ static bool has_numbers(struct string_view line)
 /* The titles of a line of `columns` cells; false when it is none: another number of cells, or numbers among them. */
 static bool read_titles(struct text_header *header, struct string_view line, char delimiter, size_t columns)
 {
-    const char *units[TEXT_HEADER_COLUMNS] = {NULL};
-    bool slopes[TEXT_HEADER_COLUMNS] = {false}, bares[TEXT_HEADER_COLUMNS] = {false};
-    size_t count = 0, filled = 0, valid = SIZE_MAX, bare = 0;
+    struct text_header found = *header;
+    size_t count = 0, filled = 0, bare = 0, last_bare = 0;
     bool with_numbers = has_numbers(line);
     /* of one column it is about x, or a key with its number: `dx [mm] = 0.5` */
     if (columns == 1 &&
         (with_numbers || text_header_says(line, "x dx lateral horizontal spacing step length position")))
         return false;
-    struct string_view cell;
-    while (cell_next(&line, delimiter, &cell)) {
+    for (struct string_view cell; cell_next(&line, delimiter, &cell); count++) {
         if (is_number(cell))
             return false;
-        if (count < TEXT_HEADER_COLUMNS) {
-            units[count] = cell_unit(cell, with_numbers);
-            slopes[count] = text_header_title_slope(cell);
-            bares[count] = cell.end > cell.start && is_bare(cell);
-            bare += bares[count] ? 1 : 0;
-        }
+        if (cell.start == cell.end)
+            continue;
+        filled = count + 1;
         if (string_view_equals(cell, "valid"))
-            valid = count;
-        count++;
-        if (cell.end > cell.start)
-            filled = count;
+            found.valid = count;
+        if (count >= TEXT_HEADER_COLUMNS)
+            continue;
+        found.unit[count] = either(cell_unit(cell, with_numbers), header->unit[count]);
+        found.slope[count] = header->slope[count] || text_header_title_slope(cell);
+        bare += is_bare(cell) ? 1 : 0;
+        last_bare = is_bare(cell) ? count : last_bare;
     }
     if (filled != columns)
         return false;
-    for (size_t i = 0; i < columns && i < TEXT_HEADER_COLUMNS; i++) {
-        /* one unit alone, `X: mm`, need not be that of the column it stands above */
-        if (units[i] && !(columns > 1 && bare == 1 && bares[i]))
-            header->unit[i] = units[i];
-        header->slope[i] = header->slope[i] || slopes[i];
-    }
-    if (valid < columns)
-        header->valid = valid;
+    if (columns > 1 && bare == 1) /* one unit alone, `X: mm`, need not be that of the column it stands above */
+        found.unit[last_bare] = header->unit[last_bare];
+    *header = found;
     return true;
 }
 
@@ -308,48 +306,32 @@ bool text_header_add(struct text_header *header, struct string_view text)
     return any;
 }
 
-/* The last lines of `preamble` that are not blank, uncommented: *count of them, the oldest first. */
-static void last_lines(struct string_view last[TEXT_HEADER_LINES], size_t *count, struct string_view preamble)
+struct text_header text_header_read(struct string_view preamble, char delimiter, size_t columns)
 {
-    *count = 0;
+    const char delimiters[] = {delimiter, '\t', ';', ',', ' '}; /* titles may be set differently from the numbers */
+    struct text_header header = {.valid = SIZE_MAX};
+    struct string_view last[TEXT_HEADER_LINES]; /* line i, blank ones aside, at i % TEXT_HEADER_LINES */
+    size_t count = 0;
     struct lines lines = lines_begin(preamble);
     for (struct string_view line; lines_next(&lines, &line);) {
         bool comment;
         line = text_header_uncomment(line, &comment);
         if (line.start == line.end)
             continue;
-        if (*count == TEXT_HEADER_LINES)
-            memmove(last, last + 1, (TEXT_HEADER_LINES - 1) * sizeof *last);
-        else
-            ++*count;
-        last[*count - 1] = line;
+        if (text_header_add_line(&header, line))
+            line.end = line.start; /* `X unit: mm` is no pair of titles */
+        last[count++ % TEXT_HEADER_LINES] = line;
     }
-}
-
-struct text_header text_header_read(struct string_view preamble, char delimiter, size_t columns)
-{
-    const char delimiters[] = {delimiter, '\t', ';', ',', ' '}; /* titles may be set differently from the numbers */
-    struct text_header header = {.valid = SIZE_MAX}, ignored = {.valid = SIZE_MAX};
-    struct string_view last[TEXT_HEADER_LINES];
-    size_t count;
-    (void)text_header_add(&header, preamble);
-    last_lines(last, &count, preamble);
-    for (size_t i = 0; i < count; i++) {
-        bool found = text_header_add_line(&ignored, last[i]); /* `X unit: mm` is no pair of titles */
-        for (size_t k = 0; k < sizeof delimiters && !found; k++)
-            found = read_titles(&header, last[i], delimiters[k], columns);
-    }
+    for (size_t i = count > TEXT_HEADER_LINES ? count - TEXT_HEADER_LINES : 0; i < count; i++)
+        for (size_t k = 0; k < sizeof delimiters; k++)
+            if (read_titles(&header, last[i % TEXT_HEADER_LINES], delimiters[k], columns))
+                break;
     return header;
 }
 
 static const char *column_unit(const struct text_header *header, size_t column)
 {
     return column > 0 && column <= TEXT_HEADER_COLUMNS ? header->unit[column - 1] : NULL;
-}
-
-static const char *either(const char *first, const char *second)
-{
-    return first ? first : second;
 }
 
 const char *text_header_x_unit(const struct text_header *header, size_t column)
