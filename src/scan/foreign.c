@@ -108,33 +108,16 @@ bool foreign_has_ending(const char *path, const char *endings)
     return dot && string_view_is_one_of(string_view_of(dot), endings);
 }
 
-/* The first row that fits; `archive` is open, or has no entries. */
-static const struct foreign *find_row(const struct scan_file *file, const struct archive *archive)
-{
-    bool binary = foreign_is_binary(file);
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        const struct foreign *row = &rows[i];
-        if (row->entry && archive_find(archive, row->entry, false) == archive->count)
-            continue;
-        if (row->endings && !foreign_has_ending(file->path, row->endings))
-            continue;
-        if (row->magic ? file->length < row->offset + row->magic_length ||
-                             memcmp(file->bytes + row->offset, row->magic, row->magic_length) != 0
-                       : !binary)
-            continue;
-        return row;
-    }
-    return NULL;
-}
-
 const struct foreign *foreign_find(const struct scan_file *file)
 {
-    struct archive archive = {.file = file};
-    struct status ignored = {0};
-    struct scan_file quiet = *file;
-    quiet.status = &ignored;
-    bool opened = archive_sniff(file) && archive_open(&archive, &quiet) == STATUS_OK;
-    const struct foreign *row = find_row(file, opened ? &archive : &(struct archive){0});
-    archive_close(&archive);
-    return row;
+    bool binary = foreign_is_binary(file), archive = archive_sniff(file);
+    for (const struct foreign *row = rows; row < rows + sizeof rows / sizeof *rows; row++) {
+        bool begins = file->length >= row->offset + row->magic_length &&
+                      memcmp(file->bytes + row->offset, row->magic ? row->magic : "", row->magic_length) == 0;
+        bool holds = row->entry ? archive && memmem(file->bytes, file->length, row->entry, strlen(row->entry))
+                                : row->magic || binary;
+        if (begins && holds && (!row->endings || foreign_has_ending(file->path, row->endings)))
+            return row;
+    }
+    return NULL;
 }

@@ -50,7 +50,7 @@ struct foreign {
     size_t magic_length; /* how many */
     size_t offset;       /* where they are */
     const char *endings; /* ".a .b": one of these has to end its name; NULL: any name */
-    const char *entry;   /* of a zip archive: an entry it has; NULL: no archive */
+    const char *entry;   /* of a zip archive: the name of an entry; NULL: no archive */
     enum foreign_kind kind;
 };
 
