@@ -46,6 +46,7 @@ TEST_CASE(test_several)
                                    {"folder/", "", 0},
                                    {"folder/b.csv", csv, sizeof csv - 1},
                                    {"__MACOSX/folder/._b.csv", "\0\1", 2},
+                                   {".b.csv", csv, sizeof csv - 1},
                                    {"a.txt", csv, sizeof csv - 1},
                                    {"photo.jpg", "\xff\xd8\xff\xe0\0\0", 6},
                                    {"notes.txt", "by hand\n", 8},

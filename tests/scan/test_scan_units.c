@@ -24,6 +24,7 @@ TEST_CASE(test_headers)
         {"spacing = 0.5\nX unit: mm\n" ONE, "mm", NULL},
         {"dx [mm] = 0.5\n" ONE, "mm", NULL},
         {"Scan length [mm]: 2\nspacing 0.5 um\n" ONE, "um", NULL},
+        {"Filter [mm]: 0.8\nspacing = 0.5\n" ONE, NULL, NULL},
         {"z unit: nm\n" COMMA, NULL, "nm"},
         {"Y unit: um\n" COMMA, NULL, "um"},
         {"Z units\tum\n" TAB, NULL, "um"},
