@@ -206,12 +206,11 @@ static void measure_lay(struct surface_summary *summary, const struct scan *scan
                         "take its profiles in the other direction");
 }
 
-/** Makes the profile of a row, whose heights are the scan's own where it is the only one. */
+/** Makes the profile of a row. */
 static enum status_code take_row(struct profile *out, struct scan *scan, size_t row, const struct profile_options *how,
                                  struct status *status)
 {
-    enum status_code rc =
-        scan->kind == SCAN_PROFILE ? profile_take(out, scan, how, status) : profile_make(out, scan, row, how, status);
+    enum status_code rc = profile_make(out, scan, row, how, status);
     if (rc != STATUS_OK || out->points >= LEAST_POINTS)
         return rc;
     return status_fail(status, STATUS_SCAN,

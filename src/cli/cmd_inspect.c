@@ -22,7 +22,6 @@ enum { KEY_JSON = 0x100, KEY_NO_CHART, KEY_CHART, KEY_LIMITS, KEY_FLAGS, FLAGS =
 
 struct arguments {
     struct scan_options scan;
-    char x_column[64];
     struct profile_options how;
     enum power_law_method fit;
     bool asked[FLAGS];
@@ -45,7 +44,7 @@ static const struct argp_option options[] = {
     {"x-unit", KEY_X_UNIT, "UNIT", 0, "unit of x where the file names none (default: such a file is refused)", 0},
     {"z-unit", KEY_Z_UNIT, "UNIT", 0, "unit of z where the file names none (default: such a file is refused)", 0},
     {"quantity", KEY_QUANTITY, "QUANTITY", 0, "height or slope, which is integrated to heights (default: height)", 0},
-    {"column", KEY_COLUMN, "Z|X,Z", 0, "columns by number or title (default: the first two that can be x and z)", 0},
+    {"column", KEY_COLUMN, "Z|X,Z", 0, "columns by number (default: the first two that can be x and z)", 0},
     {"level", KEY_LEVEL, "LEVEL", 0,
      "none, mean, line, parabola, circle or robust (default: line, mean of a periodic record; maps: plane)", 0},
     {"lambda-s", KEY_LAMBDA_S, "LENGTH", 0, "cut-off of a Gaussian low-pass (default: none; profiles only)", 0},
@@ -80,14 +79,10 @@ static unsigned parse_name(const char *what, const char *value, const char *cons
 static void parse_column(struct arguments *arguments, const char *text, struct argp_state *state)
 {
     const char *comma = strchr(text, ',');
-    arguments->scan.z_column = comma ? comma + 1 : text;
-    if (*arguments->scan.z_column == '\0' ||
-        (comma && (comma == text || (size_t)(comma - text) >= sizeof arguments->x_column)))
+    size_t *x = &arguments->scan.x_column, *z = &arguments->scan.z_column;
+    if (!number_read_size(string_view_of(comma ? comma + 1 : text), z) || *z == 0 ||
+        (comma && (!number_read_size((struct string_view){text, comma}, x) || *x == 0)))
         argp_error(state, "'%s' is no column; give one, as in 3, or x and z, as in 1,3", text);
-    if (comma) {
-        memcpy(arguments->x_column, text, (size_t)(comma - text));
-        arguments->scan.x_column = arguments->x_column;
-    }
 }
 
 static error_t parse(int key, char *value, struct argp_state *state)
@@ -291,7 +286,7 @@ static struct scan_options options_of(const struct arguments *arguments, const s
     how.x_unit = how.x_unit ? how.x_unit : surface->x_unit;
     how.z_unit = how.z_unit ? how.z_unit : surface->z_unit;
     how.quantity = how.quantity != SCAN_HEIGHT ? how.quantity : surface->quantity;
-    if (!how.z_column) {
+    if (how.z_column == 0) {
         how.x_column = surface->x_column;
         how.z_column = surface->z_column;
     }

@@ -3,7 +3,7 @@
 
 #include <float.h>
 #include <gsl/gsl_errno.h>
-#include <gsl/gsl_linalg.h>
+#include <gsl/gsl_multifit_nlinear.h>
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
@@ -12,7 +12,7 @@ const char *const level_names[LEVEL_COUNT] = {"none", "mean", "line", "parabola"
 
 static const double tukey_tuning = 4.685;        /* 95 % efficiency for Gaussian residuals */
 static const double mad_to_deviation = 1.482602; /* 1/Phi^-1(3/4) */
-enum { ROBUST_STEPS = 50, ARC_STEPS = 50, ARC_HALVINGS = 40 };
+enum { ROBUST_STEPS = 50, ARC_STEPS = 50, ARC_PARAMETERS = 3 };
 
 /** Where the points are, as u = -1...1 over the record. */
 struct record {
@@ -87,57 +87,27 @@ static void take_out(const struct record *record, double *z, const struct polyno
     }
 }
 
-/** Median of |values|; `work` holds as many. */
-static double median_size(const double *values, double *work, size_t count)
-{
-    for (size_t i = 0; i < count; i++)
-        work[i] = fabs(values[i]);
-    return gsl_stats_median(work, 1, count);
-}
-
-/** A line that nearly half the points cannot move far: the median slope over half the record, the median height. */
-static struct polynomial first_line(const struct record *record, const double *z, double *work)
-{
-    size_t half = record->points / 2, pairs = record->points - half;
-    struct polynomial p = {0};
-    for (size_t i = 0; i < pairs; i++)
-        work[i] = (z[i + half] - z[i]) / (place(record, i + half) - place(record, i));
-    p.a[1] = gsl_stats_median(work, 1, pairs);
-    for (size_t i = 0; i < record->points; i++)
-        work[i] = z[i] - p.a[1] * place(record, i);
-    p.a[0] = gsl_stats_median(work, 1, record->points);
-    return p;
-}
-
-/** Tukey's weights of the residuals; how many are 0: less than half, since half the residuals are below the scale. */
-static size_t weigh(double *weight, const double *residual, size_t points, double scale)
-{
-    size_t outliers = 0;
-    for (size_t i = 0; i < points; i++) {
-        double r = residual[i] / (tukey_tuning * scale);
-        weight[i] = fabs(r) < 1 ? (1 - r * r) * (1 - r * r) : 0;
-        outliers += weight[i] == 0 ? 1 : 0;
-    }
-    return outliers;
-}
-
 static enum status_code take_robust_line(struct levelling *out, const struct record *record, double *z,
                                          struct status *status)
 {
     size_t n = record->points;
-    double *work = malloc(3 * n * sizeof *work);
-    if (!work)
+    double *weight = malloc(2 * n * sizeof *weight), *size = weight + n, last = INFINITY, largest = 0;
+    if (!weight)
         return status_memory(status);
-    double *weight = work + n, *residual = work + 2 * n, last = INFINITY, largest = 0;
     for (size_t i = 0; i < n; i++)
         largest = fmax(largest, fabs(z[i]));
-    struct polynomial line = first_line(record, z, work);
+    struct polynomial line = fit(record, z, NULL, 1);
     for (int step = 0; step < ROBUST_STEPS; step++) {
         for (size_t i = 0; i < n; i++)
-            residual[i] = z[i] - line.a[0] - line.a[1] * (place(record, i) - line.centre);
+            weight[i] = size[i] = fabs(z[i] - line.a[0] - line.a[1] * (place(record, i) - line.centre));
         /* never below what rounding leaves of points on one line */
-        double scale = fmax(mad_to_deviation * median_size(residual, work, n), 4 * DBL_EPSILON * largest);
-        out->outliers = weigh(weight, residual, n, scale);
+        double scale = fmax(mad_to_deviation * gsl_stats_median(size, 1, n), 4 * DBL_EPSILON * largest);
+        out->outliers = 0;
+        for (size_t i = 0; i < n; i++) {
+            double r = weight[i] / (tukey_tuning * scale);
+            weight[i] = r < 1 ? (1 - r * r) * (1 - r * r) : 0;
+            out->outliers += r < 1 ? 0 : 1;
+        }
         line = fit(record, z, weight, 1);
         if (fabs(line.a[1] - last) <= 1e-12 * scale)
             break;
@@ -145,79 +115,45 @@ static enum status_code take_robust_line(struct levelling *out, const struct rec
     }
     take_out(record, z, &line);
     out->tilt = line.a[1] / record->half_m;
-    free(work);
+    free(weight);
     return STATUS_OK;
 }
 
-/** c, s, k of an arc in u and z/half_m (level.h). */
-struct arc {
-    double height, sine, bend;
+/** A record to which an arc is fitted, and where the fit starts: c, s, k (level.h) in u and z/half_m. */
+struct arc_fit {
+    const struct record *record;
+    const double *z;
+    double start[ARC_PARAMETERS];
 };
 
-static double arc_at(const struct arc *arc, double u)
+/** c, s, k at x, which is 1 at the start so that GSL's steps of differences, relative to x, suit a flat arc too. */
+static void arc_of(double arc[ARC_PARAMETERS], const struct arc_fit *fit, const gsl_vector *x)
 {
-    double end = arc->sine + arc->bend * u;
-    return arc->height + u * (arc->sine + end) / (sqrt(1 - arc->sine * arc->sine) + sqrt(1 - end * end));
+    for (size_t i = 0; i < ARC_PARAMETERS; i++)
+        arc[i] = fit->start[i] + (gsl_vector_get(x, i) - 1);
 }
 
-static bool arc_is_whole(const struct arc *arc)
+/** Does it span less than half a circle? */
+static bool arc_is_whole(const double arc[ARC_PARAMETERS])
 {
-    return fabs(arc->sine) + fabs(arc->bend) < 0.9999;
+    return fabs(arc[1]) + fabs(arc[2]) < 0.9999;
 }
 
-static double arc_misfit(const struct record *record, const double *z, const struct arc *arc)
+static double arc_at(const double arc[ARC_PARAMETERS], double u)
 {
-    double sum = 0;
-    for (size_t i = 0; i < record->points; i++) {
-        double r = z[i] / record->half_m - arc_at(arc, place(record, i));
-        sum += r * r;
-    }
-    return sum;
+    double sine = arc[1], end = sine + arc[2] * u;
+    return arc[0] + u * (sine + end) / (sqrt(1 - sine * sine) + sqrt(1 - end * end));
 }
 
-/** Derivatives of the arc by its three parameters: 1, integrals of cos^-3 b and of u cos^-3 b, the last by its series
- * for a small bend and by parts else. */
-static void arc_gradient(double gradient[3], const struct arc *arc, double u)
+static int arc_misfits(const gsl_vector *x, void *context, gsl_vector *misfits)
 {
-    double end = arc->sine + arc->bend * u, a = asin(arc->sine), b = asin(end), cube = pow(cos(a), -3);
-    gradient[0] = 1;
-    gradient[1] = u * cos((b - a) / 2) / (cos((a + b) / 2) * cos(a) * cos(b));
-    if (fabs(arc->bend) < 1e-3)
-        gradient[2] = u * u * cube * (0.5 + arc->sine * arc->bend * u / (cos(a) * cos(a)));
-    else
-        gradient[2] = (u * tan(b) - (arc_at(arc, u) - arc->height)) / arc->bend;
-}
-
-/** One step of Gauss and Newton, halved until the misfit falls. Returns whether it moved. */
-static bool improve(const struct record *record, const double *z, struct arc *arc, double *misfit)
-{
-    double m[3][3] = {{0}}, v[3] = {0}, g[3];
-    for (size_t i = 0; i < record->points; i++) {
-        double u = place(record, i), r = z[i] / record->half_m - arc_at(arc, u);
-        arc_gradient(g, arc, u);
-        for (int a = 0; a < 3; a++) {
-            v[a] += g[a] * r;
-            for (int b = 0; b < 3; b++)
-                m[a][b] += g[a] * g[b];
-        }
-    }
-    gsl_matrix_view normal = gsl_matrix_view_array(m[0], 3, 3);
-    gsl_vector_view change = gsl_vector_view_array(v, 3);
-    if (gsl_linalg_cholesky_decomp1(&normal.matrix) != GSL_SUCCESS ||
-        gsl_linalg_cholesky_svx(&normal.matrix, &change.vector) != GSL_SUCCESS)
-        return false;
-    for (int half = 0; half < ARC_HALVINGS; half++) {
-        struct arc next = {arc->height + v[0], arc->sine + v[1], arc->bend + v[2]};
-        double error = arc_is_whole(&next) ? arc_misfit(record, z, &next) : INFINITY;
-        if (error < *misfit) {
-            bool moved = *misfit - error > 1e-14 * error;
-            *arc = next;
-            *misfit = error;
-            return moved;
-        }
-        v[0] /= 2, v[1] /= 2, v[2] /= 2;
-    }
-    return false;
+    const struct arc_fit *fit = context;
+    double arc[ARC_PARAMETERS];
+    arc_of(arc, fit, x);
+    for (size_t i = 0; i < fit->record->points; i++)
+        gsl_vector_set(misfits, i,
+                       arc_is_whole(arc) ? arc_at(arc, place(fit->record, i)) - fit->z[i] / fit->record->half_m : 1e6);
+    return GSL_SUCCESS;
 }
 
 static enum status_code take_arc(struct levelling *out, const struct record *record, double *z, struct status *status)
@@ -226,19 +162,30 @@ static enum status_code take_arc(struct levelling *out, const struct record *rec
     for (size_t i = 0; i < record->points; i++)
         z[i] -= first;
     struct polynomial p = fit(record, z, NULL, 2);
-    double slope = (p.a[1] - p.a[2] * (2 * p.centre + p.bend)) / record->half_m;
-    struct arc arc = {p.a[0] / record->half_m, slope / sqrt(1 + slope * slope), 2 * p.a[2] / record->half_m};
-    if (!arc_is_whole(&arc))
-        arc = (struct arc){p.a[0] / record->half_m, 0, copysign(0.9, arc.bend)};
-    double misfit = arc_misfit(record, z, &arc);
-    for (int step = 0; step < ARC_STEPS && improve(record, z, &arc, &misfit); step++)
-        ;
-    if (!isfinite(misfit))
+    double slope = (p.a[1] - p.a[2] * (2 * p.centre + p.bend)) / record->half_m, bend = 2 * p.a[2] / record->half_m;
+    struct arc_fit how = {record, z, {p.a[0] / record->half_m, slope / sqrt(1 + slope * slope), bend}};
+    if (!arc_is_whole(how.start))
+        how.start[1] = 0, how.start[2] = copysign(0.9, bend);
+    gsl_multifit_nlinear_parameters parameters = gsl_multifit_nlinear_default_parameters();
+    gsl_multifit_nlinear_fdf problem = {
+        .f = arc_misfits, .n = record->points, .p = ARC_PARAMETERS, .params = &how}; /* derivatives by differences */
+    gsl_multifit_nlinear_workspace *work =
+        gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &parameters, record->points, ARC_PARAMETERS);
+    double ones[ARC_PARAMETERS] = {1, 1, 1}, arc[ARC_PARAMETERS];
+    gsl_vector_view start = gsl_vector_view_array(ones, ARC_PARAMETERS);
+    int info;
+    if (!work)
+        return status_memory(status);
+    gsl_multifit_nlinear_init(&start.vector, &problem, work);
+    (void)gsl_multifit_nlinear_driver(ARC_STEPS, 1e-10, 0, 0, NULL, NULL, &info, work);
+    arc_of(arc, &how, gsl_multifit_nlinear_position(work));
+    gsl_multifit_nlinear_free(work);
+    if (!arc_is_whole(arc))
         return status_fail(status, STATUS_SCAN, "no arc fits the record; use level: parabola");
     for (size_t i = 0; i < record->points; i++)
-        z[i] -= arc_at(&arc, place(record, i)) * record->half_m;
-    out->tilt = arc.sine / sqrt(1 - arc.sine * arc.sine);
-    out->radius_m = record->half_m / arc.bend;
+        z[i] -= arc_at(arc, place(record, i)) * record->half_m;
+    out->tilt = arc[1] / sqrt(1 - arc[1] * arc[1]);
+    out->radius_m = record->half_m / arc[2];
     return STATUS_OK;
 }
 

@@ -4,7 +4,6 @@
 #include "profile/filter.h"
 #include "profile/level.h"
 #include "profile/record_window.h"
-#include <assert.h>
 #include <float.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_spline.h>
@@ -104,48 +103,38 @@ static void check_units(struct profile *profile, double rq_m)
 static void check_curvature(struct profile *profile, double digit_m, const struct profile_options *options)
 {
     double m4 = curvature(profile, 1), coarse = curvature(profile, 2), h = profile->spacing_m;
-    bool filtered = options->lambda_s_m > 2 * h; /* what follows then is not in the profile any more */
-    double digit_m4 = digit_m / h / h * (digit_m / h / h) / 2;
-    if (!filtered && digit_m4 > sanity_digit_share * m4)
+    double tip_m = options->tip_radius_m, digit_m4 = digit_m / h / h * (digit_m / h / h) / 2;
+    if (options->lambda_s_m > 2 * h) /* what follows then is not in the profile any more */
+        return;
+    if (digit_m4 > sanity_digit_share * m4)
         profile_note(
             profile,
             "heights come in steps of %.3g nm, whose rounding alone makes %.0f %% of m4: the statistical models "
             "follow the digitiser; give lambda_s",
             digit_m * 1e9, fmin(100, 100 * digit_m4 / m4));
-    else if (!filtered && coarse > 0 && m4 > sanity_noise_ratio * coarse)
+    else if (coarse > 0 && m4 > sanity_noise_ratio * coarse)
         profile_note(
             profile,
             "m4 is noise of the shortest wavelengths: %.1f times smaller with every other point (white noise: 16); "
             "give lambda_s",
             m4 / coarse);
-    double tip_m = options->tip_radius_m, shortest_m = fmax(2 * h, options->lambda_s_m);
-    if (!filtered && m4 * tip_m * tip_m > 1)
+    if (m4 * tip_m * tip_m > 1)
         profile_note(profile,
                      "the RMS radius of curvature, %.3g um, is below the tip radius, %.3g um: the stylus cannot have "
                      "followed it; give lambda_s",
                      1e6 / sqrt(m4), tip_m * 1e6);
-    else if (tip_m > shortest_m && (filtered || m4 > 2 * coarse))
-        profile_note(
-            profile,
-            "the shortest wavelength, %.3g um, is below the tip radius, %.3g um: the stylus rounds it off; give "
-            "lambda_s of at least that",
-            shortest_m * 1e6, tip_m * 1e6);
 }
 
 /** Notes what is doubtful about a levelled profile that is not filtered yet:
  *  an Rq above the length, a slope above 10: units;
  *  rounding noise of the digitiser, variance q²/12 a point, so m4 = 6 (q²/12)/h^4, above 20 % of m4 (no lambda_s);
  *  noise: m4 falls by over 8 when every other point is left out (white noise: 16, a resolved profile: 1);
- *  a tip radius above the RMS radius of curvature, or above the shortest wavelength where that matters to m4;
+ *  a tip radius above the RMS radius of curvature;
  *  ends that differ by over 3 Rq; under 64 points. */
 static void check_sanity(struct profile *profile, double digit_m, const struct profile_options *options)
 {
-    double square = 0, mean = 0;
-    for (size_t i = 0; i < profile->points; i++)
-        mean += profile->height_m[i] / (double)profile->points;
-    for (size_t i = 0; i < profile->points; i++)
-        square += (profile->height_m[i] - mean) * (profile->height_m[i] - mean);
-    double rq_m = sqrt(square / (double)profile->points);
+    double mean_m = gsl_stats_mean(profile->height_m, 1, profile->points);
+    double rq_m = gsl_stats_sd_with_fixed_mean(profile->height_m, 1, profile->points, mean_m);
     double jump_m = fabs(profile->height_m[profile->points - 1] - profile->height_m[0]);
     check_units(profile, rq_m);
     check_curvature(profile, digit_m, options);
@@ -186,10 +175,11 @@ static enum status_code check_share(size_t missing, size_t points, double most, 
     double share = (double)missing / (double)points;
     if (share <= most)
         return STATUS_OK;
-    return status_fail(status, STATUS_SCAN, "%zu of %zu heights are missing, %.3g %% where %.3g %% may be; %s", missing,
-                       points, 100 * share, 100 * most,
-                       share < 0.9 ? "allow more with `max_missing`, or export the scan with the gaps filled"
-                                   : "export the scan with the gaps filled");
+    return status_fail(
+        status, STATUS_SCAN,
+        "%zu of %zu heights are missing, %.3g %% where %.3g %% may be; allow more with `max_missing`, or "
+        "export the scan with the gaps filled",
+        missing, points, 100 * share, 100 * most);
 }
 
 /** Cuts missing points off the ends, and bridges those between by straight lines over x_m (NULL: uniform). *first is
@@ -382,10 +372,13 @@ static enum status_code take_filters(struct profile *profile, const struct profi
                : status_fail(status, STATUS_SCAN, "no roughness is left between lambda_s and lambda_c");
 }
 
-/** From the raw heights in out->height_m, nx of them, to the profile. */
-static enum status_code make_ready(struct profile *out, const struct scan *scan, const struct profile_options *options,
-                                   struct status *status)
+enum status_code profile_make(struct profile *out, const struct scan *scan, size_t row,
+                              const struct profile_options *options, struct status *status)
 {
+    *out = (struct profile){.height_m = malloc(scan->nx * sizeof *out->height_m)};
+    if (!out->height_m)
+        return status_memory(status);
+    memcpy(out->height_m, scan->z_m + row * scan->nx, scan->nx * sizeof *out->height_m);
     size_t first = 0;
     bool nominal = false; /* the spacing is the header's */
     out->points = scan->nx;
@@ -419,25 +412,6 @@ static enum status_code make_ready(struct profile *out, const struct scan *scan,
         return status->code;
     out->end_jump_m = out->height_m[out->points - 1] - out->height_m[0];
     return STATUS_OK;
-}
-
-enum status_code profile_make(struct profile *out, const struct scan *scan, size_t row,
-                              const struct profile_options *options, struct status *status)
-{
-    *out = (struct profile){.height_m = malloc(scan->nx * sizeof *out->height_m)};
-    if (!out->height_m)
-        return status_memory(status);
-    memcpy(out->height_m, scan->z_m + row * scan->nx, scan->nx * sizeof *out->height_m);
-    return make_ready(out, scan, options, status);
-}
-
-enum status_code profile_take(struct profile *out, struct scan *scan, const struct profile_options *options,
-                              struct status *status)
-{
-    assert(scan->ny == 1);
-    *out = (struct profile){.height_m = scan->z_m};
-    scan->z_m = NULL;
-    return make_ready(out, scan, options, status);
 }
 
 void profile_free(struct profile *profile)

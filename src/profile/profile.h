@@ -47,9 +47,6 @@ extern const struct profile_options profile_defaults;
  * STATUS_MEMORY. */
 MUST_CHECK enum status_code profile_make(struct profile *out, const struct scan *scan, size_t row,
                                          const struct profile_options *options, struct status *status);
-/** The same of a scan of one row, whose heights it takes over: scan->z_m is NULL then. */
-MUST_CHECK enum status_code profile_take(struct profile *out, struct scan *scan, const struct profile_options *options,
-                                         struct status *status);
 void profile_free(struct profile *profile);
 
 /** The step [m] of the digitiser, 0 where none is seen, in at least 2 heights, from the differences of neighbours with

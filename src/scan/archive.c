@@ -87,8 +87,7 @@ enum status_code archive_read(struct text *text, const struct archive *archive, 
                               const struct scan_file *file)
 {
     const zip_stat_t *entry = &archive->entries[index];
-    bool begun = entry->size > most;
-    size_t size = begun ? most : (size_t)entry->size;
+    size_t size = entry->size < most ? (size_t)entry->size : most;
     if (entry->encryption_method != ZIP_EM_NONE)
         return scan_fail(file, 0, "'%.80s' in the archive is encrypted; unpack it", entry->name);
     if (entry->comp_method != ZIP_CM_STORE && entry->comp_method != ZIP_CM_DEFLATE)
@@ -101,7 +100,7 @@ enum status_code archive_read(struct text *text, const struct archive *archive, 
     zip_file_t *opened = zip_fopen_index(archive->zip, index, 0);
     char beyond; /* reading on behind the last byte compares size and checksum */
     bool good = opened && zip_fread(opened, text->data, size) == (zip_int64_t)size &&
-                (begun || zip_fread(opened, &beyond, 1) == 0);
+                (size < entry->size || zip_fread(opened, &beyond, 1) == 0);
     if (opened)
         zip_fclose(opened);
     if (!good)

@@ -8,17 +8,31 @@
 #include <string.h>
 #include <strings.h>
 
-static const struct scan_reader readers[] = {
-#define SCAN_ROW(prefix, name) {name, scan_##prefix##_sniff, scan_##prefix##_read},
-    SCAN_FORMATS(SCAN_ROW)
-#undef SCAN_ROW
+const struct scan_reader scan_readers[] = {
+    {"x3p", NULL, scan_x3p_sniff, scan_x3p_read},
+    {"mahr-prf", "[p3dlin]", NULL, scan_mahr_prf_read},
+    {"sur", "DIGITAL SURF", NULL, scan_sur_read},
+    {"sur", "DSCOMPRESSED", NULL, scan_sur_read},
+    {"al3d", "AliconaImaging", NULL, scan_al3d_read},
+    {"sdf", NULL, scan_sdf_sniff, scan_sdf_read},
+    {"gsf", "Gwyddion Simple Field 1.0\n", NULL, scan_gsf_read},
+    {"gwy", "GWYPGwyContainer", NULL, scan_gwy_read},
+    {"surfer", "DSAA", NULL, scan_surfer_read},
+    {"surfer", "DSBB", NULL, scan_surfer_read},
+    {"surfer", "DSRB", NULL, scan_surfer_read},
+    {"mahr-text", "[PROFILE_HEADER]", NULL, scan_mahr_text_read},
+    {"npl-prf", NULL, scan_npl_prf_sniff, scan_npl_prf_read},
+    {"smd", NULL, scan_smd_sniff, scan_smd_read},
+    {"nist-xml", NULL, scan_nist_xml_sniff, scan_nist_xml_read},
+    {"text", NULL, scan_text_sniff, scan_text_read},
 };
+const size_t scan_reader_count = sizeof scan_readers / sizeof *scan_readers;
 
 static const struct scan_reader *find_reader(const struct scan_file *file)
 {
-    for (size_t i = 0; i < sizeof readers / sizeof *readers; i++)
-        if (readers[i].sniff(file))
-            return &readers[i];
+    for (const struct scan_reader *row = scan_readers; row < scan_readers + scan_reader_count; row++)
+        if (row->magic ? string_view_starts(scan_view(file), row->magic) : row->sniff(file))
+            return row;
     return NULL;
 }
 
@@ -59,7 +73,7 @@ struct format format_of(const struct scan_file *file, bool whole)
     if (file->length == 0)
         return (struct format){.kind = FORMAT_UNKNOWN};
     if (is_utf16(file))
-        return (struct format){FORMAT_TEXT, "text", NULL, NULL};
+        return (struct format){FORMAT_SCAN, "text", NULL, NULL};
     if (file->length > 18 && memcmp(file->bytes, "\x1f\x8b\x08", 3) == 0)
         return (struct format){FORMAT_PACKED, "gz", NULL, NULL};
     const struct scan_reader *reader = find_reader(file);
@@ -73,10 +87,7 @@ struct format format_of(const struct scan_file *file, bool whole)
         return (struct format){FORMAT_PACKED, "zip", NULL, NULL};
     if (!reader)
         return (struct format){.kind = FORMAT_UNKNOWN};
-    return (struct format){other  ? FORMAT_OTHER
-                           : text ? FORMAT_TEXT
-                                  : FORMAT_SCAN,
-                           other ? other : reader->name, reader, NULL};
+    return (struct format){other ? FORMAT_OTHER : FORMAT_SCAN, other ? other : reader->name, reader, NULL};
 }
 
 const char *scan_is_other(const struct scan_bytes *bytes, bool whole)
@@ -88,8 +99,7 @@ const char *scan_is_other(const struct scan_bytes *bytes, bool whole)
 
 bool scan_tells_at_end(const char *bytes, size_t length)
 {
-    return length > 4 &&
-           (memcmp(bytes, "PK\3\4", 4) == 0 || memcmp(bytes, "II*\0", 4) == 0 || memcmp(bytes, "MM\0*", 4) == 0);
+    return length > 4 && memcmp(bytes, "PK\3\4", 4) == 0;
 }
 
 enum status_code format_fail_foreign(const struct scan_file *file, const struct foreign *foreign)
@@ -100,66 +110,47 @@ enum status_code format_fail_foreign(const struct scan_file *file, const struct 
                      foreign->remedy ? foreign->remedy : foreign_usual_remedy);
 }
 
-static enum status_code fail_binary(const struct scan_file *file)
-{
-    return scan_fail(file, 0, "is a binary file of no known format; %s", foreign_usual_remedy);
-}
-
-/* Is there a NUL among the bytes? Those at the end do not count: some programs end a text so. */
-static bool has_nul(const struct scan_file *file)
-{
-    size_t length = file->length;
-    while (length > 0 && (file->bytes[length - 1] == '\0' || file->bytes[length - 1] == 0x1a))
-        length--;
-    return memchr(file->bytes, '\0', length) != NULL;
-}
-
 /* The same file, which some Windows program wrote in UTF-16, in UTF-8. */
-static enum status_code read_utf16(struct scan *out, const struct scan_file *file)
+static enum status_code read_utf16(struct scan *out, const struct scan_file *file, bool within)
 {
     iconv_t convert = iconv_open("UTF-8", "UTF-16");
     if (convert == (iconv_t)-1)
         return scan_fail(file, 0, "cannot convert from UTF-16 (%s); save it as UTF-8", strerror(errno));
     struct text text = {0};
     char *from = (char *)file->bytes; /* iconv takes the mark off */
-    for (size_t left = file->length; left > 0;) {
+    bool stopped = false;             /* at half a surrogate pair */
+    for (size_t left = file->length; left > 0 && !stopped;) {
         char piece[4096], *to = piece;
         size_t room = sizeof piece;
-        bool stopped = iconv(convert, &from, &left, &to, &room) == (size_t)-1 && errno != E2BIG;
+        stopped = iconv(convert, &from, &left, &to, &room) == (size_t)-1 && errno != E2BIG;
         text_add_bytes(&text, piece, sizeof piece - room);
-        if (stopped) { /* at half a surrogate pair */
-            text_add_bytes(&text, "?", 1);
-            from += 2;
-            left -= 2;
-        }
     }
     iconv_close(convert);
     struct scan_file utf8 = {text_string(&text), text.length, file->path, file->options, file->status};
-    enum status_code code = text.failed ? status_memory(file->status) : format_read(out, &utf8);
+    enum status_code code = text.failed ? status_memory(file->status)
+                            : stopped   ? scan_fail(file, 0, "damaged UTF-16; save it as UTF-8")
+                                        : format_read(out, &utf8, within);
     text_free(&text);
     return code;
 }
 
-enum status_code format_read(struct scan *out, const struct scan_file *file)
+enum status_code format_read(struct scan *out, const struct scan_file *file, bool within)
 {
     if (file->length == 0)
         return scan_fail(file, 0, "the file is empty");
     if (is_utf16(file))
-        return read_utf16(out, file);
+        return read_utf16(out, file, within);
     struct format format = format_of(file, false);
-    if (format.kind == FORMAT_PACKED)
+    if (format.kind == FORMAT_PACKED && within)
         return scan_fail(file, 0, "a packed file within a packed file%s", limit_words(LIMIT_PACKED_DEPTH).text);
+    out->format = format.name;
+    if (format.kind == FORMAT_PACKED)
+        return strcmp(format.name, "zip") == 0 ? scan_zip_read(out, file) : scan_gz_read(out, file);
     if (format.foreign)
         return format_fail_foreign(file, format.foreign);
     if (!format.reader)
-        return fail_binary(file);
-    out->format = format.reader->name;
-    bool text = format.reader->read == scan_text_read;
-    if (format.reader->read(out, file) == STATUS_SCAN && text && has_nul(file)) {
-        *file->status = (struct status){0};
-        return fail_binary(file);
-    }
-    if (file->status->code == STATUS_OK)
+        return scan_fail(file, 0, "is a binary file of no known format; %s", foreign_usual_remedy);
+    if (format.reader->read(out, file) == STATUS_OK)
         scan_warn_units(out, file);
     return file->status->code;
 }

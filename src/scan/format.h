@@ -10,8 +10,7 @@
 
 enum format_kind {
     FORMAT_UNKNOWN, /* empty, or binary of no known format */
-    FORMAT_SCAN,    /* a reader knows its bytes */
-    FORMAT_TEXT,    /* may be a scan */
+    FORMAT_SCAN,    /* a reader knows its bytes, or a text that may be a scan */
     FORMAT_PACKED,  /* "zip", an archive that may hold scans, or "gz" */
     FORMAT_FOREIGN, /* a measurement in a format that is not read */
     FORMAT_OTHER    /* certainly no scan */
@@ -27,15 +26,15 @@ struct format {
 /** What these bytes, all of the file (`whole`) or its first, are by themselves and by its name. */
 struct format format_of(const struct scan_file *file, bool whole);
 
-/** Reads a file that is not packed, or what was. */
-MUST_CHECK enum status_code format_read(struct scan *out, const struct scan_file *file);
+/** Reads a file, or what was `within` a packed one, where no packed one may be. */
+MUST_CHECK enum status_code format_read(struct scan *out, const struct scan_file *file, bool within);
 
 /** STATUS_SCAN: what the file is, and how to get a scan out of it. */
 enum status_code format_fail_foreign(const struct scan_file *file, const struct foreign *foreign);
 
-/** Packed files: reads a zip archive with scans of any other format in it; unpacks one scan packed by gzip. */
+/** Packed files: reads a zip archive with scans of any other format in it, and one scan packed by gzip. */
 enum status_code scan_zip_read(struct scan *out, const struct scan_file *file);
-enum status_code scan_gz_unpack(struct text *text, const struct scan_file *file);
+enum status_code scan_gz_read(struct scan *out, const struct scan_file *file);
 
 /* Files of known kinds that no reader reads: what they are, and how a scan comes out of them. */
 
@@ -51,7 +50,7 @@ struct foreign {
     size_t magic_length; /* how many */
     size_t offset;       /* where they are */
     const char *endings; /* ".a .b": one of these has to end its name; NULL: any name */
-    const char *entry;   /* of a zip archive: an entry it has; NULL: no archive */
+    const char *entry;   /* of a zip archive: the name of an entry; NULL: no archive */
     enum foreign_kind kind;
 };
 

@@ -54,13 +54,8 @@ void scan_copy(char *to, size_t size, struct string_view view)
 
 void scan_warn(struct scan *scan, const char *format, ...)
 {
-    char *last = scan->warnings[SCAN_WARNINGS - 1];
-    if (scan->warning_count == SCAN_WARNINGS) {
-        size_t more = 1;
-        (void)sscanf(last, "and %zu more", &more);
-        snprintf(last, SCAN_WARNING_LENGTH, "and %zu more warnings", more + 1);
+    if (scan->warning_count == SCAN_WARNINGS)
         return;
-    }
     va_list args;
     va_start(args, format);
     vsnprintf(scan->warnings[scan->warning_count], SCAN_WARNING_LENGTH, format, args);
@@ -75,19 +70,17 @@ static const char *said(const char *name)
 }
 
 /* The file calls z a slope, and the scene does not ask to integrate it; or the other way round. */
-static enum status_code fail_quantity(const struct scan *out, const char *z, bool beside, const struct scan_file *file)
+static enum status_code fail_quantity(const struct scan *out, const char *z, const struct scan_file *file)
 {
-    char where[32] = "z", source[320] = "";
+    char where[32] = "z";
     if (out->z_column > 0)
         snprintf(where, sizeof where, "column %zu", out->z_column);
-    if (beside)
-        snprintf(source, sizeof source, " by its sidecar '%.255s'", file->options->sidecar->name);
     if (file->options->quantity == SCAN_SLOPE)
-        return scan_fail(file, 0, "%s has heights in %.16s%s, not slopes; remove `quantity: slope`", where, z, source);
+        return scan_fail(file, 0, "%s has heights in %.16s, not slopes; remove `quantity: slope`", where, z);
     return scan_fail(file, 0,
-                     "%s is a slope%s%.16s%s, not heights; to integrate it add `quantity: slope` to this surface in "
+                     "%s is a slope%s%.16s, not heights; to integrate it add `quantity: slope` to this surface in "
                      "scene.yaml, or give --quantity slope%s",
-                     where, z ? " in " : "", z ? z : "", source,
+                     where, z ? " in " : "", z ? z : "",
                      out->z_column > 0 ? "; or choose the heights by `column`" : "");
 }
 
@@ -100,19 +93,13 @@ static enum status_code fail_units(const struct scan *out, const char *x, const 
         return scan_fail(file, 0, "'%.16s' is no unit of %s; give %s as %s", x_wrong ? x : z,
                          slope && !x_wrong ? "slope" : "length", x_wrong ? "x_unit" : "z_unit",
                          slope && !x_wrong ? slopes : lengths);
-    if (*out->x_unit)
-        return scan_fail(file, 0,
-                         "no unit for z; add `z_unit: %s` (or %s, ...) to this surface in scene.yaml, or give "
-                         "--z-unit %s",
-                         slope ? "urad" : "um", slope ? "mrad, rad" : "mm, nm", slope ? "urad" : "um");
-    if (*out->z_unit)
-        return scan_fail(file, 0,
-                         "no unit for x; add `x_unit: mm` (or um, nm, ...) to this surface in scene.yaml, or give "
-                         "--x-unit mm");
-    return scan_fail(file, 0,
-                     "no unit for x nor for z; add `x_unit: mm` and `z_unit: %s` (or what they are in) to this surface "
-                     "in scene.yaml, or give --x-unit mm --z-unit %s",
-                     slope ? "urad" : "um", slope ? "urad" : "um");
+    bool no_x = !*out->x_unit, no_z = !*out->z_unit;
+    const char *usual = slope ? "urad" : "um";
+    return scan_fail(
+        file, 0, "no unit for %s%s%s; add %s%s%s%.4s%s (or what %s in) to this surface in scene.yaml, or give%s%s%s",
+        no_x ? "x" : "", no_x && no_z ? " nor for " : "", no_z ? "z" : "", no_x ? "`x_unit: mm`" : "",
+        no_x && no_z ? " and " : "", no_z ? "`z_unit: " : "", no_z ? usual : "", no_z ? "`" : "",
+        no_x && no_z ? "they are" : "it is", no_x ? " --x-unit mm" : "", no_z ? " --z-unit " : "", no_z ? usual : "");
 }
 
 static struct scan_unit find_unit(const char *name, enum scan_quantity quantity)
@@ -149,7 +136,7 @@ enum status_code scan_units(struct scan *out, const char *x_named, const char *z
     z = z ? z : said(file->options->z_unit);
     slope = slope || (is_slope_unit(z) && !said_height);
     if (slope ? file->options->quantity != SCAN_SLOPE : said_height && file->options->quantity == SCAN_SLOPE)
-        return fail_quantity(out, z, z_beside, file);
+        return fail_quantity(out, z, file);
     out->quantity = file->options->quantity;
     struct scan_unit x_unit = find_unit(x, SCAN_HEIGHT), z_unit = find_unit(z, out->quantity);
     *x_m = x_unit.si;
@@ -269,15 +256,17 @@ bool scan_is_missing(struct string_view cell)
            string_view_equals(cell, "BAD");
 }
 
-enum status_code scan_fill(struct scan *out, struct string_view *text, double z_m, const struct scan_file *file)
+enum status_code scan_take_text(struct scan *out, size_t nx, size_t ny, struct string_view text, double z_m,
+                                const char *end, const struct scan_file *file)
 {
-    size_t count = out->nx * out->ny;
-    for (size_t i = 0; i < count; i++) {
-        struct string_view word;
-        if (!scan_word(text, &word))
-            return scan_fail(file, scan_line(file, text->start),
-                             "the heights end after %zu of %zu; copy the file again", i, count);
+    struct string_view word;
+    if (scan_reserve(out, nx, ny, (string_view_length(text) + 1) / 2, file) != STATUS_OK)
+        return file->status->code;
+    for (size_t i = 0; i < nx * ny; i++) {
         double value;
+        if (!scan_word(&text, &word))
+            return scan_fail(file, scan_line(file, text.start), "the heights end after %zu of %zu; copy the file again",
+                             i, nx * ny);
         if (number_scan(word, NUMBER_POINT, NULL, &value) == word.end && isfinite(value))
             out->z_m[i] = value * z_m;
         else if (scan_is_missing(word))
@@ -286,18 +275,17 @@ enum status_code scan_fill(struct scan *out, struct string_view *text, double z_
             return scan_fail(file, scan_line(file, word.start), "'%s' among the heights; correct or remove it",
                              scan_quote(word).text);
     }
+    if (scan_word(&text, &word) && !(end && string_view_starts(word, end)))
+        return scan_fail(file, scan_line(file, word.start), "more heights than the header says, %zu x %zu", nx, ny);
     return STATUS_OK;
 }
 
-size_t scan_disorder(const double *x, size_t n)
+size_t scan_disorder(const double *x, size_t stride, size_t n)
 {
-    if (n < 2)
-        return n;
-    bool up = x[1] > x[0];
+    bool up = n > 1 && x[stride] > x[0];
     for (size_t i = 0; i < n; i++) {
-        if (!isfinite(x[i]))
-            return i;
-        if (i > 0 && !(up ? x[i] > x[i - 1] : x[i] < x[i - 1]))
+        double here = x[i * stride], before = i > 0 ? x[(i - 1) * stride] : up ? -INFINITY : INFINITY;
+        if (!isfinite(here) || !(up ? here > before : here < before))
             return i;
     }
     return n;

@@ -69,10 +69,11 @@ MUST_CHECK enum status_code scan_take_key(const struct scan_key *keys, struct st
 /** Is `cell` what instruments write where they measured nothing: BAD, NaN or stars? */
 bool scan_is_missing(struct string_view cell);
 
-/** Fills the heights that scan_reserve() made from `text`, numbers between blanks or line ends, or missing points.
- * Moves text->start behind the last. Error: STATUS_SCAN with the line: too few, or no number. */
-MUST_CHECK enum status_code scan_fill(struct scan *out, struct string_view *text, double z_m,
-                                      const struct scan_file *file);
+/** scan_reserve(), filled from `text`: numbers between blanks or line ends, or missing points, in units of z_m; behind
+ * the last stands nothing, or what begins with `end` (NULL: nothing). Error: STATUS_SCAN with the line: too few or too
+ * many, or no number. */
+MUST_CHECK enum status_code scan_take_text(struct scan *out, size_t nx, size_t ny, struct string_view text, double z_m,
+                                           const char *end, const struct scan_file *file);
 
 /** Cuts the next word (no blanks, no line ends) off `text`; false when nothing is left. */
 bool scan_word(struct string_view *text, struct string_view *word);
@@ -85,39 +86,30 @@ static inline struct string_view scan_view(const struct scan_file *file)
     return (struct string_view){file->bytes, file->bytes + file->length};
 }
 
-/** Index of the first position that breaks the order set by the first two (strictly up or strictly down), n when none
- * does. A non-finite position breaks it. */
-size_t scan_disorder(const double *x, size_t n);
+/** Index of the first of n positions, `stride` numbers apart, that breaks the order set by the first two (strictly up
+ * or strictly down), n when none does. A non-finite position breaks it. */
+size_t scan_disorder(const double *x, size_t stride, size_t n);
 
-/* One line a format (packed files apart): the prefix of its functions, its name. The order matters where one looks like
- * another: the first match wins, and text takes what no other reader knows. */
-#define SCAN_FORMATS(X)                                                                                                \
-    X(x3p, "x3p")                                                                                                      \
-    X(mahr_prf, "mahr-prf")                                                                                            \
-    X(sur, "sur")                                                                                                      \
-    X(al3d, "al3d")                                                                                                    \
-    X(sdf, "sdf")                                                                                                      \
-    X(gsf, "gsf")                                                                                                      \
-    X(gwy, "gwy")                                                                                                      \
-    X(surfer, "surfer")                                                                                                \
-    X(mahr_text, "mahr-text")                                                                                          \
-    X(npl_prf, "npl-prf")                                                                                              \
-    X(smd, "smd")                                                                                                      \
-    X(nist_xml, "nist-xml")                                                                                            \
-    X(text, "text")
+/* Does it look like that format (cheap)? Where its first bytes alone do not tell. */
+typedef bool scan_sniffer(const struct scan_file *file);
+scan_sniffer scan_x3p_sniff, scan_sdf_sniff, scan_npl_prf_sniff, scan_smd_sniff, scan_nist_xml_sniff, scan_text_sniff;
 
-/* Do these bytes look like that format (cheap)? And reading them. */
-#define SCAN_DECLARE(prefix, name)                                                                                     \
-    bool scan_##prefix##_sniff(const struct scan_file *file);                                                          \
-    enum status_code scan_##prefix##_read(struct scan *out, const struct scan_file *file);
-SCAN_FORMATS(SCAN_DECLARE)
-#undef SCAN_DECLARE
+typedef enum status_code scan_reading(struct scan *out, const struct scan_file *file);
+scan_reading scan_x3p_read, scan_mahr_prf_read, scan_sur_read, scan_al3d_read, scan_sdf_read, scan_gsf_read,
+    scan_gwy_read, scan_surfer_read, scan_mahr_text_read, scan_npl_prf_read, scan_smd_read, scan_nist_xml_read,
+    scan_text_read;
 
 struct scan_reader {
     const char *name;
-    bool (*sniff)(const struct scan_file *file);
-    enum status_code (*read)(struct scan *out, const struct scan_file *file);
+    const char *magic; /* its first bytes, their case ignored; NULL: `sniff` tells */
+    scan_sniffer *sniff;
+    scan_reading *read;
 };
+
+/** Every format, packed files apart, and their number. The order matters where one looks like another: the first match
+ * wins, and text takes what no other reader knows. */
+extern const struct scan_reader scan_readers[];
+extern const size_t scan_reader_count;
 
 /** Is there a row of numbers in this text? */
 bool scan_text_has_numbers(const struct scan_file *file);

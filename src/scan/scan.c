@@ -27,7 +27,7 @@ static void reverse(double *values, size_t n)
 static enum status_code check_positions(struct scan *scan, const struct scan_file *file)
 {
     if (scan->x_m) {
-        size_t bad = scan_disorder(scan->x_m, scan->nx);
+        size_t bad = scan_disorder(scan->x_m, 1, scan->nx);
         if (bad < scan->nx)
             return scan_fail(file, 0, "x of point %zu does not go on from the point before; sort the points by x",
                              bad + 1);
@@ -124,8 +124,7 @@ static enum status_code check(struct scan *scan, const struct scan_file *file)
 static enum status_code check_asked(const struct scan *scan, const struct scan_file *file)
 {
     const struct scan_options *options = file->options;
-    bool column = (options->x_column && *options->x_column) || (options->z_column && *options->z_column);
-    if (column && scan->z_column == 0)
+    if (options->z_column > 0 && scan->z_column == 0)
         return scan_fail(file, 0, "a file of format %s has no columns to choose from; remove `column`", scan->format);
     if (options->quantity == SCAN_SLOPE && scan->quantity != SCAN_SLOPE)
         return scan_fail(file, 0, "a file of format %s has heights, not slopes; remove `quantity: slope`",
@@ -133,29 +132,12 @@ static enum status_code check_asked(const struct scan *scan, const struct scan_f
     return STATUS_OK;
 }
 
-static enum status_code read_any(struct scan *out, const struct scan_file *file)
-{
-    struct format format = format_of(file, false);
-    if (format.kind != FORMAT_PACKED)
-        return format_read(out, file);
-    out->format = format.name;
-    if (strcmp(format.name, "zip") == 0)
-        return scan_zip_read(out, file);
-    struct text text = {0};
-    enum status_code code = scan_gz_unpack(&text, file);
-    const struct scan_file inner = {text_string(&text), text.length, file->path, file->options, file->status};
-    if (code == STATUS_OK)
-        code = format_read(out, &inner);
-    text_free(&text);
-    return code;
-}
-
 enum status_code scan_read_bytes(struct scan *out, const struct scan_bytes *bytes, const struct scan_options *options,
                                  struct status *status)
 {
     const struct scan_file file = {bytes->bytes, bytes->length, bytes->path, options, status};
     *out = (struct scan){.ny = 1};
-    if (read_any(out, &file) != STATUS_OK || check_asked(out, &file) != STATUS_OK)
+    if (format_read(out, &file, false) != STATUS_OK || check_asked(out, &file) != STATUS_OK)
         return status->code;
     return check(out, &file);
 }
@@ -196,15 +178,13 @@ enum status_code scan_read_beside(struct scan *out, const struct scan_bytes *byt
     const struct scan_file file = {bytes->bytes, bytes->length, bytes->path, options, &problem};
     struct sidecar sidecar;
     char *found = NULL;
-    bool refused_text = code == STATUS_SCAN && out->z_column == 0 && !foreign_is_binary(&file);
     if (code == STATUS_SCAN && !options->no_programs && is_foreign_scan(&file) && gwyddion_exists()) {
         scan_free(out);
         return read_converted(out, &file, path, &problem, status);
     }
-    if (code != STATUS_MEMORY && (out->units_lacking || refused_text) &&
-        sidecar_find(&sidecar, &found, path, status) != STATUS_OK)
+    if (code != STATUS_MEMORY && out->units_lacking && sidecar_find(&sidecar, &found, path, status) != STATUS_OK)
         return status->code;
-    if (found && (out->units_lacking || sidecar.header.lines > 0)) { /* else it says nothing of what went wrong */
+    if (found) {
         struct scan_options with = *options;
         with.sidecar = &sidecar;
         scan_free(out);

@@ -17,7 +17,7 @@ extern const char *const scan_direction_names[SCAN_DIRECTION_COUNT]; /* as a sce
 enum scan_quantity { SCAN_HEIGHT, SCAN_SLOPE, SCAN_QUANTITY_COUNT };
 extern const char *const scan_quantity_names[SCAN_QUANTITY_COUNT]; /* as a scene spells them */
 
-enum { SCAN_WARNINGS = 8, SCAN_WARNING_LENGTH = 240, SCAN_UNIT_SIZE = 16 };
+enum { SCAN_WARNINGS = 12, SCAN_WARNING_LENGTH = 240, SCAN_UNIT_SIZE = 16 };
 
 /** What a file holds, as read: not levelled, not resampled. */
 struct scan {
@@ -47,9 +47,9 @@ struct sidecar;
 /** What the scene says about a file; "" or NULL where it says nothing. Its units are used only where neither the file
  * itself nor a sidecar names any. */
 struct scan_options {
-    const char *x_unit, *z_unit;     /* a unit of length; of slopes: rad, mrad, urad, nrad, um/mm, ..., or 1 */
-    enum scan_quantity quantity;     /* slopes are read only where this says so */
-    const char *x_column, *z_column; /* of a table of text: a number, from 1, or a title; else the header decides */
+    const char *x_unit, *z_unit;   /* a unit of length; of slopes: rad, mrad, urad, nrad, um/mm, ..., or 1 */
+    enum scan_quantity quantity;   /* slopes are read only where this says so */
+    size_t x_column, z_column;     /* of a table of text, from 1; 0: the header decides */
     size_t entry;                  /* of an archive of several scans: 0 the first, then next_entry of the one before */
     const struct sidecar *sidecar; /* set by scan_read_beside() */
     bool no_programs;              /* no other program is asked to convert what no reader knows */
@@ -84,12 +84,12 @@ MUST_CHECK enum status_code scan_read_bytes(struct scan *out, const struct scan_
 /** What a file is that lies beside scans and is certainly none, by its name and its bytes (`whole`: all of them; else
  * the first): "PNG picture", "text without a row of numbers"; NULL: it may be one. */
 const char *scan_is_other(const struct scan_bytes *file, bool whole);
-/** Do the first bytes not tell what the file is, but the last ones (zip, TIFF)? */
+/** Do the first bytes not tell what the file is, but the last ones (zip)? */
 bool scan_tells_at_end(const char *bytes, size_t length);
 void scan_free(struct scan *scan);
 /** Exchanges rows and columns of a map, so that its columns can be taken as profiles. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code scan_transpose(struct scan *scan, struct status *status);
-/** Notes a warning; beyond SCAN_WARNINGS the last says how many more there were. */
+/** Notes a warning; beyond SCAN_WARNINGS it is dropped. */
 void scan_warn(struct scan *scan, const char *format, ...) PRINTF_LIKE(2, 3);
 
 /** Metres per unit for "m", "mm", "um", "µm", "micron(s)", "nm", "pm", "A"/"Å", "in"/"inch", "mil", "uin"/"µin"...

@@ -5,19 +5,12 @@
 #include "scan/string_view.h"
 
 #include <math.h>
-#include <string.h>
 
-static const char magic[] = "AliconaImaging\0\r\n";
-enum { AL3D_MAGIC = sizeof magic - 1, AL3D_KEY = 20, AL3D_VALUE = 30, AL3D_TAGS = 1000 };
+enum { AL3D_MAGIC = sizeof "AliconaImaging\0\r\n" - 1, AL3D_KEY = 20, AL3D_VALUE = 30, AL3D_TAGS = 1000 };
 
 struct al3d_header {
     double tags, nx, ny, offset, dx, dy, invalid;
 };
-
-bool scan_al3d_sniff(const struct scan_file *file)
-{
-    return file->length >= AL3D_MAGIC && memcmp(file->bytes, magic, AL3D_MAGIC) == 0;
-}
 
 static void read_header(struct al3d_header *header, struct bytes *bytes)
 {

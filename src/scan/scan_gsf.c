@@ -6,18 +6,11 @@
 
 #include <string.h>
 
-static const char magic[] = "Gwyddion Simple Field 1.0\n";
-
 struct gsf_header {
     size_t nx, ny;
     double width, height;
     char xy_unit[SCAN_UNIT_SIZE], z_unit[SCAN_UNIT_SIZE];
 };
-
-bool scan_gsf_sniff(const struct scan_file *file)
-{
-    return file->length >= strlen(magic) && memcmp(file->bytes, magic, strlen(magic)) == 0;
-}
 
 static enum status_code read_header(struct gsf_header *header, struct string_view text, const struct scan_file *file)
 {

@@ -8,8 +8,6 @@
 #include <math.h>
 #include <string.h>
 
-static const char magic[] = "GWYPGwyContainer";
-
 /* A component: its name, its type and where its value is. */
 struct component {
     struct string_view name;
@@ -32,11 +30,6 @@ struct found {
     struct field map, mask; /* mask.count 0: there is none */
     size_t maps;
 };
-
-bool scan_gwy_sniff(const struct scan_file *file)
-{
-    return file->length >= sizeof magic && memcmp(file->bytes, magic, sizeof magic) == 0; /* the NUL too */
-}
 
 /* A string up to its NUL, and behind that. */
 static struct string_view take_string(struct bytes *bytes)

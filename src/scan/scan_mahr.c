@@ -10,11 +10,6 @@
 static const double mahr_unit_m = 1e-3; /* of both */
 enum { MAHR_SHORTEST = 8 };             /* bytes of the shortest line of a point, `0=1 2 3` and its end */
 
-bool scan_mahr_text_sniff(const struct scan_file *file)
-{
-    return string_view_starts(scan_view(file), "[PROFILE_HEADER]");
-}
-
 /* Reads `index=x y z ...`; false when the line is not of that form. */
 static bool read_point(struct string_view line, double *x, double *z)
 {
@@ -78,13 +73,8 @@ enum status_code scan_mahr_text_read(struct scan *out, const struct scan_file *f
 
 /* Mahr MarWin binary PRF: magic "[p3dlin]", the number of points n at byte 0x14, and 49 bytes behind the start of
  * "[Trajec]" n doubles x, n doubles y, n doubles z in millimetres. */
-static const char magic[] = "[p3dlin]", trajectory[] = "[Trajec]";
+static const char trajectory[] = "[Trajec]";
 enum { MAHR_COUNT_AT = 0x14, MAHR_DATA_BEHIND = 49 };
-
-bool scan_mahr_prf_sniff(const struct scan_file *file)
-{
-    return string_view_starts(scan_view(file), magic);
-}
 
 enum status_code scan_mahr_prf_read(struct scan *out, const struct scan_file *file)
 {

@@ -64,11 +64,8 @@ enum status_code scan_nist_xml_read(struct scan *out, const struct scan_file *fi
     char unit[SCAN_UNIT_SIZE];
     scan_copy(unit, sizeof unit, element(text, "UNITS"));
     if (scan_units(out, unit, unit, &x_m, &z_m, file) != STATUS_OK ||
-        scan_reserve(out, n, 1, (string_view_length(data) + 1) / 2, file) != STATUS_OK ||
-        scan_fill(out, &data, z_m, file) != STATUS_OK)
+        scan_take_text(out, n, 1, data, z_m, NULL, file) != STATUS_OK)
         return file->status->code;
-    if (scan_word(&data, &word))
-        return scan_fail(file, scan_line(file, word.start), "more heights than <NUMPOINTS> says, %zu", n);
     out->dx_m = spacing * x_m;
     return STATUS_OK;
 }

@@ -63,13 +63,8 @@ enum status_code scan_npl_prf_read(struct scan *out, const struct scan_file *fil
         return scan_fail(file, lines.number,
                          "no CX, CZ or `SPACING CX` above the heights: only evenly spaced PRF profiles can be read");
     struct string_view data = {lines.next, lines.end};
-    if (scan_reserve(out, z.n, 1, (string_view_length(data) + 1) / 2, file) != STATUS_OK ||
-        scan_fill(out, &data, z.factor * z.unit.si, file) != STATUS_OK)
+    if (scan_take_text(out, z.n, 1, data, z.factor * z.unit.si, "EOR", file) != STATUS_OK)
         return file->status->code;
-    struct string_view word;
-    if (scan_word(&data, &word) && !string_view_equals(word, "EOR"))
-        return scan_fail(file, scan_line(file, word.start), "'%s' where the record should end (EOR)",
-                         scan_quote(word).text);
     out->dx_m = spacing * x.factor * x.unit.si;
     scan_set_units(out, x.unit.name, z.unit.name);
     return STATUS_OK;

@@ -26,16 +26,13 @@ bool scan_sdf_sniff(const struct scan_file *file)
     return false;
 }
 
-static enum status_code take_header(struct scan *out, const struct sdf_header *header, size_t room,
-                                    const struct scan_file *file)
+static enum status_code check_header(struct scan *out, const struct sdf_header *header, const struct scan_file *file)
 {
     if (header->compression != 0)
         return scan_fail(file, 0, "compressed SDF (Compression = %zu) cannot be read; export it uncompressed",
                          header->compression);
     if (!isfinite(header->z_scale) || header->z_scale == 0)
         return scan_fail(file, 0, "a Zscale of %g gives no heights", header->z_scale);
-    if (scan_reserve(out, header->nx, header->ny, room, file) != STATUS_OK)
-        return file->status->code;
     out->dx_m = header->x_scale;
     out->dy_m = header->y_scale;
     scan_set_units(out, "m", "m");
@@ -66,17 +63,10 @@ static enum status_code read_text(struct scan *out, const struct scan_file *file
 {
     struct sdf_header header = {0};
     struct lines lines = lines_begin(scan_view(file));
-    if (read_text_header(&header, &lines, file) != STATUS_OK)
+    if (read_text_header(&header, &lines, file) != STATUS_OK || check_header(out, &header, file) != STATUS_OK)
         return file->status->code;
-    struct string_view data = {lines.next, lines.end}, word;
-    if (take_header(out, &header, (string_view_length(data) + 1) / 2, file) != STATUS_OK ||
-        scan_fill(out, &data, header.z_scale, file) != STATUS_OK)
-        return file->status->code;
-    if (scan_word(&data, &word) && *word.start != '*')
-        return scan_fail(file, scan_line(file, word.start),
-                         "more heights than NumPoints x NumProfiles, %zu x %zu; export the scan again", header.nx,
-                         header.ny);
-    return STATUS_OK;
+    return scan_take_text(out, header.nx, header.ny, (struct string_view){lines.next, lines.end}, header.z_scale, "*",
+                          file);
 }
 
 /* The value that marks a missing point: the largest unsigned, the smallest signed 16 or 32-bit integer; NaN (which is
@@ -105,7 +95,8 @@ static enum status_code read_binary(struct scan *out, const struct scan_file *fi
     if (header.type >= BYTES_COUNT)
         return scan_fail(file, 0, "data type %zu is none of ISO 25178-71", header.type);
     enum bytes_type type = (enum bytes_type)header.type;
-    if (take_header(out, &header, bytes_left(&bytes) / bytes_size(type), file) != STATUS_OK)
+    if (check_header(out, &header, file) != STATUS_OK ||
+        scan_reserve(out, header.nx, header.ny, bytes_left(&bytes) / bytes_size(type), file) != STATUS_OK)
         return file->status->code;
     /* Olympus writes 8 bytes more between header and heights */
     size_t points = header.nx * header.ny;

@@ -78,17 +78,6 @@ static enum status_code read_header(struct smd_axis axis[3], struct string_view 
     return STATUS_OK;
 }
 
-static void compare_checksum(struct scan *out, struct string_view text, const char *end, const char *start)
-{
-    unsigned sum = 0;
-    size_t stored;
-    for (const char *at = start; at < text.start; at++)
-        sum = (sum + (unsigned char)*at) & 0xffff;
-    struct string_view word;
-    if (scan_word(&(struct string_view){text.start, end}, &word) && number_read_size(word, &stored) && stored != sum)
-        scan_warn(out, "the checksum is %u, the file says %zu: it was changed after it was written", sum, stored);
-}
-
 enum status_code scan_smd_read(struct scan *out, const struct scan_file *file)
 {
     struct smd_axis axis[3] = {0};
@@ -99,17 +88,10 @@ enum status_code scan_smd_read(struct scan *out, const struct scan_file *file)
     if (read_header(axis, header, file) != STATUS_OK)
         return file->status->code;
     size_t nx = axis[0].n, ny = axis[1].unit.name ? axis[1].n : 1;
-    if (scan_reserve(out, nx, ny, (string_view_length(heights) + 1) / 2, file) != STATUS_OK ||
-        scan_fill(out, &heights, axis[2].scale * axis[2].unit.si, file) != STATUS_OK)
+    if (scan_take_text(out, nx, ny, heights, axis[2].scale * axis[2].unit.si, NULL, file) != STATUS_OK)
         return file->status->code;
-    struct string_view word;
-    if (scan_word(&heights, &word))
-        return scan_fail(file, scan_line(file, word.start), "more heights than the header says, %zu x %zu", nx, ny);
     out->dx_m = axis[0].increment * axis[0].scale * axis[0].unit.si;
     out->dy_m = axis[1].increment * axis[1].scale * axis[1].unit.si;
     scan_set_units(out, axis[0].unit.name, axis[2].unit.name);
-    while (rest.start < rest.end && (*rest.start == '\r' || *rest.start == '\n'))
-        rest.start++;
-    compare_checksum(out, rest, file->bytes + file->length, file->bytes);
     return STATUS_OK;
 }

@@ -9,7 +9,7 @@
 #include <string.h>
 #include <zlib.h>
 
-static const char plain[] = "DIGITAL SURF", compressed[] = "DSCOMPRESSED";
+static const char plain[] = "DIGITAL SURF";
 enum { SUR_PROFILE = 1, SUR_SURFACE = 2, SUR_HEADER = 512, SUR_UNIT = 16, SUR_STREAMS = 64 };
 
 struct sur_header {
@@ -20,11 +20,6 @@ struct sur_header {
     char unit[3][SUR_UNIT + 1];
     size_t remarks; /* bytes between header and heights */
 };
-
-bool scan_sur_sniff(const struct scan_file *file)
-{
-    return string_view_starts(scan_view(file), plain) || string_view_starts(scan_view(file), compressed);
-}
 
 static bool read_header(struct sur_header *header, struct bytes *bytes)
 {

@@ -15,28 +15,13 @@ struct surfer_grid {
     double dx, dy, blank;
 };
 
-bool scan_surfer_sniff(const struct scan_file *file)
+/* Fills the map's grid and makes missing what is blank; its heights are there, in the unit of the file. */
+static void take_grid(struct scan *out, const struct surfer_grid *grid, double x_m, double z_m)
 {
-    struct string_view text = scan_view(file);
-    return string_view_starts(text, "DSAA") || string_view_starts(text, "DSBB") || string_view_starts(text, "DSRB");
-}
-
-static enum status_code take_grid(struct scan *out, const struct surfer_grid *grid, size_t room, double *z_m,
-                                  const struct scan_file *file)
-{
-    double x_m;
-    if (scan_units(out, NULL, NULL, &x_m, z_m, file) != STATUS_OK ||
-        scan_reserve(out, grid->nx, grid->ny, room, file) != STATUS_OK)
-        return file->status->code;
     out->dx_m = grid->dx * x_m;
     out->dy_m = grid->dy * x_m;
-    return STATUS_OK;
-}
-
-static void blank_out(struct scan *out, double blank, double z_m)
-{
     for (size_t i = 0; i < out->nx * out->ny; i++)
-        out->z_m[i] = out->z_m[i] >= blank * (1 - 1e-6) ? NAN : out->z_m[i] * z_m;
+        out->z_m[i] = out->z_m[i] >= grid->blank * (1 - 1e-6) ? NAN : out->z_m[i] * z_m;
 }
 
 static double step(double low, double high, size_t n)
@@ -47,7 +32,7 @@ static double step(double low, double high, size_t n)
 static enum status_code read_text(struct scan *out, const struct scan_file *file)
 {
     struct string_view text = {file->bytes + 4, file->bytes + file->length}, word;
-    double head[8], z_m; /* nx ny xlo xhi ylo yhi zlo zhi */
+    double head[8], x_m, z_m; /* nx ny xlo xhi ylo yhi zlo zhi */
     for (size_t i = 0; i < 8; i++)
         if (!scan_word(&text, &word) || !number_read(word, &head[i]))
             return scan_fail(file, scan_line(file, text.start), "'%s' in the header of the grid",
@@ -57,24 +42,23 @@ static enum status_code read_text(struct scan *out, const struct scan_file *file
     struct surfer_grid grid = {(size_t)head[0], (size_t)head[1], 0, 0, surfer_blank};
     grid.dx = step(head[2], head[3], grid.nx);
     grid.dy = step(head[4], head[5], grid.ny);
-    if (take_grid(out, &grid, (string_view_length(text) + 1) / 2, &z_m, file) != STATUS_OK ||
-        scan_fill(out, &text, 1.0, file) != STATUS_OK)
+    if (scan_units(out, NULL, NULL, &x_m, &z_m, file) != STATUS_OK ||
+        scan_take_text(out, grid.nx, grid.ny, text, 1.0, NULL, file) != STATUS_OK)
         return file->status->code;
-    blank_out(out, grid.blank, z_m);
-    if (scan_word(&text, &word))
-        return scan_fail(file, scan_line(file, word.start), "more heights than the header says");
+    take_grid(out, &grid, x_m, z_m);
     return STATUS_OK;
 }
 
 static enum status_code read_values(struct scan *out, const struct surfer_grid *grid, struct bytes *bytes,
                                     enum bytes_type type, const struct scan_file *file)
 {
-    double z_m;
-    if (take_grid(out, grid, bytes_left(bytes) / bytes_size(type), &z_m, file) != STATUS_OK)
+    double x_m, z_m;
+    if (scan_units(out, NULL, NULL, &x_m, &z_m, file) != STATUS_OK ||
+        scan_reserve(out, grid->nx, grid->ny, bytes_left(bytes) / bytes_size(type), file) != STATUS_OK)
         return file->status->code;
     for (size_t i = 0; i < grid->nx * grid->ny; i++)
         out->z_m[i] = bytes_number(bytes, type);
-    blank_out(out, grid->blank, z_m);
+    take_grid(out, grid, x_m, z_m);
     return STATUS_OK;
 }
 

@@ -18,14 +18,11 @@ enum {
 
 /* The numbers of a text file: rows of one or more columns, with whatever lines stand above them. */
 struct table {
-    struct string_view text;     /* the file without byte order mark and end-of-file marks */
-    struct string_view preamble; /* the lines above the first row of numbers */
-    char delimiter;              /* ',' ';' '\t' or ' ' (any run of blanks) */
+    struct string_view text; /* the file without byte order mark and end-of-file marks */
+    char delimiter;          /* ',' ';' '\t' or ' ' (any run of blanks) */
     size_t rows, columns;
     double *cell;                 /* rows x columns */
     size_t first_line, last_line; /* where the rows are, counted from 1 */
-    size_t announced;             /* how many rows the line right above them says follow */
-    size_t announced_line;        /* and its line, 0 when there is none */
     struct text_header header;    /* of the preamble */
     const struct scan_file *file;
 };
@@ -170,11 +167,8 @@ static enum status_code fail_row(const struct table *table, const struct row *ro
 /* Is `content`, trimmed and not empty, a comment below the first row? */
 static bool is_comment(const struct table *table, struct string_view content)
 {
-    char first = *content.start;
-    bool comment = false;
-    if (first == '#' || first == '%' || first == '/' || (first == ';' && table->delimiter != ';'))
-        (void)text_header_uncomment(content, &comment);
-    return comment;
+    return *content.start == '#' || *content.start == '%' || string_view_starts(content, "//") ||
+           (*content.start == ';' && table->delimiter != ';');
 }
 
 /* Is there nothing in `content`, which is trimmed, or nothing but delimiters? */
@@ -242,12 +236,12 @@ static bool is_damaged_row(const struct table *table, struct string_view line, s
 }
 
 /* Is `content` nothing but how many rows follow? `lines` goes on with the next line, which then has more columns. */
-static bool is_count(struct table *table, struct string_view content, struct lines lines)
+static bool is_count(size_t *announced, struct string_view content, struct lines lines)
 {
     size_t columns = 0;
     while (content.end > content.start && strchr(",;", content.end[-1]))
         content.end--;
-    if (!number_read_size(content, &table->announced))
+    if (!number_read_size(content, announced))
         return false;
     for (struct string_view line; lines_next(&lines, &line);) {
         bool comment;
@@ -256,16 +250,6 @@ static bool is_count(struct table *table, struct string_view content, struct lin
             return find_delimiter(line, &columns) && columns > 1;
     }
     return false;
-}
-
-/* Are there as many rows as the line above them says? */
-static enum status_code check_count(const struct table *table)
-{
-    if (table->announced_line == 0 || table->announced == table->rows)
-        return STATUS_OK;
-    return scan_fail(table->file, table->announced_line,
-                     "%zu points are announced, %zu follow; copy the file again, or remove this line", table->announced,
-                     table->rows);
 }
 
 /* Is `line` of `text`, which is no row of numbers yet, farther down than a header goes? */
@@ -278,11 +262,10 @@ static bool is_too_deep(struct string_view text, struct string_view line)
  * more, blank lines are passed over. */
 static enum status_code read_table(struct table *table)
 {
-    const struct sidecar *sidecar = table->file->options ? table->file->options->sidecar : NULL;
     table->text = text_of(table->file);
     struct lines lines = lines_begin(table->text), before = lines;
     struct string_view above = {NULL, NULL};
-    size_t above_line = 0, skipped = sidecar ? sidecar->header.lines : 0;
+    size_t above_line = 0, announced = 0, announced_line = 0; /* rows that a line above them says follow */
     for (struct string_view line; lines_next(&lines, &line); before = lines) {
         bool comment;
         if (string_view_length(line) > limit_most(LIMIT_LINE_BYTES))
@@ -291,7 +274,7 @@ static enum status_code read_table(struct table *table)
             return scan_fail(table->file, lines.number, "no line of numbers so far: not a scan%s",
                              limit_words(LIMIT_HEADER_BYTES).text);
         struct string_view content = text_header_uncomment(line, &comment);
-        if (comment || content.start == content.end || lines.number <= skipped)
+        if (comment || content.start == content.end)
             continue;
         table->delimiter = find_delimiter(line, &table->columns);
         if (!table->delimiter) {
@@ -299,8 +282,8 @@ static enum status_code read_table(struct table *table)
             above_line = lines.number;
             continue;
         }
-        if (table->columns == 1 && is_count(table, content, lines)) {
-            table->announced_line = lines.number;
+        if (table->columns == 1 && is_count(&announced, content, lines)) {
+            announced_line = lines.number;
             continue;
         }
         struct row row = {0};
@@ -310,9 +293,13 @@ static enum status_code read_table(struct table *table)
             return scan_fail(table->file, lines.number, "%zu columns%s", table->columns,
                              limit_words(LIMIT_COLUMNS).text);
         table->first_line = lines.number;
-        table->preamble = (struct string_view){table->text.start, before.next};
-        table->header = text_header_read(table->preamble, table->delimiter, table->columns);
-        return read_rows(table, before) == STATUS_OK ? check_count(table) : table->file->status->code;
+        struct string_view preamble = {table->text.start, before.next};
+        table->header = text_header_read(preamble, table->delimiter, table->columns);
+        if (read_rows(table, before) == STATUS_OK && announced_line > 0 && announced != table->rows)
+            return scan_fail(table->file, announced_line,
+                             "%zu points are announced, %zu follow; copy the file again, or remove this line",
+                             announced, table->rows);
+        return table->file->status->code;
     }
     return scan_fail(table->file, 0, "no line of numbers in it: not a scan");
 }
@@ -337,25 +324,16 @@ bool scan_text_read_keys(struct text_header *out, const struct scan_file *file)
     return scan_text_sniff(file) && !scan_text_has_numbers(file) && text_header_add(out, text_of(file));
 }
 
-/* Row `row` (from 0), and the number of its line. */
-static struct string_view find_row(const struct table *table, size_t row, size_t *number)
+/* The line of row `row` (from 0). */
+static size_t line_of_row(const struct table *table, size_t row)
 {
     struct lines lines = lines_begin(table->text);
-    struct string_view line = {NULL, NULL};
-    while (lines_next(&lines, &line)) {
+    for (struct string_view line; lines_next(&lines, &line);) {
         struct string_view content = string_view_trim(line);
         if (lines.number >= table->first_line && !is_blank(table, content) && !is_comment(table, content) && row-- == 0)
             break;
     }
-    *number = lines.number;
-    return line;
-}
-
-static size_t line_of_row(const struct table *table, size_t row)
-{
-    size_t number;
-    (void)find_row(table, row, &number);
-    return number;
+    return lines.number;
 }
 
 static double at(const struct table *table, size_t row, size_t column)
@@ -448,21 +426,11 @@ static enum status_code take_units(struct scan *out, const struct table *table, 
     return STATUS_OK;
 }
 
-/* Is there a decimal sign or an exponent in row `row`? */
-static bool is_decimal(const struct table *table, size_t row)
-{
-    size_t number;
-    struct string_view line = find_row(table, row, &number);
-    while (line.start < line.end && !(*line.start && strchr(".,eEdD", *line.start)))
-        line.start++;
-    return line.start < line.end;
-}
-
-/* Does the only column begin with how many heights follow, a whole number above decimal ones? Takes it out. */
+/* Does the only column begin with how many heights follow, a whole number above others? Takes it out. */
 static void drop_count(struct scan *out, struct table *table)
 {
     if (table->columns > 1 || table->rows <= TEXT_POINTS || table->cell[0] != (double)(table->rows - 1) ||
-        is_decimal(table, 0) || !is_decimal(table, 1))
+        table->cell[1] == round(table->cell[1]))
         return;
     table->rows--;
     memmove(table->cell, table->cell + 1, table->rows * sizeof *table->cell);
@@ -520,7 +488,7 @@ static enum status_code take_points(struct scan *out, struct table *table, size_
         out->x_m[i] = row[x] * x_m;
         table->cell[i] = valid ? row[z] * z_m : NAN; /* never beyond row i itself */
     }
-    size_t bad = scan_disorder(out->x_m, rows);
+    size_t bad = scan_disorder(out->x_m, 1, rows);
     if (bad < rows && isnan(out->x_m[bad]))
         return scan_fail(table->file, line_of_row(table, bad), "no x here; fill it in or remove this line");
     if (bad < rows)
@@ -529,20 +497,14 @@ static enum status_code take_points(struct scan *out, struct table *table, size_
     const char *unit = header->spacing.unit ? header->spacing.unit : out->x_unit;
     if (header->spacing.value > 0)
         out->nominal_dx_m = header->spacing.value * scan_unit_m(unit);
-    if (columns > (header->valid < columns ? 3 : 2) && !is_given(table->file->options->z_column))
+    if (columns > (header->valid < columns ? 3 : 2) && table->file->options->z_column == 0)
         scan_warn(out, "%zu columns: column %zu read as x, column %zu as z, the others ignored", columns, x + 1, z + 1);
     return STATUS_OK;
 }
 
 static bool goes_one_way(const struct table *table, size_t column)
 {
-    bool up = at(table, 1, column) > at(table, 0, column);
-    for (size_t i = 1; i < table->rows; i++) {
-        double here = at(table, i, column), before = at(table, i - 1, column);
-        if (!(up ? here > before : here < before))
-            return false;
-    }
-    return true;
+    return scan_disorder(table->cell + column, table->columns, table->rows) == table->rows;
 }
 
 static bool counts_up(const struct table *table)
@@ -586,23 +548,13 @@ static bool is_matrix(const struct table *table)
     return said || (!has_even_steps(table) && (table->columns > TEXT_MOST_COLUMNS || !goes_one_way(table, 0)));
 }
 
-/* A column that the scene names by its number or its title. */
-static enum status_code choose_column(size_t *column, const char *name, const struct table *table)
+/* A column that the scene names. */
+static enum status_code choose_column(size_t *column, size_t number, const struct table *table)
 {
-    size_t columns = table->columns, number = 0;
-    const char *s = columns == 1 ? "" : "s";
-    if (!number_read_size((struct string_view){name, name + strlen(name)}, &number)) {
-        number = text_header_find(table->preamble, table->delimiter, columns, name);
-        if (number == 0)
-            return scan_fail(table->file, 0, "no column is titled '%.60s'; there %s %zu column%s: give a number", name,
-                             columns == 1 ? "is" : "are", columns, s);
-        if (number == SIZE_MAX)
-            return scan_fail(table->file, 0, "more than one column is titled '%.60s'; give its number, 1 to %zu", name,
-                             columns);
-    }
-    if (number < 1 || number > columns)
+    size_t columns = table->columns;
+    if (number > columns)
         return scan_fail(table->file, table->first_line, "there is no column %zu: there %s %zu column%s", number,
-                         columns == 1 ? "is" : "are", columns, s);
+                         columns == 1 ? "is" : "are", columns, columns == 1 ? "" : "s");
     *column = number - 1;
     return STATUS_OK;
 }
@@ -611,8 +563,8 @@ static enum status_code choose_column(size_t *column, const char *name, const st
  * will do. */
 static enum status_code take_chosen(struct scan *out, struct table *table)
 {
-    size_t z, x = table->columns > 1 ? find_x(table) : 0;
-    bool x_given = is_given(table->file->options->x_column);
+    size_t z = 0, x = table->columns > 1 ? find_x(table) : 0;
+    bool x_given = table->file->options->x_column > 0;
     if (choose_column(&z, table->file->options->z_column, table) != STATUS_OK ||
         (x_given && choose_column(&x, table->file->options->x_column, table) != STATUS_OK))
         return table->file->status->code;
@@ -712,20 +664,10 @@ static enum status_code take_list(struct scan *out, const struct table *table)
     return STATUS_OK;
 }
 
-static bool sizes_fit(const struct table *table)
-{
-    const struct text_header *header = &table->header;
-    double columns = (double)table->columns, rows = (double)table->rows;
-    if (header->columns == 0 || header->rows == 0)
-        return true;
-    /* width and height are taken for one another often enough */
-    return (header->columns == columns && header->rows == rows) || (header->columns == rows && header->rows == columns);
-}
-
 static enum status_code take_matrix(struct scan *out, const struct table *table)
 {
     const struct text_header *header = &table->header;
-    double x_m, z_m;
+    double x_m, z_m, factor = header->z_factor.value > 0 ? header->z_factor.value : 1;
     struct text_quantity width = header->width, height = header->height;
     struct text_quantity step = header->pixel.value > 0 ? header->pixel : header->spacing;
     if (step.value > 0) {
@@ -737,14 +679,11 @@ static enum status_code take_matrix(struct scan *out, const struct table *table)
                          "a matrix of %zu x %zu heights without its pixel size; add a line `pixel size = 0.5 um` above "
                          "the numbers, or keep two columns, x and z",
                          table->columns, table->rows);
-    if (!sizes_fit(table))
-        return scan_fail(table->file, table->first_line, "%zu x %zu heights where the header says %g x %g",
-                         table->columns, table->rows, header->columns, header->rows);
     if (take_units(out, table, width.unit, &x_m, &z_m) != STATUS_OK ||
         scan_reserve(out, table->columns, table->rows, table->columns * table->rows, table->file) != STATUS_OK)
         return table->file->status->code;
     for (size_t i = 0; i < table->columns * table->rows; i++)
-        out->z_m[i] = table->cell[i] * header->z_factor * z_m;
+        out->z_m[i] = table->cell[i] * factor * z_m;
     double y_m = height.unit ? scan_unit_m(height.unit) : x_m;
     out->dx_m = width.value / (double)table->columns * x_m;
     out->dy_m = height.value / (double)table->rows * y_m;
@@ -753,7 +692,7 @@ static enum status_code take_matrix(struct scan *out, const struct table *table)
 
 static enum status_code take_table(struct scan *out, struct table *table)
 {
-    if (is_given(table->file->options->z_column) && table->rows >= TEXT_POINTS)
+    if (table->file->options->z_column > 0 && table->rows >= TEXT_POINTS)
         return take_chosen(out, table);
     if (is_list(table))
         return take_list(out, table);

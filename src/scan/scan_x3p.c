@@ -9,7 +9,6 @@
 #include <ctype.h>
 #include <expat.h>
 #include <math.h>
-#include <md5.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -29,7 +28,6 @@ struct main_xml {
     double size[3]; /* of the matrix; 0 where there is none */
     double list;    /* points of a list; 0 where there is none */
     char data_link[256], valid_link[256];
-    char data_md5[40];
     struct text datum; /* of <DataList>, a struct datum each */
 };
 
@@ -146,7 +144,6 @@ static void take_leaf(struct parse *parse, const char *parent, const char *name,
         {"Record3", "ListDimension", NULL, 0, &out->list},
         {"DataLink", "PointDataLink", out->data_link, sizeof out->data_link, NULL},
         {"DataLink", "ValidPointsLink", out->valid_link, sizeof out->valid_link, NULL},
-        {"DataLink", "MD5ChecksumPointData", out->data_md5, sizeof out->data_md5, NULL},
     };
     for (size_t i = 0; i < sizeof leaves / sizeof *leaves; i++) {
         if (strcmp(leaves[i].name, name) != 0 || strcmp(leaves[i].parent, parent) != 0 || text.start == text.end)
@@ -226,9 +223,8 @@ static bool stored(const struct x3p_axis *axis)
     return axis->kind == 'A';
 }
 
-/* Unpacks up to `most` bytes of the file a link in main.xml names, which is relative to main.xml; *whole: that is all.
- */
-static enum status_code read_link(struct text *text, bool *whole, const struct x3p *x3p, const char *link, size_t most,
+/* Unpacks up to `most` bytes of the file that a link in main.xml names, which is relative to main.xml. */
+static enum status_code read_link(struct text *text, const struct x3p *x3p, const char *link, size_t most,
                                   const struct scan_file *file)
 {
     char path[512];
@@ -238,19 +234,10 @@ static enum status_code read_link(struct text *text, bool *whole, const struct x
         index = archive_find(&x3p->archive, link, false);
     if (index == count)
         return scan_fail(file, 0, "no '%.80s' in the archive, which main.xml names", link);
-    *whole = x3p->archive.entries[index].size <= most;
     return archive_read(text, &x3p->archive, index, most, file);
 }
 
-static void compare_md5(struct scan *out, const struct text *text, const char *expected, const char *what)
-{
-    char actual[MD5_DIGEST_STRING_LENGTH];
-    MD5Data((const uint8_t *)text_string(text), text->length, actual);
-    if (strlen(expected) >= strlen(actual) && strncasecmp(actual, expected, strlen(actual)) != 0)
-        scan_warn(out, "the checksum of %s does not fit: it was changed after it was written", what);
-}
-
-static enum status_code open_main(struct x3p *x3p, const struct scan_file *file, struct scan *out)
+static enum status_code open_main(struct x3p *x3p, const struct scan_file *file)
 {
     if (archive_open(&x3p->archive, file) != STATUS_OK)
         return file->status->code;
@@ -261,15 +248,9 @@ static enum status_code open_main(struct x3p *x3p, const struct scan_file *file,
         return scan_fail(file, 0, "main.xml is too large%s", limit_words(LIMIT_XML_BYTES).text);
     const char *name = x3p->archive.entries[index].name, *slash = strrchr(name, '/');
     scan_copy(x3p->folder, sizeof x3p->folder, (struct string_view){name, slash ? slash + 1 : name});
-    if (archive_read(&x3p->main, &x3p->archive, index, SIZE_MAX, file) != STATUS_OK ||
-        read_xml(&x3p->xml, &x3p->main, file) != STATUS_OK)
+    if (archive_read(&x3p->main, &x3p->archive, index, SIZE_MAX, file) != STATUS_OK)
         return file->status->code;
-    struct text sum = {0};
-    index = archive_find(&x3p->archive, "md5checksum.hex", true);
-    if (index < count && archive_read(&sum, &x3p->archive, index, X3P_TEXT, file) == STATUS_OK)
-        compare_md5(out, &x3p->main, text_string(&sum), "main.xml");
-    text_free(&sum);
-    return file->status->code;
+    return read_xml(&x3p->xml, &x3p->main, file);
 }
 
 /* Points a row and rows, checked to be what can be read. */
@@ -293,17 +274,6 @@ static enum status_code read_size(const struct main_xml *xml, size_t *nx, size_t
     return scan_check_points(*nx, *ny, file);
 }
 
-/* The type that a letter of X3P stands for. */
-static bool find_type(char letter, enum bytes_type *type)
-{
-    static const char letters[] = "ILFD";
-    static const enum bytes_type types[] = {BYTES_I16, BYTES_I32, BYTES_F32, BYTES_F64};
-    const char *found = memchr(letters, letter, strlen(letters));
-    if (found)
-        *type = types[found - letters];
-    return found;
-}
-
 static double scaled(const struct x3p_axis *axis, double value)
 {
     double result = value * axis->increment + axis->offset;
@@ -314,10 +284,14 @@ static double scaled(const struct x3p_axis *axis, double value)
 static enum status_code find_types(enum bytes_type type[3], size_t *size, const struct x3p_axis axis[3],
                                    const struct scan_file *file)
 {
+    static const char letters[] = {'I', 'L', 'F', 'D'};
+    static const enum bytes_type types[] = {BYTES_I16, BYTES_I32, BYTES_F32, BYTES_F64};
     *size = 0;
     for (size_t i = 0; i < 3; i++) {
-        if (!find_type(axis[i].type, &type[i]))
+        const char *found = memchr(letters, axis[i].type, sizeof letters);
+        if (!found)
             return scan_fail(file, 0, "data type '%c' is none of ISO 25178-72", axis[i].type);
+        type[i] = types[found - letters];
         *size += stored(&axis[i]) ? bytes_size(type[i]) : 0;
     }
     return STATUS_OK;
@@ -330,13 +304,11 @@ static enum status_code read_values(struct scan *out, struct x3p *x3p, size_t nx
     const struct main_xml *xml = &x3p->xml;
     const struct x3p_axis *axis = xml->axis;
     enum bytes_type type[3];
-    bool listed = !*xml->data_link, whole = false;
+    bool listed = !*xml->data_link;
     size_t size = 1;
     if (!listed && (find_types(type, &size, axis, file) != STATUS_OK ||
-                    read_link(&x3p->points, &whole, x3p, xml->data_link, nx * ny * size, file) != STATUS_OK))
+                    read_link(&x3p->points, x3p, xml->data_link, nx * ny * size, file) != STATUS_OK))
         return file->status->code;
-    if (whole)
-        compare_md5(out, &x3p->points, xml->data_md5, xml->data_link);
     struct bytes bytes = {text_string(&x3p->points), text_string(&x3p->points) + x3p->points.length, false};
     const struct datum *datum = (const struct datum *)(const void *)xml->datum.data;
     size_t room = listed ? xml->datum.length / sizeof *datum : bytes_left(&bytes) / size;
@@ -360,9 +332,8 @@ static enum status_code read_valid(struct scan *out, struct x3p *x3p, const stru
 {
     if (!*x3p->xml.valid_link)
         return STATUS_OK;
-    bool whole;
     size_t points = out->nx * out->ny;
-    if (read_link(&x3p->valid, &whole, x3p, x3p->xml.valid_link, points, file) != STATUS_OK)
+    if (read_link(&x3p->valid, x3p, x3p->xml.valid_link, points, file) != STATUS_OK)
         return file->status->code;
     if (x3p->valid.length < (points + 7) / 8)
         return scan_fail(file, 0, "'%.80s' holds fewer bits than there are points", x3p->xml.valid_link);
@@ -375,7 +346,7 @@ static enum status_code read_valid(struct scan *out, struct x3p *x3p, const stru
 static enum status_code read_points(struct scan *out, struct x3p *x3p, const struct scan_file *file)
 {
     size_t nx = 0, ny = 0;
-    if (open_main(x3p, file, out) != STATUS_OK || read_size(&x3p->xml, &nx, &ny, file) != STATUS_OK)
+    if (open_main(x3p, file) != STATUS_OK || read_size(&x3p->xml, &nx, &ny, file) != STATUS_OK)
         return file->status->code;
     if (read_values(out, x3p, nx, ny, file) != STATUS_OK)
         return file->status->code;

@@ -63,7 +63,7 @@ static bool is_dabam_slope(const json_t *object, size_t index, bool *known)
     const char *title = json_string_value(json_object_get(object, key));
     title = title ? title : "";
     bool slope = text_header_title_slope(string_view_of(title));
-    *known = slope || text_header_title_says(string_view_of(title), "height heights heigth heigths");
+    *known = slope || text_header_says(string_view_of(title), "height heights heigth heigths");
     if (index > 1 || format < DABAM_SLOPES || format > DABAM_HEIGHTS_IN_PAIRS)
         return slope;
     *known = true;
@@ -75,10 +75,9 @@ static bool take_dabam(struct text_header *out, const json_t *object)
     double x_factor = dabam_factor(object, 'X', 1);
     if (!(x_factor > 0))
         return false;
-    double format = dabam_number(object, "FILE_FORMAT"), lines = dabam_number(object, "FILE_HEADER_LINES");
+    double format = dabam_number(object, "FILE_FORMAT");
     bool pairs = format == DABAM_SLOPES_IN_PAIRS || format == DABAM_HEIGHTS_IN_PAIRS;
     out->factors = true;
-    out->lines = lines > 0 && lines < (double)most_bytes ? (size_t)lines : 0;
     for (size_t i = 1; 2 * i <= TEXT_HEADER_COLUMNS; i++) {
         size_t x = pairs ? 2 * i - 2 : 0, y = pairs ? 2 * i - 1 : i;
         bool known, slope = is_dabam_slope(object, i, &known);
@@ -120,7 +119,7 @@ static bool parse_json(struct text_header *out, const struct text *bytes)
 bool sidecar_read_text(struct sidecar *out, const struct text *bytes, const char *path)
 {
     const char *slash = strrchr(path, '/'), *start = text_string(bytes);
-    *out = (struct sidecar){.header = {.valid = SIZE_MAX, .z_factor = 1}};
+    *out = (struct sidecar){.header = {.valid = SIZE_MAX}};
     snprintf(out->name, sizeof out->name, "%s", slash ? slash + 1 : path);
     if (start[strspn(start, "\xEF\xBB\xBF \t\r\n")] == '{')
         return parse_json(&out->header, bytes);

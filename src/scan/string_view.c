@@ -92,31 +92,9 @@ enum { NUMBER_DIGITS = 2000, NUMBER_EXPONENT = 100000 };
 static const double number_powers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                        1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
-/* A number as written: digits times 10^exponent. */
-struct decimal {
-    char digits[NUMBER_DIGITS + 32]; /* without leading zeros */
-    size_t count;
-    uint64_t mantissa; /* the digits as a number, up to 15 of them */
-    long exponent;     /* of the last digit */
-};
-
 static bool is_digit(char c)
 {
     return c >= '0' && c <= '9';
-}
-
-/* Adds the digits from `at` on; returns their end. */
-static const char *scan_digits(struct decimal *decimal, const char *at, const char *end)
-{
-    for (; at < end && is_digit(*at); at++) {
-        if (decimal->count == 0 && *at == '0')
-            continue;
-        if (decimal->count < NUMBER_DIGITS)
-            decimal->digits[decimal->count] = *at;
-        decimal->count++;
-        decimal->mantissa = decimal->mantissa * 10 + (uint64_t)(*at - '0');
-    }
-    return at;
 }
 
 static const char *scan_exponent(const char *at, const char *end, long *exponent)
@@ -136,48 +114,50 @@ static const char *scan_exponent(const char *at, const char *end, long *exponent
     return digit;
 }
 
-/* The nearest double; without the fast way reading text takes twice as long. */
-static double decimal_value(struct decimal *decimal)
+/* The digits between `at` and `end` times 10^exponent, to the nearest double. */
+static double long_number(const char *at, const char *end, long exponent)
 {
-    if (decimal->count == 0)
-        return 0;
-    if (labs(decimal->exponent) <= 22 && decimal->count <= 15) { /* exact both: one rounding (Clinger 1990) */
-        double mantissa = (double)decimal->mantissa, power = number_powers[labs(decimal->exponent)];
-        return decimal->exponent < 0 ? mantissa / power : mantissa * power;
-    }
-    /* written without a decimal sign, which would depend on the locale */
-    snprintf(decimal->digits + decimal->count, sizeof decimal->digits - decimal->count, "e%ld", decimal->exponent);
-    return strtod(decimal->digits, NULL);
+    char digits[NUMBER_DIGITS + 32]; /* without a decimal sign, which would depend on the locale */
+    size_t count = 0;
+    for (; at < end; at++)
+        if (is_digit(*at) && (count > 0 || *at != '0'))
+            digits[count++] = *at;
+    snprintf(digits + count, sizeof digits - count, "e%ld", exponent);
+    return strtod(digits, NULL);
 }
 
 const char *number_scan(struct string_view text, unsigned allowed, unsigned *met, double *value)
 {
-    const char *at = text.start, *end = text.end;
+    const char *at = text.start, *end = text.end, *sign = NULL; /* the decimal sign */
     bool negative = at < end && *at == '-';
     if (at < end && (*at == '-' || *at == '+'))
         at++;
-    struct decimal decimal; /* its digits are left as they are */
-    decimal.count = decimal.mantissa = 0;
-    decimal.exponent = 0;
-    const char *whole = at;
-    at = scan_digits(&decimal, at, end);
-    bool has_digits = at > whole;
-    if (at < end && ((*at == '.' && (allowed & NUMBER_POINT)) || (*at == ',' && (allowed & NUMBER_COMMA)))) {
-        unsigned sign = *at == '.' ? NUMBER_POINT : NUMBER_COMMA;
-        const char *fraction = at + 1;
-        const char *stop = scan_digits(&decimal, fraction, end);
-        if (sign == NUMBER_COMMA && (!has_digits || stop == fraction))
-            return NULL;
-        has_digits = has_digits || stop > fraction;
-        decimal.exponent = -(long)(stop - fraction);
-        if (met)
-            *met |= sign;
-        at = stop;
+    const char *first = at;
+    size_t count = 0;      /* digits behind leading zeros */
+    uint64_t mantissa = 0; /* of up to 15 of them */
+    for (; at < end; at++) {
+        if (is_digit(*at)) {
+            count += count > 0 || *at != '0' ? 1 : 0;
+            mantissa = mantissa * 10 + (uint64_t)(*at - '0');
+        } else if (!sign && ((*at == '.' && (allowed & NUMBER_POINT)) || (*at == ',' && (allowed & NUMBER_COMMA)))) {
+            sign = at;
+        } else {
+            break;
+        }
     }
-    if (!has_digits || decimal.count > NUMBER_DIGITS)
+    size_t behind = sign ? (size_t)(at - sign) - 1 : 0, before = (size_t)(at - first) - behind - (sign ? 1 : 0);
+    if (before + behind == 0 || count > NUMBER_DIGITS || (sign && *sign == ',' && (before == 0 || behind == 0)))
         return NULL;
-    at = scan_exponent(at, end, &decimal.exponent);
-    double magnitude = decimal_value(&decimal);
+    if (sign && met)
+        *met |= *sign == '.' ? NUMBER_POINT : NUMBER_COMMA;
+    long exponent = -(long)behind;
+    const char *digits_end = at;
+    at = scan_exponent(at, end, &exponent);
+    double magnitude = (double)mantissa;                  /* without the fast way reading text takes twice as long */
+    if (count > 0 && count <= 15 && labs(exponent) <= 22) /* exact both: one rounding (Clinger 1990) */
+        magnitude = exponent < 0 ? magnitude / number_powers[-exponent] : magnitude * number_powers[exponent];
+    else if (count > 0)
+        magnitude = long_number(first, digits_end, exponent);
     *value = negative ? -magnitude : magnitude;
     return at;
 }

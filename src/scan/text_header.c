@@ -17,30 +17,22 @@ struct key {
     const char *unit; /* named in brackets among them */
 };
 
-/* What a number is, by the words in front of it: one of `any`, one of `also` where that is given, and none of `none`.
- */
-struct meaning {
-    const char *any, *also, *none;
-    size_t quantity; /* offset of a struct text_quantity in struct text_header, for numbers with a unit */
-    size_t number;   /* offset of a double, for numbers without; NO_PLACE: takes `quantity` too */
-};
-
-enum { NO_PLACE = 0xffff };
 #define PLACE(member) offsetof(struct text_header, member)
 
 /* a step of the heights or of the rows is none along the profile */
 #define OTHER_AXES "y z dy dz height vertical"
 
-static const struct meaning meanings[] = {
-    {"spacing dx deltax step resolution interval increment pitch sampling", "", OTHER_AXES, PLACE(spacing), NO_PLACE},
-    {"pixel", "size", OTHER_AXES, PLACE(pixel), NO_PLACE},
-    {"width x-length", "", "", PLACE(width), NO_PLACE},
-    {"height", "", "conversion", PLACE(height), NO_PLACE},
-    {"y-length", "", "", PLACE(height), NO_PLACE},
-    {"w", "", "", PLACE(width), PLACE(columns)},
-    {"h", "", "", PLACE(height), PLACE(rows)},
-    {"x-pixels", "", "", PLACE(width), PLACE(columns)},
-    {"y-pixels", "", "", PLACE(height), PLACE(rows)},
+/* What a number is, by the words in front of it: one of `any`, one of `also` where that is given, and none of `none`.
+ */
+static const struct {
+    const char *any, *also, *none;
+    size_t place; /* offset of its struct text_quantity in struct text_header */
+} meanings[] = {
+    {"factor", "conversion", "", PLACE(z_factor)},
+    {"spacing dx deltax step resolution interval increment pitch sampling", "", OTHER_AXES, PLACE(spacing)},
+    {"pixel", "size", OTHER_AXES, PLACE(pixel)},
+    {"width x-length", "", "", PLACE(width)},
+    {"height y-length", "", "", PLACE(height)},
 };
 
 enum { AXIS_X = 1, AXIS_Y = 2, AXIS_Z = 4 };
@@ -58,19 +50,9 @@ static const struct {
     {"z-unit z-units zunit zunits", AXIS_Z, true},     {"xyunits", AXIS_X | AXIS_Y, true},
 };
 
-/* Cuts the next word off `rest`; *before is the separator in front of it that says most: a bracket or a slash, else the
- * first that is no blank, else a blank or 0. */
-static bool next_word(struct string_view *rest, struct string_view *word, char *before)
+static const char *either(const char *first, const char *second)
 {
-    *before = '\0';
-    for (; rest->start < rest->end && strchr(separators, *rest->start) && *rest->start; rest->start++)
-        if (*before == '\0' || *before == ' ' || *before == '\t' || strchr("[({/", *rest->start))
-            *before = *rest->start;
-    word->start = rest->start;
-    while (rest->start < rest->end && !(strchr(separators, *rest->start) && *rest->start))
-        rest->start++;
-    word->end = rest->start;
-    return word->end > word->start;
+    return first ? first : second;
 }
 
 /* Does `word` begin with a number? */
@@ -78,6 +60,33 @@ static bool is_number(struct string_view word)
 {
     double value;
     return number_scan(word, NUMBER_POINT, NULL, &value) != NULL;
+}
+
+static bool is_separator(char c)
+{
+    return c && strchr(separators, c);
+}
+
+/* Cuts the next word off `rest`; um/mm is one. *before is the separator in front of it that says most: a bracket or a
+ * slash, else the first that is no blank, else a blank or 0. */
+static bool next_word(struct string_view *rest, struct string_view *word, char *before)
+{
+    *before = '\0';
+    for (; rest->start < rest->end && is_separator(*rest->start); rest->start++)
+        if (*before == '\0' || *before == ' ' || *before == '\t' || strchr("[({/", *rest->start))
+            *before = *rest->start;
+    word->start = rest->start;
+    for (; rest->start < rest->end && !is_separator(*rest->start); rest->start++)
+        ;
+    word->end = rest->start;
+    if (rest->start < rest->end && *rest->start == '/') {
+        const char *end = rest->start + 1;
+        for (; end < rest->end && !is_separator(*end); end++)
+            ;
+        if (scan_unit_find((struct string_view){word->start, end}, SCAN_SLOPE).name)
+            word->end = rest->start = end;
+    }
+    return word->end > word->start;
 }
 
 static bool has_any(const struct key *key, const char *words)
@@ -93,20 +102,11 @@ static void take_number(struct text_header *header, const struct key *key, doubl
 {
     if (!(value > 0 && value < 1e300) || !(unit || sign))
         return;
-    if (has_any(key, "conversion") && has_any(key, "factor")) {
-        header->z_factor = value;
-        header->z_unit = unit ? unit : header->z_unit;
-        return;
-    }
     for (size_t i = 0; i < COUNT(meanings); i++) {
         if (!has_any(key, meanings[i].any) || (*meanings[i].also && !has_any(key, meanings[i].also)) ||
             has_any(key, meanings[i].none))
             continue;
-        if (unit || meanings[i].number == NO_PLACE)
-            memcpy((char *)header + meanings[i].quantity, &(struct text_quantity){value, unit},
-                   sizeof(struct text_quantity));
-        else
-            memcpy((char *)header + meanings[i].number, &value, sizeof value);
+        memcpy((char *)header + meanings[i].place, &(struct text_quantity){value, unit}, sizeof(struct text_quantity));
         return;
     }
 }
@@ -159,33 +159,24 @@ bool text_header_add_line(struct text_header *header, struct string_view line)
 {
     struct key key = {.count = 0};
     struct string_view word;
-    const char *taken = NULL; /* the word that a number took as its unit */
     bool any = false, all = false;
     for (char before; next_word(&line, &word, &before);) {
         double value;
-        const char *name = unit_of(word);
-        const char *end = number_scan(word, NUMBER_POINT, NULL, &value);
-        if (end) {
+        const char *end = number_scan(word, NUMBER_POINT, NULL, &value), *name = unit_of(word);
+        if (end) { /* its unit stands right behind it, or is the next word */
             bool sign = before && strchr("=:,;\t", before);
             struct string_view behind = {end, word.end}, rest = line;
             char between;
-            if (behind.start == behind.end && !next_word(&rest, &behind, &between))
-                behind = (struct string_view){word.end, word.end};
+            if (end == word.end && !next_word(&rest, &behind, &between))
+                behind = (struct string_view){end, end};
             const char *unit = scan_unit_find(behind, SCAN_HEIGHT).name;
-            taken = unit ? behind.start : NULL;
+            line = unit && end == word.end ? rest : line;
             take_number(header, &key, value, unit ? unit : key.unit, sign);
             key = (struct key){.count = 0};
             continue;
         }
-        if (name && all && word.start != taken)
+        if (name && all)
             header->all_unit = NULL; /* `units: mm, um`: which is whose is not said */
-        struct string_view rest = line, next;
-        char between;
-        if (name && word.end < line.end && *word.end == '/' && next_word(&rest, &next, &between)) {
-            const char *ratio = scan_unit_find((struct string_view){word.start, next.end}, SCAN_SLOPE).name; /* um/mm */
-            name = ratio ? ratio : name;
-            line = ratio ? rest : line;
-        }
         bool named = before && strchr("=:,;", before);
         named = named || (key.count > 0 && is_unit_word(key.word[key.count - 1]));
         if (name && named && take_unit(header, &key, name, &all)) {
@@ -234,7 +225,7 @@ bool text_header_title_slope(struct string_view title)
     return slope;
 }
 
-bool text_header_title_says(struct string_view title, const char *words)
+bool text_header_says(struct string_view title, const char *words)
 {
     struct string_view word;
     for (char before; next_word(&title, &word, &before);)
@@ -248,16 +239,12 @@ bool text_header_title_says(struct string_view title, const char *words)
 static const char *cell_unit(struct string_view cell, bool with_numbers)
 {
     const char *unit = NULL;
-    struct string_view word, last = {NULL, NULL};
-    for (char before; next_word(&cell, &word, &before); last = word) {
+    struct string_view word;
+    for (char before; next_word(&cell, &word, &before);) {
         const char *name = unit_of(word);
         bool is_word = with_numbers || string_view_is_one_of(word, "a in u");
         if (name && (!is_word || (before && strchr("[({/", before))))
             unit = name;
-        if (name && before == '/' && last.start && last.end + 1 == word.start) { /* um/mm */
-            name = scan_unit_find((struct string_view){last.start, word.end}, SCAN_SLOPE).name;
-            unit = name ? name : unit;
-        }
     }
     return unit;
 }
@@ -266,19 +253,6 @@ static const char *cell_unit(struct string_view cell, bool with_numbers)
 static bool is_bare(struct string_view cell)
 {
     return unit_of(cell) || (string_view_length(cell) > 2 && strchr("[({", *cell.start) && strchr("])}", cell.end[-1]));
-}
-
-/* Is the only column's line about x, or a key with its number (`dx [mm] = 0.5`)? */
-static bool is_about_x(struct string_view line)
-{
-    bool number = false, sign = false, about = false;
-    struct string_view word;
-    for (char before; next_word(&line, &word, &before);) {
-        sign = sign || before == '=' || before == ':';
-        number = number || (is_number(word) && sign);
-        about = about || string_view_is_one_of(word, "x dx lateral horizontal spacing step length position");
-    }
-    return number || about;
 }
 
 static bool has_numbers(struct string_view line)
@@ -293,38 +267,33 @@ static bool has_numbers(struct string_view line)
 /* The titles of a line of `columns` cells; false when it is none: another number of cells, or numbers among them. */
 static bool read_titles(struct text_header *header, struct string_view line, char delimiter, size_t columns)
 {
-    const char *units[TEXT_HEADER_COLUMNS] = {NULL};
-    bool slopes[TEXT_HEADER_COLUMNS] = {false}, bares[TEXT_HEADER_COLUMNS] = {false};
-    size_t count = 0, filled = 0, valid = SIZE_MAX, bare = 0;
+    struct text_header found = *header;
+    size_t count = 0, filled = 0, bare = 0, last_bare = 0;
     bool with_numbers = has_numbers(line);
-    if (columns == 1 && is_about_x(line))
+    /* of one column it is about x, or a key with its number: `dx [mm] = 0.5` */
+    if (columns == 1 &&
+        (with_numbers || text_header_says(line, "x dx lateral horizontal spacing step length position")))
         return false;
-    struct string_view cell;
-    while (cell_next(&line, delimiter, &cell)) {
+    for (struct string_view cell; cell_next(&line, delimiter, &cell); count++) {
         if (is_number(cell))
             return false;
-        if (count < TEXT_HEADER_COLUMNS) {
-            units[count] = cell_unit(cell, with_numbers);
-            slopes[count] = text_header_title_slope(cell);
-            bares[count] = cell.end > cell.start && is_bare(cell);
-            bare += bares[count] ? 1 : 0;
-        }
+        if (cell.start == cell.end)
+            continue;
+        filled = count + 1;
         if (string_view_equals(cell, "valid"))
-            valid = count;
-        count++;
-        if (cell.end > cell.start)
-            filled = count;
+            found.valid = count;
+        if (count >= TEXT_HEADER_COLUMNS)
+            continue;
+        found.unit[count] = either(cell_unit(cell, with_numbers), header->unit[count]);
+        found.slope[count] = header->slope[count] || text_header_title_slope(cell);
+        bare += is_bare(cell) ? 1 : 0;
+        last_bare = is_bare(cell) ? count : last_bare;
     }
     if (filled != columns)
         return false;
-    for (size_t i = 0; i < columns && i < TEXT_HEADER_COLUMNS; i++) {
-        /* one unit alone, `X: mm`, need not be that of the column it stands above */
-        if (units[i] && !(columns > 1 && bare == 1 && bares[i]))
-            header->unit[i] = units[i];
-        header->slope[i] = header->slope[i] || slopes[i];
-    }
-    if (valid < columns)
-        header->valid = valid;
+    if (columns > 1 && bare == 1) /* one unit alone, `X: mm`, need not be that of the column it stands above */
+        found.unit[last_bare] = header->unit[last_bare];
+    *header = found;
     return true;
 }
 
@@ -337,93 +306,32 @@ bool text_header_add(struct text_header *header, struct string_view text)
     return any;
 }
 
-/* The last lines of `preamble` that are not blank, uncommented: *count of them, the oldest first. */
-static void last_lines(struct string_view last[TEXT_HEADER_LINES], size_t *count, struct string_view preamble)
+struct text_header text_header_read(struct string_view preamble, char delimiter, size_t columns)
 {
-    *count = 0;
+    const char delimiters[] = {delimiter, '\t', ';', ',', ' '}; /* titles may be set differently from the numbers */
+    struct text_header header = {.valid = SIZE_MAX};
+    struct string_view last[TEXT_HEADER_LINES]; /* line i, blank ones aside, at i % TEXT_HEADER_LINES */
+    size_t count = 0;
     struct lines lines = lines_begin(preamble);
     for (struct string_view line; lines_next(&lines, &line);) {
         bool comment;
         line = text_header_uncomment(line, &comment);
         if (line.start == line.end)
             continue;
-        if (*count == TEXT_HEADER_LINES)
-            memmove(last, last + 1, (TEXT_HEADER_LINES - 1) * sizeof *last);
-        else
-            ++*count;
-        last[*count - 1] = line;
+        if (text_header_add_line(&header, line))
+            line.end = line.start; /* `X unit: mm` is no pair of titles */
+        last[count++ % TEXT_HEADER_LINES] = line;
     }
-}
-
-static const char others[] = {'\t', ';', ',', ' '}; /* titles may be set differently from the numbers */
-
-struct text_header text_header_read(struct string_view preamble, char delimiter, size_t columns)
-{
-    struct text_header header = {.valid = SIZE_MAX, .z_factor = 1}, ignored = {.z_factor = 1};
-    struct string_view last[TEXT_HEADER_LINES];
-    size_t count;
-    (void)text_header_add(&header, preamble);
-    last_lines(last, &count, preamble);
-    for (size_t i = 0; i < count; i++) {
-        if (text_header_add_line(&ignored, last[i])) /* `X unit: mm` is no pair of titles */
-            continue;
-        bool found = read_titles(&header, last[i], delimiter, columns);
-        for (size_t k = 0; k < COUNT(others) && !found; k++)
-            found = read_titles(&header, last[i], others[k], columns);
-    }
+    for (size_t i = count > TEXT_HEADER_LINES ? count - TEXT_HEADER_LINES : 0; i < count; i++)
+        for (size_t k = 0; k < sizeof delimiters; k++)
+            if (read_titles(&header, last[i % TEXT_HEADER_LINES], delimiters[k], columns))
+                break;
     return header;
-}
-
-/* `title` without quotes around it and, where `bare`, without a unit in brackets behind it. */
-static struct string_view title_of(struct string_view cell, bool bare)
-{
-    const char *bracket = cell.start;
-    if (string_view_length(cell) > 1 && *cell.start == '"' && cell.end[-1] == '"')
-        cell = (struct string_view){cell.start + 1, cell.end - 1};
-    for (bracket = cell.start; bare && bracket < cell.end; bracket++)
-        if (strchr("[({", *bracket) && *bracket)
-            break;
-    return string_view_trim((struct string_view){cell.start, bare && bracket > cell.start ? bracket : cell.end});
-}
-
-/* The column of `line` titled so; as text_header_find(). */
-static size_t find_title(struct string_view line, char delimiter, size_t columns, const char *title)
-{
-    size_t cells = 0, whole = 0, bare = 0, wholes = 0, bares = 0;
-    for (struct string_view cell; cell_next(&line, delimiter, &cell);) {
-        if (cell.end > cell.start)
-            cells++;
-        if (string_view_equals(title_of(cell, false), title) && wholes++ == 0)
-            whole = cells;
-        if (string_view_equals(title_of(cell, true), title) && bares++ == 0)
-            bare = cells;
-    }
-    if (cells != columns)
-        return 0;
-    return wholes > 0 ? (wholes > 1 ? SIZE_MAX : whole) : bares > 1 ? SIZE_MAX : bare;
-}
-
-size_t text_header_find(struct string_view preamble, char delimiter, size_t columns, const char *title)
-{
-    struct string_view last[TEXT_HEADER_LINES];
-    size_t count, found = 0;
-    last_lines(last, &count, preamble);
-    for (size_t i = count; i-- > 0 && found == 0;) {
-        found = find_title(last[i], delimiter, columns, title);
-        for (size_t k = 0; k < COUNT(others) && found == 0; k++)
-            found = find_title(last[i], others[k], columns, title);
-    }
-    return found;
 }
 
 static const char *column_unit(const struct text_header *header, size_t column)
 {
     return column > 0 && column <= TEXT_HEADER_COLUMNS ? header->unit[column - 1] : NULL;
-}
-
-static const char *either(const char *first, const char *second)
-{
-    return first ? first : second;
 }
 
 const char *text_header_x_unit(const struct text_header *header, size_t column)
@@ -434,7 +342,8 @@ const char *text_header_x_unit(const struct text_header *header, size_t column)
 const char *text_header_z_unit(const struct text_header *header, size_t column, bool slope)
 {
     const char *y_unit = column == 1 || column == 2 ? header->y_unit : NULL;
-    const char *unit = either(either(column_unit(header, column), header->z_unit), either(y_unit, header->all_unit));
+    const char *unit = either(column_unit(header, column), either(header->z_factor.unit, header->z_unit));
+    unit = either(unit, either(y_unit, header->all_unit));
     if (!unit || !slope || scan_unit_find(string_view_of(unit), SCAN_SLOPE).name)
         return unit;
     return header->factors ? scan_unit_of(scan_unit_m(unit), SCAN_SLOPE) : NULL;

@@ -19,17 +19,15 @@ struct text_quantity {
 struct text_header {
     const char *unit[TEXT_HEADER_COLUMNS]; /* of each column, of length or of slope; NULL where none is named */
     bool slope[TEXT_HEADER_COLUMNS];       /* its title says slope */
-    size_t lines;                          /* of the header, as a sidecar says; 0 where not said */
     bool factors;                          /* the units stand for factors: of a slope um is urad */
     size_t valid;                          /* column that says whether a point is valid; SIZE_MAX where none does */
     struct text_quantity spacing;          /* `spacing 0.5 um`, `dx=0.5um`, `Resolution,0.156 um/sample` */
     struct text_quantity pixel;            /* `pixel size = 0.5 um` */
     struct text_quantity width, height;    /* of a map: `Width: 10 um`, `x-length = 10 um` */
-    double columns, rows;                  /* of a map: `w=101 h=101`, `x-pixels = 101`; 0 where not said */
     const char *x_unit, *y_unit, *z_unit;  /* `x_unit: mm`, `Value units: m`; NULL where not said */
     const char *all_unit;                  /* `unit: um`: of every axis that has none of its own */
     bool z_slope;                          /* `quantity: slope` */
-    double z_factor;                       /* `height conversion factor (-> m) = 1e-9`; 1 where not said */
+    struct text_quantity z_factor;         /* `height conversion factor (-> m) = 1e-9` */
 };
 
 /** What a file beside a scan says of it (sidecar.h). */
@@ -47,7 +45,7 @@ bool text_header_is_slope(const struct text_header *header, size_t column);
 /** Is it a title of a column of slopes: `Slope (urad)`, `dz/dx`? */
 bool text_header_title_slope(struct string_view title);
 /** Is one of `words`, which blanks separate, a word of the title? */
-bool text_header_title_says(struct string_view title, const char *words);
+bool text_header_says(struct string_view title, const char *words);
 
 /** Without its mark (#, //, %, ;) and trimmed when `line` is a comment, else just trimmed; *comment tells. */
 struct string_view text_header_uncomment(struct string_view line, bool *comment);
@@ -60,9 +58,6 @@ bool text_header_add(struct text_header *header, struct string_view text);
 /** Reads `preamble`, the lines above the numbers. Titles come from its last TEXT_HEADER_LINES lines that are not blank,
  * where such a line has `columns` cells; a later line wins. Keys come from any line. */
 struct text_header text_header_read(struct string_view preamble, char delimiter, size_t columns);
-
-/** The column (from 1) titled `title`, with its unit or without; 0: none, SIZE_MAX: more than one. */
-size_t text_header_find(struct string_view preamble, char delimiter, size_t columns, const char *title);
 
 /* A file beside a scan that says its units: `scan.dat` may have `scan.txt`, `scan.json`, `scan.hdr` or `scan.dat.txt`,
  * ... Two kinds are known: the JSON of the DABAM metrology database (X1_FACTOR, Y1_FACTOR, ...: metres or radians per

@@ -39,7 +39,7 @@ struct scene_surface {
     char x_unit[16]; /* "" when the scene gives none */
     char z_unit[16];
     enum scan_quantity quantity; /* slopes are integrated to heights */
-    char *x_column, *z_column;   /* number from 1 or title; NULL: the file's header decides */
+    size_t x_column, z_column;   /* from 1; 0: the file's header decides */
 };
 
 /** Loads as given, in SI; scene_loads() turns them into P/(A_n E'). */

@@ -178,8 +178,6 @@ void scene_files_free(struct scene_surface *surface, const struct scene_bodies *
 {
     if (surface->bodies != shared)
         free(surface->bodies);
-    free(surface->x_column);
-    free(surface->z_column);
     for (size_t i = 0; i < surface->file_count; i++)
         free(surface->files[i]);
     free(surface->files);

@@ -129,35 +129,21 @@ bool scene_surfaces_files(struct scene_source *source, const struct scene_key *k
     return true;
 }
 
-/* Columns count from 1; what is no number is a title. */
-static bool read_column(struct scene_source *source, const char *name, const yaml_node_t *value, char **out)
-{
-    char column[64] = "";
-    struct scene_key key = {name, scene_source_short_text, column, .most = sizeof column};
-    if (!scene_source_short_text(source, &key, value))
-        return false;
-    const char *number = column + (*column == '+' || *column == '-');
-    if (*number && number[strspn(number, "0123456789.")] == '\0' &&
-        (number[strspn(number, "0123456789")] || number > column || !number[strspn(number, "0")]))
-        return scene_source_fail_at(source, value, "'%s' is '%s'; give a column's number, from 1, or its title", name,
-                                    column);
-    free(*out); /* of the x of a pair given before */
-    *out = *column ? strdup(column) : NULL;
-    return *out || !*column || scene_source_memory(source);
-}
-
 /* A column or two of them, x and z, into a struct scene_surface. */
 static bool read_columns(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
 {
     struct scene_surface *surface = key->field;
+    const double most = (double)limit_most(LIMIT_COLUMNS);
+    const struct scene_key x = {key->name, SCENE_WHOLE(surface->x_column, 1, most)},
+                           z = {key->name, SCENE_WHOLE(surface->z_column, 1, most)};
     if (value->type == YAML_SCALAR_NODE)
-        return read_column(source, key->name, value, &surface->z_column);
+        return scene_source_whole(source, &z, value);
     if (value->type != YAML_SEQUENCE_NODE || scene_source_item_count(value) != 2)
         return scene_source_fail_at(
             source, value, "'%s' is no column; give one, as in `column: 3`, or x and z, as in `column: [1, 3]`",
             key->name);
-    return read_column(source, key->name, scene_source_item(source, value, 0), &surface->x_column) &&
-           read_column(source, key->name, scene_source_item(source, value, 1), &surface->z_column);
+    return scene_source_whole(source, &x, scene_source_item(source, value, 0)) &&
+           scene_source_whole(source, &z, scene_source_item(source, value, 1));
 }
 
 /* How the files of a surface are read: keys of a surface and of the counterface alike. */

@@ -100,8 +100,8 @@ void fuzz_scan(const uint8_t *bytes, size_t length)
     struct scan_options options = {.x_unit = "mm", .z_unit = length % 8 == 7 ? "urad" : "um"};
     options.quantity = length % 8 == 7 ? SCAN_SLOPE : SCAN_HEIGHT;
     if (length % 8 == 6) {
-        options.x_column = "1";
-        options.z_column = "2";
+        options.x_column = 1;
+        options.z_column = 2;
     }
     const char *only = getenv("ROUGHCONTACT_FUZZ_FORMAT"); /* one reader alone */
     char *copy = file_of((const char *)bytes, &length);

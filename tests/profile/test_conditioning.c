@@ -213,9 +213,6 @@ TEST_CASE(test_tip_radius)
                          rows[r].warns);
         profile_free(&profile);
     }
-    struct profile profile = condition(1e-6, (struct profile_options){.lambda_s_m = 2.5e-6, .tip_radius_m = 5e-6});
-    assert_note(&profile, "the shortest wavelength, 2.5 um, is below the tip radius, 5 um");
-    profile_free(&profile);
 }
 
 TEST_CASE(test_ends_and_few_points)

@@ -13,23 +13,6 @@ static void smooth(double *z, size_t points, double spacing_m, double cutoff_m)
     free(own);
 }
 
-/* ISO 16610-21: half of the amplitude passes at the cut-off, 2^-(cutoff/wavelength)² in general. */
-TEST_CASE(test_sinusoids_pass_as_the_standard_says)
-{
-    enum { POINTS = 20000, MARGIN = 2500 };
-    static const double ratios[] = {0.25, 0.5, 1, 2, 4}; /* wavelength/cutoff */
-    double *z = malloc(POINTS * sizeof *z), cutoff_m = 8e-4, spacing_m = 5e-7;
-    for (size_t r = 0; r < sizeof ratios / sizeof *ratios; r++) {
-        double k = 2 * M_PI / (ratios[r] * cutoff_m), passes = pow(2, -1 / (ratios[r] * ratios[r]));
-        for (size_t i = 0; i < POINTS; i++)
-            z[i] = 1e-6 * cos(k * (double)i * spacing_m);
-        smooth(z, POINTS, spacing_m, cutoff_m);
-        for (size_t i = MARGIN; i < POINTS - MARGIN; i++) /* beyond the reach of the ends */
-            assert_within(z[i], 1e-6 * passes * cos(k * (double)i * spacing_m), 3e-15);
-    }
-    free(z);
-}
-
 /* Of a record that closes on itself every harmonic passes as the standard says, up to both ends: transforms of even,
  * odd and prime length, weights that reach around more than half of it. */
 TEST_CASE(test_harmonics_of_a_periodic_record)

@@ -110,28 +110,6 @@ TEST_CASE(test_an_arc_is_taken_out_whole)
         }
 }
 
-/* Waves on a ball of 5 mm: the waves stay, the radius comes back; a parabola would leave some of the ball. */
-TEST_CASE(test_an_arc_under_roughness)
-{
-    static double z[POINTS], wave[POINTS], parabola[POINTS];
-    double spacing_m = 5e-7, radius_m = 5e-3;
-    for (size_t i = 0; i < POINTS; i++) {
-        double x = ((double)i - (POINTS - 1) / 2) * spacing_m;
-        wave[i] = 2e-7 * cos(2 * M_PI * 50 * (double)i / POINTS);
-        parabola[i] = z[i] = wave[i] + sqrt(radius_m * radius_m - x * x);
-    }
-    struct levelling levelling = level(z, NULL, POINTS, spacing_m, LEVEL_CIRCLE);
-    level(parabola, NULL, POINTS, spacing_m, LEVEL_PARABOLA);
-    double left = 0, left_by_parabola = 0;
-    for (size_t i = 0; i < POINTS; i++) {
-        left = fmax(left, fabs(z[i] - wave[i]));
-        left_by_parabola = fmax(left_by_parabola, fabs(parabola[i] - wave[i]));
-    }
-    assert_near(levelling.radius_m, -radius_m, 1e-4);
-    assert_true(left < 3e-9);
-    assert_true(left_by_parabola > 10 * left);
-}
-
 /* What is left of any record is orthogonal to the arc's derivatives; for a flat one these are 1, x, x². */
 TEST_CASE(test_an_arc_is_a_least_squares_fit)
 {

@@ -73,29 +73,6 @@ static void make_uneven(size_t points, double (*height)(double))
     }
 }
 
-/* Steffen's interpolation is of second order at least: error below (k h)² A/2, and a quarter of it for half the step.
- */
-TEST_CASE(test_uneven_positions_are_interpolated)
-{
-    double first = NAN, error = NAN;
-    for (size_t points = 501; points <= MOST; points = 2 * points - 1) {
-        make_uneven(points, smooth);
-        struct profile profile = make(sample(points, true), LEVEL_NONE);
-        assert_int_equal(profile.grid, PROFILE_RESAMPLED);
-        double widest_m = x_m[points - 1] - x_m[points - 2];
-        error = 0;
-        for (size_t i = 0; i < points; i++)
-            error = fmax(error, fabs(profile.height_m[i] - smooth(x_m[0] + (double)i * profile.spacing_m)));
-        assert_true(error > 0);
-        assert_true(error < 0.5 * 1e-6 * (1 + 0.5 * pow(100.0 / 37, 2)) * pow(2 * M_PI / 1e-4 * widest_m, 2));
-        first = points == 501 ? error : first;
-        assert_near(profile.height_m[0], z_m[0], 0);
-        assert_near(profile.height_m[points - 1], z_m[points - 1], 1e-9);
-        profile_free(&profile);
-    }
-    assert_true(error < first / 30); /* three halvings; their largest errors fall between different points */
-}
-
 static double rising(double x)
 {
     return 1e-6 * exp((x - 1e-3) / 1e-4);

@@ -69,22 +69,6 @@ TEST_CASE(test_the_law_comes_back)
         {.alpha = 1e-4, .gamma = 0.7, .length_m = 1e-3, .points = 999, .scatter_decades = 0.1, .seed = 3},
         {.alpha = 50, .gamma = 2, .length_m = 1e-3, .points = 64, .scatter_decades = 0.5, .seed = 4294967295},
         {.alpha = 0.01, .gamma = 1, .length_m = 1e-3, .points = 16, .scatter_decades = 0.2, .seed = 0},
-        {.alpha = 0.13,
-         .gamma = 1.6,
-         .rq_m = 2.4e-7,
-         .length_m = 3.1e-4,
-         .points = 1240,
-         .scatter_decades = 0.3322,
-         .lambda_s_m = 8e-6,
-         .seed = 3},
-        {.alpha = 0.006,
-         .gamma = 1,
-         .rq_m = 5.82e-6,
-         .length_m = 1.07e-3,
-         .points = 4280,
-         .scatter_decades = 0.0678,
-         .lambda_s_m = 8e-6,
-         .seed = 4},
     };
     for (size_t i = 0; i < sizeof defs / sizeof *defs; i++)
         assert_comes_back(&defs[i]);
@@ -123,19 +107,6 @@ TEST_CASE(test_scaled_to_rq)
         free(scaled_m);
     }
     free(height_m);
-}
-
-TEST_CASE(test_a_seed_names_a_surface)
-{
-    struct synth_def def = synth_def_default();
-    double *first = make(&def), *again = make(&def);
-    assert_memory_equal(first, again, def.points * sizeof *first);
-    def.seed = 2;
-    double *other = make(&def);
-    assert_memory_not_equal(first, other, def.points * sizeof *first);
-    free(first);
-    free(again);
-    free(other);
 }
 
 static void assert_refused(const struct synth_def *def, const char *words)

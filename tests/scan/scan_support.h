@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Shared by the tests of the readers: reading from text in memory, figures of a scan, the real scans. */
+/* Shared by the tests of the readers: reading from text in memory, the real scans. */
 #ifndef TEST_SCAN_SUPPORT_H
 #define TEST_SCAN_SUPPORT_H
 
 #include "scan/scan.h"
 #include "support.h"
 
-#include <gsl/gsl_fit.h>
 #include <stdio.h>
 #include <sys/stat.h>
 
@@ -80,56 +79,6 @@ static inline void assert_sound(const struct scan *scan)
 static inline double scan_x(const struct scan *scan, size_t i)
 {
     return scan->x_m ? scan->x_m[i] : (double)i * scan->dx_m;
-}
-
-/* Rq in metres after the least-squares line over the points that are not missing; 1/n. */
-static inline double rq_of_profile(const struct scan *scan)
-{
-    double *x = malloc(2 * scan->nx * sizeof *x), *z = x + scan->nx, c0, c1, v00, v01, v11, sum;
-    size_t n = 0;
-    for (size_t i = 0; i < scan->nx; i++) {
-        x[n] = scan_x(scan, i);
-        z[n] = scan->z_m[i];
-        n += isnan(z[n]) ? 0 : 1;
-    }
-    gsl_fit_linear(x, 1, z, 1, n, &c0, &c1, &v00, &v01, &v11, &sum);
-    free(x);
-    return sqrt(sum / (double)n);
-}
-
-/* Sq in metres after the least-squares plane over the points that are not missing; 1/n. */
-static inline double sq_of_map(const struct scan *scan)
-{
-    double n = 0, mean[3] = {0}, a[2][2] = {{0}}, b[2] = {0}, sum = 0;
-    for (int pass = 0; pass < 3; pass++) {
-        double det = a[0][0] * a[1][1] - a[0][1] * a[0][1];
-        double p = pass == 2 ? (b[0] * a[1][1] - b[1] * a[0][1]) / det : 0;
-        double q = pass == 2 ? (b[1] * a[0][0] - b[0] * a[0][1]) / det : 0;
-        for (size_t i = 0; i < scan->nx * scan->ny; i++) {
-            double x = (double)(i % scan->nx), y = (double)(i / scan->nx), z = scan->z_m[i];
-            if (isnan(z))
-                continue;
-            if (pass == 0) {
-                n++, mean[0] += x, mean[1] += y, mean[2] += z;
-                continue;
-            }
-            x -= mean[0] / n, y -= mean[1] / n, z -= mean[2] / n;
-            if (pass == 1)
-                a[0][0] += x * x, a[0][1] += x * y, a[1][1] += y * y, b[0] += x * z, b[1] += y * z;
-            else
-                sum += (z - p * x - q * y) * (z - p * x - q * y);
-        }
-    }
-    return sqrt(sum / n);
-}
-
-static inline void range_of(const struct scan *scan, double *low, double *high)
-{
-    *low = INFINITY, *high = -INFINITY;
-    for (size_t i = 0; i < scan->nx * scan->ny; i++) {
-        *low = fmin(*low, scan->z_m[i]);
-        *high = fmax(*high, scan->z_m[i]);
-    }
 }
 
 #define REAL_SCANS PROJECT_SOURCE "/../shared/scans"

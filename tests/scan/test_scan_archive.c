@@ -2,8 +2,6 @@
 /* X3P and other scans in zip archives. */
 #include "zip_support.h"
 
-#include <md5.h>
-
 #define AXIS(name, kind, type, increment, offset)                                                                      \
     "<" name "><AxisType>" kind "</AxisType><DataType>" type "</DataType>" increment offset "</" name ">"
 #define INCREMENT(value) "<Increment>" value "</Increment>"
@@ -133,53 +131,6 @@ TEST_CASE(test_x3p_refusals)
     text_free(&data);
 }
 
-TEST_CASE(test_checksums)
-{
-    struct text data = points('D', false);
-    char sum[MD5_DIGEST_STRING_LENGTH], good[64];
-    MD5Data((const uint8_t *)samples[0].main, strlen(samples[0].main), sum);
-    snprintf(good, sizeof good, "%s *main.xml\n", sum);
-    for (int spoil = 0; spoil < 2; spoil++) {
-        good[3] = spoil ? '?' : good[3];
-        const struct member members[] = {{"main.xml", samples[0].main, strlen(samples[0].main)},
-                                         {"bindata/data.bin", data.data, data.length},
-                                         {"md5checksum.hex", good, strlen(good)},
-                                         {NULL, NULL, 0}};
-        struct text text = zip(members, false);
-        struct scan scan;
-        struct status status = {0};
-        assert_int_equal(read_bytes(&scan, text_string(&text), text.length, &no_units, &status), STATUS_OK);
-        assert_int_equal(scan.warning_count, spoil);
-        scan_free(&scan);
-        text_free(&text);
-    }
-    text_free(&data);
-}
-
-TEST_CASE(test_zip)
-{
-    static const char scan_text[] = "x [um],z [um]\n0,0.5\n0.5,-1.25\n1,2.75\n1.5,0.125\n2,8\n2.5,-3.5\n";
-    static const char sdf[] = "aISO-1.0\nNumPoints=6\nNumProfiles=1\nXscale=0.5e-6\nYscale=0\nZscale=1e-6\n*\n"
-                              "0.5 -1.25 2.75 0.125 8 -3.5\n*\n";
-    const struct member members[] = {
-        {"folder/", "", 0}, {"readme.txt", "hello\n", 6}, {"scan.sdf", sdf, sizeof sdf - 1}, {NULL, NULL, 0}};
-    const struct member only_text[] = {
-        {"readme.txt", "hello\n", 6}, {"a.csv", scan_text, sizeof scan_text - 1}, {NULL, NULL, 0}};
-    const struct member nothing[] = {{"readme.txt", "hello\n", 6}, {NULL, NULL, 0}};
-    const struct member png[] = {{"a.png", "\x89PNG\r\n\x1a\n\0", 9}, {NULL, NULL, 0}};
-    struct text text = zip(members, true);
-    assert_sample(&text, "sdf", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
-    const struct member nested[] = {{"inner.zip", text.data, text.length}, {NULL, NULL, 0}};
-    refuse_text(zip(nested, false), &no_units, "no scan in this zip archive");
-    text_free(&text);
-    expect_sample(zip(only_text, true), "text", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
-    text = zip(nothing, true);
-    assert_refused_bytes(text_string(&text), text.length, &no_units, "file(readme.txt): no line of numbers");
-    assert_refused_bytes(text_string(&text), text.length - 30, &no_units, "damaged zip archive");
-    text_free(&text);
-    refuse_text(zip(png, true), &no_units, "no scan in this zip archive");
-}
-
 /* A member that claims far more than deflate can have made of its bytes. */
 TEST_CASE(test_bomb)
 {
@@ -246,48 +197,4 @@ TEST_CASE(test_entries)
     assert_sample(&text, "text", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
     text_free(&text);
     text_free(&member.bytes);
-}
-
-/* Names are UTF-8, or in the code page of DOS. */
-TEST_CASE(test_names)
-{
-    static const char *const names[][2] = {
-        {"gr\x81n.csv", "grün.csv"}, {"gr\xc3\xbcn.csv", "grün.csv"}, {"\xe4\x31.csv", "\xce\xa3\x31.csv"}};
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        struct packed member = pack(names[i][0], table, sizeof table - 1, true);
-        struct text text = zip_of(&member, 1);
-        struct scan scan;
-        struct status status = {0};
-        assert_int_equal(read_bytes(&scan, text.data, text.length, &no_units, &status), STATUS_OK);
-        assert_string_equal(scan.part, names[i][1]);
-        scan_free(&scan);
-        text_free(&text);
-        text_free(&member.bytes);
-    }
-}
-
-/* Entries longer than what is looked at first: a scan, one that is damaged near its end, and words without numbers. */
-TEST_CASE(test_long_entries)
-{
-    struct text words = {0}, rows = {0};
-    text_add(&rows, "%s", table);
-    while (rows.length < 100000)
-        text_add(&rows, "\n");
-    while (words.length < 100000)
-        text_add(&words, "words\n");
-    for (int damage = 0; damage < 2; damage++) {
-        struct packed members[2] = {pack("words.txt", words.data, words.length, true),
-                                    pack("a.csv", rows.data, rows.length, false)};
-        members[1].bytes.data[90000] = damage ? '7' : '\n';
-        struct text text = zip_of(members, 2);
-        if (damage)
-            assert_refused_bytes(text.data, text.length, &no_units, "'a.csv' in the archive is damaged");
-        else
-            assert_sample(&text, "text", SCAN_PROFILE, SAMPLE_POINTS, &no_units);
-        text_free(&text);
-        text_free(&members[0].bytes);
-        text_free(&members[1].bytes);
-    }
-    text_free(&words);
-    text_free(&rows);
 }

@@ -46,6 +46,7 @@ TEST_CASE(test_several)
                                    {"folder/", "", 0},
                                    {"folder/b.csv", csv, sizeof csv - 1},
                                    {"__MACOSX/folder/._b.csv", "\0\1", 2},
+                                   {".b.csv", csv, sizeof csv - 1},
                                    {"a.txt", csv, sizeof csv - 1},
                                    {"photo.jpg", "\xff\xd8\xff\xe0\0\0", 6},
                                    {"notes.txt", "by hand\n", 8},
@@ -57,14 +58,10 @@ TEST_CASE(test_several)
         assert_parts(&text, text_parts, "passed over in the archive, no scans: README.md, photo.jpg, notes.txt");
         text_free(&text);
     }
-    /* beside other formats a text is a description */
-    const struct member mixed[] = {{"a.txt", csv, sizeof csv - 1},
-                                   {"b.sdf", sdf, sizeof sdf - 1},
-                                   {"c.sdf", sdf, sizeof sdf - 1},
-                                   {NULL, NULL, 0}};
-    static const char *const mixed_parts[] = {"b.sdf", "c.sdf", NULL};
+    const struct member mixed[] = {{"a.txt", csv, sizeof csv - 1}, {"b.sdf", sdf, sizeof sdf - 1}, {NULL, NULL, 0}};
+    static const char *const mixed_parts[] = {"a.txt", "b.sdf", NULL};
     struct text text = zip(mixed, false);
-    assert_parts(&text, mixed_parts, "1 text in the archive (a.txt) passed over beside its 2 other scans");
+    assert_parts(&text, mixed_parts, NULL);
     const struct member one[] = {{"b.sdf", sdf, sizeof sdf - 1}, {NULL, NULL, 0}};
     static const char *const one_part[] = {"b.sdf", NULL};
     text_free(&text);
@@ -121,10 +118,15 @@ TEST_CASE(test_refusals)
 {
     const struct member damaged[] = {{"a.csv", csv, sizeof csv - 1}, {"b.csv", "no numbers\n", 11}, {NULL, NULL, 0}};
     const struct member wyko[] = {{"a.txt", "by hand\n", 8}, {"b.opd", "\1\0Directory\0\0", 13}, {NULL, NULL, 0}};
-    struct scan_options second = {.entry = 3}; /* of two entries: the second among the texts */
+    struct scan_options second = {.entry = 1};
     refuse_text(zip(damaged, true), &second, "file(b.csv): no line of numbers in it");
     refuse_text(zip(wyko, true), &no_units,
                 "file(b.opd): the format is not read here: Wyko OPD file; export it in Vision");
+    struct text text = zip(wyko, true);
+    const struct member nested[] = {{"inner.zip", text.data, text.length}, {NULL, NULL, 0}};
+    refuse_text(zip(nested, false), &no_units, "no scan in this zip archive, only inner.zip");
+    assert_refused_bytes(text.data, text.length - 30, &no_units, "damaged zip archive");
+    text_free(&text);
     const struct member workbook[] = {{"[Content_Types].xml", "x", 1}, {"xl/workbook.xml", "y", 1}, {NULL, NULL, 0}};
     refuse_text(zip(workbook, true), &no_units, "Excel workbook; save the sheet with the scan as CSV");
     static struct member many[1002];

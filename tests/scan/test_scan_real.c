@@ -15,54 +15,31 @@ static struct scan read_real(const char *name, const char *x_unit, const char *z
     return scan;
 }
 
-static struct scan read_row(const struct table *table, size_t row)
-{
-    const char *name = table_text(table, row, "file");
-    print_message("%s\n", name);
-    struct scan scan = read_real(name, table_text(table, row, "x_unit"), table_text(table, row, "z_unit"));
-    assert_string_equal(scan.format, table_text(table, row, "format"));
-    assert_int_equal(scan.missing, (size_t)table_number(table, row, "missing"));
-    double low, high;
-    range_of(&scan, &low, &high);
-    assert_near(low, table_number(table, row, "zmin_um") * 1e-6, 1e-12);
-    assert_near(high, table_number(table, row, "zmax_um") * 1e-6, 1e-12);
-    return scan;
-}
-
-TEST_CASE(test_profiles)
+/* Their other figures are looked at in tests/cli/test_inspection.c. */
+TEST_CASE(test_formats_and_ranges)
 {
     NEED_REAL_SCANS();
-    struct table table = table_read("scan/profiles.csv");
-    for (size_t row = 0; row < table.rows; row++) {
-        struct scan scan = read_row(&table, row);
-        assert_int_equal(scan.kind, SCAN_PROFILE);
-        assert_int_equal(scan.nx, (size_t)table_number(&table, row, "n"));
-        double length = table_number(&table, row, "len_um") * 1e-6;
-        assert_near(scan_x(&scan, scan.nx - 1) - scan_x(&scan, 0), length, 1e-12);
-        assert_near(scan.dx_m, length / (double)(scan.nx - 1), 1e-12);
-        if (scan.x_m)
-            assert_within(scan.x_m[0], table_number(&table, row, "x0_um") * 1e-6, 1e-15);
-        assert_near(rq_of_profile(&scan), table_number(&table, row, "rq_um") * 1e-6, 1e-9);
-        scan_free(&scan);
+    static const char *const tables[] = {"scan/profiles.csv", "scan/maps.csv"};
+    for (size_t t = 0; t < 2; t++) {
+        struct table table = table_read(tables[t]);
+        for (size_t row = 0; row < table.rows; row++) {
+            const char *name = table_text(&table, row, "file");
+            print_message("%s\n", name);
+            struct scan scan = read_real(name, table_text(&table, row, "x_unit"), table_text(&table, row, "z_unit"));
+            assert_string_equal(scan.format, table_text(&table, row, "format"));
+            double low = INFINITY, high = -INFINITY;
+            for (size_t i = 0; i < scan.nx * scan.ny; i++) {
+                low = fmin(low, scan.z_m[i]);
+                high = fmax(high, scan.z_m[i]);
+            }
+            assert_near(low, table_number(&table, row, "zmin_um") * 1e-6, 1e-12);
+            assert_near(high, table_number(&table, row, "zmax_um") * 1e-6, 1e-12);
+            if (t == 0 && scan.x_m)
+                assert_within(scan.x_m[0], table_number(&table, row, "x0_um") * 1e-6, 1e-15);
+            scan_free(&scan);
+        }
+        table_free(&table);
     }
-    table_free(&table);
-}
-
-TEST_CASE(test_maps)
-{
-    NEED_REAL_SCANS();
-    struct table table = table_read("scan/maps.csv");
-    for (size_t row = 0; row < table.rows; row++) {
-        struct scan scan = read_row(&table, row);
-        assert_int_equal(scan.kind, SCAN_AREAL);
-        assert_int_equal(scan.nx, (size_t)table_number(&table, row, "nx"));
-        assert_int_equal(scan.ny, (size_t)table_number(&table, row, "ny"));
-        assert_near(scan.dx_m, table_number(&table, row, "dx_um") * 1e-6, 1e-12);
-        assert_near(scan.dy_m, table_number(&table, row, "dy_um") * 1e-6, 1e-12);
-        assert_near(sq_of_map(&scan), table_number(&table, row, "sq_um") * 1e-6, 1e-9);
-        scan_free(&scan);
-    }
-    table_free(&table);
 }
 
 /* One measurement in three containers: text, binary and X3P, the last without the 3 mm the others start at. */

@@ -24,6 +24,7 @@ TEST_CASE(test_headers)
         {"spacing = 0.5\nX unit: mm\n" ONE, "mm", NULL},
         {"dx [mm] = 0.5\n" ONE, "mm", NULL},
         {"Scan length [mm]: 2\nspacing 0.5 um\n" ONE, "um", NULL},
+        {"Filter [mm]: 0.8\nspacing = 0.5\n" ONE, NULL, NULL},
         {"z unit: nm\n" COMMA, NULL, "nm"},
         {"Y unit: um\n" COMMA, NULL, "um"},
         {"Z units\tum\n" TAB, NULL, "um"},
@@ -163,20 +164,17 @@ TEST_CASE(test_slopes_refused)
 TEST_CASE(test_columns)
 {
     static const struct {
-        const char *text, *x, *z;
+        const char *text;
+        size_t x, z;
         double dx_m, last_m;
     } rows[] = {
-        {TWO, "", "2", 1e-3, 1e-9},
-        {TWO, "", "3", 1e-3, 40e-6},
-        {TWO, "", "height (um)", 1e-3, 40e-6},
-        {TWO, "", "Height", 1e-3, 40e-6},
-        {TWO, "X", "Height", 1e-3, 40e-6},
-        {TWO, "1", "3", 1e-3, 40e-6},
-        {FIVE, "", "4", 1e-3, 7e-9}, /* a missing point of another column is nobody's */
-        {FIVE, "", "B (um)", 1e-3, 2e-6},
-        {"spacing 0.5 um\n1\n2\n3\n4\n", "", "1", 0.5e-6, 4e-6},
-        {"spacing 0.5 um\n1 7\n2 8\n1 9\n3 7\n", "", "2", 0.5e-6, 7e-6}, /* no x: the spacing */
-        {"spacing 0.5 um\n1 7\n2 8\n1 9\n3 7\n", "", "1", 0.5e-6, 3e-6},
+        {TWO, 0, 2, 1e-3, 1e-9},
+        {TWO, 0, 3, 1e-3, 40e-6},
+        {TWO, 1, 3, 1e-3, 40e-6},
+        {FIVE, 0, 4, 1e-3, 7e-9}, /* a missing point of another column is nobody's */
+        {"spacing 0.5 um\n1\n2\n3\n4\n", 0, 1, 0.5e-6, 4e-6},
+        {"spacing 0.5 um\n1 7\n2 8\n1 9\n3 7\n", 0, 2, 0.5e-6, 7e-6}, /* no x: the spacing */
+        {"spacing 0.5 um\n1 7\n2 8\n1 9\n3 7\n", 0, 1, 0.5e-6, 3e-6},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct scan_options options = {.x_unit = "mm", .z_unit = "um", .x_column = rows[i].x, .z_column = rows[i].z};
@@ -188,20 +186,14 @@ TEST_CASE(test_columns)
     }
     struct scan gapped = {.nx = 0};
     struct status status = {0};
-    struct scan_options gap = {.z_column = "3"};
+    struct scan_options gap = {.z_column = 3};
     assert_int_equal(read_bytes(&gapped, FIVE, strlen(FIVE), &gap, &status), STATUS_OK);
     assert_int_equal(gapped.missing, 1);
     assert_true(isnan(gapped.z_m[2]));
     scan_free(&gapped);
-    struct scan_options six = {.z_column = "6"}, zero = {.z_column = "0"}, none = {.z_column = "C"},
-                        both = {.z_column = "B"}, same = {.x_column = "2", .z_column = "2"}, first = {.z_column = "1"},
-                        huge = {.z_column = "99999999999999999999"},
-                        two = {.x_unit = "mm", .z_unit = "um", .z_column = "2"};
+    struct scan_options six = {.z_column = 6}, same = {.x_column = 2, .z_column = 2}, first = {.z_column = 1},
+                        two = {.x_unit = "mm", .z_unit = "um", .z_column = 2};
     refuse_with(FIVE, &six, "file:2: there is no column 6: there are 5 columns");
-    refuse_with(FIVE, &zero, "there is no column 0: there are 5 columns");
-    refuse_with(FIVE, &huge, "no column is titled '99999999999999999999'");
-    refuse_with(FIVE, &none, "no column is titled 'C'; there are 5 columns: give a number");
-    refuse_with(FIVE, &both, "more than one column is titled 'B'; give its number, 1 to 5");
     refuse_with(FIVE, &same, "column 2 cannot be x and z");
     refuse_with(FIVE, &first, "column 1 cannot be x and z; choose both, as in `column: [1, 2]`");
     refuse_with("spacing 0.5 um\n1\n2\n3\n4\n", &two, "there is no column 2: there is 1 column");
@@ -311,15 +303,14 @@ static const char dabam[] = "{\"FILE_FORMAT\": 1, \"X1_FACTOR\": 0.001, \"Y1_FAC
 IN_FOLDER(test_dabam)
 {
     folder = *state;
-    struct scan_options slope = {.quantity = SCAN_SLOPE}, second = {.z_column = "3"},
-                        third = {.z_column = "4", .quantity = SCAN_SLOPE}, um = {.z_unit = "um"},
-                        second_slope = {.z_column = "3", .quantity = SCAN_SLOPE};
+    struct scan_options slope = {.quantity = SCAN_SLOPE}, second = {.z_column = 3},
+                        third = {.z_column = 4, .quantity = SCAN_SLOPE}, um = {.z_unit = "um"},
+                        second_slope = {.z_column = 3, .quantity = SCAN_SLOPE};
     directory_write(folder, "s.dat", "0 0 5 0\n1 2 6 4\n2 4 7 8\n3 6 9 12\n");
     directory_write(folder, "s.txt", dabam);
-    expect_refusal(&no_units, "column 2 is a slope in urad by its sidecar 's.txt', not heights; to integrate it add "
-                              "`quantity: slope`");
-    expect_refusal(&um, "column 2 is a slope in urad by its sidecar");
-    expect_refusal(&second_slope, "column 3 has heights in nm by its sidecar 's.txt', not slopes");
+    expect_refusal(&no_units, "column 2 is a slope in urad, not heights; to integrate it add `quantity: slope`");
+    expect_refusal(&um, "column 2 is a slope in urad, not heights");
+    expect_refusal(&second_slope, "column 3 has heights in nm, not slopes");
     expect_units(&slope, "urad", "s.txt");
     expect_units(&second, "nm", "s.txt");
     expect_units(&third, "mrad", "s.txt");
@@ -330,63 +321,15 @@ IN_FOLDER(test_dabam)
         assert_within(scan.z_m[i], 1e-9 * (double)(i * i), 1e-22);
     scan_free(&scan);
     /* pairs of columns, each y with an x of its own */
-    struct scan_options pair = {.x_column = "3", .z_column = "4"};
+    struct scan_options pair = {.x_column = 3, .z_column = 4};
     directory_write(folder, "s.dat", "0 0 0 1\n1 2 1 2\n2 4 2 3\n3 6 3 4\n");
     directory_write(
         folder, "s.txt",
         "{\"FILE_FORMAT\": 4, \"X1_FACTOR\": 1, \"Y1_FACTOR\": 1, \"X2_FACTOR\": 0.001, \"Y2_FACTOR\": 1e-10,\n"
         "\"PLOT_TITLE_Y2\": \"heights\"}");
     expect_units(&pair, "A", "s.txt");
-    /* numbers as strings; lines of the header that look like points */
-    directory_write(
-        folder, "s.txt",
-        "{\"FILE_FORMAT\": \"2\", \"FILE_HEADER_LINES\": \"3\", \"X1_FACTOR\": \"1e-3\", \"Y1_FACTOR\": 1e-9}");
-    directory_write(folder, "s.dat", "7 8 9\n2 4\n1 1\n0 0\n1 2\n2 4\n3 6\n");
+    /* numbers as strings */
+    directory_write(folder, "s.txt", "{\"FILE_FORMAT\": \"2\", \"X1_FACTOR\": \"1e-3\", \"Y1_FACTOR\": 1e-9}");
+    directory_write(folder, "s.dat", BLANK);
     expect_units(&no_units, "nm", "s.txt");
-    assert_int_equal(take(&scan, &no_units, &status), STATUS_OK);
-    assert_int_equal(scan.nx, 4);
-    assert_within(scan.z_m[3], 6e-9, 1e-22);
-    scan_free(&scan);
-    directory_write(folder, "s.txt",
-                    "{\"FILE_FORMAT\": 2, \"FILE_HEADER_LINES\": 0, \"X1_FACTOR\": 1e-3, \"Y1_FACTOR\": 1e-9}");
-    expect_refusal(&no_units, "s.dat:2: 2 columns where line 1 has 3");
-}
-
-/* A sidecar cut off anywhere gives units or none; the sanitizers watch the rest. */
-IN_FOLDER(test_cut_sidecars)
-{
-    folder = *state;
-    static const char lines[] = "x unit: mm, z unit: um/mm\nunits: mm/\n";
-    const char *const contents[] = {dabam, lines};
-    directory_write(folder, "s.dat", "0 0 5 0\n1 2 6 4\n2 4 7 8\n3 6 9 12\n");
-    for (size_t k = 0; k < 2; k++)
-        for (size_t length = strlen(contents[k]); length > 0; length--) {
-            struct scan_options options = {.x_unit = "um", .z_unit = "urad", .quantity = SCAN_SLOPE};
-            struct scan scan;
-            struct status status;
-            char *cut = strndup(contents[k], length);
-            directory_write(folder, "s.txt", cut);
-            if (take(&scan, &options, &status) == STATUS_OK)
-                assert_sound(&scan);
-            else
-                assert_int_equal(status.code, STATUS_SCAN);
-            scan_free(&scan);
-            free(cut);
-        }
-}
-
-/* Column 4 of the real file has the slopes of column 2: integrated they are its heights, but for the quadrature. */
-TEST_CASE(test_real_slopes)
-{
-    NEED_REAL_SCANS();
-    struct scan heights, slopes;
-    struct status status = {0};
-    struct scan_options slope = {.z_column = "4", .quantity = SCAN_SLOPE};
-    assert_int_equal(scan_read(&heights, REAL_SCANS "/dabam-013.dat", &no_units, &status), STATUS_OK);
-    assert_int_equal(scan_read(&slopes, REAL_SCANS "/dabam-013.dat", &slope, &status), STATUS_OK);
-    assert_non_null(strstr(slopes.sidecar, "/dabam-013.txt"));
-    assert_null(heights.sidecar);
-    assert_near(rq_of_profile(&slopes), rq_of_profile(&heights), 1e-3);
-    scan_free(&heights);
-    scan_free(&slopes);
 }

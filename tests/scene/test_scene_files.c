@@ -157,7 +157,7 @@ TEST_CASE(test_files_spoken_for)
 
 TEST_CASE(test_columns_and_quantity)
 {
-    static const char text[] = "counterface: {surface: b.csv, quantity: slope, column: [t, Slope (urad)]}\n"
+    static const char text[] = "counterface: {surface: b.csv, quantity: slope, column: [2, 1]}\n"
                                "surfaces:\n  - {name: p, file: a.csv}\n"
                                "  - {name: q, file: a.csv, quantity: slope, column: 3}\n"
                                "  - {name: r, file: a.csv, quantity: height, column: [1, 4]}\n";
@@ -166,13 +166,12 @@ TEST_CASE(test_columns_and_quantity)
                                              &scene.counterface_surface};
     static const struct {
         enum scan_quantity quantity;
-        const char *x, *z;
-    } expected[] = {
-        {SCAN_HEIGHT, NULL, NULL}, {SCAN_SLOPE, NULL, "3"}, {SCAN_HEIGHT, "1", "4"}, {SCAN_SLOPE, "t", "Slope (urad)"}};
+        size_t x, z;
+    } expected[] = {{SCAN_HEIGHT, 0, 0}, {SCAN_SLOPE, 0, 3}, {SCAN_HEIGHT, 1, 4}, {SCAN_SLOPE, 2, 1}};
     for (size_t i = 0; i < COUNT(expected); i++) {
         assert_int_equal(surface[i]->quantity, expected[i].quantity);
-        assert_string_equal(surface[i]->x_column ? surface[i]->x_column : "-", expected[i].x ? expected[i].x : "-");
-        assert_string_equal(surface[i]->z_column ? surface[i]->z_column : "-", expected[i].z ? expected[i].z : "-");
+        assert_int_equal(surface[i]->x_column, expected[i].x);
+        assert_int_equal(surface[i]->z_column, expected[i].z);
     }
     scene_free(&scene);
 }
