@@ -89,7 +89,8 @@ static bool title_unit(struct measured_unit *out, struct string_view *unknown, s
         bool bracket = *open == '(' || *open == '[';
         const char *end = bracket ? memrchr(open, *open == '(' ? ')' : ']', (size_t)(title.end - open)) : title.end;
         struct string_view inside = string_view_trim((struct string_view){open + 1, end ? end : title.end});
-        if (strchr("([/ \t_,:=", *open) && is_unit(out, inside, quantities))
+        bool opened = inside.start < inside.end && (*inside.start == '(' || *inside.start == '[');
+        if (strchr("([/ \t_,:=", *open) && !opened && is_unit(out, inside, quantities))
             return true;
         if ((bracket || *open == '/') && end && inside.start < inside.end)
             *unknown = inside;
