@@ -8,7 +8,7 @@
 /** The bodies of surface `i`; the scene's where it has no surface. */
 static const struct scene_bodies *bodies_of(const struct scene *scene, size_t i)
 {
-    return i < scene->surface_count ? scene->surfaces[i].bodies : &scene->bodies;
+    return i < scene->surface_count ? &scene->surfaces[i].bodies : &scene->bodies;
 }
 
 /** Says what an effect lacks to run on every surface, and whose; false: nothing. */
