@@ -109,10 +109,6 @@ void chart_curve(struct chart *chart, const struct chart_curve *curve)
 {
     chart_end(chart);
     chart->curve = *curve;
-    snprintf(chart->legend_begun, sizeof chart->legend_begun, "%s", curve->legend);
-    snprintf(chart->colour_begun, sizeof chart->colour_begun, "%s", curve->colour);
-    chart->curve.legend = chart->legend_begun;
-    chart->curve.colour = chart->colour_begun;
     chart->own_x = chart->own_y = nothing;
 }
 

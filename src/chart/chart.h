@@ -18,7 +18,7 @@ enum chart_kind {
 
 struct chart_curve {
     enum chart_kind kind;
-    const char *legend; /* "": none; may come from outside */
+    const char *legend; /* "": none; may come from outside; as long as the chart lives, as has: */
     const char *colour; /* "#rrggbb" */
     int dash;           /* gnuplot's dash type; 0: solid */
     int marker;         /* gnuplot's point type; 0: 7 */
@@ -46,17 +46,14 @@ struct chart {
     char numbers[64];      /* in chapter 6: "6-11 to 6-14"; "": none */
     bool shares;           /* all panels but those `alone` have one x and one y axis */
     size_t columns;        /* of panels; 0: as their number asks for */
-    bool terminal;         /* drawn by report --show */
-    bool first_page;
-    double panel_height; /* 0: as is usual */
+    double panel_height;   /* 0: as is usual */
     struct chart_panel *panel;
     size_t panels;
     json_t *legend; /* owned */
     struct text data;
     size_t blocks, rows; /* rows: of the block begun last */
     struct chart_curve curve;
-    char legend_begun[256], colour_begun[8]; /* of that curve */
-    struct chart_extent own_x, own_y;        /* of the curve begun last */
+    struct chart_extent own_x, own_y; /* of the curve begun last */
     bool failed;
 };
 

@@ -143,44 +143,25 @@ static void add_figures(json_t *out, const struct view_source *source)
 {
     json_t *figures = json_object();
     for (size_t i = 0; i < source->figures->count; i++) {
-        const struct chart *chart = &source->figures->chart[i];
-        char key[CHART_NAME];
+        const char *name = source->figures->figure[i].name;
+        char key[40];
         size_t k = 0;
-        for (; chart->name[k]; k++) /* a name of the template's language has no hyphen here */
-            key[k] = chart->name[k] == '-' ? '_' : chart->name[k];
+        for (; name[k]; k++) /* a name of the template's language has no hyphen here */
+            key[k] = name[k] == '-' ? '_' : name[k];
         key[k] = '\0';
-        json_t *figure = json_pack("{ss}", "name", chart->name);
-        if (chart->numbers[0])
-            view_text(figure, "numbers", chart->numbers);
+        json_t *figure = json_pack("{ss ss}", "name", name, "numbers", source->figures->figure[i].numbers);
         json_object_set_new(figures, key, figure);
     }
     json_object_set_new(out, "figures", figures);
 }
 
-/** Does every string of the tree stand? A tree with a hole is for want of memory. */
-static bool is_whole(const json_t *value)
-{
-    const char *key;
-    const json_t *member;
-    size_t i;
-    if (json_is_object(value)) {
-        json_object_foreach((json_t *)(uintptr_t)value, key, member) if (!is_whole(member)) return false;
-    } else if (json_is_array(value)) {
-        json_array_foreach(value, i, member)
-        {
-            if (!is_whole(member))
-                return false;
-        }
-    }
-    return value != NULL;
-}
-
 enum status_code view_make(json_t **out, const struct results *results, const struct comparison *comparison,
-                           const struct figures *figures, struct status *status)
+                           const struct figures *figures, struct words *words, struct status *status)
 {
     struct view_source source = {.results = results,
                                  .comparison = comparison,
                                  .figures = figures,
+                                 .words = words,
                                  .baseline = &results->surfaces[results->baseline],
                                  .asked = asked_of(results)};
     source.leading = asked_leading(results, &source.asked);
@@ -193,5 +174,5 @@ enum status_code view_make(json_t **out, const struct results *results, const st
     add_figures(*out, &source);
     for (size_t p = 0; p < sizeof parts / sizeof *parts; p++)
         parts[p](*out, &source);
-    return *out && is_whole(*out) ? STATUS_OK : status_memory(status);
+    return *out ? status->code : status_memory(status);
 }

@@ -4,6 +4,7 @@
 #ifndef REPORT_VIEW_H
 #define REPORT_VIEW_H
 
+#include "chart/asked.h"
 #include "chart/figures.h"
 #include "results/comparison.h"
 #include <jansson.h>
@@ -13,6 +14,7 @@ struct view_source {
     const struct results *results;
     const struct comparison *comparison;
     const struct figures *figures;
+    struct words *words;
     const struct surface_record *baseline;
     size_t leading;
     struct asked asked;
@@ -20,7 +22,7 @@ struct view_source {
 
 /** The tree of a run, new. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code view_make(json_t **out, const struct results *results, const struct comparison *comparison,
-                                      const struct figures *figures, struct status *status);
+                                      const struct figures *figures, struct words *words, struct status *status);
 
 /* Its parts: each adds what its section needs, or nothing. Private to src/report. */
 void view_first_page(json_t *out, const struct view_source *source);

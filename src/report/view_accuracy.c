@@ -48,9 +48,6 @@ static void put_tolerances(json_t *out, const struct view_source *source)
     if (alike)
         view_text(out, "report_alike", first);
     view_separate(list);
-    put_seconds(out, "before", cost->before);
-    if (own && cost->before > 0)
-        view_number(out, "share_percent", 100 * own->seconds / cost->before, 2, "");
     for (i = 0; i < cost->count; i++)
         if (cost->rows[i].chart == BENCHMARK_INTEGRALS && strcmp(cost->rows[i].method, "Simpson") == 0 &&
             strcmp(cost->rows[i].setting, "1000") == 0)
@@ -71,8 +68,6 @@ static void put_effects(json_t *out, const struct view_source *source)
         if (skipped && !rows[r].runs)
             view_flag(skipped, "more_skipped", true);
         skipped = rows[r].runs ? skipped : item;
-        if (rows[r].evaluations > 0)
-            view_number(item, "evaluations", (double)rows[r].evaluations, 3, "");
         if (results->benchmark && rows[r].runs && rows[r].seconds > 0)
             put_seconds(item, "time", rows[r].seconds);
     }

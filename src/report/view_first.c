@@ -48,13 +48,9 @@ static void put_answer(json_t *out, const struct view_source *source, const stru
     view_flag(out, "at_most", answer->kind == ANSWER_LIGHTEST || answer->full);
     view_flag(out, "not_reached", answer->kind == ANSWER_NOT_REACHED);
     view_flag(out, "no_number", answer->kind == ANSWER_NONE);
-    view_flag(out, "invalid", answer->invalid);
     if (answer->kind != ANSWER_NONE)
         view_load(out, "load", source, surface, answer->load);
     view_interval(out, "interval", answer->low * scale, answer->high * scale, DIGITS);
-    double spots = answers_spots(answer, source->results->scene->nominal_area_m2);
-    if (spots < answers_least_spots)
-        view_number(out, "spots", spots, DIGITS, "");
 }
 
 static void put_value(json_t *out, const struct view_source *source, size_t surface)
@@ -132,7 +128,7 @@ static void put_other_targets(json_t *out, const struct view_source *source)
 static void put_ranking(json_t *out, const struct view_source *source)
 {
     const struct comparison_ranking *ranking = &source->comparison->ranking;
-    const struct comparison_extremes *extremes =
+    const struct comparison_extent *extremes =
         &source->comparison->models[source->leading].extremes[ranking->criterion];
     json_t *item = json_object();
     size_t told = 0, like = 0, first = 0;
@@ -301,11 +297,12 @@ static double of_model(const struct view_source *source, size_t surface)
     double sd = model_sd(model_rows[source->leading], quantity);
     if (sd > 0)
         return exp(1.96 * sd);
-    size_t beside = asked_beside(results);
+    size_t beside = model_index(model_rows[source->leading]->gaussian);
+    bool alone = plan_runs_model(results->plan, beside);
     for (size_t m = 0; m < model_count; m++) {
         const struct contact_point at = comparison_middle(results, m, surface);
         double ratio = at.value[quantity] / own.value[quantity];
-        if (m == source->leading || (beside < model_count && m != beside) ||
+        if (m == source->leading || (alone && m != beside) ||
             model_rows[m]->plastic != model_rows[source->leading]->plastic || !(ratio > 0) || !isfinite(ratio) ||
             !curve_summary_is_valid(surface_model(view_summary(source, surface), m), load))
             continue;
@@ -463,12 +460,11 @@ void view_first_page(json_t *out, const struct view_source *source)
     char unit[UNIT_LENGTH + 20];
     view_flag(out, "several", results->usable_count > 1);
     view_flag(out, "has_intervals", results_intervals(results));
-    view_count(out, "surface_count", results->usable_count);
     view_text(out, "leading", model_rows[source->leading]->label);
     view_text(out, "baseline", view_name(source, results->baseline));
     view_load(out, "operating_load", source, results->baseline, load);
     json_t *item = json_object();
-    view_text(item, "symbol", asked->symbol);
+    view_text(item, "symbol", words_say(source->words, asked->name, NULL));
     view_text(item, "unit", asked->unit);
     json_object_set_new(out, "asked", item);
     if (asked->target) {

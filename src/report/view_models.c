@@ -7,6 +7,18 @@
 #include "joint/heating.h"
 #include <math.h>
 
+struct range {
+    double least, most;
+};
+
+static void widen(struct range *range, double value)
+{
+    if (!isfinite(value))
+        return;
+    range->least = fmin(range->least, value);
+    range->most = fmax(range->most, value);
+}
+
 static bool wants(const struct view_source *source, enum quantity quantity)
 {
     return plan_quantities(source->results->plan) & QUANTITY_BIT(quantity);
@@ -22,46 +34,33 @@ static void put_model(json_t *row, const struct view_source *source, size_t m)
     const struct material_pair *pair = results_pair(results, surface);
     double scale = asked_load_of(results, surface).scale, sigma_m = view_summary(source, surface)->asperities.sigma_m;
     view_text(row, "label", model_rows[m]->label);
-    view_flag(row, "leads", m == source->leading);
     view_number(row, "area_percent", 100 * at.value[QUANTITY_AREA], 3, "");
     view_number(row, "separation", comparison_value(&at, model_shown(model_rows[m], QUANTITY_SEPARATION), m, sigma_m),
                 3, "");
     view_number(row, "ecr", at.value[QUANTITY_ECR], 3, "");
     view_number(row, "tcr", at.value[QUANTITY_TCR], 3, "");
     view_number(row, "full_load", curve->exists ? curve->full_load * scale : NAN, 3, "");
-    view_number(row, "asked", asked_shown(&source->asked, at.value[source->asked.quantity]), 3, "");
     view_flag(row, "invalid", !curve_summary_is_valid(curve, at.value[QUANTITY_LOAD]));
     view_flag(row, "above_hardness",
               !model_rows[m]->plastic && !pair->unknown &&
                   material_pair_pressure(pair, at.value[QUANTITY_LOAD]) > pair->hardness_Pa * at.value[QUANTITY_AREA]);
-    size_t beside = asked_beside(results);
-    if (m == beside)
-        view_flag(row, "same_spectrum_gaussian_heights", true);
 }
 
 /** What the heights do: the leading model over the one beside it, which takes them as Gaussian. */
 static void put_heights(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
-    size_t beside = asked_beside(results);
-    double least = INFINITY, most = -INFINITY;
+    struct range range = {INFINITY, -INFINITY};
     enum quantity quantity = results_criterion(results);
-    for (size_t k = 0; k < results->usable_count && beside < model_count; k++) {
-        const struct contact_point own = comparison_middle(results, source->leading, results->by_roughness[k]),
-                                   other = comparison_middle(results, beside, results->by_roughness[k]);
-        double ratio = own.value[quantity] / other.value[quantity];
-        if (isfinite(ratio)) {
-            least = fmin(least, ratio);
-            most = fmax(most, ratio);
-        }
-    }
-    if (!(least <= most))
+    for (size_t k = 0; k < results->usable_count; k++)
+        widen(&range, comparison_heights_factor(results, results->by_roughness[k], quantity));
+    if (!(range.least <= range.most))
         return;
     json_t *item = json_object();
-    view_text(item, "beside", model_rows[beside]->label);
+    view_text(item, "beside", model_rows[plan_leading_model(results->plan)]->gaussian->label);
     view_text(item, "symbol", quantity_rows[quantity].short_symbol);
-    view_range(item, "ratio", least, most, 2, "");
-    view_flag(item, "alike", least > 0.9 && most < 1.1);
+    view_range(item, "ratio", range.least, range.most, 2, "");
+    view_flag(item, "alike", range.least > 0.9 && range.most < 1.1);
     json_object_set_new(out, "heights", item);
 }
 
@@ -216,54 +215,30 @@ void view_models(json_t *out, const struct view_source *source)
 
 /* ---- The joint ---- */
 
-struct range {
-    double least, most;
-};
+enum joint_number { GAP_SHARE, FILM_SHARE, PLATING_FACTOR, VOLTAGE, TEMPERATURE, JOINT_NUMBERS };
 
-/** Of a number of the leading model's points over the surfaces. */
-static struct range range_of(const struct view_source *source,
-                             double (*number)(const struct contact_point *, const struct joint *))
+/** What the leading model says of the joint, over the surfaces: shares in %, mV, °C. */
+static void joint_ranges(struct range out[JOINT_NUMBERS], const struct view_source *source)
 {
-    struct range range = {INFINITY, -INFINITY};
+    const double film_ohm_m2 = source->results->scene->joint.film_ohm_m2;
+    for (int n = 0; n < JOINT_NUMBERS; n++)
+        out[n] = (struct range){INFINITY, -INFINITY};
     for (size_t k = 0; k < source->results->usable_count; k++) {
         const struct contact_point at =
             comparison_middle(source->results, source->leading, source->results->by_roughness[k]);
-        double value = number(&at, &source->results->scene->joint);
-        if (isfinite(value)) {
-            range.least = fmin(range.least, value);
-            range.most = fmax(range.most, value);
-        }
+        const double *value = at.value;
+        widen(&out[GAP_SHARE], 100 * value[QUANTITY_GAP] / value[QUANTITY_JOINT]);
+        widen(&out[FILM_SHARE], 100 * film_ohm_m2 / value[QUANTITY_AREA] / value[QUANTITY_JOINT_ECR]);
+        widen(&out[PLATING_FACTOR], value[QUANTITY_PLATING_FACTOR]);
+        widen(&out[VOLTAGE], 1e3 * value[QUANTITY_VOLTAGE]);
+        widen(&out[TEMPERATURE], value[QUANTITY_TEMPERATURE] - 273.15);
     }
-    return range;
 }
 
-static double gap_share(const struct contact_point *p, const struct joint *joint)
+/** Sets the range. */
+static void put_range(json_t *out, const char *name, const struct range *range, int digits)
 {
-    (void)joint;
-    return 100 * p->value[QUANTITY_GAP] / p->value[QUANTITY_JOINT];
-}
-
-static double film_share(const struct contact_point *p, const struct joint *joint)
-{
-    return 100 * joint->film_ohm_m2 / p->value[QUANTITY_AREA] / p->value[QUANTITY_JOINT_ECR];
-}
-
-static double plating_factor(const struct contact_point *p, const struct joint *joint)
-{
-    (void)joint;
-    return p->value[QUANTITY_PLATING_FACTOR];
-}
-
-static double voltage_mV(const struct contact_point *p, const struct joint *joint)
-{
-    (void)joint;
-    return 1e3 * p->value[QUANTITY_VOLTAGE];
-}
-
-static double temperature_C(const struct contact_point *p, const struct joint *joint)
-{
-    (void)joint;
-    return p->value[QUANTITY_TEMPERATURE] - 273.15;
+    view_range(out, name, range->least, range->most, digits, "");
 }
 
 /** The body that yields first, whose metal softens first. */
@@ -306,44 +281,44 @@ void view_joint(json_t *out, const struct view_source *source)
         json_decref(item);
         return;
     }
+    struct range ranges[JOINT_NUMBERS];
+    joint_ranges(ranges, source);
     json_object_set_new(out, "joint", item);
     if (gap) {
         json_t *part = json_object();
-        struct range share = range_of(source, gap_share);
+        const struct range share = ranges[GAP_SHARE];
         view_flag(part, "vacuum", joint->fill == JOINT_VACUUM);
         view_flag(part, "medium", joint->fill == JOINT_MEDIUM);
         view_number(part, "conductivity", joint->conductivity_W_per_mK, 3, "");
         view_text(part, "gas", joint->fill == JOINT_GAS ? joint->gas->name : "");
         view_number(part, "pressure_kPa", joint->pressure_Pa * 1e-3, 3, "");
         view_number(part, "temperature_K", joint->temperature_K, 3, "");
-        view_range(part, "share", share.least, share.most, 2, "");
+        put_range(part, "share", &share, 2);
         view_flag(part, "finish_matters", share.least > 50);
         view_flag(part, "load_matters", share.most < 50);
         json_object_set_new(item, "gap", part);
     }
     if (film) {
         json_t *part = json_object();
-        struct range share = range_of(source, film_share);
         view_number(part, "film", joint->film_ohm_m2, 3, "");
-        view_range(part, "share", share.least, share.most, 2, "");
+        put_range(part, "share", &ranges[FILM_SHARE], 2);
         json_object_set_new(item, "has_film", part);
     }
     if (plating) {
         json_t *part = json_object();
-        struct range factor = range_of(source, plating_factor);
+        const struct range factor = ranges[PLATING_FACTOR];
         view_number(part, "thickness_um", joint->plating_thickness_m * 1e6, 3, "");
         view_flag(part, "both", joint->both_plated);
-        view_range(part, "factor", factor.least, factor.most, 3, "");
+        put_range(part, "factor", &factor, 3);
         view_flag(part, "helps", factor.most < 1);
         view_flag(part, "hurts", factor.least > 1 && factor.most >= factor.least);
         json_object_set_new(item, "has_plating", part);
     }
     if (heat) {
         json_t *part = json_object();
-        struct range voltage = range_of(source, voltage_mV), temperature = range_of(source, temperature_C);
         view_number(part, "current_A", joint->current_A, 3, "");
-        view_range(part, "voltage_mV", voltage.least, voltage.most, 2, "");
-        view_range(part, "temperature_C", temperature.least, temperature.most, 3, "");
+        put_range(part, "voltage_mV", &ranges[VOLTAGE], 2);
+        put_range(part, "temperature_C", &ranges[TEMPERATURE], 3);
         put_softening(part, source);
         json_object_set_new(item, "heating", part);
     }

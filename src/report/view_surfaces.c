@@ -28,7 +28,6 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
     view_number(row, "ra_um", s->roughness.ra_m * 1e6, 3, "");
     view_number(row, "length_mm", s->length_m * 1e3, 3, "");
     view_number(row, "spacing_um", s->spacing_m * 1e6, 3, "");
-    view_count(row, "points", s->points);
     view_count(row, "scans", s->scans);
     view_flag(row, "rows_of_a_map", repeats->count > 0 && repeats->scans == 1);
     if (repeats->cut > 0)
@@ -37,9 +36,7 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
         view_number(row, "worth", repeats->rq_m.effective, 2, "");
         view_flag(row, "map_too_small", repeats->rq_m.effective < ESTIMATE_LEAST_EFFECTIVE);
     }
-    view_number(row, "rsk", roughness_skewness(&s->roughness), 2, "");
-    view_number(row, "rku", roughness_kurtosis(&s->roughness), 2, "");
-    view_number(row, "heights", comparison_heights_factor(source->results, surface), 2, "");
+    view_number(row, "heights", comparison_heights_factor(source->results, surface, QUANTITY_ECR), 2, "");
     view_flag(row, "no_law", law->found == POWER_LAW_BAND_NONE);
     if (law->found == POWER_LAW_BAND_NONE)
         return;
@@ -52,7 +49,6 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
     double wavelength_m = results_law_wavelength_m(source->results);
     put_amplitude(row, "amplitude_um", law, isfinite(wavelength_m) ? wavelength_m : law->wavelength_m);
     view_number(row, "alpha", law->alpha, 3, "");
-    view_number(row, "misfit_decades", law->misfit_decades, 2, "");
 }
 
 void view_surfaces(json_t *out, const struct view_source *source)
@@ -70,7 +66,7 @@ void view_surfaces(json_t *out, const struct view_source *source)
         periodic += s->periodic;
         windowed += s->windowed;
         lawless += s->power_law.found == POWER_LAW_BAND_NONE;
-        has_heights = has_heights || isfinite(comparison_heights_factor(results, i));
+        has_heights = has_heights || isfinite(comparison_heights_factor(results, i, QUANTITY_ECR));
         if (json_array_size(rows) < VIEW_ROWS)
             put_surface(view_item(rows), source, i);
     }
@@ -86,7 +82,6 @@ void view_surfaces(json_t *out, const struct view_source *source)
     view_count(item, "periodic", periodic);
     view_flag(item, "all_windowed", windowed == scans);
     view_flag(item, "some_windowed", windowed > 0 && windowed < scans);
-    view_flag(item, "fit_of_the_thesis", scene->fit == POWER_LAW_THESIS);
     view_number(item, "wavelength_um", results_law_wavelength_m(results) * 1e6, 3, "");
     if (lawless > 0)
         view_count(item, "lawless", lawless);
@@ -187,9 +182,6 @@ void view_inputs(json_t *out, const struct view_source *source)
             json_t *row = view_item(sources);
             view_text(row, "label", model_rows[m]->label);
             view_text(row, "source", model_rows[m]->source);
-            view_text(row, "equations", model_rows[m]->equations);
-            view_text(row, "assumes", model_rows[m]->assumes);
-            view_text(row, "valid", model_rows[m]->valid);
         }
     view_text(item, "material", results->scene->bodies.material.name);
     view_text(item, "material_source",

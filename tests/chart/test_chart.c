@@ -79,7 +79,9 @@ static struct text draw(const struct directory *place, struct chart *chart)
     if (chart_write(chart, &folder, place->path) != STATUS_OK ||
         gnuplot_start(&gnuplot, place->path, &status) != STATUS_OK)
         fail_msg("%s", status.message);
-    gnuplot_send(&gnuplot, "load '%s.gp'", chart->name);
+    text_add(&file, "load '%s.gp'\n", chart->name);
+    gnuplot_send(&gnuplot, text_string(&file));
+    text_free(&file);
     if (gnuplot_finish(&gnuplot, &status) != STATUS_OK)
         fail_msg("%s", status.message);
     text_add(&file, "%s/%s.svg", place->path, chart->name);

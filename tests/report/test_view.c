@@ -243,7 +243,6 @@ static const struct {
     {"magnitude", "holds", "4", "4"},
     {"scale_dependence", "holds", "12", "12"},
     {"sooner", "holds", NULL, NULL},
-    {"proportional", "holds", "1", "1"},
 };
 
 TEST_CASE(the_findings_of_chapter_6)
