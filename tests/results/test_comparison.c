@@ -183,8 +183,10 @@ static void lessen_spread(struct surface_record *record, size_t index)
 
 static void fill_all(struct surface_record *record, size_t index)
 {
-    for (size_t i = 0; index < MADE_UP_USABLE && i < MADE_UP_LOADS; i++)
+    for (size_t i = 0; index < MADE_UP_USABLE && i < MADE_UP_LOADS; i++) {
         point_of(record, "gw", i)->value[QUANTITY_AREA] = 1;
+        point_of(record, "gw", i)->value[QUANTITY_ECR] = 0;
+    }
 }
 
 PLACED(test_spreads)
