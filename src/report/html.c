@@ -23,7 +23,6 @@ struct page {
     struct text target;  /* of the last link or image */
     struct text label;   /* of the open image, escaped */
     const char *title, *directory;
-    unsigned level;  /* of the last entry in the contents: 0 (none), 2 or 3 */
     unsigned parts;  /* headings of the first level so far: below the second, sections are folded */
     bool in_folded;  /* inside the <details> of a section */
     unsigned images; /* open, each but the outermost in the label of another */
@@ -40,28 +39,16 @@ static void empty(struct text *text)
     text_add_bytes(text, "", 0);
 }
 
-/* The ASCII character that "&#60;", "&#x3c;" or "&amp;" stands for; 0 for any other reference. */
-static char ascii_reference(const char *reference, size_t size)
-{
-    if (size == strlen("&amp;") && memcmp(reference, "&amp;", size) == 0)
-        return '&';
-    if (reference[1] != '#')
-        return 0;
-    bool hexadecimal = tolower((unsigned char)reference[2]) == 'x';
-    unsigned long code = strtoul(reference + (hexadecimal ? 3 : 2), NULL, hexadecimal ? 16 : 10);
-    return code < 0x80 ? (char)code : 0;
-}
-
-/* Takes over where a link or image leads, as plain text. */
+/* Takes over where a link or image leads, as plain text: nowhere where characters stand as references, behind which a
+ * scheme could hide. */
 static void read_target(struct page *page, const MD_ATTRIBUTE *target)
 {
+    bool plain = true;
     empty(&page->target);
-    for (size_t i = 0; target->size > 0 && target->substr_offsets[i] < target->size; i++) {
-        const char *part = target->text + target->substr_offsets[i];
-        size_t size = target->substr_offsets[i + 1] - target->substr_offsets[i];
-        char c = target->substr_types[i] == MD_TEXT_ENTITY ? ascii_reference(part, size) : 0;
-        text_add_bytes(&page->target, c ? &c : part, c ? 1 : size);
-    }
+    for (size_t i = 0; target->size > 0 && target->substr_offsets[i] < target->size; i++)
+        plain = plain && target->substr_types[i] == MD_TEXT_NORMAL;
+    if (plain)
+        text_add_bytes(&page->target, target->text, target->size);
 }
 
 /* GitHub's rule, so that a link inside report.md finds its section in both places: lower case, blanks become '-',
@@ -100,24 +87,6 @@ static const char *add_id(struct text *ids, const char *heading)
         text_add(ids, "-%u\n", number);
     }
     return "";
-}
-
-static void add_contents_entry(struct page *page, unsigned level, const char *id, int id_length)
-{
-    if (page->level == 0)
-        level = 2; /* a subsection before any section stands as one */
-    if (level == 3)
-        text_add(&page->contents, page->level == 2 ? "\n<ul>\n" : "</li>\n");
-    else if (page->level > 0)
-        text_add(&page->contents, page->level == 2 ? "</li>\n" : "</li>\n</ul></li>\n");
-    text_add(&page->contents, "<li><a href=\"#%.*s\">%s</a>", id_length, id, text_string(&page->words));
-    page->level = level;
-}
-
-static void end_contents(struct page *page)
-{
-    if (page->level > 0)
-        text_add(&page->contents, page->level == 2 ? "</li>\n" : "</li>\n</ul></li>\n");
 }
 
 static void empty_line(struct page *page)
@@ -162,8 +131,8 @@ static void end_heading(struct page *page, unsigned level)
     struct text start = {0};
     page->parts += level == 1;
     bool folds = level == 2 && page->parts > 1;
-    if (level == 2 || level == 3 || page->parts > 1)
-        add_contents_entry(page, level == 3 ? 3 : 2, id, id_length);
+    if (level == 2 || page->parts > 1)
+        text_add(&page->contents, "<li><a href=\"#%.*s\">%s</a></li>\n", id_length, id, text_string(&page->words));
     if (page->in_folded && level <= 2) {
         text_add(&start, fold_end);
         page->in_folded = false;
@@ -348,7 +317,7 @@ static bool link_allowed(const char *target)
 static void start_link(struct page *page, const MD_ATTRIBUTE *href)
 {
     read_target(page, href);
-    page->in_link = link_allowed(text_string(&page->target));
+    page->in_link = page->target.length > 0 && link_allowed(text_string(&page->target));
     if (page->in_link) {
         text_add(&page->line, "<a href=\"");
         text_add_html(&page->line, text_string(&page->target), page->target.length);
@@ -398,13 +367,12 @@ static int add_words(MD_TEXTTYPE type, const MD_CHAR *bytes, MD_SIZE size, void 
     if (type == MD_TEXT_BR && page->images == 0)
         text_add(out, "<br>");
     size_t before = out->length;
-    char c = type == MD_TEXT_ENTITY ? ascii_reference(bytes, size) : 0;
     if (type == MD_TEXT_BR || type == MD_TEXT_SOFTBR)
         text_add(out, page->images > 0 ? " " : "\n");
-    else if (type == MD_TEXT_ENTITY && !c)
+    else if (type == MD_TEXT_ENTITY)
         text_add_bytes(out, bytes, size); /* the browser knows them all */
     else
-        text_add_html(out, c ? &c : bytes, c ? 1 : size);
+        text_add_html(out, bytes, size);
     if (page->images > 0)
         return 0;
     text_add_bytes(&page->words, text_string(out) + before, out->length - before);
@@ -462,7 +430,6 @@ enum status_code html_render(struct text *out, const char *markdown, const char 
         hash_script(&page, skeleton);
         int failed = md_parse(markdown, (MD_SIZE)length, &parser, &page);
         end_line(&page, page.in_folded ? fold_end : "", "");
-        end_contents(&page);
         for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
             memory |= texts[i]->failed;
         code = status->code != STATUS_OK ? status->code : failed || memory ? status_memory(status) : STATUS_OK;
