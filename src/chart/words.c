@@ -47,17 +47,13 @@ const char *words_say(struct words *words, const char *name, ...)
     const struct mustache how = {.view = view, .escape = as_it_is};
     va_list pairs;
     va_start(pairs, name);
-    for (const char *key; (key = va_arg(pairs, const char *));) {
-        struct text shown = {0};
-        text_add_shown(&shown, va_arg(pairs, const char *));
-        json_object_set_new(view, key, json_string(text_string(&shown)));
-        text_free(&shown);
-    }
+    for (const char *key; (key = va_arg(pairs, const char *));)
+        json_object_set_new(view, key, json_string_nocheck(va_arg(pairs, const char *)));
     va_end(pairs);
     if (!find(&source, words, name))
         (void)status_fail(words->status, STATUS_USAGE, "words.txt of the templates has no '%s'", name);
     else if (mustache_render(&filled, text_string(&source), "words.txt", &how, words->status) == STATUS_OK &&
-             (filled.failed || json_array_append_new(words->said, json_string(text_string(&filled))) != 0))
+             (filled.failed || json_array_append_new(words->said, json_string_nocheck(text_string(&filled))) != 0))
         (void)status_memory(words->status);
     json_decref(view);
     text_free(&source);

@@ -18,8 +18,8 @@ struct words {
 MUST_CHECK enum status_code words_read(struct words *out, const char *templates, struct status *status);
 void words_free(struct words *words);
 
-/** The words of `name`, filled in from names and texts in turn, the last NULL: as long as `words` lives. Texts may come
- * from outside. */
+/** The words of `name`, filled in from names and texts in turn, the last NULL: as long as `words` lives. What came
+ * from outside is still to be shown as such. */
 const char *words_say(struct words *words, const char *name, ...) __attribute__((sentinel));
 
 #endif
