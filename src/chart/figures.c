@@ -717,8 +717,7 @@ enum status_code figures_draw(struct figures *out, const struct results *results
                             .asked = asked_of(results),
                             .words = task->words};
     const struct heating_metal *metal = heating_metal_find(source.baseline->summary.scene->bodies->material.name);
-    struct text path = {0};
-    struct mustache_folder folder = chart_templates(&path, task->templates, status);
+    struct mustache_folder folder = {task->templates, ".gp", NULL, status};
     source.leading = asked_leading(results, &source.asked);
     source.hottest_C = fmin(metal ? metal->melting_K - 273.15 : NAN, 1000);
     *out = (struct figures){0};
@@ -735,8 +734,7 @@ enum status_code figures_draw(struct figures *out, const struct results *results
             make_all_surfaces(&chart, &source, panel);
         chart_end(&chart);
         bool terminal = row && row->terminal && task->terminal_size;
-        if ((chart_has_data(&chart) || chart.failed) &&
-            draw_one(&chart, terminal, &folder, task, status) == STATUS_OK) {
+        if ((chart.blocks > 0 || chart.failed) && draw_one(&chart, terminal, &folder, task, status) == STATUS_OK) {
             out->figure[out->count].name = row ? row->name : panel->file;
             out->figure[out->count].terminal = terminal;
             snprintf(out->figure[out->count++].numbers, sizeof out->figure->numbers, "%s", chart.numbers);
@@ -744,7 +742,6 @@ enum status_code figures_draw(struct figures *out, const struct results *results
         chart_free(&chart);
     }
     mustache_folder_free(&folder);
-    text_free(&path);
     return status->code;
 }
 

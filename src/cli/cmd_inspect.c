@@ -177,13 +177,10 @@ static enum status_code write_chart(struct text *script, const char *directory, 
                                     const char *terminal_size)
 {
     struct chart chart = chart_make(chart_names[spectrum]);
-    char path[PATH_MAX + 32];
     make_chart(&chart, f, spectrum, words);
-    snprintf(path, sizeof path, "%s/%s.csv", directory, chart_names[spectrum]);
-    enum status_code rc = chart_script(script, &chart, templates, terminal_size);
+    enum status_code rc = chart_write(&chart, templates, directory);
     if (rc == STATUS_OK)
-        rc = chart.data.failed ? status_memory(templates->status)
-                               : text_write_file(path, text_string(&chart.data), chart.data.length, templates->status);
+        rc = chart_script(script, &chart, templates, terminal_size);
     chart_free(&chart);
     return rc;
 }
@@ -191,7 +188,7 @@ static enum status_code write_chart(struct text *script, const char *directory, 
 /** Draws profile and spectrum as text, sized to the terminal. */
 static enum status_code draw(const struct inspection *f, struct status *status)
 {
-    struct text script = {0}, charts = {0}, share = {0}, folder = {0};
+    struct text script = {0}, charts = {0}, share = {0};
     struct gnuplot gnuplot;
     struct words words = {0};
     struct temporary temporary;
@@ -202,7 +199,7 @@ static enum status_code draw(const struct inspection *f, struct status *status)
     if (temporary_make(&temporary, NULL, NULL, status) != STATUS_OK)
         return status->code;
     enum status_code rc = command_share(&share, "templates", status);
-    struct mustache_folder templates = chart_templates(&folder, text_string(&share), status);
+    struct mustache_folder templates = {text_string(&share), ".gp", NULL, status};
     if (rc == STATUS_OK)
         rc = words_read(&words, text_string(&share), status);
     for (int i = 0; i < 2 && rc == STATUS_OK; i++)
@@ -210,7 +207,6 @@ static enum status_code draw(const struct inspection *f, struct status *status)
     words_free(&words);
     mustache_folder_free(&templates);
     text_free(&share);
-    text_free(&folder);
     if (rc == STATUS_OK && (rc = gnuplot_start(&gnuplot, temporary.path, status)) == STATUS_OK) {
         gnuplot_send(&gnuplot, text_string(&script));
         rc = gnuplot_finish(&gnuplot, status);
