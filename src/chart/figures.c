@@ -119,22 +119,14 @@ static struct chart_curve model_look(size_t m)
     return (struct chart_curve){.legend = model_rows[m]->label, .colour = model_rows[m]->colour};
 }
 
-/** A name as it stands, in at most `most` characters: its middle is cut, as names often differ at their end. */
-static void short_name(char *out, size_t size, const char *name, size_t most)
+/** A name, shortened for a legend or a title. */
+static const char *short_name(const struct source *source, const char *name)
 {
-    size_t count = 0, at = 0, used = 0, bytes;
-    for (const char *c = name; *c; c += bytes, count++)
-        bytes = text_character(c) ? text_character(c) : 1;
-    for (const char *c = name; *c && used + 8 < size; c += bytes, at++) {
-        bytes = text_character(c) ? text_character(c) : 1;
-        if (count > most && at == most / 2)
-            used += (size_t)snprintf(out + used, size - used, "…");
-        if (count <= most || at < most / 2 || at > count - most / 2) {
-            memcpy(out + used, c, bytes);
-            used += bytes;
-        }
-    }
-    out[used] = '\0';
+    struct text cut = {0};
+    words_cut(&cut, name, strlen(name), 28);
+    const char *said = words_say(source->words, "name", "surface", text_string(&cut), NULL);
+    text_free(&cut);
+    return said;
 }
 
 /** Of more than eight surfaces the best, the worst and the baseline stand out. */
@@ -143,11 +135,10 @@ static struct chart_curve surface_look(const struct source *source, size_t k)
     const struct results *results = source->results;
     bool many = results->usable_count > results->shown_count;
     bool baseline = results->shown[k] == results->baseline, last = k + 1 == results->shown_count;
-    char name[100];
     if (many && k > 0 && !last && !baseline)
         return (struct chart_curve){
             .legend = words_say(source->words, "others", NULL), .colour = "#b4b4bc", .width = 1.2};
-    short_name(name, sizeof name, results->surfaces[results->shown[k]].summary.scene->name, 28);
+    const char *name = short_name(source, results->surfaces[results->shown[k]].summary.scene->name);
     return (struct chart_curve){
         .legend = words_say(source->words, "surface", "surface", name, "best", many && k == 0 ? "1" : "", "worst",
                             many && k > 0 && last ? "1" : "", "baseline", many && baseline ? "1" : "", NULL),
@@ -369,11 +360,10 @@ static void put_bins(struct chart *chart, const struct power_law_band *band, boo
 static void put_profile(struct chart *chart, const struct source *source, const struct surface_record *record,
                         const char *name, const char *colour)
 {
-    char cut[120], rq[40];
-    short_name(cut, sizeof cut, name, 28);
+    char rq[40];
     snprintf(rq, sizeof rq, "%.3g", record->summary.roughness.rq_m * 1e6);
     struct chart_panel *panel = chart_panel(
-        chart, words_say(source->words, "panel.profile", "surface", cut, "rq", rq, NULL),
+        chart, words_say(source->words, "panel.profile", "surface", short_name(source, name), "rq", rq, NULL),
         words_say(source->words, "axis.position", NULL), words_say(source->words, "axis.height", NULL), false, false);
     if (!panel)
         return;

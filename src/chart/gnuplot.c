@@ -20,15 +20,6 @@ const double gnuplot_most_seconds = 120;
 /* Beginnings of variables through which a user's setup would change charts or messages. */
 static const char *const foreign_variables[] = {"GNU", "LC_", "LANG", "GDFONTPATH", "FIT_", "DUMB", NULL};
 
-/* Runs `gnuplot -d` (no start-up files) in `directory`. Returns 0 or the errno that says why not. */
-static int gnuplot_spawn(pid_t *process, const char *program, const char *directory, int input, int output)
-{
-    static char locale[] = "LC_ALL=C.UTF-8", name[] = "gnuplot", defaults[] = "-d";
-    char *const arguments[] = {name, defaults, NULL};
-    return program_start(
-        process, &(struct program_task){arguments, program, directory, foreign_variables, locale, input, output});
-}
-
 /* An unnamed file that takes so many bytes of messages and no more; what was not written is 0. */
 static int gnuplot_log(void)
 {
@@ -44,7 +35,8 @@ static int gnuplot_log(void)
 enum status_code gnuplot_start(struct gnuplot *out, const char *directory, struct status *status)
 {
     *out = (struct gnuplot){.input = -1, .most_seconds = gnuplot_most_seconds};
-    char program[4096];
+    static char locale[] = "LC_ALL=C.UTF-8", name[] = "gnuplot", defaults[] = "-d"; /* no start-up files */
+    char program[4096], *const arguments[] = {name, defaults, NULL};
     if (!program_find(program, sizeof program, "gnuplot"))
         return status_fail(status, STATUS_CHART,
                            "no gnuplot in PATH to draw the charts: install the package gnuplot-nox");
@@ -55,7 +47,8 @@ enum status_code gnuplot_start(struct gnuplot *out, const char *directory, struc
                     ? errno
                     : 0;
     if (!error)
-        error = gnuplot_spawn(&out->process, program, directory, ends[0], log);
+        error = program_start(&out->process, &(struct program_task){arguments, program, directory, foreign_variables,
+                                                                    locale, ends[0], log});
     if (ends[0] >= 0)
         close(ends[0]);
     out->input = ends[1];

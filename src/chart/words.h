@@ -22,4 +22,9 @@ void words_free(struct words *words);
  * from outside is still to be shown as such. */
 const char *words_say(struct words *words, const char *name, ...) __attribute__((sentinel));
 
+/** Characters of a text. */
+int words_width(const char *string, size_t length);
+/** Adds a text in `most` characters: of a longer one the middle is cut, as names often differ at their end. */
+void words_cut(struct text *out, const char *string, size_t length, int most);
+
 #endif

@@ -1,33 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The first page's table and sentences for a terminal. */
 #include "base/mustache.h"
+#include "chart/words.h"
 #include "report/report.h"
 
 #include <string.h>
 
 enum { WIDTH = 80, COLUMNS = 8, NAME_LEAST = 10 };
-
-static int characters(const char *string, size_t length)
-{
-    int count = 0;
-    for (size_t i = 0; i < length; i++)
-        count += ((unsigned char)string[i] & 0xC0) != 0x80;
-    return count;
-}
-
-/** A text in `most` characters: of a longer one the middle is cut, as names often differ at their end. */
-static void put_cut(struct text *out, const char *string, size_t length, int most)
-{
-    int width = characters(string, length), at = -1;
-    for (size_t i = 0; i < length; i++) {
-        bool begins = ((unsigned char)string[i] & 0xC0) != 0x80;
-        at += begins;
-        if (begins && width > most && at == most / 2)
-            text_add(out, "…");
-        if (width <= most || at < most / 2 || at > most / 2 + width - most)
-            text_add_bytes(out, string + i, 1);
-    }
-}
 
 /** Sets the lines with tabs that `rows` begins with in columns, the first to the left, and returns what follows. */
 static const char *put_table(struct text *out, const char *rows)
@@ -39,11 +18,11 @@ static const char *put_table(struct text *out, const char *rows)
             int c = 0;
             for (bool more = true; more && c < COLUMNS; c++) {
                 size_t length = strcspn(line, "\t\n");
-                int width = characters(line, length);
+                int width = words_width(line, length);
                 if (pass == 0)
                     widths[c] = width > widths[c] ? width : widths[c];
                 else if (c == 0)
-                    put_cut(out, line, length, widths[c]);
+                    words_cut(out, line, length, widths[c]);
                 else
                     text_add(out, "%*s%.*s", 2 + widths[c] - width, "", (int)length, line);
                 if (pass == 1 && c == 0)

@@ -114,20 +114,6 @@ void view_load(json_t *out, const char *name, const struct view_source *source, 
     set_text(out, name, &text);
 }
 
-void view_cell_text(json_t *row, const char *string)
-{
-    json_t *cell = view_item(view_list(row, "cells"));
-    view_text(cell, "text", string);
-}
-
-void view_cell(json_t *row, double value, int digits)
-{
-    struct text text = {0};
-    number_format(&text, value, digits);
-    view_cell_text(row, text_string(&text));
-    text_free(&text);
-}
-
 const char *view_name(const struct view_source *source, size_t surface)
 {
     return source->results->surfaces[surface].summary.scene->name;

@@ -56,10 +56,6 @@ json_t *view_list(json_t *out, const char *name);
 void view_separate(json_t *array);
 /** A load of a surface as the user has it: "0.40 N". */
 void view_load(json_t *out, const char *name, const struct view_source *source, size_t surface, double load);
-/** A cell of a row of `cells`: a number or "–". */
-void view_cell(json_t *row, double value, int digits);
-void view_cell_text(json_t *row, const char *string);
-
 /** Name of a surface, as given. */
 const char *view_name(const struct view_source *source, size_t surface);
 const struct surface_summary *view_summary(const struct view_source *source, size_t surface);

@@ -67,24 +67,19 @@ static void put_value(json_t *out, const struct view_source *source, size_t surf
 static void put_answers(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
-    size_t named[NAMED_MOST], count = 0, best = results->by_roughness[0], worst = best;
+    size_t named[NAMED_MOST], count = 0;
     for (size_t k = 0; k < results->usable_count; k++) {
-        size_t i = results->by_roughness[k];
-        if (cost_of(source, i) < cost_of(source, best))
-            best = i;
-        if (cost_of(source, i) >= cost_of(source, worst))
-            worst = i;
-    }
-    named[count++] = best;
-    for (size_t i = 0; i < results->surface_count && results->usable_count <= NAMED_MOST; i++)
-        if (results->surfaces[i].summary.usable && i != best && count < NAMED_MOST) {
-            size_t at = count++;
-            for (; at > 1 && cost_of(source, i) < cost_of(source, named[at - 1]); at--)
-                named[at] = named[at - 1];
-            named[at] = i;
+        size_t i = results->by_roughness[k], at = count;
+        if (count == 2 && results->usable_count > NAMED_MOST) {
+            size_t place = cost_of(source, i) >= cost_of(source, named[1]);
+            if (place == 1 || cost_of(source, i) < cost_of(source, named[0]))
+                named[place] = i;
+            continue;
         }
-    if (results->usable_count > NAMED_MOST && worst != best)
-        named[count++] = worst;
+        for (count++; at > 0 && cost_of(source, i) < cost_of(source, named[at - 1]); at--)
+            named[at] = named[at - 1];
+        named[at] = i;
+    }
     json_t *list = view_list(out, "answers");
     for (size_t i = 0; i < count; i++) {
         json_t *item = view_item(list);
@@ -254,25 +249,14 @@ static void put_beside(json_t *out, const struct view_source *source)
 
 /* ---- What limits the answer ---- */
 
-struct limit {
-    const char *name; /* a flag of the item */
-    double factor;    /* 1 and up */
-    bool either_way;
-};
+/* As flags of the view name them. */
+static const char *const limit_names[] = {"place", "model", "length", "spacing", "hardness"};
+enum { PLACE, MODEL, LENGTH, SPACING, HARDNESS, LIMITS, LIMITS_SAID = 3 };
 
-/** The farthest from 1 over all usable surfaces. */
-static double farthest(const struct view_source *source,
-                       double (*factor)(const struct view_source *source, size_t surface))
-{
-    double most = NAN;
-    for (size_t k = 0; k < source->results->usable_count; k++) {
-        double own = factor(source, source->results->by_roughness[k]);
-        own = own < 1 ? 1 / own : own;
-        if (isfinite(own) && !(own <= most))
-            most = own;
-    }
-    return most;
-}
+struct limit {
+    const char *name;
+    double factor; /* 1 and up */
+};
 
 static double of_place(const struct view_source *source, size_t surface)
 {
@@ -289,12 +273,9 @@ static double of_model(const struct view_source *source, size_t surface)
     enum quantity quantity = results_criterion(results);
     const struct contact_point own = comparison_middle(results, source->leading, surface);
     double factor = NAN, load = results_operating_load(results, surface);
-    if (surface == results->baseline && results->direct_count > 0)
-        factor = asked_direct(results, quantity, load).ratio;
-    if (factor > 0)
-        return factor;
-    factor = NAN;
-    double sd = model_sd(model_rows[source->leading], quantity);
+    double sd = model_sd(model_rows[source->leading], quantity), direct = asked_direct(results, quantity, load).ratio;
+    if (surface == results->baseline && direct > 0)
+        return direct;
     if (sd > 0)
         return exp(1.96 * sd);
     size_t beside = model_index(model_rows[source->leading]->gaussian);
@@ -323,36 +304,32 @@ static double of_change(const struct view_source *source, size_t surface, enum s
     return factor > 0 ? factor : NAN;
 }
 
-static double of_length(const struct view_source *source, size_t surface)
+/** The factor by which a limit may change the answer, the farthest from 1 over all usable surfaces. */
+static double farthest(const struct view_source *source, int limit)
 {
-    return of_change(source, surface, SENSITIVITY_SCAN_HALVED);
+    double most = NAN;
+    for (size_t k = 0; k < source->results->usable_count; k++) {
+        size_t surface = source->results->by_roughness[k];
+        double own = limit == PLACE     ? of_place(source, surface)
+                     : limit == MODEL   ? of_model(source, surface)
+                     : limit == LENGTH  ? of_change(source, surface, SENSITIVITY_SCAN_HALVED)
+                     : limit == SPACING ? of_change(source, surface, SENSITIVITY_CUTOFF_DOUBLED)
+                                        : of_change(source, surface, SENSITIVITY_HARDNESS_RAISED);
+        own = own < 1 ? 1 / own : own;
+        if (isfinite(own) && !(own <= most))
+            most = own;
+    }
+    return most;
 }
-
-static double of_cutoff(const struct view_source *source, size_t surface)
-{
-    return of_change(source, surface, SENSITIVITY_CUTOFF_DOUBLED);
-}
-
-static double of_hardness(const struct view_source *source, size_t surface)
-{
-    return of_change(source, surface, SENSITIVITY_HARDNESS_RAISED);
-}
-
-static const struct {
-    const char *name;
-    double (*factor)(const struct view_source *source, size_t surface);
-} limit_rows[] = {
-    {"place", of_place}, {"model", of_model}, {"length", of_length}, {"spacing", of_cutoff}, {"hardness", of_hardness}};
-enum { LIMITS = sizeof limit_rows / sizeof *limit_rows, LIMITS_SAID = 3 };
 
 /** The three that change the answer most, and what a longer or finer scan would do. */
 static void put_limits(json_t *out, const struct view_source *source)
 {
-    struct limit limits[LIMITS] = {{.factor = 0}};
+    struct limit limits[LIMITS] = {{NULL, 0}};
     size_t count = 0;
     json_t *list = view_list(out, "limits");
-    for (size_t r = 0; r < LIMITS; r++) {
-        struct limit limit = {.name = limit_rows[r].name, .factor = farthest(source, limit_rows[r].factor)};
+    for (int r = 0; r < LIMITS; r++) {
+        struct limit limit = {limit_names[r], farthest(source, r)};
         char key[40];
         snprintf(key, sizeof key, "%s_factor", limit.name);
         view_number(out, key, limit.factor, DIGITS, "");

@@ -25,8 +25,9 @@ static bool wants(const struct view_source *source, enum quantity quantity)
 }
 
 /** A model on the baseline where the summary stands. */
-static void put_model(json_t *row, const struct view_source *source, size_t m)
+static void put_model(json_t *out, const struct view_source *source, size_t m)
 {
+    json_t *row = view_item(view_list(out, "rows"));
     const struct results *results = source->results;
     size_t surface = results->baseline;
     const struct contact_point at = comparison_middle(results, m, surface);
@@ -40,10 +41,17 @@ static void put_model(json_t *row, const struct view_source *source, size_t m)
     view_number(row, "ecr", at.value[QUANTITY_ECR], 3, "");
     view_number(row, "tcr", at.value[QUANTITY_TCR], 3, "");
     view_number(row, "full_load", curve->exists ? curve->full_load * scale : NAN, 3, "");
-    view_flag(row, "invalid", !curve_summary_is_valid(curve, at.value[QUANTITY_LOAD]));
-    view_flag(row, "above_hardness",
-              !model_rows[m]->plastic && !pair->unknown &&
-                  material_pair_pressure(pair, at.value[QUANTITY_LOAD]) > pair->hardness_Pa * at.value[QUANTITY_AREA]);
+    bool invalid = !curve_summary_is_valid(curve, at.value[QUANTITY_LOAD]);
+    bool above = !model_rows[m]->plastic && !pair->unknown &&
+                 material_pair_pressure(pair, at.value[QUANTITY_LOAD]) > pair->hardness_Pa * at.value[QUANTITY_AREA];
+    view_flag(row, "invalid", invalid);
+    view_flag(row, "above_hardness", above);
+    if (invalid)
+        view_flag(out, "any_invalid", true);
+    if (above)
+        view_flag(out, "any_above_hardness", true);
+    if (json_object_get(row, "full_load"))
+        view_flag(out, "any_full", true);
 }
 
 /** What the heights do: the leading model over the one beside it, which takes them as Gaussian. */
@@ -92,7 +100,7 @@ static void put_unloading(json_t *out, const struct view_source *source)
 
 static void put_one_surface(json_t *out, const struct view_source *source)
 {
-    json_t *item = json_object(), *rows = view_list(item, "rows");
+    json_t *item = json_object();
     const struct results *results = source->results;
     view_text(item, "surface", view_name(source, results->baseline));
     view_load(item, "load", source, results->baseline, results_operating_load(results, results->baseline));
@@ -101,19 +109,7 @@ static void put_one_surface(json_t *out, const struct view_source *source)
     view_flag(item, "has_tcr", wants(source, QUANTITY_TCR));
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(results->plan, m) && surface_model(&source->baseline->summary, m)->exists)
-            put_model(view_item(rows), source, m);
-    size_t i;
-    json_t *row;
-    bool invalid = false, above = false, full = false;
-    json_array_foreach(rows, i, row)
-    {
-        invalid = invalid || json_is_true(json_object_get(row, "invalid"));
-        above = above || json_is_true(json_object_get(row, "above_hardness"));
-        full = full || json_object_get(row, "full_load");
-    }
-    view_flag(item, "any_invalid", invalid);
-    view_flag(item, "any_full", full);
-    view_flag(item, "any_above_hardness", above);
+            put_model(item, source, m);
     const struct material_pair *pair = results_pair(results, results->baseline);
     if (wants(source, QUANTITY_TCR_SCALE_DEPENDENT) && results->scene->mean_free_path == SCENE_MEAN_FREE_PATH_THESIS)
         view_number(item, "phonon_path_nm", pair->mean_free_path_m[0] * 1e9, 3, "");
@@ -122,9 +118,8 @@ static void put_one_surface(json_t *out, const struct view_source *source)
         view_number(item, "area_slope", leading->area_slope, 3, "");
     double scale = asked_load_of(results, results->baseline).scale;
     for (size_t m = 0; m < model_count; m++)
-        for (size_t k = 0; plan_runs_model(results->plan, m) && k < source->baseline->curves[m].kink_count && k < 1;
-             k++) {
-            const struct model_kink *kink = &source->baseline->curves[m].kinks[k];
+        if (plan_runs_model(results->plan, m) && source->baseline->curves[m].kink_count > 0) {
+            const struct model_kink *kink = &source->baseline->curves[m].kinks[0];
             json_t *one = view_item(view_list(item, "kinks"));
             view_text(one, "label", model_rows[m]->label);
             view_number(one, "load", kink->load * scale, 2, "");
@@ -153,8 +148,9 @@ static void put_all_surfaces(json_t *out, const struct view_source *source)
             if (!plan_runs_model(results->plan, m) ||
                 !(model_rows[m]->quantities & results->plan->wanted & QUANTITY_BIT(QUANTITY_ADJUSTED)))
                 continue;
-            view_cell(row, curve->exists ? curve->beta : NAN, 3);
-            view_cell(row, curve->exists ? curve->beta_multiscale : NAN, 3);
+            json_t *cells = view_list(row, "cells");
+            view_number(view_item(cells), "text", curve->exists ? curve->beta : NAN, 3, "");
+            view_number(view_item(cells), "text", curve->exists ? curve->beta_multiscale : NAN, 3, "");
         }
     }
     view_flag(item, "has_betas", json_array_size(rows) > 0);
@@ -167,50 +163,52 @@ static void put_all_surfaces(json_t *out, const struct view_source *source)
         json_decref(item);
 }
 
+/** Does the area of the sweeps settle, and that of the surfaces? */
+static void put_convergence(json_t *out, const struct view_source *source)
+{
+    const struct results *results = source->results;
+    json_t *item = json_object();
+    bool as_expected = true, plastic = false, falls = false, told = false;
+    size_t diverging = 0;
+    double fall = 0;
+    for (size_t m = 0; m < model_count; m++) {
+        for (size_t v = 0; v < convergence_sweeps[CONVERGENCE_GAMMA].count; v++) {
+            if (!plan_runs_model(results->plan, m) || !model_rows[m]->stacks_scales)
+                continue;
+            bool settles = comparison_converges(results, CONVERGENCE_GAMMA, m, v);
+            bool should = convergence_sweeps[CONVERGENCE_GAMMA].values[v] >= 1;
+            as_expected = as_expected && (model_rows[m]->plastic || settles == should);
+            plastic = plastic || model_rows[m]->plastic;
+            falls = falls || (model_rows[m]->plastic && !settles);
+        }
+        for (size_t k = 0; k < results->usable_count; k++) {
+            const struct curve_summary *curve = surface_model(view_summary(source, results->by_roughness[k]), m);
+            told = told || curve->extended;
+            if (curve->extension.area_measured > 0)
+                fall = fmax(fall, 1 - curve->extension.area_extended / curve->extension.area_measured);
+        }
+    }
+    for (size_t k = 0; k < results->usable_count; k++)
+        diverging += surface_diverges(view_summary(source, results->by_roughness[k]));
+    view_flag(item, "as_expected", as_expected);
+    view_flag(item, "yielding_ends_it", plastic && !falls);
+    view_flag(item, "untold", !told);
+    if (fall > 0)
+        view_number(item, "fall_percent", 100 * fall, 2, "");
+    view_number(item, "atom_nm", convergence_atom_m * 1e9, 1, "");
+    view_number(item, "load", results->scene->convergence.load, 3, "");
+    view_flag(item, "none_diverges", diverging == 0);
+    view_count(item, "diverging", diverging);
+    json_object_set_new(out, "convergence", item);
+}
+
 void view_models(json_t *out, const struct view_source *source)
 {
     put_one_surface(out, source);
     put_all_surfaces(out, source);
     put_heights(out, source);
-    if (source->results->convergence) {
-        json_t *item = json_object();
-        size_t as_expected = 0, elastic = 0, falling = 0, plastic = 0;
-        for (size_t v = 0; v < convergence_sweeps[CONVERGENCE_GAMMA].count; v++)
-            for (size_t m = 0; m < model_count; m++)
-                if (plan_runs_model(source->results->plan, m) && model_rows[m]->stacks_scales) {
-                    bool settles = comparison_converges(source->results, CONVERGENCE_GAMMA, m, v);
-                    bool should = convergence_sweeps[CONVERGENCE_GAMMA].values[v] >= 1;
-                    as_expected += !model_rows[m]->plastic && settles == should;
-                    elastic += !model_rows[m]->plastic;
-                    falling += model_rows[m]->plastic && !settles;
-                    plastic += model_rows[m]->plastic;
-                }
-        size_t diverging = 0;
-        for (size_t k = 0; k < source->results->usable_count; k++)
-            diverging += surface_diverges(view_summary(source, source->results->by_roughness[k]));
-        view_flag(item, "as_expected", as_expected == elastic);
-        view_flag(item, "yielding_ends_it", plastic > 0 && falling == 0);
-        double fall = 0;
-        for (size_t k = 0; k < source->results->usable_count; k++)
-            for (size_t m = 0; m < model_count; m++) {
-                const struct convergence_extension *extension =
-                    &surface_model(view_summary(source, source->results->by_roughness[k]), m)->extension;
-                if (extension->area_measured > 0)
-                    fall = fmax(fall, 1 - extension->area_extended / extension->area_measured);
-            }
-        bool told = false;
-        for (size_t k = 0; k < source->results->usable_count; k++)
-            for (size_t m = 0; m < model_count; m++)
-                told = told || surface_model(view_summary(source, source->results->by_roughness[k]), m)->extended;
-        view_flag(item, "untold", !told);
-        if (fall > 0)
-            view_number(item, "fall_percent", 100 * fall, 2, "");
-        view_number(item, "atom_nm", convergence_atom_m * 1e9, 1, "");
-        view_number(item, "load", source->results->scene->convergence.load, 3, "");
-        view_flag(item, "none_diverges", diverging == 0);
-        view_count(item, "diverging", diverging);
-        json_object_set_new(out, "convergence", item);
-    }
+    if (source->results->convergence)
+        put_convergence(out, source);
 }
 
 /* ---- The joint ---- */
