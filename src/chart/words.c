@@ -35,16 +35,11 @@ static bool find(struct text *out, const struct words *words, const char *name)
     return false;
 }
 
-static void as_it_is(struct text *out, const char *string)
-{
-    text_add(out, "%s", string);
-}
-
 const char *words_say(struct words *words, const char *name, ...)
 {
     struct text source = {0}, filled = {0};
     json_t *view = json_object();
-    const struct mustache how = {.view = view, .escape = as_it_is};
+    const struct mustache how = {.view = view};
     va_list pairs;
     va_start(pairs, name);
     for (const char *key; (key = va_arg(pairs, const char *));)

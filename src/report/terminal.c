@@ -42,16 +42,11 @@ static const char *put_table(struct text *out, const char *rows)
     return line;
 }
 
-static void as_it_is(struct text *out, const char *string)
-{
-    text_add(out, "%s", string);
-}
-
 enum status_code report_terminal(struct text *out, const json_t *view, const char *templates, struct status *status)
 {
     struct mustache_folder folder = {templates, ".txt", NULL, status};
     struct text words = {0};
-    enum status_code rc = mustache_file(&words, &folder, "terminal", view, as_it_is);
+    enum status_code rc = mustache_file(&words, &folder, "terminal", view, NULL);
     text_add_wrapped(out, put_table(out, text_string(&words)), WIDTH, 0);
     text_free(&words);
     mustache_folder_free(&folder);

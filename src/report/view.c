@@ -79,6 +79,13 @@ json_t *view_item(json_t *array)
     return item;
 }
 
+json_t *view_part(json_t *out, const char *name)
+{
+    json_t *part = json_object();
+    json_object_set_new(out, name, part);
+    return part;
+}
+
 json_t *view_list(json_t *out, const char *name)
 {
     json_t *list = json_object_get(out, name);
@@ -124,21 +131,15 @@ const struct surface_summary *view_summary(const struct view_source *source, siz
     return &source->results->surfaces[surface].summary;
 }
 
-/** A chart that was drawn: its files, its numbers in chapter 6. */
-static void add_figures(json_t *out, const struct view_source *source)
+/** Charts that were drawn: their files, their numbers in chapter 6. */
+static void add_figures(json_t *out, const struct figures *figures)
 {
-    json_t *figures = json_object();
-    for (size_t i = 0; i < source->figures->count; i++) {
-        const char *name = source->figures->figure[i].name;
-        char key[40];
-        size_t k = 0;
-        for (; name[k]; k++) /* a name of the template's language has no hyphen here */
-            key[k] = name[k] == '-' ? '_' : name[k];
-        key[k] = '\0';
-        json_t *figure = json_pack("{ss ss}", "name", name, "numbers", source->figures->figure[i].numbers);
-        json_object_set_new(figures, key, figure);
+    json_t *list = view_part(out, "figures");
+    for (size_t i = 0; i < figures->count; i++) {
+        json_t *figure = view_part(list, figures->figure[i].name);
+        view_text(figure, "name", figures->figure[i].name);
+        view_text(figure, "numbers", figures->figure[i].numbers);
     }
-    json_object_set_new(out, "figures", figures);
 }
 
 enum status_code view_make(json_t **out, const struct results *results, const struct comparison *comparison,
@@ -146,7 +147,6 @@ enum status_code view_make(json_t **out, const struct results *results, const st
 {
     struct view_source source = {.results = results,
                                  .comparison = comparison,
-                                 .figures = figures,
                                  .words = words,
                                  .baseline = &results->surfaces[results->baseline],
                                  .asked = asked_of(results)};
@@ -157,7 +157,7 @@ enum status_code view_make(json_t **out, const struct results *results, const st
     *out = json_object();
     view_text(*out, "title", results->scene->title);
     view_text(*out, "version", version_string());
-    add_figures(*out, &source);
+    add_figures(*out, figures);
     for (size_t p = 0; p < sizeof parts / sizeof *parts; p++)
         parts[p](*out, &source);
     return *out ? status->code : status_memory(status);

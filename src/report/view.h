@@ -13,7 +13,6 @@
 struct view_source {
     const struct results *results;
     const struct comparison *comparison;
-    const struct figures *figures;
     struct words *words;
     const struct surface_record *baseline;
     size_t leading;
@@ -49,6 +48,8 @@ void view_interval(json_t *out, const char *name, double low, double high, int d
 void view_range(json_t *out, const char *name, double least, double most, int digits, const char *unit);
 void view_count(json_t *out, const char *name, size_t count);
 void view_flag(json_t *out, const char *name, bool flag);
+/** A new object of that name. */
+json_t *view_part(json_t *out, const char *name);
 /** A new object at the end of an array, or of the array `name` of an object, which is made if need be. */
 json_t *view_item(json_t *array);
 json_t *view_list(json_t *out, const char *name);

@@ -100,7 +100,7 @@ static void put_stability(json_t *out, const struct view_source *source)
             on = i;
         }
     }
-    json_t *item = json_object();
+    json_t *item = view_part(out, "stability");
     if (limited > 0) {
         view_number(item, "limited", (double)limited, 3, "");
         view_text(item, "limited_on", view_name(source, on));
@@ -120,16 +120,14 @@ static void put_stability(json_t *out, const struct view_source *source)
     view_flag(item, "nothing",
               limited == 0 && !(clamped > 1e-4) && refused + refused_scans == 0 &&
                   !(results->lost && results->lost->count > 0));
-    json_object_set_new(out, "stability", item);
 }
 
 void view_accuracy(json_t *out, const struct view_source *source)
 {
     view_number(out, "tolerance", source->results->scene->tolerance, 1, "");
     if (source->results->benchmark) {
-        json_t *item = json_object();
+        json_t *item = view_part(out, "accuracy");
         put_tolerances(item, source);
-        json_object_set_new(out, "accuracy", item);
     }
     put_effects(out, source);
     put_stability(out, source);

@@ -125,13 +125,11 @@ static void put_ranking(json_t *out, const struct view_source *source)
     const struct comparison_ranking *ranking = &source->comparison->ranking;
     const struct comparison_extent *extremes =
         &source->comparison->models[source->leading].extremes[ranking->criterion];
-    json_t *item = json_object();
     size_t told = 0, like = 0, first = 0;
     if (source->results->usable_count < 2 || extremes->count < 2) {
-        json_decref(item);
         return;
     }
-    json_object_set_new(out, "ranking", item);
+    json_t *item = view_part(out, "ranking");
     bool alike = extremes->most / extremes->least - 1 <= 2 * source->results->scene->tolerance;
     view_flag(item, "alike", alike);
     view_flag(item, "area_is_load_over_hardness", alike && ranking->criterion == QUANTITY_AREA);
@@ -196,8 +194,7 @@ static void put_measured(json_t *out, const struct view_source *source)
     const struct measured *measured = source->results->measured;
     if (!measured)
         return;
-    json_t *item = json_object();
-    json_object_set_new(out, "measured", item);
+    json_t *item = view_part(out, "measured");
     size_t turn = measured_turn(measured);
     const struct scene_asked *target = source->asked.target;
     if (target && source->asked.quantity == measured_quantity(measured, source->results->plan->running)) {
@@ -219,7 +216,7 @@ static void put_beside(json_t *out, const struct view_source *source)
     const struct results *results = source->results;
     size_t textbook = asked_textbook(results), baseline = results->baseline;
     if (textbook < model_count && textbook != source->leading) {
-        json_t *item = json_object();
+        json_t *item = view_part(out, "textbook");
         view_text(item, "label", model_rows[textbook]->label);
         if (source->asked.target) {
             const struct answer *answer = answer_of(source, baseline, textbook);
@@ -229,13 +226,12 @@ static void put_beside(json_t *out, const struct view_source *source)
                 view_load(item, "more_than", source, baseline, answer->load);
         } else
             view_number(item, "value", value_of(source, textbook, baseline), 3, source->asked.unit);
-        json_object_set_new(out, "textbook", item);
     }
     enum quantity quantity =
         quantity_rows[source->asked.quantity].from ? results_criterion(results) : source->asked.quantity;
     const struct asked_solved solved = asked_direct(results, quantity, results_operating_load(results, baseline));
     if (solved.value > 0) {
-        json_t *item = json_object();
+        json_t *item = view_part(out, "direct_answer");
         bool own = quantity == source->asked.quantity;
         view_number(item, "value", own ? asked_shown(&source->asked, solved.value) : solved.value, 3,
                     own ? source->asked.unit : quantity_rows[quantity].unit);
@@ -243,7 +239,6 @@ static void put_beside(json_t *out, const struct view_source *source)
         view_text(item, "surface", view_name(source, baseline));
         view_load(item, "load", source, baseline, solved.load);
         view_flag(item, "here", solved.load == results_operating_load(results, baseline));
-        json_object_set_new(out, "direct_answer", item);
     }
 }
 
@@ -372,12 +367,9 @@ static void put_row(json_t *row, const struct view_source *source, size_t surfac
     view_text(row, "surface", view_name(source, surface));
     view_number(row, "rq_um", view_summary(source, surface)->roughness.rq_m * 1e6, 3, "");
     view_number(row, "area_percent", 100 * at.value[QUANTITY_AREA], DIGITS, "");
-    json_t *value = json_object(), *answer = json_object();
-    put_value(value, source, surface);
-    json_object_set_new(row, "value", value);
+    put_value(view_part(row, "value"), source, surface);
     if (source->asked.target)
-        put_answer(answer, source, answer_of(source, surface, source->leading), surface);
-    json_object_set_new(row, "answer", answer);
+        put_answer(view_part(row, "answer"), source, answer_of(source, surface, source->leading), surface);
     if (source->results->scene->limit_count > 0)
         view_flag(row, verdict_names[worst_verdict(source, surface)], true);
     for (size_t p = 0; lettered && p < ranking->count; p++)
@@ -440,10 +432,9 @@ void view_first_page(json_t *out, const struct view_source *source)
     view_text(out, "leading", model_rows[source->leading]->label);
     view_text(out, "baseline", view_name(source, results->baseline));
     view_load(out, "operating_load", source, results->baseline, load);
-    json_t *item = json_object();
+    json_t *item = view_part(out, "asked");
     view_text(item, "symbol", words_say(source->words, asked->name, NULL));
     view_text(item, "unit", asked->unit);
-    json_object_set_new(out, "asked", item);
     if (asked->target) {
         asked_text(unit, sizeof unit, asked->target->text);
         view_text(out, "target", unit);

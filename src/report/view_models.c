@@ -64,12 +64,11 @@ static void put_heights(json_t *out, const struct view_source *source)
         widen(&range, comparison_heights_factor(results, results->by_roughness[k], quantity));
     if (!(range.least <= range.most))
         return;
-    json_t *item = json_object();
+    json_t *item = view_part(out, "heights");
     view_text(item, "beside", model_rows[plan_leading_model(results->plan)]->gaussian->label);
     view_text(item, "symbol", quantity_rows[quantity].short_symbol);
     view_range(item, "ratio", range.least, range.most, 2, "");
     view_flag(item, "alike", range.least > 0.9 && range.most < 1.1);
-    json_object_set_new(out, "heights", item);
 }
 
 /** What falling load changes at some of its shares, over the same load rising. */
@@ -81,7 +80,7 @@ static void put_unloading(json_t *out, const struct view_source *source)
         return;
     const struct unloading *ratio = &unloading->ratio;
     size_t baseline = source->results->baseline;
-    json_t *item = json_object(), *rows = view_list(item, "rows");
+    json_t *item = view_part(out, "unloading"), *rows = view_list(item, "rows");
     view_load(item, "from", source, baseline, unloading->largest_load);
     view_text(item, "label", model_rows[unloading->model]->label);
     for (size_t i = 0; i < sizeof shares / sizeof *shares; i++) {
@@ -95,12 +94,11 @@ static void put_unloading(json_t *out, const struct view_source *source)
         view_number(row, "resistance", unloading_factor(ratio, QUANTITY_ECR, shares[i]), 2, "");
     }
     view_separate(rows);
-    json_object_set_new(out, "unloading", item);
 }
 
 static void put_one_surface(json_t *out, const struct view_source *source)
 {
-    json_t *item = json_object();
+    json_t *item = view_part(out, "one_surface");
     const struct results *results = source->results;
     view_text(item, "surface", view_name(source, results->baseline));
     view_load(item, "load", source, results->baseline, results_operating_load(results, results->baseline));
@@ -126,48 +124,51 @@ static void put_one_surface(json_t *out, const struct view_source *source)
             view_number(one, "wavelength_um", kink->wavelength_m * 1e6, 2, "");
         }
     put_unloading(item, source);
-    json_object_set_new(out, "one_surface", item);
+}
+
+/** Has this model a gap that is adjusted, and so a β? */
+static bool adjusts(const struct view_source *source, size_t m)
+{
+    const struct plan *plan = source->results->plan;
+    return plan_runs_model(plan, m) && (model_rows[m]->quantities & plan->wanted & QUANTITY_BIT(QUANTITY_ADJUSTED));
 }
 
 /** Table 6.3: β of each surface, by full contact and by the multiscale model. */
 static void put_all_surfaces(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
-    json_t *item = json_object(), *heads = view_list(item, "heads"), *rows = view_list(item, "rows");
+    bool betas = false;
     for (size_t m = 0; m < model_count; m++)
-        if (plan_runs_model(results->plan, m) &&
-            (model_rows[m]->quantities & results->plan->wanted & QUANTITY_BIT(QUANTITY_ADJUSTED)))
+        betas = betas || adjusts(source, m);
+    if (results->usable_count < 2 && !betas)
+        return;
+    json_t *item = view_part(out, "all_surfaces"), *heads = view_list(item, "heads"), *rows = view_list(item, "rows");
+    for (size_t m = 0; m < model_count; m++)
+        if (adjusts(source, m))
             view_text(view_item(heads), "label", model_rows[m]->label);
-    for (size_t i = 0; i < results->surface_count && json_array_size(heads) > 0; i++) {
+    for (size_t i = 0; i < results->surface_count && betas; i++) {
         if (!results->surfaces[i].summary.usable || json_array_size(rows) >= VIEW_ROWS)
             continue;
-        json_t *row = view_item(rows);
+        json_t *row = view_item(rows), *cells = view_list(row, "cells");
         view_text(row, "surface", view_name(source, i));
-        for (size_t m = 0; m < model_count; m++) {
-            const struct curve_summary *curve = surface_model(view_summary(source, i), m);
-            if (!plan_runs_model(results->plan, m) ||
-                !(model_rows[m]->quantities & results->plan->wanted & QUANTITY_BIT(QUANTITY_ADJUSTED)))
-                continue;
-            json_t *cells = view_list(row, "cells");
-            view_number(view_item(cells), "text", curve->exists ? curve->beta : NAN, 3, "");
-            view_number(view_item(cells), "text", curve->exists ? curve->beta_multiscale : NAN, 3, "");
-        }
+        for (size_t m = 0; m < model_count; m++)
+            if (adjusts(source, m)) {
+                const struct curve_summary *curve = surface_model(view_summary(source, i), m);
+                view_number(view_item(cells), "text", curve->exists ? curve->beta : NAN, 3, "");
+                view_number(view_item(cells), "text", curve->exists ? curve->beta_multiscale : NAN, 3, "");
+            }
     }
-    view_flag(item, "has_betas", json_array_size(rows) > 0);
+    view_flag(item, "has_betas", betas);
     view_flag(item, "has_statistical", plan_uses_asperities(results->plan));
     view_count(item, "shown", results->shown_count);
     view_flag(item, "some_shown", results->shown_count < results->usable_count);
-    if (results->usable_count > 1 || json_array_size(rows) > 0)
-        json_object_set_new(out, "all_surfaces", item);
-    else
-        json_decref(item);
 }
 
 /** Does the area of the sweeps settle, and that of the surfaces? */
 static void put_convergence(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
-    json_t *item = json_object();
+    json_t *item = view_part(out, "convergence");
     bool as_expected = true, plastic = false, falls = false, told = false;
     size_t diverging = 0;
     double fall = 0;
@@ -199,7 +200,6 @@ static void put_convergence(json_t *out, const struct view_source *source)
     view_number(item, "load", results->scene->convergence.load, 3, "");
     view_flag(item, "none_diverges", diverging == 0);
     view_count(item, "diverging", diverging);
-    json_object_set_new(out, "convergence", item);
 }
 
 void view_models(json_t *out, const struct view_source *source)
@@ -272,18 +272,15 @@ void view_joint(json_t *out, const struct view_source *source)
 {
     const struct plan *plan = source->results->plan;
     const struct joint *joint = &source->results->scene->joint;
-    json_t *item = json_object();
     bool gap = plan_runs(plan, EFFECT_GAP), film = plan_runs(plan, EFFECT_FILM),
          plating = plan_runs(plan, EFFECT_PLATING), heat = plan_runs(plan, EFFECT_HEATING);
-    if (!gap && !film && !plating && !heat) {
-        json_decref(item);
-        return;
-    }
     struct range ranges[JOINT_NUMBERS];
+    if (!gap && !film && !plating && !heat)
+        return;
+    json_t *item = view_part(out, "joint");
     joint_ranges(ranges, source);
-    json_object_set_new(out, "joint", item);
     if (gap) {
-        json_t *part = json_object();
+        json_t *part = view_part(item, "gap");
         const struct range share = ranges[GAP_SHARE];
         view_flag(part, "vacuum", joint->fill == JOINT_VACUUM);
         view_flag(part, "medium", joint->fill == JOINT_MEDIUM);
@@ -294,31 +291,27 @@ void view_joint(json_t *out, const struct view_source *source)
         put_range(part, "share", &share, 2);
         view_flag(part, "finish_matters", share.least > 50);
         view_flag(part, "load_matters", share.most < 50);
-        json_object_set_new(item, "gap", part);
     }
     if (film) {
-        json_t *part = json_object();
+        json_t *part = view_part(item, "has_film");
         view_number(part, "film", joint->film_ohm_m2, 3, "");
         put_range(part, "share", &ranges[FILM_SHARE], 2);
-        json_object_set_new(item, "has_film", part);
     }
     if (plating) {
-        json_t *part = json_object();
+        json_t *part = view_part(item, "has_plating");
         const struct range factor = ranges[PLATING_FACTOR];
         view_number(part, "thickness_um", joint->plating_thickness_m * 1e6, 3, "");
         view_flag(part, "both", joint->both_plated);
         put_range(part, "factor", &factor, 3);
         view_flag(part, "helps", factor.most < 1);
         view_flag(part, "hurts", factor.least > 1 && factor.most >= factor.least);
-        json_object_set_new(item, "has_plating", part);
     }
     if (heat) {
-        json_t *part = json_object();
+        json_t *part = view_part(item, "heating");
         view_number(part, "current_A", joint->current_A, 3, "");
         put_range(part, "voltage_mV", &ranges[VOLTAGE], 2);
         put_range(part, "temperature_C", &ranges[TEMPERATURE], 3);
         put_softening(part, source);
-        json_object_set_new(item, "heating", part);
     }
 }
 
@@ -332,23 +325,21 @@ static void put_branches(json_t *out, const struct view_source *source)
     const struct surface_unloading *unloading = source->baseline->summary.unloading;
     if (!unloading || measured_compare(results->measured, results->answers, MEASURED_UNLOADING).points == 0)
         return;
-    json_t *item = json_object();
+    json_t *item = view_part(out, "branches");
     view_text(item, "label", model_rows[unloading->model]->label);
     for (size_t b = 0; b < 2; b++) {
         struct measured_distance distance = measured_compare(results->measured, results->answers, MEASURED_LOADING + b);
-        json_t *branch = json_object();
+        json_t *branch = view_part(item, names[b]);
         view_number(branch, "factor", pow(10, distance.rms_decades), 3, "");
         view_number(branch, "ratio", pow(10, distance.bias_decades), 3, "");
-        json_object_set_new(item, names[b], branch);
     }
-    json_object_set_new(out, "branches", item);
 }
 
 /** How far each model is from what was measured. */
 static void put_measured_models(json_t *out, const struct view_source *source)
 {
     const struct measured *measured = source->results->measured;
-    json_t *item = json_object(), *rows = view_list(item, "rows");
+    json_t *item = view_part(out, "measured_models"), *rows = view_list(item, "rows");
     for (size_t m = 0; m < model_count; m++) {
         struct measured_distance distance = measured_compare(measured, source->results->answers, m);
         if (!source->baseline->curves[m].exists || distance.points == 0)
@@ -366,7 +357,6 @@ static void put_measured_models(json_t *out, const struct view_source *source)
     view_count(item, "points", measured->count);
     view_text(item, "surface", view_name(source, source->results->baseline));
     view_separate(rows);
-    json_object_set_new(out, "measured_models", item);
 }
 
 static void put_distance(json_t *row, const char *name, const struct direct_study *study,
@@ -415,8 +405,7 @@ void view_direct(json_t *out, const struct view_source *source)
         put_measured_models(out, source);
     if (!plan_runs(results->plan, EFFECT_DIRECT))
         return;
-    json_t *item = json_object();
-    json_object_set_new(out, "direct", item);
+    json_t *item = view_part(out, "direct");
     view_text(item, "reason", results->plan->effects[EFFECT_DIRECT].reason);
     view_flag(item, "solved", results->direct_count > 0);
     view_flag(item, "has_ecr", wants(source, QUANTITY_ECR));

@@ -55,7 +55,7 @@ void view_surfaces(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
     const struct scene *scene = results->scene;
-    json_t *item = json_object(), *rows = view_list(item, "rows");
+    json_t *item = view_part(out, "surfaces"), *rows = view_list(item, "rows");
     size_t scans = 0, periodic = 0, windowed = 0, lawless = 0;
     bool has_heights = false;
     for (size_t i = 0; i < results->surface_count; i++) {
@@ -100,7 +100,6 @@ void view_surfaces(json_t *out, const struct view_source *source)
         view_number(item, "perfect_lay_area", baseline->perfect_lay[0], 2, "");
         view_number(item, "perfect_lay_ecr", baseline->perfect_lay[1], 2, "");
     }
-    json_object_set_new(out, "surfaces", item);
 }
 
 /* ---- Inputs ---- */
@@ -109,30 +108,26 @@ void view_surfaces(json_t *out, const struct view_source *source)
 static void put_notes(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
-    json_t *list = view_list(out, "notes"), *item;
+    json_t *list = view_list(out, "notes"), *lines = json_object();
     for (size_t i = 0; i < results->surface_count; i++)
         for (size_t n = 0; n < view_summary(source, i)->notes.count; n++) {
             struct text line = {0}, shown = {0};
-            size_t k;
             note_line(&line, &view_summary(source, i)->notes.notes[n]);
             text_add_shown(&shown, text_string(&line));
-            json_t *known = NULL;
-            json_array_foreach(list, k, item)
-            {
-                if (strcmp(json_string_value(json_object_get(item, "line")), text_string(&shown)) == 0)
-                    known = item;
-            }
-            if (known) {
-                json_int_t more = json_integer_value(json_object_get(known, "more_surfaces"));
-                json_object_set_new(known, "more_surfaces", json_integer(more + 1));
+            json_t *item = json_object_get(lines, text_string(&shown));
+            if (item) {
+                json_int_t more = json_integer_value(json_object_get(item, "more_surfaces"));
+                view_count(item, "more_surfaces", (size_t)more + 1);
             } else if (json_array_size(list) < VIEW_ROWS) {
                 item = view_item(list);
                 view_text(item, "surface", view_name(source, i));
                 view_text(item, "line", text_string(&line));
+                json_object_set(lines, text_string(&shown), item);
             }
             text_free(&line);
             text_free(&shown);
         }
+    json_decref(lines);
 }
 
 static void put_files(json_t *row, const struct surface_summary *s)
@@ -148,7 +143,7 @@ static void put_files(json_t *row, const struct surface_summary *s)
 void view_inputs(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
-    json_t *item = json_object(), *rows = view_list(item, "rows"), *refused = view_list(item, "refused");
+    json_t *item = view_part(out, "inputs"), *rows = view_list(item, "rows"), *refused = view_list(item, "refused");
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = view_summary(source, i);
         if (s->refusal && json_array_size(refused) < VIEW_ROWS) {
@@ -186,5 +181,4 @@ void view_inputs(json_t *out, const struct view_source *source)
     view_text(item, "material", results->scene->bodies.material.name);
     view_text(item, "material_source",
               results->scene->bodies.material.source ? results->scene->bodies.material.source : "");
-    json_object_set_new(out, "inputs", item);
 }
