@@ -36,7 +36,6 @@ struct made_up {
     struct benchmark benchmark;
     double *sweeps;
     struct results results;
-    struct figures figures;
     struct comparison comparison;
     json_t *view;
 };

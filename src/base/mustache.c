@@ -170,7 +170,7 @@ static void add_value(struct render *render, const json_t *value, bool raw)
         string = json_is_true(value) ? "true" : "false";
     else
         return;
-    if (raw)
+    if (raw || !render->how->escape)
         text_add_bytes(render->out, string, strlen(string));
     else
         render->how->escape(render->out, string);

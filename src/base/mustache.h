@@ -9,7 +9,7 @@
 /** How a template is filled. */
 struct mustache {
     const json_t *view;
-    /** Adds what a {{variable}} holds for the target: HTML, Markdown, gnuplot, a terminal. */
+    /** Adds what a {{variable}} holds for the target: HTML, Markdown, gnuplot; NULL: as it is. */
     void (*escape)(struct text *out, const char *string);
     /** The text of partial `name`, owned by the context; NULL: there is none, and it stands for nothing. */
     const char *(*partial)(void *context, const char *name);

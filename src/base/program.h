@@ -26,11 +26,10 @@ struct program_task {
  * asked to stop). To be ended by program_end(). */
 int program_start(pid_t *process, const struct program_task *task);
 
-enum program_state { PROGRAM_RUNS, PROGRAM_ENDED, PROGRAM_LATE, PROGRAM_STOPPED };
+enum program_state { PROGRAM_ENDED, PROGRAM_LATE, PROGRAM_STOPPED };
 
-/** Waits until it ends by itself, clock_seconds() passes `until`, or program_stop() was called. With a `descriptor`
- * (else -1) it comes back, with PROGRAM_RUNS, as soon as that can be written too. */
-enum program_state program_wait(pid_t process, double until, int descriptor);
+/** Waits until it ends by itself, clock_seconds() passes `until`, or program_stop() was called. */
+enum program_state program_wait(pid_t process, double until);
 
 /** Kills what still runs of it and of what it started, and returns how it ended, as waitpid() says. */
 int program_end(pid_t process);

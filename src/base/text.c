@@ -355,3 +355,18 @@ enum status_code text_write_file(const char *path, const char *bytes, size_t len
                            strerror(written != length ? reason : errno));
     return STATUS_OK;
 }
+
+enum status_code text_save(const struct text *text, struct status *status, const char *format, ...)
+{
+    char *path;
+    va_list args;
+    va_start(args, format);
+    int length = vasprintf(&path, format, args);
+    va_end(args);
+    if (length < 0)
+        return status_memory(status);
+    enum status_code code =
+        text->failed ? status_memory(status) : text_write_file(path, text_string(text), text->length, status);
+    free(path);
+    return code;
+}

@@ -62,5 +62,8 @@ MUST_CHECK enum status_code text_read_stream(struct text *text, FILE *file, cons
 MUST_CHECK enum status_code text_read_file(struct text *text, const char *path, struct status *status);
 /** Writes `length` bytes to a new file at `path` and checks that they arrived. Error: STATUS_IO. */
 MUST_CHECK enum status_code text_write_file(const char *path, const char *bytes, size_t length, struct status *status);
+/** Writes a text to the file whose path is given like text_add()'s. Errors: the same, STATUS_MEMORY. */
+MUST_CHECK enum status_code text_save(const struct text *text, struct status *status, const char *format, ...)
+    PRINTF_LIKE(3, 4);
 
 #endif

@@ -75,18 +75,6 @@ size_t asked_textbook(const struct results *results)
     return model_count;
 }
 
-size_t asked_beside(const struct results *results)
-{
-    size_t leading = plan_leading_model(results->plan), found = model_count;
-    for (size_t m = 0; m < model_count; m++)
-        if (m != leading && m != asked_textbook(results) && plan_runs_model(results->plan, m) &&
-            model_rows[m]->thesis_place == 0 && model_rows[m]->plastic == model_rows[leading]->plastic &&
-            strcmp(model_rows[m]->family, model_rows[leading]->family) != 0 &&
-            (found == model_count || model_rows[m]->precedence > model_rows[found]->precedence))
-            found = m;
-    return found;
-}
-
 /** Takes the prefix of a unit in which the baseline's answer is between 1 and 1000. */
 static void choose_prefix(struct asked *asked, const struct results *results, const char *unit)
 {
@@ -102,26 +90,6 @@ static void choose_prefix(struct asked *asked, const struct results *results, co
             ;
     asked->scale /= prefixes[p].factor;
     snprintf(asked->unit, sizeof asked->unit, "%s%s", prefixes[p].sign, unit);
-}
-
-static const char *words_of(enum quantity quantity, bool reciprocal)
-{
-    switch (quantity) {
-    case QUANTITY_AREA:
-        return "contact area";
-    case QUANTITY_ECR:
-    case QUANTITY_JOINT_ECR:
-        return "contact resistance";
-    case QUANTITY_TCR:
-    case QUANTITY_TCR_SCALE_DEPENDENT:
-        return reciprocal ? "contact conductance" : "thermal contact resistance";
-    case QUANTITY_JOINT:
-        return "joint conductance";
-    case QUANTITY_TEMPERATURE:
-        return "contact temperature";
-    default:
-        return quantity_rows[quantity].title;
-    }
 }
 
 static enum quantity chosen(const struct results *results, bool *reciprocal)
@@ -158,7 +126,7 @@ struct asked asked_of(const struct results *results)
     bool electrical = out.quantity == QUANTITY_ECR || out.quantity == QUANTITY_JOINT_ECR;
     bool heat = out.quantity == QUANTITY_TCR || out.quantity == QUANTITY_TCR_SCALE_DEPENDENT;
     out.more_is_better = out.quantity == QUANTITY_AREA || out.quantity == QUANTITY_JOINT || out.reciprocal;
-    snprintf(out.symbol, sizeof out.symbol, "%s", words_of(out.quantity, out.reciprocal));
+    snprintf(out.name, sizeof out.name, "asked.%s", out.reciprocal ? "conductance" : quantity_rows[out.quantity].name);
     if (out.target)
         return out;
     if (out.quantity == QUANTITY_AREA) {
@@ -207,16 +175,19 @@ void asked_interval(double out[2], const struct asked *asked, const struct resul
 
 struct asked_load asked_load_of(const struct results *results, size_t surface)
 {
-    struct results_load_axis axis = results_load_axis(results, surface);
+    const struct scene *scene = results->scene;
+    const struct scene_load *load = &scene->load;
     const struct material_pair *pair = results_pair(results, surface);
-    double area_m2 = results->scene->nominal_area_m2;
-    struct asked_load out = {"", 1};
-    if (axis.unit) {
-        out.scale = axis.scale;
-        asked_unit(out.unit, sizeof out.unit, axis.unit);
+    double area_m2 = scene->nominal_area_m2;
+    struct asked_load out = {"", 1, false};
+    if (load->unit_text[0]) {
+        out.force = load->kind == UNIT_FORCE;
+        out.scale = scene_load_divisor(scene, load->kind, pair) / load->unit.factor;
+        asked_unit(out.unit, sizeof out.unit, load->unit_text);
     } else if (!pair->unknown) {
-        out.scale = pair->effective_modulus_Pa * (isfinite(area_m2) ? area_m2 : 1e-6);
-        snprintf(out.unit, sizeof out.unit, "%s", isfinite(area_m2) ? "N" : "MPa");
+        out.force = isfinite(area_m2);
+        out.scale = pair->effective_modulus_Pa * (out.force ? area_m2 : 1e-6);
+        snprintf(out.unit, sizeof out.unit, "%s", out.force ? "N" : "MPa");
     }
     return out;
 }
@@ -225,28 +196,26 @@ struct asked_solved asked_direct(const struct results *results, enum quantity qu
 {
     struct asked_solved before = {NAN, NAN, NAN, NAN};
     const size_t leading = plan_leading_model(results->plan);
-    for (size_t k = 0; k < results->direct_count; k++) {
-        const struct direct_study *study = &results->direct[k];
-        const struct material_pair *pair = results_pair(results, study->surface);
-        enum direct_study_kind kind = direct_study_kind_of(study, leading);
-        for (size_t i = 0; study->surface == results->baseline && i < study->curves[kind].loads; i++) {
-            double error, value = direct_study_value(study, pair, kind, quantity, i, &error);
-            struct asked_solved at = {
-                study->plan.load[i], value,
-                fmax(isnan(error) ? 0 : error / value, direct_study_grid_error(study, kind, quantity, i)),
-                direct_study_ratio(study, pair, leading, quantity, i)};
-            if (!(value > 0))
-                continue;
-            if (at.load > load && before.load < load) {
-                double weight = log(load / before.load) / log(at.load / before.load);
-                at.value = before.value * pow(at.value / before.value, weight);
-                at.ratio = before.ratio * pow(at.ratio / before.ratio, weight);
-                at.load = load;
-            }
-            if (at.load >= load)
-                return at;
-            before = at;
+    const struct direct_study *study = results_direct_baseline(results);
+    const struct material_pair *pair = results_pair(results, results->baseline);
+    const enum direct_study_kind kind = study ? direct_study_kind_of(study, leading) : 0;
+    for (size_t i = 0; study && i < study->curves[kind].loads; i++) {
+        double error, value = direct_study_value(study, pair, kind, quantity, i, &error);
+        struct asked_solved at = {
+            study->plan.load[i], value,
+            fmax(isnan(error) ? 0 : error / value, direct_study_grid_error(study, kind, quantity, i)),
+            direct_study_ratio(study, pair, leading, quantity, i)};
+        if (!(value > 0))
+            continue;
+        if (at.load > load && before.load < load) {
+            double weight = log(load / before.load) / log(at.load / before.load);
+            at.value = before.value * pow(at.value / before.value, weight);
+            at.ratio = before.ratio * pow(at.ratio / before.ratio, weight);
+            at.load = load;
         }
+        if (at.load >= load)
+            return at;
+        before = at;
     }
     return before;
 }

@@ -10,9 +10,9 @@ struct asked {
     enum quantity quantity;
     bool reciprocal; /* its inverse is shown: 1/TCR is a conductance */
     bool more_is_better;
-    double scale;    /* what is shown is scale * quantity, or scale / quantity */
-    char symbol[64]; /* "contact resistance" */
-    char unit[64];   /* may come from the scene; "": a ratio */
+    double scale;  /* what is shown is scale * quantity, or scale / quantity */
+    char name[64]; /* its words' in templates/words.txt */
+    char unit[64]; /* may come from the scene; "": a ratio */
 };
 
 /** The first target's quantity; else what was measured; else the joint's conductance where gaps are filled or only heat
@@ -32,6 +32,7 @@ void asked_interval(double out[2], const struct asked *asked, const struct resul
 struct asked_load {
     char unit[64]; /* "": P/(A_n E') */
     double scale;  /* P/(A_n E') times it is the number shown */
+    bool force;    /* else a pressure */
 };
 struct asked_load asked_load_of(const struct results *results, size_t surface);
 
@@ -40,10 +41,6 @@ struct asked_load asked_load_of(const struct results *results, size_t surface);
 size_t asked_leading(const struct results *results, const struct asked *asked);
 /** The model that handbooks print: plastic, of no elastic partner and not the thesis's; model_count: none runs. */
 size_t asked_textbook(const struct results *results);
-/** The running model that stands beside the leading one, of its material law and beyond the thesis: the next in
- * precedence; model_count: none. */
-size_t asked_beside(const struct results *results);
-
 /** The direct solution of the baseline, of the leading model's material law. */
 struct asked_solved {
     double load;         /* P/(A_n E') */

@@ -82,7 +82,6 @@ struct chart_panel *chart_panel(struct chart *chart, const char *title, const ch
                                   .log_y = log_y,
                                   .x = nothing,
                                   .y = nothing,
-                                  .x_most = nothing,
                                   .y_most = nothing,
                                   .curves = json_array(),
                                   .marks = json_array(),
@@ -109,10 +108,6 @@ void chart_curve(struct chart *chart, const struct chart_curve *curve)
 {
     chart_end(chart);
     chart->curve = *curve;
-    snprintf(chart->legend_begun, sizeof chart->legend_begun, "%s", curve->legend);
-    snprintf(chart->colour_begun, sizeof chart->colour_begun, "%s", curve->colour);
-    chart->curve.legend = chart->legend_begun;
-    chart->curve.colour = chart->colour_begun;
     chart->own_x = chart->own_y = nothing;
 }
 
@@ -192,11 +187,6 @@ void chart_name_row(struct chart *chart, double y, const char *name)
     }
 }
 
-bool chart_has_data(const struct chart *chart)
-{
-    return chart->blocks > 0 || chart->rows > 0;
-}
-
 /** A tic's number: plain from 0.001 to 9999, else a power of ten; in ASCII on a terminal. */
 static json_t *tick_label(double at, bool logarithmic, bool letters)
 {
@@ -254,13 +244,9 @@ static json_t *ticks_of(const struct chart_extent *extent, bool logarithmic, boo
     return ticks;
 }
 
-/** The range an axis shows: what was drawn and a little more, cut to what it may show at most. */
-static struct chart_extent range_of(struct chart_extent data, const struct chart_extent *most, bool logarithmic)
+/** The range an axis shows: what is drawn and a little more. */
+static struct chart_extent range_of(struct chart_extent data, bool logarithmic)
 {
-    if (most->low <= most->high) {
-        data.low = fmax(data.low, most->low);
-        data.high = fmin(data.high, most->high);
-    }
     if (!(data.low <= data.high))
         data = (struct chart_extent){logarithmic ? 0.1 : 0, 1};
     if (logarithmic) {
@@ -352,8 +338,10 @@ static json_t *panel_view(const struct chart *chart, const struct layout *layout
             join(&x, &chart->panel[q].x);
             join(&y, &chart->panel[q].y);
         }
-    x = range_of(x, &panel->x_most, panel->log_x);
-    y = range_of(y, &panel->y_most, panel->log_y);
+    if (panel->y_most.low <= panel->y_most.high)
+        y = (struct chart_extent){fmax(y.low, panel->y_most.low), fmin(y.high, panel->y_most.high)};
+    x = range_of(x, panel->log_x);
+    y = range_of(y, panel->log_y);
     size_t row = p / layout->columns, column = p % layout->columns;
     bool bare = chart->shares && column > 0 && !panel->alone && !chart->panel[p - 1].alone; /* numbered before */
     double names = json_array_size(panel->names) > 0 ? 150 : 0;
@@ -389,12 +377,6 @@ static void escape_gnuplot(struct text *out, const char *string)
             text_add_bytes(out, string, 1);
 }
 
-struct mustache_folder chart_templates(struct text *path, const char *templates, struct status *status)
-{
-    text_add(path, "%s/charts", templates);
-    return (struct mustache_folder){text_string(path), ".gp", NULL, status};
-}
-
 enum status_code chart_script(struct text *out, struct chart *chart, struct mustache_folder *templates,
                               const char *terminal_size)
 {
@@ -412,22 +394,11 @@ enum status_code chart_script(struct text *out, struct chart *chart, struct must
         json_array_append_new(panels, panel_view(chart, &layout, p));
     json_object_set_new(view, "panels", panels);
     json_object_set_new(view, "size", json_string(terminal_size ? terminal_size : ""));
-    enum status_code rc = !view || chart->failed ? status_memory(templates->status)
-                                                 : mustache_file(out, templates, terminal_size ? "letters" : "panels",
-                                                                 view, escape_gnuplot);
+    enum status_code rc =
+        !view || chart->failed
+            ? status_memory(templates->status)
+            : mustache_file(out, templates, terminal_size ? "charts/letters" : "charts/panels", view, escape_gnuplot);
     json_decref(view);
-    return rc;
-}
-
-static enum status_code write_part(const struct text *content, const char *directory, const char *name,
-                                   const char *ending, struct status *status)
-{
-    struct text path = {0};
-    text_add(&path, "%s/%s%s", directory, name, ending);
-    enum status_code rc = content->failed || path.failed
-                              ? status_memory(status)
-                              : text_write_file(text_string(&path), text_string(content), content->length, status);
-    text_free(&path);
     return rc;
 }
 
@@ -436,9 +407,9 @@ enum status_code chart_write(struct chart *chart, struct mustache_folder *templa
     struct text script = {0};
     enum status_code rc = chart_script(&script, chart, templates, NULL);
     if (rc == STATUS_OK)
-        rc = write_part(&script, directory, chart->name, ".gp", templates->status);
+        rc = text_save(&script, templates->status, "%s/%s.gp", directory, chart->name);
     if (rc == STATUS_OK)
-        rc = write_part(&chart->data, directory, chart->name, ".csv", templates->status);
+        rc = text_save(&chart->data, templates->status, "%s/%s.csv", directory, chart->name);
     text_free(&script);
     return rc;
 }

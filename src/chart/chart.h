@@ -18,7 +18,7 @@ enum chart_kind {
 
 struct chart_curve {
     enum chart_kind kind;
-    const char *legend; /* "": none; may come from outside */
+    const char *legend; /* "": none; may come from outside; as long as the chart lives, as has: */
     const char *colour; /* "#rrggbb" */
     int dash;           /* gnuplot's dash type; 0: solid */
     int marker;         /* gnuplot's point type; 0: 7 */
@@ -35,10 +35,10 @@ enum { CHART_PANELS = 64, CHART_NAME = 32, CHART_TEXT = 160 };
 struct chart_panel {
     char title[CHART_TEXT], x_label[CHART_TEXT], y_label[CHART_TEXT];
     bool log_x, log_y;
-    bool alone;                         /* its axes are its own where the others share theirs */
-    struct chart_extent x, y;           /* of the data; grown by curves */
-    struct chart_extent x_most, y_most; /* what is beyond is cut off; low > high: nothing */
-    json_t *curves, *marks, *names;     /* owned */
+    bool alone;                     /* its axes are its own where the others share theirs */
+    struct chart_extent x, y;       /* of the data; grown by curves */
+    struct chart_extent y_most;     /* what is beyond is cut off; low > high: nothing */
+    json_t *curves, *marks, *names; /* owned */
 };
 
 struct chart {
@@ -46,17 +46,14 @@ struct chart {
     char numbers[64];      /* in chapter 6: "6-11 to 6-14"; "": none */
     bool shares;           /* all panels but those `alone` have one x and one y axis */
     size_t columns;        /* of panels; 0: as their number asks for */
-    bool terminal;         /* drawn by report --show */
-    bool first_page;
-    double panel_height; /* 0: as is usual */
+    double panel_height;   /* 0: as is usual */
     struct chart_panel *panel;
     size_t panels;
     json_t *legend; /* owned */
     struct text data;
-    size_t blocks, rows; /* rows: of the block begun last */
+    size_t blocks, rows; /* curves with anything to see; rows of the one begun last */
     struct chart_curve curve;
-    char legend_begun[256], colour_begun[8]; /* of that curve */
-    struct chart_extent own_x, own_y;        /* of the curve begun last */
+    struct chart_extent own_x, own_y; /* of the curve begun last */
     bool failed;
 };
 
@@ -77,16 +74,10 @@ void chart_end(struct chart *chart);
 void chart_mark(struct chart *chart, bool vertical, double at, const char *name);
 /** A name on the y axis of the panel begun last, in place of numbers. */
 void chart_name_row(struct chart *chart, double y, const char *name);
-/** Is there anything to see? */
-bool chart_has_data(const struct chart *chart);
-
-/** Adds the script that draws the chart: templates/charts/panels.gp, or with `terminal_size`, "columns,rows",
- * letters.gp. Errors: of templates, STATUS_MEMORY. */
+/** Adds the script that draws the chart, of the folder of templates, for files *.gp: charts/panels.gp, or with
+ * `terminal_size`, "columns,rows", letters.gp. Errors: of templates, STATUS_MEMORY. */
 MUST_CHECK enum status_code chart_script(struct text *out, struct chart *chart, struct mustache_folder *templates,
                                          const char *terminal_size);
 /** Writes NAME.csv and NAME.gp into `directory`. Errors: the same, STATUS_IO. */
 MUST_CHECK enum status_code chart_write(struct chart *chart, struct mustache_folder *templates, const char *directory);
-/** The scripts' folder below the templates'. `path` is where its name goes. */
-struct mustache_folder chart_templates(struct text *path, const char *templates, struct status *status);
-
 #endif

@@ -2,9 +2,10 @@
 #include "chart/figures.h"
 
 #include "analysis/direct_study.h"
-#include "base/clock.h"
-#include "chart/gnuplot.h"
+#include "chart/asked.h"
+#include "chart/chart.h"
 #include "joint/heating.h"
+#include "results/comparison.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -16,7 +17,7 @@ static const char *const surface_colours[] = {"#1257d0", "#cc5500", "#1fb380", "
                                               "#ee9400", "#4fa6f0", "#85858f", "#734ca4"};
 static const char *const sweep_colours[] = {"#431575", "#2b338f", "#025185", "#04657a", "#017775",
                                             "#058a64", "#4f9737", "#939803", "#c79608"};
-static const char ink[] = "#222222", quiet[] = "#8a8a8a";
+static const char ink[] = "#222222", quiet[] = "#8a8a8a", direct_colour[] = "#c2185b";
 enum {
     COLOURS = sizeof surface_colours / sizeof *surface_colours,
     DASH_OUTSIDE = 2,
@@ -32,12 +33,14 @@ static const double lowest_separation = -0.5;
 /** What the figures are made from. */
 struct source {
     const struct results *results;
-    const struct comparison *comparison;
     const struct surface_record *baseline;
     size_t leading;
+    struct asked asked;
+    double hottest_C; /* charts of a temperature end there: the metal melts */
+    struct words *words;
 };
 
-const char *figures_surface_colour(size_t k)
+static const char *surface_colour(size_t k)
 {
     return surface_colours[k % COLOURS];
 }
@@ -52,6 +55,8 @@ struct axis {
 static double on_axis(const struct contact_point *point, const struct axis *axis, double sigma_m)
 {
     double value = quantity_shown(point, axis->quantity, sigma_m);
+    if (axis->quantity == QUANTITY_TEMPERATURE)
+        value -= 273.15;
     return axis->reciprocal ? axis->scale / value : axis->scale * value;
 }
 
@@ -62,57 +67,51 @@ static bool is_resistance(enum quantity quantity)
 }
 
 /** Points of a curve as one line. */
-static void put_part(struct chart *chart, const struct model_curve *curve, size_t from, size_t to, const struct axis *x,
-                     const struct axis *y, double sigma_m)
+static void put_part(struct chart *chart, const struct source *source, const struct contact_point *points, size_t count,
+                     const struct axis *x, const struct axis *y, double sigma_m)
 {
-    for (size_t i = from; i < to; i++) {
-        const struct contact_point *point = &curve->points[i];
-        double value = on_axis(point, y, sigma_m);
-        if (is_resistance(y->quantity) && point->value[QUANTITY_AREA] > nearly_full_area)
+    for (size_t i = 0; i < count; i++) {
+        double value = on_axis(&points[i], y, sigma_m);
+        if ((is_resistance(y->quantity) && points[i].value[QUANTITY_AREA] > nearly_full_area) ||
+            (quantity_rows[y->quantity].over_sigma && value < lowest_separation) ||
+            (y->quantity == QUANTITY_TEMPERATURE && value > source->hottest_C))
             continue;
-        if (quantity_rows[y->quantity].over_sigma && value < lowest_separation)
-            continue;
-        chart_row(chart, on_axis(point, x, sigma_m), value, 0, 0);
+        chart_row(chart, on_axis(&points[i], x, sigma_m), value, 0, 0);
     }
 }
 
-/** A curve, dashed outside its model's range of validity. */
-static void put_curve(struct chart *chart, const struct model_curve *curve, size_t m, const struct axis *x,
-                      const struct axis *y, double sigma_m, const struct chart_curve *look)
+/** A model's curve of a surface, dashed outside its range of validity, and that of falling load, named once. */
+static void put_curve(struct chart *chart, const struct source *source, const struct surface_record *record, size_t m,
+                      const struct axis *x, const struct axis *y, const struct chart_curve *look)
 {
+    const struct model_curve *curve = &record->curves[m];
+    const struct surface_unloading *unloading = record->summary.unloading;
+    const double sigma_m = record->summary.asperities.sigma_m;
     if (!curve->exists)
         return;
     struct curve_validity valid = curve_summary_validity(curve, model_rows[m]);
-    struct chart_curve outside = *look;
+    struct chart_curve outside = *look, falling = *look;
     outside.dash = DASH_OUTSIDE;
     outside.width = 1.2;
     outside.legend = valid.end > valid.first ? "" : look->legend;
     chart_curve(chart, look);
-    put_part(chart, curve, valid.first, valid.end, x, y, sigma_m);
+    put_part(chart, source, curve->points + valid.first, valid.end - valid.first, x, y, sigma_m);
     if (valid.first > 0) {
         chart_curve(chart, &outside);
-        put_part(chart, curve, 0, valid.first + 1, x, y, sigma_m);
+        put_part(chart, source, curve->points, valid.first + 1, x, y, sigma_m);
     }
     if (valid.end < curve->count) {
+        size_t from = valid.end > 0 ? valid.end - 1 : 0;
         chart_curve(chart, &outside);
-        put_part(chart, curve, valid.end > 0 ? valid.end - 1 : 0, curve->count, x, y, sigma_m);
+        put_part(chart, source, curve->points + from, curve->count - from, x, y, sigma_m);
     }
-}
-
-/** The curve of falling load, if that is model m's; named once. */
-static void put_unloading(struct chart *chart, const struct source *source, const struct surface_record *record,
-                          size_t m, const struct axis *x, const struct axis *y, const struct chart_curve *look)
-{
-    struct surface_unloading *unloading = record->summary.unloading;
-    struct chart_curve falling = *look;
     if (!unloading || unloading->model != m)
         return;
-    struct model_curve curve = {.points = unloading->points};
-    falling.legend = record == source->baseline ? "unloading" : "";
+    falling.legend = record == source->baseline ? words_say(source->words, "unloading", NULL) : "";
     falling.dash = DASH_UNLOADING;
     falling.width = 1.6;
     chart_curve(chart, &falling);
-    put_part(chart, &curve, 0, unloading->ratio.count, x, y, record->summary.asperities.sigma_m);
+    put_part(chart, source, unloading->points, unloading->ratio.count, x, y, sigma_m);
 }
 
 static struct chart_curve model_look(size_t m)
@@ -120,72 +119,65 @@ static struct chart_curve model_look(size_t m)
     return (struct chart_curve){.legend = model_rows[m]->label, .colour = model_rows[m]->colour};
 }
 
-/** A name as it stands, in at most `most` characters: its middle is cut, as names often differ at their end. */
-static void short_name(char *out, size_t size, const char *name, size_t most)
+/** A name, shortened for a legend or a title. */
+static const char *short_name(const struct source *source, const char *name)
 {
-    size_t count = 0, at = 0, used = 0, bytes;
-    for (const char *c = name; *c; c += bytes, count++)
-        bytes = text_character(c) ? text_character(c) : 1;
-    for (const char *c = name; *c && used + 8 < size; c += bytes, at++) {
-        bytes = text_character(c) ? text_character(c) : 1;
-        if (count > most && at == most / 2)
-            used += (size_t)snprintf(out + used, size - used, "…");
-        if (count <= most || at < most / 2 || at > count - most / 2) {
-            memcpy(out + used, c, bytes);
-            used += bytes;
-        }
-    }
-    out[used] = '\0';
+    struct text cut = {0};
+    words_cut(&cut, name, strlen(name), 28);
+    const char *said = words_say(source->words, "name", "surface", text_string(&cut), NULL);
+    text_free(&cut);
+    return said;
 }
 
 /** Of more than eight surfaces the best, the worst and the baseline stand out. */
-static struct chart_curve surface_look(const struct source *source, size_t k, char *legend, size_t size)
+static struct chart_curve surface_look(const struct source *source, size_t k)
 {
     const struct results *results = source->results;
     bool many = results->usable_count > results->shown_count;
     bool baseline = results->shown[k] == results->baseline, last = k + 1 == results->shown_count;
-    bool plain = many && k > 0 && !last && !baseline;
-    char name[100];
-    short_name(name, sizeof name, results->surfaces[results->shown[k]].summary.scene->name, 28);
-    snprintf(legend, size, "%s%s%s", name,
-             many && k == 0 ? ", best"
-             : many && last ? ", worst"
-                            : "",
-             many && baseline ? ", baseline" : "");
-    return (struct chart_curve){.legend = plain ? "others" : legend,
-                                .colour = plain ? "#b4b4bc" : figures_surface_colour(k),
-                                .width = plain ? 1.2 : 2};
+    if (many && k > 0 && !last && !baseline)
+        return (struct chart_curve){
+            .legend = words_say(source->words, "others", NULL), .colour = "#b4b4bc", .width = 1.2};
+    const char *name = short_name(source, results->surfaces[results->shown[k]].summary.scene->name);
+    return (struct chart_curve){
+        .legend = words_say(source->words, "surface", "surface", name, "best", many && k == 0 ? "1" : "", "worst",
+                            many && k > 0 && last ? "1" : "", "baseline", many && baseline ? "1" : "", NULL),
+        .colour = surface_colour(k),
+        .width = 2};
 }
 
-static struct axis load_axis(const struct source *source, size_t surface)
+/** Loads as the user has them, or, behind the first page where the scene gives them no unit, as the thesis has them. */
+static struct asked_load load_of(const struct source *source, size_t surface, bool asked)
 {
-    return (struct axis){QUANTITY_LOAD, false, results_load_axis(source->results, surface).scale};
+    const struct results *results = source->results;
+    if (asked || results->scene->load.unit_text[0] || results->loads_apart)
+        return asked_load_of(results, surface);
+    return (struct asked_load){"", 1, false};
 }
 
-/** "load (N)", "pressure (bar)", "load P/(Aₙ E′)" of the charts after the first page. */
-static const char *load_label(const struct source *source, char *out, size_t size)
+static const char *load_label(const struct source *source, bool asked)
 {
-    const struct results_load_axis axis = results_load_axis(source->results, source->results->baseline);
-    char unit[64];
-    asked_unit(unit, sizeof unit, axis.unit ? axis.unit : "");
-    snprintf(out, size, axis.unit ? "%s (%s)" : "%s%s",
-             !axis.unit                                        ? quantity_rows[QUANTITY_LOAD].label
-             : source->results->scene->load.kind == UNIT_FORCE ? "load"
-                                                               : "pressure",
-             unit);
-    return out;
+    const struct asked_load load = load_of(source, source->results->baseline, asked);
+    return words_say(source->words,
+                     !load.unit[0] ? "axis.load_over_AnEp"
+                     : load.force  ? "axis.force"
+                                   : "axis.pressure",
+                     "unit", load.unit, NULL);
 }
 
-/** The same of the unit that the user has loads in. */
-static void asked_load_label(char *out, size_t size, const struct results *results, const struct asked_load *load)
+/** The asked quantity and its unit, in the words of `name`. */
+static const char *asked_label(const struct source *source, const char *name)
 {
-    bool force = results->scene->load.unit_text[0] ? results->scene->load.kind == UNIT_FORCE
-                                                   : isfinite(results->scene->nominal_area_m2);
-    snprintf(out, size,
-             !load->unit[0] ? "%s"
-             : force        ? "load (%s)"
-                            : "pressure (%s)",
-             load->unit[0] ? load->unit : quantity_rows[QUANTITY_LOAD].label);
+    return words_say(source->words, name, "asked", words_say(source->words, source->asked.name, NULL), "unit",
+                     source->asked.unit, NULL);
+}
+
+/** The words of `kind` and a quantity's name. */
+static const char *quantity_words(const struct source *source, const char *kind, enum quantity quantity)
+{
+    char name[80];
+    snprintf(name, sizeof name, "%s.%s", kind, quantity_rows[quantity].name);
+    return words_say(source->words, name, NULL);
 }
 
 /* ---- The first page ---- */
@@ -208,86 +200,81 @@ static void put_band(struct chart *chart, const struct surface_record *record, s
     }
 }
 
-/** What was measured, loading filled, unloading open: from the largest load on. */
-static void put_measured(struct chart *chart, const struct measured *measured, const struct asked *asked, double scale)
+/** A value with its error as the asked quantity shows them. */
+static void put_bar(struct chart *chart, const struct asked *asked, double load, double value, double error)
 {
+    error = isnan(error) ? 0 : error;
+    double a = asked_shown(asked, fmax(value - error, value * 1e-3)), b = asked_shown(asked, value + error);
+    chart_row(chart, load, asked_shown(asked, value), fmin(a, b), fmax(a, b));
+}
+
+/** What was measured, loading filled, unloading open: from the largest load on. */
+static void put_measured(struct chart *chart, const struct source *source, const struct asked *asked, double scale)
+{
+    const struct measured *measured = source->results->measured;
     size_t turn = measured_turn(measured);
+    bool both = turn + 1 < measured->count && turn > 0;
     for (int branch = 0; branch < 2; branch++) {
-        bool both = turn + 1 < measured->count && turn > 0;
+        const char *name = !both ? "measured" : branch ? "measured.unloading" : "measured.loading";
         chart_curve(chart, &(struct chart_curve){.kind = CHART_BARS,
-                                                 .legend = !both    ? "measured"
-                                                           : branch ? "measured, unloading"
-                                                                    : "measured, loading",
+                                                 .legend = words_say(source->words, name, NULL),
                                                  .colour = ink,
                                                  .marker = both && branch ? 6 : 7});
-        for (size_t i = branch ? turn + 1 : 0; i < (branch ? measured->count : turn + 1); i++) {
-            double error = isnan(measured->error[i]) ? 0 : measured->error[i], value = measured->resistance[i];
-            double ends[2] = {asked_shown(asked, fmax(value - error, value * 1e-3)), asked_shown(asked, value + error)};
-            chart_row(chart, scale * measured->load[i], asked_shown(asked, value), fmin(ends[0], ends[1]),
-                      fmax(ends[0], ends[1]));
-        }
+        for (size_t i = branch ? turn + 1 : 0; i < (branch ? measured->count : turn + 1); i++)
+            put_bar(chart, asked, scale * measured->load[i], measured->resistance[i], measured->error[i]);
     }
 }
 
 /** The direct solutions in the asked quantity: with what lies in the joint where it is made of that. */
-static void put_direct(struct chart *chart, const struct source *source, const struct asked *asked, double scale)
+static void put_direct(struct chart *chart, const struct source *source, double scale)
 {
-    const struct results *results = source->results;
-    for (size_t k = 0; k < results->direct_count; k++) {
-        const struct direct_study *study = &results->direct[k];
-        enum direct_study_kind kind = direct_study_kind_of(study, source->leading);
-        if (study->surface != results->baseline || quantity_rows[asked->quantity].from)
-            continue;
-        chart_curve(chart, &(struct chart_curve){
-                               .kind = CHART_BARS, .legend = "direct solution", .colour = "#c2185b", .marker = 5});
-        for (size_t i = 0; i < study->curves[kind].loads; i++) {
-            double error, value = direct_study_value(study, results_pair(results, study->surface), kind,
-                                                     asked->quantity, i, &error);
-            error = isnan(error) ? 0 : error;
-            double a = asked_shown(asked, fmax(value - error, value * 1e-3)), b = asked_shown(asked, value + error);
-            if (value > 0)
-                chart_row(chart, scale * study->plan.load[i], asked_shown(asked, value), fmin(a, b), fmax(a, b));
-        }
+    const struct direct_study *study = results_direct_baseline(source->results);
+    if (!study || quantity_rows[source->asked.quantity].from)
+        return;
+    const struct material_pair *pair = results_pair(source->results, study->surface);
+    enum direct_study_kind kind = direct_study_kind_of(study, source->leading);
+    chart_curve(chart, &(struct chart_curve){.kind = CHART_BARS,
+                                             .legend = words_say(source->words, "direct", NULL),
+                                             .colour = direct_colour,
+                                             .marker = 5});
+    for (size_t i = 0; i < study->curves[kind].loads; i++) {
+        double error, value = direct_study_value(study, pair, kind, source->asked.quantity, i, &error);
+        if (value > 0)
+            put_bar(chart, &source->asked, scale * study->plan.load[i], value, error);
     }
 }
 
 static void make_answer(struct chart *chart, const struct source *source)
 {
     const struct results *results = source->results;
-    const struct asked asked = asked_of(results);
-    const struct asked_load load = asked_load_of(results, results->baseline);
-    const struct axis y = {asked.quantity, asked.reciprocal, asked.scale};
+    const struct asked *asked = &source->asked;
+    const struct axis y = {asked->quantity, asked->reciprocal, asked->scale};
+    const struct axis x = {QUANTITY_LOAD, false, asked_load_of(results, results->baseline).scale};
     size_t textbook = asked_textbook(results);
-    char x_label[CHART_TEXT], y_label[CHART_TEXT], legend[120];
-    asked_load_label(x_label, sizeof x_label, results, &load);
-    snprintf(y_label, sizeof y_label, asked.unit[0] ? "%s (%s)" : "%s", asked.symbol, asked.unit);
-    if (!chart_panel(chart, "", x_label, y_label, true, true))
+    if (!chart_panel(chart, "", load_label(source, true), asked_label(source, "axis.asked"), true, true))
         return;
     for (size_t k = 0; k < results->shown_count && results->shown_count <= 4; k++)
-        put_band(chart, &results->surfaces[results->shown[k]], source->leading, &asked,
-                 asked_load_of(results, results->shown[k]).scale, figures_surface_colour(k));
-    if (textbook < model_count && textbook != source->leading) {
-        const struct axis x = {QUANTITY_LOAD, false, load.scale};
-        snprintf(legend, sizeof legend, "textbook (%s)", model_rows[textbook]->label);
-        put_curve(chart, &source->baseline->curves[textbook], textbook, &x, &y,
-                  source->baseline->summary.asperities.sigma_m,
-                  &(struct chart_curve){.legend = legend, .colour = quiet, .dash = DASH_OTHER});
-    }
+        put_band(chart, &results->surfaces[results->shown[k]], source->leading, asked,
+                 asked_load_of(results, results->shown[k]).scale, surface_colour(k));
+    if (textbook < model_count && textbook != source->leading)
+        put_curve(chart, source, source->baseline, textbook, &x, &y,
+                  &(struct chart_curve){
+                      .legend = words_say(source->words, "textbook", "model", model_rows[textbook]->label, NULL),
+                      .colour = quiet,
+                      .dash = DASH_OTHER});
     for (size_t k = 0; k < results->shown_count; k++) {
-        const struct surface_record *record = &results->surfaces[results->shown[k]];
-        const struct axis x = {QUANTITY_LOAD, false, asked_load_of(results, results->shown[k]).scale};
-        struct chart_curve look = surface_look(source, k, legend, sizeof legend);
+        const struct axis own = {QUANTITY_LOAD, false, asked_load_of(results, results->shown[k]).scale};
+        struct chart_curve look = surface_look(source, k);
         look.width = look.width < 2 ? look.width : 2.6;
-        put_curve(chart, &record->curves[source->leading], source->leading, &x, &y, record->summary.asperities.sigma_m,
-                  &look);
-        put_unloading(chart, source, record, source->leading, &x, &y, &look);
+        put_curve(chart, source, &results->surfaces[results->shown[k]], source->leading, &own, &y, &look);
     }
-    put_direct(chart, source, &asked, load.scale);
-    if (results->measured && asked.quantity == measured_quantity(results->measured, results->plan->running))
-        put_measured(chart, results->measured, &asked, load.scale);
-    if (asked.target)
-        chart_mark(chart, false, asked_shown(&asked, asked.target->value), "target");
-    chart_mark(chart, true, load.scale * results_operating_load(results, results->baseline), "operating load");
+    put_direct(chart, source, x.scale);
+    if (results->measured && asked->quantity == measured_quantity(results->measured, results->plan->running))
+        put_measured(chart, source, asked, x.scale);
+    if (asked->target)
+        chart_mark(chart, false, asked_shown(asked, asked->target->value), words_say(source->words, "target", NULL));
+    chart_mark(chart, true, x.scale * results_operating_load(results, results->baseline),
+               words_say(source->words, "operating_load", NULL));
 }
 
 /** A model at the operating load on the baseline. */
@@ -307,39 +294,37 @@ static int nearer(const void *a, const void *b)
 static void make_models(struct chart *chart, const struct source *source)
 {
     const struct results *results = source->results;
-    const struct asked asked = asked_of(results);
+    const struct asked *asked = &source->asked;
     struct row *rows = calloc(model_count + 1, sizeof *rows);
     size_t count = 0;
-    char x_label[CHART_TEXT];
     double load = results_operating_load(results, results->baseline);
-    const struct asked_solved solved = asked_direct(results, asked.quantity, load);
-    bool known = solved.load == load && !quantity_rows[asked.quantity].from;
-    double direct = known ? asked_shown(&asked, solved.value) : NAN, error = solved.error;
-    double truth =
-        known
-            ? direct
-            : asked_shown(&asked, comparison_middle(results, source->leading, results->baseline).value[asked.quantity]);
-    snprintf(x_label, sizeof x_label, asked.unit[0] ? "%s at the operating load (%s)" : "%s at the operating load",
-             asked.symbol, asked.unit);
-    if (!rows || !chart_panel(chart, "", x_label, "", true, false)) {
+    const struct asked_solved solved = asked_direct(results, asked->quantity, load);
+    bool known = solved.load == load && !quantity_rows[asked->quantity].from;
+    double direct = known ? asked_shown(asked, solved.value) : NAN, error = solved.error;
+    double leading =
+        asked_shown(asked, comparison_middle(results, source->leading, results->baseline).value[asked->quantity]);
+    if (!rows || !chart_panel(chart, "", asked_label(source, "axis.asked_operating"), "", true, false)) {
         free(rows);
         chart->failed = true;
         return;
     }
     if (known)
-        rows[count++] =
-            (struct row){direct, {direct / (1 + error), direct * (1 + error)}, "direct solution", "#c2185b", -1};
+        rows[count++] = (struct row){direct,
+                                     {direct / (1 + error), direct * (1 + error)},
+                                     words_say(source->words, "direct", NULL),
+                                     direct_colour,
+                                     -1};
     for (size_t m = 0; m < model_count; m++) {
         const struct contact_point at = comparison_middle(results, m, results->baseline);
-        struct row row = {asked_shown(&asked, at.value[asked.quantity]),
+        struct row row = {asked_shown(asked, at.value[asked->quantity]),
                           {NAN, NAN},
                           model_rows[m]->label,
                           model_rows[m]->colour,
                           NAN};
         if (!plan_runs_model(results->plan, m) || !(row.value > 0) || !isfinite(row.value))
             continue;
-        asked_interval(row.ends, &asked, results, m, results->baseline);
-        row.distance = m == source->leading && !known ? -1 : fabs(log(row.value / truth));
+        asked_interval(row.ends, asked, results, m, results->baseline);
+        row.distance = m == source->leading && !known ? -1 : fabs(log(row.value / (known ? direct : leading)));
         rows[count++] = row;
     }
     qsort(rows, count, sizeof *rows, nearer);
@@ -351,8 +336,8 @@ static void make_models(struct chart *chart, const struct source *source)
         chart_row(chart, rows[r].value, y, ends ? rows[r].ends[0] : rows[r].value,
                   ends ? rows[r].ends[1] : rows[r].value);
     }
-    if (asked.target)
-        chart_mark(chart, true, asked_shown(&asked, asked.target->value), "target");
+    if (asked->target)
+        chart_mark(chart, true, asked_shown(asked, asked->target->value), words_say(source->words, "target", NULL));
     chart->panel_height = 40 + 24 * (double)count;
     free(rows);
 }
@@ -372,12 +357,14 @@ static void put_bins(struct chart *chart, const struct power_law_band *band, boo
     }
 }
 
-static void put_profile(struct chart *chart, const struct surface_record *record, const char *name, const char *colour)
+static void put_profile(struct chart *chart, const struct source *source, const struct surface_record *record,
+                        const char *name, const char *colour)
 {
-    char title[CHART_TEXT], cut[120];
-    short_name(cut, sizeof cut, name, 28);
-    snprintf(title, sizeof title, "%s, Rq %.3g µm", cut, record->summary.roughness.rq_m * 1e6);
-    struct chart_panel *panel = chart_panel(chart, title, "position (mm)", "height (µm)", false, false);
+    char rq[40];
+    snprintf(rq, sizeof rq, "%.3g", record->summary.roughness.rq_m * 1e6);
+    struct chart_panel *panel = chart_panel(
+        chart, words_say(source->words, "panel.profile", "surface", short_name(source, name), "rq", rq, NULL),
+        words_say(source->words, "axis.position", NULL), words_say(source->words, "axis.height", NULL), false, false);
     if (!panel)
         return;
     panel->alone = true;
@@ -386,15 +373,21 @@ static void put_profile(struct chart *chart, const struct surface_record *record
         chart_row(chart, record->preview_x_m[i] * 1e3, record->preview_z_m[i] * 1e6, 0, 0);
 }
 
-static void put_spectrum(struct chart *chart, const struct surface_record *record, const char *colour)
+static void put_spectrum(struct chart *chart, const struct source *source, const struct surface_record *record,
+                         const char *colour)
 {
     enum { MOST = 300 };
     const struct power_law *law = &record->summary.power_law;
     size_t index[MOST], count = results_sweep_scales(index, MOST, record->spectrum.count);
-    char title[CHART_TEXT];
-    snprintf(title, sizeof title, isfinite(law->gamma) ? "γ %.2f ± %.2f" : "no power law", law->gamma,
-             law->gamma_error);
-    if (!chart_panel(chart, title, "wavelength (µm)", "amplitude (µm)", true, true))
+    char gamma[40], error[40];
+    snprintf(gamma, sizeof gamma, "%.2f", law->gamma);
+    snprintf(error, sizeof error, "%.2f", law->gamma_error);
+    if (!chart_panel(chart,
+                     isfinite(law->gamma)
+                         ? words_say(source->words, "panel.spectrum", "gamma", gamma, "error", error, NULL)
+                         : words_say(source->words, "panel.no_law", NULL),
+                     words_say(source->words, "axis.wavelength", NULL),
+                     words_say(source->words, "axis.amplitude", NULL), true, true))
         return;
     chart_curve(chart, &(struct chart_curve){.legend = "", .width = 0.8, .colour = colour});
     for (size_t i = 0; i < count; i++)
@@ -420,11 +413,11 @@ static void make_surfaces(struct chart *chart, const struct source *source)
     chart->panel_height = 76;
     for (size_t k = 0; k < results->shown_count; k++) {
         const struct surface_record *record = &results->surfaces[results->shown[k]];
-        put_profile(chart, record, record->summary.scene->name, figures_surface_colour(k));
-        put_spectrum(chart, record, figures_surface_colour(k));
+        put_profile(chart, source, record, record->summary.scene->name, surface_colour(k));
+        put_spectrum(chart, source, record, surface_colour(k));
     }
     if (results->counterface)
-        put_profile(chart, results->counterface, "counterface", quiet);
+        put_profile(chart, source, results->counterface, words_say(source->words, "panel.counterface", NULL), quiet);
 }
 
 /* ---- Chapter 6 ---- */
@@ -434,26 +427,32 @@ static void make_convergence(struct chart *chart, const struct source *source)
     enum { MOST = 120 };
     const struct results *results = source->results;
     const struct scene_convergence *study = &results->scene->convergence;
-    static const char *const parameter[] = {[CONVERGENCE_ALPHA] = "α", [CONVERGENCE_GAMMA] = "γ"};
+    static const char *const parameter[][2] = {
+        [CONVERGENCE_ALPHA] = {"alpha", "panel.alpha"}, [CONVERGENCE_GAMMA] = {"gamma", "panel.gamma"}};
     size_t index[MOST], count = results_sweep_scales(index, MOST, study->scales);
-    int number = 1;
+    int place = 1;
     chart->shares = true;
     chart->panel_height = 80;
-    for (int s = 0; s < CONVERGENCE_SWEEP_COUNT; s++)
+    for (int s = 0; s < CONVERGENCE_SWEEP_COUNT && results->convergence; s++)
         for (size_t m = 0; m < model_count; m++) {
             const struct convergence_sweep_row *sweep = &convergence_sweeps[s];
-            char title[CHART_TEXT], legend[40];
+            char number[20], value[40];
             if (!plan_runs_model(results->plan, m) || !model_rows[m]->stacks_scales)
                 continue;
-            snprintf(title, sizeof title, "6-%02d  %s varied, %s", number++, parameter[s], model_rows[m]->label);
-            if (!chart_panel(chart, title, "shortest wavelength included (m)", "area ratio A/Aₙ", true, true))
+            snprintf(number, sizeof number, "6-%02d", place++);
+            if (!chart_panel(
+                    chart,
+                    words_say(source->words, parameter[s][1], "number", number, "model", model_rows[m]->label, NULL),
+                    words_say(source->words, "axis.shortest_wavelength", NULL),
+                    words_say(source->words, "axis.area_ratio", NULL), true, true))
                 return;
             for (size_t v = 0; v < sweep->count; v++) {
                 const double *area = results_sweep(results, (enum convergence_sweep)s, m, v);
-                snprintf(legend, sizeof legend, "%s = %g", parameter[s], sweep->values[v]);
-                chart_curve(chart, &(struct chart_curve){.legend = legend,
-                                                         .dash = s == CONVERGENCE_GAMMA ? 4 : 1,
-                                                         .colour = sweep_colours[8 * v / (sweep->count - 1)]});
+                snprintf(value, sizeof value, "%g", sweep->values[v]);
+                chart_curve(chart, &(struct chart_curve){
+                                       .legend = words_say(source->words, parameter[s][0], "value", value, NULL),
+                                       .dash = s == CONVERGENCE_GAMMA ? 4 : 1,
+                                       .colour = sweep_colours[8 * v / (sweep->count - 1)]});
                 for (size_t k = 0; k < count; k++)
                     chart_row(chart, study->scan_length_m / (double)(index[k] + 1), area[index[k]], 0, 0);
             }
@@ -467,203 +466,153 @@ static bool computes(const struct source *source, size_t m, enum quantity quanti
            (quantity_with_made(model_rows[m]->quantities) & source->results->plan->wanted & QUANTITY_BIT(quantity));
 }
 
-/* The charts of one surface, and of all. */
-static const struct quantity_figure {
-    int number, first; /* of the one surface's panel, and of the four of all surfaces, in chapter 6 */
-    const char *name;  /* of the latter's file */
-    enum quantity x, y, also;
-} quantity_figures[] = {
-    {5, 11, "area", QUANTITY_LOAD, QUANTITY_AREA, QUANTITY_LOAD},
-    {7, 15, "separation-load", QUANTITY_LOAD, QUANTITY_SEPARATION, QUANTITY_ADJUSTED},
-    {6, 19, "separation-area", QUANTITY_AREA, QUANTITY_SEPARATION, QUANTITY_ADJUSTED},
-    {8, 23, "ecr", QUANTITY_LOAD, QUANTITY_ECR, QUANTITY_LOAD},
-    {9, 27, "tcr", QUANTITY_LOAD, QUANTITY_TCR, QUANTITY_TCR_SCALE_DEPENDENT},
+/** A panel of one quantity against another. */
+struct quantity_panel {
+    enum quantity x, y;
+    int number;       /* of the baseline's panel in chapter 6; 0: it is of the joint, and not there */
+    int first;        /* of the four of all surfaces */
+    const char *file; /* of those */
 };
-enum { QUANTITY_FIGURES = sizeof quantity_figures / sizeof *quantity_figures };
+static const struct quantity_panel quantity_panels[] = {
+    {QUANTITY_LOAD, QUANTITY_AREA, 5, 11, "area"},
+    {QUANTITY_LOAD, QUANTITY_SEPARATION, 7, 15, "separation-load"},
+    {QUANTITY_AREA, QUANTITY_SEPARATION, 6, 19, "separation-area"},
+    {QUANTITY_LOAD, QUANTITY_ECR, 8, 23, "ecr"},
+    {QUANTITY_LOAD, QUANTITY_TCR, 9, 27, "tcr"},
+    {.x = QUANTITY_LOAD, .y = QUANTITY_JOINT},
+    {.x = QUANTITY_LOAD, .y = QUANTITY_GAP},
+    {.x = QUANTITY_LOAD, .y = QUANTITY_JOINT_ECR},
+    {.x = QUANTITY_LOAD, .y = QUANTITY_TEMPERATURE},
+};
+enum { QUANTITY_PANELS = sizeof quantity_panels / sizeof *quantity_panels, QUANTITY_FIGURES = 5 };
 
-static struct axis axis_of(const struct source *source, enum quantity quantity, size_t surface)
+static bool begin_panel(struct chart *chart, const struct source *source, const struct quantity_panel *panel,
+                        const char *title)
 {
-    return quantity == QUANTITY_LOAD ? load_axis(source, surface) : (struct axis){quantity, false, 1};
+    return chart_panel(chart, title,
+                       panel->x == QUANTITY_LOAD ? load_label(source, false) : quantity_words(source, "axis", panel->x),
+                       quantity_words(source, "axis", panel->y), quantity_rows[panel->x].logarithmic,
+                       quantity_rows[panel->y].logarithmic && panel->y != QUANTITY_TEMPERATURE);
 }
 
-static const char *label_of(const struct source *source, enum quantity quantity, char *out, size_t size)
+/** A model's curve of a surface in such a panel: a statistical separation adjusted, a scale-dependent TCR dotted. */
+static void put_quantity(struct chart *chart, const struct source *source, const struct quantity_panel *panel,
+                         size_t surface, size_t m, struct chart_curve look)
 {
-    return quantity == QUANTITY_LOAD ? load_label(source, out, size) : quantity_rows[quantity].label;
+    const struct surface_record *record = &source->results->surfaces[surface];
+    const struct axis x = {panel->x, false, panel->x == QUANTITY_LOAD ? load_of(source, surface, false).scale : 1};
+    const struct axis y = {model_shown(model_rows[m], panel->y), false, 1};
+    if (!computes(source, m, panel->y))
+        return;
+    put_curve(chart, source, record, m, &x, &y, &look);
+    look.dash = 3;
+    look.width = 1.4;
+    look.legend = "";
+    if (panel->y == QUANTITY_TCR && computes(source, m, QUANTITY_TCR_SCALE_DEPENDENT))
+        put_curve(chart, source, record, m, &x, &(struct axis){QUANTITY_TCR_SCALE_DEPENDENT, false, 1}, &look);
 }
 
-/** The baseline in every model; statistical separations adjusted, scale-dependent resistances dashed. */
+/** The baseline in every model, a panel a quantity: those of chapter 6, or the joint's. */
+static void put_baseline(struct chart *chart, const struct source *source, bool joint)
+{
+    for (size_t p = 0; p < QUANTITY_PANELS; p++) {
+        const struct quantity_panel *panel = &quantity_panels[p];
+        char number[20];
+        snprintf(number, sizeof number, "6-%02d", panel->number);
+        if ((panel->number == 0) != joint || !(plan_quantities(source->results->plan) & QUANTITY_BIT(panel->y)) ||
+            !begin_panel(chart, source, panel,
+                         joint ? quantity_words(source, "panel", panel->y)
+                               : words_say(source->words, number, "number", number, NULL)))
+            continue;
+        for (size_t m = 0; m < model_count; m++)
+            put_quantity(chart, source, panel, source->results->baseline, m, model_look(m));
+    }
+}
+
 static void make_one_surface(struct chart *chart, const struct source *source)
 {
-    const struct surface_record *record = source->baseline;
-    size_t surface = source->results->baseline;
     chart->panel_height = 88;
-    for (size_t f = 0; f < QUANTITY_FIGURES; f++) {
-        const struct quantity_figure *figure = &quantity_figures[f];
-        char title[CHART_TEXT], label[CHART_TEXT];
-        const struct axis x = axis_of(source, figure->x, surface);
-        if (!(plan_quantities(source->results->plan) & QUANTITY_BIT(figure->y)))
-            continue;
-        snprintf(title, sizeof title, "6-%02d  %s versus %s", figure->number,
-                 figure->y == QUANTITY_SEPARATION ? "Gap" : quantity_rows[figure->y].title,
-                 quantity_rows[figure->x].short_symbol);
-        struct chart_panel *panel =
-            chart_panel(chart, title, label_of(source, figure->x, label, sizeof label), quantity_rows[figure->y].label,
-                        quantity_rows[figure->x].logarithmic, quantity_rows[figure->y].logarithmic);
-        for (size_t m = 0; panel && m < model_count; m++) {
-            const struct axis y = {model_shown(model_rows[m], figure->y), false, 1}, also = {figure->also, false, 1};
-            struct chart_curve look = model_look(m);
-            if (!computes(source, m, figure->y))
-                continue;
-            put_curve(chart, &record->curves[m], m, &x, &y, record->summary.asperities.sigma_m, &look);
-            look.dash = 3;
-            look.width = 1.4;
-            look.legend = "";
-            if (figure->also == QUANTITY_TCR_SCALE_DEPENDENT && computes(source, m, figure->also))
-                put_curve(chart, &record->curves[m], m, &x, &also, record->summary.asperities.sigma_m, &look);
-        }
-    }
-}
-
-/** All surfaces, a panel a model: the thesis's in its own order, then the leading one. */
-static void make_all_surfaces(struct chart *chart, const struct source *source, const struct quantity_figure *figure)
-{
-    const struct results *results = source->results;
-    chart->shares = true;
-    for (int place = 1; place <= 5; place++)
-        for (size_t m = 0; m < model_count; m++) {
-            char title[CHART_TEXT], label[CHART_TEXT], legend[120];
-            bool leads = m == source->leading && model_rows[m]->thesis_place == 0;
-            if (!computes(source, m, figure->y) || (place < 5 ? model_rows[m]->thesis_place != place : !leads))
-                continue;
-            if (place < 5)
-                snprintf(title, sizeof title, "6-%02d  %s", figure->first + place - 1, model_rows[m]->label);
-            else
-                snprintf(title, sizeof title, "%s", model_rows[m]->label);
-            if (!chart_panel(chart, title, label_of(source, figure->x, label, sizeof label),
-                             quantity_rows[figure->y].label, quantity_rows[figure->x].logarithmic,
-                             quantity_rows[figure->y].logarithmic))
-                return;
-            for (size_t k = 0; k < results->shown_count; k++) {
-                const struct surface_record *record = &results->surfaces[results->shown[k]];
-                const struct axis x = axis_of(source, figure->x, results->shown[k]),
-                                  y = {model_shown(model_rows[m], figure->y), false, 1},
-                                  also = {figure->also, false, 1};
-                struct chart_curve look = surface_look(source, k, legend, sizeof legend);
-                put_curve(chart, &record->curves[m], m, &x, &y, record->summary.asperities.sigma_m, &look);
-                put_unloading(chart, source, record, m, &x, &y, &look);
-                look.dash = 3;
-                look.width = 1.4;
-                look.legend = "";
-                if (figure->also == QUANTITY_TCR_SCALE_DEPENDENT && computes(source, m, figure->also))
-                    put_curve(chart, &record->curves[m], m, &x, &also, record->summary.asperities.sigma_m, &look);
-            }
-        }
-    if (source->results->convergence || chart->panels > 1) {
-        size_t thesis = 0;
-        for (size_t m = 0; m < model_count; m++)
-            thesis += computes(source, m, figure->y) && model_rows[m]->thesis_place > 0;
-        if (thesis == 4)
-            snprintf(chart->numbers, sizeof chart->numbers, "6-%02d to 6-%02d", figure->first, figure->first + 3);
-    }
-}
-
-/* ---- What is called for ---- */
-
-/** The metal that melts first, °C; NaN: not known. */
-static double melting_C(const struct source *source)
-{
-    const struct scene_bodies *bodies = &source->baseline->summary.scene->bodies;
-    const struct heating_metal *metal = heating_metal_find(bodies->material.name);
-    return metal ? metal->melting_K - 273.15 : NAN;
+    put_baseline(chart, source, false);
 }
 
 static void make_joint(struct chart *chart, const struct source *source)
 {
-    static const struct {
-        enum quantity quantity;
-        const char *title, *label;
-    } panels[] = {{QUANTITY_JOINT, "Joint conductance", "W/(m²·K)"},
-                  {QUANTITY_GAP, "Conductance of the gaps", "W/(m²·K)"},
-                  {QUANTITY_JOINT_ECR, "ECR with film and plating", "Ω·m²"},
-                  {QUANTITY_TEMPERATURE, "Hottest place", "°C"}};
-    for (size_t p = 0; p < sizeof panels / sizeof *panels; p++) {
-        enum quantity quantity = panels[p].quantity;
-        char label[CHART_TEXT];
-        const struct axis x = load_axis(source, source->results->baseline), y = {quantity, false, 1};
-        if (!(plan_quantities(source->results->plan) & QUANTITY_BIT(quantity)))
-            continue;
-        bool heat = quantity == QUANTITY_TEMPERATURE;
-        struct chart_panel *panel =
-            chart_panel(chart, panels[p].title, load_label(source, label, sizeof label), panels[p].label, true, !heat);
-        if (!panel)
-            return;
-        for (size_t m = 0; m < model_count; m++) {
-            const struct model_curve *curve = &source->baseline->curves[m];
-            struct chart_curve look = model_look(m);
-            if (!curve->exists || !computes(source, m, quantity))
-                continue;
-            if (!heat) {
-                put_curve(chart, curve, m, &x, &y, NAN, &look);
-                continue;
-            }
-            chart_curve(chart, &look);
-            for (size_t i = 0; i < curve->count; i++) {
-                double at_C = curve->points[i].value[quantity] - 273.15;
-                if (!(at_C > melting_C(source)) && at_C < 1000)
-                    chart_row(chart, x.scale * curve->points[i].value[QUANTITY_LOAD], at_C, 0, 0);
-            }
-        }
-    }
+    put_baseline(chart, source, true);
 }
+
+/** All surfaces, a panel a model: the thesis's in its own order, then the leading one. */
+static void make_all_surfaces(struct chart *chart, const struct source *source, const struct quantity_panel *panel)
+{
+    const struct results *results = source->results;
+    int thesis = 0;
+    chart->shares = true;
+    for (int place = 1; place <= 5 && results->usable_count > 1; place++)
+        for (size_t m = 0; m < model_count; m++) {
+            char number[20] = "";
+            bool leads = m == source->leading && model_rows[m]->thesis_place == 0;
+            if (!computes(source, m, panel->y) || (place < 5 ? model_rows[m]->thesis_place != place : !leads))
+                continue;
+            if (place < 5)
+                snprintf(number, sizeof number, "6-%02d", panel->first + place - 1);
+            thesis += place < 5;
+            if (!begin_panel(
+                    chart, source, panel,
+                    words_say(source->words, "panel.model", "number", number, "model", model_rows[m]->label, NULL)))
+                return;
+            for (size_t k = 0; k < results->shown_count; k++)
+                put_quantity(chart, source, panel, results->shown[k], m, surface_look(source, k));
+        }
+    if (thesis == 4)
+        snprintf(chart->numbers, sizeof chart->numbers, "6-%02d to 6-%02d", panel->first, panel->first + 3);
+}
+
+/* ---- What is called for ---- */
 
 static void make_measured(struct chart *chart, const struct source *source)
 {
     const struct results *results = source->results;
-    const struct asked_load load = asked_load_of(results, results->baseline);
-    struct asked asked = asked_of(results);
-    char x_label[CHART_TEXT], y_label[CHART_TEXT];
-    if (asked.quantity != measured_quantity(results->measured, results->plan->running))
-        asked = (struct asked){.quantity = measured_quantity(results->measured, results->plan->running), .scale = 1};
-    const struct axis x = {QUANTITY_LOAD, false, load.scale}, y = {asked.quantity, asked.reciprocal, asked.scale};
-    asked_load_label(x_label, sizeof x_label, results, &load);
-    snprintf(y_label, sizeof y_label, "%s%s%s%s", asked.unit[0] ? asked.symbol : quantity_rows[asked.quantity].label,
-             asked.unit[0] ? " (" : "", asked.unit, asked.unit[0] ? ")" : "");
-    if (!chart_panel(chart, "", x_label, y_label, true, true))
+    struct asked asked = source->asked;
+    if (!results->measured)
         return;
-    for (size_t m = 0; m < model_count; m++)
-        if (computes(source, m, asked.quantity)) {
-            const struct chart_curve look = model_look(m);
-            put_curve(chart, &source->baseline->curves[m], m, &x, &y, NAN, &look);
-            put_unloading(chart, source, source->baseline, m, &x, &y, &look);
-        }
-    put_measured(chart, results->measured, &asked, load.scale);
+    enum quantity quantity = measured_quantity(results->measured, results->plan->running);
+    bool own = asked.quantity == quantity;
+    if (!own)
+        asked = (struct asked){.quantity = quantity, .scale = 1};
+    const struct axis x = {QUANTITY_LOAD, false, asked_load_of(results, results->baseline).scale},
+                      y = {quantity, asked.reciprocal, asked.scale};
+    if (!chart_panel(chart, "", load_label(source, true),
+                     own ? asked_label(source, "axis.asked") : quantity_words(source, "axis", quantity), true, true))
+        return;
+    for (size_t m = 0; m < model_count; m++) {
+        const struct chart_curve look = model_look(m);
+        if (computes(source, m, quantity))
+            put_curve(chart, source, source->baseline, m, &x, &y, &look);
+    }
+    put_measured(chart, source, &asked, x.scale);
 }
 
 /** The models over the direct solution of the baseline, and how far that may itself be off. */
 static void make_direct(struct chart *chart, const struct source *source)
 {
     const struct results *results = source->results;
-    const struct direct_study *study = NULL;
-    char label[CHART_TEXT], x_label[CHART_TEXT];
+    const struct direct_study *study = results_direct_baseline(results);
+    const struct material_pair *pair = results_pair(results, results->baseline);
+    const double scale = load_of(source, results->baseline, false).scale;
     chart->shares = true;
     chart->panel_height = 160;
-    for (size_t k = 0; k < results->direct_count; k++)
-        if (results->direct[k].surface == results->baseline)
-            study = &results->direct[k];
     for (int q = 0; study && q < DIRECT_STUDY_QUANTITIES; q++) {
-        const struct material_pair *pair = results_pair(results, study->surface);
         const enum quantity quantity = direct_study_quantities[q];
-        const double scale = load_axis(source, study->surface).scale;
-        snprintf(label, sizeof label, "%s", quantity == QUANTITY_SEPARATION ? "Gap" : quantity_rows[quantity].title);
         struct chart_panel *panel =
             results->plan->wanted & QUANTITY_BIT(quantity)
-                ? chart_panel(chart, label, load_label(source, x_label, sizeof x_label), "model / direct", true, true)
+                ? chart_panel(chart, quantity_words(source, "panel.direct", quantity), load_label(source, false),
+                              words_say(source->words, "axis.model_over_direct", NULL), true, true)
                 : NULL;
         if (!panel)
             continue;
         panel->y_most = (struct chart_extent){0.1, 10};
-        chart_curve(chart,
-                    &(struct chart_curve){.kind = CHART_BAND, .legend = "error of the direct solution", .colour = ink});
+        chart_curve(chart, &(struct chart_curve){.kind = CHART_BAND,
+                                                 .legend = words_say(source->words, "direct.error", NULL),
+                                                 .colour = ink});
         for (size_t i = 0; i < study->plan.loads; i++) {
             double error, value = direct_study_value(study, pair, DIRECT_STUDY_ELASTIC, quantity, i, &error);
             double share = fmax(isnan(error) ? 0 : error / value,
@@ -688,171 +637,114 @@ static void make_accuracy(struct chart *chart, const struct source *source)
     const struct benchmark_row *before = NULL, *first = NULL; /* the first integral stands for all */
     size_t methods = 0;
     chart->panel_height = 170;
-    if (!chart_panel(chart, "", "time (ms)", "largest relative error", true, true))
+    if (!cost || !chart_panel(chart, "", words_say(source->words, "axis.time", NULL),
+                              words_say(source->words, "axis.error", NULL), true, true))
         return;
     for (size_t i = 0; i < cost->count; before = &cost->rows[i++]) {
         const struct benchmark_row *row = &cost->rows[i];
         bool own = strcmp(row->study, "tolerance") == 0;
-        char legend[160];
         if (!own && first && row->model != first->model)
             continue;
         first = own || first ? first : row;
-        if (!before || strcmp(before->study, row->study) != 0 || strcmp(before->method, row->method) != 0) {
-            snprintf(legend, sizeof legend, own ? "all curves of this report" : "integrals of %s by %s",
-                     row->model ? row->model->label : "", row->method);
-            chart_curve(chart, &(struct chart_curve){.legend = legend,
+        if (!before || strcmp(before->study, row->study) != 0 || strcmp(before->method, row->method) != 0)
+            chart_curve(chart, &(struct chart_curve){.legend = own ? words_say(source->words, "accuracy.report", NULL)
+                                                                   : words_say(source->words, "accuracy.rule", "model",
+                                                                               row->model ? row->model->label : "",
+                                                                               "rule", row->method, NULL),
                                                      .width = own ? 3 : 1.4,
-                                                     .colour = own ? "#1257d0" : figures_surface_colour(++methods)});
-        }
+                                                     .colour = own ? "#1257d0" : surface_colour(++methods)});
         if (row->error >= 1e-16)
             chart_row(chart, row->seconds * 1e3, row->error, 0, 0);
     }
-    chart_mark(chart, false, source->results->scene->tolerance, "tolerance used");
+    chart_mark(chart, false, source->results->scene->tolerance, words_say(source->words, "tolerance", NULL));
 }
 
 /* ---- The list ---- */
 
-/** A chart that was filled stays in the list; one without data goes. */
-static void keep(struct figures *out, struct chart *chart)
-{
-    chart_end(chart);
-    if (chart_has_data(chart) || chart->failed)
-        out->chart[out->count++] = *chart;
-    else
-        chart_free(chart);
-}
-
-static bool has_joint(const struct source *source)
-{
-    return plan_quantities(source->results->plan) &
-           (QUANTITY_BIT(QUANTITY_JOINT) | QUANTITY_BIT(QUANTITY_JOINT_ECR) | QUANTITY_BIT(QUANTITY_TEMPERATURE));
-}
-
-static bool has_sweeps(const struct source *source)
-{
-    return source->results->convergence;
-}
-
-static bool has_measured(const struct source *source)
-{
-    return source->results->measured;
-}
-
-static bool has_direct(const struct source *source)
-{
-    return source->results->direct_count > 0;
-}
-
-static bool has_benchmark(const struct source *source)
-{
-    return source->results->benchmark;
-}
-
-/* In the report's order; those of all surfaces come between. */
+/* In the report's order; those of all surfaces come behind. */
 static const struct figure_row {
     const char *name, *numbers;
     bool first_page, terminal;
-    bool (*called_for)(const struct source *source); /* NULL: always */
-    void (*make)(struct chart *chart, const struct source *source);
+    void (*make)(struct chart *chart, const struct source *source); /* nothing: it is not called for */
 } figure_rows[] = {
-    {"answer", "", true, true, NULL, make_answer},
-    {"models", "", true, false, NULL, make_models},
-    {"surfaces", "6-10", false, false, NULL, make_surfaces},
-    {"convergence", "6-01 to 6-04", false, false, has_sweeps, make_convergence},
-    {"one-surface", "6-05 to 6-09", false, false, NULL, make_one_surface},
-    {"joint", "", false, false, has_joint, make_joint},
-    {"measured", "", false, false, has_measured, make_measured},
-    {"direct", "", false, true, has_direct, make_direct},
-    {"accuracy", "", false, false, has_benchmark, make_accuracy},
+    {"answer", "", true, true, make_answer},
+    {"models", "", true, false, make_models},
+    {"surfaces", "6-10", false, false, make_surfaces},
+    {"convergence", "6-01 to 6-04", false, false, make_convergence},
+    {"one-surface", "6-05 to 6-09", false, false, make_one_surface},
+    {"joint", "", false, false, make_joint},
+    {"measured", "", false, false, make_measured},
+    {"direct", "", false, true, make_direct},
+    {"accuracy", "", false, false, make_accuracy},
 };
 enum { FIGURE_ROWS = sizeof figure_rows / sizeof *figure_rows };
+_Static_assert(FIGURE_ROWS + QUANTITY_FIGURES <= FIGURES_MOST, "all figures have a place");
 
-enum status_code figures_make(struct figures *out, const struct results *results, const struct comparison *comparison,
-                              bool brief, struct status *status)
+/** Writes a chart's files and has gnuplot draw it, as letters too where it is one for a terminal. */
+static enum status_code draw_one(struct chart *chart, bool terminal, struct mustache_folder *templates,
+                                 const struct figures_task *task, struct status *status)
 {
-    const struct asked asked = asked_of(results);
-    const struct source source = {results, comparison, &results->surfaces[results->baseline],
-                                  asked_leading(results, &asked)};
-    *out = (struct figures){.chart = calloc(FIGURE_ROWS + QUANTITY_FIGURES, sizeof *out->chart)};
-    if (!out->chart)
-        return status_memory(status);
-    for (size_t r = 0; r < FIGURE_ROWS; r++) {
-        const struct figure_row *row = &figure_rows[r];
-        if ((row->called_for && !row->called_for(&source)) || (brief && !row->first_page))
-            continue;
-        struct chart chart = chart_make(row->name);
-        snprintf(chart.numbers, sizeof chart.numbers, "%s", row->numbers);
-        chart.first_page = row->first_page;
-        chart.terminal = row->terminal;
-        row->make(&chart, &source);
-        keep(out, &chart);
-    }
-    for (size_t f = 0; f < QUANTITY_FIGURES && !brief; f++) {
-        if (!(plan_quantities(results->plan) & QUANTITY_BIT(quantity_figures[f].y)) || results->usable_count < 2)
-            continue;
-        struct chart chart = chart_make(quantity_figures[f].name);
-        make_all_surfaces(&chart, &source, &quantity_figures[f]);
-        keep(out, &chart);
-    }
-    for (size_t i = 0; i < out->count; i++)
-        if (out->chart[i].failed)
-            return status_memory(status);
-    return STATUS_OK;
-}
-
-void figures_free(struct figures *figures)
-{
-    for (size_t i = 0; i < figures->count; i++)
-        chart_free(&figures->chart[i]);
-    free(figures->chart);
-    *figures = (struct figures){0};
-}
-
-/** Writes a chart's files and tells gnuplot to draw it, as letters too where it is one for a terminal. */
-static enum status_code draw_one(struct chart *chart, struct gnuplot *gnuplot, struct mustache_folder *templates,
-                                 const char *directory, const char *terminal_size)
-{
-    struct text letters = {0};
-    enum status_code rc = chart_write(chart, templates, directory);
+    struct text directory = {0}, commands = {0};
+    text_add(&directory, "%s/figures", task->directory);
+    text_add(&commands, "load '%s.gp'\n", chart->name);
+    enum status_code rc = chart->failed ? status_memory(status) : status->code;
     if (rc == STATUS_OK)
-        gnuplot_send(gnuplot, "load '%s.gp'", chart->name);
-    if (rc == STATUS_OK && terminal_size && chart->terminal) {
-        rc = chart_script(&letters, chart, templates, terminal_size);
-        gnuplot_send(gnuplot, "%s", text_string(&letters));
-    }
-    text_free(&letters);
+        rc = chart_write(chart, templates, text_string(&directory));
+    if (rc == STATUS_OK && terminal)
+        rc = chart_script(&commands, chart, templates, task->terminal_size);
+    if (rc == STATUS_OK)
+        gnuplot_send(task->gnuplot, text_string(&commands));
+    text_free(&directory);
+    text_free(&commands);
     return rc;
 }
 
-enum status_code figures_draw(struct figures *figures, const char *directory, const char *templates,
-                              const char *terminal_size, struct text *letters, double *seconds, struct status *status)
+enum status_code figures_draw(struct figures *out, const struct results *results, const struct figures_task *task,
+                              struct status *status)
 {
-    struct text path = {0}, scripts = {0};
-    struct gnuplot gnuplot;
-    text_add(&path, "%s/figures", directory);
-    struct mustache_folder folder = chart_templates(&scripts, templates, status);
-    enum status_code rc = path.failed || scripts.failed ? status_memory(status) : STATUS_OK;
-    double begun = clock_seconds();
-    if (rc == STATUS_OK && (rc = gnuplot_start(&gnuplot, text_string(&path), status)) == STATUS_OK) {
-        struct status own = {0};
-        for (size_t i = 0; i < figures->count && rc == STATUS_OK; i++)
-            rc = draw_one(&figures->chart[i], &gnuplot, &folder, text_string(&path), terminal_size);
-        enum status_code end = gnuplot_finish(&gnuplot, &own);
-        if (rc == STATUS_OK && end != STATUS_OK) {
-            *status = own;
-            rc = end;
+    struct source source = {.results = results,
+                            .baseline = &results->surfaces[results->baseline],
+                            .asked = asked_of(results),
+                            .words = task->words};
+    const struct heating_metal *metal = heating_metal_find(source.baseline->summary.scene->bodies.material.name);
+    struct mustache_folder folder = {task->templates, ".gp", NULL, status};
+    source.leading = asked_leading(results, &source.asked);
+    source.hottest_C = fmin(metal ? metal->melting_K - 273.15 : NAN, 1000);
+    *out = (struct figures){0};
+    for (size_t f = 0; f < FIGURE_ROWS + QUANTITY_FIGURES && status->code == STATUS_OK; f++) {
+        const struct figure_row *row = f < FIGURE_ROWS ? &figure_rows[f] : NULL;
+        const struct quantity_panel *panel = row ? NULL : &quantity_panels[f - FIGURE_ROWS];
+        if (task->brief && !(row && row->first_page))
+            continue;
+        struct chart chart = chart_make(row ? row->name : panel->file);
+        snprintf(chart.numbers, sizeof chart.numbers, "%s", row ? row->numbers : "");
+        if (row)
+            row->make(&chart, &source);
+        else
+            make_all_surfaces(&chart, &source, panel);
+        chart_end(&chart);
+        bool terminal = row && row->terminal && task->terminal_size;
+        if ((chart.blocks > 0 || chart.failed) && draw_one(&chart, terminal, &folder, task, status) == STATUS_OK) {
+            out->figure[out->count].name = row ? row->name : panel->file;
+            out->figure[out->count].terminal = terminal;
+            snprintf(out->figure[out->count++].numbers, sizeof out->figure->numbers, "%s", chart.numbers);
         }
+        chart_free(&chart);
     }
-    for (size_t i = 0; i < figures->count && rc == STATUS_OK && terminal_size; i++)
-        if (figures->chart[i].terminal) {
+    mustache_folder_free(&folder);
+    return status->code;
+}
+
+enum status_code figures_letters(struct text *out, const struct figures *figures, const char *directory,
+                                 struct status *status)
+{
+    enum status_code rc = STATUS_OK;
+    for (size_t i = 0; i < figures->count && rc == STATUS_OK; i++)
+        if (figures->figure[i].terminal) {
             struct text file = {0};
-            text_add(&file, "%s/%s.txt", text_string(&path), figures->chart[i].name);
-            rc = gnuplot_take_text(letters, text_string(&file), status);
+            text_add(&file, "%s/figures/%s.txt", directory, figures->figure[i].name);
+            rc = gnuplot_take_text(out, text_string(&file), status);
             text_free(&file);
         }
-    *seconds = clock_seconds() - begun;
-    mustache_folder_free(&folder);
-    text_free(&path);
-    text_free(&scripts);
     return rc;
 }

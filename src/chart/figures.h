@@ -3,28 +3,39 @@
 #ifndef CHART_FIGURES_H
 #define CHART_FIGURES_H
 
-#include "chart/asked.h"
-#include "chart/chart.h"
-#include "results/comparison.h"
+#include "chart/gnuplot.h"
+#include "chart/words.h"
+#include "results/results.h"
 
-/** Those that what ran calls for. Owned: figures_free(). */
+enum { FIGURES_MOST = 16 };
+
+/** Those that were drawn. */
 struct figures {
-    struct chart *chart;
+    struct {
+        const char *name; /* of its files */
+        char numbers[64]; /* in chapter 6: "6-11 to 6-14"; "": none */
+        bool terminal;    /* drawn with letters too */
+    } figure[FIGURES_MOST];
     size_t count;
 };
 
-/** Fills them; brief: those of the first page alone. Errors: STATUS_MEMORY. */
-MUST_CHECK enum status_code figures_make(struct figures *out, const struct results *results,
-                                         const struct comparison *comparison, bool brief, struct status *status);
-void figures_free(struct figures *figures);
+/** How they are drawn. */
+struct figures_task {
+    struct gnuplot *gnuplot;   /* works in DIRECTORY/figures */
+    const char *directory;     /* of the report */
+    const char *templates;     /* folder of the templates */
+    const char *terminal_size; /* "columns,rows": the main ones are drawn as text too; NULL: not so */
+    bool brief;                /* those of the first page alone */
+    struct words *words;
+};
 
-/** Writes DIRECTORY/figures/NAME.csv and NAME.gp, and draws them as SVG; with `terminal_size`, "columns,rows", the main
- * ones as text too, into `letters`. *seconds: that gnuplot took. Errors: STATUS_CHART, STATUS_IO, STATUS_MEMORY. */
-MUST_CHECK enum status_code figures_draw(struct figures *figures, const char *directory, const char *templates,
-                                         const char *terminal_size, struct text *letters, double *seconds,
-                                         struct status *status);
+/** Writes DIRECTORY/figures/NAME.csv and NAME.gp of those that what ran calls for, and has gnuplot draw each as SVG
+ * while this goes on: gnuplot_finish() says how that went. Errors: STATUS_IO, STATUS_MEMORY, those of templates. */
+MUST_CHECK enum status_code figures_draw(struct figures *out, const struct results *results,
+                                         const struct figures_task *task, struct status *status);
 
-/** The colour of the k-th surface shown, wherever it stands. */
-const char *figures_surface_colour(size_t k);
+/** Takes those drawn with letters, once gnuplot has finished. Errors: STATUS_IO, STATUS_MEMORY. */
+MUST_CHECK enum status_code figures_letters(struct text *out, const struct figures *figures, const char *directory,
+                                            struct status *status);
 
 #endif

@@ -6,42 +6,19 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
-#include <stdarg.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 const double gnuplot_most_seconds = 120;
 
-static enum status_code gnuplot_need(char *program, size_t size, struct status *status)
-{
-    if (program_find(program, size, "gnuplot"))
-        return STATUS_OK;
-    return status_fail(status, STATUS_CHART, "no gnuplot in PATH to draw the charts: install the package gnuplot-nox");
-}
-
-enum status_code gnuplot_check(struct status *status)
-{
-    char program[4096];
-    return gnuplot_need(program, sizeof program, status);
-}
-
 /* Beginnings of variables through which a user's setup would change charts or messages. */
 static const char *const foreign_variables[] = {"GNU", "LC_", "LANG", "GDFONTPATH", "FIT_", "DUMB", NULL};
-
-/* Runs `gnuplot -d` (no start-up files) in `directory`. Returns 0 or the errno that says why not. */
-static int gnuplot_spawn(pid_t *process, const char *program, const char *directory, int input, int output)
-{
-    static char locale[] = "LC_ALL=C.UTF-8", name[] = "gnuplot", defaults[] = "-d";
-    char *const arguments[] = {name, defaults, NULL};
-    return program_start(
-        process, &(struct program_task){arguments, program, directory, foreign_variables, locale, input, output});
-}
 
 /* An unnamed file that takes so many bytes of messages and no more; what was not written is 0. */
 static int gnuplot_log(void)
@@ -58,102 +35,43 @@ static int gnuplot_log(void)
 enum status_code gnuplot_start(struct gnuplot *out, const char *directory, struct status *status)
 {
     *out = (struct gnuplot){.input = -1, .most_seconds = gnuplot_most_seconds};
-    char program[4096];
-    enum status_code code = gnuplot_need(program, sizeof program, status);
-    if (code)
-        return code;
+    static char locale[] = "LC_ALL=C.UTF-8", name[] = "gnuplot", defaults[] = "-d"; /* no start-up files */
+    char program[4096], *const arguments[] = {name, defaults, NULL};
+    if (!program_find(program, sizeof program, "gnuplot"))
+        return status_fail(status, STATUS_CHART,
+                           "no gnuplot in PATH to draw the charts: install the package gnuplot-nox");
     int ends[2] = {-1, -1};
     int log = gnuplot_log();
-    int error = log < 0 || pipe2(ends, O_CLOEXEC) != 0 || fcntl(ends[1], F_SETFL, O_NONBLOCK) != 0 ||
+    int error = log < 0 || socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0 ||
                         !(out->complaints = fdopen(log, "r"))
                     ? errno
                     : 0;
     if (!error)
-        error = gnuplot_spawn(&out->process, program, directory, ends[0], log);
+        error = program_start(&out->process, &(struct program_task){arguments, program, directory, foreign_variables,
+                                                                    locale, ends[0], log});
     if (ends[0] >= 0)
         close(ends[0]);
     out->input = ends[1];
     if (!error)
         return STATUS_OK;
 
-    if (ends[1] >= 0)
-        close(ends[1]);
-    if (out->complaints)
-        fclose(out->complaints);
-    else if (log >= 0)
+    if (log >= 0 && !out->complaints)
         close(log);
-    *out = (struct gnuplot){.input = -1};
+    gnuplot_end(out);
     if (error == ECANCELED)
         return status_fail(status, STATUS_INTERRUPTED, "gnuplot was stopped by a signal");
     return status_fail(status, STATUS_IO, "cannot start gnuplot in '%s': %s", directory, strerror(error));
 }
 
-/* A write to a process that has ended raises SIGPIPE, whose default would end this one. It is held back on this thread
- * while writing, and taken off the queue if it came from here; the program's own handling of it stays as it was. */
-struct pipe_guard {
-    sigset_t before;
-    bool pending;
-};
-
-static void pipe_guard_begin(struct pipe_guard *guard)
+void gnuplot_send(struct gnuplot *gnuplot, const char *command)
 {
-    sigset_t broken, waiting;
-    sigpending(&waiting);
-    guard->pending = sigismember(&waiting, SIGPIPE) == 1;
-    sigemptyset(&broken);
-    sigaddset(&broken, SIGPIPE);
-    pthread_sigmask(SIG_BLOCK, &broken, &guard->before);
-}
-
-static void pipe_guard_end(const struct pipe_guard *guard)
-{
-    const struct timespec at_once = {0};
-    sigset_t broken;
-    sigemptyset(&broken);
-    sigaddset(&broken, SIGPIPE);
-    if (!guard->pending)
-        while (sigtimedwait(&broken, NULL, &at_once) < 0 && errno == EINTR)
-            ;
-    pthread_sigmask(SIG_SETMASK, &guard->before, NULL);
-}
-
-/* Writes what the pipe takes now. False when there is nobody to read it. */
-static bool gnuplot_push(struct gnuplot *gnuplot)
-{
-    struct pipe_guard guard;
-    bool alive = true;
-    pipe_guard_begin(&guard);
-    while (alive && gnuplot->sent < gnuplot->unsent.length) {
-        ssize_t written =
-            write(gnuplot->input, gnuplot->unsent.data + gnuplot->sent, gnuplot->unsent.length - gnuplot->sent);
-        if (written < 0 && errno == EAGAIN)
-            break;
-        if (written >= 0)
-            gnuplot->sent += (size_t)written;
-        else
-            alive = errno == EINTR;
+    size_t left = strlen(command);
+    while (left > 0 && !gnuplot->lost) {
+        ssize_t sent = send(gnuplot->input, command, left, MSG_NOSIGNAL | MSG_DONTWAIT);
+        gnuplot->lost = sent < 0 && errno != EINTR;
+        command += sent > 0 ? sent : 0;
+        left -= sent > 0 ? (size_t)sent : 0;
     }
-    pipe_guard_end(&guard);
-    return alive;
-}
-
-void gnuplot_send(struct gnuplot *gnuplot, const char *format, ...)
-{
-    if (gnuplot->seconds == 0.0)
-        gnuplot->seconds = clock_seconds(); /* the moment of the first command, until gnuplot_finish() */
-    char *line;
-    va_list args;
-    va_start(args, format);
-    int length = vasprintf(&line, format, args);
-    va_end(args);
-    if (length < 0) {
-        gnuplot->unsent.failed = true;
-        return;
-    }
-    text_add_bytes(&gnuplot->unsent, line, (size_t)length);
-    text_add_bytes(&gnuplot->unsent, "\n", 1);
-    free(line);
-    (void)gnuplot_push(gnuplot); /* gnuplot_finish() looks whether all was read */
 }
 
 /* gnuplot repeats the offending command with a caret below before it says what is wrong ("file" line 3: ...); that line
@@ -184,37 +102,26 @@ static void gnuplot_first_complaint(char *out, size_t size, FILE *complaints)
             *c = '?';
 }
 
-/* Sends the rest and waits for the end. */
-static enum program_state gnuplot_wait(struct gnuplot *gnuplot, bool *lost)
+int gnuplot_end(struct gnuplot *gnuplot)
 {
-    double until = clock_seconds() + gnuplot->most_seconds;
-    enum program_state state = PROGRAM_RUNS;
-    *lost = !gnuplot_push(gnuplot);
-    while (state == PROGRAM_RUNS && !*lost && gnuplot->sent < gnuplot->unsent.length) {
-        state = program_wait(gnuplot->process, until, gnuplot->input);
-        if (state == PROGRAM_RUNS)
-            *lost = !gnuplot_push(gnuplot);
-    }
-    *lost |= gnuplot->sent < gnuplot->unsent.length;
-    close(gnuplot->input);
-    return state == PROGRAM_RUNS ? program_wait(gnuplot->process, until, -1) : state;
+    int how = gnuplot->process > 0 ? program_end(gnuplot->process) : 0;
+    if (gnuplot->input >= 0)
+        close(gnuplot->input);
+    if (gnuplot->complaints)
+        fclose(gnuplot->complaints);
+    *gnuplot = (struct gnuplot){.input = -1};
+    return how;
 }
 
 enum status_code gnuplot_finish(struct gnuplot *gnuplot, struct status *status)
 {
-    bool lost, whole = !gnuplot->unsent.failed;
     double most = gnuplot->most_seconds;
-    enum program_state state = gnuplot_wait(gnuplot, &lost);
-    int end = program_end(gnuplot->process);
-    double seconds = gnuplot->seconds > 0.0 ? clock_seconds() - gnuplot->seconds : 0.0;
+    bool lost = gnuplot->lost;
+    shutdown(gnuplot->input, SHUT_WR);
+    enum program_state state = program_wait(gnuplot->process, clock_seconds() + most);
     char complaint[512];
     gnuplot_first_complaint(complaint, sizeof complaint, gnuplot->complaints);
-    fclose(gnuplot->complaints);
-    text_free(&gnuplot->unsent);
-    *gnuplot = (struct gnuplot){.input = -1, .seconds = seconds};
-
-    if (!whole)
-        return status_memory(status);
+    int end = gnuplot_end(gnuplot);
     if (state == PROGRAM_STOPPED)
         return status_fail(status, STATUS_INTERRUPTED, "gnuplot was stopped by a signal");
     if (state == PROGRAM_LATE)

@@ -3,6 +3,7 @@
 #include "base/temporary.h"
 #include "chart/chart.h"
 #include "chart/gnuplot.h"
+#include "chart/words.h"
 #include "cli/command.h"
 #include "cli/inspection.h"
 #include "scene/scene.h"
@@ -140,13 +141,17 @@ static error_t parse(int key, char *value, struct argp_state *state)
 static const char *const chart_names[] = {"profile", "spectrum"};
 
 /** The data of a chart, thinned to what a terminal can show. */
-static void make_chart(struct chart *out, const struct inspection *f, bool spectrum)
+static void make_chart(struct chart *out, const struct inspection *f, bool spectrum, struct words *words)
 {
     enum { MOST = 400 };
     size_t count = spectrum ? f->spectrum.count : f->profile.points, last = SIZE_MAX;
-    chart_panel(out, chart_names[spectrum], spectrum ? "wavelength (um)" : "x (mm)",
-                spectrum ? "amplitude (um)" : "z (um)", spectrum, spectrum);
-    chart_curve(out, &(struct chart_curve){.legend = spectrum ? "amplitude (um)" : "height (um)", .colour = "#000000"});
+    chart_panel(out, words_say(words, spectrum ? "inspect.spectrum" : "inspect.profile", NULL),
+                words_say(words, spectrum ? "inspect.spectrum.x" : "inspect.profile.x", NULL),
+                words_say(words, spectrum ? "inspect.spectrum.y" : "inspect.profile.y", NULL), spectrum, spectrum);
+    chart_curve(out,
+                &(struct chart_curve){
+                    .legend = words_say(words, spectrum ? "inspect.spectrum.legend" : "inspect.profile.legend", NULL),
+                    .colour = "#000000"});
     for (size_t k = 0; k < MOST; k++) {
         double share = (double)k / (MOST - 1);
         size_t i =
@@ -163,16 +168,14 @@ static void make_chart(struct chart *out, const struct inspection *f, bool spect
 
 /** Writes a chart's data into `directory`, and adds what draws them. */
 static enum status_code write_chart(struct text *script, const char *directory, const struct inspection *f,
-                                    bool spectrum, struct mustache_folder *templates, const char *terminal_size)
+                                    bool spectrum, struct mustache_folder *templates, struct words *words,
+                                    const char *terminal_size)
 {
     struct chart chart = chart_make(chart_names[spectrum]);
-    char path[PATH_MAX + 32];
-    make_chart(&chart, f, spectrum);
-    snprintf(path, sizeof path, "%s/%s.csv", directory, chart_names[spectrum]);
-    enum status_code rc = chart_script(script, &chart, templates, terminal_size);
+    make_chart(&chart, f, spectrum, words);
+    enum status_code rc = chart_write(&chart, templates, directory);
     if (rc == STATUS_OK)
-        rc = chart.data.failed ? status_memory(templates->status)
-                               : text_write_file(path, text_string(&chart.data), chart.data.length, templates->status);
+        rc = chart_script(script, &chart, templates, terminal_size);
     chart_free(&chart);
     return rc;
 }
@@ -180,8 +183,9 @@ static enum status_code write_chart(struct text *script, const char *directory, 
 /** Draws profile and spectrum as text, sized to the terminal. */
 static enum status_code draw(const struct inspection *f, struct status *status)
 {
-    struct text script = {0}, charts = {0}, share = {0}, folder = {0};
+    struct text script = {0}, charts = {0}, share = {0};
     struct gnuplot gnuplot;
+    struct words words = {0};
     struct temporary temporary;
     char size[40];
     int columns, rows;
@@ -190,14 +194,16 @@ static enum status_code draw(const struct inspection *f, struct status *status)
     if (temporary_make(&temporary, NULL, NULL, status) != STATUS_OK)
         return status->code;
     enum status_code rc = command_share(&share, "templates", status);
-    struct mustache_folder templates = chart_templates(&folder, text_string(&share), status);
+    struct mustache_folder templates = {text_string(&share), ".gp", NULL, status};
+    if (rc == STATUS_OK)
+        rc = words_read(&words, text_string(&share), status);
     for (int i = 0; i < 2 && rc == STATUS_OK; i++)
-        rc = write_chart(&script, temporary.path, f, i, &templates, size);
+        rc = write_chart(&script, temporary.path, f, i, &templates, &words, size);
+    words_free(&words);
     mustache_folder_free(&templates);
     text_free(&share);
-    text_free(&folder);
     if (rc == STATUS_OK && (rc = gnuplot_start(&gnuplot, temporary.path, status)) == STATUS_OK) {
-        gnuplot_send(&gnuplot, "%s", text_string(&script));
+        gnuplot_send(&gnuplot, text_string(&script));
         rc = gnuplot_finish(&gnuplot, status);
     }
     text_free(&script);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a model says of a contact: one row a quantity, from its name in the data to its axis in a chart. Columns,
- * charts, captions and comparisons all loop over this table. */
+/* What a model says of a contact: one row a quantity. Columns, charts, captions and comparisons all loop over this
+ * table; what a chart calls it stands in templates/words.txt by its name. */
 #ifndef CONTACT_QUANTITY_H
 #define CONTACT_QUANTITY_H
 
@@ -56,9 +56,7 @@ struct quantity_row {
     const char *sigma_column; /* the same in data/ as a multiple of sigma; NULL: none */
     const char *symbol;       /* as tables and captions print it: "ECR·Aₙ" */
     const char *short_symbol; /* in running text: "ECR" */
-    const char *title;        /* as a chart's title begins: "Separation" */
     const char *unit;         /* as printed, "" for a ratio; lengths are printed as multiples of sigma */
-    const char *label;        /* of a chart's axis */
     unsigned effect;          /* EFFECT_BITs that it belongs to, any of them; 0: every run has it */
     unsigned from;            /* QUANTITY_BITs that it is made of once a model has run; 0: the model computes it */
     bool logarithmic;         /* axis */

@@ -357,7 +357,7 @@ static json_t *surface_json(const struct results *results, size_t index)
     set_count(json, "points", s->points);
     for (size_t c = 0; c < cell_column_count; c++)
         set(json, guard, cell_columns[c].name, cell_column_of(s, c));
-    set(json, guard, "heights_factor_ecr", comparison_heights_factor(results, index));
+    set(json, guard, "heights_factor_ecr", comparison_heights_factor(results, index, QUANTITY_ECR));
     set(json, guard, "rsk", roughness_skewness(&s->roughness));
     set(json, guard, "rku", roughness_kurtosis(&s->roughness));
     json_object_set_new(json, "fit", fit_json(record, scene->fit, guard));

@@ -135,7 +135,7 @@ static void fill_surfaces(struct table *table, const struct results *results)
         for (size_t c = 0; c < cell_column_count; c++)
             if (in_table(c, asperities))
                 put_number(table, cell_columns[c].name, cell_column_of(s, c));
-        put_number(table, "heights_factor_ecr", comparison_heights_factor(results, i));
+        put_number(table, "heights_factor_ecr", comparison_heights_factor(results, i, QUANTITY_ECR));
         for (size_t m = 0; m < model_count; m++)
             if (has_beta(plan, m))
                 put_number(table, "beta", surface_model(s, m)->exists ? surface_model(s, m)->beta : NAN);

@@ -85,18 +85,15 @@ static void add_comment(struct text *out, const char *string)
 static enum status_code write_one(const json_t *item, const char *folder, const char *program, const char *ending,
                                   const char *directory, struct status *status)
 {
-    struct text path = {0}, content = {0};
+    struct text content = {0};
     char dotted[NAME_MAX + 2];
     snprintf(dotted, sizeof dotted, ".%s", ending);
     struct mustache_folder templates = {folder, dotted, NULL, status};
-    text_add(&path, "%s/export/%s.%s.%s", directory, json_string_value(json_object_get(item, "file")), program, ending);
     enum status_code rc = mustache_file(&content, &templates, program, item, add_comment);
     if (rc == STATUS_OK)
-        rc = path.failed || content.failed
-                 ? status_memory(status)
-                 : text_write_file(text_string(&path), text_string(&content), content.length, status);
+        rc = text_save(&content, status, "%s/export/%s.%s.%s", directory,
+                       json_string_value(json_object_get(item, "file")), program, ending);
     mustache_folder_free(&templates);
-    text_free(&path);
     text_free(&content);
     return rc;
 }

@@ -4,32 +4,28 @@
 #include "base/hash.h"
 #include "base/mustache.h"
 
-#include <ctype.h>
 #include <limits.h>
 #include <md4c.h>
-#include <stdlib.h>
 #include <string.h>
 
-/* md4c reads the Markdown and calls back for each block, span and piece of text. A block's words are gathered in `line`
- * and written when the block ends or another begins in it: only then is it known what a heading's id is and whether a
- * paragraph is a row of figures. */
+/* md4c reads the Markdown and calls back for each block, span and piece of text, which are written as they come. A
+ * paragraph's tag waits for its first words: one of charts alone is their figures. */
 
 struct page {
     struct text body, contents;
-    struct text ids;     /* of the headings so far, each between line ends */
-    struct text line;    /* the open block's words, with their tags */
-    struct text words;   /* the same without tags */
-    struct text figures; /* its charts as figures, for when it holds nothing else */
-    struct text target;  /* of the last link or image */
-    struct text label;   /* of the open image, escaped */
+    struct text target; /* of the last link or image */
+    struct text label;  /* of the open image, escaped */
     const char *title, *directory;
-    unsigned level;  /* of the last entry in the contents: 0 (none), 2 or 3 */
-    unsigned parts;  /* headings of the first level so far: below the second, sections are folded */
-    bool in_folded;  /* inside the <details> of a section */
-    unsigned images; /* open, each but the outermost in the label of another */
-    bool mixed;      /* the line holds more than charts */
-    bool in_figures; /* inside the <div> of a run of figures */
-    bool in_link;    /* inside a link that was kept */
+    unsigned headings;                     /* so far: their ids */
+    unsigned parts;                        /* those of the first level: below the second, sections are folded */
+    bool in_folded;                        /* inside the <details> of a section */
+    bool in_entry;                         /* inside a heading that stands in the contents */
+    bool paragraph_waits;                  /* its words are still to come */
+    bool in_paragraph;                     /* inside <p> */
+    bool cell_waits;                       /* a cell of a table, the same */
+    bool in_verdict;                       /* inside the <span> of a cell that judges */
+    bool in_link;                          /* inside a link that was kept */
+    unsigned images;                       /* open, each but the outermost in the label of another */
     unsigned char script_hash[HASH_BYTES]; /* of the only script that the page's policy lets run: the skeleton's own */
     struct status *status;
 };
@@ -40,143 +36,69 @@ static void empty(struct text *text)
     text_add_bytes(text, "", 0);
 }
 
-/* The ASCII character that "&#60;", "&#x3c;" or "&amp;" stands for; 0 for any other reference. */
-static char ascii_reference(const char *reference, size_t size)
-{
-    if (size == strlen("&amp;") && memcmp(reference, "&amp;", size) == 0)
-        return '&';
-    if (reference[1] != '#')
-        return 0;
-    bool hexadecimal = tolower((unsigned char)reference[2]) == 'x';
-    unsigned long code = strtoul(reference + (hexadecimal ? 3 : 2), NULL, hexadecimal ? 16 : 10);
-    return code < 0x80 ? (char)code : 0;
-}
-
-/* Takes over where a link or image leads, as plain text. */
+/* Takes over where a link or image leads, as plain text: nowhere where characters stand as references, behind which a
+ * scheme could hide. */
 static void read_target(struct page *page, const MD_ATTRIBUTE *target)
 {
+    bool plain = true;
     empty(&page->target);
-    for (size_t i = 0; target->size > 0 && target->substr_offsets[i] < target->size; i++) {
-        const char *part = target->text + target->substr_offsets[i];
-        size_t size = target->substr_offsets[i + 1] - target->substr_offsets[i];
-        char c = target->substr_types[i] == MD_TEXT_ENTITY ? ascii_reference(part, size) : 0;
-        text_add_bytes(&page->target, c ? &c : part, c ? 1 : size);
-    }
+    for (size_t i = 0; target->size > 0 && target->substr_offsets[i] < target->size; i++)
+        plain = plain && target->substr_types[i] == MD_TEXT_NORMAL;
+    if (plain)
+        text_add_bytes(&page->target, target->text, target->size);
 }
 
-/* GitHub's rule, so that a link inside report.md finds its section in both places: lower case, blanks become '-',
- * punctuation goes, and what is not ASCII stays. */
-static void add_slug(struct text *out, const char *heading)
-{
-    size_t before = out->length;
-    for (; *heading; heading++) {
-        unsigned char c = (unsigned char)*heading;
-        char lower = (char)tolower(c);
-        if (c == '&')
-            heading = strchr(heading, ';'); /* a character reference, of punctuation */
-        else if (c == ' ' || c == '\n')
-            text_add(out, "-");
-        else if (c >= 0x80 || isalnum(c) || c == '-' || c == '_')
-            text_add_bytes(out, &lower, 1);
-    }
-    if (out->length == before)
-        text_add(out, "section");
-}
+/* What a cell that begins with a mark says of a limit; page.html has colours for it, beside the mark's words. */
+static const struct {
+    const char *mark, *start;
+} verdicts[] = {
+    {"✓", "<span class=\"met\">"},
+    {"✗", "<span class=\"missed\">"},
+    {"? ", "<span class=\"untold\">"},
+};
 
-/* Adds the id of `heading`, numbered if the page has it already, to `ids` and returns it with a line end after it. */
-static const char *add_id(struct text *ids, const char *heading)
+/* Before the first words of a paragraph or cell, which begin so; NULL: with a span. */
+static void begin_words(struct page *page, const char *words, size_t size)
 {
-    if (ids->length == 0)
-        text_add(ids, "\n");
-    size_t start = ids->length;
-    add_slug(ids, heading);
-    size_t plain = ids->length;
-    text_add(ids, "\n");
-    for (unsigned number = 1; !ids->failed; number++) {
-        const char *line = ids->data + start - 1;
-        if (strstr(ids->data, line) == line)
-            return line + 1;
-        ids->length = plain;
-        text_add(ids, "-%u\n", number);
-    }
-    return "";
-}
-
-static void add_contents_entry(struct page *page, unsigned level, const char *id, int id_length)
-{
-    if (page->level == 0)
-        level = 2; /* a subsection before any section stands as one */
-    if (level == 3)
-        text_add(&page->contents, page->level == 2 ? "\n<ul>\n" : "</li>\n");
-    else if (page->level > 0)
-        text_add(&page->contents, page->level == 2 ? "</li>\n" : "</li>\n</ul></li>\n");
-    text_add(&page->contents, "<li><a href=\"#%.*s\">%s</a>", id_length, id, text_string(&page->words));
-    page->level = level;
-}
-
-static void end_contents(struct page *page)
-{
-    if (page->level > 0)
-        text_add(&page->contents, page->level == 2 ? "</li>\n" : "</li>\n</ul></li>\n");
-}
-
-static void empty_line(struct page *page)
-{
-    empty(&page->line);
-    empty(&page->words);
-    empty(&page->figures);
-    page->mixed = false;
-}
-
-/* Writes the line between `start` and `end`. */
-static void end_line(struct page *page, const char *start, const char *end)
-{
-    if (page->in_figures)
-        text_add(&page->body, "</div>\n");
-    page->in_figures = false;
-    text_add(&page->body, "%s", start);
-    text_add_bytes(&page->body, text_string(&page->line), page->line.length);
-    text_add(&page->body, "%s", end);
-    empty_line(page);
-}
-
-static void end_paragraph(struct page *page)
-{
-    if (page->mixed || page->figures.length == 0) {
-        end_line(page, "<p>", "</p>\n");
-        return;
-    }
-    if (!page->in_figures)
-        text_add(&page->body, "<div class=\"figures\">\n");
-    text_add(&page->body, "%s\n", text_string(&page->figures));
-    empty_line(page);
-    page->in_figures = true;
+    if (page->paragraph_waits)
+        text_add(&page->body, "<p>");
+    page->in_paragraph |= page->paragraph_waits;
+    for (size_t i = 0; page->cell_waits && words && i < sizeof verdicts / sizeof *verdicts; i++)
+        if (size >= strlen(verdicts[i].mark) && strncmp(words, verdicts[i].mark, strlen(verdicts[i].mark)) == 0) {
+            text_add(&page->body, "%s", verdicts[i].start);
+            page->in_verdict = true;
+        }
+    page->paragraph_waits = page->cell_waits = false;
 }
 
 static const char fold_end[] = "</details>\n";
 
-static void end_heading(struct page *page, unsigned level)
+static void start_heading(struct page *page, unsigned level)
 {
-    const char *id = add_id(&page->ids, text_string(&page->words));
-    int id_length = (int)strcspn(id, "\n");
-    struct text start = {0};
     page->parts += level == 1;
-    bool folds = level == 2 && page->parts > 1;
-    if (level == 2 || level == 3 || page->parts > 1)
-        add_contents_entry(page, level == 3 ? 3 : 2, id, id_length);
+    page->headings++;
     if (page->in_folded && level <= 2) {
-        text_add(&start, fold_end);
+        text_add(&page->body, "%s", fold_end);
         page->in_folded = false;
     }
-    text_add(&start, "%s<h%u id=\"%.*s\">", folds ? "<details class=\"folded\"><summary>" : "", level, id_length, id);
-    end_line(page, text_string(&start), "");
-    text_add(&page->body, "</h%u>%s\n", level, folds ? "</summary>" : "");
+    bool folds = level == 2 && page->parts > 1;
     page->in_folded |= folds;
-    page->body.failed |= start.failed;
-    text_free(&start);
+    page->in_entry = level == 2 || (level == 1 && page->parts > 1);
+    text_add(&page->body, "%s<h%u id=\"section-%u\">", folds ? "<details class=\"folded\"><summary>" : "", level,
+             page->headings);
+    if (page->in_entry)
+        text_add(&page->contents, "<li><a href=\"#section-%u\">", page->headings);
 }
 
-/* what goes around a block's words; a paragraph's and a heading's tags are written when they end */
+static void end_heading(struct page *page, unsigned level)
+{
+    text_add(&page->body, "</h%u>%s\n", level, page->in_folded && level == 2 ? "</summary>" : "");
+    if (page->in_entry)
+        text_add(&page->contents, "</a></li>\n");
+    page->in_entry = false;
+}
+
+/* what goes around a block's words; a heading's tags have its level */
 static const struct {
     const char *start, *end;
 } block_tags[] = {
@@ -202,11 +124,13 @@ static int enter_block(MD_BLOCKTYPE type, void *detail, void *user)
     static const char *const alignments[] = {
         [MD_ALIGN_LEFT] = "left", [MD_ALIGN_CENTER] = "center", [MD_ALIGN_RIGHT] = "right"};
     struct page *page = user;
-    if (type != MD_BLOCK_P || page->line.length > 0) /* a run of figures may go on in a paragraph */
-        end_line(page, "", "");
     const MD_BLOCK_OL_DETAIL *list = type == MD_BLOCK_OL ? detail : NULL;
     const MD_BLOCK_TD_DETAIL *cell = type == MD_BLOCK_TH || type == MD_BLOCK_TD ? detail : NULL;
-    if (list && list->start != 1)
+    page->paragraph_waits = type == MD_BLOCK_P;
+    page->cell_waits = type == MD_BLOCK_TD;
+    if (type == MD_BLOCK_H)
+        start_heading(page, ((const MD_BLOCK_H_DETAIL *)detail)->level);
+    else if (list && list->start != 1)
         text_add(&page->body, "<ol start=\"%u\">\n", list->start);
     else if (cell && cell->align != MD_ALIGN_DEFAULT)
         text_add(&page->body, "<%s align=\"%s\">", type == MD_BLOCK_TH ? "th" : "td", alignments[cell->align]);
@@ -215,36 +139,17 @@ static int enter_block(MD_BLOCKTYPE type, void *detail, void *user)
     return 0;
 }
 
-/* What a cell that begins with a mark says of a limit; page.html has colours for it, beside the mark's words. */
-static const struct {
-    const char *mark, *start;
-} verdicts[] = {
-    {"✓", "<span class=\"met\">"},
-    {"✗", "<span class=\"missed\">"},
-    {"? ", "<span class=\"untold\">"},
-};
-
-static void end_cell(struct page *page)
-{
-    for (size_t i = 0; i < sizeof verdicts / sizeof *verdicts; i++)
-        if (strncmp(text_string(&page->words), verdicts[i].mark, strlen(verdicts[i].mark)) == 0) {
-            end_line(page, verdicts[i].start, "</span></td>\n");
-            return;
-        }
-    end_line(page, "", "</td>\n");
-}
-
 static int leave_block(MD_BLOCKTYPE type, void *detail, void *user)
 {
     struct page *page = user;
-    if (type == MD_BLOCK_TD)
-        end_cell(page);
-    else if (type == MD_BLOCK_P)
-        end_paragraph(page);
-    else if (type == MD_BLOCK_H)
+    if (type == MD_BLOCK_H)
         end_heading(page, ((const MD_BLOCK_H_DETAIL *)detail)->level);
-    else
-        end_line(page, "", block_tags[type].end);
+    if (type == MD_BLOCK_P && page->in_paragraph)
+        text_add(&page->body, "</p>\n");
+    if (type == MD_BLOCK_TD && page->in_verdict)
+        text_add(&page->body, "</span>");
+    page->in_paragraph = page->in_verdict = page->paragraph_waits = page->cell_waits = false;
+    text_add(&page->body, "%s", block_tags[type].end);
     return 0;
 }
 
@@ -282,55 +187,31 @@ static const char *chart_name(const char *source)
     return chart ? name : NULL;
 }
 
-/* The caption, "Figures 6-05 to 6-09." in bold where it begins so. */
-static void add_caption(struct text *out, const char *label)
+/* A chart stands where its image does, as a picture in which nothing can act, whatever names it holds; outside of words
+ * it is a figure with its caption. Of anything else only the words remain, as the page may not refer to other files. */
+static enum status_code end_image(struct page *page)
 {
-    const char *stop = strncmp(label, "Figure", strlen("Figure")) == 0 ? strstr(label, ". ") : NULL;
-    text_add(out, "\n<figcaption>");
-    if (stop)
-        text_add(out, "<b>%.*s</b>", (int)(stop + 1 - label), label);
-    text_add(out, "%s</figcaption>", stop ? stop + 1 : label);
-}
-
-/* Reads figures/NAME. */
-static enum status_code read_figure(struct text *out, struct text *path, struct page *page, const char *name)
-{
-    text_add(path, "%s/figures/%s", page->directory, name);
-    return path->failed ? status_memory(page->status) : text_read_file(out, text_string(path), page->status);
-}
-
-/* The chart as a picture in the page: nothing in it can act, whatever names it holds. */
-static enum status_code add_chart(struct page *page, const char *name)
-{
-    struct text path = {0}, drawing = {0}, *out = &page->line;
-    size_t before = out->length;
-    enum status_code code = read_figure(&drawing, &path, page, name);
+    const char *name = chart_name(text_string(&page->target)), *label = text_string(&page->label);
+    struct text path = {0}, drawing = {0}, *out = &page->body;
+    if (!name) {
+        begin_words(page, label, page->label.length);
+        text_add_bytes(out, label, page->label.length);
+        return STATUS_OK;
+    }
+    text_add(&path, "%s/figures/%s", page->directory, name);
+    enum status_code code =
+        path.failed ? status_memory(page->status) : text_read_file(&drawing, text_string(&path), page->status);
     if (code == STATUS_OK) {
-        text_add(out, "<img alt=\"");
-        text_add_bytes(out, text_string(&page->label), page->label.length); /* escaped already */
-        text_add(out, "\" src=\"data:image/svg+xml;base64,");
+        bool figure = page->paragraph_waits;
+        text_add(out, "%s<img alt=\"%s\" src=\"data:image/svg+xml;base64,", figure ? "<figure>\n" : "", label);
         add_base64(out, (const unsigned char *)text_string(&drawing), drawing.length);
         text_add(out, "\">");
-        text_add(&page->figures, "<figure>\n");
-        text_add_bytes(&page->figures, text_string(out) + before, out->length - before);
-        add_caption(&page->figures, text_string(&page->label));
-        text_add(&page->figures, "\n</figure>\n");
+        if (figure)
+            text_add(out, "\n<figcaption>%s</figcaption>\n</figure>\n", label);
     }
     text_free(&path);
     text_free(&drawing);
     return code;
-}
-
-/* A chart stands where its image does; of anything else only the words remain, as the page may not refer to other
- * files. */
-static enum status_code end_image(struct page *page)
-{
-    const char *name = chart_name(text_string(&page->target));
-    if (name)
-        return add_chart(page, name);
-    text_add_bytes(&page->line, text_string(&page->label), page->label.length);
-    page->mixed = true;
-    return STATUS_OK;
 }
 
 /* May a link lead there? Within the page or report, or by a scheme that only opens a page or a letter. */
@@ -348,11 +229,11 @@ static bool link_allowed(const char *target)
 static void start_link(struct page *page, const MD_ATTRIBUTE *href)
 {
     read_target(page, href);
-    page->in_link = link_allowed(text_string(&page->target));
+    page->in_link = page->target.length > 0 && link_allowed(text_string(&page->target));
     if (page->in_link) {
-        text_add(&page->line, "<a href=\"");
-        text_add_html(&page->line, text_string(&page->target), page->target.length);
-        text_add(&page->line, "\">");
+        text_add(&page->body, "<a href=\"");
+        text_add_html(&page->body, text_string(&page->target), page->target.length);
+        text_add(&page->body, "\">");
     }
 }
 
@@ -368,11 +249,11 @@ static int enter_span(MD_SPANTYPE type, void *detail, void *user)
     }
     if (page->images > 0)
         return 0;
-    page->mixed = true;
+    begin_words(page, NULL, 0);
     if (type == MD_SPAN_A)
         start_link(page, &((const MD_SPAN_A_DETAIL *)detail)->href);
     else
-        text_add(&page->line, "<%s>", span_tags[type]);
+        text_add(&page->body, "<%s>", span_tags[type]);
     return 0;
 }
 
@@ -385,30 +266,31 @@ static int leave_span(MD_SPANTYPE type, void *detail, void *user)
     if (page->images > 0)
         return 0;
     if (type != MD_SPAN_A)
-        text_add(&page->line, "</%s>", span_tags[type]);
+        text_add(&page->body, "</%s>", span_tags[type]);
     else if (page->in_link)
-        text_add(&page->line, "</a>");
+        text_add(&page->body, "</a>");
     return 0;
 }
 
 static int add_words(MD_TEXTTYPE type, const MD_CHAR *bytes, MD_SIZE size, void *user)
 {
     struct page *page = user;
-    struct text *out = page->images > 0 ? &page->label : &page->line;
+    struct text *out = page->images > 0 ? &page->label : &page->body;
+    if (type == MD_TEXT_SOFTBR && page->images == 0 && page->paragraph_waits)
+        return 0; /* between figures */
+    if (page->images == 0)
+        begin_words(page, bytes, size);
     if (type == MD_TEXT_BR && page->images == 0)
         text_add(out, "<br>");
     size_t before = out->length;
-    char c = type == MD_TEXT_ENTITY ? ascii_reference(bytes, size) : 0;
     if (type == MD_TEXT_BR || type == MD_TEXT_SOFTBR)
         text_add(out, page->images > 0 ? " " : "\n");
-    else if (type == MD_TEXT_ENTITY && !c)
+    else if (type == MD_TEXT_ENTITY)
         text_add_bytes(out, bytes, size); /* the browser knows them all */
     else
-        text_add_html(out, c ? &c : bytes, c ? 1 : size);
-    if (page->images > 0)
-        return 0;
-    text_add_bytes(&page->words, text_string(out) + before, out->length - before);
-    page->mixed |= type != MD_TEXT_SOFTBR;
+        text_add_html(out, bytes, size);
+    if (page->in_entry && page->images == 0)
+        text_add_bytes(&page->contents, text_string(out) + before, out->length - before);
     return 0;
 }
 
@@ -451,8 +333,7 @@ enum status_code html_render(struct text *out, const char *markdown, const char 
                                      .leave_span = leave_span,
                                      .text = add_words};
     struct page page = {.title = title, .directory = directory, .status = status};
-    struct text *const texts[] = {&page.body,  &page.contents, &page.ids,    &page.line,
-                                  &page.words, &page.figures,  &page.target, &page.label};
+    struct text *const texts[] = {&page.body, &page.contents, &page.target, &page.label};
     struct mustache_folder folder = {templates, ".html", NULL, status};
     const char *skeleton = mustache_folder_partial(&folder, "page");
     size_t length = strlen(markdown);
@@ -461,8 +342,7 @@ enum status_code html_render(struct text *out, const char *markdown, const char 
     if (code == STATUS_OK) {
         hash_script(&page, skeleton);
         int failed = md_parse(markdown, (MD_SIZE)length, &parser, &page);
-        end_line(&page, page.in_folded ? fold_end : "", "");
-        end_contents(&page);
+        text_add(&page.body, "%s", page.in_folded ? fold_end : "");
         for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
             memory |= texts[i]->failed;
         code = status->code != STATUS_OK ? status->code : failed || memory ? status_memory(status) : STATUS_OK;

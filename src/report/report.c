@@ -6,18 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static enum status_code write_file(const char *directory, const char *name, const struct text *content,
-                                   struct status *status)
-{
-    struct text path = {0};
-    if (content->failed)
-        return status_memory(status);
-    text_add(&path, "%s/%s", directory, name);
-    enum status_code rc = text_write_file(text_string(&path), text_string(content), content->length, status);
-    text_free(&path);
-    return rc;
-}
-
 /** Leaves one empty line where parts that are absent left several, and no blanks at the ends of lines. */
 static void squeeze(struct text *markdown)
 {
@@ -63,17 +51,17 @@ enum status_code report_write(json_t *view, const struct report_options *options
     const char *title = json_string_value(json_object_get(view, "title"));
     enum status_code rc = report_markdown(&markdown, view, options, status);
     if (rc == STATUS_OK)
-        rc = write_file(directory, "report.md", &markdown, status);
+        rc = text_save(&markdown, status, "%s/report.md", directory);
     if (rc == STATUS_OK)
         rc = html_render(&html, text_string(&markdown), title, directory, options->templates, status);
     if (rc == STATUS_OK)
-        rc = write_file(directory, "report.html", &html, status);
+        rc = text_save(&html, status, "%s/report.html", directory);
     char *dumped = rc == STATUS_OK ? json_dumps(view, JSON_INDENT(1) | JSON_SORT_KEYS) : NULL;
     if (rc == STATUS_OK && !dumped)
         rc = status_memory(status);
     if (rc == STATUS_OK) {
         text_add(&tree, "%s\n", dumped);
-        rc = write_file(directory, "view.json", &tree, status);
+        rc = text_save(&tree, status, "%s/view.json", directory);
     }
     free(dumped);
     text_free(&tree);

@@ -79,6 +79,13 @@ json_t *view_item(json_t *array)
     return item;
 }
 
+json_t *view_part(json_t *out, const char *name)
+{
+    json_t *part = json_object();
+    json_object_set_new(out, name, part);
+    return part;
+}
+
 json_t *view_list(json_t *out, const char *name)
 {
     json_t *list = json_object_get(out, name);
@@ -114,20 +121,6 @@ void view_load(json_t *out, const char *name, const struct view_source *source, 
     set_text(out, name, &text);
 }
 
-void view_cell_text(json_t *row, const char *string)
-{
-    json_t *cell = view_item(view_list(row, "cells"));
-    view_text(cell, "text", string);
-}
-
-void view_cell(json_t *row, double value, int digits)
-{
-    struct text text = {0};
-    number_format(&text, value, digits);
-    view_cell_text(row, text_string(&text));
-    text_free(&text);
-}
-
 const char *view_name(const struct view_source *source, size_t surface)
 {
     return source->results->surfaces[surface].summary.scene->name;
@@ -138,49 +131,23 @@ const struct surface_summary *view_summary(const struct view_source *source, siz
     return &source->results->surfaces[surface].summary;
 }
 
-/** A chart that was drawn: its files, its numbers in chapter 6. */
-static void add_figures(json_t *out, const struct view_source *source)
+/** Charts that were drawn: their files, their numbers in chapter 6. */
+static void add_figures(json_t *out, const struct figures *figures)
 {
-    json_t *figures = json_object();
-    for (size_t i = 0; i < source->figures->count; i++) {
-        const struct chart *chart = &source->figures->chart[i];
-        char key[CHART_NAME];
-        size_t k = 0;
-        for (; chart->name[k]; k++) /* a name of the template's language has no hyphen here */
-            key[k] = chart->name[k] == '-' ? '_' : chart->name[k];
-        key[k] = '\0';
-        json_t *figure = json_pack("{ss}", "name", chart->name);
-        if (chart->numbers[0])
-            view_text(figure, "numbers", chart->numbers);
-        json_object_set_new(figures, key, figure);
+    json_t *list = view_part(out, "figures");
+    for (size_t i = 0; i < figures->count; i++) {
+        json_t *figure = view_part(list, figures->figure[i].name);
+        view_text(figure, "name", figures->figure[i].name);
+        view_text(figure, "numbers", figures->figure[i].numbers);
     }
-    json_object_set_new(out, "figures", figures);
-}
-
-/** Does every string of the tree stand? A tree with a hole is for want of memory. */
-static bool is_whole(const json_t *value)
-{
-    const char *key;
-    const json_t *member;
-    size_t i;
-    if (json_is_object(value)) {
-        json_object_foreach((json_t *)(uintptr_t)value, key, member) if (!is_whole(member)) return false;
-    } else if (json_is_array(value)) {
-        json_array_foreach(value, i, member)
-        {
-            if (!is_whole(member))
-                return false;
-        }
-    }
-    return value != NULL;
 }
 
 enum status_code view_make(json_t **out, const struct results *results, const struct comparison *comparison,
-                           const struct figures *figures, struct status *status)
+                           const struct figures *figures, struct words *words, struct status *status)
 {
     struct view_source source = {.results = results,
                                  .comparison = comparison,
-                                 .figures = figures,
+                                 .words = words,
                                  .baseline = &results->surfaces[results->baseline],
                                  .asked = asked_of(results)};
     source.leading = asked_leading(results, &source.asked);
@@ -190,8 +157,8 @@ enum status_code view_make(json_t **out, const struct results *results, const st
     *out = json_object();
     view_text(*out, "title", results->scene->title);
     view_text(*out, "version", version_string());
-    add_figures(*out, &source);
+    add_figures(*out, figures);
     for (size_t p = 0; p < sizeof parts / sizeof *parts; p++)
         parts[p](*out, &source);
-    return *out && is_whole(*out) ? STATUS_OK : status_memory(status);
+    return *out ? status->code : status_memory(status);
 }

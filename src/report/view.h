@@ -4,6 +4,7 @@
 #ifndef REPORT_VIEW_H
 #define REPORT_VIEW_H
 
+#include "chart/asked.h"
 #include "chart/figures.h"
 #include "results/comparison.h"
 #include <jansson.h>
@@ -12,7 +13,7 @@
 struct view_source {
     const struct results *results;
     const struct comparison *comparison;
-    const struct figures *figures;
+    struct words *words;
     const struct surface_record *baseline;
     size_t leading;
     struct asked asked;
@@ -20,7 +21,7 @@ struct view_source {
 
 /** The tree of a run, new. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code view_make(json_t **out, const struct results *results, const struct comparison *comparison,
-                                      const struct figures *figures, struct status *status);
+                                      const struct figures *figures, struct words *words, struct status *status);
 
 /* Its parts: each adds what its section needs, or nothing. Private to src/report. */
 void view_first_page(json_t *out, const struct view_source *source);
@@ -47,6 +48,8 @@ void view_interval(json_t *out, const char *name, double low, double high, int d
 void view_range(json_t *out, const char *name, double least, double most, int digits, const char *unit);
 void view_count(json_t *out, const char *name, size_t count);
 void view_flag(json_t *out, const char *name, bool flag);
+/** A new object of that name. */
+json_t *view_part(json_t *out, const char *name);
 /** A new object at the end of an array, or of the array `name` of an object, which is made if need be. */
 json_t *view_item(json_t *array);
 json_t *view_list(json_t *out, const char *name);
@@ -54,10 +57,6 @@ json_t *view_list(json_t *out, const char *name);
 void view_separate(json_t *array);
 /** A load of a surface as the user has it: "0.40 N". */
 void view_load(json_t *out, const char *name, const struct view_source *source, size_t surface, double load);
-/** A cell of a row of `cells`: a number or "–". */
-void view_cell(json_t *row, double value, int digits);
-void view_cell_text(json_t *row, const char *string);
-
 /** Name of a surface, as given. */
 const char *view_name(const struct view_source *source, size_t surface);
 const struct surface_summary *view_summary(const struct view_source *source, size_t surface);

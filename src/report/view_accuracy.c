@@ -47,9 +47,6 @@ static void put_tolerances(json_t *out, const struct view_source *source)
     if (alike)
         view_text(out, "report_alike", first);
     view_separate(list);
-    put_seconds(out, "before", cost->before);
-    if (own && cost->before > 0)
-        view_number(out, "share_percent", 100 * own->seconds / cost->before, 2, "");
     for (i = 0; i < cost->count; i++)
         if (strcmp(cost->rows[i].method, "Simpson") == 0 && cost->rows[i].setting == 1000)
             view_number(out, "simpson_error", cost->rows[i].error, 2, "");
@@ -69,8 +66,6 @@ static void put_effects(json_t *out, const struct view_source *source)
         if (skipped && !rows[r].runs)
             view_flag(skipped, "more_skipped", true);
         skipped = rows[r].runs ? skipped : item;
-        if (rows[r].evaluations > 0)
-            view_number(item, "evaluations", (double)rows[r].evaluations, 3, "");
         if (results->benchmark && rows[r].runs && rows[r].seconds > 0)
             put_seconds(item, "time", rows[r].seconds);
     }
@@ -103,7 +98,7 @@ static void put_stability(json_t *out, const struct view_source *source)
             on = i;
         }
     }
-    json_t *item = json_object();
+    json_t *item = view_part(out, "stability");
     if (limited > 0) {
         view_number(item, "limited", (double)limited, 3, "");
         view_text(item, "limited_on", view_name(source, on));
@@ -123,16 +118,14 @@ static void put_stability(json_t *out, const struct view_source *source)
     view_flag(item, "nothing",
               limited == 0 && !(clamped > 1e-4) && refused + refused_scans == 0 &&
                   !(results->lost && results->lost->count > 0));
-    json_object_set_new(out, "stability", item);
 }
 
 void view_accuracy(json_t *out, const struct view_source *source)
 {
     view_number(out, "tolerance", source->results->scene->tolerance, 1, "");
     if (source->results->benchmark) {
-        json_t *item = json_object();
+        json_t *item = view_part(out, "accuracy");
         put_tolerances(item, source);
-        json_object_set_new(out, "accuracy", item);
     }
     put_effects(out, source);
     put_stability(out, source);

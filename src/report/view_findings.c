@@ -12,6 +12,24 @@ struct finding {
     json_t *numbers;
 };
 
+/** What a check needs besides surfaces: models of the thesis that run. */
+enum need { NEEDS_ANY, NEEDS_SCALES, NEEDS_ADJUSTED, NEEDS_FAMILIES };
+
+/** A number that stands in a curve's summary. */
+enum number { AREA_SLOPE, GAP_AT_FULL, ELBOW_SHARE, SCALE_DEPENDENCE, BETA };
+
+struct check {
+    const char *part; /* of the thesis */
+    const char *name; /* a flag, for the template's words */
+    unsigned effects; /* EFFECT_BITs it needs */
+    enum need needs;
+    size_t surfaces; /* that it takes at least */
+    void (*check)(struct finding *out, const struct view_source *source, const struct check *row);
+    enum quantity quantity;  /* that check_yield(), check_rank(), check_distances() look at */
+    enum number number;      /* that check_numbers() looks at: */
+    double scale, low, high; /* shown times the scale; the finding is that it lies from low to high */
+};
+
 static bool speaks(const struct view_source *source, size_t m)
 {
     return model_rows[m]->in_findings && plan_runs_model(source->results->plan, m);
@@ -54,201 +72,90 @@ static void add_number(struct finding *out, const char *label, double least, dou
     view_range(item, "range", least, most, 2, "");
 }
 
-/** A number of each model over the surfaces; how many of them hold? */
-static void count_numbers(struct finding *out, const struct view_source *source, double scale,
-                          double (*number)(const struct curve_summary *), bool (*holds)(double value))
+static double number_of(const struct curve_summary *curve, enum number number)
+{
+    switch (number) {
+    case AREA_SLOPE:
+        return curve->area_slope;
+    case GAP_AT_FULL:
+        return isnan(curve->beta) ? curve->gap_at_full : NAN; /* β makes it 0, which proves nothing */
+    case ELBOW_SHARE:
+        return curve_summary_elbow_share(curve);
+    case SCALE_DEPENDENCE:
+        return curve->sd_most;
+    default:
+        return curve->beta;
+    }
+}
+
+/** A number of each model over the surfaces. */
+static void check_numbers(struct finding *out, const struct view_source *source, const struct check *row)
 {
     for (size_t m = 0; m < model_count; m++) {
         double least = INFINITY, most = -INFINITY;
         for (size_t k = 0; k < source->results->usable_count; k++) {
             const struct curve_summary *curve = curve_of(source, k, m);
-            double value = curve ? number(curve) : NAN;
+            double value = curve ? number_of(curve, row->number) : NAN;
             if (!isfinite(value))
                 continue;
             least = fmin(least, value);
             most = fmax(most, value);
             out->all++;
-            out->good += holds(value);
+            out->good += value >= row->low && value <= row->high;
         }
         if (least <= most)
-            add_number(out, model_rows[m]->label, least * scale, most * scale);
+            add_number(out, model_rows[m]->label, least * row->scale, most * row->scale);
     }
 }
 
-static double area_slope(const struct curve_summary *curve)
-{
-    return curve->area_slope;
-}
-
-static bool is_near_one(double value)
-{
-    return fabs(value - 1) <= 0.1;
-}
-
-static void check_linear(struct finding *out, const struct view_source *source)
-{
-    count_numbers(out, source, 1, area_slope, is_near_one);
-}
-
-static double gap_at_full(const struct curve_summary *curve)
-{
-    return isnan(curve->beta) ? curve->gap_at_full : NAN; /* β makes it 0, which proves nothing */
-}
-
-static bool is_closed(double value)
-{
-    return value < 0.01;
-}
-
-static void check_closed(struct finding *out, const struct view_source *source)
-{
-    count_numbers(out, source, 1, gap_at_full, is_closed);
-}
-
-static bool is_late(double value)
-{
-    return value > 0.1;
-}
-
-static void check_elbow(struct finding *out, const struct view_source *source)
-{
-    count_numbers(out, source, 100, curve_summary_elbow_share, is_late);
-}
-
-static double sd_most(const struct curve_summary *curve)
-{
-    return curve->sd_most;
-}
-
-static bool is_negligible(double value)
-{
-    return value < 0.05;
-}
-
-static void check_scale_dependence(struct finding *out, const struct view_source *source)
-{
-    count_numbers(out, source, 100, sd_most, is_negligible);
-}
-
-static double beta_of(const struct curve_summary *curve)
-{
-    return curve->beta;
-}
-
-static bool is_in_range(double value)
-{
-    return value >= 4 && value <= 12;
-}
-
-static void check_beta(struct finding *out, const struct view_source *source)
-{
-    count_numbers(out, source, 1, beta_of, is_in_range);
-}
-
-static void check_yield(struct finding *out, const struct view_source *source, enum quantity quantity)
+/** What yielding does to a quantity. */
+static void check_yield(struct finding *out, const struct view_source *source, const struct check *row)
 {
     for (size_t m = 0; m < model_count; m++) {
         const struct comparison_plastic *plastic = &source->comparison->models[m].plastic;
         if (!speaks(source, m))
             continue;
-        add_tally(out, &plastic->changes[quantity]);
-        if (quantity == QUANTITY_AREA && plastic->most > 0)
+        add_tally(out, &plastic->changes[row->quantity]);
+        if (row->quantity == QUANTITY_AREA && plastic->most > 0)
             add_number(out, model_rows[m]->label, plastic->least, plastic->most);
     }
 }
 
-static void check_plastic_area(struct finding *out, const struct view_source *source)
+static void check_sooner(struct finding *out, const struct view_source *source, const struct check *row)
 {
-    check_yield(out, source, QUANTITY_AREA);
-}
-
-static void check_plastic_gap(struct finding *out, const struct view_source *source)
-{
-    check_yield(out, source, QUANTITY_SEPARATION);
-}
-
-static void check_plastic_ecr(struct finding *out, const struct view_source *source)
-{
-    check_yield(out, source, QUANTITY_ECR);
-}
-
-static void check_sooner(struct finding *out, const struct view_source *source)
-{
+    (void)row;
     for (size_t m = 0; m < model_count; m++)
         if (speaks(source, m))
             add_tally(out, &source->comparison->models[m].plastic.sooner);
 }
 
-/** Of the multiscale and the statistical model of one law on every surface: is distance x less than y? */
-static void check_distances(struct finding *out, const struct view_source *source,
-                            double (*x)(const struct comparison_gap *), double (*y)(const struct comparison_gap *))
+/** Of the multiscale and the statistical model of one law on every surface: does the adjustment bring the gaps closer,
+ * is ECR closer than the area, is it within half a decade, so that both round to the same order of magnitude? */
+static void check_distances(struct finding *out, const struct view_source *source, const struct check *row)
 {
     for (size_t m = 0; m < model_count; m++)
         for (size_t k = 0; speaks(source, m) && k < source->results->usable_count; k++) {
             const struct comparison_gap *gap = &source->comparison->models[m].gaps[source->results->by_roughness[k]];
-            add_case(out, x(gap), y(gap), source->results->scene->tolerance * fmax(x(gap), y(gap)));
+            double x = row->quantity == QUANTITY_SEPARATION ? gap->adjusted : gap->ecr;
+            double y = row->quantity == QUANTITY_SEPARATION ? gap->plain
+                       : row->quantity == QUANTITY_AREA     ? gap->area
+                                                            : 0.5;
+            add_case(out, x, y, source->results->scene->tolerance * fmax(x, y));
         }
 }
 
-static double in_area(const struct comparison_gap *gap)
+static void check_gamma(struct finding *out, const struct view_source *source, const struct check *row)
 {
-    return gap->area;
-}
-
-static double in_ecr(const struct comparison_gap *gap)
-{
-    return gap->ecr;
-}
-
-static double plain(const struct comparison_gap *gap)
-{
-    return gap->plain;
-}
-
-static double adjusted(const struct comparison_gap *gap)
-{
-    return gap->adjusted;
-}
-
-/** "Similar": within half a decade, so that both round to the same order of magnitude. */
-static double half_a_decade(const struct comparison_gap *gap)
-{
-    (void)gap;
-    return 0.5;
-}
-
-static void check_families(struct finding *out, const struct view_source *source)
-{
-    check_distances(out, source, in_ecr, in_area);
-}
-
-static void check_adjustment(struct finding *out, const struct view_source *source)
-{
-    check_distances(out, source, adjusted, plain);
-}
-
-static void check_family_ecr(struct finding *out, const struct view_source *source)
-{
-    check_distances(out, source, in_ecr, half_a_decade);
-}
-
-static void check_proportional(struct finding *out, const struct view_source *source)
-{
-    double error = source->comparison->proportional_error;
-    out->all = isfinite(error);
-    out->good = error < 1e-6;
-}
-
-static void check_gamma(struct finding *out, const struct view_source *source)
-{
+    (void)row;
     for (size_t k = 0; k < source->results->usable_count; k++) {
         out->all += surface_tells_gamma(smoothest(source, k));
         out->good += surface_tells_gamma(smoothest(source, k)) && !surface_diverges(smoothest(source, k));
     }
 }
 
-static void check_convergence(struct finding *out, const struct view_source *source)
+static void check_convergence(struct finding *out, const struct view_source *source, const struct check *row)
 {
+    (void)row;
     for (size_t m = 0; m < model_count; m++)
         for (int s = 0; s < CONVERGENCE_SWEEP_COUNT && speaks(source, m) && model_rows[m]->stacks_scales; s++)
             for (size_t v = 0; v < convergence_sweeps[s].count; v++) {
@@ -258,47 +165,28 @@ static void check_convergence(struct finding *out, const struct view_source *sou
             }
 }
 
-/** Neighbours in roughness, load by load; a number is their share that is so ordered. */
-static void check_rank(struct finding *out, const struct view_source *source, enum quantity quantity)
+/** No order is found where neighbours go both ways. */
+static void add_no_order(struct finding *out, size_t one_way, size_t other_way)
+{
+    out->all += one_way + other_way > 1;
+    out->good += one_way > 0 && other_way > 0;
+}
+
+/** Neighbours in roughness, load by load: of the separation the finding is that they go both ways. */
+static void check_rank(struct finding *out, const struct view_source *source, const struct check *row)
 {
     for (size_t m = 0; m < model_count; m++) {
-        const struct comparison_tally *tally = &source->comparison->models[m].rank[quantity];
-        if (speaks(source, m))
+        const struct comparison_tally *tally = &source->comparison->models[m].rank[row->quantity];
+        if (speaks(source, m) && row->quantity == QUANTITY_SEPARATION)
+            add_no_order(out, tally->agreeing, tally->opposed);
+        else if (speaks(source, m))
             add_tally(out, tally);
     }
 }
 
-static void check_area_rank(struct finding *out, const struct view_source *source)
+static void check_beta_rank(struct finding *out, const struct view_source *source, const struct check *row)
 {
-    check_rank(out, source, QUANTITY_AREA);
-}
-
-static void check_ecr_rank(struct finding *out, const struct view_source *source)
-{
-    check_rank(out, source, QUANTITY_ECR);
-}
-
-static void check_tcr_rank(struct finding *out, const struct view_source *source)
-{
-    check_rank(out, source, QUANTITY_TCR);
-}
-
-/** No order is found where neighbours go both ways. */
-static void add_no_order(struct finding *out, const struct comparison_tally *tally)
-{
-    out->all += tally->agreeing + tally->opposed > 1;
-    out->good += tally->agreeing > 0 && tally->opposed > 0;
-}
-
-static void check_separation_rank(struct finding *out, const struct view_source *source)
-{
-    for (size_t m = 0; m < model_count; m++)
-        if (speaks(source, m))
-            add_no_order(out, &source->comparison->models[m].rank[QUANTITY_SEPARATION]);
-}
-
-static void check_beta_rank(struct finding *out, const struct view_source *source)
-{
+    (void)row;
     for (size_t m = 0; m < model_count; m++) {
         struct finding own = {0};
         for (size_t k = 1; k < source->results->usable_count; k++) {
@@ -306,69 +194,63 @@ static void check_beta_rank(struct finding *out, const struct view_source *sourc
             if (smooth && rough)
                 add_case(&own, rough->beta, smooth->beta, source->results->scene->tolerance * fabs(smooth->beta));
         }
-        add_no_order(out, &(struct comparison_tally){own.good, own.all - own.good, own.ties});
+        add_no_order(out, own.good, own.all - own.good);
     }
 }
 
-/** Falls γ from the smoother to the rougher neighbour by more than the errors of both? */
-static void check_gamma_rank(struct finding *out, const struct view_source *source)
+/** From the smoother to the rougher neighbour, beyond the errors of both: falls γ; has Δ no order? */
+static void check_laws(struct finding *out, const struct view_source *source, bool amplitude)
 {
-    for (size_t k = 1; k < source->results->usable_count; k++) {
-        const struct power_law *smooth = &smoothest(source, k - 1)->power_law,
-                               *rough = &smoothest(source, k)->power_law;
-        if (power_law_holds(smooth) && power_law_holds(rough))
-            add_case(out, rough->gamma, smooth->gamma, hypot(rough->gamma_error, smooth->gamma_error));
-    }
-}
-
-static void check_amplitude_rank(struct finding *out, const struct view_source *source)
-{
-    const double wavelength_m = results_law_wavelength_m(source->results);
+    const double at_m = results_law_wavelength_m(source->results);
     struct finding own = {0};
     for (size_t k = 1; k < source->results->usable_count; k++) {
         const struct power_law *smooth = &smoothest(source, k - 1)->power_law,
                                *rough = &smoothest(source, k)->power_law;
-        if (power_law_holds(smooth) && power_law_holds(rough))
-            add_case(
-                &own, log10(power_law_amplitude(rough, wavelength_m)), log10(power_law_amplitude(smooth, wavelength_m)),
-                hypot(power_law_error_decades(rough, wavelength_m), power_law_error_decades(smooth, wavelength_m)));
+        if (!power_law_holds(smooth) || !power_law_holds(rough))
+            continue;
+        if (amplitude)
+            add_case(&own, log10(power_law_amplitude(rough, at_m)), log10(power_law_amplitude(smooth, at_m)),
+                     hypot(power_law_error_decades(rough, at_m), power_law_error_decades(smooth, at_m)));
+        else
+            add_case(out, rough->gamma, smooth->gamma, hypot(rough->gamma_error, smooth->gamma_error));
     }
-    add_no_order(out, &(struct comparison_tally){own.good, own.all - own.good, own.ties});
+    add_no_order(out, own.good, own.all - own.good);
 }
 
-/** Each plastic model's spread between the surfaces against its elastic partner's. */
-static void check_spread(struct finding *out, const struct view_source *source)
+static void check_gamma_rank(struct finding *out, const struct view_source *source, const struct check *row)
 {
+    (void)row;
+    check_laws(out, source, false);
+}
+
+static void check_amplitude_rank(struct finding *out, const struct view_source *source, const struct check *row)
+{
+    (void)row;
+    check_laws(out, source, true);
+}
+
+/** The spread between the surfaces: of areas, each plastic model's against its elastic partner's; of resistances, each
+ * statistical model's against the multiscale one's of its law. */
+static void check_spread(struct finding *out, const struct view_source *source, const struct check *row)
+{
+    bool areas = row->quantity == QUANTITY_AREA;
+    enum comparison_spread of = areas ? COMPARISON_AREAS : COMPARISON_RESISTANCES;
     for (size_t m = 0; m < model_count; m++) {
-        size_t partner = model_index(model_rows[m]->elastic);
+        size_t partner = model_index(areas ? model_rows[m]->elastic : model_rows[m]->counterpart);
         if (!speaks(source, m) || partner == model_count)
             continue;
         const struct comparison_model *own = &source->comparison->models[m],
                                       *other = &source->comparison->models[partner];
-        add_case(out, comparison_mean_spread(source->results, own, other, COMPARISON_AREAS),
-                 comparison_mean_spread(source->results, other, own, COMPARISON_AREAS),
-                 source->results->scene->tolerance);
-    }
-}
-
-/** The resistances' spread between the surfaces: statistical against multiscale, of one law. */
-static void check_sensitive(struct finding *out, const struct view_source *source)
-{
-    for (size_t m = 0; m < model_count; m++) {
-        size_t counterpart = model_index(model_rows[m]->counterpart);
-        if (!speaks(source, m) || counterpart == model_count)
-            continue;
-        const struct comparison_model *own = &source->comparison->models[m],
-                                      *other = &source->comparison->models[counterpart];
-        add_case(out, comparison_mean_spread(source->results, other, own, COMPARISON_RESISTANCES),
-                 comparison_mean_spread(source->results, own, other, COMPARISON_RESISTANCES),
-                 source->results->scene->tolerance);
+        double x = comparison_mean_spread(source->results, own, other, of),
+               y = comparison_mean_spread(source->results, other, own, of);
+        add_case(out, areas ? x : y, areas ? y : x, source->results->scene->tolerance);
     }
 }
 
 /** The same order of magnitude: within a factor of 10, at the load where it is largest. */
-static void check_magnitude(struct finding *out, const struct view_source *source)
+static void check_magnitude(struct finding *out, const struct view_source *source, const struct check *row)
 {
+    (void)row;
     for (size_t m = 0; m < model_count; m++) {
         double most = speaks(source, m)
                           ? comparison_largest_spread(source->results, &source->comparison->models[m], COMPARISON_AREAS)
@@ -382,8 +264,9 @@ static void check_magnitude(struct finding *out, const struct view_source *sourc
 }
 
 /** Neighbouring resistance curves keep nearly the same distance when the widest is at most twice the narrowest. */
-static void check_equal_steps(struct finding *out, const struct view_source *source)
+static void check_equal_steps(struct finding *out, const struct view_source *source, const struct check *row)
 {
+    (void)row;
     for (size_t m = 0; m < model_count; m++) {
         const double *steps = source->comparison->models[m].steps;
         double least = INFINITY, most = -INFINITY;
@@ -402,9 +285,6 @@ static void check_equal_steps(struct finding *out, const struct view_source *sou
         add_number(out, model_rows[m]->label, least, most);
     }
 }
-
-/** What a check needs besides surfaces: models of the thesis that run. */
-enum need { NEEDS_ANY, NEEDS_SCALES, NEEDS_ADJUSTED, NEEDS_FAMILIES };
 
 static bool has(const struct view_source *source, enum need need)
 {
@@ -429,40 +309,35 @@ enum {
     CONVERGENCE = EFFECT_BIT(EFFECT_CONVERGENCE),
 };
 
-static const struct check {
-    const char *part; /* of the thesis */
-    const char *name; /* a flag, for the template's words */
-    unsigned effects; /* EFFECT_BITs it needs */
-    enum need needs;
-    size_t surfaces; /* that it takes at least */
-    void (*check)(struct finding *out, const struct view_source *source);
-} checks[] = {
-    {"6.2", "convergence_by_gamma", CONVERGENCE, NEEDS_SCALES, 1, check_convergence},
-    {"6.2", "gamma", 0, NEEDS_SCALES, 1, check_gamma},
-    {"6.3.1", "linear", 0, NEEDS_ANY, 1, check_linear},
-    {"6.3.1", "plastic_area", PLASTIC, NEEDS_ANY, 1, check_plastic_area},
-    {"6.3.2", "closed", SEPARATION, NEEDS_SCALES, 1, check_closed},
-    {"6.3.2", "plastic_gap", PLASTIC | SEPARATION, NEEDS_ANY, 1, check_plastic_gap},
-    {"6.3.2", "adjustment", SEPARATION, NEEDS_FAMILIES, 1, check_adjustment},
-    {"6.3.3", "elbow", ELECTRICAL, NEEDS_ANY, 1, check_elbow},
-    {"6.3.3", "plastic_ecr", PLASTIC | ELECTRICAL, NEEDS_ANY, 1, check_plastic_ecr},
-    {"6.3.3", "families", ELECTRICAL, NEEDS_FAMILIES, 1, check_families},
-    {"6.3.4", "proportional", ELECTRICAL | THERMAL, NEEDS_ANY, 1, check_proportional},
-    {"6.3.4", "scale_dependence", SCALE_DEPENDENT, NEEDS_ANY, 1, check_scale_dependence},
-    {"6.4", "gamma_rank", 0, NEEDS_ANY, 2, check_gamma_rank},
-    {"6.4", "amplitude_rank", 0, NEEDS_ANY, 3, check_amplitude_rank},
-    {"6.4.1", "area_rank", 0, NEEDS_ANY, 2, check_area_rank},
-    {"6.4.1", "magnitude", 0, NEEDS_ANY, 2, check_magnitude},
-    {"6.4.1", "spread", PLASTIC, NEEDS_ANY, 2, check_spread},
-    {"6.4.1", "sooner", PLASTIC, NEEDS_ANY, 1, check_sooner},
-    {"6.4.2", "separation_rank", SEPARATION, NEEDS_ANY, 2, check_separation_rank},
-    {"6.4.2", "beta", SEPARATION, NEEDS_ADJUSTED, 1, check_beta},
-    {"6.4.2", "beta_rank", SEPARATION, NEEDS_ADJUSTED, 3, check_beta_rank},
-    {"6.4.3", "ecr_rank", ELECTRICAL, NEEDS_ANY, 2, check_ecr_rank},
-    {"6.4.3", "equal_steps", ELECTRICAL, NEEDS_SCALES, 3, check_equal_steps},
-    {"6.4.4", "tcr_rank", THERMAL, NEEDS_ANY, 2, check_tcr_rank},
-    {"6.4.4", "sensitive", THERMAL, NEEDS_FAMILIES, 2, check_sensitive},
-    {"6.4.4", "family_ecr", ELECTRICAL, NEEDS_FAMILIES, 2, check_family_ecr},
+static const struct check checks[] = {
+    {"6.2", "convergence_by_gamma", CONVERGENCE, NEEDS_SCALES, 1, .check = check_convergence},
+    {"6.2", "gamma", 0, NEEDS_SCALES, 1, .check = check_gamma},
+    {"6.3.1", "linear", 0, NEEDS_ANY, 1, check_numbers, .number = AREA_SLOPE, .scale = 1, .low = 0.9, .high = 1.1},
+    {"6.3.1", "plastic_area", PLASTIC, NEEDS_ANY, 1, check_yield, .quantity = QUANTITY_AREA},
+    {"6.3.2", "closed", SEPARATION, NEEDS_SCALES, 1, check_numbers, .number = GAP_AT_FULL, .scale = 1, .low = -INFINITY,
+     .high = 0.01},
+    {"6.3.2", "plastic_gap", PLASTIC | SEPARATION, NEEDS_ANY, 1, check_yield, .quantity = QUANTITY_SEPARATION},
+    {"6.3.2", "adjustment", SEPARATION, NEEDS_FAMILIES, 1, check_distances, .quantity = QUANTITY_SEPARATION},
+    {"6.3.3", "elbow", ELECTRICAL, NEEDS_ANY, 1, check_numbers, .number = ELBOW_SHARE, .scale = 100, .low = 0.1,
+     .high = INFINITY},
+    {"6.3.3", "plastic_ecr", PLASTIC | ELECTRICAL, NEEDS_ANY, 1, check_yield, .quantity = QUANTITY_ECR},
+    {"6.3.3", "families", ELECTRICAL, NEEDS_FAMILIES, 1, check_distances, .quantity = QUANTITY_AREA},
+    {"6.3.4", "scale_dependence", SCALE_DEPENDENT, NEEDS_ANY, 1, check_numbers, .number = SCALE_DEPENDENCE,
+     .scale = 100, .low = -INFINITY, .high = 0.05},
+    {"6.4", "gamma_rank", 0, NEEDS_ANY, 2, .check = check_gamma_rank},
+    {"6.4", "amplitude_rank", 0, NEEDS_ANY, 3, .check = check_amplitude_rank},
+    {"6.4.1", "area_rank", 0, NEEDS_ANY, 2, check_rank, .quantity = QUANTITY_AREA},
+    {"6.4.1", "magnitude", 0, NEEDS_ANY, 2, .check = check_magnitude},
+    {"6.4.1", "spread", PLASTIC, NEEDS_ANY, 2, check_spread, .quantity = QUANTITY_AREA},
+    {"6.4.1", "sooner", PLASTIC, NEEDS_ANY, 1, .check = check_sooner},
+    {"6.4.2", "separation_rank", SEPARATION, NEEDS_ANY, 2, check_rank, .quantity = QUANTITY_SEPARATION},
+    {"6.4.2", "beta", SEPARATION, NEEDS_ADJUSTED, 1, check_numbers, .number = BETA, .scale = 1, .low = 4, .high = 12},
+    {"6.4.2", "beta_rank", SEPARATION, NEEDS_ADJUSTED, 3, .check = check_beta_rank},
+    {"6.4.3", "ecr_rank", ELECTRICAL, NEEDS_ANY, 2, check_rank, .quantity = QUANTITY_ECR},
+    {"6.4.3", "equal_steps", ELECTRICAL, NEEDS_SCALES, 3, .check = check_equal_steps},
+    {"6.4.4", "tcr_rank", THERMAL, NEEDS_ANY, 2, check_rank, .quantity = QUANTITY_TCR},
+    {"6.4.4", "sensitive", THERMAL, NEEDS_FAMILIES, 2, check_spread, .quantity = QUANTITY_TCR},
+    {"6.4.4", "family_ecr", ELECTRICAL, NEEDS_FAMILIES, 2, check_distances, .quantity = QUANTITY_ECR},
 };
 
 void view_findings(json_t *out, const struct view_source *source)
@@ -479,7 +354,7 @@ void view_findings(json_t *out, const struct view_source *source)
             continue;
         json_t *item = view_item(list);
         finding.numbers = view_list(item, "numbers");
-        row->check(&finding, source);
+        row->check(&finding, source, row);
         view_separate(finding.numbers);
         view_text(item, "part", row->part);
         view_flag(item, row->name, true);

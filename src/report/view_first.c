@@ -48,13 +48,9 @@ static void put_answer(json_t *out, const struct view_source *source, const stru
     view_flag(out, "at_most", answer->kind == ANSWER_LIGHTEST || answer->full);
     view_flag(out, "not_reached", answer->kind == ANSWER_NOT_REACHED);
     view_flag(out, "no_number", answer->kind == ANSWER_NONE);
-    view_flag(out, "invalid", answer->invalid);
     if (answer->kind != ANSWER_NONE)
         view_load(out, "load", source, surface, answer->load);
     view_interval(out, "interval", answer->low * scale, answer->high * scale, DIGITS);
-    double spots = answers_spots(answer, source->results->scene->nominal_area_m2);
-    if (spots < answers_least_spots)
-        view_number(out, "spots", spots, DIGITS, "");
 }
 
 static void put_value(json_t *out, const struct view_source *source, size_t surface)
@@ -71,24 +67,19 @@ static void put_value(json_t *out, const struct view_source *source, size_t surf
 static void put_answers(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
-    size_t named[NAMED_MOST], count = 0, best = results->by_roughness[0], worst = best;
+    size_t named[NAMED_MOST], count = 0;
     for (size_t k = 0; k < results->usable_count; k++) {
-        size_t i = results->by_roughness[k];
-        if (cost_of(source, i) < cost_of(source, best))
-            best = i;
-        if (cost_of(source, i) >= cost_of(source, worst))
-            worst = i;
-    }
-    named[count++] = best;
-    for (size_t i = 0; i < results->surface_count && results->usable_count <= NAMED_MOST; i++)
-        if (results->surfaces[i].summary.usable && i != best && count < NAMED_MOST) {
-            size_t at = count++;
-            for (; at > 1 && cost_of(source, i) < cost_of(source, named[at - 1]); at--)
-                named[at] = named[at - 1];
-            named[at] = i;
+        size_t i = results->by_roughness[k], at = count;
+        if (count == 2 && results->usable_count > NAMED_MOST) {
+            size_t place = cost_of(source, i) >= cost_of(source, named[1]);
+            if (place == 1 || cost_of(source, i) < cost_of(source, named[0]))
+                named[place] = i;
+            continue;
         }
-    if (results->usable_count > NAMED_MOST && worst != best)
-        named[count++] = worst;
+        for (count++; at > 0 && cost_of(source, i) < cost_of(source, named[at - 1]); at--)
+            named[at] = named[at - 1];
+        named[at] = i;
+    }
     json_t *list = view_list(out, "answers");
     for (size_t i = 0; i < count; i++) {
         json_t *item = view_item(list);
@@ -132,15 +123,13 @@ static void put_other_targets(json_t *out, const struct view_source *source)
 static void put_ranking(json_t *out, const struct view_source *source)
 {
     const struct comparison_ranking *ranking = &source->comparison->ranking;
-    const struct comparison_extremes *extremes =
+    const struct comparison_extent *extremes =
         &source->comparison->models[source->leading].extremes[ranking->criterion];
-    json_t *item = json_object();
     size_t told = 0, like = 0, first = 0;
     if (source->results->usable_count < 2 || extremes->count < 2) {
-        json_decref(item);
         return;
     }
-    json_object_set_new(out, "ranking", item);
+    json_t *item = view_part(out, "ranking");
     bool alike = extremes->most / extremes->least - 1 <= 2 * source->results->scene->tolerance;
     view_flag(item, "alike", alike);
     view_flag(item, "area_is_load_over_hardness", alike && ranking->criterion == QUANTITY_AREA);
@@ -205,8 +194,7 @@ static void put_measured(json_t *out, const struct view_source *source)
     const struct measured *measured = source->results->measured;
     if (!measured)
         return;
-    json_t *item = json_object();
-    json_object_set_new(out, "measured", item);
+    json_t *item = view_part(out, "measured");
     size_t turn = measured_turn(measured);
     const struct scene_asked *target = source->asked.target;
     if (target && source->asked.quantity == measured_quantity(measured, source->results->plan->running)) {
@@ -228,7 +216,7 @@ static void put_beside(json_t *out, const struct view_source *source)
     const struct results *results = source->results;
     size_t textbook = asked_textbook(results), baseline = results->baseline;
     if (textbook < model_count && textbook != source->leading) {
-        json_t *item = json_object();
+        json_t *item = view_part(out, "textbook");
         view_text(item, "label", model_rows[textbook]->label);
         if (source->asked.target) {
             const struct answer *answer = answer_of(source, baseline, textbook);
@@ -238,13 +226,12 @@ static void put_beside(json_t *out, const struct view_source *source)
                 view_load(item, "more_than", source, baseline, answer->load);
         } else
             view_number(item, "value", value_of(source, textbook, baseline), 3, source->asked.unit);
-        json_object_set_new(out, "textbook", item);
     }
     enum quantity quantity =
         quantity_rows[source->asked.quantity].from ? results_criterion(results) : source->asked.quantity;
     const struct asked_solved solved = asked_direct(results, quantity, results_operating_load(results, baseline));
     if (solved.value > 0) {
-        json_t *item = json_object();
+        json_t *item = view_part(out, "direct_answer");
         bool own = quantity == source->asked.quantity;
         view_number(item, "value", own ? asked_shown(&source->asked, solved.value) : solved.value, 3,
                     own ? source->asked.unit : quantity_rows[quantity].unit);
@@ -252,31 +239,19 @@ static void put_beside(json_t *out, const struct view_source *source)
         view_text(item, "surface", view_name(source, baseline));
         view_load(item, "load", source, baseline, solved.load);
         view_flag(item, "here", solved.load == results_operating_load(results, baseline));
-        json_object_set_new(out, "direct_answer", item);
     }
 }
 
 /* ---- What limits the answer ---- */
 
-struct limit {
-    const char *name; /* a flag of the item */
-    double factor;    /* 1 and up */
-    bool either_way;
-};
+/* As flags of the view name them. */
+static const char *const limit_names[] = {"place", "model", "length", "spacing", "hardness"};
+enum { PLACE, MODEL, LENGTH, SPACING, HARDNESS, LIMITS, LIMITS_SAID = 3 };
 
-/** The farthest from 1 over all usable surfaces. */
-static double farthest(const struct view_source *source,
-                       double (*factor)(const struct view_source *source, size_t surface))
-{
-    double most = NAN;
-    for (size_t k = 0; k < source->results->usable_count; k++) {
-        double own = factor(source, source->results->by_roughness[k]);
-        own = own < 1 ? 1 / own : own;
-        if (isfinite(own) && !(own <= most))
-            most = own;
-    }
-    return most;
-}
+struct limit {
+    const char *name;
+    double factor; /* 1 and up */
+};
 
 static double of_place(const struct view_source *source, size_t surface)
 {
@@ -293,19 +268,17 @@ static double of_model(const struct view_source *source, size_t surface)
     enum quantity quantity = results_criterion(results);
     const struct contact_point own = comparison_middle(results, source->leading, surface);
     double factor = NAN, load = results_operating_load(results, surface);
-    if (surface == results->baseline && results->direct_count > 0)
-        factor = asked_direct(results, quantity, load).ratio;
-    if (factor > 0)
-        return factor;
-    factor = NAN;
-    double sd = model_sd(model_rows[source->leading], quantity);
+    double sd = model_sd(model_rows[source->leading], quantity), direct = asked_direct(results, quantity, load).ratio;
+    if (surface == results->baseline && direct > 0)
+        return direct;
     if (sd > 0)
         return exp(1.96 * sd);
-    size_t beside = asked_beside(results);
+    size_t beside = model_index(model_rows[source->leading]->gaussian);
+    bool alone = plan_runs_model(results->plan, beside);
     for (size_t m = 0; m < model_count; m++) {
         const struct contact_point at = comparison_middle(results, m, surface);
         double ratio = at.value[quantity] / own.value[quantity];
-        if (m == source->leading || (beside < model_count && m != beside) ||
+        if (m == source->leading || (alone && m != beside) ||
             model_rows[m]->plastic != model_rows[source->leading]->plastic || !(ratio > 0) || !isfinite(ratio) ||
             !curve_summary_is_valid(surface_model(view_summary(source, surface), m), load))
             continue;
@@ -326,36 +299,32 @@ static double of_change(const struct view_source *source, size_t surface, enum s
     return factor > 0 ? factor : NAN;
 }
 
-static double of_length(const struct view_source *source, size_t surface)
+/** The factor by which a limit may change the answer, the farthest from 1 over all usable surfaces. */
+static double farthest(const struct view_source *source, int limit)
 {
-    return of_change(source, surface, SENSITIVITY_SCAN_HALVED);
+    double most = NAN;
+    for (size_t k = 0; k < source->results->usable_count; k++) {
+        size_t surface = source->results->by_roughness[k];
+        double own = limit == PLACE     ? of_place(source, surface)
+                     : limit == MODEL   ? of_model(source, surface)
+                     : limit == LENGTH  ? of_change(source, surface, SENSITIVITY_SCAN_HALVED)
+                     : limit == SPACING ? of_change(source, surface, SENSITIVITY_CUTOFF_DOUBLED)
+                                        : of_change(source, surface, SENSITIVITY_HARDNESS_RAISED);
+        own = own < 1 ? 1 / own : own;
+        if (isfinite(own) && !(own <= most))
+            most = own;
+    }
+    return most;
 }
-
-static double of_cutoff(const struct view_source *source, size_t surface)
-{
-    return of_change(source, surface, SENSITIVITY_CUTOFF_DOUBLED);
-}
-
-static double of_hardness(const struct view_source *source, size_t surface)
-{
-    return of_change(source, surface, SENSITIVITY_HARDNESS_RAISED);
-}
-
-static const struct {
-    const char *name;
-    double (*factor)(const struct view_source *source, size_t surface);
-} limit_rows[] = {
-    {"place", of_place}, {"model", of_model}, {"length", of_length}, {"spacing", of_cutoff}, {"hardness", of_hardness}};
-enum { LIMITS = sizeof limit_rows / sizeof *limit_rows, LIMITS_SAID = 3 };
 
 /** The three that change the answer most, and what a longer or finer scan would do. */
 static void put_limits(json_t *out, const struct view_source *source)
 {
-    struct limit limits[LIMITS] = {{.factor = 0}};
+    struct limit limits[LIMITS] = {{NULL, 0}};
     size_t count = 0;
     json_t *list = view_list(out, "limits");
-    for (size_t r = 0; r < LIMITS; r++) {
-        struct limit limit = {.name = limit_rows[r].name, .factor = farthest(source, limit_rows[r].factor)};
+    for (int r = 0; r < LIMITS; r++) {
+        struct limit limit = {limit_names[r], farthest(source, r)};
         char key[40];
         snprintf(key, sizeof key, "%s_factor", limit.name);
         view_number(out, key, limit.factor, DIGITS, "");
@@ -398,12 +367,9 @@ static void put_row(json_t *row, const struct view_source *source, size_t surfac
     view_text(row, "surface", view_name(source, surface));
     view_number(row, "rq_um", view_summary(source, surface)->roughness.rq_m * 1e6, 3, "");
     view_number(row, "area_percent", 100 * at.value[QUANTITY_AREA], DIGITS, "");
-    json_t *value = json_object(), *answer = json_object();
-    put_value(value, source, surface);
-    json_object_set_new(row, "value", value);
+    put_value(view_part(row, "value"), source, surface);
     if (source->asked.target)
-        put_answer(answer, source, answer_of(source, surface, source->leading), surface);
-    json_object_set_new(row, "answer", answer);
+        put_answer(view_part(row, "answer"), source, answer_of(source, surface, source->leading), surface);
     if (source->results->scene->limit_count > 0)
         view_flag(row, verdict_names[worst_verdict(source, surface)], true);
     for (size_t p = 0; lettered && p < ranking->count; p++)
@@ -463,14 +429,12 @@ void view_first_page(json_t *out, const struct view_source *source)
     char unit[UNIT_LENGTH + 20];
     view_flag(out, "several", results->usable_count > 1);
     view_flag(out, "has_intervals", results_intervals(results));
-    view_count(out, "surface_count", results->usable_count);
     view_text(out, "leading", model_rows[source->leading]->label);
     view_text(out, "baseline", view_name(source, results->baseline));
     view_load(out, "operating_load", source, results->baseline, load);
-    json_t *item = json_object();
-    view_text(item, "symbol", asked->symbol);
+    json_t *item = view_part(out, "asked");
+    view_text(item, "symbol", words_say(source->words, asked->name, NULL));
     view_text(item, "unit", asked->unit);
-    json_object_set_new(out, "asked", item);
     if (asked->target) {
         asked_text(unit, sizeof unit, asked->target->text);
         view_text(out, "target", unit);

@@ -28,7 +28,6 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
     view_number(row, "ra_um", s->roughness.ra_m * 1e6, 3, "");
     view_number(row, "length_mm", s->length_m * 1e3, 3, "");
     view_number(row, "spacing_um", s->spacing_m * 1e6, 3, "");
-    view_count(row, "points", s->points);
     view_count(row, "scans", s->scans);
     view_flag(row, "rows_of_a_map", repeats->count > 0 && repeats->scans == 1);
     if (repeats->cut > 0)
@@ -37,9 +36,7 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
         view_number(row, "worth", repeats->rq_m.effective, 2, "");
         view_flag(row, "map_too_small", repeats->rq_m.effective < ESTIMATE_LEAST_EFFECTIVE);
     }
-    view_number(row, "rsk", roughness_skewness(&s->roughness), 2, "");
-    view_number(row, "rku", roughness_kurtosis(&s->roughness), 2, "");
-    view_number(row, "heights", comparison_heights_factor(source->results, surface), 2, "");
+    view_number(row, "heights", comparison_heights_factor(source->results, surface, QUANTITY_ECR), 2, "");
     view_flag(row, "no_law", law->found == POWER_LAW_BAND_NONE);
     if (law->found == POWER_LAW_BAND_NONE)
         return;
@@ -52,14 +49,13 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
     double wavelength_m = results_law_wavelength_m(source->results);
     put_amplitude(row, "amplitude_um", law, isfinite(wavelength_m) ? wavelength_m : law->wavelength_m);
     view_number(row, "alpha", law->alpha, 3, "");
-    view_number(row, "misfit_decades", law->misfit_decades, 2, "");
 }
 
 void view_surfaces(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
     const struct scene *scene = results->scene;
-    json_t *item = json_object(), *rows = view_list(item, "rows");
+    json_t *item = view_part(out, "surfaces"), *rows = view_list(item, "rows");
     size_t scans = 0, periodic = 0, windowed = 0, lawless = 0;
     bool has_heights = false;
     for (size_t i = 0; i < results->surface_count; i++) {
@@ -70,7 +66,7 @@ void view_surfaces(json_t *out, const struct view_source *source)
         periodic += s->periodic;
         windowed += s->windowed;
         lawless += s->power_law.found == POWER_LAW_BAND_NONE;
-        has_heights = has_heights || isfinite(comparison_heights_factor(results, i));
+        has_heights = has_heights || isfinite(comparison_heights_factor(results, i, QUANTITY_ECR));
         if (json_array_size(rows) < VIEW_ROWS)
             put_surface(view_item(rows), source, i);
     }
@@ -86,7 +82,6 @@ void view_surfaces(json_t *out, const struct view_source *source)
     view_count(item, "periodic", periodic);
     view_flag(item, "all_windowed", windowed == scans);
     view_flag(item, "some_windowed", windowed > 0 && windowed < scans);
-    view_flag(item, "fit_of_the_thesis", scene->fit == POWER_LAW_THESIS);
     view_number(item, "wavelength_um", results_law_wavelength_m(results) * 1e6, 3, "");
     if (lawless > 0)
         view_count(item, "lawless", lawless);
@@ -105,7 +100,6 @@ void view_surfaces(json_t *out, const struct view_source *source)
         view_number(item, "perfect_lay_area", baseline->perfect_lay[0], 2, "");
         view_number(item, "perfect_lay_ecr", baseline->perfect_lay[1], 2, "");
     }
-    json_object_set_new(out, "surfaces", item);
 }
 
 /* ---- Inputs ---- */
@@ -114,30 +108,26 @@ void view_surfaces(json_t *out, const struct view_source *source)
 static void put_notes(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
-    json_t *list = view_list(out, "notes"), *item;
+    json_t *list = view_list(out, "notes"), *lines = json_object();
     for (size_t i = 0; i < results->surface_count; i++)
         for (size_t n = 0; n < view_summary(source, i)->notes.count; n++) {
             struct text line = {0}, shown = {0};
-            size_t k;
             note_line(&line, &view_summary(source, i)->notes.notes[n]);
             text_add_shown(&shown, text_string(&line));
-            json_t *known = NULL;
-            json_array_foreach(list, k, item)
-            {
-                if (strcmp(json_string_value(json_object_get(item, "line")), text_string(&shown)) == 0)
-                    known = item;
-            }
-            if (known) {
-                json_int_t more = json_integer_value(json_object_get(known, "more_surfaces"));
-                json_object_set_new(known, "more_surfaces", json_integer(more + 1));
+            json_t *item = json_object_get(lines, text_string(&shown));
+            if (item) {
+                json_int_t more = json_integer_value(json_object_get(item, "more_surfaces"));
+                view_count(item, "more_surfaces", (size_t)more + 1);
             } else if (json_array_size(list) < VIEW_ROWS) {
                 item = view_item(list);
                 view_text(item, "surface", view_name(source, i));
                 view_text(item, "line", text_string(&line));
+                json_object_set(lines, text_string(&shown), item);
             }
             text_free(&line);
             text_free(&shown);
         }
+    json_decref(lines);
 }
 
 static void put_files(json_t *row, const struct surface_summary *s)
@@ -153,7 +143,7 @@ static void put_files(json_t *row, const struct surface_summary *s)
 void view_inputs(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
-    json_t *item = json_object(), *rows = view_list(item, "rows"), *refused = view_list(item, "refused");
+    json_t *item = view_part(out, "inputs"), *rows = view_list(item, "rows"), *refused = view_list(item, "refused");
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = view_summary(source, i);
         if (s->refusal && json_array_size(refused) < VIEW_ROWS) {
@@ -187,12 +177,8 @@ void view_inputs(json_t *out, const struct view_source *source)
             json_t *row = view_item(sources);
             view_text(row, "label", model_rows[m]->label);
             view_text(row, "source", model_rows[m]->source);
-            view_text(row, "equations", model_rows[m]->equations);
-            view_text(row, "assumes", model_rows[m]->assumes);
-            view_text(row, "valid", model_rows[m]->valid);
         }
     view_text(item, "material", results->scene->bodies.material.name);
     view_text(item, "material_source",
               results->scene->bodies.material.source ? results->scene->bodies.material.source : "");
-    json_object_set_new(out, "inputs", item);
 }

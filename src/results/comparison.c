@@ -72,12 +72,10 @@ static double resistance(const struct contact_point *point)
     return value > 0 ? value : NAN;
 }
 
-/** The same of two surfaces, whose loads may be apart: then points at the same places of their lists. */
+/** Points of two surfaces' curves at the same places of their lists of loads. */
 static size_t listed_points(const struct model_curve *a, const double *loads_a, const struct model_curve *b,
                             const double *loads_b, size_t load_count)
 {
-    if (loads_a == loads_b)
-        return common_points(a, b);
     size_t count = a->count < b->count ? a->count : b->count;
     count = count < load_count ? count : load_count;
     while (count > 0 && (a->points[count - 1].value[QUANTITY_LOAD] != loads_a[count - 1] ||
@@ -130,19 +128,6 @@ static void compare_laws(struct comparison_plastic *out, const struct model_curv
         out->most = fmax(out->most, ratio);
     }
     count_case(&out->sooner, plastic->full_load, elastic->full_load, how->tolerance, 0);
-}
-
-static void check_proportion(struct comparison *out, const struct surface_record *record)
-{
-    double product = record->summary.pair.resistivity_ohm_m * record->summary.pair.conductivity_W_per_mK;
-    for (size_t m = 0; m < model_count; m++)
-        for (size_t i = 0; i < record->curves[m].count; i++) {
-            const struct contact_point *point = &record->curves[m].points[i];
-            if (!(point->value[QUANTITY_ECR] > 0) || !(point->value[QUANTITY_TCR] > 0))
-                continue;
-            double error = fabs(point->value[QUANTITY_TCR] / point->value[QUANTITY_ECR] * product - 1);
-            out->proportional_error = fmax(error, isnan(out->proportional_error) ? 0 : out->proportional_error);
-        }
 }
 
 /** Mean distances of a multiscale and a statistical curve. */
@@ -226,13 +211,13 @@ struct contact_point comparison_middle(const struct results *results, size_t mod
     return summary->exists ? summary->operating : quantity_nothing();
 }
 
-double comparison_heights_factor(const struct results *results, size_t surface)
+double comparison_heights_factor(const struct results *results, size_t surface, enum quantity quantity)
 {
     size_t leading = plan_leading_model(results->plan), gaussian = model_index(model_rows[leading]->gaussian);
     if (!plan_runs_model(results->plan, gaussian))
         return NAN;
-    return comparison_middle(results, leading, surface).value[QUANTITY_ECR] /
-           comparison_middle(results, gaussian, surface).value[QUANTITY_ECR];
+    return comparison_middle(results, leading, surface).value[quantity] /
+           comparison_middle(results, gaussian, surface).value[quantity];
 }
 
 /** Takes the surface's values at the operating load. */
@@ -242,27 +227,11 @@ static void note_middle(struct comparison *out, const struct results *results, s
     for (size_t m = 0; m < model_count; m++) {
         const struct contact_point point = comparison_middle(results, m, index);
         for (int q = 0; q < QUANTITY_COUNT && plan_runs_model(results->plan, m); q++) {
-            struct comparison_extremes *extremes = &out->models[m].extremes[q];
+            struct comparison_extent *extremes = &out->models[m].extremes[q];
             double value = comparison_value(&point, (enum quantity)q, m, summary->asperities.sigma_m);
-            if (isnan(value))
-                continue;
-            if (extremes->count == 0 || value < extremes->least) {
-                extremes->least = value;
-                extremes->least_at = index;
-            }
-            if (extremes->count == 0 || value > extremes->most) {
-                extremes->most = value;
-                extremes->most_at = index;
-            }
-            extremes->count++;
+            widen(extremes, value);
         }
     }
-}
-
-/** Does model `m` run, and have a counterpart that it may be held against? */
-static bool is_paired(const struct results *results, size_t m)
-{
-    return plan_runs_model(results->plan, m) && model_index(model_rows[m]->counterpart) < model_count;
 }
 
 /** What the k-th smoothest surface adds; `previous` is the next smoother one, NULL for the first. Of more surfaces than
@@ -283,38 +252,30 @@ static void take_in(struct comparison *out, const struct results *results, const
         size_t elastic = model_index(model_rows[m]->elastic), counterpart = model_index(model_rows[m]->counterpart);
         if (elastic < model_count)
             compare_laws(&out->models[m].plastic, &curves[elastic], &curves[m], m, sigma_m, &how);
-        if (is_paired(results, m))
+        if (plan_runs_model(results->plan, m) && counterpart < model_count)
             out->models[m].gaps[index] = gap_between(&curves[counterpart], &curves[m], sigma_m);
     }
-    check_proportion(out, record);
     note_extents(out, results, record, results_loads(results, index));
 }
 
-/** The arrays of the models, with nothing in them yet; models that do not run share the first set, which stays so. */
+/** The arrays of the models, with nothing in them yet. */
 static enum status_code allocate(struct comparison *out, const struct results *results, struct status *status)
 {
-    size_t surfaces = results->surface_count, loads = results->load_count, sets = 1, next = 1, pairs = 1, next_pair = 1;
-    for (size_t m = 0; m < model_count; m++) {
-        sets += plan_runs_model(results->plan, m);
-        pairs += is_paired(results, m);
-    }
+    size_t surfaces = results->surface_count, loads = results->load_count;
     out->models = calloc(model_count, sizeof *out->models);
-    if (!out->models)
+    out->gaps = malloc(model_count * surfaces * sizeof *out->gaps);
+    out->steps = malloc(model_count * surfaces * sizeof *out->steps);
+    out->extents = calloc(model_count * loads, sizeof *out->extents);
+    if (!out->models || !out->gaps || !out->steps || !out->extents)
         return status_memory(status);
-    out->gaps = malloc(pairs * surfaces * sizeof *out->gaps);
-    out->steps = malloc(sets * surfaces * sizeof *out->steps);
-    out->extents = calloc(sets * loads, sizeof *out->extents);
-    if (!out->gaps || !out->steps || !out->extents)
-        return status_memory(status);
-    for (size_t i = 0; i < pairs * surfaces; i++)
+    for (size_t i = 0; i < model_count * surfaces; i++) {
         out->gaps[i] = (struct comparison_gap){NAN, NAN, NAN, NAN};
-    for (size_t i = 0; i < sets * surfaces; i++)
         out->steps[i] = NAN;
+    }
     for (size_t m = 0; m < model_count; m++) {
-        size_t set = plan_runs_model(results->plan, m) ? next++ : 0;
-        out->models[m].gaps = out->gaps + (is_paired(results, m) ? next_pair++ : 0) * surfaces;
-        out->models[m].steps = out->steps + set * surfaces;
-        out->models[m].extents = out->extents + set * loads;
+        out->models[m].gaps = out->gaps + m * surfaces;
+        out->models[m].steps = out->steps + m * surfaces;
+        out->models[m].extents = out->extents + m * loads;
     }
     return STATUS_OK;
 }
@@ -334,16 +295,12 @@ static struct comparison_pair compare_pair(const struct estimate *a, double valu
         const struct interval first = {.mean = a->mean, .s = a->s, .degrees = a->degrees},
                               second = {.mean = b->mean, .s = b->s, .degrees = b->degrees};
         struct ranking welch = ranking_welch(&first, &second, estimate_level);
-        out = (struct comparison_pair){
-            .test = COMPARISON_WELCH, .ratio = welch.ratio, .low = welch.low, .high = welch.high, .p = welch.p};
-        return out;
+        return (struct comparison_pair){.test = COMPARISON_WELCH, .ratio = welch.ratio, .p = welch.p};
     }
     /* of one scan 2.3 s; of several, Student's: two intervals of 95 %, as those of one scan each are */
     double half_width = a->count == 1 && b->count == 1 ? single_scan_half_width(hypot(a->s, b->s))
                                                        : hypot(a->half_width, b->half_width);
     double difference = a->mean - b->mean;
-    out.low = exp(difference - half_width);
-    out.high = exp(difference + half_width);
     out.verdict = ranking_place(difference, half_width, a->heterogeneous || b->heterogeneous);
     return out;
 }
@@ -432,7 +389,6 @@ static enum status_code rank(struct comparison *out, const struct results *resul
             struct comparison_pair *pair = &ranking->pairs[ranking_pair(i, j, ranking->count)];
             *pair = compare_pair(middle_estimate(results, out->leading, by, a), leading_value(results, by, a),
                                  middle_estimate(results, out->leading, by, b), leading_value(results, by, b));
-            ranking->adjusted += pair->test == COMPARISON_WELCH;
         }
     pairs = ranking->count * (ranking->count - (ranking->count > 0)) / 2;
     if (adjust(ranking, pairs, status) != STATUS_OK)
@@ -442,9 +398,7 @@ static enum status_code rank(struct comparison *out, const struct results *resul
 
 enum status_code comparison_make(struct comparison *out, const struct results *results, struct status *status)
 {
-    *out = (struct comparison){.proportional_error = NAN,
-                               .middle_load = results_operating_load(results, results->baseline),
-                               .leading = plan_leading_model(results->plan)};
+    *out = (struct comparison){.leading = plan_leading_model(results->plan)};
     if (allocate(out, results, status) != STATUS_OK)
         return status->code;
     const struct surface_record *previous = NULL;

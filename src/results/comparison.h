@@ -20,13 +20,6 @@ struct comparison_plastic {
     struct comparison_tally sooner;                  /* plastic full contact at the lower load; one case a surface */
 };
 
-/** Smallest and largest value of a quantity over the surfaces, and which surfaces these are. */
-struct comparison_extremes {
-    double least, most;
-    size_t least_at, most_at;
-    size_t count; /* surfaces that have the value; 0: none, and the rest says nothing */
-};
-
 /** Multiscale against statistical model of one material law on one surface, over their common loads; NaN: not both
  * computed. */
 struct comparison_gap {
@@ -34,24 +27,23 @@ struct comparison_gap {
     double plain, adjusted; /* mean distance of delta, and of delta_ADJ (4.54), from the multiscale H; in sigma */
 };
 
-/** Least and largest value over the surfaces at one load of the list, of those in partial contact there. */
+/** Least and largest value over the surfaces that have one. */
 struct comparison_extent {
     double least, most;
-    size_t count; /* surfaces that have one */
+    size_t count; /* 0: none, and the rest says nothing */
 };
 
 /** What the surfaces have in common at a load. */
 enum comparison_spread { COMPARISON_AREAS, COMPARISON_RESISTANCES, COMPARISON_SPREADS };
 
-/** What one model adds to the comparison. The arrays are the comparison's; models that do not run have one set of them
- * together, with nothing in it. */
+/** What one model adds to the comparison. The arrays are the comparison's. */
 struct comparison_model {
     struct comparison_tally rank[QUANTITY_COUNT]; /* neighbours in roughness, load by load: the smoother one has the
                                                      larger area, the smaller shown separation/sigma and resistance */
     struct comparison_plastic plastic;            /* against its elastic partner */
     struct comparison_gap *gaps;                  /* against its counterpart, one a surface of the scene */
-    struct comparison_extremes extremes[QUANTITY_COUNT];     /* at the middle load */
-    struct comparison_extent (*extents)[COMPARISON_SPREADS]; /* one a load of the list */
+    struct comparison_extent extremes[QUANTITY_COUNT];       /* of the surfaces, at the middle load */
+    struct comparison_extent (*extents)[COMPARISON_SPREADS]; /* one a load of the list, of those in partial contact */
     double *steps; /* mean log10 of the resistance of the (k+1)-th smoothest surface over the k-th's, over their common
                       loads of partial contact; one a pair of neighbours; NaN: none */
 };
@@ -64,8 +56,8 @@ enum comparison_test {
 struct comparison_pair {
     enum comparison_test test;
     enum ranking_verdict verdict;
-    double ratio, low, high; /* of the better one's answer to the other's, and its 95 % interval */
-    double p;                /* Welch: after Holm's adjustment over all such pairs */
+    double ratio; /* of the better one's answer to the other's */
+    double p;     /* Welch: after Holm's adjustment over all such pairs */
 };
 
 enum { COMPARISON_RANKED_MOST = 100 /* surfaces; more are not ranked */ };
@@ -78,16 +70,13 @@ struct comparison_ranking {
     size_t *surface;         /* their indices, the best first; owned, as are: */
     struct comparison_pair *pairs; /* [ranking_pair(i, j, count)], i and j places in `surface` */
     struct ranking_groups groups;  /* of places: those that share one are not told apart */
-    size_t adjusted;               /* pairs by Welch's test, over which p is adjusted */
 };
 
 struct comparison {
     struct comparison_ranking ranking;
     struct comparison_model *models; /* model_count of them; owned */
-    double proportional_error;       /* largest |TCR/ECR / (1/(rho k)) - 1|; NaN: not both computed */
-    double middle_load;              /* where surfaces and models are compared: P/(A_n E') of the baseline surface */
     size_t leading;                  /* the model the summary speaks of: the running one of the greatest precedence */
-    struct comparison_gap *gaps;     /* the models' arrays, set after set; owned, as are: */
+    struct comparison_gap *gaps;     /* the models' arrays, one after another; owned, as are: */
     struct comparison_extent (*extents)[COMPARISON_SPREADS];
     double *steps;
 };
@@ -104,9 +93,9 @@ bool comparison_told_apart(const struct comparison_pair *pair);
 
 /** What a model says of a surface at the middle load; quantity_nothing() where it has no point. */
 struct contact_point comparison_middle(const struct results *results, size_t model, size_t surface);
-/** ECR of the leading model over that of its `gaussian` at the surface's operating load: what the heights do; NaN: one
- * of them has none. */
-double comparison_heights_factor(const struct results *results, size_t surface);
+/** A quantity of the leading model over that of its `gaussian` at the surface's operating load: what the heights do;
+ * NaN: one of them has none. */
+double comparison_heights_factor(const struct results *results, size_t surface, enum quantity quantity);
 /** Value of a quantity of a model's point, as tables and charts show it. */
 double comparison_value(const struct contact_point *point, enum quantity quantity, size_t model, double sigma_m);
 

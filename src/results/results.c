@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "results/results.h"
 
+#include "analysis/direct_study.h"
 #include <math.h>
 
 /** Models that stack scales and run, before `model`. */
@@ -104,17 +105,12 @@ bool results_has_material(const struct results *results)
     return false;
 }
 
-struct results_load_axis results_load_axis(const struct results *results, size_t surface)
+const struct direct_study *results_direct_baseline(const struct results *results)
 {
-    const struct scene *scene = results->scene;
-    const struct scene_load *load = &scene->load;
-    const struct material_pair *pair = results_pair(results, surface);
-    if (load->unit_text[0])
-        return (struct results_load_axis){load->unit_text,
-                                          scene_load_divisor(scene, load->kind, pair) / load->unit.factor};
-    if (results->loads_apart) /* P/(A_n E') of one is another pressure than of the next */
-        return (struct results_load_axis){"Pa", pair->effective_modulus_Pa};
-    return (struct results_load_axis){NULL, 1};
+    for (size_t k = 0; k < results->direct_count; k++)
+        if (results->direct[k].surface == results->baseline)
+            return &results->direct[k];
+    return NULL;
 }
 
 enum quantity results_criterion(const struct results *results)

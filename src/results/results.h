@@ -59,12 +59,8 @@ extern const char results_without_material[];
 /** Is any surface's material known? */
 bool results_has_material(const struct results *results);
 
-/** What charts and tables over load stand in: the unit the scene gives its loads in, else P/(A_n E'). */
-struct results_load_axis {
-    const char *unit; /* as written, hostile until escaped; NULL: P/(A_n E') */
-    double scale;     /* P/(A_n E') times it is the number to show */
-};
-struct results_load_axis results_load_axis(const struct results *results, size_t surface);
+/** The direct solution of the baseline; NULL: none. */
+const struct direct_study *results_direct_baseline(const struct results *results);
 
 /** Area ratios of one curve of the sweeps by a model that stacks scales: `scene->convergence.scales` values, longest
  * wavelength first. */

@@ -31,7 +31,8 @@ struct run {
     struct benchmark benchmark;
     struct measured_answers answers;
     struct comparison comparison;
-    struct figures figures;
+    struct gnuplot gnuplot;
+    struct words words;
     json_t *view;
     double *sweeps;
     struct direct_study *direct; /* results->direct_count of them */
@@ -210,23 +211,25 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
 {
     const struct run_options *options = run->options;
     const char *staging = run->output.staging;
+    const struct figures_task drawing = {&run->gnuplot,          staging,        options->templates,
+                                         options->terminal_size, options->brief, &run->words};
+    struct figures figures;
     double last = clock_seconds();
-    if (tables_write(run->results, staging, status) != STATUS_OK || stopped(run) ||
-        json_write(run->results, staging, status) != STATUS_OK ||
-        comparison_make(&run->comparison, run->results, status) != STATUS_OK || stopped(run))
-        return status->code;
-    out->times.tables = lap(&last);
-    if (figures_make(&run->figures, run->results, &run->comparison, options->brief, status) != STATUS_OK ||
-        stopped(run))
+    if (figures_draw(&figures, run->results, &drawing, status) != STATUS_OK || stopped(run))
         return status->code;
     out->times.figures = lap(&last);
-    if (figures_draw(&run->figures, staging, options->templates, options->terminal_size, &out->charts,
-                     &out->times.gnuplot, status) != STATUS_OK)
+    if (tables_write(run->results, staging, status) != STATUS_OK || stopped(run) ||
+        json_write(run->results, staging, status) != STATUS_OK ||
+        comparison_make(&run->comparison, run->results, status) != STATUS_OK || stopped(run) ||
+        view_make(&run->view, run->results, &run->comparison, &figures, &run->words, status) != STATUS_OK)
         return status->code;
-    last = clock_seconds();
+    out->times.tables = lap(&last);
+    if (gnuplot_finish(&run->gnuplot, status) != STATUS_OK ||
+        figures_letters(&out->charts, &figures, staging, status) != STATUS_OK)
+        return status->code;
+    out->times.gnuplot = lap(&last);
     const struct report_options how = {options->templates, options->template, options->brief};
-    if (view_make(&run->view, run->results, &run->comparison, &run->figures, status) != STATUS_OK ||
-        report_write(run->view, &how, staging, status) != STATUS_OK ||
+    if (report_write(run->view, &how, staging, status) != STATUS_OK ||
         export_write(run->view, run->scene, options->templates, staging, status) != STATUS_OK ||
         report_terminal(&out->table, run->view, options->templates, status) != STATUS_OK)
         return status->code;
@@ -252,16 +255,28 @@ static enum status_code begin_output(struct run *run, struct status *status)
     return rc;
 }
 
+/** Starts gnuplot, so that it stands ready when the first chart is. */
+static enum status_code begin_charts(struct run *run, struct status *status)
+{
+    struct text directory = {0};
+    text_add(&directory, "%s/figures", run->output.staging);
+    enum status_code rc = gnuplot_start(&run->gnuplot, text_string(&directory), status);
+    text_free(&directory);
+    return rc;
+}
+
 enum status_code run_report(struct run_outcome *out, const struct scene *scene, const struct run_options *options,
                             struct status *status)
 {
-    struct run run = {.scene = scene, .options = options, .started = clock_seconds()};
+    struct run run = {.scene = scene, .options = options, .started = clock_seconds(), .gnuplot.input = -1};
     *out = (struct run_outcome){.times.models = calloc(model_count, sizeof *out->times.models)};
-    enum status_code rc = out->times.models ? gnuplot_check(status) : status_memory(status);
+    enum status_code rc = out->times.models ? export_check(scene, options->templates, status) : status_memory(status);
     if (rc == STATUS_OK)
-        rc = export_check(scene, options->templates, status);
+        rc = words_read(&run.words, options->templates, status);
     if (rc == STATUS_OK)
         rc = begin_output(&run, status);
+    if (rc == STATUS_OK)
+        rc = begin_charts(&run, status);
     if (rc == STATUS_OK)
         rc = evaluate(&run, out, status);
     if (rc == STATUS_OK && !stopped(&run))
@@ -286,7 +301,8 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     free(run.sweeps);
     measured_answers_free(&run.answers);
     comparison_free(&run.comparison);
-    figures_free(&run.figures);
+    (void)gnuplot_end(&run.gnuplot);
+    words_free(&run.words);
     json_decref(run.view);
     out->times.total = clock_seconds() - run.started;
     return rc;

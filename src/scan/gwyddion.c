@@ -39,7 +39,7 @@ static enum status_code run(const char *program, char *path, const char *directo
         return status_fail(status, STATUS_INTERRUPTED, "Gwyddion was stopped by a signal");
     if (error)
         return status_fail(status, STATUS_SCAN, "Gwyddion cannot be started: %s", strerror(error));
-    enum program_state state = program_wait(process, clock_seconds() + most_seconds, -1);
+    enum program_state state = program_wait(process, clock_seconds() + most_seconds);
     int how = program_end(process);
     return state == PROGRAM_STOPPED ? status_fail(status, STATUS_INTERRUPTED, "Gwyddion was stopped by a signal")
            : state == PROGRAM_LATE

@@ -6,7 +6,7 @@ set encoding utf8
 set datafile separator comma
 set output '{{name}}.svg'
 set multiplot
-{{> style}}
+{{> charts/style}}
 {{#panels}}
 
 set lmargin at screen {{left}}; set rmargin at screen {{right}}

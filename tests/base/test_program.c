@@ -30,7 +30,7 @@ static enum program_state run(char *lines, double seconds, int *how)
 {
     pid_t process;
     assert_int_equal(start(&process, lines, directory_here.path), 0);
-    enum program_state state = program_wait(process, clock_seconds() + seconds, -1);
+    enum program_state state = program_wait(process, clock_seconds() + seconds);
     *how = program_end(process);
     return state;
 }
@@ -139,7 +139,7 @@ PLACED(test_stop)
     assert_true(WIFSIGNALED(how));
     assert_int_equal(start(&process, slow, directory_here.path), 0);
     program_stop();
-    assert_int_equal(program_wait(process, clock_seconds() + 1000, -1), PROGRAM_STOPPED);
+    assert_int_equal(program_wait(process, clock_seconds() + 1000), PROGRAM_STOPPED);
     assert_true(WIFSIGNALED(program_end(process)));
     assert_int_equal(start(&process, mark, directory_here.path), ECANCELED);
     assert_false(directory_has(&directory_here, "begun")); /* it is not even begun */

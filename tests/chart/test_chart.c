@@ -51,42 +51,42 @@ static void assert_well_formed(const char *text)
     assert_true(elements > 5);
 }
 
-static struct mustache_folder templates(struct text *path, struct status *status)
-{
-    return chart_templates(path, PROJECT_SOURCE "/templates", status);
-}
+#define TEMPLATES(status)                                                                                              \
+    {                                                                                                                  \
+        PROJECT_SOURCE "/templates", ".gp", NULL, (status)                                                             \
+    }
 
 /** What a chart's script, or its text with letters, says. */
 static struct text script_of(struct chart *chart, const char *terminal_size)
 {
-    struct text out = {0}, path = {0};
+    struct text out = {0};
     struct status status = {0};
-    struct mustache_folder folder = templates(&path, &status);
+    struct mustache_folder folder = TEMPLATES(&status);
     if (chart_script(&out, chart, &folder, terminal_size) != STATUS_OK)
         fail_msg("%s", status.message);
     mustache_folder_free(&folder);
-    text_free(&path);
     return out;
 }
 
 /** Writes a chart into `place`, has gnuplot draw it, and takes what it drew. */
 static struct text draw(const struct directory *place, struct chart *chart)
 {
-    struct text path = {0}, file = {0}, out = {0};
+    struct text file = {0}, out = {0};
     struct status status = {0};
     struct gnuplot gnuplot;
-    struct mustache_folder folder = templates(&path, &status);
+    struct mustache_folder folder = TEMPLATES(&status);
     if (chart_write(chart, &folder, place->path) != STATUS_OK ||
         gnuplot_start(&gnuplot, place->path, &status) != STATUS_OK)
         fail_msg("%s", status.message);
-    gnuplot_send(&gnuplot, "load '%s.gp'", chart->name);
+    text_add(&file, "load '%s.gp'\n", chart->name);
+    gnuplot_send(&gnuplot, text_string(&file));
+    text_free(&file);
     if (gnuplot_finish(&gnuplot, &status) != STATUS_OK)
         fail_msg("%s", status.message);
     text_add(&file, "%s/%s.svg", place->path, chart->name);
     assert_int_equal(text_read_file(&out, text_string(&file), &status), STATUS_OK);
     assert_well_formed(text_string(&out));
     mustache_folder_free(&folder);
-    text_free(&path);
     text_free(&file);
     return out;
 }
@@ -143,11 +143,11 @@ TEST_CASE(what_an_axis_cannot_show_is_left_out)
     chart_end(&chart);
     assert_string_equal(text_string(&chart.data), "# one\n2,3\n4,5\n");
     assert_int_equal(chart.blocks, 1);
-    assert_true(chart_has_data(&chart));
     chart_free(&chart);
     chart = chart_make("empty");
     chart_panel(&chart, "", "x", "y", true, true);
-    assert_false(chart_has_data(&chart));
+    chart_end(&chart);
+    assert_int_equal(chart.blocks, 0);
     chart_free(&chart);
 }
 
@@ -227,16 +227,15 @@ PLACED(hostile_names_mean_nothing)
 TEST_CASE(a_script_that_is_not_there_is_an_error)
 {
     struct chart chart = chart_make("chart");
-    struct text path = {0}, out = {0};
+    struct text out = {0};
     struct status status = {0};
     const double points[][2] = {{1, 1}, {2, 2}};
-    struct mustache_folder folder = chart_templates(&path, "/no-such-folder", &status);
+    struct mustache_folder folder = {"/no-such-folder", ".gp", NULL, &status};
     chart_panel(&chart, "", "x", "y", false, false);
     line(&chart, "one", points, 2);
     assert_int_equal(chart_script(&out, &chart, &folder, NULL), STATUS_IO);
     assert_non_null(strstr(status.message, "/no-such-folder/charts/panels.gp"));
     mustache_folder_free(&folder);
-    text_free(&path);
     text_free(&out);
     chart_free(&chart);
 }

@@ -16,7 +16,8 @@ static enum status_code run(const struct directory *place, const char *commands,
     enum status_code code = gnuplot_start(&gnuplot, place->path, status);
     if (code)
         return code;
-    gnuplot_send(&gnuplot, "%s", commands);
+    gnuplot_send(&gnuplot, commands);
+    gnuplot_send(&gnuplot, "\n");
     return gnuplot_finish(&gnuplot, status);
 }
 
@@ -32,20 +33,15 @@ PLACED(test_a_missing_gnuplot_names_the_package)
     char *path = strdup(getenv("PATH"));
     const char *const without[] = {"", ":", ".:bin", "/nonexistent"};
     for (size_t i = 0; i < sizeof without / sizeof *without; i++) {
-        struct status checked = {0}, started = {0};
+        struct status started = {0};
         struct gnuplot gnuplot;
         assert_int_equal(setenv("PATH", without[i], 1), 0);
-        enum status_code check = gnuplot_check(&checked);
         enum status_code start = gnuplot_start(&gnuplot, ((struct directory *)*state)->path, &started);
         assert_int_equal(setenv("PATH", path, 1), 0);
-        assert_int_equal(check, STATUS_CHART);
         assert_int_equal(start, STATUS_CHART);
-        assert_non_null(strstr(checked.message, "gnuplot-nox"));
         assert_non_null(strstr(started.message, "gnuplot-nox"));
     }
     free(path);
-    struct status status = {0};
-    assert_int_equal(gnuplot_check(&status), STATUS_OK);
 }
 
 TEST_CASE(test_a_missing_directory_is_an_error)
@@ -91,9 +87,9 @@ PLACED(test_a_process_that_ended_early_is_reported_not_deadly)
     struct gnuplot gnuplot;
     struct status status = {0};
     assert_int_equal(gnuplot_start(&gnuplot, ((struct directory *)*state)->path, &status), STATUS_OK);
-    gnuplot_send(&gnuplot, "exit");
-    for (int i = 0; i < 100000; i++) /* far more than a pipe holds */
-        gnuplot_send(&gnuplot, "x = %d", i);
+    gnuplot_send(&gnuplot, "exit\n");
+    for (int i = 0; i < 100000; i++) /* far more than waits for one that does not read */
+        gnuplot_send(&gnuplot, "x = 1\n");
     assert_int_equal(gnuplot_finish(&gnuplot, &status), STATUS_CHART);
     assert_non_null(strstr(status.message, "before it had read all commands"));
     sigset_t pending;
@@ -177,7 +173,7 @@ PLACED(test_endless_messages_are_cut)
     struct stat info;
     struct gnuplot gnuplot =
         start_other(*state, "#!/bin/sh\necho 'line 7: wrong'\n/usr/bin/head -c 30000000 /dev/zero\n");
-    assert_int_equal(program_wait(gnuplot.process, INFINITY, -1), PROGRAM_ENDED);
+    assert_int_equal(program_wait(gnuplot.process, INFINITY), PROGRAM_ENDED);
     assert_int_equal(fstat(fileno(gnuplot.complaints), &info), 0);
     assert_true(info.st_size <= 1 << 20);
     assert_int_equal(gnuplot_finish(&gnuplot, &status), STATUS_CHART);
@@ -192,8 +188,8 @@ PLACED(test_a_gnuplot_that_hangs_is_ended)
         struct status status = {0};
         struct gnuplot gnuplot = start_other(*state, "#!/bin/sh\ntrap '' INT TERM HUP\n/bin/sleep 1000\n");
         assert_true(gnuplot.most_seconds >= 60); /* for the slowest of machines */
-        for (int i = 0; i < 100000; i++)         /* far more than a pipe holds */
-            gnuplot_send(&gnuplot, "x = %d", i);
+        for (int i = 0; i < 100000; i++)
+            gnuplot_send(&gnuplot, "x = 1\n");
         if (asked) {
             program_stop();
             assert_int_equal(gnuplot_finish(&gnuplot, &status), STATUS_INTERRUPTED);

@@ -129,7 +129,7 @@ static int follows(int argc, char **argv)
     char lines[] = "exit 3";
     (void)argc, (void)argv;
     pid_t process = start(lines);
-    if (program_wait(process, INFINITY, -1) != PROGRAM_ENDED)
+    if (program_wait(process, INFINITY) != PROGRAM_ENDED)
         return 70;
     begin(0);
     int how = program_end(process);
