@@ -175,11 +175,10 @@ static enum status_code check_share(size_t missing, size_t points, double most, 
     double share = (double)missing / (double)points;
     if (share <= most)
         return STATUS_OK;
-    return status_fail(
-        status, STATUS_SCAN,
-        "%zu of %zu heights are missing, %.3g %% where %.3g %% may be; allow more with `max_missing`, or "
-        "export the scan with the gaps filled",
-        missing, points, 100 * share, 100 * most);
+    return status_fail(status, STATUS_SCAN, "%zu of %zu heights are missing, %.3g %% where %.3g %% may be; %s", missing,
+                       points, 100 * share, 100 * most,
+                       share < 0.9 ? "allow more with `max_missing`, or export the scan with the gaps filled"
+                                   : "export the scan with the gaps filled");
 }
 
 /** Cuts missing points off the ends, and bridges those between by straight lines over x_m (NULL: uniform). *first is

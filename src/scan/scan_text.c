@@ -370,15 +370,21 @@ static void mark_sentinels(struct scan *out)
     }
 }
 
-/* Hands the table's first `rows` numbers, the heights by now, over to the scan. */
-static void keep_heights(struct scan *out, struct table *table, size_t rows)
+/* Column `z` from row `first` on, and with it the positions in column `x` (SIZE_MAX: none). A point that the header's
+ * column `valid` marks by 0 is missing. */
+static enum status_code take_columns(struct scan *out, const struct table *table, size_t first, size_t x, double x_m,
+                                     size_t z, double z_m)
 {
-    out->z_m = table->cell;
-    out->nx = rows;
-    table->cell = NULL;
-    double *fitted = realloc(out->z_m, rows * sizeof *fitted);
-    if (fitted)
-        out->z_m = fitted;
+    size_t n = table->rows - first, valid = table->header.valid;
+    if ((x < SIZE_MAX ? scan_reserve_x(out, n, n, table->file) : scan_reserve(out, n, 1, n, table->file)) != STATUS_OK)
+        return table->file->status->code;
+    for (size_t i = 0; i < n; i++) {
+        bool measured = valid >= table->columns || at(table, first + i, valid) != 0;
+        out->z_m[i] = measured ? at(table, first + i, z) * z_m : NAN;
+        if (out->x_m)
+            out->x_m[i] = at(table, first + i, x) * x_m;
+    }
+    return STATUS_OK;
 }
 
 /* Accretech and Surfcom write the length in mm and the number of heights above the heights in um. */
@@ -392,22 +398,18 @@ static bool is_given(const char *text)
     return text && *text;
 }
 
-static enum status_code take_accretech(struct scan *out, struct table *table)
+static enum status_code take_accretech(struct scan *out, const struct table *table)
 {
     double x_m, z_m;
     bool x_given = is_given(table->file->options->x_unit), z_given = is_given(table->file->options->z_unit);
     if (scan_units(out, x_given ? "" : "mm", z_given ? "" : "um", &x_m, &z_m, table->file) != STATUS_OK)
         return table->file->status->code;
-    size_t n = table->rows - 2;
     out->format = "accretech";
-    out->dx_m = table->cell[0] / (double)(n - 1) * x_m;
-    for (size_t i = 0; i < n; i++)
-        table->cell[i] = table->cell[i + 2] * z_m;
-    keep_heights(out, table, n);
+    out->dx_m = table->cell[0] / (double)(table->rows - 3) * x_m;
     if (!x_given || !z_given)
         scan_warn(out, "the file names no units: length taken as %s and heights as %s, as Accretech writes them",
                   out->x_unit, out->z_unit);
-    return STATUS_OK;
+    return take_columns(out, table, 2, SIZE_MAX, x_m, 0, z_m);
 }
 
 /* scan_units() with what the header says of out->x_column and out->z_column; `x_unit` (NULL: none) goes before that. */
@@ -426,19 +428,15 @@ static enum status_code take_units(struct scan *out, const struct table *table, 
     return STATUS_OK;
 }
 
-/* Does the only column begin with how many heights follow, a whole number above others? Takes it out. */
-static void drop_count(struct scan *out, struct table *table)
+/* Does the only column begin with how many heights follow, a whole number above others? */
+static bool begins_with_count(const struct table *table)
 {
-    if (table->columns > 1 || table->rows <= TEXT_POINTS || table->cell[0] != (double)(table->rows - 1) ||
-        table->cell[1] == round(table->cell[1]))
-        return;
-    table->rows--;
-    memmove(table->cell, table->cell + 1, table->rows * sizeof *table->cell);
-    scan_warn(out, "the first number, %zu, says how many heights follow", table->rows);
+    return table->columns == 1 && table->rows > TEXT_POINTS && table->cell[0] == (double)(table->rows - 1) &&
+           table->cell[1] != round(table->cell[1]);
 }
 
 /* Column `z` alone, at the spacing that the header names. */
-static enum status_code take_heights(struct scan *out, struct table *table, size_t z)
+static enum status_code take_heights(struct scan *out, const struct table *table, size_t z)
 {
     double x_m, z_m;
     out->z_column = z + 1;
@@ -451,11 +449,10 @@ static enum status_code take_heights(struct scan *out, struct table *table, size
     if (take_units(out, table, table->header.spacing.unit, &x_m, &z_m) != STATUS_OK)
         return table->file->status->code;
     out->dx_m = table->header.spacing.value * x_m;
-    drop_count(out, table);
-    for (size_t i = 0; i < table->rows; i++)
-        table->cell[i] = table->cell[i * table->columns + z] * z_m;
-    keep_heights(out, table, table->rows);
-    return STATUS_OK;
+    size_t first = begins_with_count(table) ? 1 : 0;
+    if (first > 0)
+        scan_warn(out, "the first number, %zu, says how many heights follow", table->rows - first);
+    return take_columns(out, table, first, SIZE_MAX, x_m, z, z_m);
 }
 
 static enum status_code fail_disorder(const struct table *table, const double *x, size_t bad)
@@ -467,8 +464,8 @@ static enum status_code fail_disorder(const struct table *table, const double *x
                                              : "");
 }
 
-/* The scan in columns `x` and `z`, without the points that the header's column `valid` marks by 0. */
-static enum status_code take_points(struct scan *out, struct table *table, size_t x, size_t z)
+/* The scan in columns `x` and `z`. */
+static enum status_code take_points(struct scan *out, const struct table *table, size_t x, size_t z)
 {
     const struct text_header *header = &table->header;
     double x_m, z_m;
@@ -477,23 +474,14 @@ static enum status_code take_points(struct scan *out, struct table *table, size_
         return scan_fail(table->file, table->first_line, "no column of heights beside x");
     out->x_column = x + 1;
     out->z_column = z + 1;
-    if (take_units(out, table, NULL, &x_m, &z_m) != STATUS_OK)
+    if (take_units(out, table, NULL, &x_m, &z_m) != STATUS_OK ||
+        take_columns(out, table, 0, x, x_m, z, z_m) != STATUS_OK)
         return table->file->status->code;
-    out->x_m = malloc(rows * sizeof *out->x_m);
-    if (!out->x_m)
-        return status_memory(table->file->status);
-    for (size_t i = 0; i < rows; i++) {
-        const double *row = table->cell + i * columns;
-        bool valid = header->valid >= columns || row[header->valid] != 0;
-        out->x_m[i] = row[x] * x_m;
-        table->cell[i] = valid ? row[z] * z_m : NAN; /* never beyond row i itself */
-    }
     size_t bad = scan_disorder(out->x_m, 1, rows);
     if (bad < rows && isnan(out->x_m[bad]))
         return scan_fail(table->file, line_of_row(table, bad), "no x here; fill it in or remove this line");
     if (bad < rows)
         return fail_disorder(table, out->x_m, bad);
-    keep_heights(out, table, rows);
     const char *unit = header->spacing.unit ? header->spacing.unit : out->x_unit;
     if (header->spacing.value > 0)
         out->nominal_dx_m = header->spacing.value * scan_unit_m(unit);
@@ -561,7 +549,7 @@ static enum status_code choose_column(size_t *column, size_t number, const struc
 
 /* The columns that the scene chooses: z, and perhaps x. Where the header's x is z itself or no x at all, its spacing
  * will do. */
-static enum status_code take_chosen(struct scan *out, struct table *table)
+static enum status_code take_chosen(struct scan *out, const struct table *table)
 {
     size_t z = 0, x = table->columns > 1 ? find_x(table) : 0;
     bool x_given = table->file->options->x_column > 0;
@@ -690,7 +678,7 @@ static enum status_code take_matrix(struct scan *out, const struct table *table)
     return STATUS_OK;
 }
 
-static enum status_code take_table(struct scan *out, struct table *table)
+static enum status_code take_table(struct scan *out, const struct table *table)
 {
     if (table->file->options->z_column > 0 && table->rows >= TEXT_POINTS)
         return take_chosen(out, table);

@@ -140,19 +140,17 @@ bool sidecar_read(struct sidecar *out, const char *path)
 enum status_code sidecar_find(struct sidecar *out, char **found, const char *path, struct status *status)
 {
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
-    size_t stems[2] = {strlen(path), dot && dot > name ? (size_t)(dot - path) : 0};
+    const int stems[2] = {(int)strlen(path), dot && dot > name ? (int)(dot - path) : 0};
     *found = NULL;
-    for (size_t i = 0; i < 2 * COUNT(endings); i++) {
-        struct text candidate = {0};
-        text_add_bytes(&candidate, path, stems[i / COUNT(endings)]);
-        text_add(&candidate, "%s", endings[i % COUNT(endings)]);
-        if (candidate.failed)
-            return text_free(&candidate), status_memory(status);
-        if (stems[i / COUNT(endings)] > 0 && strcmp(candidate.data, path) != 0 && sidecar_read(out, candidate.data)) {
-            *found = candidate.data;
-            return STATUS_OK;
-        }
-        text_free(&candidate);
+    for (size_t i = 0; i < 2 * COUNT(endings) && !*found; i++) {
+        char *candidate;
+        int stem = stems[i / COUNT(endings)];
+        if (asprintf(&candidate, "%.*s%s", stem, path, endings[i % COUNT(endings)]) < 0)
+            return status_memory(status);
+        if (stem > 0 && strcmp(candidate, path) != 0 && sidecar_read(out, candidate))
+            *found = candidate;
+        else
+            free(candidate);
     }
     return STATUS_OK;
 }

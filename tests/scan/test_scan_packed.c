@@ -42,16 +42,11 @@ static void assert_parts(const struct text *text, const char *const *parts, cons
 
 TEST_CASE(test_several)
 {
-    const struct member texts[] = {{"README.md", "1 2\n3 4\n", 8},
-                                   {"folder/", "", 0},
-                                   {"folder/b.csv", csv, sizeof csv - 1},
-                                   {"__MACOSX/folder/._b.csv", "\0\1", 2},
-                                   {".b.csv", csv, sizeof csv - 1},
-                                   {"a.txt", csv, sizeof csv - 1},
-                                   {"photo.jpg", "\xff\xd8\xff\xe0\0\0", 6},
-                                   {"notes.txt", "by hand\n", 8},
-                                   {"c.csv", csv, sizeof csv - 1},
-                                   {NULL, NULL, 0}};
+    const struct member texts[] = {{"README.md", "1 2\n3 4\n", 8},           {"folder/", "", 0},
+                                   {"folder/b.csv", csv, sizeof csv - 1},    {"__MACOSX/folder/._b.csv", "\0\1", 2},
+                                   {".b.csv", csv, sizeof csv - 1},          {"a.txt", csv, sizeof csv - 1},
+                                   {"photo.jpg", "\xff\xd8\xff\xe0\0\0", 6}, {"notes.txt", "by hand\n", 8},
+                                   {"c.csv", csv, sizeof csv - 1},           {NULL, NULL, 0}};
     static const char *const text_parts[] = {"folder/b.csv", "a.txt", "c.csv", NULL};
     for (int deflated = 0; deflated < 2; deflated++) {
         struct text text = zip(texts, deflated);
