@@ -9,13 +9,13 @@
 #include <stdlib.h>
 
 enum {
-    QUANTITIES = 4,
+    QUANTITIES = 3,
     SEPARATIONS = 100, /* so that what is made once weighs as in a curve */
     APART = 11,        /* Simpson is timed at every eleventh of them, first and last included */
     SAMPLES = SEPARATIONS / APART + 1,
     HARMONICS_MOST = 100000 /* of a longer scan no more are summed again at every tolerance: they show it too */
 };
-enum { AREA, LOAD, RADIUS, RADIUS_SCALE_DEPENDENT };
+enum { AREA, LOAD, RADIUS };
 
 static struct benchmark_row *new_row(struct benchmark *out)
 {
@@ -45,8 +45,7 @@ static double time_of(void (*work)(void *context), void *context)
 struct problem {
     struct asperity asperity;
     enum asperity_model_id law;
-    double sigma_s_m, knudsen_m;
-    unsigned quantities; /* bits 1 << AREA ... */
+    double sigma_s_m;
     double d[SEPARATIONS];
     double lowest_d;
 };
@@ -76,8 +75,6 @@ static void integrand(double value[QUANTITIES], const struct problem *problem, d
     value[AREA] = weight * contact.area_m2;
     value[LOAD] = weight * contact.load_N;
     value[RADIUS] = weight * contact.radius_m;
-    value[RADIUS_SCALE_DEPENDENT] =
-        u > 0 ? weight * contact.radius_m * contact.radius_m / (contact.radius_m + problem->knudsen_m) : 0;
 }
 
 /** Composite Simpson over [0, last_u], as the thesis with its 1000 sub-intervals. */
@@ -108,8 +105,8 @@ static void panels(void *context)
     struct quadrature panels;
     struct status status = {0};
     attempt->evaluations = 0;
-    if (quadrature_make(&panels, &problem->asperity, problem->law, problem->sigma_s_m, problem->knudsen_m,
-                        problem->lowest_d, attempt->setting, &attempt->evaluations, &status) != STATUS_OK)
+    if (quadrature_make(&panels, &problem->asperity, problem->law, problem->sigma_s_m, 0, problem->lowest_d,
+                        attempt->setting, &attempt->evaluations, &status) != STATUS_OK)
         attempt->failed = true;
     for (int s = 0; s < SEPARATIONS && !attempt->failed; s++) {
         struct quadrature_sums sums;
@@ -117,7 +114,6 @@ static void panels(void *context)
         attempt->value[s][AREA] = sums.area;
         attempt->value[s][LOAD] = sums.load;
         attempt->value[s][RADIUS] = sums.radius;
-        attempt->value[s][RADIUS_SCALE_DEPENDENT] = sums.radius_scale_dependent;
     }
     quadrature_free(&panels);
 }
@@ -127,8 +123,7 @@ static double largest_error(const struct attempt *attempt, const struct attempt 
     double error = 0;
     for (int s = 0; s < SEPARATIONS; s += APART)
         for (int q = 0; q < QUANTITIES; q++)
-            if (attempt->problem->quantities & 1u << q)
-                error = fmax(error, fabs(attempt->value[s][q] / better->value[s][q] - 1));
+            error = fmax(error, fabs(attempt->value[s][q] / better->value[s][q] - 1));
     return error;
 }
 
@@ -180,25 +175,14 @@ static bool choose_separations(struct problem *problem, const struct statistical
 static enum status_code integrals_of(struct benchmark *out, const struct benchmark_task *task,
                                      const struct model_row *row, struct status *status)
 {
-    const struct plan *plan = task->plan;
     enum asperity_model_id law = (enum asperity_model_id)(row->asperity_model - asperity_models);
     struct statistical model;
     uint64_t none = 0;
-    if (statistical_make(&model, &task->surface->summary.asperities, &task->surface->summary.pair, law, plan->wanted,
-                         task->scene->tolerance, INFINITY, &none, status) != STATUS_OK)
+    if (statistical_make(&model, &task->surface->summary.asperities, &task->surface->summary.pair, law,
+                         task->plan->wanted, task->scene->tolerance, INFINITY, &none, status) != STATUS_OK)
         return status->code;
     struct problem problem = {
-        .asperity = model.asperity,
-        .law = law,
-        .sigma_s_m = model.surface.sigma_s_m,
-        .knudsen_m = plan_runs(plan, EFFECT_SCALE_DEPENDENT) ? model.spot.knudsen_length_m : 0,
-        .quantities = 1u << AREA | 1u << LOAD,
-        .lowest_d = model.full_d,
-    };
-    if (plan->wanted & (QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR)))
-        problem.quantities |= 1u << RADIUS;
-    if (plan_runs(plan, EFFECT_SCALE_DEPENDENT))
-        problem.quantities |= 1u << RADIUS_SCALE_DEPENDENT;
+        .asperity = model.asperity, .law = law, .sigma_s_m = model.surface.sigma_s_m, .lowest_d = model.full_d};
     bool any = choose_separations(&problem, &model, task);
     statistical_free(&model);
     return any ? add_methods(out, row, &problem, status) : STATUS_OK;
