@@ -3,7 +3,6 @@
 
 #include "base/clock.h"
 #include "contact/statistical.h"
-#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,13 +12,15 @@ enum {
     SEPARATIONS = 100, /* so that what is made once weighs as in a curve */
     APART = 11,        /* Simpson is timed at every eleventh of them, first and last included */
     SAMPLES = SEPARATIONS / APART + 1,
+    SETTINGS = 7,           /* of a method, at most */
     HARMONICS_MOST = 100000 /* of a longer scan no more are summed again at every tolerance: they show it too */
 };
 enum { AREA, LOAD, RADIUS };
 
+_Static_assert(ASPERITY_MODEL_COUNT * 2 * SETTINGS + 4 <= BENCHMARK_ROWS, "room for all rows");
+
 static struct benchmark_row *new_row(struct benchmark *out)
 {
-    assert(out->count < BENCHMARK_ROWS);
     return &out->rows[out->count++];
 }
 
@@ -134,13 +135,13 @@ static enum status_code add_methods(struct benchmark *out, const struct model_ro
         const char *method;
         void (*work)(void *context);
         double times; /* as much work for all separations */
-        double settings[7];
+        double settings[SETTINGS];
     } methods[] = {{"Simpson", simpson, SEPARATIONS / SAMPLES, {10, 30, 100, 300, 1000, 3000, 10000}},
                    {"Gauss-Legendre", panels, 1, {1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12}}};
     struct attempt better = {.problem = problem, .setting = 1e-14};
     panels(&better);
     for (size_t m = 0; m < sizeof methods / sizeof *methods && !better.failed; m++)
-        for (int i = 0; i < 7 && methods[m].settings[i] > 0; i++) {
+        for (int i = 0; i < SETTINGS && methods[m].settings[i] > 0; i++) {
             struct attempt attempt = {.problem = problem, .setting = methods[m].settings[i]};
             struct benchmark_row *row = new_row(out);
             *row = (struct benchmark_row){.model = model, .method = methods[m].method, .setting = attempt.setting};
