@@ -17,6 +17,9 @@ enum {
 };
 enum { AREA, LOAD, RADIUS };
 
+/** Separation, in standard deviations of the asperities' heights, from which on they are taken down to full contact. */
+static const double farthest = 4;
+
 _Static_assert(ASPERITY_MODEL_COUNT * 2 * SETTINGS + 4 <= BENCHMARK_ROWS, "room for all rows");
 
 static struct benchmark_row *new_row(struct benchmark *out)
@@ -40,7 +43,7 @@ static double time_of(void (*work)(void *context), void *context)
     return least;
 }
 
-/* ---- Integrals of the statistical models, over the separations that the curves span ---- */
+/* ---- Integrals of the statistical models, from far apart to full contact ---- */
 
 /** The integrals of one surface in one law: int law(sigma_s u) phi(u + d) du without exp(-d²/2) where d > 0. */
 struct problem {
@@ -154,25 +157,6 @@ static enum status_code add_methods(struct benchmark *out, const struct model_ro
     return better.failed ? status_memory(status) : STATUS_OK;
 }
 
-/** Separations at loads by equal factors from the first to the last of a curve that ends at full contact. */
-static bool choose_separations(struct problem *problem, const struct statistical *model,
-                               const struct benchmark_task *task)
-{
-    size_t last = task->load_count;
-    while (last > 0 && task->loads[last - 1] >= model->full_load)
-        last--;
-    double d = 3;
-    for (int s = 0; last > 0 && s < SEPARATIONS; s++) {
-        struct contact_point point;
-        double share = (double)s / (SEPARATIONS - 1),
-               load = task->loads[0] * pow(task->loads[last - 1] / task->loads[0], share);
-        if (!statistical_solve(&point, model, load, &d))
-            return false;
-        problem->d[s] = d;
-    }
-    return last > 0;
-}
-
 static enum status_code integrals_of(struct benchmark *out, const struct benchmark_task *task,
                                      const struct model_row *row, struct status *status)
 {
@@ -184,9 +168,10 @@ static enum status_code integrals_of(struct benchmark *out, const struct benchma
         return status->code;
     struct problem problem = {
         .asperity = model.asperity, .law = law, .sigma_s_m = model.surface.sigma_s_m, .lowest_d = model.full_d};
-    bool any = choose_separations(&problem, &model, task);
+    for (int s = 0; s < SEPARATIONS; s++)
+        problem.d[s] = farthest + (model.full_d - farthest) * s / (SEPARATIONS - 1);
     statistical_free(&model);
-    return any ? add_methods(out, row, &problem, status) : STATUS_OK;
+    return add_methods(out, row, &problem, status);
 }
 
 /* ---- The tolerance of the curves ---- */
