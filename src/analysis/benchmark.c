@@ -3,23 +3,27 @@
 
 #include "base/clock.h"
 #include "contact/statistical.h"
-#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 enum {
-    QUANTITIES = 4,
+    QUANTITIES = 3,
     SEPARATIONS = 100, /* so that what is made once weighs as in a curve */
     APART = 11,        /* Simpson is timed at every eleventh of them, first and last included */
     SAMPLES = SEPARATIONS / APART + 1,
+    SETTINGS = 7,           /* of a method, at most */
     HARMONICS_MOST = 100000 /* of a longer scan no more are summed again at every tolerance: they show it too */
 };
-enum { AREA, LOAD, RADIUS, RADIUS_SCALE_DEPENDENT };
+enum { AREA, LOAD, RADIUS };
+
+/** Separation, in standard deviations of the asperities' heights, from which on they are taken down to full contact. */
+static const double farthest = 4;
+
+_Static_assert(ASPERITY_MODEL_COUNT * 2 * SETTINGS + 4 <= BENCHMARK_ROWS, "room for all rows");
 
 static struct benchmark_row *new_row(struct benchmark *out)
 {
-    assert(out->count < BENCHMARK_ROWS);
     return &out->rows[out->count++];
 }
 
@@ -39,14 +43,13 @@ static double time_of(void (*work)(void *context), void *context)
     return least;
 }
 
-/* ---- Integrals of the statistical models, over the separations that the curves span ---- */
+/* ---- Integrals of the statistical models, from far apart to full contact ---- */
 
 /** The integrals of one surface in one law: int law(sigma_s u) phi(u + d) du without exp(-d²/2) where d > 0. */
 struct problem {
     struct asperity asperity;
     enum asperity_model_id law;
-    double sigma_s_m, knudsen_m;
-    unsigned quantities; /* bits 1 << AREA ... */
+    double sigma_s_m;
     double d[SEPARATIONS];
     double lowest_d;
 };
@@ -76,8 +79,6 @@ static void integrand(double value[QUANTITIES], const struct problem *problem, d
     value[AREA] = weight * contact.area_m2;
     value[LOAD] = weight * contact.load_N;
     value[RADIUS] = weight * contact.radius_m;
-    value[RADIUS_SCALE_DEPENDENT] =
-        u > 0 ? weight * contact.radius_m * contact.radius_m / (contact.radius_m + problem->knudsen_m) : 0;
 }
 
 /** Composite Simpson over [0, last_u], as the thesis with its 1000 sub-intervals. */
@@ -108,8 +109,8 @@ static void panels(void *context)
     struct quadrature panels;
     struct status status = {0};
     attempt->evaluations = 0;
-    if (quadrature_make(&panels, &problem->asperity, problem->law, problem->sigma_s_m, problem->knudsen_m,
-                        problem->lowest_d, attempt->setting, &attempt->evaluations, &status) != STATUS_OK)
+    if (quadrature_make(&panels, &problem->asperity, problem->law, problem->sigma_s_m, 0, problem->lowest_d,
+                        attempt->setting, &attempt->evaluations, &status) != STATUS_OK)
         attempt->failed = true;
     for (int s = 0; s < SEPARATIONS && !attempt->failed; s++) {
         struct quadrature_sums sums;
@@ -117,7 +118,6 @@ static void panels(void *context)
         attempt->value[s][AREA] = sums.area;
         attempt->value[s][LOAD] = sums.load;
         attempt->value[s][RADIUS] = sums.radius;
-        attempt->value[s][RADIUS_SCALE_DEPENDENT] = sums.radius_scale_dependent;
     }
     quadrature_free(&panels);
 }
@@ -127,8 +127,7 @@ static double largest_error(const struct attempt *attempt, const struct attempt 
     double error = 0;
     for (int s = 0; s < SEPARATIONS; s += APART)
         for (int q = 0; q < QUANTITIES; q++)
-            if (attempt->problem->quantities & 1u << q)
-                error = fmax(error, fabs(attempt->value[s][q] / better->value[s][q] - 1));
+            error = fmax(error, fabs(attempt->value[s][q] / better->value[s][q] - 1));
     return error;
 }
 
@@ -139,13 +138,13 @@ static enum status_code add_methods(struct benchmark *out, const struct model_ro
         const char *method;
         void (*work)(void *context);
         double times; /* as much work for all separations */
-        double settings[7];
+        double settings[SETTINGS];
     } methods[] = {{"Simpson", simpson, SEPARATIONS / SAMPLES, {10, 30, 100, 300, 1000, 3000, 10000}},
                    {"Gauss-Legendre", panels, 1, {1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12}}};
     struct attempt better = {.problem = problem, .setting = 1e-14};
     panels(&better);
     for (size_t m = 0; m < sizeof methods / sizeof *methods && !better.failed; m++)
-        for (int i = 0; i < 7 && methods[m].settings[i] > 0; i++) {
+        for (int i = 0; i < SETTINGS && methods[m].settings[i] > 0; i++) {
             struct attempt attempt = {.problem = problem, .setting = methods[m].settings[i]};
             struct benchmark_row *row = new_row(out);
             *row = (struct benchmark_row){.model = model, .method = methods[m].method, .setting = attempt.setting};
@@ -158,50 +157,21 @@ static enum status_code add_methods(struct benchmark *out, const struct model_ro
     return better.failed ? status_memory(status) : STATUS_OK;
 }
 
-/** Separations at loads by equal factors from the first to the last of a curve that ends at full contact. */
-static bool choose_separations(struct problem *problem, const struct statistical *model,
-                               const struct benchmark_task *task)
-{
-    size_t last = task->load_count;
-    while (last > 0 && task->loads[last - 1] >= model->full_load)
-        last--;
-    double d = 3;
-    for (int s = 0; last > 0 && s < SEPARATIONS; s++) {
-        struct contact_point point;
-        double share = (double)s / (SEPARATIONS - 1),
-               load = task->loads[0] * pow(task->loads[last - 1] / task->loads[0], share);
-        if (!statistical_solve(&point, model, load, &d))
-            return false;
-        problem->d[s] = d;
-    }
-    return last > 0;
-}
-
 static enum status_code integrals_of(struct benchmark *out, const struct benchmark_task *task,
                                      const struct model_row *row, struct status *status)
 {
-    const struct plan *plan = task->plan;
     enum asperity_model_id law = (enum asperity_model_id)(row->asperity_model - asperity_models);
     struct statistical model;
     uint64_t none = 0;
-    if (statistical_make(&model, &task->surface->summary.asperities, &task->surface->summary.pair, law, plan->wanted,
-                         task->scene->tolerance, INFINITY, &none, status) != STATUS_OK)
+    if (statistical_make(&model, &task->surface->summary.asperities, &task->surface->summary.pair, law,
+                         task->plan->wanted, task->scene->tolerance, INFINITY, &none, status) != STATUS_OK)
         return status->code;
     struct problem problem = {
-        .asperity = model.asperity,
-        .law = law,
-        .sigma_s_m = model.surface.sigma_s_m,
-        .knudsen_m = plan_runs(plan, EFFECT_SCALE_DEPENDENT) ? model.spot.knudsen_length_m : 0,
-        .quantities = 1u << AREA | 1u << LOAD,
-        .lowest_d = model.full_d,
-    };
-    if (plan->wanted & (QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR)))
-        problem.quantities |= 1u << RADIUS;
-    if (plan_runs(plan, EFFECT_SCALE_DEPENDENT))
-        problem.quantities |= 1u << RADIUS_SCALE_DEPENDENT;
-    bool any = choose_separations(&problem, &model, task);
+        .asperity = model.asperity, .law = law, .sigma_s_m = model.surface.sigma_s_m, .lowest_d = model.full_d};
+    for (int s = 0; s < SEPARATIONS; s++)
+        problem.d[s] = farthest + (model.full_d - farthest) * s / (SEPARATIONS - 1);
     statistical_free(&model);
-    return any ? add_methods(out, row, &problem, status) : STATUS_OK;
+    return add_methods(out, row, &problem, status);
 }
 
 /* ---- The tolerance of the curves ---- */

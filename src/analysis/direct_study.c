@@ -9,6 +9,8 @@ const enum quantity direct_study_quantities[DIRECT_STUDY_QUANTITIES] = {QUANTITY
                                                                         QUANTITY_ECR};
 static const double contact_tolerance = 1e-6; /* finds the set of points that 1e-12 finds */
 
+_Static_assert((int)SCENE_DIRECT_LOADS <= (int)DIRECT_LADDER_SHARED, "ranks take all loads of a scene");
+
 /** What the surfaces of a study are made of. */
 struct maker {
     const struct direct_study_task *task;

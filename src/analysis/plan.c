@@ -52,7 +52,7 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
     } else if (effect == EFFECT_DIRECT) { /* seconds where the rest takes milliseconds: never unasked */
         out->runs = scene->direct.called;
         snprintf(out->reason, sizeof out->reason,
-                 "not called for; it takes seconds and says how far each model is off");
+                 "not called for; it says how far each model is off, in seconds to minutes");
     } else if (row->only_listed && !(scene->effects & EFFECT_BIT(effect))) {
         snprintf(out->reason, sizeof out->reason, "runs only where effects lists it");
     } else if (effect == EFFECT_UNLOADING) {

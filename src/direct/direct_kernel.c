@@ -112,24 +112,11 @@ void direct_kernel_free(struct direct_kernel *kernel)
     *kernel = (struct direct_kernel){0};
 }
 
-static bool is_zero(const double *values, size_t count)
-{
-    for (size_t i = 0; i < count; i++)
-        if (values[i] != 0)
-            return false;
-    return true;
-}
-
-/** Transforms the rows to where they are. A row of zeros, as a field on a small contact mostly has, is its own
- * transform. */
+/** Transforms the rows to where they are. */
 static void transform_rows(struct direct_kernel *kernel)
 {
     for (size_t j = 0; j < kernel->rows; j++) {
         double *row = kernel->field + j * kernel->stride;
-        if (is_zero(row, kernel->nx)) {
-            memset(row, 0, kernel->stride * sizeof *row);
-            continue;
-        }
         fftw_execute_dft_r2c(kernel->row_forward, row, kernel->row);
         memcpy(row, kernel->row, kernel->stride * sizeof *row);
     }

@@ -90,11 +90,9 @@ enum status_code direct_ladder_of_heights(struct direct_point *out, double *heig
                                           struct status *status)
 {
     struct direct_contact contact;
-    enum status_code rc = STATUS_OK;
     if (team && team->rank == 0)
-        rc = team->call(team, n, spacing_m, def, status);
-    if (rc == STATUS_OK)
-        rc = direct_contact_make(&contact, team, height_m, n, n, spacing_m, status);
+        team->call(team, n, spacing_m, def);
+    enum status_code rc = direct_contact_make(&contact, team, height_m, n, n, spacing_m, status);
     free(height_m);
     if (rc != STATUS_OK)
         return rc;

@@ -5,6 +5,9 @@
 
 #include "direct/direct_quantities.h"
 
+/** Loads of a ladder that ranks share. */
+enum { DIRECT_LADDER_SHARED = 64 };
+
 struct direct_ladder_def {
     const double *load; /* p̄/E', ascending */
     size_t loads;

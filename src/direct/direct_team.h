@@ -20,8 +20,7 @@ struct direct_team {
     struct status *scratch; /* one a rank: room for what all of them say */
     void *context;          /* of the calls */
     /** Of the first rank alone: has the others call direct_ladder_of_heights() with the same grid and loads. */
-    enum status_code (*call)(const struct direct_team *team, size_t n, double spacing_m,
-                             const struct direct_ladder_def *def, struct status *status);
+    void (*call)(const struct direct_team *team, size_t n, double spacing_m, const struct direct_ladder_def *def);
     /** `bytes` of the first rank to all. */
     void (*spread)(const struct direct_team *team, void *data, size_t bytes);
     /** `bytes` of every rank, in the order of ranks, to all. */

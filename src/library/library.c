@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/curve_summary.h"
 #include "base/text.h"
-#include "base/version.h"
 #include "contact/model.h"
 #include "library/host.h"
 #include "library/roughcontact.h"
@@ -11,7 +10,6 @@
 #include "spectrum/roughness.h"
 
 #include <math.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -80,11 +78,6 @@ void roughcontact_surface_options_init(struct roughcontact_surface_options *opti
 void roughcontact_run_options_init(struct roughcontact_run_options *options)
 {
     *options = run_defaults;
-}
-
-const char *roughcontact_version(void)
-{
-    return version_string();
 }
 
 /** Reads the file at `path`, or with `path` NULL the bytes of `given`. */
@@ -403,11 +396,8 @@ static enum status_code check_model(const struct model_row *row, const char *nam
                            name ? name : "");
     const struct material_property *lack =
         row->plastic ? scene_lack(&body, bodies, &effect_rows[EFFECT_PLASTICITY]) : NULL;
-    if (lack && isnan(bodies->material.youngs_modulus_Pa))
-        return status_fail(status, STATUS_USAGE, "model '%s' needs a material with %s", row->name, lack->key);
     if (lack)
-        return status_fail(status, STATUS_USAGE, "model '%s' needs %s; set it by roughcontact_material_set()",
-                           row->name, lack->key);
+        return status_fail(status, STATUS_USAGE, "model '%s' needs a material with %s", row->name, lack->key);
     if (row->asperity_model && !surface->has_asperities)
         return status_fail(status, STATUS_MODEL, "no %s for this surface: %s", row->name, surface->problem.message);
     return STATUS_OK;

@@ -57,9 +57,6 @@ struct roughcontact_status {
     char message[1024];
 };
 
-/** "0.1.0". */
-ROUGHCONTACT_API const char *roughcontact_version(void);
-
 /* ---- scans ---- */
 
 /** What is known of a file besides its content. */

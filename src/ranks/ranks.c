@@ -4,16 +4,18 @@
 #include "base/hash.h"
 #include "direct/direct_ladder.h"
 
+#include <assert.h>
 #include <fftw3-mpi.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
-/** What the first rank calls for; the loads follow. Ranks run the same program, so it goes as it lies in memory. */
+/** What the first rank calls for. Ranks run the same program, so it goes as it lies in memory. */
 struct order {
     size_t n; /* points a side; 0: go */
     double spacing_m;
     struct direct_ladder_def ladder; /* its pointers mean nothing to others */
+    double load[DIRECT_LADDER_SHARED];
 };
 
 static MPI_Comm world;
@@ -64,15 +66,13 @@ static void transposition_free(void *plan)
     fftw_destroy_plan(plan);
 }
 
-static enum status_code call(const struct direct_team *unused, size_t n, double spacing_m,
-                             const struct direct_ladder_def *def, struct status *status)
+static void call(const struct direct_team *unused, size_t n, double spacing_m, const struct direct_ladder_def *def)
 {
-    struct order order = {n, spacing_m, *def};
+    struct order order = {n, spacing_m, *def, {0}};
     (void)unused;
+    assert(def->loads <= DIRECT_LADDER_SHARED);
+    memcpy(order.load, def->load, def->loads * sizeof *def->load);
     spread(&team, &order, sizeof order);
-    if (direct_team_agree(&team, status) == STATUS_OK) /* have all got room for the loads? */
-        spread(&team, (void *)def->load, def->loads * sizeof *def->load);
-    return status->code;
 }
 
 const struct direct_team *ranks_begin(int *argc, char ***argv)
@@ -110,24 +110,13 @@ bool ranks_agree(int argc, char **argv)
 }
 
 /** Solves an order with the first rank, which says what goes wrong. */
-static enum status_code follow(struct order *order, const atomic_bool *stop)
+static void follow(struct order *order, const atomic_bool *stop)
 {
     struct status status = {0};
-    struct direct_ladder_def *def = &order->ladder;
-    double *load = malloc(def->loads * sizeof *load);
-    struct direct_point *points = malloc(def->loads * sizeof *points);
-    if (!load || !points)
-        (void)status_memory(&status);
-    enum status_code rc = direct_team_agree(&team, &status);
-    if (rc == STATUS_OK) {
-        spread(&team, load, def->loads * sizeof *load);
-        def->load = load;
-        def->stop = stop;
-        rc = direct_ladder_of_heights(points, NULL, order->n, order->spacing_m, def, &team, &status);
-    }
-    free(load);
-    free(points);
-    return rc;
+    struct direct_point points[DIRECT_LADDER_SHARED];
+    order->ladder.load = order->load;
+    order->ladder.stop = stop;
+    (void)!direct_ladder_of_heights(points, NULL, order->n, order->spacing_m, &order->ladder, &team, &status);
 }
 
 static void end(void)
@@ -141,7 +130,7 @@ void ranks_serve(const atomic_bool *stop)
 {
     struct order order;
     while (spread(&team, &order, sizeof order), order.n > 0)
-        (void)follow(&order, stop);
+        follow(&order, stop);
     end();
 }
 

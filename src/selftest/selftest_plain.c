@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Numbers that one call gives: quadrature, intervals, one sinusoidal scale, what lies in and around the spots. */
-#include "base/integral.h"
+/* Numbers that one call gives: integrals, intervals, one sinusoidal scale, what lies in and around the spots. */
 #include "contact/gaussian.h"
 #include "contact/sinusoid.h"
 #include "joint/electron.h"
@@ -16,32 +15,6 @@
 #include <string.h>
 
 typedef struct selftest_reference reference;
-
-static double circle(double x, void *context)
-{
-    (void)context;
-    return 4 / (1 + x * x);
-}
-
-static double logarithm(double x, void *context)
-{
-    (void)context;
-    return log(x);
-}
-
-static double kink(double x, void *context)
-{
-    (void)context;
-    return fabs(x - 1.0 / 3);
-}
-
-static double quadrature(const reference *r)
-{
-    return integral(*r->quantity == '4'   ? circle
-                    : *r->quantity == 'l' ? logarithm
-                                          : kink,
-                    NULL, r->at[0], r->at[1], 1e-13);
-}
 
 static double gaussian_integral(const reference *r)
 {
@@ -84,9 +57,7 @@ enum status_code selftest_plain(double *value, const reference *r, const struct 
 {
     const double *at = r->at;
     const struct gas *gas = gas_find(r->of);
-    if (strcmp(r->of, "quadrature") == 0)
-        *value = quadrature(r);
-    else if (strcmp(r->of, "F_n") == 0)
+    if (strcmp(r->of, "F_n") == 0)
         *value = gaussian_integral(r);
     else if (strcmp(r->of, "elastic") == 0 || strcmp(r->of, "plastic") == 0)
         *value = sinusoid(r);

@@ -69,7 +69,7 @@ static struct names read_symbols(const char *option)
 TEST_CASE(only_the_header_is_exported)
 {
     struct names declared = read_header(), exported = read_symbols("--defined-only");
-    assert_true(declared.count > 20);
+    assert_true(declared.count >= 20);
     for (size_t i = 0; i < declared.count; i++)
         if (!has(&exported, declared.name[i]))
             fail_msg("%s is declared, but not exported", declared.name[i]);
@@ -103,7 +103,7 @@ TEST_IN_WORKSPACE(the_header_stands_alone)
                     "#include <roughcontact.h>\n#include <roughcontact.h>\n"
                     "int main() { struct roughcontact_run_options how;\n"
                     "roughcontact_run_options_init(&how);\n"
-                    "return roughcontact_version() == 0; }\n");
+                    "return roughcontact_model_name(0) == 0; }\n");
     for (size_t i = 0; i < 2; i++) {
         const char *compiler = i == 0 ? C_COMPILER : languages[i][0];
         const char *const there[] = {"sh", "-c", "command -v \"$0\"", compiler, NULL};

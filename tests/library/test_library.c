@@ -443,7 +443,7 @@ TEST_IN_WORKSPACE(faults_of_runs_are_errors)
     } faults[] = {
         {"gw", rising, 2, none, NULL, NAN, 0, "the material has no E_Pa"},
         {"gw", rising, 2, some, none, NAN, 0, "the counterface has no E_Pa"},
-        {"jg", rising, 2, some, NULL, NAN, 0, "'jg' needs Sy_Pa"},
+        {"jg", rising, 2, some, NULL, NAN, 0, "'jg' needs a material with Sy_Pa"},
         {"jg", rising, 2, NULL, NULL, NAN, 0, "needs a material with Sy_Pa"},
         {"no such", rising, 2, some, NULL, NAN, 0, "no such"},
         {NULL, rising, 2, some, NULL, NAN, 0, "unknown model"},
