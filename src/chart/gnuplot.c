@@ -61,7 +61,7 @@ enum status_code gnuplot_start(struct gnuplot *out, const char *directory, struc
     gnuplot_end(out);
     if (error == ECANCELED)
         return status_fail(status, STATUS_INTERRUPTED, "gnuplot was stopped by a signal");
-    return status_fail(status, STATUS_IO, "cannot start gnuplot in '%s': %s", directory, strerror(error));
+    return status_fail(status, STATUS_IO, "cannot start gnuplot in '%s': %s", directory, status_reason(error));
 }
 
 void gnuplot_send(struct gnuplot *gnuplot, const char *command)
