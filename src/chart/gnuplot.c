@@ -15,7 +15,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-const double gnuplot_most_seconds = 120;
+/* The charts of a report take a fraction of a second; beyond this, it hangs. */
+static const double most_seconds = 120;
 
 /* Beginnings of variables through which a user's setup would change charts or messages. */
 static const char *const foreign_variables[] = {"GNU", "LC_", "LANG", "GDFONTPATH", "FIT_", "DUMB", NULL};
@@ -34,7 +35,7 @@ static int gnuplot_log(void)
 
 enum status_code gnuplot_start(struct gnuplot *out, const char *directory, struct status *status)
 {
-    *out = (struct gnuplot){.input = -1, .most_seconds = gnuplot_most_seconds};
+    *out = (struct gnuplot){.input = -1, .most_seconds = most_seconds};
     static char locale[] = "LC_ALL=C.UTF-8", name[] = "gnuplot", defaults[] = "-d"; /* no start-up files */
     char program[4096], *const arguments[] = {name, defaults, NULL};
     if (!program_find(program, sizeof program, "gnuplot"))
@@ -60,7 +61,7 @@ enum status_code gnuplot_start(struct gnuplot *out, const char *directory, struc
     gnuplot_end(out);
     if (error == ECANCELED)
         return status_fail(status, STATUS_INTERRUPTED, "gnuplot was stopped by a signal");
-    return status_fail(status, STATUS_IO, "cannot start gnuplot in '%s': %s", directory, strerror(error));
+    return status_fail(status, STATUS_IO, "cannot start gnuplot in '%s': %s", directory, status_reason(error));
 }
 
 void gnuplot_send(struct gnuplot *gnuplot, const char *command)

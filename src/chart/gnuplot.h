@@ -13,11 +13,8 @@ struct gnuplot {
     int input;           /* its standard input, a socket */
     bool lost;           /* it did not take all commands */
     FILE *complaints;    /* unnamed file that takes its stderr and stdout */
-    double most_seconds; /* gnuplot_finish() waits for it; gnuplot_start() sets gnuplot_most_seconds */
+    double most_seconds; /* that gnuplot_finish() waits */
 };
-
-/** The charts of a report take a fraction of a second; beyond this, it hangs. */
-extern const double gnuplot_most_seconds;
 
 /** Starts gnuplot (found in PATH, no shell) with `directory` as its working directory.
  * Errors: STATUS_CHART (not installed: names the package), STATUS_IO, STATUS_INTERRUPTED. */

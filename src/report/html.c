@@ -153,12 +153,6 @@ static int leave_block(MD_BLOCKTYPE type, void *detail, void *user)
     return 0;
 }
 
-static bool ends_with(const char *name, const char *extension)
-{
-    size_t length = strlen(name), size = strlen(extension);
-    return length > size && strcmp(name + length - size, extension) == 0;
-}
-
 /* In base 64 (RFC 4648). */
 static void add_base64(struct text *out, const unsigned char *bytes, size_t length)
 {
@@ -183,8 +177,7 @@ static const char *chart_name(const char *source)
         return NULL;
     const char *name = source + strlen(directory);
     size_t length = strspn(name, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789._-");
-    bool chart = name[length] == '\0' && ends_with(name, ".svg");
-    return chart ? name : NULL;
+    return name[length] == '\0' && length > 4 && strcmp(name + length - 4, ".svg") == 0 ? name : NULL;
 }
 
 /* A chart stands where its image does, as a picture in which nothing can act, whatever names it holds; outside of words

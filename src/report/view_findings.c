@@ -15,8 +15,8 @@ struct finding {
 /** What a check needs besides surfaces: models of the thesis that run. */
 enum need { NEEDS_ANY, NEEDS_SCALES, NEEDS_ADJUSTED, NEEDS_FAMILIES };
 
-/** A number that stands in a curve's summary. */
-enum number { AREA_SLOPE, GAP_AT_FULL, ELBOW_SHARE, SCALE_DEPENDENCE, BETA };
+/** A number of a curve's summary, or of a surface's power law. */
+enum number { AREA_SLOPE, GAP_AT_FULL, ELBOW_SHARE, SCALE_DEPENDENCE, BETA, LAW_GAMMA, LAW_AMPLITUDE };
 
 struct check {
     const char *part; /* of the thesis */
@@ -26,7 +26,7 @@ struct check {
     size_t surfaces; /* that it takes at least */
     void (*check)(struct finding *out, const struct view_source *source, const struct check *row);
     enum quantity quantity;  /* that check_yield(), check_rank(), check_distances() look at */
-    enum number number;      /* that check_numbers() looks at: */
+    enum number number;      /* that check_numbers() and check_laws() look at; of the former: */
     double scale, low, high; /* shown times the scale; the finding is that it lies from low to high */
 };
 
@@ -108,25 +108,17 @@ static void check_numbers(struct finding *out, const struct view_source *source,
     }
 }
 
-/** What yielding does to a quantity. */
+/** What yielding does to a quantity; of the load: is contact full sooner? */
 static void check_yield(struct finding *out, const struct view_source *source, const struct check *row)
 {
     for (size_t m = 0; m < model_count; m++) {
         const struct comparison_plastic *plastic = &source->comparison->models[m].plastic;
         if (!speaks(source, m))
             continue;
-        add_tally(out, &plastic->changes[row->quantity]);
+        add_tally(out, row->quantity == QUANTITY_LOAD ? &plastic->sooner : &plastic->changes[row->quantity]);
         if (row->quantity == QUANTITY_AREA && plastic->most > 0)
             add_number(out, model_rows[m]->label, plastic->least, plastic->most);
     }
-}
-
-static void check_sooner(struct finding *out, const struct view_source *source, const struct check *row)
-{
-    (void)row;
-    for (size_t m = 0; m < model_count; m++)
-        if (speaks(source, m))
-            add_tally(out, &source->comparison->models[m].plastic.sooner);
 }
 
 /** Of the multiscale and the statistical model of one law on every surface: does the adjustment bring the gaps closer,
@@ -199,7 +191,7 @@ static void check_beta_rank(struct finding *out, const struct view_source *sourc
 }
 
 /** From the smoother to the rougher neighbour, beyond the errors of both: falls γ; has Δ no order? */
-static void check_laws(struct finding *out, const struct view_source *source, bool amplitude)
+static void check_laws(struct finding *out, const struct view_source *source, const struct check *row)
 {
     const double at_m = results_law_wavelength_m(source->results);
     struct finding own = {0};
@@ -208,25 +200,13 @@ static void check_laws(struct finding *out, const struct view_source *source, bo
                                *rough = &smoothest(source, k)->power_law;
         if (!power_law_holds(smooth) || !power_law_holds(rough))
             continue;
-        if (amplitude)
+        if (row->number == LAW_AMPLITUDE)
             add_case(&own, log10(power_law_amplitude(rough, at_m)), log10(power_law_amplitude(smooth, at_m)),
                      hypot(power_law_error_decades(rough, at_m), power_law_error_decades(smooth, at_m)));
         else
             add_case(out, rough->gamma, smooth->gamma, hypot(rough->gamma_error, smooth->gamma_error));
     }
     add_no_order(out, own.good, own.all - own.good);
-}
-
-static void check_gamma_rank(struct finding *out, const struct view_source *source, const struct check *row)
-{
-    (void)row;
-    check_laws(out, source, false);
-}
-
-static void check_amplitude_rank(struct finding *out, const struct view_source *source, const struct check *row)
-{
-    (void)row;
-    check_laws(out, source, true);
 }
 
 /** The spread between the surfaces: of areas, each plastic model's against its elastic partner's; of resistances, each
@@ -324,12 +304,12 @@ static const struct check checks[] = {
     {"6.3.3", "families", ELECTRICAL, NEEDS_FAMILIES, 1, check_distances, .quantity = QUANTITY_AREA},
     {"6.3.4", "scale_dependence", SCALE_DEPENDENT, NEEDS_ANY, 1, check_numbers, .number = SCALE_DEPENDENCE,
      .scale = 100, .low = -INFINITY, .high = 0.05},
-    {"6.4", "gamma_rank", 0, NEEDS_ANY, 2, .check = check_gamma_rank},
-    {"6.4", "amplitude_rank", 0, NEEDS_ANY, 3, .check = check_amplitude_rank},
+    {"6.4", "gamma_rank", 0, NEEDS_ANY, 2, check_laws, .number = LAW_GAMMA},
+    {"6.4", "amplitude_rank", 0, NEEDS_ANY, 3, check_laws, .number = LAW_AMPLITUDE},
     {"6.4.1", "area_rank", 0, NEEDS_ANY, 2, check_rank, .quantity = QUANTITY_AREA},
     {"6.4.1", "magnitude", 0, NEEDS_ANY, 2, .check = check_magnitude},
     {"6.4.1", "spread", PLASTIC, NEEDS_ANY, 2, check_spread, .quantity = QUANTITY_AREA},
-    {"6.4.1", "sooner", PLASTIC, NEEDS_ANY, 1, .check = check_sooner},
+    {"6.4.1", "sooner", PLASTIC, NEEDS_ANY, 1, check_yield, .quantity = QUANTITY_LOAD},
     {"6.4.2", "separation_rank", SEPARATION, NEEDS_ANY, 2, check_rank, .quantity = QUANTITY_SEPARATION},
     {"6.4.2", "beta", SEPARATION, NEEDS_ADJUSTED, 1, check_numbers, .number = BETA, .scale = 1, .low = 4, .high = 12},
     {"6.4.2", "beta_rank", SEPARATION, NEEDS_ADJUSTED, 3, .check = check_beta_rank},

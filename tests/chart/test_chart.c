@@ -2,6 +2,7 @@
 /* A chart from its numbers to its drawing: ranges, tics, what is left out, and names that mean nothing in a script. */
 #include "chart/chart.h"
 #include "chart/gnuplot.h"
+#include "chart/words.h"
 #include "directory.h"
 
 #include <math.h>
@@ -238,4 +239,81 @@ TEST_CASE(a_script_that_is_not_there_is_an_error)
     mustache_folder_free(&folder);
     text_free(&out);
     chart_free(&chart);
+}
+
+/** What `words`, as words.txt, say of `name`; NULL: an error. */
+static struct text said(const char *words, const char *name, struct status *status)
+{
+    struct directory place = directory_make();
+    struct text out = {0};
+    struct words read;
+    directory_write(&place, "words.txt", words);
+    assert_int_equal(words_read(&read, place.path, status), STATUS_OK);
+    text_add(&out, "%s", words_say(&read, name, "unit", "N", "best", "", NULL));
+    words_free(&read);
+    directory_remove(&place);
+    return out;
+}
+
+TEST_CASE(words_are_filled_in_by_name)
+{
+    static const char words[] = "# of axes\naxis.force  load ({{unit}}){{#best}}, best{{/best}}\naxis\tjust this\n";
+    struct status status = {0}, missing = {0}, wrong = {0};
+    struct text force = said(words, "axis.force", &status), axis = said(words, "axis", &status);
+    assert_string_equal(text_string(&force), "load (N)");
+    assert_string_equal(text_string(&axis), "just this");
+    assert_int_equal(status.code, STATUS_OK);
+    struct text none = said(words, "axis.f", &missing), open = said("a {{#unit}}\n", "a", &wrong);
+    assert_int_equal(missing.code, STATUS_USAGE);
+    assert_non_null(strstr(missing.message, "words.txt of the templates has no 'axis.f'"));
+    assert_int_equal(wrong.code, STATUS_USAGE);
+    assert_int_equal(none.length + open.length, 0);
+    struct words read;
+    status = (struct status){0};
+    assert_int_equal(words_read(&read, "/no-such-folder", &status), STATUS_IO);
+    words_free(&read);
+    text_free(&force);
+    text_free(&axis);
+    text_free(&none);
+    text_free(&open);
+}
+
+/* Every name that the program asks for by its whole is there. */
+TEST_CASE(the_programs_names_have_their_words)
+{
+    static const char *const sources[] = {"chart/figures.c", "cli/cmd_inspect.c"};
+    struct status status = {0};
+    struct words words;
+    size_t names = 0;
+    assert_int_equal(words_read(&words, PROJECT_SOURCE "/templates", &status), STATUS_OK);
+    for (size_t s = 0; s < sizeof sources / sizeof *sources; s++) {
+        struct text source = {0}, path = {0};
+        text_add(&path, "%s/src/%s", PROJECT_SOURCE, sources[s]);
+        assert_int_equal(text_read_file(&source, text_string(&path), &status), STATUS_OK);
+        for (const char *at = text_string(&source); (at = strchr(at, '"')); at += strcspn(at + 1, "\"") + 2) {
+            char name[80];
+            snprintf(name, sizeof name, "%.*s", (int)strcspn(at + 1, "\""), at + 1);
+            if (name[strspn(name, "abcdefghijklmnopqrstuvwxyz_.")] || !strchr(name, '.') || name[0] == '.' ||
+                strchr(name, '.')[1] < 'a' || strstr(name, "panel.direct") || strstr(name, ".h"))
+                continue;
+            (void)words_say(&words, name, NULL);
+            names++;
+            if (status.code)
+                fail_msg("%s: %s", sources[s], status.message);
+        }
+        text_free(&source);
+        text_free(&path);
+    }
+    assert_true(names > 25);
+    words_free(&words);
+}
+
+/* A long name is cut in its middle, by characters. */
+TEST_CASE(names_are_cut_in_their_middle)
+{
+    struct text out = {0};
+    words_cut(&out, "µµµµµfffggggg", strlen("µµµµµfffggggg"), 10);
+    assert_string_equal(text_string(&out), "µµµµµ…gggg");
+    assert_int_equal(words_width(text_string(&out), out.length), 10);
+    text_free(&out);
 }
