@@ -31,16 +31,12 @@ enum status_code gnuplot_check(struct status *status)
     return gnuplot_need(program, sizeof program, status);
 }
 
-/* Beginnings of variables through which a user's setup would change charts or messages. */
-static const char *const foreign_variables[] = {"GNU", "LC_", "LANG", "GDFONTPATH", "FIT_", "DUMB", NULL};
-
 /* Runs `gnuplot -d` (no start-up files) in `directory`. Returns 0 or the errno that says why not. */
 static int gnuplot_spawn(pid_t *process, const char *program, const char *directory, int input, int output)
 {
-    static char locale[] = "LC_ALL=C.UTF-8", name[] = "gnuplot", defaults[] = "-d";
+    static char name[] = "gnuplot", defaults[] = "-d";
     char *const arguments[] = {name, defaults, NULL};
-    return program_start(
-        process, &(struct program_task){arguments, program, directory, foreign_variables, locale, input, output});
+    return program_start(process, &(struct program_task){arguments, program, directory, NULL, input, output});
 }
 
 /* An unnamed file that takes so many bytes of messages and no more; what was not written is 0. */
