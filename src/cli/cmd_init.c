@@ -21,21 +21,10 @@ static const struct argp_option options[] = {
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     struct arguments *arguments = state->input;
-    switch (key) {
-    case 'o':
-        arguments->output = value;
-        return 0;
-    case ARGP_KEY_ARG:
-        if (arguments->directory)
-            argp_error(state, "one directory at a time: '%s' is too many", value);
-        arguments->directory = value;
-        return 0;
-    case ARGP_KEY_NO_ARGS:
-        argp_error(state, "which directory of scans?");
-        return 0;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
+    if (key != 'o')
+        return command_directory(&arguments->directory, key, value, state);
+    arguments->output = value;
+    return 0;
 }
 
 const struct argp command_init_argp = {
@@ -78,14 +67,14 @@ static void add_lacks(json_t *view, const char *path)
     if (units && !*scan.z_unit)
         json_object_set_new(view, "z_unit", json_string("um"));
     if (code != STATUS_OK && !units)
-        json_object_set_new(view, "problem", command_json_text(problem.message));
+        json_object_set_new(view, "problem", json_shown(problem.message));
     scan_free(&scan);
 }
 
 static enum status_code add_surface(json_t *view, const struct scene *scene, const struct scene_surface *surface,
                                     struct status *status)
 {
-    json_t *files = json_array(), *name = command_json_text(surface->name);
+    json_t *files = json_array(), *name = json_shown(surface->name);
     bool several = surface->file_count > 1, folder = strchr(surface->files[0], '/');
     char *all = several ? scene_pattern(scene, surface, status) : NULL;
     char *path = scene_file_path(scene, surface->files[0]);
@@ -114,7 +103,7 @@ static enum status_code make_text(struct text *out, struct scene *scene, const c
     for (size_t i = 0; i < scene->surface_count; i++)
         scans += scene->surfaces[i].file_count;
     json_t *view = json_pack("{s:o, s:o, s:[], s:[]}", "scans", json_sprintf("%zu", scans), "passed_over",
-                             command_json_lines(scene->passed_over ? scene->passed_over : ""), "surfaces", "left_out");
+                             json_lines(scene->passed_over ? scene->passed_over : ""), "surfaces", "left_out");
     enum status_code rc = view ? scene_join_repeats(scene, status) : status_memory(status);
     for (size_t i = 0; i < scene->surface_count && rc == STATUS_OK; i++)
         rc = add_surface(view, scene, &scene->surfaces[i], status);

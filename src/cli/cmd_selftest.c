@@ -24,6 +24,7 @@ static const struct argp_option options[] = {
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     struct arguments *arguments = state->input;
+    (void)value;
     switch (key) {
     case KEY_JSON:
         arguments->json = true;
@@ -31,8 +32,6 @@ static error_t parse(int key, char *value, struct argp_state *state)
     case 'v':
         arguments->verbose = true;
         return 0;
-    case ARGP_KEY_ARG:
-        return command_no_argument(value, state);
     default:
         return ARGP_ERR_UNKNOWN;
     }
@@ -80,18 +79,18 @@ static json_t *group_json(const struct group *group)
     json_t *numbers = json_array();
     for (size_t i = 0; i < group->count; i++) {
         const struct selftest_reference *reference = &group->references[i];
-        json_array_append_new(
-            numbers, json_pack("{s:s, s:s, s:[f, f, f], s:o, s:f, s:f, s:b}", "of", reference->of, "quantity",
-                               reference->quantity, "arguments", reference->at[0], reference->at[1], reference->at[2],
-                               "value", command_json_number(computed ? group->values[i] : NAN), "expected",
-                               reference->expected, "relative_tolerance", reference->tolerance, "right",
-                               computed && selftest_error(reference, group->values[i]) <= 1));
+        json_array_append_new(numbers,
+                              json_pack("{s:s, s:s, s:[f, f, f], s:o, s:f, s:f, s:b}", "of", reference->of, "quantity",
+                                        reference->quantity, "arguments", reference->at[0], reference->at[1],
+                                        reference->at[2], "value", json_finite(computed ? group->values[i] : NAN),
+                                        "expected", reference->expected, "relative_tolerance", reference->tolerance,
+                                        "right", computed && selftest_error(reference, group->values[i]) <= 1));
     }
     double worst = selftest_error(&group->references[group->worst], group->values[group->worst]);
     return json_pack("{s:s, s:s, s:b, s:o, s:o, s:o}", "group", group->references->group, "source",
                      group->references->source, "right", group->wrong == 0, "problem",
-                     command_json_optional(computed ? NULL : group->problem.message), "largest_error_over_tolerance",
-                     command_json_number(computed ? worst : INFINITY), "numbers", numbers);
+                     json_shown(computed ? NULL : group->problem.message), "largest_error_over_tolerance",
+                     json_finite(computed ? worst : INFINITY), "numbers", numbers);
 }
 
 /** The models that nothing here speaks of, a blank between two. */
@@ -156,7 +155,7 @@ static bool print_end(size_t wrong, json_t *groups, const struct selftest_table 
     if (groups)
         right = command_json_print(json_pack("{s:b, s:I, s:I, s:o, s:O}", "right", right, "numbers",
                                              (json_int_t)table->count, "wrong", (json_int_t)wrong, "models_not_covered",
-                                             command_json_text(text_string(&uncovered)), "groups", groups)) &&
+                                             json_shown(text_string(&uncovered)), "groups", groups)) &&
                 right;
     else {
         if (uncovered.length > 0)
@@ -184,7 +183,7 @@ int command_self_test(int argc, char **argv)
                 run_groups(&wrong, groups, &table, arguments.verbose, &status) == STATUS_OK;
     bool right = done && print_end(wrong, groups, &table);
     if (!done && groups)
-        (void)command_json_print(json_pack("{s:b, s:o}", "right", 0, "error", command_json_text(status.message)));
+        (void)command_json_print(json_pack("{s:b, s:o}", "right", 0, "error", json_shown(status.message)));
     json_decref(groups);
     selftest_table_free(&table);
     text_free(&path);

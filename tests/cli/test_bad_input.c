@@ -102,7 +102,8 @@ TEST_IN_WORKSPACE(test_where_it_cannot_write)
     workspace_write(place, "file", "mine\n");
     char *before = workspace_digest(place, ".");
     expect_failure(place, 4, 1, "cannot write the report to 'file': Not a directory", "report", "d", "-o", "file");
-    expect_failure(place, 4, 1, "'file/report': Not a directory", "report", "d", "-o", "file/report");
+    expect_failure(place, 4, 1, "cannot make a directory in 'file/': Not a directory", "report", "d", "-o",
+                   "file/report");
     expect_failure(place, 4, 1, "cannot make a directory in '/proc/'", "report", "d", "-o", "/proc/report");
     expect_failure(place, 2, 1, "'' is no name for a report's directory", "report", "d", "-o", "");
     expect_failure(place, 2, 1, "'.' is no name", "report", "d", "-o", ".");
@@ -152,7 +153,7 @@ TEST_IN_WORKSPACE(test_without_gnuplot)
     struct process inspect = expect_exit(place, 0, "inspect", "--chart", "d/a.csv");
     assert_int_equal(setenv("PATH", path, 1), 0);
     expect_part(inspect.out, "Rq ");
-    expect_part(inspect.err, "no charts: no gnuplot in PATH");
+    expect_part(inspect.err, "no chart: no gnuplot in PATH");
     process_free(&inspect);
     expect_digest(place, ".", before);
     free(before);

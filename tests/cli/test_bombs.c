@@ -281,7 +281,7 @@ TEST_IN_WORKSPACE(test_points_as_announced)
                                  .at = SIZE_MAX}};
     struct text text = zip_of(members, 2);
     write_bytes(place, "a.x3p", &text);
-    expect_output(process_expect(RUN(place, "inspect", "--no-chart", "a.x3p"), 0, __FILE__, __LINE__), "4096");
+    expect_output(process_expect(RUN(place, "inspect", "a.x3p"), 0, __FILE__, __LINE__), "4096");
     text_free(&members[0].bytes);
     text_free(&members[1].bytes);
     text_free(&heights);
@@ -458,7 +458,7 @@ TEST_IN_WORKSPACE(test_no_files)
         strcat(path, "/d");
     }
     alarm(250); /* a pipe that is opened would keep everybody waiting */
-    struct process process = process_expect(RUN(place, "inspect", "--no-chart", "d"), 0, __FILE__, __LINE__);
+    struct process process = process_expect(RUN(place, "inspect", "d"), 0, __FILE__, __LINE__);
     expect_parts(process.out, "d/a.csv", "b.csv");
     expect_no_parts(process.out, "pipe", "zero");
     process_free(&process);
@@ -488,23 +488,4 @@ TEST_IN_WORKSPACE(test_reading_a_pipe)
     alarm(0);
     expect_part(status.message, "pipe' is no regular file");
     text_free(&text);
-}
-
-/* `inspect --limits` prints the table, row by row, and reads no file. */
-TEST_IN_WORKSPACE(test_limits_are_printed)
-{
-    struct process process = expect_exit(place, 0, "inspect", "--limits");
-    const char *line = process.out;
-    for (size_t i = 0; i < LIMIT_COUNT; i++) {
-        const struct limit_row *row = &limit_rows[i];
-        char expected[400];
-        snprintf(expected, sizeof expected, "%-11s at most %10zu %-9s %s; beyond: %s\n", row->name, row->most,
-                 row->unit, row->meaning, row->remedy);
-        assert_int_equal(strncmp(line, expected, strlen(expected)), 0);
-        line += strlen(expected);
-    }
-    assert_int_equal(*line, 0);
-    process_free(&process);
-    expect_output(expect_exit(place, 0, "inspect", "--limits", "--json"),
-                  "\"name\": \"points\",\n  \"most\": 100000000,");
 }
