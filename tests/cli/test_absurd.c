@@ -226,43 +226,6 @@ TEST_IN_WORKSPACE(test_scenes_at_their_limits)
         }
 }
 
-/* And beyond them: file and line. */
-TEST_IN_WORKSPACE(test_scenes_beyond_their_limits)
-{
-    static const struct {
-        const char *scene, *message;
-    } beyond[] = {
-        {"title: x\nmaterial: {E_Pa: 1e300, nu: 0.3}\n", "d/scene.yaml:2: 'E_Pa' is 1e300; allowed is "},
-        {"title: x\nmaterial: {E_Pa: 1e-300, nu: 0.3}\n", "d/scene.yaml:2: 'E_Pa' is 1e-300; allowed is "},
-        {"material: tin\nload: {from: 1e-300, to: 1}\n", "d/scene.yaml:2: 'from' is 1e-300; allowed is "},
-        {"material: tin\nload: {from: 1, to: 1e300}\n", "d/scene.yaml:2: 'to' is 1e300; allowed is "},
-        {"material: tin\nload: {values: [1, 1e300], unit: Pa}\n", "d/scene.yaml:2: 'values' is 1e300; allowed is "},
-        {"\ntolerance: 1e-300\n", "d/scene.yaml:2: 'tolerance' is 1e-300; allowed is "},
-        {"\ntolerance: 1e300\n", "d/scene.yaml:2: 'tolerance' is 1e300; allowed is "},
-        {"\nnominal_area_m2: 1e300\n", "d/scene.yaml:2: 'nominal_area_m2' is 1e300; allowed is "},
-        {"\nconvergence: {alpha: 1e300}\n", "d/scene.yaml:2: 'alpha' is 1e300; allowed is "},
-    };
-    workspace_scan(place, "d/a.csv", 60, 1);
-    for (size_t i = 0; i < sizeof beyond / sizeof *beyond; i++) {
-        workspace_write(place, "d/scene.yaml", beyond[i].scene);
-        expect_failure(place, 3, 1, beyond[i].message, "report", "d");
-    }
-    workspace_write(
-        place, "d/scene.yaml",
-        "material: tin\nmeasured: {file: m.csv, quantity: ecr, load_unit: dimensionless, resistance_unit: ohm m2}\n");
-    static const struct {
-        const char *rows, *message;
-    } measured[] = {
-        {"1e-3,1e-9\n1e-2,1e308\n", "m.csv:2: a resistance of 1e+308; allowed is 1e-100 to 1e+100"},
-        {"1e-308,1e-9\n", "m.csv:1: a load of 1e-308; allowed is 1e-100 to 1e+100"},
-        {"1e-3,1e-9,1e200\n", "m.csv:1: an error of 1e+200; allowed is 0 to 1e+100"},
-    };
-    for (size_t i = 0; i < sizeof measured / sizeof *measured; i++) {
-        workspace_write(place, "d/m.csv", measured[i].rows);
-        expect_errors(expect_exit(place, 3, "report", "d"), measured[i].message);
-    }
-}
-
 /* A refused file has a line of its own and the others go on; nothing that is not a number is printed. */
 TEST_IN_WORKSPACE(test_inspect)
 {

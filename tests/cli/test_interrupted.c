@@ -221,58 +221,6 @@ TEST_IN_WORKSPACE(test_little_stack)
     process_free(&process);
 }
 
-TEST_IN_WORKSPACE(test_mount_point)
-{
-    workspace_scan(place, "good/a.csv", 200, 1);
-    expect_failure(place, 4, 1, "'/proc' is a mount point", "report", "good", "-o", "/proc");
-}
-
-static void expect_content(const char *place, const char *path, const char *content)
-{
-    char *text = workspace_read(place, path);
-    assert_string_equal(text, content);
-    free(text);
-}
-
-/** The user's files in OUT outlive every run, those too that come while one lasts. */
-TEST_IN_WORKSPACE(test_files_of_the_user)
-{
-    static const char *const files[] = {"out/slow/figures/holiday.svg", "out/slow/data/mine.csv", "out/slow/notes.md"};
-    write_report(place);
-    for (size_t i = 0; i < 2; i++)
-        workspace_write(place, files[i], files[i]);
-    char *manifest = workspace_read(place, "out/slow/manifest.txt");
-    expect_part(manifest, "\nfigures/answer.svg\n");
-    workspace_write(place, "good/scene.yaml", "models: [multiscale]\neffects: []\n");
-    run_to_exit(place, 0, "report", "--no-cost", "--brief", "good", "-o", "out/slow");
-    char *smaller = workspace_read(place, "out/slow/manifest.txt");
-    assert_string_not_equal(manifest, smaller); /* the files that are no longer written are gone */
-    for (const char *line = strchr(manifest, '\n') + 1; *line; line = strchr(line, '\n') + 1) {
-        char *name, *path;
-        assert_true(asprintf(&name, "\n%.*s\n", (int)strcspn(line, "\n"), line) > 0);
-        assert_true(asprintf(&path, "out/slow/%.*s", (int)strcspn(line, "\n"), line) > 0);
-        assert_int_equal(workspace_has(place, path), strstr(smaller, name) != NULL);
-        free(name);
-        free(path);
-    }
-    free(manifest);
-    free(smaller);
-
-    workspace_scan(place, "good/b.csv", 20000, 2); /* takes a while */
-    struct process_running running = process_start(place, "report", "good", "-o", "out/slow", "--tolerance", "1e-12");
-    for (int i = 0; i < 2000 && workspace_count(place, ".roughcontact-") == 0; i++)
-        wait_a_little();
-    wait_a_little();
-    assert_true(workspace_count(place, ".roughcontact-") > 0);
-    workspace_write(place, files[2], files[2]);
-    struct process process = process_expect(process_end(running), 0, __FILE__, __LINE__);
-    process_free(&process);
-    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
-        expect_content(place, files[i], files[i]);
-    assert_int_equal(workspace_count(place, ".roughcontact-"), 0);
-    assert_int_equal(workspace_count(place, "slow"), 1); /* no slow.kept-... */
-}
-
 /** No room for files: as on a full disk, every write beyond some size fails. */
 TEST_IN_WORKSPACE(test_no_room)
 {

@@ -82,24 +82,6 @@ TEST_IN_WORKSPACE(a_connector)
     free(page);
 }
 
-/** The load that the first sentence names is the one of answers.csv. */
-TEST_IN_WORKSPACE(the_answer_is_the_datas)
-{
-    run_to_exit(place, 0, "report", PROJECT_SOURCE "/surfaces/thermal-interface", "-o", "out", "--no-cost");
-    char *page = first_page(place, "out"), load[80];
-    view_text_of(load, sizeof load, place, "out", "answers", "load");
-    expect_part(page, load);
-    expect_parts(page, "**20000\u00a0W/(m²·K) takes ", "\u00a0bar**", "Textbook (");
-    struct table answers = workspace_table(place, "out/data/answers.csv");
-    size_t found = 0;
-    for (size_t i = 0; i < answers.rows; i++)
-        found +=
-            fabs(table_number(&answers, i, "load_over_AnEp") / table_number(&answers, 0, "load_over_AnEp") - 1) < 1;
-    assert_true(found > 0);
-    table_free(&answers);
-    free(page);
-}
-
 /** The conductance at 1 MPa, of a gap in air and of bare metal. */
 TEST_IN_WORKSPACE(a_conductance)
 {

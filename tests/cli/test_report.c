@@ -194,17 +194,6 @@ TEST_IN_WORKSPACE(test_progress)
     free(seen);
 }
 
-/** Nothing has a column for a model that did not run. */
-TEST_IN_WORKSPACE(test_table)
-{
-    workspace_scan(place, "d/a.csv", 300, 1);
-    workspace_write(place, "d/scene.yaml", "material: tin\nmodels: [multiscale]\neffects: [electrical]\n");
-    struct process process = expect_exit(place, 0, "report", "d");
-    expect_part(process.out, "Rq/µm  contact resistance");
-    expect_no_parts(process.out, "β", "GW", "MS pl.");
-    process_free(&process);
-}
-
 /* Surfaces' laws stand by their amplitudes at one wavelength, the middle of what the bands share: bands 0.5 ... 300 and
  * 1 ... 600 um, so at sqrt(1 x 300) um. alpha, their value at 1 m, is no number to compare. */
 TEST_IN_WORKSPACE(test_laws_at_one_wavelength)
