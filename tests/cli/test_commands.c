@@ -82,29 +82,6 @@ TEST_IN_WORKSPACE(test_usage)
     process_free(&process);
 }
 
-/* The first page alone, by both commands that report, and plan says so. */
-TEST_IN_WORKSPACE(test_brief)
-{
-    workspace_scan(place, "d/a.csv", 200, 1);
-    workspace_write(place, "d/scene.yaml",
-                    "material: tin\neffects: [electrical]\nload: {from: 1e-4, to: 1e-2, points: 7}\n"
-                    "direct: {grid: 32, seeds: 1, loads: 3}\n");
-    static const char *const reporting[] = {"report", "direct"};
-    for (int c = 0; c < 2; c++) {
-        struct process process =
-            expect_exit(place, 0, reporting[c], "d", "--brief", "--no-cost", "--show", "-o", reporting[c]);
-        expect_part(process.out, "contact resistance ("); /* the page's chart, as text */
-        process_free(&process);
-        char path[64];
-        snprintf(path, sizeof path, "%s/report.md", reporting[c]);
-        expect_in_file(place, path, "Least certain: ");
-        expect_not_in_file(place, path, "\n## ");
-    }
-    assert_true(workspace_has(place, "direct/data/direct.csv"));
-    assert_true(workspace_has(place, "direct/figures/models.svg"));
-    assert_false(workspace_has(place, "direct/figures/direct.svg"));
-}
-
 /** Every line fits a terminal of 80 columns. */
 static void expect_narrow(const char *out)
 {

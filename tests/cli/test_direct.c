@@ -145,58 +145,6 @@ TEST_IN_WORKSPACE(test_called_for)
     process_free(&run);
 }
 
-/** What `plan` says of the direct solution under a budget, to be freed. */
-static char *planned(const char *place, const char *direct)
-{
-    char scene[256];
-    snprintf(scene, sizeof scene, EFFECTS "direct: %s\n", direct);
-    write_scene(place, scene);
-    struct process plan = expect_exit(place, 0, "plan", "d");
-    process_unwrap(&plan);
-    const char *line = strstr(plan.out, "\ndirect ");
-    assert_non_null(line);
-    char *copy = strndup(line + 1, strcspn(line + 1, "\n"));
-    process_free(&plan);
-    return copy;
-}
-
-/** The number that stands before `unit` in the line. */
-static double number_before(const char *line, const char *unit)
-{
-    const char *at = strstr(line, unit);
-    if (!at)
-        fail_msg("no '%s' in '%s'", unit, line);
-    while (at > line && strchr("0123456789.e+-", at[-1]))
-        at--;
-    return strtod(at, NULL);
-}
-
-/* A budget is kept by counts alone: the same twice, more solved for more, never above it where anything fits. */
-TEST_IN_WORKSPACE(test_budget)
-{
-    static const char *const budgets[] = {"0.2", "1 s", "3", "10 s", "100"};
-    double before = 0;
-    workspace_scan(place, "d/a.csv", 400, 3);
-    for (size_t b = 0; b < sizeof budgets / sizeof *budgets; b++) {
-        char key[64];
-        snprintf(key, sizeof key, "{budget: %s}", budgets[b]);
-        char *once = planned(place, key), *twice = planned(place, key);
-        assert_string_equal(once, twice);
-        double seconds = number_before(once, " s of one core");
-        assert_true(seconds <= 1.05 * strtod(budgets[b], NULL)); /* two digits are printed */
-        assert_true(seconds >= before);
-        before = seconds;
-        free(once);
-        free(twice);
-    }
-    char *tiny = planned(place, "{budget: 1e-3, grid: 512}");
-    expect_part(tiny, "more than the budget of 0.001 s, which nothing fits");
-    free(tiny);
-    char *given = planned(place, "{grid: 128, seeds: 3, loads: 4}");
-    expect_part(given, "128 x 128 points, 3 surfaces and a finer grid, 4 loads");
-    free(given);
-}
-
 /* A map is its own surface: one solution, no law, no other heights. */
 TEST_IN_WORKSPACE(test_map)
 {

@@ -911,22 +911,6 @@ TEST_CASE(test_a_mount_point_is_refused)
     }
 }
 
-/* Of the same file system: what is mounted there is a directory of it. */
-PLACE_CASE(test_a_directory_mounted_elsewhere_is_refused)
-{
-    publish(place, "out", "one");
-    publish(place, "other", "one");
-    pid_t child = divide();
-    if (child == 0) { /* which sees the mount alone */
-        if (unshare(CLONE_NEWNS) != 0 || mount("none", "/", NULL, MS_REC | MS_PRIVATE, NULL) != 0 ||
-            mount(directory_path(place, "other"), directory_path(place, "out"), NULL, MS_BIND, NULL) != 0)
-            _exit(77);
-        assert_refused(place, "out", "is a mount point, which a report cannot take the place of");
-        _exit(0);
-    }
-    assert_int_equal(exit_of(child), 0);
-}
-
 /* Of all its directories, with extended attributes, if there are any. */
 PLACE_CASE(test_the_attributes_of_out_stay)
 {
@@ -1014,30 +998,6 @@ PLACE_CASE(test_a_full_disk_leaves_the_report_before)
         _exit(refused > 8 && written > 8 ? 0 : 79);
     }
     assert_int_equal(exit_of(child), 0);
-}
-
-/* Calls that fail from the beginning, with the report before in place. */
-PLACE_CASE(test_no_room_for_an_entry)
-{
-    static const unsigned calls[] = {
-        SYS_linkat, SYS_mkdirat, SYS_renameat2,
-#ifdef SYS_rename
-        SYS_rename, SYS_mkdir,
-#endif
-    };
-    publish(place, "out", "one");
-    write_users_files(place, "out", FEW);
-    for (size_t i = 0; i < sizeof calls / sizeof *calls; i++)
-        if (publish_without(place, calls[i], ENOSPC) == STATUS_OK) { /* another call does it */
-            assert_true(calls[i] != SYS_linkat && calls[i] != SYS_renameat2);
-            directory_holds(place, "out/report.md", "two");
-            publish(place, "out", "one");
-        } else {
-            assert_whole(place, "out", NULL);
-            directory_holds(place, "out/report.md", "one");
-            assert_users_files(place, "out", FEW);
-            assert_int_equal(directory_entries(place, ""), 1);
-        }
 }
 
 /* As another user than the one whose directories these are. */
