@@ -94,11 +94,10 @@ static enum status_code add_surface(json_t *view, const struct scene *scene, con
     return one && path ? status->code : status_memory(status);
 }
 
-/** The scene as text, which is read back as it will be. */
+/** The scene as text. */
 static enum status_code make_text(struct text *out, struct scene *scene, const char *templates, struct status *status)
 {
     struct mustache_folder folder = {templates, ".yaml", NULL, status};
-    struct scene again = {0};
     size_t scans = 0;
     for (size_t i = 0; i < scene->surface_count; i++)
         scans += scene->surfaces[i].file_count;
@@ -114,9 +113,6 @@ static enum status_code make_text(struct text *out, struct scene *scene, const c
     if (rc == STATUS_OK && out->length > SCENE_BYTES_MOST)
         rc = status_fail(status, STATUS_SCENE, "%zu surfaces in '%s', more than one scene can list; split them",
                          scene->surface_count, scene->directory);
-    if (rc == STATUS_OK)
-        rc = scene_read(&again, scene->directory, &(struct scene_overrides){.text = out}, status);
-    scene_free(&again);
     mustache_folder_free(&folder);
     json_decref(view);
     return rc;

@@ -178,16 +178,9 @@ static json_t *scene_json(const struct results *results, const struct cell_guard
 }
 
 /** The points of a curve, quantity by quantity. */
-static void add_points(json_t *json, const struct model_curve *curve, const struct material_pair *pair,
-                       const struct plan *plan, const struct cell_guard *guard)
+static void add_points(json_t *json, const struct model_curve *curve, const struct plan *plan,
+                       const struct cell_guard *guard)
 {
-    json_t *pressures = json_array(); /* of the real contact */
-    double yields_at = pair->effective_modulus_Pa / pair->yield_strength_Pa;
-    for (size_t i = 0; i < curve->count && isfinite(yields_at); i++)
-        json_array_append_new(pressures, cell_json(guard, "contact_pressure_over_Sy",
-                                                   curve->points[i].value[QUANTITY_LOAD] /
-                                                       curve->points[i].value[QUANTITY_AREA] * yields_at));
-    json_object_set_new(json, "contact_pressure_over_Sy", pressures);
     for (int q = 0; q < QUANTITY_COUNT; q++) {
         if (!(plan->wanted & QUANTITY_BIT(q)))
             continue;
@@ -198,9 +191,8 @@ static void add_points(json_t *json, const struct model_curve *curve, const stru
     }
 }
 
-static json_t *curve_json(const struct model_curve *curve, const struct curve_summary *model,
-                          const struct material_pair *pair, const struct scene *scene, const struct plan *plan,
-                          const struct cell_guard *guard)
+static json_t *curve_json(const struct model_curve *curve, const struct curve_summary *model, const struct scene *scene,
+                          const struct plan *plan, const struct cell_guard *guard)
 {
     json_t *json = json_object();
     set(json, guard, "full_contact_load_over_AnEp", model->full_load);
@@ -212,7 +204,7 @@ static json_t *curve_json(const struct model_curve *curve, const struct curve_su
     set_count(json, "areas_limited", model->clamped);
     set(json, guard, "largest_load_share_clamped_at_radius", model->most_radius_clamped);
     if (!scene_bins_spectra(scene)) /* else contact.csv alone has them */
-        add_points(json, curve, pair, plan, guard);
+        add_points(json, curve, plan, guard);
     return json;
 }
 
@@ -325,7 +317,7 @@ static json_t *surface_json(const struct results *results, size_t index)
     json_t *models = json_object();
     for (size_t m = 0; m < model_count; m++)
         if (surface_model(s, m)->exists) {
-            json_t *model = curve_json(record->curves ? &record->curves[m] : NULL, surface_model(s, m), &s->pair, scene,
+            json_t *model = curve_json(record->curves ? &record->curves[m] : NULL, surface_model(s, m), scene,
                                        results->plan, guard);
             set_intervals(model, surface_model(s, m), guard);
             json_object_set_new(models, model_rows[m]->name, model);
@@ -498,31 +490,20 @@ static json_t *limits_json(const struct results *results, struct results_lost *l
     return limits;
 }
 
-/** What a script asks of a surface first. */
-static json_t *outline_surface_json(const struct surface_summary *s, const struct cell_guard *guard)
+static json_t *refused_json(const struct results *results)
 {
-    json_t *json = json_pack("{s:o, s:o, s:b, s:o, s:o}", "surface", json_shown(s->scene->name), "files",
-                             files_json(s->scene->files, s->scene->file_count), "usable", s->usable, "refused",
-                             json_shown(s->refusal), "notes", notes_json(&s->notes));
-    bool holds = s->usable && power_law_holds(&s->power_law);
-    set(json, guard, "rq_m", s->usable ? s->roughness.rq_m : NAN);
-    set(json, guard, "alpha_SI", holds ? s->power_law.alpha : NAN);
-    set(json, guard, "gamma", holds ? s->power_law.gamma : NAN);
-    return json;
-}
-
-json_t *json_outline(const struct results *results, bool complete)
-{
-    json_t *surfaces = json_array(), *json = json_object();
+    json_t *refused = json_array();
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = &results->surfaces[i].summary;
-        const struct cell_guard guard = {s->scene ? s->scene->name : NULL, NULL};
-        if (s->scene) /* else the run ended before it came to it */
-            json_array_append_new(surfaces, outline_surface_json(s, &guard));
+        if (!s->usable)
+            json_array_append_new(refused, json_pack("{s:o, s:o}", "surface", json_shown(s->scene->name), "error",
+                                                     json_shown(s->refusal)));
     }
-    json_object_set_new(json, "surfaces", surfaces);
-    if (!complete)
-        return json;
+    return refused;
+}
+
+json_t *json_outline(const struct results *results)
+{
     json_t *limits = limits_json(results, NULL), *missed = json_array(), *limit;
     size_t index;
     json_array_foreach(limits, index, limit)
@@ -530,10 +511,8 @@ json_t *json_outline(const struct results *results, bool complete)
         if (strcmp(json_string_value(json_object_get(limit, "verdict")), "misses") == 0)
             json_array_append(missed, limit);
     }
-    json_object_set_new(json, "answers", answers_json(results, NULL));
-    json_object_set_new(json, "limits", limits);
-    json_object_set_new(json, "missed_limits", missed);
-    return json;
+    return json_pack("{s:o, s:o, s:o, s:o}", "refused", refused_json(results), "answers", answers_json(results, NULL),
+                     "limits", limits, "missed_limits", missed);
 }
 
 /** Prints one value behind `before`; takes it over. */
@@ -557,18 +536,6 @@ static bool print_surfaces(FILE *file, const struct results *results)
         before = ",\n";
     }
     return ok && fputs("]", file) >= 0;
-}
-
-static json_t *refused_json(const struct results *results)
-{
-    json_t *refused = json_array();
-    for (size_t i = 0; i < results->surface_count; i++) {
-        const struct surface_summary *s = &results->surfaces[i].summary;
-        if (!s->usable)
-            json_array_append_new(refused, json_pack("{s:o, s:o}", "surface", json_shown(s->scene->name), "error",
-                                                     json_shown(s->refusal)));
-    }
-    return refused;
 }
 
 static json_t *studies_json(const struct results *results)

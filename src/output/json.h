@@ -9,10 +9,9 @@
 /** Writes results.json into `directory`. Errors: STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code json_write(const struct results *results, const char *directory, struct status *status);
 
-/** In short, for a script, keys as in results.json: `surfaces` (those refused with why), and of a run that is
- * `complete` also `answers`, `limits` and the `missed_limits` among them. To be
- * released with json_decref(); NULL: out of memory. */
-json_t *json_outline(const struct results *results, bool complete);
+/** In short, for a script, as in results.json: `refused`, `answers`, `limits`, and the `missed_limits` among them. To
+ * be released with json_decref(); NULL: out of memory. */
+json_t *json_outline(const struct results *results);
 
 /* Parts of any JSON that is printed or written. */
 

@@ -519,7 +519,6 @@ static void fill_direct(struct table *table, const struct results *results)
 
 static void fill_direct_ratio(struct table *table, const struct results *results)
 {
-    bool both = has_column(results, 1) && has_column(results, 2);
     for (size_t k = 0; k < results->direct_count; k++)
         for (size_t m = 0; m < model_count; m++) {
             const struct direct_study *study = &results->direct[k];
@@ -533,9 +532,6 @@ static void fill_direct_ratio(struct table *table, const struct results *results
                         put_number(table, direct_columns[c].ratio,
                                    direct_study_ratio(study, results_pair(results, study->surface), m,
                                                       direct_columns[c].quantity, i));
-                if (both)
-                    put_number(table, "conductance",
-                               direct_study_conductance(study, results_pair(results, study->surface), m, i));
                 end_row(table);
             }
         }
