@@ -23,12 +23,10 @@ _roughcontact()
     plan)
         options="--json $scene"
         kind=directories ;;
-    init)
-        options='--output= -o'
-        kind=directories ;;
     inspect)
-        options='--json --chart --x-unit= --z-unit= --quantity= --column= --level= --lambda-s= --lambda-c='
+        options='--json --chart --x-unit= --z-unit= --quantity= --column= --lambda-s= --lambda-c='
         kind=files ;;
+    init) kind=directories ;;
     view)
         options='--json'
         kind=directories ;;
@@ -39,7 +37,7 @@ _roughcontact()
     self-test) options='--json --verbose -v' ;;
     esac
     case "$command $previous" in # the value of an option
-    'synth --output' | 'synth -o' | 'init --output' | 'init -o') kind=files ;;
+    'synth --output' | 'synth -o') kind=files ;;
     *' --template') kind=files ;;
     *' --output' | *' -o') kind=directories ;;
     *' --material' | *' -m')
@@ -52,7 +50,6 @@ _roughcontact()
         words+=' plating heating' ;;
     *' --x-unit' | *' --z-unit') kind=words words='m mm um nm angstrom in uin mil' ;;
     *' --quantity') kind=words words='height slope' ;;
-    *' --level') kind=words words='none mean line parabola circle robust' ;;
     *' --jobs' | *' -j' | *' --tolerance' | *' -t' | *' --column' | *' --lambda-'[sc] | 'synth -'[agrlncd] | \
         'synth --'[agrlps]*) kind=nothing ;;
     *) argument=1 ;;

@@ -11,25 +11,14 @@
 #include <string.h>
 #include <unistd.h>
 
-struct arguments {
-    const char *directory, *output;
-};
-
-static const struct argp_option options[] = {
-    {"output", 'o', "FILE", 0, "where to write; -: to standard output (default: DIR/scene.yaml)", 0}, {0}};
-
 static error_t parse(int key, char *value, struct argp_state *state)
 {
-    struct arguments *arguments = state->input;
-    if (key != 'o')
-        return command_directory(&arguments->directory, key, value, state);
-    arguments->output = value;
-    return 0;
+    return command_directory(state->input, key, value, state);
 }
 
 const struct argp command_init_argp = {
-    .options = options,
     .parser = parse,
+    .args_doc = "DIR",
     .doc =
         "Writes DIR/scene.yaml, whole or not at all and never over another: the surfaces that the names of the files "
         "tell, files that differ in a number or letter at the end alone as repeated scans of one, and, behind a #, "
@@ -118,26 +107,22 @@ static enum status_code make_text(struct text *out, struct scene *scene, const c
     return rc;
 }
 
-static enum status_code init(const struct arguments *arguments, struct status *status)
+static enum status_code init(const char *directory, struct status *status)
 {
     struct scene scene = {0};
     struct text templates = {0}, text = {0};
-    bool printed = arguments->output && strcmp(arguments->output, "-") == 0;
     const struct scene_overrides empty = {.text = &(struct text){0}}; /* whatever scene there is */
-    enum status_code rc = scene_read(&scene, arguments->directory, &empty, status);
-    const char *path = arguments->output ? arguments->output : scene.path;
+    enum status_code rc = scene_read(&scene, directory, &empty, status);
     if (rc == STATUS_OK && scene.surface_count == 0)
         rc = status_fail(status, STATUS_SCAN, "no scan in '%s': put the profilometer's files there", scene.directory);
-    if (rc == STATUS_OK && !printed && access(path, F_OK) == 0) /* before all the scans are read */
-        rc = status_fail(status, STATUS_IO, "'%s' is there already; `-o -` prints what would be written", path);
+    if (rc == STATUS_OK && access(scene.path, F_OK) == 0) /* before all the scans are read */
+        rc = status_fail(status, STATUS_IO, "'%s' is there already; move it away", scene.path);
     if (rc == STATUS_OK)
         rc = command_share(&templates, "templates", status);
     if (rc == STATUS_OK)
         rc = make_text(&text, &scene, text_string(&templates), status);
-    if (rc == STATUS_OK && printed)
-        fputs(text_string(&text), stdout);
-    else if (rc == STATUS_OK)
-        rc = command_write(path, &text, true, status);
+    if (rc == STATUS_OK)
+        rc = command_write(scene.path, &text, true, status);
     scene_free(&scene);
     text_free(&templates);
     text_free(&text);
@@ -146,8 +131,8 @@ static enum status_code init(const struct arguments *arguments, struct status *s
 
 int command_init(int argc, char **argv)
 {
-    struct arguments arguments = {0};
+    const char *directory = NULL;
     struct status status = {0};
-    command_parse(&command_init_argp, argc, argv, &arguments);
-    return command_finish(init(&arguments, &status) == STATUS_OK ? COMMAND_DONE : command_fail(&status), NULL);
+    command_parse(&command_init_argp, argc, argv, &directory);
+    return command_finish(init(directory, &status) == STATUS_OK ? COMMAND_DONE : command_fail(&status), NULL);
 }

@@ -42,24 +42,10 @@ static const struct argp_option options[] = {
     {"z-unit", KEY_Z_UNIT, "UNIT", 0, "unit of z where the file names none (default: such a file is refused)", 0},
     {"quantity", KEY_QUANTITY, "QUANTITY", 0, "height or slope, which is integrated to heights (default: height)", 0},
     {"column", KEY_COLUMN, "Z|X,Z", 0, "columns by number or title (default: the first two that can be x and z)", 0},
-    {"level", KEY_LEVEL, "LEVEL", 0,
-     "none, mean, line, parabola, circle or robust (default: line, mean of a periodic record; maps: plane)", 0},
     {"lambda-s", KEY_LAMBDA_S, "LENGTH", 0, "cut-off of a Gaussian low-pass (default: none; profiles only)", 0},
     {"lambda-c", KEY_LAMBDA_C, "LENGTH", 0, "cut-off of a high-pass: R beside P parameters (default: none)", 0},
     {0},
 };
-
-/** Which of the `count` names is `value`? */
-static unsigned parse_name(const char *what, const char *value, const char *const *names, size_t count,
-                           struct argp_state *state)
-{
-    size_t length = strlen(value), which = scene_words_find(value, length, names, count);
-    if (which == count)
-        argp_error(state, "unknown %s '%s'; %s", what,
-                   scene_words_show_view((struct string_view){value, value + length}).text,
-                   scene_words_hint(value, names, count, 0).text);
-    return (unsigned)which;
-}
 
 /** `Z` or `X,Z`. */
 static void parse_column(struct arguments *arguments, const char *text, struct argp_state *state)
@@ -78,6 +64,7 @@ static void parse_column(struct arguments *arguments, const char *text, struct a
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     struct arguments *arguments = state->input;
+    size_t which;
     switch (key) {
     case KEY_JSON:
         arguments->json = true;
@@ -92,14 +79,14 @@ static error_t parse(int key, char *value, struct argp_state *state)
         arguments->scan.z_unit = value;
         return 0;
     case KEY_QUANTITY:
-        arguments->scan.quantity = parse_name("quantity", value, scan_quantity_names, SCAN_QUANTITY_COUNT, state);
+        which = scene_words_find(value, strlen(value), scan_quantity_names, SCAN_QUANTITY_COUNT);
+        if (which == SCAN_QUANTITY_COUNT)
+            argp_error(state, "unknown quantity '%s'; %s", scene_words_show(value).text,
+                       scene_words_hint(value, scan_quantity_names, SCAN_QUANTITY_COUNT, 0).text);
+        arguments->scan.quantity = (unsigned)which;
         return 0;
     case KEY_COLUMN:
         parse_column(arguments, value, state);
-        return 0;
-    case KEY_LEVEL:
-        arguments->how.level = parse_name("level", value, level_names, LEVEL_COUNT, state);
-        arguments->how.periodic_mean = false;
         return 0;
     case KEY_LAMBDA_S:
         arguments->how.lambda_s_m = command_length("lambda-s", value, state);

@@ -6,7 +6,6 @@
 #include "scene/scene_words.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <libgen.h>
 #include <limits.h>
 #include <math.h>
@@ -48,13 +47,6 @@ enum status_code command_share(struct text *out, const char *name, struct status
     return STATUS_OK;
 }
 
-/** Moves a file; `fresh`: not onto another one, where the file system can tell. */
-static bool move(const char *from, const char *to, bool fresh)
-{
-    bool moved = fresh && renameat2(AT_FDCWD, from, AT_FDCWD, to, RENAME_NOREPLACE) == 0;
-    return moved || ((!fresh || errno == EINVAL) && rename(from, to) == 0);
-}
-
 enum status_code command_write(const char *path, const struct text *content, bool fresh, struct status *status)
 {
     struct temporary hidden;
@@ -70,7 +62,8 @@ enum status_code command_write(const char *path, const struct text *content, boo
     bool made = parent && temporary_make(&hidden, parent, output_clear, status) == STATUS_OK;
     snprintf(whole, sizeof whole, "%s/report", made ? hidden.path : "");
     if (!made || text_write_file(whole, content->data, content->length, status) != STATUS_OK ||
-        (there && chmod(whole, info.st_mode & 07777) != 0) || !move(whole, target, fresh)) {
+        (there && chmod(whole, info.st_mode & 07777) != 0) ||
+        (fresh ? link(whole, target) : rename(whole, target)) != 0) {
         *status = (struct status){0};
         (void)status_fail(status, STATUS_IO, "cannot write '%s': %s", path, status_reason(errno));
     }

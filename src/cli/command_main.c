@@ -16,7 +16,7 @@ const struct command_row command_rows[COMMANDS] = {
     {"direct", "DIR [-o OUT]", "the report, with a direct solution beside the models", command_direct,
      &command_direct_argp},
     {"plan", "DIR", "what would be simulated and why; runs nothing", command_plan, &command_plan_argp},
-    {"init", "DIR [-o FILE]", "write a scene for the scans in DIR, to be filled in", command_init, &command_init_argp},
+    {"init", "DIR", "write a scene for the scans in DIR, to be filled in", command_init, &command_init_argp},
     {"inspect", "FILE|DIR...", "what is in a scan: format, spacing, roughness, power law", command_inspect,
      &command_inspect_argp},
     {"view", "DIR|OUT", "the worded values that a report's templates are filled from", command_view,

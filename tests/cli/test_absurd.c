@@ -247,7 +247,6 @@ TEST_IN_WORKSPACE(test_inspect)
         process_free(&json);
     }
     write_case(place, "bad.csv", &cases[15]);
-    expect_output(expect_exit(place, 0, "inspect", "--level=line", "bad.csv"), "power law   - (no power law found)",
-                  "Pdq - ");
+    expect_output(expect_exit(place, 0, "inspect", "bad.csv"), "power law   - (no power law found)", "Pdq - ");
     expect_output(expect_exit(place, 0, "inspect", "--json", "bad.csv"), "\"gamma\": null");
 }

@@ -32,7 +32,8 @@ TEST_IN_WORKSPACE(test_help)
         snprintf(usage, sizeof usage, "Usage: roughcontact %s", command_rows[c].name);
         struct process process = expect_exit(place, 0, command_rows[c].name, "--help");
         expect_part(process.out, usage);
-        expect_part(process.out, "(default");
+        if (command_rows[c].argp->options)
+            expect_part(process.out, "(default");
         assert_string_equal(process.err, "");
         struct process again = expect_exit(place, 0, command_rows[c].name, "-h");
         assert_string_equal(again.out, process.out);

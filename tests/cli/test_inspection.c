@@ -197,15 +197,15 @@ TEST_IN_WORKSPACE(test_a_map_on_the_command_line)
 TEST_IN_WORKSPACE(test_options)
 {
     workspace_scan(place, "a.csv", 2000, 1);
-    json_t *raw = inspect_first(expect_exit(place, 0, "inspect", "--json", "--level", "none", "a.csv"));
+    json_t *raw = inspect_first(expect_exit(place, 0, "inspect", "--json", "a.csv"));
     json_t *smooth = inspect_first(expect_exit(place, 0, "inspect", "--json", "--lambda-s", "8e-6", "a.csv"));
     assert_true(number(smooth, "m4_per_m2") < number(raw, "m4_per_m2"));
     assert_near(number(json_object_get(smooth, "parameters"), "lambda_s_m"), 8e-6, 0);
     json_decref(raw);
     json_decref(smooth);
-    expect_output(expect_exit(place, 0, "inspect", "--level", "robust", "a.csv"), "parameters  Pa ");
-    expect_failure(place, 2, 3, "unknown level 'plane'; allowed: none, mean, line, parabola, circle, robust", "inspect",
-                   "--level", "plane", "a.csv");
+    expect_output(expect_exit(place, 0, "inspect", "a.csv"), "parameters  Pa ");
+    expect_failure(place, 2, 3, "unknown quantity 'slop'; allowed: height, slope", "inspect", "--quantity", "slop",
+                   "a.csv");
     struct process metres =
         expect_exit(place, 0, "inspect", "--json", "--lambda-s=8e-6", "--lambda-c", "8e-5", "a.csv");
     static const char *const spelled[][2] = {{"--lambda-s=8um", "80um"}, {"--lambda-s=8 um", "0.08mm"}};
