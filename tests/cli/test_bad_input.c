@@ -111,28 +111,6 @@ TEST_IN_WORKSPACE(test_where_it_cannot_write)
     free(closed);
 }
 
-/** Files of the user's are never taken for a report of before. */
-TEST_IN_WORKSPACE(test_foreign_files)
-{
-    workspace_scan(place, "d/a.csv", 200, 1);
-    workspace_write(place, "notes/todo.txt", "mine\n");
-    workspace_write(place, "project/data/mine.csv", "mine\n");
-    workspace_write(place, "plots/results.json", "mine\n");
-    workspace_write(place, "plots/report.md", "mine\n");
-    workspace_write(place, "plots/figures/plot1.svg", "mine\n");
-    leave_report(place);
-    workspace_write(place, "out/d/figures/src.csv/thesis.tex", "mine\n");
-    char *before = workspace_digest(place, ".");
-    expect_failure(place, 4, 1, "'notes' holds 'todo.txt', and no manifest.txt names it as part of a report (",
-                   "report", "d", "-o", "notes");
-    expect_failure(place, 4, 1, "'project' holds 'data/mine.csv', and no manifest.txt", "report", "d", "-o", "project");
-    expect_failure(place, 4, 1, "'plots' holds 'report.md', and no manifest.txt", "report", "d", "-o", "plots");
-    expect_failure(place, 4, 1, "'out/d' holds 'figures/src.csv', a directory, which is not part", "report", "d");
-    expect_failure(place, 4, 1, "'d' holds 'a.csv'", "report", "d", "-o", "d");
-    expect_digest(place, ".", before);
-    free(before);
-}
-
 TEST_IN_WORKSPACE(test_without_gnuplot)
 {
     workspace_scan(place, "d/a.csv", 200, 1);

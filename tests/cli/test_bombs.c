@@ -117,26 +117,6 @@ TEST_IN_WORKSPACE(test_shared_streams)
     free(zeros);
 }
 
-/* What archives claim is looked at before anything is unpacked. */
-TEST_IN_WORKSPACE(test_claims)
-{
-    char *junk = calloc(1, 2200000);
-    assert_non_null(junk);
-    struct packed all[3];
-    static const char *const names[] = {"a.csv", "b.csv", "c.csv"};
-    for (size_t i = 0; i < 3; i++) {
-        all[i] = pack(names[i], junk, 1100000, false);
-        all[i].size = 1 << 30;
-        all[i].method = 8;
-        all[i].zip64 = true;
-    }
-    struct text text = zip_of(all, 3);
-    expect_refused(place, &text, limit_message(LIMIT_UNPACKED_BYTES));
-    for (size_t i = 0; i < 3; i++)
-        text_free(&all[i].bytes);
-    free(junk);
-}
-
 static void put_sur_header(struct text *text, uint32_t nx, uint32_t ny)
 {
     put_field(text, "DSCOMPRESSED", 12);

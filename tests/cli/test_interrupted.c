@@ -14,12 +14,6 @@
 #include <time.h>
 #include <unistd.h>
 
-static void wait_a_little(void)
-{
-    const struct timespec pause = {.tv_nsec = 5000000};
-    nanosleep(&pause, NULL);
-}
-
 /** A scene whose run takes seconds: one scan under many names. */
 static void write_slow_scene(const char *place)
 {
@@ -49,8 +43,8 @@ static struct process interrupt(const char *place, int signal_number)
 {
     struct process_running running = process_start(place, "report", "slow");
     for (int i = 0; i < 2000 && workspace_count(place, ".roughcontact-") == 0; i++)
-        wait_a_little();
-    wait_a_little();
+        support_pause();
+    support_pause();
     assert_true(workspace_count(place, ".roughcontact-") > 0);
     assert_int_equal(kill(running.pid, signal_number), 0);
     return process_end(running);
@@ -92,16 +86,10 @@ TEST_IN_WORKSPACE(test_kill)
  * as it was. */
 static char *hang_gnuplot(const char *place)
 {
-    char *before = strdup(getenv("PATH")), *path, *script;
+    char *script;
     assert_true(asprintf(&script, "#!/bin/sh\ntrap '' INT TERM HUP\necho $$ > %s/new; mv %s/new %s/hangs\nsleep 1000\n",
                          place, place, place) > 0);
-    workspace_write(place, "bin/gnuplot", script);
-    assert_true(asprintf(&path, "%s/bin/gnuplot", place) > 0);
-    assert_int_equal(chmod(path, 0755), 0);
-    free(path);
-    assert_true(asprintf(&path, "%s/bin:%s", place, before) > 0);
-    assert_int_equal(setenv("PATH", path, 1), 0);
-    free(path);
+    char *before = workspace_program(place, "gnuplot", script);
     free(script);
     return before;
 }
@@ -133,7 +121,7 @@ TEST_IN_WORKSPACE(test_a_hanging_gnuplot)
     for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
         struct process_running running = process_start(place, "report", "--no-cost", "good", "-o", "out/slow");
         while (!workspace_has(place, "hangs"))
-            wait_a_little();
+            support_pause();
         char *id = workspace_read(place, "hangs"), *name;
         assert_false(holds_staging(id));
         assert_int_equal(kill(running.pid, signals[i]), 0);
@@ -150,10 +138,9 @@ TEST_IN_WORKSPACE(test_a_hanging_gnuplot)
         assert_int_equal(errno, ESRCH);
         free(id);
     }
-    assert_int_equal(setenv("PATH", path, 1), 0);
+    workspace_take_back(path);
     expect_digest(place, "out", before);
     free(before);
-    free(path);
 }
 
 /** Runs the program by a shell that sets the stage, with `arguments` besides DIR. */
@@ -261,15 +248,4 @@ TEST_IN_WORKSPACE(test_no_room_for_a_scan)
     assert_int_equal(workspace_count(place, ".roughcontact-"), 0);
 }
 
-/** Also where these tests run in the background. */
-static int take_signals(void **state)
-{
-    (void)state;
-    static const int used[] = {SIGINT, SIGTERM, SIGHUP};
-    for (size_t i = 0; i < sizeof used / sizeof *used; i++)
-        if (signal(used[i], SIG_DFL) == SIG_ERR)
-            return 1;
-    return 0;
-}
-
-TEST_GROUP(take_signals, NULL)
+TEST_GROUP(support_take_signals, NULL)
