@@ -8,7 +8,6 @@
 #include <stdio.h>
 
 #define EFFECTS "effects: [plasticity, separation, electrical, thermal]\n"
-#define SMALL   "direct: {grid: 64, seeds: 2, loads: [1e-3, 1.05e-3, 1.1e-3, 4e-3]}\n"
 
 static void write_scene(const char *place, const char *text)
 {
@@ -91,17 +90,6 @@ TEST_IN_WORKSPACE(test_numbers)
     json_decref(all);
     table_free(&t);
     table_free(&r);
-}
-
-TEST_IN_WORKSPACE(test_same_bytes)
-{
-    write_profile(place, EFFECTS SMALL);
-    report(place, "one", "1");
-    report(place, "two", "2");
-    char *one = workspace_digest(place, "one"), *two = workspace_digest(place, "two");
-    assert_string_equal(one, two);
-    free(one);
-    free(two);
 }
 
 TEST_IN_WORKSPACE(test_off)

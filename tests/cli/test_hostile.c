@@ -343,8 +343,6 @@ TEST_IN_WORKSPACE(test_commands)
     assert_process(expect_exit(place, 4, "inspect", "--json", "bad \x1b\xFF\u202E.csv", "unit.csv"), "inspect --json");
     static const char *const scenes[] = {"\"\\u202E\\u009b\": 1\n",
                                          "material: \"\\u202E\\u009b\"\n",
-                                         "baseline: \"\\u202E\\u009b\"\n",
-                                         "load: {values: [\"1 \\u202E\\u009b\"]}\n",
                                          "effects: [\"\\u202E\\u009b\"]\n",
                                          "surfaces: [{file: \"\\u202E\\u009b\"}]\n",
                                          "\xC2\x9B: [\n",

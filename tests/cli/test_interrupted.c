@@ -182,17 +182,10 @@ TEST_IN_WORKSPACE(test_no_standard_output)
         free(two);
         process_free(&process);
     }
-    static const char *const commands[][3] = {{"models"},
-                                              {"materials"},
-                                              {"--help"},
-                                              {"synth"},
-                                              {"inspect", "good/a.csv"},
-                                              {"inspect", "--json", "good/a.csv"}};
+    static const char *const commands[][3] = {
+        {"materials"}, {"--help"}, {"synth"}, {"inspect", "--json", "good/a.csv"}};
     for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
         const char *const *words = commands[i];
-        process_expect_failure(staged(place, "exec >&-;", words[0], words[1], words[2]), 4, 1,
-                               "roughcontact: cannot write to standard output: Bad file descriptor\n", __FILE__,
-                               __LINE__);
         process_expect_failure(staged(place, "exec >/dev/full;", words[0], words[1], words[2]), 4, 1,
                                "cannot write to standard output: No space left on device\n", __FILE__, __LINE__);
     }
