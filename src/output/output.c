@@ -337,9 +337,8 @@ enum status_code output_commit(struct output *out, struct status *status)
     strcpy(out->staging, done);
     if (keep_others(out, false, status) != STATUS_OK)
         return status->code;
-    snprintf(done, sizeof done, "%.*s/export", PATH_MAX - 16, out->staging);
-    rmdir(done);      /* of a run that was asked for none */
-    temporary_hold(); /* a signal comes before it or after */
+    unlinkat(out->hidden.directory, "done/export", AT_REMOVEDIR); /* of a run that was asked for none */
+    temporary_hold();                                             /* a signal comes before it or after */
     if (exchange(out, kept, status) == STATUS_OK) {
         temporary_note("the report is in ", out->target, "");
         out->staging[0] = '\0';

@@ -141,21 +141,10 @@ static enum status_code table_close(struct table *table, struct status *status)
     return status->code;
 }
 
-/** Has this model an adjusted separation, and so a beta? */
-static bool has_beta(const struct plan *plan, size_t m)
-{
-    return plan_runs_model(plan, m) && (model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_ADJUSTED));
-}
-
-static bool in_table(size_t column, bool asperities)
-{
-    return cell_columns[column].in_table <= (asperities ? CELL_OF_ASPERITIES : CELL_ALWAYS);
-}
-
 static void fill_surfaces(struct table *table, const struct results *results)
 {
     const struct plan *plan = results->plan;
-    bool asperities = plan_uses_asperities(plan);
+    const int most = plan_uses_asperities(plan) ? CELL_OF_ASPERITIES : CELL_ALWAYS;
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = &results->surfaces[i].summary;
         if (!s->usable)
@@ -168,11 +157,11 @@ static void fill_surfaces(struct table *table, const struct results *results)
         text_free(&files);
         put_count(table, "points", s->points);
         for (size_t c = 0; c < cell_column_count; c++)
-            if (in_table(c, asperities))
+            if ((int)cell_columns[c].in_table <= most)
                 put_number(table, cell_columns[c].name, cell_column_of(s, c));
         put_number(table, "heights_factor_ecr", comparison_heights_factor(results, i));
         for (size_t m = 0; m < model_count; m++)
-            if (has_beta(plan, m))
+            if (plan_runs_model(plan, m) && (model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_ADJUSTED)))
                 put(table, "beta_", model_rows[m]->name, surface_model(s, m)->exists ? surface_model(s, m)->beta : NAN);
         end_row(table);
     }
@@ -435,12 +424,6 @@ static void fill_answers(struct table *table, const struct results *results)
                 put_answer(table, results, i, m, t);
 }
 
-/** The quantities of unloading.csv, which a strip tells. */
-static bool unloads(const struct plan *plan, int q)
-{
-    return ensemble_band_holds((enum quantity)q) && (plan_quantities(plan) & QUANTITY_BIT(q));
-}
-
 static void fill_unloading(struct table *table, const struct results *results)
 {
     for (size_t s = 0; s < results->surface_count; s++) {
@@ -454,7 +437,7 @@ static void fill_unloading(struct table *table, const struct results *results)
             put_number(table, "load_over_AnEp", load);
             put_number(table, "largest_load_over_AnEp", unloading->largest_load);
             for (int q = 0; q < QUANTITY_COUNT; q++)
-                if (unloads(results->plan, q)) {
+                if (ensemble_band_holds((enum quantity)q) && (plan_quantities(results->plan) & QUANTITY_BIT(q))) {
                     put_number(table, quantity_rows[q].column, point->value[q]);
                     put(table, quantity_rows[q].name, "_over_loading",
                         unloading_factor(&unloading->ratio, (enum quantity)q, load / unloading->largest_load));
