@@ -59,7 +59,7 @@ PLACED(test_what_it_gets)
 {
     int how;
     char expected[600],
-        first[] = "pwd; echo \"$HOME $LC_ALL $KEPT\"; echo complaint >&2; read line || echo no input\n"
+        first[] = "pwd; echo \"$HOME $LC_ALL $KEPT $PATH\"; echo complaint >&2; read line || echo no input\n"
                   "[ $(cut -d' ' -f5 /proc/$$/stat) = $$ ] && echo its own group\n"
                   "grep SigIgn /proc/self/status",
         second[] = "exec grep SigBlk /proc/self/status"; /* a shell lets signals in itself */
@@ -68,16 +68,21 @@ PLACED(test_what_it_gets)
     sigfillset(&signals);
     pthread_sigmask(SIG_BLOCK, &signals, NULL);
     assert_int_equal(setenv("LC_ALL", "C", 1) + setenv("KEPT", "kept", 1), 0);
+    char *path = strdup(getenv("PATH"));
+    assert_int_equal(setenv("PATH", "/usr/bin:/bin:/kept", 1), 0);
     assert_int_equal(run(first, 60, &how), PROGRAM_ENDED);
     assert_int_equal(how, 0);
-    snprintf(expected, sizeof expected,
-             "%s\n/nowhere C.UTF-8 \ncomplaint\nno input\nits own group\nSigIgn:\t0000000000000000\n",
-             directory_here.path);
+    snprintf(
+        expected, sizeof expected,
+        "%s\n/nowhere C.UTF-8  /usr/bin:/bin:/kept\ncomplaint\nno input\nits own group\nSigIgn:\t0000000000000000\n",
+        directory_here.path);
     directory_holds(&directory_here, "said", expected);
     assert_int_equal(run(second, 60, &how), PROGRAM_ENDED);
     directory_holds(&directory_here, "said", "SigBlk:\t0000000000000000\n");
     pthread_sigmask(SIG_UNBLOCK, &signals, NULL);
     signal(SIGPIPE, pipes);
+    assert_int_equal(setenv("PATH", path, 1), 0);
+    free(path);
 }
 
 PLACED(test_how_it_ends)
