@@ -293,8 +293,7 @@ enum status_code output_begin(struct output *out, const char *target, struct sta
     if (statx(AT_FDCWD, out->target, AT_SYMLINK_NOFOLLOW, STATX_BASIC_STATS, &info) == 0 &&
         (info.stx_attributes & STATX_ATTR_MOUNT_ROOT) != 0)
         return status_fail(status, STATUS_IO,
-                           "'%s' is a mount point, which a report cannot take the place of; name a directory in it "
-                           "with -o",
+                           "'%s' is a mount point, which a report cannot take the place of; name a directory in it",
                            out->target);
     temporary_note("", out->target, " is as it was before");
     if (temporary_make(&out->hidden, parent, output_clear, status) != STATUS_OK)
@@ -312,8 +311,7 @@ enum status_code output_begin(struct output *out, const char *target, struct sta
 static enum status_code exchange(const struct output *out, const char *kept, struct status *status)
 {
     bool done = renameat2(AT_FDCWD, out->staging, AT_FDCWD, out->target, RENAME_EXCHANGE) == 0;
-    if (!done &&
-        (errno == EINVAL || errno == ENOSYS || errno == ENOENT)) { /* a file system that cannot; none is there */
+    if (!done && (errno == EINVAL || errno == ENOSYS || errno == ENOENT)) { /* it cannot; none is there */
         bool moved = rename(out->target, kept) == 0;
         done = (moved || errno == ENOENT) && rename(out->staging, out->target) == 0;
         int reason = errno;

@@ -33,7 +33,8 @@ static void write_scans(const char *place)
 TEST_IN_WORKSPACE(test_same_bytes)
 {
     write_scans(place);
-    workspace_write(place, "d/scene.yaml", "models: [multiscale, strip]\ndirect: {grid: 64, seeds: 2, loads: [1e-3, 4e-3]}\n");
+    workspace_write(place, "d/scene.yaml",
+                    "models: [multiscale, strip]\ndirect: {grid: 64, seeds: 2, loads: [1e-3, 4e-3]}\n");
     run(place, "one", "--jobs=1");
     char *reference = workspace_digest(place, "one");
     run(place, "one", "--jobs=2"); /* over the former report */
