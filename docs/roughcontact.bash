@@ -3,7 +3,7 @@
 _roughcontact()
 {
     local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
-    local commands='report direct plan init inspect view synth models materials self-test help'
+    local commands='report direct plan init inspect view synth models materials self-test'
     local scene='--material= -m --effects= -e --tolerance= -t --x-unit= --z-unit='
     local options='' kind=nothing words='' argument='' before=''
     COMPREPLY=()
@@ -21,27 +21,23 @@ _roughcontact()
         options="--output= -o --jobs= -j --show -s --no-cost --check --brief --template= --export= --json --verbose -v $scene"
         kind=directories ;;
     plan)
-        options="--brief --json $scene"
-        kind=directories ;;
-    init)
-        options='--output= -o'
+        options="--json $scene"
         kind=directories ;;
     inspect)
-        options='--json --no-chart --chart --x-unit= --z-unit= --quantity= --column= --level= --lambda-s= --lambda-c='
-        options+=' --fit= --limits'
+        options='--json --chart --x-unit= --z-unit= --quantity= --column= --lambda-s= --lambda-c='
         kind=files ;;
+    init) kind=directories ;;
     view)
         options='--json'
         kind=directories ;;
     synth)
-        options='--alpha= -a --gamma= -g --rq= -r --length= -l --points= -n --scatter= -c --lambda-s= -s --seed= -d'
+        options='--alpha= -a --gamma= -g --rq= -r --length= -l --points= -n --scatter= -c --seed= -d'
         options+=' --output= -o' ;;
     models | materials) options='--json' ;;
     self-test) options='--verbose -v' ;;
-    help) kind=words words=$commands ;;
     esac
     case "$command $previous" in # the value of an option
-    'synth --output' | 'synth -o' | 'init --output' | 'init -o') kind=files ;;
+    'synth --output' | 'synth -o') kind=files ;;
     *' --template') kind=files ;;
     *' --output' | *' -o') kind=directories ;;
     *' --material' | *' -m')
@@ -54,9 +50,7 @@ _roughcontact()
         words+=' plating heating' ;;
     *' --x-unit' | *' --z-unit') kind=words words='m mm um nm angstrom in uin mil' ;;
     *' --quantity') kind=words words='height slope' ;;
-    *' --level') kind=words words='none mean line parabola circle robust' ;;
-    *' --fit') kind=words words='auto thesis' ;;
-    *' --jobs' | *' -j' | *' --tolerance' | *' -t' | *' --column' | *' --lambda-'[sc] | 'synth -'[agrlncsd] | \
+    *' --jobs' | *' -j' | *' --tolerance' | *' -t' | *' --column' | *' --lambda-'[sc] | 'synth -'[agrlncd] | \
         'synth --'[agrlps]*) kind=nothing ;;
     *) argument=1 ;;
     esac

@@ -2,7 +2,9 @@
 #include "support.h"
 
 #include "contact/model.h"
+#include <signal.h>
 #include <stdio.h>
+#include <time.h>
 
 void support_near(double actual, double expected, double rtol, double atol, const char *what, const char *file,
                   int line)
@@ -98,4 +100,19 @@ const char *table_text(const struct table *table, size_t row, const char *column
 double table_number(const struct table *table, size_t row, const char *column)
 {
     return strtod(table_text(table, row, column), NULL);
+}
+
+void support_pause(void)
+{
+    nanosleep(&(const struct timespec){.tv_nsec = 5000000}, NULL);
+}
+
+int support_take_signals(void **state)
+{
+    static const int used[] = {SIGINT, SIGTERM, SIGHUP};
+    (void)state;
+    for (size_t i = 0; i < sizeof used / sizeof *used; i++)
+        if (signal(used[i], SIG_DFL) == SIG_ERR)
+            return 1;
+    return 0;
 }

@@ -69,4 +69,9 @@ const char *table_text(const struct table *table, size_t row, const char *column
 /** The same as a number. */
 double table_number(const struct table *table, size_t row, const char *column);
 
+/** Waits a little. */
+void support_pause(void);
+/** cmocka set-up: signals that end the program do so also where these tests run in the background. */
+int support_take_signals(void **state);
+
 #endif

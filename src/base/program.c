@@ -14,8 +14,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-extern char **environ;
-
 enum { PAUSE_MS = 2 };
 
 static atomic_bool stop;
@@ -63,37 +61,22 @@ __attribute__((noinline)) static pid_t divide(const struct program_task *task, c
     _exit(127);
 }
 
-static bool is_dropped(const struct program_task *task, const char *variable)
-{
-    const char *const *drop = task->drops;
-    while (*drop && strncmp(variable, *drop, strlen(*drop)) != 0)
-        drop++;
-    return *drop;
-}
-
 int program_start(pid_t *process, const struct program_task *task)
 {
     volatile int error = 0;
     sigset_t all, before;
-    size_t count = 0, kept = 0;
-    while (environ[count])
-        count++;
-    char **environment = calloc(count + 2, sizeof *environment); /* its strings stay others' */
-    if (!environment)
+    char locale[] = "LC_ALL=C.UTF-8", *path;
+    if (asprintf(&path, "PATH=%s", getenv("PATH")) < 0)
         return ENOMEM;
-    for (size_t i = 0; i < count; i++)
-        if (!is_dropped(task, environ[i]))
-            environment[kept++] = environ[i];
-    environment[kept] = task->adds;
     *process = -1;
     sigfillset(&all);
     pthread_sigmask(SIG_SETMASK, &all, &before); /* no handler of ours may run in the child */
     if (stop)
         error = ECANCELED;
     else
-        *process = divide(task, environment, &error);
+        *process = divide(task, (char *[]){path, locale, task->home, NULL}, &error);
     pthread_sigmask(SIG_SETMASK, &before, NULL);
-    free(environment);
+    free(path);
     if (error && *process > 0)
         program_end(*process);
     return error;
@@ -122,8 +105,7 @@ enum program_state program_wait(pid_t process, double until)
 int program_end(pid_t process)
 {
     int how = 0;
-    kill(-process, SIGKILL); /* all that it may have left running */
-    kill(process, SIGKILL);
+    kill(-process, SIGKILL); /* with all that it may have left running */
     while (waitpid(process, &how, 0) < 0 && errno == EINTR)
         ;
     return how;

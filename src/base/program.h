@@ -13,17 +13,16 @@ bool program_find(char *out, size_t size, const char *name);
 
 /** How a program is started. */
 struct program_task {
-    char *const *arguments;   /* the last is NULL */
-    const char *path;         /* of the program */
-    const char *directory;    /* where it runs */
-    const char *const *drops; /* beginnings of the variables that it does not get; the last is NULL */
-    char *adds;               /* one that it gets */
-    int input, output;        /* descriptors, beyond 2, of its standard input and of both its outputs */
+    char *const *arguments; /* the last is NULL */
+    const char *path;       /* of the program */
+    const char *directory;  /* where it runs */
+    char *home;             /* "HOME=..."; NULL: it has none */
+    int input, output;      /* descriptors, beyond 2, of its standard input and of both its outputs */
 };
 
-/** Starts it in a process group of its own, with the usual signals. It is killed when the thread that started it ends
- * before it. Returns 0 or the errno that says why not (ECANCELED: it was
- * asked to stop). To be ended by program_end(). */
+/** Starts it in a process group of its own, with the usual signals, and of the environment with PATH alone, as a user's
+ * settings would change what it does. It is killed when the thread that started it ends before it. Returns 0 or the
+ * errno that says why not (ECANCELED: it was asked to stop). To be ended by program_end(). */
 int program_start(pid_t *process, const struct program_task *task);
 
 enum program_state { PROGRAM_ENDED, PROGRAM_LATE, PROGRAM_STOPPED };

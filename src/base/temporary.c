@@ -16,7 +16,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { TRIES = 100, NAME = 192, LETTERS = 6, PAUSE_US = 200 };
+enum { NAME = 192, LETTERS = 6, PAUSE_US = 200 };
 static const double end_seconds = 0.3; /* for what is held, and for the removal; the rest is left to the next run */
 
 /* Of the process, as its end is. */
@@ -71,22 +71,20 @@ static void clear_stale(int parent, const char *name, const char *prefix, void (
     struct stat info;
     char own[NAME];
     int directory = temporary_open(parent, name);
-    if (directory >= 0 && fstat(directory, &info) == 0 && info.st_uid == geteuid() && (info.st_mode & 0777) == 0700) {
-        name_of(own, prefix, directory, name);
-        if (strcmp(name, own) != 0) {
-            if (strlen(name) == strlen(prefix) + LETTERS)
-                unlinkat(parent, name, AT_REMOVEDIR); /* killed before it had its name */
-        } else if (flock(directory, LOCK_EX | LOCK_NB) == 0 && fstat(directory, &info) == 0 && info.st_nlink > 0) {
-            clear(directory);
-            if (unlinkat(parent, name, AT_REMOVEDIR) != 0 && *name == '.') /* somebody's: to be seen */
-                (void)!renameat(parent, name, parent, name + 1);
-        }
+    if (directory < 0)
+        return;
+    name_of(own, prefix, directory, name);
+    if (fstat(directory, &info) == 0 && info.st_uid == geteuid() && (info.st_mode & 0777) == 0700 &&
+        strcmp(name, own) == 0 && flock(directory, LOCK_EX | LOCK_NB) == 0 && fstat(directory, &info) == 0 &&
+        info.st_nlink > 0) {
+        clear(directory);
+        if (unlinkat(parent, name, AT_REMOVEDIR) != 0 && *name == '.') /* somebody's: to be seen */
+            (void)!renameat(parent, name, parent, name + 1);
     }
-    if (directory >= 0)
-        close(directory);
+    close(directory);
 }
 
-/** Makes, locks and names one. False: errno says why not; ENOENT: another run took it for a dead one's. */
+/** Makes, locks and names one. False: errno says why not. */
 static bool make(struct temporary *out, const char *parent, const char *prefix)
 {
     char name[NAME], named[PATH_MAX];
@@ -114,22 +112,17 @@ enum status_code temporary_make(struct temporary *out, const char *parent, void 
             clear_stale(dirfd(list), entry->d_name, prefix, clear ? clear : empty);
     if (list)
         closedir(list);
-    for (int i = 0; i < TRIES; i++) {
-        *out = (struct temporary){.directory = -1};
-        temporary_hold();
-        bool made = make(out, parent, prefix);
-        int reason = errno;
-        out->next = all;
-        all = out;
-        temporary_release();
-        if (made)
-            return STATUS_OK;
-        temporary_close(out);
-        errno = reason;
-        if (reason != ENOENT)
-            break;
-    }
-    return status_fail(status, STATUS_IO, "cannot make a directory in '%s': %s", parent, strerror(errno));
+    *out = (struct temporary){.directory = -1};
+    temporary_hold();
+    bool made = make(out, parent, prefix);
+    int reason = errno;
+    out->next = all;
+    all = out;
+    temporary_release();
+    if (made)
+        return STATUS_OK;
+    temporary_close(out);
+    return status_fail(status, STATUS_IO, "cannot make a directory in '%s': %s", parent, strerror(reason));
 }
 
 void temporary_close(struct temporary *temporary)

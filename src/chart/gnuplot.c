@@ -18,8 +18,6 @@
 /* The charts of a report take a fraction of a second; beyond this, it hangs. */
 static const double most_seconds = 120;
 
-/* Beginnings of variables through which a user's setup would change charts or messages. */
-static const char *const foreign_variables[] = {"GNU", "LC_", "LANG", "GDFONTPATH", "FIT_", "DUMB", NULL};
 
 /* An unnamed file that takes so many bytes of messages and no more; what was not written is 0. */
 static int gnuplot_log(void)
@@ -36,7 +34,7 @@ static int gnuplot_log(void)
 enum status_code gnuplot_start(struct gnuplot *out, const char *directory, struct status *status)
 {
     *out = (struct gnuplot){.input = -1, .most_seconds = most_seconds};
-    static char locale[] = "LC_ALL=C.UTF-8", name[] = "gnuplot", defaults[] = "-d"; /* no start-up files */
+    static char name[] = "gnuplot", defaults[] = "-d"; /* no start-up files */
     char program[4096], *const arguments[] = {name, defaults, NULL};
     if (!program_find(program, sizeof program, "gnuplot"))
         return status_fail(status, STATUS_CHART,
@@ -48,8 +46,8 @@ enum status_code gnuplot_start(struct gnuplot *out, const char *directory, struc
                     ? errno
                     : 0;
     if (!error)
-        error = program_start(&out->process, &(struct program_task){arguments, program, directory, foreign_variables,
-                                                                    locale, ends[0], log});
+        error = program_start(&out->process,
+                              &(struct program_task){arguments, program, directory, NULL, ends[0], log});
     if (ends[0] >= 0)
         close(ends[0]);
     out->input = ends[1];

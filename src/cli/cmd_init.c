@@ -11,36 +11,14 @@
 #include <string.h>
 #include <unistd.h>
 
-struct arguments {
-    const char *directory, *output;
-};
-
-static const struct argp_option options[] = {
-    {"output", 'o', "FILE", 0, "where to write; -: to standard output (default: DIR/scene.yaml)", 0}, {0}};
-
 static error_t parse(int key, char *value, struct argp_state *state)
 {
-    struct arguments *arguments = state->input;
-    switch (key) {
-    case 'o':
-        arguments->output = value;
-        return 0;
-    case ARGP_KEY_ARG:
-        if (arguments->directory)
-            argp_error(state, "one directory at a time: '%s' is too many", value);
-        arguments->directory = value;
-        return 0;
-    case ARGP_KEY_NO_ARGS:
-        argp_error(state, "which directory of scans?");
-        return 0;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
+    return command_directory(state->input, key, value, state);
 }
 
 const struct argp command_init_argp = {
-    .options = options,
     .parser = parse,
+    .args_doc = "DIR",
     .doc =
         "Writes DIR/scene.yaml, whole or not at all and never over another: the surfaces that the names of the files "
         "tell, files that differ in a number or letter at the end alone as repeated scans of one, and, behind a #, "
@@ -78,14 +56,14 @@ static void add_lacks(json_t *view, const char *path)
     if (units && !*scan.z_unit)
         json_object_set_new(view, "z_unit", json_string("um"));
     if (code != STATUS_OK && !units)
-        json_object_set_new(view, "problem", command_json_text(problem.message));
+        json_object_set_new(view, "problem", json_shown(problem.message));
     scan_free(&scan);
 }
 
 static enum status_code add_surface(json_t *view, const struct scene *scene, const struct scene_surface *surface,
                                     struct status *status)
 {
-    json_t *files = json_array(), *name = command_json_text(surface->name);
+    json_t *files = json_array(), *name = json_shown(surface->name);
     bool several = surface->file_count > 1, folder = strchr(surface->files[0], '/');
     char *all = several ? scene_pattern(scene, surface, status) : NULL;
     char *path = scene_file_path(scene, surface->files[0]);
@@ -105,16 +83,15 @@ static enum status_code add_surface(json_t *view, const struct scene *scene, con
     return one && path ? status->code : status_memory(status);
 }
 
-/** The scene as text, which is read back as it will be. */
+/** The scene as text. */
 static enum status_code make_text(struct text *out, struct scene *scene, const char *templates, struct status *status)
 {
     struct mustache_folder folder = {templates, ".yaml", NULL, status};
-    struct scene again = {0};
     size_t scans = 0;
     for (size_t i = 0; i < scene->surface_count; i++)
         scans += scene->surfaces[i].file_count;
     json_t *view = json_pack("{s:o, s:o, s:[], s:[]}", "scans", json_sprintf("%zu", scans), "passed_over",
-                             command_json_lines(scene->passed_over ? scene->passed_over : ""), "surfaces", "left_out");
+                             json_lines(scene->passed_over ? scene->passed_over : ""), "surfaces", "left_out");
     enum status_code rc = view ? scene_join_repeats(scene, status) : status_memory(status);
     for (size_t i = 0; i < scene->surface_count && rc == STATUS_OK; i++)
         rc = add_surface(view, scene, &scene->surfaces[i], status);
@@ -125,34 +102,27 @@ static enum status_code make_text(struct text *out, struct scene *scene, const c
     if (rc == STATUS_OK && out->length > SCENE_BYTES_MOST)
         rc = status_fail(status, STATUS_SCENE, "%zu surfaces in '%s', more than one scene can list; split them",
                          scene->surface_count, scene->directory);
-    if (rc == STATUS_OK)
-        rc = scene_read(&again, scene->directory, &(struct scene_overrides){.text = out}, status);
-    scene_free(&again);
     mustache_folder_free(&folder);
     json_decref(view);
     return rc;
 }
 
-static enum status_code init(const struct arguments *arguments, struct status *status)
+static enum status_code init(const char *directory, struct status *status)
 {
     struct scene scene = {0};
     struct text templates = {0}, text = {0};
-    bool printed = arguments->output && strcmp(arguments->output, "-") == 0;
     const struct scene_overrides empty = {.text = &(struct text){0}}; /* whatever scene there is */
-    enum status_code rc = scene_read(&scene, arguments->directory, &empty, status);
-    const char *path = arguments->output ? arguments->output : scene.path;
+    enum status_code rc = scene_read(&scene, directory, &empty, status);
     if (rc == STATUS_OK && scene.surface_count == 0)
         rc = status_fail(status, STATUS_SCAN, "no scan in '%s': put the profilometer's files there", scene.directory);
-    if (rc == STATUS_OK && !printed && access(path, F_OK) == 0) /* before all the scans are read */
-        rc = status_fail(status, STATUS_IO, "'%s' is there already; `-o -` prints what would be written", path);
+    if (rc == STATUS_OK && access(scene.path, F_OK) == 0) /* before all the scans are read */
+        rc = status_fail(status, STATUS_IO, "'%s' is there already; move it away", scene.path);
     if (rc == STATUS_OK)
         rc = command_share(&templates, "templates", status);
     if (rc == STATUS_OK)
         rc = make_text(&text, &scene, text_string(&templates), status);
-    if (rc == STATUS_OK && printed)
-        fputs(text_string(&text), stdout);
-    else if (rc == STATUS_OK)
-        rc = command_write(path, &text, true, status);
+    if (rc == STATUS_OK)
+        rc = command_write(scene.path, &text, true, status);
     scene_free(&scene);
     text_free(&templates);
     text_free(&text);
@@ -161,8 +131,8 @@ static enum status_code init(const struct arguments *arguments, struct status *s
 
 int command_init(int argc, char **argv)
 {
-    struct arguments arguments = {0};
+    const char *directory = NULL;
     struct status status = {0};
-    command_parse(&command_init_argp, argc, argv, &arguments);
-    return command_finish(init(&arguments, &status) == STATUS_OK ? COMMAND_DONE : command_fail(&status), NULL);
+    command_parse(&command_init_argp, argc, argv, &directory);
+    return command_finish(init(directory, &status) == STATUS_OK ? COMMAND_DONE : command_fail(&status), NULL);
 }

@@ -66,17 +66,8 @@ static error_t parse_scene(int key, char *value, struct argp_state *state)
     case KEY_Z_UNIT:
         overrides->z_unit = unit(value, "z-unit", state);
         return 0;
-    case ARGP_KEY_ARG:
-        if (arguments->directory)
-            argp_error(state, "one directory at a time: '%s' is too many", value);
-        arguments->directory = value;
-        return 0;
-    case ARGP_KEY_END:
-        if (!arguments->directory)
-            argp_error(state, "which directory of scans?");
-        return 0;
     default:
-        return ARGP_ERR_UNKNOWN;
+        return command_directory(&arguments->directory, key, value, state);
     }
 }
 
@@ -102,7 +93,6 @@ static const struct argp_option report_options[] = {
 };
 
 static const struct argp_option plan_options[] = {
-    {"brief", KEY_BRIEF, 0, 0, "of `report --brief` (default: not)", 0},
     {"json", KEY_JSON, 0, 0, "print the plan as one object (default: tables)", 0},
     {0},
 };
@@ -318,7 +308,7 @@ int command_report(int argc, char **argv)
 
 enum { WIDTH = 80 };
 
-static void print_plan(const struct results *results, double rough_seconds, bool brief)
+static void print_plan(const struct results *results, double rough_seconds)
 {
     const struct plan *plan = results->plan;
     const struct scene *scene = results->scene;
@@ -340,16 +330,6 @@ static void print_plan(const struct results *results, double rough_seconds, bool
     printf("%zu surface%s, %zu loads, tolerance %g, closure %s: about %.2g s\n", scene->surface_count,
            scene->surface_count == 1 ? "" : "s", results->load_count, scene->tolerance,
            sinusoid_fits[scene->closure].name, rough_seconds);
-    if (scene_bins_spectra(scene))
-        printf("data/spectrum.csv holds bins of a tenth of a decade, as of more than %d\n"
-               "surfaces; `data: full` has every harmonic\n",
-               SCENE_DATA_SURFACES);
-    if (scene->target_count > 0)
-        printf("%zu target%s: a search each on every model's curve of each surface\n", scene->target_count,
-               scene->target_count == 1 ? "" : "s");
-    if (brief)
-        puts("brief: the report is its first page alone, and no other figures are drawn;\nall of the above runs, for "
-             "data/ and results.json");
 }
 
 const struct argp command_plan_argp = {
@@ -377,12 +357,12 @@ int command_plan(int argc, char **argv)
         rc = status_fail(&status, STATUS_SCAN, "no readable scan in '%s'", scene.directory);
     double seconds = rc == STATUS_OK ? prepare_rough_seconds(results, &arguments.run) : 0;
     if (rc == STATUS_OK && !arguments.json)
-        print_plan(results, seconds, arguments.run.brief);
+        print_plan(results, seconds);
     size_t left_out = messages_add_lost(&messages, &prepared);
     int exit_status = rc != STATUS_OK ? command_fail(&status) : refused + left_out > 0 ? COMMAND_REFUSED : COMMAND_DONE;
     if (arguments.json)
-        scene_json_print_plan(rc == STATUS_OK ? results : NULL, seconds, arguments.directory, arguments.run.brief,
-                              text_string(&messages), exit_status, status.message);
+        scene_json_print_plan(rc == STATUS_OK ? results : NULL, seconds, arguments.directory, text_string(&messages),
+                              exit_status, status.message);
     text_free(&messages);
     prepared_free(&prepared);
     scene_free(&scene);

@@ -14,12 +14,11 @@ static const struct argp_option options[] = {
 
 static error_t parse(int key, char *value, struct argp_state *state)
 {
+    (void)value;
     switch (key) {
     case 'v':
         *(bool *)state->input = true;
         return 0;
-    case ARGP_KEY_ARG:
-        return command_no_argument(value, state);
     default:
         return ARGP_ERR_UNKNOWN;
     }

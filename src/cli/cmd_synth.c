@@ -26,27 +26,20 @@ static const struct argp_option options[] = {
     {"points", 'n', "N", 0, "points (default 1200)", 0},
     {"scatter", 'c', "DECADES", 0, "RMS scatter of the amplitudes about the law (default 0.2785, a Gaussian surface's)",
      0},
-    {"lambda-s", 's', "LENGTH", 0, "short-wavelength cut-off, as stylus instruments apply one (default: none)", 0},
     {"seed", 'd', "N", 0, "of the random numbers (default 1)", 0},
     {"output", 'o', "FILE", 0, "where to write (default: standard output)", 0},
     {0},
 };
 
-static double number(const char *value, const char *name, struct argp_state *state)
+/** A number from `least` to `most`, or a whole one. */
+static double number(const char *name, const char *value, double least, double most, bool whole,
+                     struct argp_state *state)
 {
     char *end;
     double result = strtod(value, &end);
-    if (end == value || *end != '\0' || !isfinite(result))
-        argp_error(state, "--%s must be a number, not '%s'", name, value);
-    return result;
-}
-
-/** A whole number from 0 to `most`. */
-static double whole(const char *value, const char *name, double most, struct argp_state *state)
-{
-    double result = number(value, name, state);
-    if (!(result >= 0 && result <= most && floor(result) == result))
-        argp_error(state, "--%s must be a whole number from 0 to %.0f, not '%s'", name, most, value);
+    if (end == value || *end != '\0' || !(result >= least && result <= most) || (whole && floor(result) != result))
+        argp_error(state, "--%s must be a %snumber from %g to %.10g, not '%s'", name, whole ? "whole " : "", least,
+                   most, value);
     return result;
 }
 
@@ -56,11 +49,11 @@ static error_t parse(int key, char *value, struct argp_state *state)
     struct synth_def *def = &arguments->def;
     switch (key) {
     case 'a':
-        def->alpha = number(value, "alpha", state);
+        def->alpha = number("alpha", value, 0, 1e300, false, state);
         def->scaled = false;
         return 0;
     case 'g':
-        def->gamma = number(value, "gamma", state);
+        def->gamma = number("gamma", value, -1e3, 1e3, false, state);
         return 0;
     case 'r':
         def->rq_m = command_length("rq", value, state);
@@ -69,22 +62,17 @@ static error_t parse(int key, char *value, struct argp_state *state)
         def->length_m = command_length("length", value, state);
         return 0;
     case 'n':
-        def->points = (size_t)whole(value, "points", 1e8, state);
+        def->points = (size_t)number("points", value, 8, 1e8, true, state);
         return 0;
     case 'c':
-        def->scatter_decades = number(value, "scatter", state);
-        return 0;
-    case 's':
-        def->lambda_s_m = command_length("lambda-s", value, state);
+        def->scatter_decades = number("scatter", value, 0, 100, false, state);
         return 0;
     case 'd':
-        def->seed = (unsigned long)whole(value, "seed", 4294967295.0, state);
+        def->seed = (unsigned long)number("seed", value, 0, 4294967295.0, true, state);
         return 0;
     case 'o':
         arguments->output = value;
         return 0;
-    case ARGP_KEY_ARG:
-        return command_no_argument(value, state);
     default:
         return ARGP_ERR_UNKNOWN;
     }
@@ -115,7 +103,7 @@ const struct argp command_synth_argp = {
     .doc =
         "Writes a scan whose harmonics obey amplitude = alpha lambda^gamma about which they scatter, with random "
         "phases; the profile is level. The line through all harmonics (fit: thesis) gives alpha (but for --rq, which "
-        "scales it), gamma and the scatter back, of a scan made with --lambda-s only in a fit_band that begins there."};
+        "scales it), gamma and the scatter back."};
 
 int command_synth(int argc, char **argv)
 {

@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { KEY_JSON = 0x100, WIDTH = 80, NAME_WIDTH = 21, COLUMNS = 4, COLUMN_WIDTH = 13 };
+enum { KEY_JSON = 0x100, WIDTH = 80, KEY_WIDTH = 25 };
 
 static const struct argp_option options[] = {
     {"json", KEY_JSON, 0, 0, "print an array of objects, one a row (default: text)", 0},
@@ -17,8 +17,7 @@ static const struct argp_option options[] = {
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     bool *json = state->input;
-    if (key == ARGP_KEY_ARG)
-        return command_no_argument(value, state);
+    (void)value;
     if (key != KEY_JSON)
         return ARGP_ERR_UNKNOWN;
     *json = true;
@@ -30,29 +29,39 @@ const struct argp command_models_argp = {
 const struct argp command_materials_argp = {
     .options = options, .parser = parse, .doc = "The built-in materials and where their numbers are from."};
 
-/** Prints the table as JSON; returns the exit status. */
-static int print_json(json_t *rows)
+/** Prints the rows as JSON; or as text: of each its name, and below it the words and numbers that it has. Returns the
+ * exit status. */
+static int print(json_t *rows, bool as_json)
 {
     struct status status = {0};
-    if (!command_json_print(rows)) {
-        (void)status_memory(&status);
-        return command_fail(&status);
+    struct text text = {0};
+    const char *key;
+    json_t *row, *value;
+    size_t i;
+    if (as_json) {
+        bool printed = command_json_print(rows) || status_memory(&status) == STATUS_OK;
+        return printed ? command_finish(COMMAND_DONE, NULL) : command_fail(&status);
     }
-    return command_finish(COMMAND_DONE, NULL);
-}
-
-/** A name and what is said of it, in lines that a terminal takes. */
-static void add_row(struct text *text, const char *before, int width, const char *name, const char *said)
-{
-    text_add(text, "%s%-*s ", before, width, name);
-    text_add_wrapped(text, said, WIDTH, (int)strlen(before) + width + 1);
-    text_add(text, "\n");
-}
-
-static int print_text(struct text *text)
-{
-    fputs(text_string(text), stdout);
-    text_free(text);
+    json_array_foreach(rows, i, row)
+    {
+        int before = 0;
+        text_add(&text, i > 0 ? "\n" : "");
+        json_object_foreach(row, key, value)
+        {
+            if (!json_is_string(value) && !json_is_number(value))
+                continue;
+            char number[32];
+            snprintf(number, sizeof number, "%.6g", json_number_value(value));
+            if (before > 0)
+                text_add(&text, "  %-*s", KEY_WIDTH, key);
+            text_add_wrapped(&text, json_is_string(value) ? json_string_value(value) : number, WIDTH, before);
+            text_add(&text, "\n");
+            before = 2 + KEY_WIDTH;
+        }
+    }
+    fputs(text_string(&text), stdout);
+    text_free(&text);
+    json_decref(rows);
     return command_finish(COMMAND_DONE, NULL);
 }
 
@@ -64,10 +73,10 @@ static json_t *model_json(const struct model_row *row)
             json_array_append_new(quantities, json_string(quantity_rows[q].name));
     return json_pack("{s:s, s:s, s:s, s:b, s:b, s:o, s:o, s:o, s:s, s:s, s:s, s:s, s:s}", "model", row->name, "label",
                      row->label, "family", row->family, "by_default", row->by_default, "plastic", row->plastic,
-                     "elastic_model", command_json_optional(row->elastic ? row->elastic->name : NULL), "quantities",
-                     quantities, "largest_valid_area_ratio",
-                     command_json_number(row->largest_area > 0 ? row->largest_area : NAN), "equations", row->equations,
-                     "assumes", row->assumes, "valid", row->valid, "method", row->method, "source", row->source);
+                     "elastic_model", json_shown(row->elastic ? row->elastic->name : NULL), "quantities", quantities,
+                     "largest_valid_area_ratio", json_finite(row->largest_area > 0 ? row->largest_area : NAN),
+                     "equations", row->equations, "assumes", row->assumes, "valid", row->valid, "method", row->method,
+                     "source", row->source);
 }
 
 int command_models(int argc, char **argv)
@@ -75,22 +84,9 @@ int command_models(int argc, char **argv)
     bool json = false;
     command_parse(&command_models_argp, argc, argv, &json);
     json_t *rows = json_array();
-    for (size_t m = 0; m < model_count && json; m++)
+    for (size_t m = 0; m < model_count; m++)
         json_array_append_new(rows, model_json(model_rows[m]));
-    if (json)
-        return print_json(rows);
-    json_decref(rows);
-    struct text text = {0};
-    for (size_t m = 0; m < model_count; m++) {
-        const char *const said[][2] = {{"equations", model_rows[m]->equations},
-                                       {"assumes", model_rows[m]->assumes},
-                                       {"valid", model_rows[m]->valid},
-                                       {"source", model_rows[m]->source}};
-        text_add(&text, "%s%s (%s)\n", m > 0 ? "\n" : "", model_rows[m]->name, model_rows[m]->label);
-        for (size_t i = 0; i < sizeof said / sizeof *said; i++)
-            add_row(&text, "  ", 10, said[i][0], said[i][1]);
-    }
-    return print_text(&text);
+    return print(rows, json);
 }
 
 static json_t *material_json(const struct material *material)
@@ -98,7 +94,7 @@ static json_t *material_json(const struct material *material)
     json_t *json = json_pack("{s:s}", "material", material->name);
     for (size_t p = 0; p < material_property_count; p++)
         json_object_set_new(json, material_properties[p].key,
-                            command_json_number(material_value(material, &material_properties[p])));
+                            json_finite(material_value(material, &material_properties[p])));
     json_object_set_new(json, "source", json_string(material->source));
     return json;
 }
@@ -108,38 +104,7 @@ int command_materials(int argc, char **argv)
     bool json = false;
     command_parse(&command_materials_argp, argc, argv, &json);
     json_t *rows = json_array();
-    for (size_t i = 0; i < material_table_count && json; i++)
-        json_array_append_new(rows, material_json(&material_table[i]));
-    if (json)
-        return print_json(rows);
-    json_decref(rows);
-    struct text text = {0};
-    for (size_t from = 0; from < material_property_count; from += COLUMNS) { /* as many columns as a terminal takes */
-        size_t to = from + COLUMNS < material_property_count ? from + COLUMNS : material_property_count;
-        text_add(&text, "%s%-*s", from > 0 ? "\n" : "", NAME_WIDTH, "material");
-        for (size_t p = from; p < to; p++)
-            text_add(&text, " %*s", COLUMN_WIDTH, material_properties[p].name);
-        text_add(&text, "\n%-*s", NAME_WIDTH, "");
-        for (size_t p = from; p < to; p++)
-            text_add(&text, " %*s",
-                     COLUMN_WIDTH + (int)strlen(material_properties[p].unit) -
-                         text_characters(material_properties[p].unit),
-                     material_properties[p].unit);
-        text_add(&text, "\n");
-        for (size_t i = 0; i < material_table_count; i++) {
-            text_add(&text, "%-*s", NAME_WIDTH, material_table[i].name);
-            for (size_t p = from; p < to; p++) {
-                double value = material_value(&material_table[i], &material_properties[p]);
-                if (isnan(value))
-                    text_add(&text, " %*s", COLUMN_WIDTH, "-");
-                else
-                    text_add(&text, " %*.6g", COLUMN_WIDTH, value);
-            }
-            text_add(&text, "\n");
-        }
-    }
-    text_add(&text, "\nsources\n");
     for (size_t i = 0; i < material_table_count; i++)
-        add_row(&text, "", NAME_WIDTH, material_table[i].name, material_table[i].source);
-    return print_text(&text);
+        json_array_append_new(rows, material_json(&material_table[i]));
+    return print(rows, json);
 }

@@ -15,21 +15,7 @@ static const struct argp_option options[] = {
 
 static error_t parse(int key, char *value, struct argp_state *state)
 {
-    const char **directory = state->input;
-    switch (key) {
-    case KEY_JSON:
-        return 0;
-    case ARGP_KEY_ARG:
-        if (*directory)
-            argp_error(state, "one DIR or OUT, not '%s' as well", value);
-        *directory = value;
-        return 0;
-    case ARGP_KEY_NO_ARGS:
-        argp_error(state, "a DIR with scans, or the OUT of a report, is missing");
-        return 0;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
+    return key == KEY_JSON ? 0 : command_directory(state->input, key, value, state);
 }
 
 const struct argp command_view_argp = {

@@ -6,7 +6,6 @@
 #include "scene/scene_words.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <libgen.h>
 #include <limits.h>
 #include <math.h>
@@ -48,13 +47,6 @@ enum status_code command_share(struct text *out, const char *name, struct status
     return STATUS_OK;
 }
 
-/** Moves a file; `fresh`: not onto another one, where the file system can tell. */
-static bool move(const char *from, const char *to, bool fresh)
-{
-    bool moved = fresh && renameat2(AT_FDCWD, from, AT_FDCWD, to, RENAME_NOREPLACE) == 0;
-    return moved || ((!fresh || errno == EINVAL) && rename(from, to) == 0);
-}
-
 enum status_code command_write(const char *path, const struct text *content, bool fresh, struct status *status)
 {
     struct temporary hidden;
@@ -70,7 +62,8 @@ enum status_code command_write(const char *path, const struct text *content, boo
     bool made = parent && temporary_make(&hidden, parent, output_clear, status) == STATUS_OK;
     snprintf(whole, sizeof whole, "%s/report", made ? hidden.path : "");
     if (!made || text_write_file(whole, content->data, content->length, status) != STATUS_OK ||
-        (there && chmod(whole, info.st_mode & 07777) != 0) || !move(whole, target, fresh)) {
+        (there && chmod(whole, info.st_mode & 07777) != 0) ||
+        (fresh ? link(whole, target) : rename(whole, target)) != 0) {
         *status = (struct status){0};
         (void)status_fail(status, STATUS_IO, "cannot write '%s': %s", path, status_reason(errno));
     }
@@ -81,35 +74,21 @@ enum status_code command_write(const char *path, const struct text *content, boo
     return status->code;
 }
 
-enum { KEY_USAGE = 0x1000 };
-
-static const struct argp_option common_options[] = {
-    {"help", 'h', 0, 0, "print this help", -1},
-    {"usage", KEY_USAGE, 0, 0, "print the options alone", -1},
-    {0},
-};
-
-static error_t parse_common(int key, char *value, struct argp_state *state)
-{
-    (void)value;
-    if (key != 'h' && key != KEY_USAGE)
-        return ARGP_ERR_UNKNOWN;
-    argp_state_help(state, stdout, (key == 'h' ? ARGP_HELP_STD_HELP : ARGP_HELP_USAGE) & ~(unsigned)ARGP_HELP_EXIT_OK);
-    exit(command_finish(COMMAND_DONE, NULL));
-}
-
-const struct argp command_common_argp = {.options = common_options, .parser = parse_common};
-
 void command_parse(const struct argp *argp, int argc, char **argv, void *input)
 {
-    const struct argp_child children[] = {{argp, 0, NULL, 0}, {&command_common_argp, 0, NULL, 0}, {0}};
-    const struct argp whole = {.children = children}; /* which hands its input to the first child */
-    argp_parse(&whole, argc, argv, ARGP_NO_HELP, NULL, input);
+    char help[] = "--help";
+    if (argc > 1 && strcmp(argv[1], "-h") == 0) /* of which argp knows the long one */
+        argv[1] = help;
+    argp_parse(argp, argc, argv, 0, NULL, input);
 }
 
-error_t command_no_argument(const char *value, struct argp_state *state)
+error_t command_directory(const char **directory, int key, const char *value, struct argp_state *state)
 {
-    argp_error(state, "no argument is taken, but there is '%s'", value);
+    if (key == ARGP_KEY_NO_ARGS)
+        argp_error(state, "which directory of scans?");
+    if (key != ARGP_KEY_ARG || *directory)
+        return ARGP_ERR_UNKNOWN; /* and argp says that there are too many */
+    *directory = value;
     return 0;
 }
 
@@ -123,7 +102,8 @@ static int from_environment(const char *name, int otherwise)
 double command_length(const char *name, const char *value, struct argp_state *state)
 {
     struct scene_quantity length;
-    if (!scene_quantity_read(&length, string_view_of(value), UNIT_DISTANCE) || !isfinite(length.value))
+    if (!scene_quantity_read(&length, string_view_of(value), UNIT_DISTANCE) ||
+        !(length.value > 0 && isfinite(length.value)))
         argp_error(state, "--%s must be a length such as 0.31mm, not '%s'", name, value);
     return length.value;
 }
@@ -151,39 +131,6 @@ int command_finish(int exit_status, const char *written)
     command_complain("", text_string(&message));
     text_free(&message);
     return COMMAND_NOTHING;
-}
-
-json_t *command_json_text(const char *hostile)
-{
-    struct text shown = {0};
-    text_add_shown(&shown, hostile);
-    json_t *json = json_string(text_string(&shown));
-    text_free(&shown);
-    return json;
-}
-
-json_t *command_json_optional(const char *text)
-{
-    return text ? command_json_text(text) : json_null();
-}
-
-json_t *command_json_number(double value)
-{
-    return isfinite(value) ? json_real(value) : json_null();
-}
-
-json_t *command_json_lines(const char *lines)
-{
-    json_t *array = json_array();
-    while (*lines) {
-        size_t length = strcspn(lines, "\n");
-        struct text line = {0};
-        text_add_bytes(&line, lines, length);
-        json_array_append_new(array, command_json_text(text_string(&line)));
-        text_free(&line);
-        lines += length + (lines[length] == '\n');
-    }
-    return array;
 }
 
 bool command_json_print(json_t *json)

@@ -6,6 +6,7 @@
 #include "base/status.h"
 #include "base/text.h"
 #include "direct/direct_team.h"
+#include "output/json.h"
 #include "run/prepare.h"
 #include "run/run.h"
 
@@ -35,7 +36,7 @@ struct command_row {
     int (*run)(int argc, char **argv); /* argv[0] is "roughcontact NAME" */
     const struct argp *argp;           /* its options */
 };
-enum { COMMANDS = 11 };
+enum { COMMANDS = 10 };
 extern const struct command_row command_rows[COMMANDS];
 
 /** All of the program but main(): picks the command and returns the exit status. */
@@ -51,22 +52,15 @@ int command_synth(int argc, char **argv);
 int command_models(int argc, char **argv);
 int command_materials(int argc, char **argv);
 int command_self_test(int argc, char **argv);
-int command_help(int argc, char **argv);
 
 extern const struct argp command_report_argp, command_direct_argp, command_plan_argp, command_inspect_argp,
     command_init_argp, command_synth_argp, command_view_argp, command_models_argp, command_materials_argp,
-    command_self_test_argp, command_help_argp;
-
-/** What every command takes besides: -h and --help, which are the same, and --usage. */
-extern const struct argp command_common_argp;
+    command_self_test_argp;
 
 /** Reads the command line, to the end of the program where it is wrong (COMMAND_USAGE) or asks for help. */
 void command_parse(const struct argp *argp, int argc, char **argv, void *input);
-/** For ARGP_KEY_ARG of a command that takes none: fails. */
-error_t command_no_argument(const char *value, struct argp_state *state);
-
-/** Version and what the program is made of, a line each. */
-void command_version(struct text *out);
+/** Of a parser: takes the one directory that a command is about. */
+error_t command_directory(const char **directory, int key, const char *value, struct argp_state *state);
 
 /** From now on the contacts that `report` and `direct` solve directly are shared by these processes; NULL: not. */
 void command_use_team(const struct direct_team *team);
@@ -85,7 +79,8 @@ MUST_CHECK enum status_code command_share(struct text *out, const char *name, st
 MUST_CHECK enum status_code command_write(const char *path, const struct text *content, bool fresh,
                                           struct status *status);
 
-/** The length [m] that option `name` gives: 0.8mm, 8 um, or a plain number in m; ends the program where it is none. */
+/** The length [m], above 0, that option `name` gives: 0.8mm, 8 um, or a plain number in m; ends the program where it is
+ * none. */
 double command_length(const char *name, const char *value, struct argp_state *state);
 
 /** Columns and rows of the terminal on stdout, else of $COLUMNS and $LINES, else 100 x 30. */
@@ -95,17 +90,7 @@ void command_terminal_size(int *columns, int *rows);
  * file the report is. */
 int command_finish(int exit_status, const char *written);
 
-/* What the commands print as JSON (docs/commands.md). */
-
-/** `hostile` as it may be shown: JSON is UTF-8, a file name need not be. */
-json_t *command_json_text(const char *hostile);
-/** A text that there may not be; NULL: null. */
-json_t *command_json_optional(const char *text);
-/** A number; null for NaN, and for what is without end. */
-json_t *command_json_number(double value);
-/** The lines of a text. */
-json_t *command_json_lines(const char *lines);
-/** Prints it to stdout, numbers with 17 digits; takes it over. False: out of memory. */
+/** Prints a value (docs/commands.md) to stdout, numbers with 17 digits; takes it over. False: out of memory. */
 bool command_json_print(json_t *json);
 
 /* What `report`, `direct` and `plan` print with --json (docs/commands.md). */
@@ -114,9 +99,8 @@ bool command_json_print(json_t *json);
 void scene_json_print_report(const struct run_outcome *outcome, const char *directory, int exit_status,
                              const char *error);
 
-/** The plan of a whole report, or of its first page (`brief`), and roughly how long that takes: `results` NULL where
- * there is none, and `error` says why. */
-void scene_json_print_plan(const struct results *results, double rough_seconds, const char *directory, bool brief,
+/** The plan of a report, and roughly how long that takes: `results` NULL where there is none, and `error` says why. */
+void scene_json_print_plan(const struct results *results, double rough_seconds, const char *directory,
                            const char *messages, int exit_status, const char *error);
 
 /* How a signal ends the program: in order where it soon comes to that, else at once, and never with anything left. */

@@ -12,8 +12,8 @@ static enum status_code look_at_map(struct inspection *out, struct status *statu
     if (areal_compute(&out->areal, &out->scan, status) != STATUS_OK)
         return status->code;
     out->roughness = out->areal.rows;
-    out->spectrum = out->areal.spectrum;
-    out->areal.spectrum = (struct spectrum){0};
+    out->spacing_m = out->scan.dx_m;
+    out->length_m = (double)(out->scan.nx - 1) * out->scan.dx_m;
     if (out->areal.spectrum_rows < out->scan.ny)
         scan_warn(&out->scan,
                   "%zu of %zu rows are in the spectrum; the others are flat or miss over a tenth of "
@@ -46,38 +46,20 @@ static enum status_code compute_parameters(struct inspection *out, struct status
     return status->code;
 }
 
-enum status_code inspection_spectrum(struct inspection *inspection, struct status *status)
-{
-    const struct profile *profile = &inspection->profile;
-    if (inspection->scan.kind == SCAN_AREAL || inspection->spectrum.count > 0)
-        return STATUS_OK;
-    return spectrum_compute(&inspection->spectrum, profile->height_m, profile->points, profile->spacing_m,
-                            spectrum_window_for(SPECTRUM_WINDOW_AUTO, profile->periodic), status);
-}
-
-/** The law as a report would fit it. */
+/** The law as a report would fit it; no filter has cut a map. */
 static enum status_code fit_law(struct inspection *out, struct status *status)
 {
-    const struct profile_options *options = &out->options;
-    bool map = out->scan.kind == SCAN_AREAL; /* which no filter has cut */
-    const double cut[2] = {map ? 0 : options->lambda_s_m,
-                           !map && options->lambda_c_m > 0 ? options->lambda_c_m : INFINITY};
-    if (out->fit == POWER_LAW_THESIS) {
-        if (inspection_spectrum(out, status) != STATUS_OK)
-            return status->code;
-        out->power_law = power_law_fit(&out->spectrum, cut);
-        return STATUS_OK;
-    }
-    const struct power_law_scans_def def = {map ? 0 : options->lambda_s_m, NULL};
+    bool map = out->scan.kind == SCAN_AREAL;
+    const struct power_law_scans_def def = {map ? 0 : out->options.lambda_s_m, NULL};
     const struct profile *profile = &out->profile;
     struct power_law_scans single = {0}, *scans = map ? &out->areal.scans : &single;
+    struct power_law_band band;
     enum status_code code = STATUS_OK;
     if (!map)
         code = power_law_scans_add(&single, profile->height_m, profile->points, profile->spacing_m, profile->digit_m,
                                    status);
-    if (code == STATUS_OK)
-        code = power_law_scans_fit(&out->band, scans, &def, status);
-    out->power_law = power_law_of_band(&out->band);
+    if (code == STATUS_OK && (code = power_law_scans_fit(&band, scans, &def, status)) == STATUS_OK)
+        out->power_law = power_law_of_band(&band);
     power_law_scans_free(&single);
     return code;
 }
@@ -90,14 +72,16 @@ static enum status_code look_at_profile(struct inspection *out, struct status *s
     out->roughness = profile->measured_x_m
                          ? roughness_of_points(profile->measured_x_m, profile->measured_z_m, profile->points)
                          : roughness_of_heights(profile->height_m, profile->points, profile->spacing_m);
+    out->spacing_m = profile->spacing_m;
+    out->length_m = (double)(profile->points - 1) * profile->spacing_m;
     return compute_parameters(out, status);
 }
 
 enum status_code inspection_make(struct inspection *out, const struct scan_bytes *file,
                                  const struct scan_options *units, const struct profile_options *options,
-                                 enum power_law_method fit, struct status *status)
+                                 struct status *status)
 {
-    *out = (struct inspection){.options = *options, .fit = fit};
+    *out = (struct inspection){.options = *options};
     enum status_code code = strcmp(file->path, "-") == 0
                                 ? scan_read_bytes(&out->scan, file, units, status)
                                 : scan_read_beside(&out->scan, file, file->path, units, status);
@@ -111,21 +95,9 @@ enum status_code inspection_make(struct inspection *out, const struct scan_bytes
 
 void inspection_free(struct inspection *inspection)
 {
-    spectrum_free(&inspection->spectrum);
     areal_free(&inspection->areal);
     profile_free(&inspection->profile);
     scan_free(&inspection->scan);
-}
-
-double inspection_spacing_m(const struct inspection *inspection)
-{
-    return inspection->scan.kind == SCAN_AREAL ? inspection->scan.dx_m : inspection->profile.spacing_m;
-}
-
-double inspection_length_m(const struct inspection *inspection)
-{
-    size_t points = inspection->scan.kind == SCAN_AREAL ? inspection->scan.nx : inspection->profile.points;
-    return (double)(points - 1) * inspection_spacing_m(inspection);
 }
 
 /** Warnings of scan and profile in one row; NULL beyond the last. */
@@ -139,7 +111,7 @@ static const char *warning_at(const struct inspection *inspection, size_t i)
 
 static void add_real(json_t *object, const char *key, double value)
 {
-    json_object_set_new(object, key, command_json_number(value));
+    json_object_set_new(object, key, json_finite(value));
 }
 
 static void add_parameters(json_t *object, const struct parameters *parameters)
@@ -151,7 +123,7 @@ static void add_parameters(json_t *object, const struct parameters *parameters)
         add_real(object, key, parameters->value[p]);
     }
     for (size_t i = 0; i < PARAMETERS_CURVE; i++)
-        json_array_append_new(curve, command_json_number(parameters->material_ratio_m[i]));
+        json_array_append_new(curve, json_finite(parameters->material_ratio_m[i]));
     snprintf(key, sizeof key, "%c_evaluation_length_m", parameters->letter);
     add_real(object, key, parameters->evaluation_length_m);
     snprintf(key, sizeof key, "%c_sampling_lengths", parameters->letter);
@@ -168,25 +140,22 @@ void inspection_add_json(json_t *object, const struct inspection *inspection)
     json_t *warnings = json_array();
     const char *warning;
     for (size_t w = 0; (warning = warning_at(inspection, w)); w++)
-        json_array_append_new(warnings, command_json_text(warning));
+        json_array_append_new(warnings, json_shown(warning));
     json_object_update_new(
-        object,
-        json_pack("{s:s, s:s, s:I, s:o, s:o, s:s, s:s, s:I, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "format",
-                  scan->format, "kind", scan->kind == SCAN_AREAL ? "areal" : "profile", "points",
-                  (json_int_t)(scan->nx * scan->ny), "spacing_m", command_json_number(inspection_spacing_m(inspection)),
-                  "length_m", command_json_number(inspection_length_m(inspection)), "x_unit", scan->x_unit, "z_unit",
-                  scan->z_unit, "missing", (json_int_t)scan->missing, "rq_m", command_json_number(r->rq_m), "ra_m",
-                  command_json_number(r->ra_m), "pv_m", command_json_number(r->pv_m), "m2", command_json_number(r->m2),
-                  "m4_per_m2", command_json_number(r->m4_per_m2), "alpha_SI",
-                  command_json_number(inspection->power_law.alpha), "gamma",
-                  command_json_number(inspection->power_law.gamma), "warnings", warnings));
+        object, json_pack("{s:s, s:s, s:I, s:o, s:o, s:s, s:s, s:I, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "format",
+                          scan->format, "kind", scan->kind == SCAN_AREAL ? "areal" : "profile", "points",
+                          (json_int_t)(scan->nx * scan->ny), "spacing_m", json_finite(inspection->spacing_m),
+                          "length_m", json_finite(inspection->length_m), "x_unit", scan->x_unit, "z_unit", scan->z_unit,
+                          "missing", (json_int_t)scan->missing, "rq_m", json_finite(r->rq_m), "ra_m",
+                          json_finite(r->ra_m), "pv_m", json_finite(r->pv_m), "m2", json_finite(r->m2), "m4_per_m2",
+                          json_finite(r->m4_per_m2), "alpha_SI", json_finite(inspection->power_law.alpha), "gamma",
+                          json_finite(inspection->power_law.gamma), "warnings", warnings));
     if (scan->kind == SCAN_AREAL)
         json_object_update_new(object, json_pack("{s:I, s:I, s:o, s:o, s:o, s:o, s:o}", "nx", (json_int_t)scan->nx,
-                                                 "ny", (json_int_t)scan->ny, "dx_m", command_json_number(scan->dx_m),
-                                                 "dy_m", command_json_number(scan->dy_m), "sq_m",
-                                                 command_json_number(inspection->areal.sq_m), "sa_m",
-                                                 command_json_number(inspection->areal.sa_m), "sz_m",
-                                                 command_json_number(inspection->areal.sz_m)));
+                                                 "ny", (json_int_t)scan->ny, "dx_m", json_finite(scan->dx_m), "dy_m",
+                                                 json_finite(scan->dy_m), "sq_m", json_finite(inspection->areal.sq_m),
+                                                 "sa_m", json_finite(inspection->areal.sa_m), "sz_m",
+                                                 json_finite(inspection->areal.sz_m)));
     if (!inspection->has_parameters)
         return;
     json_t *parameters = json_object();
@@ -227,44 +196,22 @@ static void print_shown(const char *before, const char *hostile)
     text_free(&shown);
 }
 
-/** A line of wavelengths, if there are any. */
-static void print_waves(const char *what, const double *wave_m, size_t count)
+static void print_law(const struct power_law *law)
 {
-    for (size_t i = 0; i < count; i++)
-        printf("%s%.3g um", i == 0 ? what : ", ", wave_m[i] * 1e6);
-    printf("%s", count == 0 ? "" : "\n");
-}
-
-static void print_law(const struct inspection *f)
-{
-    const struct power_law *law = &f->power_law;
-    if (f->fit == POWER_LAW_THESIS && isnan(law->gamma)) {
-        printf("  power law   - (%s)\n",
-               law->harmonics < 3 ? "it takes 3 harmonics" : "alpha leaves the range of numbers");
-    } else if (law->found == POWER_LAW_BAND_NONE) {
+    if (law->found == POWER_LAW_BAND_NONE)
         printf("  power law   - (no power law found)\n");
-    } else {
-        printf("  power law   gamma %.3f +- %.3f from %.3g to %.3g um%s, %s %.2g decades\n", law->gamma,
-               law->gamma_error, law->band_m[0] * 1e6, law->band_m[1] * 1e6,
-               law->found == POWER_LAW_BAND_NARROW ? " (narrow)" : "",
-               f->fit == POWER_LAW_THESIS ? "scatter" : "misfit", law->misfit_decades);
-        printf("              %samplitude %.4g um x/: %.3g at %.3g um, C %.3g m3\n",
-               f->fit == POWER_LAW_THESIS ? "" : "rms ", law->amplitude_m * 1e6, pow(10, law->amplitude_error_decades),
-               law->wavelength_m * 1e6, law->psd_m3);
-    }
-    double line_m[LOG_BIN_MOST];
-    print_waves("              knees at ", f->band.knee_m, f->band.pieces > 0 ? f->band.pieces - 1 : 0);
-    size_t lines = power_law_band_lines(line_m, &f->band);
-    print_waves("              lines at ", line_m, lines);
+    else
+        printf("  power law   gamma %.3f +- %.3f from %.3g to %.3g um%s, misfit %.2g decades\n"
+               "              rms amplitude %.4g um x/: %.3g at %.3g um, C %.3g m3\n",
+               law->gamma, law->gamma_error, law->band_m[0] * 1e6, law->band_m[1] * 1e6,
+               law->found == POWER_LAW_BAND_NARROW ? " (narrow)" : "", law->misfit_decades, law->amplitude_m * 1e6,
+               pow(10, law->amplitude_error_decades), law->wavelength_m * 1e6, law->psd_m3);
 }
 
 void inspection_print(const char *path, const struct inspection *f)
 {
     const struct roughness *r = &f->roughness;
     static const char *const grids[] = {"uniform", "rounded x, nominal spacing used", "uneven x, interpolated"};
-    static const char *const level_labels[LEVEL_COUNT] = {"as it is",     "mean out", "line out",
-                                                          "parabola out", "arc out",  "robust line"};
-    enum level level = f->options.periodic_mean && f->profile.periodic ? LEVEL_MEAN : f->options.level;
     print_shown("", path);
     printf("  format      %s, x in %s, z in %s\n", f->scan.format, f->scan.x_unit, f->scan.z_unit);
     if (f->scan.kind == SCAN_AREAL)
@@ -273,24 +220,16 @@ void inspection_print(const char *path, const struct inspection *f)
                f->scan.nx, f->scan.ny, f->scan.dx_m * 1e6, f->scan.dy_m * 1e6, f->scan.missing, f->areal.sq_m * 1e6,
                f->areal.sa_m * 1e6, f->areal.sz_m * 1e6);
     else
-        printf("  points      %zu, spacing %.6g um (%s), length %.6g mm\n"
-               "  %-11s tilt %.4g um/mm, end-to-end jump left %.4g um%s\n",
-               f->scan.nx, f->profile.spacing_m * 1e6, grids[f->profile.grid], inspection_length_m(f) * 1e3,
-               level_labels[level], f->profile.tilt * 1e3, f->profile.end_jump_m * 1e6,
-               f->profile.periodic ? ", periodic" : "");
+        printf("  points      %zu, spacing %.6g um (%s), length %.6g mm%s\n", f->scan.nx, f->spacing_m * 1e6,
+               grids[f->profile.grid], f->length_m * 1e3, f->profile.periodic ? ", periodic" : "");
     if (f->has_parameters)
         print_parameters(&f->primary);
     if (f->has_filtered)
         print_parameters(&f->filtered);
     printf("  roughness   Rq %.6g um, Ra %.6g um, peak to valley %.6g um\n", r->rq_m * 1e6, r->ra_m * 1e6,
            r->pv_m * 1e6);
-    printf("  moments     m2 %.6g, m4 %.6g /um2, ", r->m2, r->m4_per_m2 * 1e-12);
-    double nayak = roughness_nayak(r);
-    if (isnan(nayak))
-        printf("Nayak - (no slope from a point to the next but one)\n");
-    else
-        printf("Nayak %.4g\n", nayak);
-    print_law(f);
+    printf("  moments     m2 %.6g, m4 %.6g /um2\n", r->m2, r->m4_per_m2 * 1e-12);
+    print_law(&f->power_law);
     const char *warning;
     for (size_t w = 0; (warning = warning_at(f, w)); w++)
         print_shown("  note        ", warning);

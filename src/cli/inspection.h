@@ -16,13 +16,11 @@
  * points as measured, not where they are interpolated. Of a map: its heights over the plane, its rows as profiles. */
 struct inspection {
     struct scan scan;
-    struct profile profile;   /* of a map its middle row, for a chart; empty if that is none */
-    struct areal areal;       /* its spectrum is moved to `spectrum` */
-    struct spectrum spectrum; /* of a map, without one complete row of count 0; of a profile: inspection_spectrum() */
+    struct profile profile; /* of a map its middle row, for a chart; empty if that is none */
+    struct areal areal;
     struct roughness roughness;
-    struct power_law_band band; /* fit: auto */
-    struct power_law power_law;
-    enum power_law_method fit;
+    struct power_law power_law;          /* of the band found */
+    double spacing_m, length_m;          /* along x; from first to last point */
     struct parameters primary, filtered; /* P; R where lambda_c is given */
     bool has_parameters, has_filtered;
     struct profile_options options;
@@ -32,15 +30,8 @@ struct inspection {
  * whatever comes back. Errors: those of the stages. */
 MUST_CHECK enum status_code inspection_make(struct inspection *out, const struct scan_bytes *file,
                                             const struct scan_options *units, const struct profile_options *options,
-                                            enum power_law_method fit, struct status *status);
-/** Makes the spectrum of a profile, if there is none yet: a chart shows it, the figures do not hang on it. Error:
- * STATUS_MEMORY. */
-MUST_CHECK enum status_code inspection_spectrum(struct inspection *inspection, struct status *status);
+                                            struct status *status);
 void inspection_free(struct inspection *inspection);
-
-/** Spacing along x [m] and first to last point [m]. */
-double inspection_spacing_m(const struct inspection *inspection);
-double inspection_length_m(const struct inspection *inspection);
 
 /** Adds what was found out to an object. */
 void inspection_add_json(json_t *object, const struct inspection *inspection);

@@ -11,9 +11,8 @@
 static json_t *begin(const char *directory, const char *messages, int exit_status, const char *error)
 {
     return json_pack("{s:s, s:s, s:o, s:i, s:s, s:o, s:o}", "program", "roughcontact", "version", version_string(),
-                     "directory", command_json_text(directory), "exit_status", exit_status, "exit_reason",
-                     command_statuses[exit_status], "error", command_json_optional(error), "messages",
-                     command_json_lines(messages));
+                     "directory", json_shown(directory), "exit_status", exit_status, "exit_reason",
+                     command_statuses[exit_status], "error", json_shown(error), "messages", json_lines(messages));
 }
 
 static void print(json_t *json)
@@ -22,46 +21,12 @@ static void print(json_t *json)
         command_complain("", "out of memory"); /* what is printed is no JSON then, and the reader says so */
 }
 
-static json_t *times_json(const struct run_times *times)
-{
-    json_t *json = json_object(), *models = json_object();
-    const struct {
-        const char *name;
-        double seconds;
-    } stages[] = {
-        {"read", times->read},
-        {"level", times->prepare},
-        {"spectra", times->spectrum},
-        {"convergence", times->convergence},
-        {"direct", times->direct},
-        {"cost", times->cost},
-        {"tables", times->tables},
-        {"chart_data", times->figures},
-        {"gnuplot", times->gnuplot},
-        {"report", times->report},
-        {"uncertainty", times->uncertainty},
-        {"total", times->total},
-    };
-    for (size_t i = 0; i < sizeof stages / sizeof stages[0]; i++)
-        json_object_set_new(json, stages[i].name, json_real(stages[i].seconds));
-    for (size_t m = 0; m < model_count && times->models; m++)
-        json_object_set_new(models, model_rows[m]->name, json_real(times->models[m]));
-    json_object_set_new(json, "models", models);
-    return json;
-}
-
-static json_t *work_json(const struct run_outcome *outcome)
-{
-    return json_pack("{s:I, s:o}", "evaluations", (json_int_t)outcome->evaluations, "taken_s",
-                     times_json(&outcome->times));
-}
-
 /** The path of results.json, beside the page. */
 static json_t *results_json(const char *page)
 {
     struct text path = {0};
     text_add(&path, "%.*s/results.json", (int)(strrchr(page, '/') - page), page);
-    json_t *json = command_json_text(text_string(&path));
+    json_t *json = json_shown(text_string(&path));
     text_free(&path);
     return json;
 }
@@ -71,12 +36,12 @@ void scene_json_print_report(const struct run_outcome *outcome, const char *dire
 {
     json_t *json = begin(directory, outcome ? text_string(&outcome->messages) : "", exit_status, error);
     const char *path = outcome && !error ? outcome->path : NULL;
-    json_object_set_new(json, "report", command_json_optional(path));
+    json_object_set_new(json, "report", json_shown(path));
     json_object_set_new(json, "results", path ? results_json(path) : json_null());
     if (outcome && outcome->outline)
         json_object_update(json, outcome->outline);
     if (outcome && !error)
-        json_object_set_new(json, "work", work_json(outcome));
+        json_object_set_new(json, "work", json_pack("{s:I}", "evaluations", (json_int_t)outcome->evaluations));
     print(json);
 }
 
@@ -85,12 +50,8 @@ static json_t *surfaces_json(const struct results *results)
     json_t *surfaces = json_array();
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = &results->surfaces[i].summary;
-        json_t *json = json_pack("{s:o, s:b, s:o}", "surface", command_json_text(s->scene->name), "usable", s->usable,
-                                 "refused", command_json_optional(s->refusal));
-        if (s->usable) {
-            json_object_set_new(json, "rsk", command_json_number(roughness_skewness(&s->roughness)));
-            json_object_set_new(json, "rku", command_json_number(roughness_kurtosis(&s->roughness)));
-        }
+        json_t *json = json_pack("{s:o, s:b, s:o}", "surface", json_shown(s->scene->name), "usable", s->usable,
+                                 "refused", json_shown(s->refusal));
         json_array_append_new(surfaces, json);
     }
     return surfaces;
@@ -103,11 +64,11 @@ static json_t *effects_json(const struct results *results)
     effects_account(rows, results->plan, results->surfaces, results->surface_count, &results->studies);
     for (int r = 0; r < EFFECTS_ROWS; r++)
         json_array_append_new(effects, json_pack("{s:s, s:b, s:o}", "effect", rows[r].name, "runs", rows[r].runs,
-                                                 "reason", command_json_text(rows[r].reason)));
+                                                 "reason", json_shown(rows[r].reason)));
     return effects;
 }
 
-void scene_json_print_plan(const struct results *results, double rough_seconds, const char *directory, bool brief,
+void scene_json_print_plan(const struct results *results, double rough_seconds, const char *directory,
                            const char *messages, int exit_status, const char *error)
 {
     json_t *json = begin(directory, messages, exit_status, results ? NULL : error);
@@ -127,7 +88,6 @@ void scene_json_print_plan(const struct results *results, double rough_seconds, 
         json_object_set_new(json, "targets", json_integer((json_int_t)scene->target_count));
         json_object_set_new(json, "tolerance", json_real(scene->tolerance));
         json_object_set_new(json, "closure", json_string(sinusoid_fits[scene->closure].name));
-        json_object_set_new(json, "brief", json_boolean(brief));
     }
     json_decref(models);
     print(json);

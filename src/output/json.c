@@ -11,6 +11,33 @@
 #include <stdlib.h>
 #include <string.h>
 
+json_t *json_shown(const char *hostile)
+{
+    struct text shown = {0};
+    text_add_shown(&shown, hostile ? hostile : "");
+    json_t *json = hostile ? json_string(text_string(&shown)) : json_null();
+    text_free(&shown);
+    return json;
+}
+
+json_t *json_lines(const char *lines)
+{
+    json_t *array = json_array();
+    for (size_t length; *lines; lines += length + (lines[length] == '\n')) {
+        struct text line = {0};
+        length = strcspn(lines, "\n");
+        text_add_bytes(&line, lines, length);
+        json_array_append_new(array, json_shown(text_string(&line)));
+        text_free(&line);
+    }
+    return array;
+}
+
+json_t *json_finite(double value)
+{
+    return isfinite(value) ? json_real(value) : json_null();
+}
+
 static void set(json_t *object, const struct cell_guard *guard, const char *key, double value)
 {
     json_object_set_new(object, key, cell_json(guard, key, value));
@@ -34,25 +61,15 @@ static void set_word(json_t *object, const char *key, const char *word)
     json_object_set_new(object, key, json_string(word));
 }
 
-/** Text from outside, as the tables and the report show it: what belongs together has the same name everywhere. */
-static json_t *string(const char *value)
-{
-    struct text shown = {0};
-    text_add_shown(&shown, value);
-    json_t *json = json_string(text_string(&shown));
-    text_free(&shown);
-    return json;
-}
-
 static json_t *material_json(const struct material *material, const struct cell_guard *guard)
 {
-    json_t *json = json_pack("{s:o}", "name", string(material->name));
+    json_t *json = json_pack("{s:o}", "name", json_shown(material->name));
     for (size_t i = 0; i < material_property_count; i++) {
         double value = material_value(material, &material_properties[i]);
         if (!material_properties[i].optional || value > 0)
             set(json, guard, material_properties[i].key, value);
     }
-    json_object_set_new(json, "source", string(material->source));
+    json_object_set_new(json, "source", json_shown(material->source));
     return json;
 }
 
@@ -61,16 +78,6 @@ static json_t *counterface_json(const struct scene_bodies *bodies, const struct 
     if (bodies->counterface_kind == MATERIAL_COUNTERFACE_RIGID)
         return json_string("rigid");
     return isnan(bodies->counterface.youngs_modulus_Pa) ? json_null() : material_json(&bodies->counterface, guard);
-}
-
-/** The family of model `m` where all of it was asked for, at its first model; else the name of a single one. */
-static void add_model_name(json_t *names, uint64_t models, size_t m)
-{
-    const struct model_row *row = model_rows[m];
-    uint64_t family = model_find(row->family);
-    bool whole = (models & family) == family, first = (family & (MODEL_BIT(m) - 1)) == 0;
-    if ((models & MODEL_BIT(m)) && (first || !whole))
-        json_array_append_new(names, json_string(whole ? row->family : row->name));
 }
 
 /** What the scene says lies in and around the spots, of the effects that run. */
@@ -111,19 +118,20 @@ static json_t *scene_json(const struct results *results, const struct cell_guard
     for (int e = 0; e < EFFECT_COUNT; e++) {
         const struct plan_effect *effect = &results->plan->effects[e];
         json_object_set_new(effects, effect_rows[e].name,
-                            json_pack("{s:b, s:o}", "runs", effect->runs, "reason", string(effect->reason)));
+                            json_pack("{s:b, s:o}", "runs", effect->runs, "reason", json_shown(effect->reason)));
     }
     const struct scene_bodies *bodies = &scene->bodies;
     const struct material_pair pair = scene_pair(bodies);
     for (size_t m = 0; m < model_count; m++)
-        add_model_name(models, scene->models, m);
-    json_t *json = json_pack("{s:o, s:o, s:o, s:o}", "title", string(scene->title), "models", models, "effects",
+        if (scene->models & MODEL_BIT(m))
+            json_array_append_new(models, json_string(model_rows[m]->name));
+    json_t *json = json_pack("{s:o, s:o, s:o, s:o}", "title", json_shown(scene->title), "models", models, "effects",
                              effects, "material", pair.unknown ? json_null() : material_json(&bodies->material, guard));
     json_object_set_new(json, "counterface", counterface_json(bodies, guard));
     set(json, guard, "nominal_area_m2", scene->nominal_area_m2);
     set_all(json, guard, "loads_over_AnEp", results->loads, results->loads_apart ? 0 : results->load_count);
     if (scene->load.unit_text[0])
-        json_object_set_new(json, "load_unit", string(scene->load.unit_text));
+        json_object_set_new(json, "load_unit", json_shown(scene->load.unit_text));
     if (results->usable_count > 0)
         set(json, guard, "operating_load_over_AnEp", results_operating_load(results, results->baseline));
     if (plan_runs(results->plan, EFFECT_UNLOADING))
@@ -147,12 +155,12 @@ static json_t *scene_json(const struct results *results, const struct cell_guard
     set(json, guard, "lambda_s_m", scene->lambda_s_m);
     set(json, guard, "lambda_c_m", scene->lambda_c_m);
     set(json, guard, "tip_radius_m", scene->tip_radius_m);
-    json_object_set_new(json, "baseline", string(results->surfaces[results->baseline].summary.scene->name));
+    json_object_set_new(json, "baseline", json_shown(results->surfaces[results->baseline].summary.scene->name));
     if (scene->measured.file)
-        json_object_set_new(json, "measured_file", string(scene->measured.file));
+        json_object_set_new(json, "measured_file", json_shown(scene->measured.file));
     if (results->counterface)
         json_object_set_new(json, "counterface_surface",
-                            json_pack("{s:o, s:s}", "file", string(scene->counterface_surface.files[0]), "sha256",
+                            json_pack("{s:o, s:s}", "file", json_shown(scene->counterface_surface.files[0]), "sha256",
                                       results->counterface->summary.hash));
     set_word(json, "fit", power_law_method_names[scene->fit]);
     double band_m[2] = {scene->fit_band_m[0], scene->fit_band_m[1]};
@@ -170,16 +178,9 @@ static json_t *scene_json(const struct results *results, const struct cell_guard
 }
 
 /** The points of a curve, quantity by quantity. */
-static void add_points(json_t *json, const struct model_curve *curve, const struct material_pair *pair,
-                       const struct plan *plan, const struct cell_guard *guard)
+static void add_points(json_t *json, const struct model_curve *curve, const struct plan *plan,
+                       const struct cell_guard *guard)
 {
-    json_t *pressures = json_array(); /* of the real contact */
-    double yields_at = pair->effective_modulus_Pa / pair->yield_strength_Pa;
-    for (size_t i = 0; i < curve->count && isfinite(yields_at); i++)
-        json_array_append_new(pressures, cell_json(guard, "contact_pressure_over_Sy",
-                                                   curve->points[i].value[QUANTITY_LOAD] /
-                                                       curve->points[i].value[QUANTITY_AREA] * yields_at));
-    json_object_set_new(json, "contact_pressure_over_Sy", pressures);
     for (int q = 0; q < QUANTITY_COUNT; q++) {
         if (!(plan->wanted & QUANTITY_BIT(q)))
             continue;
@@ -190,9 +191,8 @@ static void add_points(json_t *json, const struct model_curve *curve, const stru
     }
 }
 
-static json_t *curve_json(const struct model_curve *curve, const struct curve_summary *model,
-                          const struct material_pair *pair, const struct scene *scene, const struct plan *plan,
-                          const struct cell_guard *guard)
+static json_t *curve_json(const struct model_curve *curve, const struct curve_summary *model, const struct scene *scene,
+                          const struct plan *plan, const struct cell_guard *guard)
 {
     json_t *json = json_object();
     set(json, guard, "full_contact_load_over_AnEp", model->full_load);
@@ -204,7 +204,7 @@ static json_t *curve_json(const struct model_curve *curve, const struct curve_su
     set_count(json, "areas_limited", model->clamped);
     set(json, guard, "largest_load_share_clamped_at_radius", model->most_radius_clamped);
     if (!scene_bins_spectra(scene)) /* else contact.csv alone has them */
-        add_points(json, curve, pair, plan, guard);
+        add_points(json, curve, plan, guard);
     return json;
 }
 
@@ -254,26 +254,13 @@ static void set_intervals(json_t *object, const struct curve_summary *model, con
     json_decref(json);
 }
 
-static json_t *lines_json(const char *lines)
-{
-    json_t *array = json_array();
-    for (size_t length; *lines; lines += length + (lines[length] == '\n')) {
-        length = strcspn(lines, "\n");
-        char *line = strndup(lines, length);
-        if (line)
-            json_array_append_new(array, string(line));
-        free(line);
-    }
-    return array;
-}
-
 static json_t *notes_json(const struct note_list *list)
 {
     json_t *array = json_array();
     for (size_t n = 0; n < list->count; n++) {
         struct text line = {0};
         note_line(&line, &list->notes[n]);
-        json_array_append_new(array, string(text_string(&line)));
+        json_array_append_new(array, json_shown(text_string(&line)));
         text_free(&line);
     }
     return array;
@@ -290,20 +277,9 @@ static json_t *fit_json(const struct surface_record *record, enum power_law_meth
                              power_law_band_class_names[law->found]);
     if (method == POWER_LAW_THESIS)
         return json;
-    json_t *others = json_array();
     double line_m[LOG_BIN_MOST];
     set_all(json, guard, "knees_m", band->knee_m, band->pieces > 0 ? band->pieces - 1 : 0);
     set_all(json, guard, "lines_m", line_m, power_law_band_lines(line_m, band));
-    for (size_t k = 0; k < band->pieces; k++) {
-        if (isnan(band->piece[k].candidate_gamma) || (law->found != POWER_LAW_BAND_NONE && k == band->chosen))
-            continue;
-        json_t *other = json_object();
-        set(other, guard, "gamma", band->piece[k].candidate_gamma);
-        set(other, guard, "low_m", band->piece[k].band_m[0]);
-        set(other, guard, "high_m", band->piece[k].band_m[1]);
-        json_array_append_new(others, other);
-    }
-    json_object_set_new(json, "other_candidates", others);
     set(json, guard, "share_of_m2", band->slope_share);
     return json;
 }
@@ -312,7 +288,7 @@ static json_t *files_json(char *const *names, size_t count)
 {
     json_t *files = json_array();
     for (size_t f = 0; f < count; f++)
-        json_array_append_new(files, string(names[f]));
+        json_array_append_new(files, json_shown(names[f]));
     return files;
 }
 
@@ -341,12 +317,12 @@ static json_t *surface_json(const struct results *results, size_t index)
     json_t *models = json_object();
     for (size_t m = 0; m < model_count; m++)
         if (surface_model(s, m)->exists) {
-            json_t *model = curve_json(record->curves ? &record->curves[m] : NULL, surface_model(s, m), &s->pair, scene,
+            json_t *model = curve_json(record->curves ? &record->curves[m] : NULL, surface_model(s, m), scene,
                                        results->plan, guard);
             set_intervals(model, surface_model(s, m), guard);
             json_object_set_new(models, model_rows[m]->name, model);
         }
-    json_t *json = json_pack("{s:o, s:o, s:s, s:s, s:s}", "surface", string(s->scene->name), "files",
+    json_t *json = json_pack("{s:o, s:o, s:s, s:s, s:s}", "surface", json_shown(s->scene->name), "files",
                              files_json(s->scene->files, s->scene->file_count), "sha256", s->hash, "format", s->format,
                              "units", s->units);
     if (s->scene->bodies.material_given || s->scene->bodies.counterface_given) {
@@ -424,7 +400,7 @@ static json_t *direct_json(const struct direct_study *study, const struct result
         }
         json_object_set_new(ratios, model_rows[m]->name, model);
     }
-    json_t *json = json_pack("{s:o, s:s, s:I, s:I, s:o, s:o}", "surface", string(surface->scene->name), "source",
+    json_t *json = json_pack("{s:o, s:s, s:I, s:I, s:o, s:o}", "surface", json_shown(surface->scene->name), "source",
                              plan->side > 0 ? "map" : "law", "grid", (json_int_t)plan->grid, "contacts_solved",
                              (json_int_t)study->solutions, "solutions", solutions, "model_over_direct", ratios);
     set(json, &guard, "cell_m", plan->length_m);
@@ -459,8 +435,9 @@ static json_t *answer_json(const struct results *results, size_t surface, size_t
     struct text note = {0}, asked = {0};
     text_add(&asked, "%s %s", target->row->name, target->text);
     answers_note(&note, answer, area_m2, 1, "");
-    json_t *json = json_pack("{s:o, s:s, s:o, s:o}", "surface", string(s->scene->name), "model", model_rows[m]->name,
-                             "target", string(text_string(&asked)), "note", string(text_string(&note)));
+    json_t *json =
+        json_pack("{s:o, s:s, s:o, s:o}", "surface", json_shown(s->scene->name), "model", model_rows[m]->name, "target",
+                  json_shown(text_string(&asked)), "note", json_shown(text_string(&note)));
     set(json, &guard, "load_N", met ? answer->load * scene_load_divisor(results->scene, UNIT_FORCE, &s->pair) : NAN);
     set(json, &guard, "load_over_AnEp", met ? answer->load : NAN);
     set_all(json, &guard, "load_over_AnEp_95", interval, 2);
@@ -500,8 +477,8 @@ static json_t *limits_json(const struct results *results, struct results_lost *l
             struct text asked = {0};
             text_add(&asked, "%s %s %s", limit->row->name, limit->is_most ? "most" : "least", limit->text);
             json_t *json =
-                json_pack("{s:o, s:s, s:o, s:s, s:s}", "surface", string(s->scene->name), "model",
-                          model_rows[plan_leading_model(results->plan)]->name, "limit", string(text_string(&asked)),
+                json_pack("{s:o, s:s, s:o, s:s, s:s}", "surface", json_shown(s->scene->name), "model",
+                          model_rows[plan_leading_model(results->plan)]->name, "limit", json_shown(text_string(&asked)),
                           "verdict", verdicts[check->verdict], "quantity", quantity_rows[limit->row->quantity].name);
             set(json, &guard, "value", check->value);
             set_all(json, &guard, "interval_95", interval, 2);
@@ -511,45 +488,20 @@ static json_t *limits_json(const struct results *results, struct results_lost *l
     return limits;
 }
 
-/** A surface as the terminal's table has it. */
-static json_t *outline_surface_json(const struct surface_summary *s, const struct plan *plan, bool complete,
-                                    const struct cell_guard *guard)
+static json_t *refused_json(const struct results *results)
 {
-    json_t *json = json_pack("{s:o, s:o, s:b, s:o, s:o}", "surface", string(s->scene->name), "files",
-                             files_json(s->scene->files, s->scene->file_count), "usable", s->usable, "refused",
-                             s->refusal ? string(s->refusal) : json_null(), "notes", notes_json(&s->notes));
-    if (!s->usable)
-        return json;
-    set(json, guard, "rq_m", s->roughness.rq_m);
-    set(json, guard, "alpha_SI", power_law_holds(&s->power_law) ? s->power_law.alpha : NAN);
-    set(json, guard, "gamma", power_law_holds(&s->power_law) ? s->power_law.gamma : NAN);
-    if (!complete)
-        return json;
-    json_t *models = json_object();
-    for (size_t m = 0; m < model_count; m++) {
-        if (!plan_runs_model(plan, m) || !surface_model(s, m)->exists)
-            continue;
-        json_t *model = json_object();
-        set(model, guard, "full_contact_load_over_AnEp", surface_model(s, m)->full_load);
-        set(model, guard, "beta", surface_model(s, m)->beta);
-        json_object_set_new(models, model_rows[m]->name, model);
-    }
-    json_object_set_new(json, "models", models);
-    return json;
-}
-
-json_t *json_outline(const struct results *results, bool complete)
-{
-    json_t *surfaces = json_array(), *json = json_object();
+    json_t *refused = json_array();
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = &results->surfaces[i].summary;
-        const struct cell_guard guard = {s->scene ? s->scene->name : NULL, NULL};
-        if (s->scene) /* else the run ended before it came to it */
-            json_array_append_new(surfaces, outline_surface_json(s, results->plan, complete, &guard));
+        if (!s->usable)
+            json_array_append_new(refused, json_pack("{s:o, s:o}", "surface", json_shown(s->scene->name), "error",
+                                                     json_shown(s->refusal)));
     }
-    json_object_set_new(json, "surfaces", surfaces);
-    if (!complete)
-        return json;
+    return refused;
+}
+
+json_t *json_outline(const struct results *results)
+{
     json_t *limits = limits_json(results, NULL), *missed = json_array(), *limit;
     size_t index;
     json_array_foreach(limits, index, limit)
@@ -557,10 +509,8 @@ json_t *json_outline(const struct results *results, bool complete)
         if (strcmp(json_string_value(json_object_get(limit, "verdict")), "misses") == 0)
             json_array_append(missed, limit);
     }
-    json_object_set_new(json, "answers", answers_json(results, NULL));
-    json_object_set_new(json, "limits", limits);
-    json_object_set_new(json, "missed_limits", missed);
-    return json;
+    return json_pack("{s:o, s:o, s:o, s:o}", "refused", refused_json(results), "answers", answers_json(results, NULL),
+                     "limits", limits, "missed_limits", missed);
 }
 
 /** Prints one value behind `before`; takes it over. */
@@ -586,18 +536,6 @@ static bool print_surfaces(FILE *file, const struct results *results)
     return ok && fputs("]", file) >= 0;
 }
 
-static json_t *refused_json(const struct results *results)
-{
-    json_t *refused = json_array();
-    for (size_t i = 0; i < results->surface_count; i++) {
-        const struct surface_summary *s = &results->surfaces[i].summary;
-        if (!s->usable)
-            json_array_append_new(
-                refused, json_pack("{s:o, s:o}", "surface", string(s->scene->name), "error", string(s->refusal)));
-    }
-    return refused;
-}
-
 static json_t *studies_json(const struct results *results)
 {
     json_t *studies = json_array();
@@ -621,7 +559,7 @@ enum status_code json_write(const struct results *results, const char *directory
               print(file, ",\n\"scene\": ", scene_json(results, &of_scene)) &&
               print(file, ",\n\"leading\": ", json_string(model_rows[plan_leading_model(results->plan)]->name)) &&
               print_surfaces(file, results) && print(file, ",\n\"refused\": ", refused_json(results)) &&
-              (!scene->passed_over || print(file, ",\n\"passed_over\": ", lines_json(scene->passed_over))) &&
+              (!scene->passed_over || print(file, ",\n\"passed_over\": ", json_lines(scene->passed_over))) &&
               (scene->target_count == 0 || print(file, ",\n\"answers\": ", answers_json(results, results->lost))) &&
               (scene->limit_count == 0 || print(file, ",\n\"limits\": ", limits_json(results, results->lost))) &&
               (results->direct_count == 0 || print(file, ",\n\"direct\": ", studies_json(results))) &&

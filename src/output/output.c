@@ -283,41 +283,18 @@ static enum status_code set_target(struct output *out, char parent[static PATH_M
     return STATUS_OK;
 }
 
-/** What could not be replaced once the report is there; known before. */
-static enum status_code check_place(const struct output *out, const char *parent, struct status *status)
-{
-    static const __u64 fixed = STATX_ATTR_IMMUTABLE | STATX_ATTR_APPEND;
-    const uid_t user = geteuid();
-    struct statx info, around;
-    if (statx(AT_FDCWD, parent, 0, STATX_BASIC_STATS, &around) != 0)
-        return status_fail(status, STATUS_IO, "cannot write beside '%s': %s", out->target, strerror(errno));
-    for (int i = 0; i < FOLDERS; i++) {
-        char path[PATH_MAX + 16];
-        const char *problem = NULL;
-        snprintf(path, sizeof path, "%s%s%s", out->target, i > 0 ? "/" : "", i > 0 ? folders[i] : "");
-        if (statx(AT_FDCWD, path, AT_SYMLINK_NOFOLLOW, STATX_BASIC_STATS, &info) != 0)
-            continue;
-        if ((info.stx_attributes & STATX_ATTR_MOUNT_ROOT) != 0 || info.stx_dev_major != around.stx_dev_major ||
-            info.stx_dev_minor != around.stx_dev_minor)
-            problem = "a mount point, which a report cannot take the place of; name a directory in it";
-        else if (i == 0 && (around.stx_mode & S_ISVTX) != 0 && user != 0 && info.stx_uid != user &&
-                 around.stx_uid != user)
-            problem = "another user's, and only they can replace it; choose another directory";
-        else if (((info.stx_attributes | around.stx_attributes) & fixed) != 0)
-            problem = "immutable; choose another directory";
-        if (problem)
-            return status_fail(status, STATUS_IO, "'%s' is %s with -o", path, problem);
-    }
-    return STATUS_OK;
-}
-
 enum status_code output_begin(struct output *out, const char *target, struct status *status)
 {
     char path[PATH_MAX + 16], parent[PATH_MAX];
+    struct statx info;
     *out = (struct output){0};
-    if (set_target(out, parent, target, status) != STATUS_OK || make_parents(out, status) != STATUS_OK ||
-        check_place(out, parent, status) != STATUS_OK)
+    if (set_target(out, parent, target, status) != STATUS_OK || make_parents(out, status) != STATUS_OK)
         return status->code;
+    if (statx(AT_FDCWD, out->target, AT_SYMLINK_NOFOLLOW, STATX_BASIC_STATS, &info) == 0 &&
+        (info.stx_attributes & STATX_ATTR_MOUNT_ROOT) != 0)
+        return status_fail(status, STATUS_IO,
+                           "'%s' is a mount point, which a report cannot take the place of; name a directory in it",
+                           out->target);
     temporary_note("", out->target, " is as it was before");
     if (temporary_make(&out->hidden, parent, output_clear, status) != STATUS_OK)
         return status->code;
@@ -333,21 +310,19 @@ enum status_code output_begin(struct output *out, const char *target, struct sta
 /** Puts `staging` in the place of OUT; what was there, if anything, is then in the place of `staging`. */
 static enum status_code exchange(const struct output *out, const char *kept, struct status *status)
 {
-    if (renameat2(AT_FDCWD, out->staging, AT_FDCWD, out->target, RENAME_EXCHANGE) == 0)
-        return STATUS_OK;
-    if ((errno == EINVAL || errno == ENOSYS) && /* a file system that cannot: clear the way, then rename */
-        rename(out->target, kept) == 0) {
-        if (rename(out->staging, out->target) == 0 && rename(kept, out->staging) == 0)
-            return STATUS_OK;
+    bool done = renameat2(AT_FDCWD, out->staging, AT_FDCWD, out->target, RENAME_EXCHANGE) == 0;
+    if (!done && (errno == EINVAL || errno == ENOSYS || errno == ENOENT)) { /* it cannot; none is there */
+        bool moved = rename(out->target, kept) == 0;
+        done = (moved || errno == ENOENT) && rename(out->staging, out->target) == 0;
         int reason = errno;
-        if (rename(kept, out->target) != 0)
-            return status_fail(status, STATUS_IO, "cannot put the report at '%s' (%s); the one before is in '%s'",
-                               out->target, strerror(reason), kept);
+        if (moved)
+            (void)!rename(kept, done ? out->staging : out->target);
         errno = reason;
     }
-    if (errno == ENOENT && rename(out->staging, out->target) == 0)
-        return STATUS_OK;
-    return status_fail(status, STATUS_IO, "cannot put the report at '%s': %s", out->target, status_reason(errno));
+    return done ? STATUS_OK
+                : status_fail(status, STATUS_IO,
+                              "cannot put the report at '%s': %s; the one before, if it is not there, is in '%s'",
+                              out->target, status_reason(errno), kept);
 }
 
 enum status_code output_commit(struct output *out, struct status *status)
@@ -360,9 +335,8 @@ enum status_code output_commit(struct output *out, struct status *status)
     strcpy(out->staging, done);
     if (keep_others(out, false, status) != STATUS_OK)
         return status->code;
-    snprintf(done, sizeof done, "%.*s/export", PATH_MAX - 16, out->staging);
-    rmdir(done);      /* of a run that was asked for none */
-    temporary_hold(); /* a signal comes before it or after */
+    unlinkat(out->hidden.directory, "done/export", AT_REMOVEDIR); /* of a run that was asked for none */
+    temporary_hold();                                             /* a signal comes before it or after */
     if (exchange(out, kept, status) == STATUS_OK) {
         temporary_note("the report is in ", out->target, "");
         out->staging[0] = '\0';

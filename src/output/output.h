@@ -22,7 +22,7 @@ struct output {
  * target's missing parents). What stands at `target` must be nothing, a directory with no more than hidden files, or a
  * report whose manifest.txt names its files. Other files beside those are the user's and stay in OUT. Refused, by name
  * and before any work: a directory of the user's, what is no regular file in the place of one of the report, a mount
- * point and what else could not be replaced in the end. What killed runs have left there is cleared away before.
+ * point. What killed runs have left there is cleared away before.
  * Errors: STATUS_USAGE (`target` is "", . or ..), STATUS_IO. */
 MUST_CHECK enum status_code output_begin(struct output *out, const char *target, struct status *status);
 

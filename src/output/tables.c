@@ -14,112 +14,137 @@ enum {
     HELD_BYTES = 1 << 20 /* of rows before they are written; those of an ordinary surface wait for nobody then */
 };
 
-/** A file being written; or what one surface adds to it, whose rows are written in the surfaces' order. */
+/** A file being written, which is opened with its first rows; or what one surface adds to it, whose rows are written in
+ * the surfaces' order. */
 struct table {
+    const char *directory, *name;
     FILE *file;
-    const char *name;
+    int problem;               /* errno of what failed; 0: nothing did */
+    struct text header;        /* the columns' names, as the first row goes over them */
+    bool named;                /* it has */
     struct text rows;          /* not written yet */
-    struct text lead;          /* how rows of guard.surface begin */
     struct cell_guard guard;   /* names the surface of the row */
-    bool part;                 /* of a file that others write in, too */
+    struct table *whole;       /* of a part: the table that other threads write too; NULL: this is it */
     struct threads_turn *turn; /* of a part; NULL: no other thread writes */
 };
 
-static enum status_code table_open(struct table *out, const struct results *results, const char *directory,
-                                   const char *name, struct status *status)
+static struct table table_make(const struct results *results, const char *directory, const char *name)
 {
-    *out = (struct table){.name = name, .guard = {NULL, results->lost}};
+    return (struct table){.directory = directory, .name = name, .guard = {NULL, results->lost}};
+}
+
+/** What one surface adds to a table. */
+static struct table table_part(struct table *whole, struct threads_turn *turn)
+{
+    return (struct table){.name = whole->name, .guard = {NULL, whole->guard.lost}, .whole = whole, .turn = turn};
+}
+
+/** Opens the file and writes the columns' names. */
+static void open_table(struct table *table, const struct text *header)
+{
     struct text path = {0};
-    text_add(&path, "%s/data/%s", directory, name);
-    out->file = fopen(text_string(&path), "w");
+    text_add(&path, "%s/data/%s", table->directory, table->name);
+    table->file = fopen(text_string(&path), "w");
     text_free(&path);
-    return out->file ? STATUS_OK : status_fail(status, STATUS_IO, "cannot write '%s': %s", name, status_reason(errno));
+    if (table->file)
+        fwrite(header->data, 1, header->length, table->file);
+    else
+        table->problem = errno;
 }
 
 /** Writes the rows held, in turn; of a surface in vain they go. */
 static void write_rows(struct table *table)
 {
-    if (table->rows.length > 0 && threads_wait(table->turn))
-        fwrite(table->rows.data, 1, table->rows.length, table->file);
+    struct table *whole = table->whole ? table->whole : table;
+    if (threads_wait(table->turn)) {
+        if (table->rows.length > 0 && !whole->file && !whole->problem)
+            open_table(whole, &table->header);
+        if (whole->file && fwrite(table->rows.data, 1, table->rows.length, whole->file) < table->rows.length)
+            whole->problem = errno;
+        table->problem = whole->problem;
+    }
     table->rows.length = 0;
 }
 
 /** Ends a row of cells. */
 static void end_row(struct table *table)
 {
+    if (!table->named)
+        text_add_bytes(&table->header, "\n", 1);
+    table->named = true;
     text_add_bytes(&table->rows, "\n", 1);
     if (table->rows.length >= HELD_BYTES)
         write_rows(table);
 }
 
-static void put_number(struct table *table, const char *quantity, double value)
+/* Each of these adds a cell, in the column of that name. */
+
+static void name_column(struct table *table, const char *name, const char *end)
 {
-    cell_number(&table->rows, &table->guard, quantity, value);
+    if (!table->named)
+        text_add(&table->header, "%s%s%s", table->header.length > 0 ? "," : "", name, end);
 }
 
-static void put_word(struct table *table, const char *word)
+/** A number; the column's name has two parts. */
+static void put(struct table *table, const char *name, const char *end, double value)
 {
+    name_column(table, name, end);
+    cell_number(&table->rows, &table->guard, name, value);
+}
+
+static void put_number(struct table *table, const char *name, double value)
+{
+    put(table, name, "", value);
+}
+
+static void put_word(struct table *table, const char *name, const char *word)
+{
+    name_column(table, name, "");
     text_add_bytes(&table->rows, ",", 1);
     text_add_bytes(&table->rows, word, strlen(word));
+}
+
+static void put_count(struct table *table, const char *name, size_t count)
+{
+    name_column(table, name, "");
+    text_add(&table->rows, ",%zu", count);
+}
+
+/** Text that may hold anything. */
+static void put_text(struct table *table, const char *name, const char *text)
+{
+    name_column(table, name, "");
+    text_add_bytes(&table->rows, ",", 1);
+    text_add_csv(&table->rows, text);
 }
 
 /** Starts a row with the surface's name. */
 static void put_surface(struct table *table, const struct surface_summary *surface)
 {
-    if (table->guard.surface != surface->scene->name) {
-        table->guard.surface = surface->scene->name;
-        table->lead.length = 0;
-        text_add_csv(&table->lead, surface->scene->name);
-        table->rows.failed = table->rows.failed || table->lead.failed;
-    }
-    text_add_bytes(&table->rows, table->lead.data, table->lead.length);
+    name_column(table, "surface", "");
+    table->guard.surface = surface->scene->name;
+    text_add_csv(&table->rows, surface->scene->name);
 }
 
 /** Writes what is held; of a surface's part the file stays open. */
 static enum status_code table_close(struct table *table, struct status *status)
 {
-    bool bad = !table->file || table->rows.failed;
-    if (!bad)
-        write_rows(table);
-    bad = bad || ferror(table->file);
+    write_rows(table);
+    if (table->rows.failed || table->header.failed)
+        table->problem = ENOMEM;
+    text_free(&table->header);
     text_free(&table->rows);
-    text_free(&table->lead);
-    if ((table->file && !table->part && fclose(table->file) != 0) || bad)
-        return status_fail(status, STATUS_IO, "cannot write '%s': %s", table->name, status_reason(errno));
+    if (!table->whole && table->file && fclose(table->file) != 0)
+        table->problem = errno;
+    if (table->problem && status->code == STATUS_OK)
+        return status_fail(status, STATUS_IO, "cannot write '%s': %s", table->name, status_reason(table->problem));
     return status->code;
-}
-
-/** What one surface adds to an open table. */
-static struct table table_part(const struct table *table, struct threads_turn *turn)
-{
-    return (struct table){
-        .file = table->file, .name = table->name, .guard = {NULL, table->guard.lost}, .part = true, .turn = turn};
-}
-
-/** Has this model an adjusted separation, and so a beta? */
-static bool has_beta(const struct plan *plan, size_t m)
-{
-    return plan_runs_model(plan, m) && (model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_ADJUSTED));
-}
-
-static bool in_table(size_t column, bool asperities)
-{
-    return cell_columns[column].in_table <= (asperities ? CELL_OF_ASPERITIES : CELL_ALWAYS);
 }
 
 static void fill_surfaces(struct table *table, const struct results *results)
 {
     const struct plan *plan = results->plan;
-    bool asperities = plan_uses_asperities(plan);
-    text_add(&table->rows, "surface,files,points");
-    for (size_t c = 0; c < cell_column_count; c++)
-        if (in_table(c, asperities))
-            text_add(&table->rows, ",%s", cell_columns[c].name);
-    text_add(&table->rows, ",heights_factor_ecr");
-    for (size_t m = 0; m < model_count; m++)
-        if (has_beta(plan, m))
-            text_add(&table->rows, ",beta_%s", model_rows[m]->name);
-    end_row(table);
+    const int most = plan_uses_asperities(plan) ? CELL_OF_ASPERITIES : CELL_ALWAYS;
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = &results->surfaces[i].summary;
         if (!s->usable)
@@ -128,17 +153,16 @@ static void fill_surfaces(struct table *table, const struct results *results)
         struct text files = {0};
         for (size_t f = 0; f < s->scene->file_count; f++)
             text_add(&files, "%s%s", f > 0 ? ";" : "", s->scene->files[f]);
-        text_add_bytes(&table->rows, ",", 1);
-        text_add_csv(&table->rows, text_string(&files));
+        put_text(table, "files", text_string(&files));
         text_free(&files);
-        text_add(&table->rows, ",%zu", s->points);
+        put_count(table, "points", s->points);
         for (size_t c = 0; c < cell_column_count; c++)
-            if (in_table(c, asperities))
+            if ((int)cell_columns[c].in_table <= most)
                 put_number(table, cell_columns[c].name, cell_column_of(s, c));
         put_number(table, "heights_factor_ecr", comparison_heights_factor(results, i, QUANTITY_ECR));
         for (size_t m = 0; m < model_count; m++)
-            if (has_beta(plan, m))
-                put_number(table, "beta", surface_model(s, m)->exists ? surface_model(s, m)->beta : NAN);
+            if (plan_runs_model(plan, m) && (model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_ADJUSTED)))
+                put(table, "beta_", model_rows[m]->name, surface_model(s, m)->exists ? surface_model(s, m)->beta : NAN);
         end_row(table);
     }
 }
@@ -147,7 +171,6 @@ static void fill_surfaces(struct table *table, const struct results *results)
 static void put_spectrum(struct table *table, const struct surface_record *record, bool binned)
 {
     const struct spectrum *spectrum = &record->spectrum;
-    char count[24] = "";
     for (size_t i = 0; i < spectrum->count;) {
         const struct spectrum_bin bin = binned ? spectrum_bin_from(spectrum, i) : spectrum_bin_of(spectrum, i);
         put_surface(table, &record->summary);
@@ -155,48 +178,27 @@ static void put_spectrum(struct table *table, const struct surface_record *recor
         put_number(table, "wavelength_m", wavelength_m);
         put_number(table, "amplitude_m", bin.amplitude_m);
         put_number(table, "fit_m", power_law_amplitude(&record->summary.power_law, wavelength_m));
-        if (binned) {
-            snprintf(count, sizeof count, "%zu", bin.count);
-            put_word(table, count);
-        }
+        if (binned)
+            put_count(table, "harmonics", bin.count);
         end_row(table);
         i += bin.count;
     }
 }
 
-static void contact_header(struct table *table, unsigned quantities)
-{
-    text_add(&table->rows, "surface,model");
-    for (int q = 0; q < QUANTITY_COUNT; q++) {
-        const struct quantity_row *row = &quantity_rows[q];
-        if (!(quantities & QUANTITY_BIT(q)))
-            continue;
-        if (row->column)
-            text_add(&table->rows, ",%s", row->column);
-        if (q == QUANTITY_LOAD)
-            text_add(&table->rows, ",pressure_Pa");
-        if (row->sigma_column)
-            text_add(&table->rows, ",%s", row->sigma_column);
-    }
-    end_row(table);
-}
-
 struct curve_tables {
-    const struct results *results;
-    const char *directory;
-    struct table spectrum, contact, bands; /* the last is opened with the first row */
-    unsigned quantities, band_quantities;  /* QUANTITY_BITs that contact and bands have columns of */
+    bool binned;
+    struct table spectrum, contact, bands;
+    unsigned quantities, band_quantities; /* QUANTITY_BITs that contact and bands have columns of */
 };
 
-static void put_contact(struct table *table, const struct surface_record *record, const struct curve_tables *all)
+static void put_contact(struct table *table, const struct surface_record *record, unsigned quantities)
 {
-    unsigned quantities = all->quantities;
     double sigma_m = record->summary.asperities.sigma_m;
     for (size_t m = 0; m < model_count; m++)
         for (size_t i = 0; i < record->curves[m].count; i++) {
             const struct contact_point *point = &record->curves[m].points[i];
             put_surface(table, &record->summary);
-            put_word(table, model_rows[m]->name);
+            put_word(table, "model", model_rows[m]->name);
             for (int q = 0; q < QUANTITY_COUNT; q++) {
                 const struct quantity_row *row = &quantity_rows[q];
                 if (!(quantities & QUANTITY_BIT(q)))
@@ -213,54 +215,34 @@ static void put_contact(struct table *table, const struct surface_record *record
         }
 }
 
-/** Opens bands.csv with its header. */
-static enum status_code open_bands(struct curve_tables *all, struct status *status)
+static void put_bands(struct table *table, const struct surface_record *record, unsigned quantities)
 {
-    struct table *bands = &all->bands;
-    if (table_open(bands, all->results, all->directory, "bands.csv", status) != STATUS_OK)
-        return status->code;
-    text_add(&bands->rows, "surface,model,%s", quantity_rows[QUANTITY_LOAD].column);
-    for (int q = 0; q < QUANTITY_COUNT; q++)
-        if (all->band_quantities & QUANTITY_BIT(q)) {
-            const char *name = quantity_shown_name((enum quantity)q);
-            text_add(&bands->rows, ",%s_mean_low_95,%s_mean_high_95,%s_next_scan_low_95,%s_next_scan_high_95", name,
-                     name, name, name);
-        }
-    end_row(bands);
-    write_rows(bands);
-    return STATUS_OK;
-}
-
-static enum status_code put_bands(struct curve_tables *all, const struct surface_record *record,
-                                  struct threads_turn *turn, struct status *status)
-{
-    struct table table = table_part(&all->bands, turn);
+    static const char *const ends[] = {"_mean_low_95", "_mean_high_95", "_next_scan_low_95", "_next_scan_high_95"};
     for (size_t m = 0; m < model_count; m++)
         for (size_t i = 0; record->bands && record->bands[m] && i < record->band_count; i++) {
             const struct ensemble_band *band = &record->bands[m][i];
-            put_surface(&table, &record->summary);
-            put_word(&table, model_rows[m]->name);
-            put_number(&table, quantity_rows[QUANTITY_LOAD].column, band->load);
+            put_surface(table, &record->summary);
+            put_word(table, "model", model_rows[m]->name);
+            put_number(table, quantity_rows[QUANTITY_LOAD].column, band->load);
             for (int q = 0; q < QUANTITY_COUNT; q++)
-                for (int end = 0; end < 4 && (all->band_quantities & QUANTITY_BIT(q)); end++)
-                    put_number(&table, quantity_rows[q].column, end < 2 ? band->mean[q][end] : band->next[q][end - 2]);
-            text_add_bytes(&table.rows, "\n", 1);
+                for (int end = 0; end < 4 && (quantities & QUANTITY_BIT(q)); end++)
+                    put(table, quantity_shown_name((enum quantity)q), ends[end],
+                        end < 2 ? band->mean[q][end] : band->next[q][end - 2]);
+            end_row(table);
         }
-    if (table.rows.length > 0 && threads_wait(turn) && !all->bands.file && open_bands(all, status) != STATUS_OK)
-        return status->code;
-    table.file = all->bands.file;
-    return table.file ? table_close(&table, status) : STATUS_OK;
 }
 
 enum status_code curve_tables_put(struct curve_tables *all, const struct surface_record *record,
                                   struct threads_turn *turn, struct status *status)
 {
-    struct table spectrum = table_part(&all->spectrum, turn), contact = table_part(&all->contact, turn);
-    put_spectrum(&spectrum, record, scene_bins_spectra(all->results->scene));
-    put_contact(&contact, record, all);
+    struct table spectrum = table_part(&all->spectrum, turn), contact = table_part(&all->contact, turn),
+                 bands = table_part(&all->bands, turn);
+    put_spectrum(&spectrum, record, all->binned);
+    put_contact(&contact, record, all->quantities);
+    put_bands(&bands, record, all->band_quantities);
     (void)table_close(&spectrum, status);
     (void)table_close(&contact, status);
-    return status->code == STATUS_OK ? put_bands(all, record, turn, status) : status->code;
+    return table_close(&bands, status);
 }
 
 enum status_code curve_tables_open(struct curve_tables **out, const struct results *results, const struct plan *plan,
@@ -269,19 +251,14 @@ enum status_code curve_tables_open(struct curve_tables **out, const struct resul
     struct curve_tables *all = *out = calloc(1, sizeof *all);
     if (!all)
         return status_memory(status);
-    *all = (struct curve_tables){.results = results, .directory = directory, .quantities = plan_quantities(plan)};
+    *all = (struct curve_tables){.binned = scene_bins_spectra(results->scene),
+                                 .spectrum = table_make(results, directory, "spectrum.csv"),
+                                 .contact = table_make(results, directory, "contact.csv"),
+                                 .bands = table_make(results, directory, "bands.csv"),
+                                 .quantities = plan_quantities(plan)};
     for (int q = 0; q < QUANTITY_COUNT; q++)
         if (ensemble_band_holds((enum quantity)q) && (plan->wanted & QUANTITY_BIT(q)))
             all->band_quantities |= QUANTITY_BIT(q);
-    if (table_open(&all->spectrum, results, directory, "spectrum.csv", status) != STATUS_OK ||
-        table_open(&all->contact, results, directory, "contact.csv", status) != STATUS_OK)
-        return status->code;
-    text_add(&all->spectrum.rows, "surface,wavelength_m,amplitude_m,fit_m%s",
-             scene_bins_spectra(results->scene) ? ",harmonics" : "");
-    end_row(&all->spectrum);
-    contact_header(&all->contact, all->quantities);
-    write_rows(&all->spectrum);
-    write_rows(&all->contact);
     return STATUS_OK;
 }
 
@@ -289,14 +266,9 @@ enum status_code curve_tables_close(struct curve_tables *all, struct status *sta
 {
     if (!all)
         return status->code;
-    struct table *tables[] = {&all->spectrum, &all->contact, &all->bands};
-    for (int t = 0; t < 3; t++) {
-        if (!tables[t]->file)
-            continue;
-        struct status problem = {0};
-        if (table_close(tables[t], &problem) != STATUS_OK && status->code == STATUS_OK)
-            *status = problem;
-    }
+    (void)table_close(&all->spectrum, status);
+    (void)table_close(&all->contact, status);
+    (void)table_close(&all->bands, status);
     free(all);
     return status->code;
 }
@@ -316,8 +288,6 @@ static void fill_convergence(struct table *table, const struct results *results)
 {
     const struct scene_convergence *study = &results->scene->convergence;
     size_t index[SWEEP_ROWS], count = results_sweep_scales(index, SWEEP_ROWS, study->scales);
-    text_add(&table->rows, "sweep,value,model,wavelength_m,area_ratio");
-    end_row(table);
     for (int s = 0; s < CONVERGENCE_SWEEP_COUNT; s++)
         for (size_t v = 0; v < convergence_sweeps[s].count; v++)
             for (size_t m = 0; m < model_count; m++) {
@@ -325,9 +295,10 @@ static void fill_convergence(struct table *table, const struct results *results)
                     continue;
                 const double *area = results_sweep(results, (enum convergence_sweep)s, m, v);
                 for (size_t k = 0; k < count; k++) {
+                    name_column(table, "sweep", "");
                     text_add(&table->rows, "%s", convergence_sweeps[s].name);
                     put_number(table, "value", convergence_sweeps[s].values[v]);
-                    put_word(table, model_rows[m]->name);
+                    put_word(table, "model", model_rows[m]->name);
                     put_number(table, "wavelength_m", study->scan_length_m / (double)(index[k] + 1));
                     put_number(table, "area_ratio", area[index[k]]);
                     end_row(table);
@@ -338,42 +309,42 @@ static void fill_convergence(struct table *table, const struct results *results)
 static void fill_cost(struct table *table, const struct results *results)
 {
     const struct benchmark *benchmark = results->benchmark;
-    text_add(&table->rows, "study,method,setting,evaluations,seconds,max_relative_error");
-    end_row(table);
     for (size_t i = 0; i < benchmark->count; i++) {
         const struct benchmark_row *row = &benchmark->rows[i];
-        text_add(&table->rows, "%s,%s,%g,%llu", row->study, row->method, row->setting,
-                 (unsigned long long)row->evaluations);
+        name_column(table, "study", "");
+        text_add(&table->rows, "%s", row->study);
+        put_word(table, "method", row->method);
+        name_column(table, "setting", "");
+        text_add(&table->rows, ",%g", row->setting);
+        put_count(table, "evaluations", row->evaluations);
         put_number(table, "seconds", row->seconds);
         put_number(table, "max_relative_error", row->error);
         end_row(table);
     }
 }
 
-/** surface, quantity, scans (or blocks of a map's rows), what they are worth, mean, standard deviation of one of them
- * (of the logarithm where the mean is geometric), ends of the 95 % interval of the mean, and of another scan's. */
+/** Scans (or blocks of a map's rows), what they are worth, mean, standard deviation of one of them (of the logarithm
+ * where the mean is geometric), ends of the 95 % interval of the mean, and of another scan's. */
 static void put_spread_number(struct table *table, const struct surface_summary *surface, const char *quantity,
                               const struct estimate *estimate)
 {
     if (estimate->count == 0)
         return;
     put_surface(table, surface);
-    text_add(&table->rows, ",%s,%zu", quantity, estimate->count);
-    put_number(table, quantity, estimate->effective);
-    put_number(table, quantity, estimate_value(estimate));
-    put_number(table, quantity, estimate->sd);
-    for (int side = 0; side < 2; side++)
-        put_number(table, quantity, estimate_end(estimate, side));
-    for (int side = 0; side < 2; side++)
-        put_number(table, quantity, estimate_next_end(estimate, side));
+    put_word(table, "quantity", quantity);
+    put_count(table, "scans", estimate->count);
+    put_number(table, "effective", estimate->effective);
+    put_number(table, "mean", estimate_value(estimate));
+    put_number(table, "standard_deviation", estimate->sd);
+    put_number(table, "mean_low_95", estimate_end(estimate, 0));
+    put_number(table, "mean_high_95", estimate_end(estimate, 1));
+    put_number(table, "next_scan_low_95", estimate_next_end(estimate, 0));
+    put_number(table, "next_scan_high_95", estimate_next_end(estimate, 1));
     end_row(table);
 }
 
 static void fill_spread(struct table *table, const struct results *results)
 {
-    text_add(&table->rows, "surface,quantity,scans,effective,mean,standard_deviation,mean_low_95,mean_high_95,"
-                           "next_scan_low_95,next_scan_high_95");
-    end_row(table);
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = &results->surfaces[i].summary;
         if (!s->usable)
@@ -403,8 +374,6 @@ static void fill_spread(struct table *table, const struct results *results)
 static void fill_sensitivity(struct table *table, const struct results *results)
 {
     bool ecr = plan_runs(results->plan, EFFECT_ELECTRICAL);
-    text_add(&table->rows, "surface,model,change,area_factor%s", ecr ? ",ecr_factor" : "");
-    end_row(table);
     for (size_t i = 0; i < results->surface_count; i++)
         for (size_t m = 0; m < model_count; m++) {
             const struct surface_summary *s = &results->surfaces[i].summary;
@@ -414,7 +383,8 @@ static void fill_sensitivity(struct table *table, const struct results *results)
                 if (sensitivity_changes[c].plastic && !model_rows[m]->plastic)
                     continue;
                 put_surface(table, s);
-                text_add(&table->rows, ",%s,%s", model_rows[m]->name, sensitivity_changes[c].name);
+                put_word(table, "model", model_rows[m]->name);
+                put_word(table, "change", sensitivity_changes[c].name);
                 put_number(table, "area_factor", surface_model(s, m)->sensitivity.area[c]);
                 if (ecr)
                     put_number(table, "ecr_factor", surface_model(s, m)->sensitivity.ecr[c]);
@@ -435,14 +405,13 @@ static void put_answer(struct table *table, const struct results *results, size_
     put_surface(table, s);
     text_add(&asked, "%s %s", target->row->name, target->text);
     answers_note(&note, answer, area_m2, 1, "");
-    text_add(&table->rows, ",%s,", model_rows[m]->name);
-    text_add_csv(&table->rows, text_string(&asked));
+    put_word(table, "model", model_rows[m]->name);
+    put_text(table, "target", text_string(&asked));
     put_number(table, "load_N", met ? answer->load * force_N : NAN);
     put_number(table, "load_over_AnEp", met ? answer->load : NAN);
     put_number(table, "low", answer->low);
     put_number(table, "high", answer->high);
-    text_add_bytes(&table->rows, ",", 1);
-    text_add_csv(&table->rows, text_string(&note));
+    put_text(table, "note", text_string(&note));
     end_row(table);
     text_free(&asked);
     text_free(&note);
@@ -450,27 +419,14 @@ static void put_answer(struct table *table, const struct results *results, size_
 
 static void fill_answers(struct table *table, const struct results *results)
 {
-    text_add(&table->rows, "surface,model,target,load_N,load_over_AnEp,low,high,note");
-    end_row(table);
     for (size_t i = 0; i < results->surface_count; i++)
         for (size_t m = 0; m < model_count && results->surfaces[i].summary.usable; m++)
             for (size_t t = 0; t < results->scene->target_count && plan_runs_model(results->plan, m); t++)
                 put_answer(table, results, i, m, t);
 }
 
-/** The quantities of unloading.csv, which a strip tells. */
-static bool unloads(const struct plan *plan, int q)
-{
-    return ensemble_band_holds((enum quantity)q) && (plan_quantities(plan) & QUANTITY_BIT(q));
-}
-
 static void fill_unloading(struct table *table, const struct results *results)
 {
-    text_add(&table->rows, "surface,model,load_over_AnEp,largest_load_over_AnEp");
-    for (int q = 0; q < QUANTITY_COUNT; q++)
-        if (unloads(results->plan, q))
-            text_add(&table->rows, ",%s,%s_over_loading", quantity_rows[q].column, quantity_rows[q].name);
-    end_row(table);
     for (size_t s = 0; s < results->surface_count; s++) {
         const struct surface_summary *summary = &results->surfaces[s].summary;
         const struct surface_unloading *unloading = summary->unloading;
@@ -478,14 +434,14 @@ static void fill_unloading(struct table *table, const struct results *results)
             const struct contact_point *point = &unloading->points[i];
             double load = point->value[QUANTITY_LOAD];
             put_surface(table, summary);
-            put_word(table, model_rows[unloading->model]->name);
+            put_word(table, "model", model_rows[unloading->model]->name);
             put_number(table, "load_over_AnEp", load);
             put_number(table, "largest_load_over_AnEp", unloading->largest_load);
             for (int q = 0; q < QUANTITY_COUNT; q++)
-                if (unloads(results->plan, q)) {
+                if (ensemble_band_holds((enum quantity)q) && (plan_quantities(results->plan) & QUANTITY_BIT(q))) {
                     put_number(table, quantity_rows[q].column, point->value[q]);
-                    put_number(table, quantity_rows[q].column,
-                               unloading_factor(&unloading->ratio, (enum quantity)q, load / unloading->largest_load));
+                    put(table, quantity_rows[q].name, "_over_loading",
+                        unloading_factor(&unloading->ratio, (enum quantity)q, load / unloading->largest_load));
                 }
             end_row(table);
         }
@@ -516,7 +472,7 @@ static void put_direct(struct table *table, const struct results *results, const
     const struct direct_study_curve *curve = &study->curves[kind];
     for (size_t i = 0; curve->points && i < curve->loads; i++) {
         put_surface(table, &results->surfaces[study->surface].summary);
-        text_add(&table->rows, ",%s", study->plan.side > 0 ? "map" : "law");
+        put_word(table, "source", study->plan.side > 0 ? "map" : "law");
         put_number(table, "load_over_AnEp", study->plan.load[i]);
         for (int c = 0; c < DIRECT_COLUMNS; c++) {
             double error, value = direct_study_value(study, results_pair(results, study->surface), kind,
@@ -527,7 +483,9 @@ static void put_direct(struct table *table, const struct results *results, const
                 put_number(table, direct_columns[c].error, error);
         }
         put_number(table, "patches", curve->points[i].mean[DIRECT_PATCHES].value);
-        text_add(&table->rows, ",%zu,%zu,%s", curve->seeds, study->plan.grid, direct_study_heights(study));
+        put_count(table, "seeds", curve->seeds);
+        put_count(table, "grid", study->plan.grid);
+        put_word(table, "heights", direct_study_heights(study));
         put_number(table, "hardness_Pa",
                    kind == DIRECT_STUDY_CAPPED
                        ? study->plan.hardness * results_pair(results, study->surface)->effective_modulus_Pa
@@ -538,15 +496,6 @@ static void put_direct(struct table *table, const struct results *results, const
 
 static void fill_direct(struct table *table, const struct results *results)
 {
-    text_add(&table->rows, "surface,source,load_over_AnEp");
-    for (int c = 0; c < DIRECT_COLUMNS; c++)
-        if (has_column(results, c)) {
-            text_add(&table->rows, ",%s", direct_columns[c].column);
-            if (direct_columns[c].error)
-                text_add(&table->rows, ",%s", direct_columns[c].error);
-        }
-    text_add(&table->rows, ",patches,seeds,grid,heights,hardness_Pa");
-    end_row(table);
     for (size_t k = 0; k < results->direct_count; k++)
         for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++)
             put_direct(table, results, &results->direct[k], (enum direct_study_kind)kind);
@@ -554,18 +503,13 @@ static void fill_direct(struct table *table, const struct results *results)
 
 static void fill_direct_ratio(struct table *table, const struct results *results)
 {
-    text_add(&table->rows, "surface,model,load_over_AnEp");
-    for (int c = 0; c < DIRECT_COLUMNS; c++)
-        if (has_column(results, c) && direct_columns[c].ratio)
-            text_add(&table->rows, ",%s", direct_columns[c].ratio);
-    end_row(table);
     for (size_t k = 0; k < results->direct_count; k++)
         for (size_t m = 0; m < model_count; m++) {
             const struct direct_study *study = &results->direct[k];
             size_t loads = study->curves[direct_study_kind_of(study, m)].loads;
             for (size_t i = 0; study->models[m].exists && i < loads; i++) {
                 put_surface(table, &results->surfaces[study->surface].summary);
-                put_word(table, model_rows[m]->name);
+                put_word(table, "model", model_rows[m]->name);
                 put_number(table, "load_over_AnEp", study->plan.load[i]);
                 for (int c = 0; c < DIRECT_COLUMNS; c++)
                     if (has_column(results, c) && direct_columns[c].ratio)
@@ -596,14 +540,10 @@ enum status_code tables_write(const struct results *results, const char *directo
     };
     enum status_code rc = scene_bins_spectra(results->scene) ? STATUS_OK : write_curves(results, directory, status);
     for (size_t f = 0; f < sizeof files / sizeof *files && rc == STATUS_OK; f++) {
-        struct table table;
-        if (!files[f].wanted)
-            continue;
-        rc = table_open(&table, results, directory, files[f].name, status);
-        if (rc == STATUS_OK) {
+        struct table table = table_make(results, directory, files[f].name);
+        if (files[f].wanted)
             files[f].fill(&table, results);
-            rc = table_close(&table, status);
-        }
+        rc = table_close(&table, status);
     }
     return rc;
 }

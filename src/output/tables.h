@@ -10,8 +10,8 @@
 /** spectrum.csv, contact.csv and, where a curve has an interval, bands.csv below `directory`, surface by surface. */
 struct curve_tables;
 
-/** Opens them, with the columns of `plan`; `directory`, which has a data/, is not copied. Owned: curve_tables_close(),
- * whatever comes back. Errors: STATUS_IO, STATUS_MEMORY. */
+/** Makes them, with the columns of `plan`; `directory`, which has a data/, is not copied. Owned: curve_tables_close(),
+ * whatever comes back. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code curve_tables_open(struct curve_tables **out, const struct results *results,
                                               const struct plan *plan, const char *directory, struct status *status);
 /** Writes one surface's rows, from any thread, in the order of turns. Errors: STATUS_IO, STATUS_MEMORY.
@@ -21,8 +21,8 @@ MUST_CHECK enum status_code curve_tables_put(struct curve_tables *tables, const 
 /** Ends them; NULL: there are none. Returns the first problem, also one there already is in `status`. */
 MUST_CHECK enum status_code curve_tables_close(struct curve_tables *tables, struct status *status);
 
-/** Writes all other files below `directory`, and those of the curves too where these are all in memory: surfaces;
- * convergence, cost, direct, answers and spread when there are such. Errors: STATUS_IO, STATUS_MEMORY.
+/** Writes all other files below `directory`, and those of the curves too where these are all in memory; one without
+ * rows is not there. Errors: STATUS_IO, STATUS_MEMORY.
  */
 MUST_CHECK enum status_code tables_write(const struct results *results, const char *directory, struct status *status);
 

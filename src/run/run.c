@@ -291,8 +291,8 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     out->refused = messages_add(&out->messages, &run.prepared.results, rc == STATUS_OK);
     out->surfaces = run.prepared.results.surface_count - out->refused;
     out->left_out = messages_add_lost(&out->messages, &run.prepared);
-    if (options->outline && run.results)
-        out->outline = json_outline(run.results, rc == STATUS_OK);
+    if (options->outline && rc == STATUS_OK)
+        out->outline = json_outline(run.results);
     for (size_t k = 0; k < run.prepared.results.direct_count; k++)
         direct_study_free(&run.direct[k]);
     free(run.direct);

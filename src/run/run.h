@@ -42,7 +42,7 @@ struct run_outcome {
     struct text charts;       /* when terminal_size was given */
     char *path;               /* of report.html */
     struct text work;         /* what was done, effect by effect */
-    struct json_t *outline;   /* json_outline(), when asked for, also of a run that failed; else NULL */
+    struct json_t *outline;   /* json_outline(), when asked for; else NULL */
     uint64_t evaluations;     /* done */
     struct run_times times;
 };

@@ -23,7 +23,6 @@ bool gwyddion_exists(void)
 /* Runs the program on the file in `directory`, which is its HOME too. */
 static enum status_code run(const char *program, char *path, const char *directory, struct status *status)
 {
-    static const char *const drops[] = {"HOME=", NULL};
     char name[] = "gwyddion", option[PATH_MAX + 64], home[PATH_MAX + 16];
     pid_t process;
     int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
@@ -32,8 +31,7 @@ static enum status_code run(const char *program, char *path, const char *directo
     snprintf(option, sizeof option, "--convert-to-gwy=%s/scan.gwy", directory);
     snprintf(home, sizeof home, "HOME=%s", directory);
     char *const arguments[] = {name, option, path, NULL};
-    int error =
-        program_start(&process, &(struct program_task){arguments, program, directory, drops, home, nothing, nothing});
+    int error = program_start(&process, &(struct program_task){arguments, program, directory, home, nothing, nothing});
     close(nothing);
     if (error == ECANCELED)
         return status_fail(status, STATUS_INTERRUPTED, "Gwyddion was stopped by a signal");

@@ -13,13 +13,12 @@
 /* Starts a shell with these lines in the directory; what it says goes to the file `said`. */
 static int start(pid_t *process, char *lines, const char *directory)
 {
-    static const char *const drops[] = {"HOME=", "LC_", NULL};
     char shell[] = "/bin/sh", option[] = "-c", home[] = "HOME=/nowhere";
     char *const arguments[] = {shell, option, lines, NULL};
     int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC),
         said = open(directory_path(&directory_here, "said"), O_RDWR | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0600);
     assert_true(nothing > 2 && said > 2);
-    int error = program_start(process, &(struct program_task){arguments, shell, directory, drops, home, nothing, said});
+    int error = program_start(process, &(struct program_task){arguments, shell, directory, home, nothing, said});
     close(nothing);
     close(said);
     return error;
@@ -54,13 +53,13 @@ PLACED(test_find)
     free(with);
 }
 
-/* It gets both outputs, its directory, no input, a process group of its own, the environment but for what it is not to
- * have, and the usual signals though this program holds them back and ignores some. */
+/* It gets both outputs, its directory, no input, a process group of its own, nothing of the environment but PATH, and
+ * the usual signals though this program holds them back and ignores some. */
 PLACED(test_what_it_gets)
 {
     int how;
     char expected[600],
-        first[] = "pwd; echo \"$HOME $LC_ALL $KEPT\"; echo complaint >&2; read line || echo no input\n"
+        first[] = "pwd; echo \"$HOME $LC_ALL $KEPT $PATH\"; echo complaint >&2; read line || echo no input\n"
                   "[ $(cut -d' ' -f5 /proc/$$/stat) = $$ ] && echo its own group\n"
                   "grep SigIgn /proc/self/status",
         second[] = "exec grep SigBlk /proc/self/status"; /* a shell lets signals in itself */
@@ -69,16 +68,21 @@ PLACED(test_what_it_gets)
     sigfillset(&signals);
     pthread_sigmask(SIG_BLOCK, &signals, NULL);
     assert_int_equal(setenv("LC_ALL", "C", 1) + setenv("KEPT", "kept", 1), 0);
+    char *path = strdup(getenv("PATH"));
+    assert_int_equal(setenv("PATH", "/usr/bin:/bin:/kept", 1), 0);
     assert_int_equal(run(first, 60, &how), PROGRAM_ENDED);
     assert_int_equal(how, 0);
-    snprintf(expected, sizeof expected,
-             "%s\n/nowhere  kept\ncomplaint\nno input\nits own group\nSigIgn:\t0000000000000000\n",
-             directory_here.path);
+    snprintf(
+        expected, sizeof expected,
+        "%s\n/nowhere C.UTF-8  /usr/bin:/bin:/kept\ncomplaint\nno input\nits own group\nSigIgn:\t0000000000000000\n",
+        directory_here.path);
     directory_holds(&directory_here, "said", expected);
     assert_int_equal(run(second, 60, &how), PROGRAM_ENDED);
     directory_holds(&directory_here, "said", "SigBlk:\t0000000000000000\n");
     pthread_sigmask(SIG_UNBLOCK, &signals, NULL);
     signal(SIGPIPE, pipes);
+    assert_int_equal(setenv("PATH", path, 1), 0);
+    free(path);
 }
 
 PLACED(test_how_it_ends)
@@ -92,7 +96,7 @@ PLACED(test_how_it_ends)
     assert_true(WIFSIGNALED(how) && WTERMSIG(how) == SIGKILL);
     assert_int_equal(start(&process, fails, "/no/such/place"), ENOENT);
     int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
-    const struct program_task task = {none, path, "/", (const char *const[]){NULL}, NULL, nothing, nothing};
+    const struct program_task task = {none, path, "/", NULL, nothing, nothing};
     assert_int_equal(program_start(&process, &task), ENOENT);
     close(nothing);
     assert_int_equal(waitpid(-1, &how, 0), -1); /* nothing is left of them */

@@ -413,6 +413,27 @@ size_t workspace_expect_numbers(const char *place, const char *path)
     return files_seen;
 }
 
+char *workspace_program(const char *place, const char *name, const char *lines)
+{
+    char *before = strdup(getenv("PATH")), *path, *file;
+    assert_true(asprintf(&file, "bin/%s", name) > 0);
+    workspace_write(place, file, lines);
+    char *whole = path_of(place, file);
+    assert_int_equal(chmod(whole, 0755), 0);
+    assert_true(asprintf(&path, "%s/bin:%s", place, before) > 0);
+    assert_int_equal(setenv("PATH", path, 1), 0);
+    free(path);
+    free(whole);
+    free(file);
+    return before;
+}
+
+void workspace_take_back(char *path)
+{
+    assert_int_equal(setenv("PATH", path, 1), 0);
+    free(path);
+}
+
 bool workspace_can_run(const char *place, const char *line)
 {
     const char *const command[] = {"sh", "-c", line, NULL};

@@ -105,6 +105,9 @@ struct table workspace_table(const char *place, const char *path);
 json_t *workspace_json(const char *place, const char *path);
 /** How many entries, at any depth, have a name that begins with `prefix`. */
 size_t workspace_count(const char *place, const char *prefix);
+/** Puts the lines of a shell first in PATH as the program `name`. Returns PATH as it was, for workspace_take_back(). */
+char *workspace_program(const char *place, const char *name, const char *lines);
+void workspace_take_back(char *path);
 /** Does a shell's command line succeed in the workspace? */
 bool workspace_can_run(const char *place, const char *line);
 /** Runs a shell's command line, which must succeed; its stdout, to be freed. */

@@ -14,8 +14,8 @@
 
 TEST_IN_WORKSPACE(test_help)
 {
-    static const char *const spellings[] = {"--help", "-h", "help"};
-    for (size_t i = 0; i < 3; i++) {
+    static const char *const spellings[] = {"--help", "-h"};
+    for (size_t i = 0; i < 2; i++) {
         struct process process = expect_exit(place, 0, spellings[i]);
         for (size_t c = 0; c < COMMANDS; c++)
             expect_part(process.out, command_rows[c].name);
@@ -32,20 +32,14 @@ TEST_IN_WORKSPACE(test_help)
         snprintf(usage, sizeof usage, "Usage: roughcontact %s", command_rows[c].name);
         struct process process = expect_exit(place, 0, command_rows[c].name, "--help");
         expect_part(process.out, usage);
-        if (strcmp(command_rows[c].name, "help") != 0)
+        if (command_rows[c].argp->options)
             expect_part(process.out, "(default");
         assert_string_equal(process.err, "");
-        const char *const same[][2] = {{command_rows[c].name, "-h"}, {"help", command_rows[c].name}};
-        for (size_t i = 0; i < 2; i++) {
-            struct process again = expect_exit(place, 0, same[i][0], same[i][1]);
-            assert_string_equal(again.out, process.out);
-            process_free(&again);
-        }
+        struct process again = expect_exit(place, 0, command_rows[c].name, "-h");
+        assert_string_equal(again.out, process.out);
+        process_free(&again);
         process_free(&process);
-        expect_output(expect_exit(place, 0, command_rows[c].name, "--usage"), usage);
     }
-    expect_failure(place, 2, 1, "unknown command 'materals'; did you mean 'materials'?", "help", "materals");
-    expect_failure(place, 2, 3, "one command at a time: 'plan' is too many", "help", "report", "plan");
     struct process help = expect_exit(place, 0, "report", "--help");
     const char *effects = strstr(help.out, "--effects=EFFECTS"), *end = effects ? strstr(effects, "-m, ") : NULL;
     assert_non_null(end);
@@ -56,29 +50,13 @@ TEST_IN_WORKSPACE(test_help)
     process_free(&help);
 }
 
-/* The version alone in the first line; then what the program is made of, each with a number. */
 TEST_IN_WORKSPACE(test_version)
 {
-    static const char *const parts[] = {"FFTW",   "GSL",  "libyaml", "jansson", "expat",  "zlib",
-                                        "libzip", "md4c", "libmd",   "glibc",   "gnuplot"};
-    struct process process = expect_exit(place, 0, "--version"), again = expect_exit(place, 0, "-V");
     char version[64];
     snprintf(version, sizeof version, "roughcontact %s\nbuilt by ", version_string());
+    struct process process = expect_exit(place, 0, "--version");
     assert_memory_equal(process.out, version, strlen(version));
-    assert_string_equal(process.out, again.out);
-    size_t lines = 0;
-    for (char *line = strtok(process.out, "\n"); line; line = strtok(NULL, "\n"), lines++) {
-        if (lines < 2)
-            continue;
-        size_t length = strlen(parts[lines - 2]);
-        assert_memory_equal(line, parts[lines - 2], length);
-        assert_int_equal(line[length], ' ');
-        if (strcmp(parts[lines - 2], "gnuplot") != 0)
-            assert_true(strpbrk(line + length, "0123456789") != NULL);
-    }
-    assert_int_equal(lines, 2 + sizeof parts / sizeof *parts);
-    process_free(&process);
-    process_free(&again);
+    expect_output(process, "\nfftw-3.", ", GSL ");
 }
 
 TEST_IN_WORKSPACE(test_usage)
@@ -86,7 +64,7 @@ TEST_IN_WORKSPACE(test_usage)
     expect_failure(place, 2, 1, "unknown command 'reprot'; did you mean 'report'?", "reprot", "d");
     expect_failure(place, 2, 1,
                    "unknown command '--bogus'; allowed: report, direct, plan, init, inspect, view, synth, models, "
-                   "materials, self-test, help",
+                   "materials, self-test",
                    "--bogus");
     expect_failure(place, 2, 1, "unknown command 'a?b'",
                    "a\x1b"
@@ -95,7 +73,7 @@ TEST_IN_WORKSPACE(test_usage)
     expect_failure(place, 2, 3, "roughcontact plan: which directory of scans?", "plan");
     expect_failure(place, 2, 3, "roughcontact init: which directory of scans?", "init");
     expect_failure(place, 2, 3, "roughcontact inspect: which file?", "inspect");
-    expect_failure(place, 2, 3, "roughcontact models: no argument is taken, but there is 'x'", "models", "x");
+    expect_failure(place, 2, 3, "roughcontact models: Too many arguments", "models", "x");
     expect_failure(place, 2, 3, "option requires an argument -- 'o'", "report", "d", "-o");
     const char *const alone[] = {PROGRAM, NULL};
     struct process process = process_end(process_start_list(place, alone, NULL));
@@ -103,33 +81,6 @@ TEST_IN_WORKSPACE(test_usage)
     assert_string_equal(process.out, "");
     expect_part(process.err, "Usage: roughcontact COMMAND");
     process_free(&process);
-}
-
-/* The first page alone, by both commands that report, and plan says so. */
-TEST_IN_WORKSPACE(test_brief)
-{
-    workspace_scan(place, "d/a.csv", 200, 1);
-    workspace_write(place, "d/scene.yaml",
-                    "material: tin\neffects: [electrical]\nload: {from: 1e-4, to: 1e-2, points: 7}\n"
-                    "direct: {grid: 32, seeds: 1, loads: 3}\n");
-    struct process process = expect_exit(place, 0, "plan", "d");
-    expect_no_part(process.out, "first page");
-    process_free(&process);
-    expect_output(expect_exit(place, 0, "plan", "d", "--brief"),
-                  "\nbrief: the report is its first page alone, and no other figures are drawn;\n");
-    static const char *const reporting[] = {"report", "direct"};
-    for (int c = 0; c < 2; c++) {
-        process = expect_exit(place, 0, reporting[c], "d", "--brief", "--no-cost", "--show", "-o", reporting[c]);
-        expect_part(process.out, "contact resistance ("); /* the page's chart, as text */
-        process_free(&process);
-        char path[64];
-        snprintf(path, sizeof path, "%s/report.md", reporting[c]);
-        expect_in_file(place, path, "Least certain: ");
-        expect_not_in_file(place, path, "\n## ");
-    }
-    assert_true(workspace_has(place, "direct/data/direct.csv"));
-    assert_true(workspace_has(place, "direct/figures/models.svg"));
-    assert_false(workspace_has(place, "direct/figures/direct.svg"));
 }
 
 /** Every line fits a terminal of 80 columns. */
@@ -157,11 +108,6 @@ TEST_IN_WORKSPACE(test_tables_are_narrow)
 TEST_IN_WORKSPACE(test_plan)
 {
     workspace_scan(place, "d/a.csv", 200, 1);
-    workspace_write(place, "d/scene.yaml",
-                    "material: tin\neffects: [electrical]\nload: {from: 1e-4, to: 1e-2, points: 7}\n");
-    struct process none = expect_exit(place, 0, "plan", "d", "--effects", "separation");
-    expect_no_part(none.out, "No material is given");
-    process_free(&none);
     workspace_write(place, "d/scene.yaml", "load: {from: 1e-4, to: 1e-2, points: 7}\n");
     expect_output(expect_exit(place, 0, "plan", "d"), "\nNo material is given, so area and separation");
     expect_output(expect_exit(place, 0, "report", "d", "--no-cost"), "No material is given: loads stand as");
@@ -169,22 +115,13 @@ TEST_IN_WORKSPACE(test_plan)
                     "material: tin\neffects: [electrical]\nload: {from: 1e-4, to: 1e-2, points: 7}\n");
     char *before = workspace_digest(place, ".");
     struct process process = expect_exit(place, 0, "plan", "d");
-    for (int e = 0; e < EFFECT_COUNT; e++) {
-        char row[64];
-        bool runs = e == EFFECT_ELECTRICAL;
-        snprintf(row, sizeof row, "\n%-16s %s", effect_rows[e].name, runs ? "run     " : "skipped ");
-        expect_part(process.out, row);
-    }
+    expect_no_part(process.out, "No material is given");
     expect_part(process.out, "\n1 surface, 7 loads, tolerance 1e-06, closure thesis: about 0.25 s\n");
     expect_narrow(process.out);
     process_free(&process);
     expect_output(
         expect_exit(place, 0, "plan", "d", "--effects", "thermal", "--tolerance", "1e-3", "--material", "gold"),
         "\nelectrical       skipped ", "\nthermal          run     ", "tolerance 0.001");
-    workspace_write(place, "d/scene.yaml", "effects: auto\nmaterial: {E_Pa: 1e11, nu: 0.3}\n");
-    expect_output(expect_exit(place, 0, "plan", "d"), "\nplasticity       skipped  ", "no Sy");
-    workspace_write(place, "d/scene.yaml",
-                    "material: tin\neffects: [electrical]\nload: {from: 1e-4, to: 1e-2, points: 7}\n");
     expect_digest(place, ".", before); /* no out/, nothing at all */
     free(before);
     expect_failure(place, 4, 1, "cannot open directory 'nowhere'", "plan", "nowhere");
@@ -207,16 +144,14 @@ TEST_IN_WORKSPACE(test_inspect)
                                         "m2 ",
                                         "gamma ",
                                         "amplitude ",
-                                        "profile",
-                                        "spectrum",
-                                        "wavelength (um)"};
+                                        "profile"};
     for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
         expect_part(process.out, parts[i]);
     for (const char *line = strstr(process.out, "z (um)"); *line; line += strcspn(line, "\n") + 1)
         assert_true(strcspn(line, "\n") <= 80);
     process_free(&process);
-    process = expect_exit(place, 0, "inspect", "--no-chart", "a.csv");
-    expect_no_part(process.out, "wavelength (um)");
+    process = expect_exit(place, 0, "inspect", "a.csv");
+    expect_no_part(process.out, "z (um)");
     process_free(&process);
 
     process = expect_exit(place, 1, "inspect", "--chart", "a.csv", "bad.csv", "b.csv");
@@ -224,10 +159,6 @@ TEST_IN_WORKSPACE(test_inspect)
     assert_string_equal(process.err, "roughcontact: bad.csv: no line of numbers in it: not a scan\n");
     process_free(&process);
     expect_failure(place, 4, 2, "cannot open 'nowhere.csv'", "inspect", "nowhere.csv", "bad.csv");
-    process = expect_exit(place, 1, "inspect", ".");
-    expect_parts(process.out, "./a.csv\n", "./b.csv\n");
-    expect_part(process.err, "bad.csv: no line of numbers in it: not a scan\n");
-    process_free(&process);
     assert_int_equal(unsetenv("COLUMNS"), 0);
 }
 
@@ -256,9 +187,6 @@ TEST_IN_WORKSPACE(test_inspect_json)
     expect_part(json_string_value(json_object_get(bad, "error")), "no line of numbers in it");
     assert_int_equal(json_object_size(bad), 2);
     json_decref(json);
-    json = process_json(expect_exit(place, 4, "inspect", "--json", "bad.csv"));
-    assert_int_equal(json_array_size(json), 1);
-    json_decref(json);
     /* units that the file does not name */
     workspace_write(place, "plain.csv", "0,1\n1,3\n2,2\n3,5\n4,1\n5,4\n6,2\n7,6\n8,3\n9,1\n");
     expect_failure(place, 4, 1, "plain.csv: no unit for z; add", "inspect", "--x-unit", "um", "plain.csv");
@@ -279,12 +207,10 @@ TEST_IN_WORKSPACE(test_synth)
     assert_string_equal(process.out, written);
     process_free(&process);
     free(written);
-    json_t *json = process_json(expect_exit(place, 0, "inspect", "--json", "--fit=thesis", "a.csv")),
-           *found = json_array_get(json, 0);
+    json_t *json = process_json(expect_exit(place, 0, "inspect", "--json", "a.csv")), *found = json_array_get(json, 0);
     assert_int_equal(json_integer_value(json_object_get(found, "points")), 1000);
     assert_near(json_number_value(json_object_get(found, "spacing_m")), 0.5e-6, 1e-9);
-    assert_near(json_number_value(json_object_get(found, "gamma")), 1.4, 1e-4);
-    assert_near(json_number_value(json_object_get(found, "alpha_SI")), 0.1, 1e-3);
+    assert_near(json_number_value(json_object_get(found, "gamma")), 1.4, 0.05);
     json_decref(json);
     run_to_exit(place, 0, "synth", "--rq", "5um", "--points", "500", "-o", "b.csv");
     json = process_json(expect_exit(place, 0, "inspect", "--json", "b.csv"));
@@ -298,27 +224,25 @@ TEST_IN_WORKSPACE(test_synth_refuses)
         const char *option, *value, *message;
         size_t lines;
     } wrong[] = {
-        {"--points", "4", "--points must be 8 to 100000000", 1},
+        {"--points", "4", "--points must be a whole number from 8 to 100000000, not '4'", 3},
         {"--points", "10.5", "--points must be a whole number", 3},
-        {"--points", "many", "--points must be a number, not 'many'", 3},
-        {"--points", "-5", "--points must be a whole number", 3},
+        {"--points", "many", "not 'many'", 3},
         {"--seed", "1.5", "--seed must be a whole number", 3},
         {"--seed", "-1", "--seed must be a whole number", 3},
-        {"--length", "0", "--length must be positive", 1},
+        {"--length", "0", "--length must be a length such as 0.31mm, not '0'", 3},
         {"--length", "1parsec", "--length must be a length such as 0.31mm, not '1parsec'", 3},
-        {"--gamma", "nan", "--gamma must be a number, not 'nan'", 3},
-        {"--alpha", "-1", "--alpha and --length must be positive", 1},
-        {"--scatter", "-1", "not negative", 1},
+        {"--gamma", "nan", "--gamma must be a number from -1000 to 1000, not 'nan'", 3},
+        {"--alpha", "-1", "--alpha must be a number from 0 to 1e+300, not '-1'", 3},
+        {"--scatter", "-1", "--scatter must be a number from 0", 3},
         {"--alpha", "1e300", "Rq would be above 1e+30 m", 1}, /* what is written can be read again */
         {"--gamma", "-300", "Rq would be above 1e+30 m", 1},
         {"--rq", "1e200m", "Rq would be above 1e+30 m", 1},
         {"--length", "1e300m", "--length must be up to 1e+30 m", 1},
         {"--length", "1e-300m", "--length must be up to 1e+30 m", 1},
-        {"--lambda-s", "1m", "harmonic", 1},
         {"--bogus", "1", "unrecognized option '--bogus'", 3},
     };
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
         expect_failure(place, 2, wrong[i].lines, wrong[i].message, "synth", wrong[i].option, wrong[i].value);
-    expect_failure(place, 2, 3, "no argument is taken, but there is 'file.csv'", "synth", "file.csv");
+    expect_failure(place, 2, 3, "Too many arguments", "synth", "file.csv");
     expect_failure(place, 4, 1, "cannot write 'nowhere/a.csv': No such file", "synth", "-o", "nowhere/a.csv");
 }

@@ -14,12 +14,6 @@
 #include <time.h>
 #include <unistd.h>
 
-static void wait_a_little(void)
-{
-    const struct timespec pause = {.tv_nsec = 5000000};
-    nanosleep(&pause, NULL);
-}
-
 /** A scene whose run takes seconds: one scan under many names. */
 static void write_slow_scene(const char *place)
 {
@@ -49,8 +43,8 @@ static struct process interrupt(const char *place, int signal_number)
 {
     struct process_running running = process_start(place, "report", "slow");
     for (int i = 0; i < 2000 && workspace_count(place, ".roughcontact-") == 0; i++)
-        wait_a_little();
-    wait_a_little();
+        support_pause();
+    support_pause();
     assert_true(workspace_count(place, ".roughcontact-") > 0);
     assert_int_equal(kill(running.pid, signal_number), 0);
     return process_end(running);
@@ -92,16 +86,10 @@ TEST_IN_WORKSPACE(test_kill)
  * as it was. */
 static char *hang_gnuplot(const char *place)
 {
-    char *before = strdup(getenv("PATH")), *path, *script;
+    char *script;
     assert_true(asprintf(&script, "#!/bin/sh\ntrap '' INT TERM HUP\necho $$ > %s/new; mv %s/new %s/hangs\nsleep 1000\n",
                          place, place, place) > 0);
-    workspace_write(place, "bin/gnuplot", script);
-    assert_true(asprintf(&path, "%s/bin/gnuplot", place) > 0);
-    assert_int_equal(chmod(path, 0755), 0);
-    free(path);
-    assert_true(asprintf(&path, "%s/bin:%s", place, before) > 0);
-    assert_int_equal(setenv("PATH", path, 1), 0);
-    free(path);
+    char *before = workspace_program(place, "gnuplot", script);
     free(script);
     return before;
 }
@@ -133,7 +121,7 @@ TEST_IN_WORKSPACE(test_a_hanging_gnuplot)
     for (size_t i = 0; i < sizeof signals / sizeof *signals; i++) {
         struct process_running running = process_start(place, "report", "--no-cost", "good", "-o", "out/slow");
         while (!workspace_has(place, "hangs"))
-            wait_a_little();
+            support_pause();
         char *id = workspace_read(place, "hangs"), *name;
         assert_false(holds_staging(id));
         assert_int_equal(kill(running.pid, signals[i]), 0);
@@ -150,10 +138,9 @@ TEST_IN_WORKSPACE(test_a_hanging_gnuplot)
         assert_int_equal(errno, ESRCH);
         free(id);
     }
-    assert_int_equal(setenv("PATH", path, 1), 0);
+    workspace_take_back(path);
     expect_digest(place, "out", before);
     free(before);
-    free(path);
 }
 
 /** Runs the program by a shell that sets the stage, with `arguments` besides DIR. */
@@ -195,17 +182,10 @@ TEST_IN_WORKSPACE(test_no_standard_output)
         free(two);
         process_free(&process);
     }
-    static const char *const commands[][3] = {{"models"},
-                                              {"materials"},
-                                              {"--help"},
-                                              {"synth"},
-                                              {"inspect", "good/a.csv"},
-                                              {"inspect", "--json", "good/a.csv"}};
+    static const char *const commands[][3] = {
+        {"materials"}, {"--help"}, {"synth"}, {"inspect", "--json", "good/a.csv"}};
     for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
         const char *const *words = commands[i];
-        process_expect_failure(staged(place, "exec >&-;", words[0], words[1], words[2]), 4, 1,
-                               "roughcontact: cannot write to standard output: Bad file descriptor\n", __FILE__,
-                               __LINE__);
         process_expect_failure(staged(place, "exec >/dev/full;", words[0], words[1], words[2]), 4, 1,
                                "cannot write to standard output: No space left on device\n", __FILE__, __LINE__);
     }
@@ -219,58 +199,6 @@ TEST_IN_WORKSPACE(test_little_stack)
     struct process process = staged(place, "ulimit -s 64;", "direct", "good", "-o", "out/slow", "--show");
     process = process_expect(process, 0, __FILE__, __LINE__);
     process_free(&process);
-}
-
-TEST_IN_WORKSPACE(test_mount_point)
-{
-    workspace_scan(place, "good/a.csv", 200, 1);
-    expect_failure(place, 4, 1, "'/proc' is a mount point", "report", "good", "-o", "/proc");
-}
-
-static void expect_content(const char *place, const char *path, const char *content)
-{
-    char *text = workspace_read(place, path);
-    assert_string_equal(text, content);
-    free(text);
-}
-
-/** The user's files in OUT outlive every run, those too that come while one lasts. */
-TEST_IN_WORKSPACE(test_files_of_the_user)
-{
-    static const char *const files[] = {"out/slow/figures/holiday.svg", "out/slow/data/mine.csv", "out/slow/notes.md"};
-    write_report(place);
-    for (size_t i = 0; i < 2; i++)
-        workspace_write(place, files[i], files[i]);
-    char *manifest = workspace_read(place, "out/slow/manifest.txt");
-    expect_part(manifest, "\nfigures/answer.svg\n");
-    workspace_write(place, "good/scene.yaml", "models: [multiscale]\neffects: []\n");
-    run_to_exit(place, 0, "report", "--no-cost", "--brief", "good", "-o", "out/slow");
-    char *smaller = workspace_read(place, "out/slow/manifest.txt");
-    assert_string_not_equal(manifest, smaller); /* the files that are no longer written are gone */
-    for (const char *line = strchr(manifest, '\n') + 1; *line; line = strchr(line, '\n') + 1) {
-        char *name, *path;
-        assert_true(asprintf(&name, "\n%.*s\n", (int)strcspn(line, "\n"), line) > 0);
-        assert_true(asprintf(&path, "out/slow/%.*s", (int)strcspn(line, "\n"), line) > 0);
-        assert_int_equal(workspace_has(place, path), strstr(smaller, name) != NULL);
-        free(name);
-        free(path);
-    }
-    free(manifest);
-    free(smaller);
-
-    workspace_scan(place, "good/b.csv", 20000, 2); /* takes a while */
-    struct process_running running = process_start(place, "report", "good", "-o", "out/slow", "--tolerance", "1e-12");
-    for (int i = 0; i < 2000 && workspace_count(place, ".roughcontact-") == 0; i++)
-        wait_a_little();
-    wait_a_little();
-    assert_true(workspace_count(place, ".roughcontact-") > 0);
-    workspace_write(place, files[2], files[2]);
-    struct process process = process_expect(process_end(running), 0, __FILE__, __LINE__);
-    process_free(&process);
-    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
-        expect_content(place, files[i], files[i]);
-    assert_int_equal(workspace_count(place, ".roughcontact-"), 0);
-    assert_int_equal(workspace_count(place, "slow"), 1); /* no slow.kept-... */
 }
 
 /** No room for files: as on a full disk, every write beyond some size fails. */
@@ -313,15 +241,4 @@ TEST_IN_WORKSPACE(test_no_room_for_a_scan)
     assert_int_equal(workspace_count(place, ".roughcontact-"), 0);
 }
 
-/** Also where these tests run in the background. */
-static int take_signals(void **state)
-{
-    (void)state;
-    static const int used[] = {SIGINT, SIGTERM, SIGHUP};
-    for (size_t i = 0; i < sizeof used / sizeof *used; i++)
-        if (signal(used[i], SIG_DFL) == SIG_ERR)
-            return 1;
-    return 0;
-}
-
-TEST_GROUP(take_signals, NULL)
+TEST_GROUP(support_take_signals, NULL)

@@ -128,14 +128,12 @@ TEST_IN_WORKSPACE(test_packed)
                   "three.zip(3.csv)\n");
     expect_output(expect_exit(place, 0, "inspect", "1.csv.gz"), "points      200");
 
-    /* three scans of one surface: the same as the three files */
     char *name = NULL;
     assert_true(asprintf(&name, "%s/three.zip", place) > 0);
     struct text bytes = {0};
     struct status status = {0};
     assert_int_equal(text_read_file(&bytes, name, &status), STATUS_OK);
-    write_bytes(place, "z/s.zip", bytes.data, bytes.length);
-    /* one of them damaged: the others are read, and it is named */
+    /* one of three scans of a surface damaged: the others are read, as from files, and it is named */
     char *second = memmem(bytes.data, bytes.length, "2.csv", 5);
     assert_non_null(second);
     second[100] ^= 1;
@@ -155,33 +153,6 @@ TEST_IN_WORKSPACE(test_packed)
     expect_same_files(place, "out/dz/data/contact.csv", "out/df/data/contact.csv");
     text_free(&bytes);
     free(name);
-    workspace_scan(place, "f/1.csv", 200, 1);
-    workspace_scan(place, "f/2.csv", 200, 2);
-    workspace_scan(place, "f/3.csv", 200, 3);
-    workspace_write(place, "f/scene.yaml", "surfaces: [{name: s, file: [1.csv, 2.csv, 3.csv]}]\n");
-    run_to_exit(place, 0, "report", "--no-cost", "z");
-    run_to_exit(place, 0, "report", "--no-cost", "f");
-    expect_same_files(place, "out/z/data/contact.csv", "out/f/data/contact.csv");
-}
-
-/** A directory of its own in front of PATH, with a program gwyddion of these lines. */
-static char *put_gwyddion(const char *place, const char *script)
-{
-    char *path, *before = strdup(getenv("PATH")), *file;
-    workspace_write(place, "bin/gwyddion", script);
-    assert_true(asprintf(&file, "%s/bin/gwyddion", place) > 0);
-    assert_int_equal(chmod(file, 0700), 0);
-    assert_true(asprintf(&path, "%s/bin:%s", place, before) > 0);
-    assert_int_equal(setenv("PATH", path, 1), 0);
-    free(path);
-    free(file);
-    return before;
-}
-
-static void take_gwyddion(char *before)
-{
-    assert_int_equal(setenv("PATH", before, 1), 0);
-    free(before);
 }
 
 /** Does the process still run? One that ended may wait for its parent. */
@@ -209,11 +180,12 @@ TEST_IN_WORKSPACE(test_gwyddion)
     write_bytes(place, "c.png", "\x89PNG\r\n\x1a\n\0\0", 10);
     workspace_write(place, "map.gsf", ""); /* what stands for a conversion: any format will do */
     workspace_write(place, "converted", ROUGH);
-    char *before = put_gwyddion(place, "#!/bin/sh\n"
-                                       "case \"$1\" in --convert-to-gwy=*) ;; *) exit 1 ;; esac\n"
-                                       "case \"$2\" in /*) ;; *) exit 1 ;; esac\n"
-                                       "mkdir -p \"$HOME/.gwyddion/ui\"\n"
-                                       "cp \"$(dirname \"$2\")/converted\" \"${1#*=}\"\n");
+    char *before = workspace_program(place, "gwyddion",
+                                     "#!/bin/sh\n"
+                                     "case \"$1\" in --convert-to-gwy=*) ;; *) exit 1 ;; esac\n"
+                                     "case \"$2\" in /*) ;; *) exit 1 ;; esac\n"
+                                     "mkdir -p \"$HOME/.gwyddion/ui\"\n"
+                                     "cp \"$(dirname \"$2\")/converted\" \"${1#*=}\"\n");
     expect_output(expect_exit(place, 0, "inspect", "--", "-a.opd"),
                   "converted by the program Gwyddion from a Wyko OPD file");
     expect_output(expect_exit(place, 0, "inspect", "b.bin"),
@@ -231,16 +203,17 @@ TEST_IN_WORKSPACE(test_gwyddion)
     expect_failure(place, 4, 1, "c.png: it is no scan: PNG picture", "inspect", "c.png");
     workspace_write(place, "converted", "hello\n");
     expect_failure(place, 4, 1, "the format is not read here: Wyko OPD file", "inspect", "--", "-a.opd");
-    take_gwyddion(before);
+    workspace_take_back(before);
 
-    before = put_gwyddion(place, "#!/bin/sh\nexit 1\n");
+    before = workspace_program(place, "gwyddion", "#!/bin/sh\nexit 1\n");
     expect_failure(place, 4, 1, "Wyko OPD file; export it in Vision", "inspect", "--", "-a.opd");
-    take_gwyddion(before);
+    workspace_take_back(before);
 
     /* a signal ends it and what it started, and the directory goes */
-    before = put_gwyddion(place, "#!/bin/sh\ncd /\nsleep 1000 &\n"
-                                 "echo $! > \"$(dirname \"$2\")/started\"\n"
-                                 "mv \"$(dirname \"$2\")/started\" \"$(dirname \"$2\")/pid\"\nsleep 1000\n");
+    before = workspace_program(place, "gwyddion",
+                               "#!/bin/sh\ncd /\nsleep 1000 &\n"
+                               "echo $! > \"$(dirname \"$2\")/started\"\n"
+                               "mv \"$(dirname \"$2\")/started\" \"$(dirname \"$2\")/pid\"\nsleep 1000\n");
     struct process_running running = process_start(place, "inspect", "b.bin");
     const struct timespec pause = {0, 20000000};
     while (!workspace_has(place, "pid"))
@@ -254,7 +227,7 @@ TEST_IN_WORKSPACE(test_gwyddion)
     while (is_running(pid))
         nanosleep(&pause, NULL); /* until the test's own time is up */
     free(pid);
-    take_gwyddion(before);
+    workspace_take_back(before);
     assert_int_equal(workspace_count(place, "roughcontact-"), 0);
     if (kept)
         setenv("TMPDIR", kept, 1);

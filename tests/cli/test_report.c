@@ -9,13 +9,6 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-static void copy_file(const char *place, const char *path, const char *from)
-{
-    char *content = workspace_read("/", from);
-    workspace_write(place, path, content);
-    free(content);
-}
-
 /** The number of a surface in out/d/data/surfaces.csv. */
 static double surface_number(const char *place, const char *surface, const char *column)
 {
@@ -26,39 +19,6 @@ static double surface_number(const char *place, const char *surface, const char 
             number = table_number(&table, row, column);
     table_free(&table);
     return number;
-}
-
-TEST_IN_WORKSPACE(test_real_scans)
-{
-    static const struct {
-        const char *file, *surface;
-        double rq_m; /* MANIFEST.md of the scans: an independent calculation */
-    } scans[] = {
-        {"mitutoyo_sj_2.csv", "mitutoyo_sj_2", 3.96890e-6},
-        {"dektakxt_opdx-3.txt", "dektakxt_opdx-3", 2.82572e-9},
-        {"WAAM Profile.txt", "WAAM", 805.316e-6},
-        {"stylus_nounits_xy-4.txt", "stylus", 7.79246e-6},
-    };
-    const char *folder = PROJECT_SOURCE "/../shared/scans";
-    if (access(folder, R_OK) != 0) {
-        print_message("[  SKIPPED ] no real scans in %s\n", folder);
-        skip();
-    }
-    for (size_t i = 0; i < sizeof scans / sizeof *scans; i++) {
-        char from[4096], to[128];
-        snprintf(from, sizeof from, "%s/%s", folder, scans[i].file);
-        snprintf(to, sizeof to, "d/%s", scans[i].file);
-        copy_file(place, to, from);
-    }
-    workspace_write(place, "d/scene.yaml",
-                    "surfaces:\n"
-                    "  - {file: mitutoyo_sj_2.csv}\n"
-                    "  - {file: dektakxt_opdx-3.txt, x_unit: m, z_unit: m}\n"
-                    "  - {name: WAAM, file: WAAM Profile.txt, x_unit: um, z_unit: um}\n"
-                    "  - {name: stylus, file: stylus_nounits_xy-4.txt, x_unit: mm, z_unit: mm}\n");
-    run_to_exit(place, 0, "report", "d", "--material", "copper", "--effects", "electrical", "--tolerance", "1e-3");
-    for (size_t i = 0; i < sizeof scans / sizeof *scans; i++)
-        assert_near(surface_number(place, scans[i].surface, "rq_m"), scans[i].rq_m, 1e-5);
 }
 
 TEST_IN_WORKSPACE(test_overrides)
@@ -113,7 +73,7 @@ TEST_IN_WORKSPACE(test_wrong_options)
         {"--jobs", "-1", "--jobs must be 1 to 64"},
         {"--jobs", "99999999999999999999", "--jobs must be 1 to 64"},
         {"--bogus", "x", "unrecognized option '--bogus'"},
-        {"d", "d", "one directory at a time: 'd' is too many"},
+        {"d", "d", "Too many arguments"},
     };
     workspace_scan(place, "d/a.csv", 200, 1);
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
@@ -194,17 +154,6 @@ TEST_IN_WORKSPACE(test_progress)
     free(seen);
 }
 
-/** Nothing has a column for a model that did not run. */
-TEST_IN_WORKSPACE(test_table)
-{
-    workspace_scan(place, "d/a.csv", 300, 1);
-    workspace_write(place, "d/scene.yaml", "material: tin\nmodels: [multiscale]\neffects: [electrical]\n");
-    struct process process = expect_exit(place, 0, "report", "d");
-    expect_part(process.out, "Rq/µm  contact resistance");
-    expect_no_parts(process.out, "β", "GW", "MS pl.");
-    process_free(&process);
-}
-
 /* Surfaces' laws stand by their amplitudes at one wavelength, the middle of what the bands share: bands 0.5 ... 300 and
  * 1 ... 600 um, so at sqrt(1 x 300) um. alpha, their value at 1 m, is no number to compare. */
 TEST_IN_WORKSPACE(test_laws_at_one_wavelength)
@@ -241,13 +190,6 @@ TEST_IN_WORKSPACE(test_unloading)
         workspace_write(place, text, text_string(&scan));
         text_free(&scan);
     }
-    snprintf(text, sizeof text, scene, "");
-    workspace_write(place, "d/scene.yaml", text);
-    run_to_exit(place, 0, "report", "d", "--no-cost");
-    expect_in_file(place, "out/d/report.md", "runs only where effects lists it");
-    expect_not_in_file(place, "out/d/report.md", "falls again");
-    expect_not_in_file(place, "out/d/figures/answer.csv", "# unloading");
-
     snprintf(text, sizeof text, scene, "effects: electrical\n");
     workspace_write(place, "d/scene.yaml", text);
     struct process plan = expect_exit(place, 0, "plan", "d");
@@ -294,11 +236,6 @@ TEST_IN_WORKSPACE(test_unloading)
                    "Branch by branch, strip transfer with hardness: loading 1.00, ×÷ 1.00; unloading, against its own "
                    "curve, 0.500, ×÷ 2.00.");
     expect_in_file(place, "out/d/figures/measured.csv", "# unloading");
-    char *other = workspace_read(place, "d/a/0.csv");
-    workspace_write(place, "d/b.csv", other);
-    free(other);
-    run_to_exit(place, 0, "report", "d", "--no-cost");
-    expect_in_file(place, "out/d/figures/separation-load.csv", "# unloading"); /* of all surfaces */
 }
 
 /** Measurements that are GW's curve, doubled, up and down in load: found in their units, in their order, and nearest to

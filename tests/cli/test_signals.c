@@ -15,16 +15,10 @@
 
 static struct directory place;
 
-static void wait_a_little(void)
-{
-    const struct timespec pause = {.tv_nsec = 5000000};
-    nanosleep(&pause, NULL);
-}
-
 static void sleep_for(double seconds)
 {
     for (double until = clock_seconds() + seconds; clock_seconds() < until;)
-        wait_a_little();
+        support_pause();
 }
 
 /* Starts a shell with these lines. Returns its id. */
@@ -34,7 +28,7 @@ static pid_t start(char *lines)
     char *const arguments[] = {shell, option, lines, NULL};
     int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
     pid_t process = 0;
-    struct program_task task = {arguments, shell, place.path, (const char *const[]){NULL}, NULL, nothing, nothing};
+    struct program_task task = {arguments, shell, place.path, NULL, nothing, nothing};
     if (program_start(&process, &task) != 0)
         _exit(70);
     return process;
@@ -78,7 +72,7 @@ static int orderly(int argc, char **argv)
     const atomic_bool *stop = signals_stop(100000);
     begin(0);
     while (!*stop)
-        wait_a_little();
+        support_pause();
     directory_write(&place, "finished", "");
     return 5;
 }
@@ -95,7 +89,7 @@ static int holds(int argc, char **argv)
     temporary_note("the report is in ", "out", "");
     temporary_release();
     while (clock_seconds() > 0)
-        wait_a_little();
+        support_pause();
     return 73;
 }
 
@@ -105,7 +99,7 @@ static int hangs(int argc, char **argv)
     (void)argc, (void)argv;
     begin(0);
     while (clock_seconds() > 0)
-        wait_a_little();
+        support_pause();
     return 73;
 }
 
@@ -154,7 +148,7 @@ static pid_t start_body(int (*body)(int argc, char **argv), int errors)
     }
     close(errors);
     while (!directory_has(&place, "begun"))
-        wait_a_little();
+        support_pause();
     return child;
 }
 
@@ -296,15 +290,4 @@ SIGNAL_TEST(a_killed_program_takes_others_with_it)
     assert_signalled(other, SIGKILL);
 }
 
-/** Also where these tests run in the background. */
-static int take_signals(void **state)
-{
-    (void)state;
-    static const int used[] = {SIGINT, SIGTERM, SIGHUP};
-    for (size_t i = 0; i < sizeof used / sizeof *used; i++)
-        if (signal(used[i], SIG_DFL) == SIG_ERR)
-            return 1;
-    return 0;
-}
-
-TEST_GROUP(take_signals, NULL)
+TEST_GROUP(support_take_signals, NULL)

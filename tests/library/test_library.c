@@ -517,24 +517,15 @@ TEST_IN_WORKSPACE(no_program_is_started)
 {
     struct roughcontact_status status;
     struct roughcontact_scan *scan;
-    char path[512], folder[512], *before = strdup(getenv("PATH"));
-    workspace_write(place, "bin/gwyddion", "#!/bin/sh\necho >>\"$MARK\"\nexit 1\n");
+    char path[512], *before = workspace_program(place, "gwyddion", "#!/bin/sh\necho >>\"${0%/bin/*}/mark\"\nexit 1\n");
     workspace_write(place, "foreign.bin", "\x01\x02\x80\xff\x03 binary \x01\x02\x80\xff");
-    snprintf(path, sizeof path, "%s/bin/gwyddion", place);
-    assert_int_equal(chmod(path, 0755), 0);
-    snprintf(folder, sizeof folder, "%s/bin:%s", place, before);
-    snprintf(path, sizeof path, "%s/mark", place);
-    setenv("PATH", folder, 1);
-    setenv("MARK", path, 1);
     snprintf(path, sizeof path, "%s/foreign.bin", place);
     assert_int_equal(roughcontact_scan_read_file(&scan, path, NULL, &status), ROUGHCONTACT_SCAN);
     assert_false(workspace_has(place, "mark"));
     struct process process = process_run(place, "inspect", "foreign.bin");
     assert_true(workspace_has(place, "mark")); /* as it does where it may */
     process_free(&process);
-    setenv("PATH", before, 1);
-    unsetenv("MARK");
-    free(before);
+    workspace_take_back(before);
 }
 
 /** Loads in Pa are those over E' times E'. */

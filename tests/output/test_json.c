@@ -148,18 +148,4 @@ TEST_CASE(test_the_leading_model_and_the_heights)
     json_decref(elastic);
 }
 
-TEST_CASE(test_effects_that_do_not_run_leave_nothing)
-{
-    json_t *root = read_json(*state, "out-electrical/results.json");
-    const json_t *models = json_object_get(json_surface(root, "smooth"), "models");
-    for (size_t m = 0; m < model_count; m++)
-        assert_false(model_rows[m]->plastic && json_object_get(models, model_rows[m]->name));
-    assert_true(json_object_size(models) >= 4); /* both of the thesis's, Gaussian heights, strip */
-    const json_t *curve = json_object_get(models, "multiscale-elastic");
-    assert_non_null(json_object_get(curve, "ecr_ohm_m2"));
-    assert_null(json_object_get(curve, "separation_m"));
-    assert_null(json_object_get(curve, "tcr_K_m2_per_W"));
-    json_decref(root);
-}
-
 TEST_GROUP(place_setup, directory_teardown)

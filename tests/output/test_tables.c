@@ -270,34 +270,6 @@ TEST_CASE(test_the_contact_curves)
     table_free(&spread);
 }
 
-/* Both sweeps in both laws; areas fall as shorter waves are let in. */
-TEST_CASE(test_the_convergence_study)
-{
-    struct table table = directory_table(*state, "out/data/convergence.csv");
-    size_t curves = 0;
-    for (size_t row = 0; row < table.rows; row++) {
-        double wavelength_m = table_number(&table, row, "wavelength_m"), area = table_number(&table, row, "area_ratio");
-        bool starts = row == 0 || wavelength_m > table_number(&table, row - 1, "wavelength_m");
-        bool ends = row + 1 == table.rows || wavelength_m < table_number(&table, row + 1, "wavelength_m");
-        if (starts)
-            assert_near(wavelength_m, 3e-4, 1e-15);
-        else
-            assert_true(area <= table_number(&table, row - 1, "area_ratio"));
-        if (ends)
-            assert_near(wavelength_m, 3e-4 / 40, 1e-14);
-        assert_true(area > 0 && area <= 1);
-        const char *sweep = table_text(&table, row, "sweep");
-        double value = table_number(&table, row, "value");
-        if (strcmp(sweep, "alpha") == 0)
-            assert_within(log10(value), round(log10(value)), 1e-12);
-        else
-            assert_true(strcmp(sweep, "gamma") == 0 && 4 * value == round(4 * value) && value <= 2);
-        curves += starts;
-    }
-    assert_int_equal(curves, 2 * (7 + 9)); /* alpha 1e-3...1e3 by decades, gamma 0...2 by 0.25 */
-    table_free(&table);
-}
-
 /* Nothing that was not called for leaves a column, a row or a file. */
 TEST_CASE(test_what_does_not_run_leaves_nothing)
 {
