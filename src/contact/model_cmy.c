@@ -66,7 +66,6 @@ static enum status_code spots_of(struct contact_spots *spots, const struct model
 const struct model_row model_cmy = {
     .name = "cmy",
     .label = "CMY",
-    .short_label = "CMY",
     .family = "cmy",
     .by_default = true,
     .plastic = true,
@@ -74,7 +73,6 @@ const struct model_row model_cmy = {
                   QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR),
     .may_be_empty = QUANTITY_BIT(QUANTITY_SEPARATION),
     .largest_area = CMY_VALID_AREA,
-    .style = "cy",
     .colour = "#8C6D31",
     .marker = 15,
     .equations = "truncation",
