@@ -48,8 +48,7 @@ static size_t borders(double *border, const struct asperity *asperity, double si
     size_t count = 1;
     border[0] = 0;
     for (int i = 0; i < 4; i++)
-        count = lay(border, count, sqrt(fmin(changes[i], last)),
-                    border[count - 1] * border[count - 1] < changes[0] ? pole : 0);
+        count = lay(border, count, sqrt(fmin(changes[i], last)), i == 0 ? pole : 0);
     return count;
 }
 
