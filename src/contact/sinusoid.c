@@ -74,9 +74,6 @@ static double thesis_gap(double x)
     return exp(exponent * log1p(-x));
 }
 
-void sinusoid_numeric_area(struct sinusoid_cell *cell, double x);
-double sinusoid_numeric_gap(double x);
-
 const struct sinusoid_fit sinusoid_fits[SINUSOID_FIT_COUNT] = {
     [SINUSOID_FIT_THESIS] = {"thesis",
                              "W. E. Wilson, Auburn University 2008, eq. 4.3-4.10; after Johnson, Greenwood "

@@ -30,6 +30,10 @@ struct sinusoid_fit {
     double (*gap)(double x);
 };
 
+/** Closure `numeric` (sinusoid_numeric.c). */
+void sinusoid_numeric_area(struct sinusoid_cell *cell, double x);
+double sinusoid_numeric_gap(double x);
+
 extern const struct sinusoid_fit sinusoid_fits[SINUSOID_FIT_COUNT]; /* indexed by enum sinusoid_fit_id */
 
 /** One scale with everything that does not depend on the load. Make it with sinusoid_scale(). */
