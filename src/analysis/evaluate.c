@@ -137,8 +137,7 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     struct ensemble_result result = {.band = record->bands[m]};
     if (ensemble_curve(curve, &result, &record->ensemble, model_rows[m], task, status) != STATUS_OK)
         return status->code;
-    for (size_t k = 0; k < curve->kink_count; k++) /* as the scans have it */
-        curve->kinks[k].wavelength_m *= surface_kappa(&record->summary);
+    curve->kink.wavelength_m *= surface_kappa(&record->summary); /* as the scans have it */
     const struct joint_task joint = surface_joint(record, scene, plan, task);
     if (joint_curve(curve, model_rows[m], task, &joint, status) != STATUS_OK) /* of several scans, the mean curve's */
         return status->code;

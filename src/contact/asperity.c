@@ -6,7 +6,7 @@
 const double asperity_yield_onset = 1.9;
 const double asperity_fitted_radius_ratio = 0.41;
 
-/** A = pi R omega (4.27), P = (4/3) E' sqrt(R) omega^(3/2) (4.28), a = sqrt(R omega). */
+/** Hertz 1882: A = pi R omega (4.27), P = (4/3) E' sqrt(R) omega^(3/2) (4.28), a = sqrt(R omega). */
 static void press_hertz(struct asperity_contact *out, const struct asperity *asperity, double interference_m)
 {
     double square = asperity->radius_m * interference_m;
@@ -21,7 +21,7 @@ static double hardness_ratio(double radius_ratio)
     return 2.84 - 0.92 * (1 - cos(M_PI * fmin(1, radius_ratio)));
 }
 
-/** Jackson and Green: Hertz below 1.9 omega_c; else (4.32*), (4.33*), with a/R of (4.38*). */
+/** Jackson and Green 2005, 2006: Hertz below 1.9 omega_c; else (4.32*), (4.33*), with a/R of (4.38*). */
 static void press_jg(struct asperity_contact *out, const struct asperity *asperity, double interference_m)
 {
     double ratio = interference_m / asperity->critical_interference_m; /* omega* */
@@ -41,8 +41,8 @@ static void press_jg(struct asperity_contact *out, const struct asperity *asperi
 }
 
 const struct asperity_model asperity_models[ASPERITY_MODEL_COUNT] = {
-    [ASPERITY_HERTZ] = {"hertz", "Hertz 1882; thesis eq. 4.27, 4.28", false, press_hertz},
-    [ASPERITY_JG] = {"jackson-green", "Jackson and Green 2005, 2006; thesis eq. 4.31-4.38", true, press_jg},
+    [ASPERITY_HERTZ] = {false, press_hertz},
+    [ASPERITY_JG] = {true, press_jg},
 };
 
 struct asperity asperity_make(double radius_m, const struct material_pair *pair, enum asperity_model_id law)

@@ -25,8 +25,6 @@ struct asperity_contact {
 
 /** How one asperity deforms; one row each. */
 struct asperity_model {
-    const char *name;
-    const char *source;
     bool plastic;
     /** Contact at interference omega >= 0 [m]. */
     void (*press)(struct asperity_contact *out, const struct asperity *asperity, double interference_m);

@@ -33,8 +33,6 @@ struct model_task {
 
 #define MODEL_STIFFNESS_STEP 1e-3 /* in ln P, where a separation is a smooth function of it */
 
-enum { MODEL_KINKS_MOST = 16 };
-
 /** Where |d ln R/d ln P| of a curve falls, because a scale's contact becomes complete and its resistance is gone. */
 struct model_kink {
     double load; /* P/(A_n E'), within 1e-4 */
@@ -53,15 +51,13 @@ struct model_curve {
     struct contact_point full; /* at full_load itself; all NaN where that is */
     size_t yielding_scales;    /* plastic, stacked scales: those that can yield; else 0 */
     uint64_t clamped;          /* the same: visits in which the published area was limited: see multiscale_solve() */
-    struct model_kink kinks[MODEL_KINKS_MOST]; /* the same: the first of them, by load; a mean of curves has none */
-    size_t kink_count;
-    uint64_t evaluations; /* that it took */
+    struct model_kink kink;    /* the same: the first of them, by load; load 0: none, as a mean of curves */
+    uint64_t evaluations;      /* that it took */
 };
 
 struct model_row {
     const char *name;                    /* as in contact.csv and scenes */
     const char *label;                   /* as in charts, tables and lists of names: no comma */
-    const char *short_label;             /* as in the terminal's table */
     const char *family;                  /* asked for together in scenes */
     bool by_default;                     /* runs when the scene names no models */
     bool plastic;                        /* needs the effect plasticity */
@@ -84,7 +80,6 @@ struct model_row {
     int precedence;        /* the summary speaks of the running model with the greatest */
     int thesis_place;      /* among the four charts of each quantity in chapter 6, 1...4; 0: not in the thesis */
     bool in_findings;      /* the findings of chapter 6 are checked on it */
-    const char *style;     /* two letters that stand for its line in a chart's script */
     const char *colour;    /* of its line, "#rrggbb", for a light and a dark page */
     int marker;            /* gnuplot's point type: open (even) elastic, filled (odd) plastic */
     const char *equations; /* of the thesis, as in docs/equations.md */

@@ -66,7 +66,6 @@ static enum status_code spots_of(struct contact_spots *spots, const struct model
 const struct model_row model_cmy = {
     .name = "cmy",
     .label = "CMY",
-    .short_label = "CMY",
     .family = "cmy",
     .by_default = true,
     .plastic = true,
@@ -75,7 +74,6 @@ const struct model_row model_cmy = {
     .stiffness_step = MODEL_STIFFNESS_STEP,
     .may_be_empty = QUANTITY_BIT(QUANTITY_SEPARATION),
     .largest_area = CMY_VALID_AREA,
-    .style = "cy",
     .colour = "#8C6D31",
     .marker = 15,
     .equations = "truncation",

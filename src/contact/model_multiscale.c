@@ -6,43 +6,26 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/** The first drop of |d ln R/d ln P| behind point `from`, as two points it lies between; false: none. The other curves
- * get ever steeper. */
-static bool find_kink(size_t *low, size_t *high, const struct model_curve *curve, size_t from, enum quantity resistance)
+/** Finds the first drop of |d ln R/d ln P|, by at least a quarter before it rises again; other curves get ever steeper.
+ */
+static void find_kink(struct model_curve *curve, struct multiscale *stack, enum quantity resistance)
 {
-    static const double fall = 1.25; /* by at least this factor, before it rises again */
-    double steepest = 0, before = 0;
-    size_t at = from;
-    for (size_t i = from; i + 1 < curve->count; i++) {
-        double r = curve->points[i].value[resistance];
-        double next = (curve->points[i + 1]).value[resistance];
-        if (!(r > 0) || !(next > 0))
-            return false;
-        double slope =
-            -log(next / r) / log(curve->points[i + 1].value[QUANTITY_LOAD] / curve->points[i].value[QUANTITY_LOAD]);
+    static const double fall = 1.25;
+    double steepest = 0, before = 0, from = 0;
+    for (size_t i = 0; i + 1 < curve->count; i++) {
+        const double *here = curve->points[i].value, *next = curve->points[i + 1].value;
+        if (!(here[resistance] > 0 && next[resistance] > 0))
+            return;
+        double slope = -log(next[resistance] / here[resistance]) / log(next[QUANTITY_LOAD] / here[QUANTITY_LOAD]);
         if (slope >= before) { /* rising: where it fell enough before, that was a kink */
-            if (steepest > fall * before && before > 0) {
-                *low = at;
-                *high = i + 1;
-                return true;
-            }
+            if (steepest > fall * before && before > 0 &&
+                multiscale_closing(&curve->kink, stack, from, next[QUANTITY_LOAD]))
+                return;
             steepest = slope;
-            at = i;
+            from = here[QUANTITY_LOAD];
         }
         before = slope;
     }
-    return false;
-}
-
-static void keep_kinks(struct model_curve *curve, struct multiscale *stack, unsigned wanted)
-{
-    enum quantity resistance = wanted & QUANTITY_BIT(QUANTITY_ECR) ? QUANTITY_ECR : QUANTITY_TCR;
-    size_t low, high;
-    for (size_t from = 0; find_kink(&low, &high, curve, from, resistance) && curve->kink_count < MODEL_KINKS_MOST;
-         from = high)
-        curve->kink_count +=
-            multiscale_closing(&curve->kinks[curve->kink_count], stack, curve->points[low].value[QUANTITY_LOAD],
-                               curve->points[high].value[QUANTITY_LOAD]);
 }
 
 static enum status_code run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
@@ -62,7 +45,7 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     curve->yielding_scales = stack.critical_scales;
     curve->exists = true;
     if (task->wanted & (QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR)))
-        keep_kinks(curve, &stack, task->wanted);
+        find_kink(curve, &stack, task->wanted & QUANTITY_BIT(QUANTITY_ECR) ? QUANTITY_ECR : QUANTITY_TCR);
     multiscale_free(&stack);
     return STATUS_OK;
 }
@@ -75,7 +58,6 @@ enum {
 const struct model_row model_multiscale_elastic = {
     .name = "multiscale-elastic",
     .label = "multiscale elastic",
-    .short_label = "MS el.",
     .family = "multiscale",
     .by_default = true,
     .stacks_scales = true,
@@ -84,7 +66,6 @@ const struct model_row model_multiscale_elastic = {
     .precedence = 3,
     .thesis_place = 2,
     .in_findings = true,
-    .style = "me",
     .colour = "#3F9BE0",
     .marker = 6,
     .equations = "4.1-4.11, 4.40-4.42",
@@ -102,7 +83,6 @@ const struct model_row model_multiscale_elastic = {
 const struct model_row model_multiscale_plastic = {
     .name = "multiscale-plastic",
     .label = "multiscale elastic-plastic",
-    .short_label = "MS pl.",
     .family = "multiscale",
     .by_default = true,
     .plastic = true,
@@ -113,7 +93,6 @@ const struct model_row model_multiscale_plastic = {
     .precedence = 4,
     .thesis_place = 1,
     .in_findings = true,
-    .style = "mp",
     .colour = "#1560B4",
     .marker = 7,
     .equations = "4.12-4.18, 4.40-4.42",

@@ -36,54 +36,19 @@ static size_t lay(double *border, size_t count, double end, double singular)
     return count;
 }
 
-/** Largest u that counts for the share of the load from u = `from` on: that share is kept as exact, for itself, as the
- * whole. 0 where it is below the smallest double. */
-static double reach_from(double from, double d, double log_cut)
-{
-    static const double log_smallest = 708;
-    return from * (from / 2 + d) < log_smallest ? from + reach(d + from, log_cut) : 0;
-}
-
-/** Adds borders from u = `from`, the last one, up to u = `end`: doubling from a width that resolves exp(-(from + d) u)
- * where the share from there on is above the smallest double (from + d < 55), to 2. */
-static size_t lay_tail(double *border, size_t count, double from, double end)
-{
-    double width = 0.09, start = from;
-    while (start < end && count < PANELS_MOST) {
-        double next = start + 1.1 * width >= end ? end : start + width;
-        border[count++] = sqrt(next);
-        start = next;
-        width = fmin(2, start - from);
-    }
-    return count;
-}
-
-/** All borders from 0 to sqrt(last), with breaks where the law changes. Below the first of them a = sqrt(R sigma_s) t,
- * so that a²/(a + knudsen length) has a pole at a = -(knudsen length); above, the law has fractional powers of u. The
- * breaks at a/R = 0.41 and 1 begin the shares of the load beyond them, which may lie wholly beyond `last`. */
+/** All borders from 0 to sqrt(last), with breaks where the law changes. Up to the first of them a = sqrt(R sigma_s) t,
+ * so that a²/(a + knudsen length) has a pole at a = -(knudsen length); beyond, the law has fractional powers of u. */
 static size_t borders(double *border, const struct asperity *asperity, double sigma_s_m, double knudsen_length_m,
-                      double lowest_d, double log_cut)
+                      double last)
 {
-    double last = reach(lowest_d, log_cut), top = sqrt(last);
     double pole = knudsen_length_m > 0 ? knudsen_length_m / sqrt(asperity->radius_m * sigma_s_m) : INFINITY;
-    double onset = sqrt(asperity_yield_onset * asperity->critical_interference_m / sigma_s_m);
-    double shares[2] = {asperity_interference_at(asperity, asperity_fitted_radius_ratio) / sigma_s_m,
-                        asperity_interference_at(asperity, 1) / sigma_s_m};
+    const double changes[] = {asperity_yield_onset * asperity->critical_interference_m / sigma_s_m,
+                              asperity_interference_at(asperity, asperity_fitted_radius_ratio) / sigma_s_m,
+                              asperity_interference_at(asperity, 1) / sigma_s_m, last};
     size_t count = 1;
     border[0] = 0;
-    bool yields = onset < top;
-    if (yields)
-        count = lay(border, count, onset, pole);
-    count = lay(border, count, sqrt(fmin(shares[0], last)), yields ? 0 : pole);
-    for (int i = 0; i < 2 && count < PANELS_MOST; i++) {
-        double end = reach_from(shares[i], lowest_d, log_cut);
-        if (!(end > 0))
-            break;
-        if (border[count - 1] < sqrt(shares[i])) /* one panel over heights that no sum needs */
-            border[count++] = sqrt(shares[i]);
-        end = fmax(last, end);
-        count = lay_tail(border, count, shares[i], i == 0 ? fmin(end, shares[1]) : end);
-    }
+    for (int i = 0; i < 4; i++)
+        count = lay(border, count, sqrt(fmin(changes[i], last)), i == 0 ? pole : 0);
     return count;
 }
 
@@ -105,7 +70,8 @@ enum status_code quadrature_make(struct quadrature *out, const struct asperity *
     double border[PANELS_MOST];
     size_t order = panel_order(tolerance);
     *out = (struct quadrature){.log_cut = 8 - log(tolerance)};
-    size_t panel_count = borders(border, asperity, sigma_s_m, knudsen_length_m, fmin(lowest_d, 0), out->log_cut) - 1;
+    size_t panel_count =
+        borders(border, asperity, sigma_s_m, knudsen_length_m, reach(fmin(lowest_d, 0), out->log_cut)) - 1;
     if (panel_count + 1 == PANELS_MOST)
         return status_fail(status, STATUS_MODEL,
                            "separations down to %.4g sigma_s take more than %d panels; use models: [multiscale]",
@@ -146,26 +112,16 @@ void quadrature_free(struct quadrature *panels)
     *panels = (struct quadrature){0};
 }
 
-/** Nodes range[0] ... range[1]-1: all that counts at d, for the shares of the load too. */
+/** Nodes range[0] ... range[1]-1: all that counts at d. */
 static void find_range(size_t range[2], const struct quadrature *panels, double d)
 {
     double last = reach(d, panels->log_cut), first = -d - sqrt(2 * panels->log_cut);
-    last = fmax(last, reach_from(panels->beyond_fit, d, panels->log_cut));
-    last = fmax(last, reach_from(panels->radius_clamped, d, panels->log_cut));
     range[0] = 0;
     while (range[0] < panels->count && panels->node[range[0]] < first)
         range[0]++;
     range[1] = range[0];
     while (range[1] < panels->count && panels->node[range[1]] <= last)
         range[1]++;
-}
-
-bool quadrature_same_nodes(const struct quadrature *panels, double d, double other)
-{
-    size_t range[2], others[2];
-    find_range(range, panels, d);
-    find_range(others, panels, other);
-    return range[0] == others[0] && range[1] == others[1];
 }
 
 /** The factor exp(log_factor) that all sums are without: exp(-d²/2) for d > 0. */
@@ -198,16 +154,16 @@ void quadrature_sum(struct quadrature_sums *out, const struct quadrature *panels
     }
 }
 
-void quadrature_moments(double moment[4], double *log_factor, const struct quadrature *panels, const double *law,
+void quadrature_moments(double moment[3], double *log_factor, const struct quadrature *panels, const double *law,
                         double d)
 {
     size_t range[2];
-    for (int j = 0; j < 4; j++)
+    for (int j = 0; j < 3; j++)
         moment[j] = 0;
     find_range(range, panels, d);
     for (size_t k = range[0]; k < range[1]; k++) {
         double u = panels->node[k], term = weight_at(u, d) * law[k];
-        for (int j = 0; j < 4; j++) {
+        for (int j = 0; j < 3; j++) {
             moment[j] += term;
             term *= u;
         }

@@ -45,14 +45,10 @@ void quadrature_free(struct quadrature *panels);
 /** All sums at separation d (in sigma_s) under the Gaussian of (4.23), d >= the lowest_d of quadrature_make(). */
 void quadrature_sum(struct quadrature_sums *out, const struct quadrature *panels, double d);
 
-/** sum_k law[k] u_k^j of the Gaussian at d, j = 0 ... 3, as above without exp(*log_factor): what the derivatives of one
+/** sum_k law[k] u_k^j of the Gaussian at d, j = 0, 1, 2, as above without exp(*log_factor): what the derivatives of one
  * integral with respect to d are made of. `law` is panels->area or panels->load. */
-void quadrature_moments(double moment[4], double *log_factor, const struct quadrature *panels, const double *law,
+void quadrature_moments(double moment[3], double *log_factor, const struct quadrature *panels, const double *law,
                         double d);
-
-/** Do the sums at both separations take the same nodes? Where not, one lies off the other's smooth course by a step of
- * the size that terms are left out for. */
-bool quadrature_same_nodes(const struct quadrature *panels, double d, double other);
 
 /** Mean radius over the area of contact, int a³ phi/int a² phi [m], at separation d (in sigma_s) as above; nothing else
  * is summed for it. */

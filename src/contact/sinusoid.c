@@ -74,9 +74,6 @@ static double thesis_gap(double x)
     return exp(exponent * log1p(-x));
 }
 
-void sinusoid_numeric_area(struct sinusoid_cell *cell, double x);
-double sinusoid_numeric_gap(double x);
-
 const struct sinusoid_fit sinusoid_fits[SINUSOID_FIT_COUNT] = {
     [SINUSOID_FIT_THESIS] = {"thesis",
                              "W. E. Wilson, Auburn University 2008, eq. 4.3-4.10; after Johnson, Greenwood "
@@ -114,7 +111,6 @@ struct sinusoid_scale sinusoid_scale(double amplitude_m, double frequency_per_m,
         .frequency_per_m = frequency_per_m,
         .full_pressure_Pa = sinusoid_full_pressure(amplitude_m, frequency_per_m, modulus),
         .critical_pressure_Pa = INFINITY,
-        .hardness_Pa = INFINITY,
     };
     double critical_amplitude_m = plastic ? sinusoid_critical_amplitude(frequency_per_m, pair) : INFINITY;
     if (amplitude_m <= critical_amplitude_m)
@@ -160,15 +156,6 @@ static void raise_to_elastic(struct sinusoid_cell *cell, const struct sinusoid_s
     cell->limited = true;
 }
 
-/** Law `plastic-limited`: a = max(a, min(1, p/H)). */
-static void raise_to_hardness(struct sinusoid_cell *cell, double pressure_over_hardness)
-{
-    if (pressure_over_hardness <= cell->area_ratio)
-        return;
-    cell->area_ratio = fmin(1, pressure_over_hardness);
-    cell->area_complement = fmax(0, 1 - pressure_over_hardness);
-}
-
 bool sinusoid_press(struct sinusoid_cell *cell, const struct sinusoid_scale *scale, const struct sinusoid_fit *closure,
                     double pressure_Pa, bool with_gap)
 {
@@ -185,7 +172,6 @@ bool sinusoid_press(struct sinusoid_cell *cell, const struct sinusoid_scale *sca
         link_areas(cell, low, x, ln_x);
         if (closure->floors_plastic)
             raise_to_elastic(cell, scale, closure, pressure_Pa);
-        raise_to_hardness(cell, pressure_Pa / scale->hardness_Pa);
     } else {
         cell->limited = false;
         closure->area(cell, x);

@@ -30,6 +30,10 @@ struct sinusoid_fit {
     double (*gap)(double x);
 };
 
+/** Closure `numeric` (sinusoid_numeric.c). */
+void sinusoid_numeric_area(struct sinusoid_cell *cell, double x);
+double sinusoid_numeric_gap(double x);
+
 extern const struct sinusoid_fit sinusoid_fits[SINUSOID_FIT_COUNT]; /* indexed by enum sinusoid_fit_id */
 
 /** One scale with everything that does not depend on the load. Make it with sinusoid_scale(). */
@@ -41,7 +45,6 @@ struct sinusoid_scale {
     double plastic_full_pressure_Pa; /* p_p (4.18) */
     double plastic_area_log;         /* ln a_p (4.15) at p_p; elsewhere (p/p_p)^(q/(1+q)) times it */
     double plastic_area_exponent;    /* q/(1+q) (4.16) */
-    double hardness_Pa;              /* mean pressure that a yielding scale bears at most; INFINITY: as published */
 };
 
 /** p* = sqrt2 pi E' Delta f [Pa] (4.7*). */
@@ -52,8 +55,7 @@ double sinusoid_full_pressure(double amplitude_m, double frequency_per_m, double
 double sinusoid_critical_amplitude(double frequency_per_m, const struct material_pair *pair);
 
 /** Prepares a scale: p* (4.7*); p_c (4.14*, of the critical load 4.12*); the factor and the exponent of a_p (4.15) from
- * A_c (4.13*) and q (4.16); p_p (4.18). `plastic` false leaves it elastic at any load. The caller may then set
- * hardness_Pa. */
+ * A_c (4.13*) and q (4.16); p_p (4.18). `plastic` false leaves it elastic at any load. */
 struct sinusoid_scale sinusoid_scale(double amplitude_m, double frequency_per_m, const struct material_pair *pair,
                                      bool plastic);
 
@@ -71,8 +73,7 @@ double sinusoid_full_area_pressure(const struct sinusoid_scale *scale);
 
 /** Area (and, when `with_gap`, gap) of the scale at mean pressure p > 0 [Pa]. Returns whether it deformed plastically.
  * Elastic: thesis (4.5), (4.6), (4.10); plastic: (4.17*) with (4.15), cut off at 1 and, with closure
- * `numeric`, not below the elastic area: yield only adds contact; with a hardness H, not below min(1, p/H), the gap as
- * without it. The area never falls with p, but for the link of
+ * `numeric`, not below the elastic area: yield only adds contact. The area never falls with p, but for the link of
  * closure `thesis` at p/p* = 0.8 (by 0.05 %, as published). */
 bool sinusoid_press(struct sinusoid_cell *cell, const struct sinusoid_scale *scale, const struct sinusoid_fit *closure,
                     double pressure_Pa, bool with_gap);

@@ -8,9 +8,6 @@
 #include <math.h>
 #include <stddef.h>
 
-void sinusoid_numeric_area(struct sinusoid_cell *cell, double x);
-double sinusoid_numeric_gap(double x);
-
 /* 1024 x 1024 grid, area within 3e-4, gap within 2e-6 */
 /** The direct numerical solution: x = p/p*, area ratio, gap/amplitude. */
 struct sinusoid_bem_row {

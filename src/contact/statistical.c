@@ -31,7 +31,7 @@ static void integrate(struct quadrature_sums *sums, const struct statistical *mo
 
 /** ln of A (4.25) or P/(A_n E') (4.26) and its derivatives with respect to d. */
 struct logarithm {
-    double value, first, second, third;
+    double value, first, second;
 };
 
 /** Hertz's: F = F_n, n = 1 or 3/2, of which F' = -n F_{n-1} and F'' = n F - d F'. */
@@ -42,53 +42,36 @@ static struct logarithm closed_logarithm(const struct statistical *model, bool a
     double upper = area ? f.one : f.three_halves, lower = area ? f.zero : f.half;
     double scale = area ? M_PI * radius_m * sigma_s_m : 4.0 / 3 * sqrt(radius_m * sigma_s_m) * sigma_s_m;
     double first = -n * lower / upper, second = n - first * (d + first);
-    return (struct logarithm){log(model->surface.density_per_m2 * scale * upper) + f.log_factor, first, second,
-                              -first - second * (d + 2 * first)};
+    return (struct logarithm){log(model->surface.density_per_m2 * scale * upper) + f.log_factor, first, second};
 }
 
 /** Any law's: the derivatives are cumulants of the interference u, since phi(u + d) has -(u + d) as its logarithm's. */
 static struct logarithm panel_logarithm(const struct statistical *model, bool area, double d)
 {
-    double sum[4], log_factor;
+    double sum[3], log_factor;
     double scale = model->surface.density_per_m2 / (area ? 1 : model->asperity.effective_modulus_Pa);
     quadrature_moments(sum, &log_factor, &model->panels, area ? model->panels.area : model->panels.load, d);
-    double mean = sum[1] / sum[0], square = sum[2] / sum[0], cube = sum[3] / sum[0];
-    return (struct logarithm){log(scale * sum[0]) + log_factor, -mean - d, square - mean * mean - 1,
-                              -(cube - mean * (3 * square - 2 * mean * mean))};
-}
-
-/** Is the logarithm one smooth function between two separations? */
-static bool is_smooth(const struct statistical *model, double d, double other)
-{
-    return model->law == ASPERITY_HERTZ || quadrature_same_nodes(&model->panels, d, other);
+    double mean = sum[1] / sum[0];
+    return (struct logarithm){log(scale * sum[0]) + log_factor, -mean - d, sum[2] / sum[0] - mean * mean - 1};
 }
 
 /** Solves ln A (4.25) or ln(P/(A_n E')) (4.26) = log_target for d. The logarithm falls and is concave in d (both laws
- * are log-concave), so that after one step of Newton's the iterates close in from one side. The inverse function's
- * series goes two terms further (error of the fourth order), where they are small against Newton's; once that has not
- * halved what is missing, Newton's goes on alone. */
+ * are log-concave), so that after one step of Newton's the iterates close in from one side; where its second term is
+ * small, the series of the inverse function is taken that far. */
 static double solve(const struct statistical *model, bool area, double log_target, double d)
 {
     static const double highest_d = 40; /* exp(-d²/2) is below the smallest double */
     static const double small = 0.25;
-    double most_missing = INFINITY;
-    bool series = true;
     d = fmin(d, highest_d);
     for (int iteration = 0; iteration < 200; iteration++) {
         struct logarithm f =
             model->law == ASPERITY_HERTZ ? closed_logarithm(model, area, d) : panel_logarithm(model, area, d);
-        double missing = log_target - f.value, newton = missing / f.first;
         if (!(isfinite(f.value) && f.first < 0))
             return NAN; /* beyond double: model_run() leaves the curve out */
-        double bend = f.second / (2 * f.first);
-        double further = newton * (newton * (2 * bend * bend - f.third / (6 * f.first)) - bend);
-        series = series && fabs(missing) <= most_missing;
-        bool both = series && fabs(further) <= small;
-        most_missing = both ? fabs(missing) / 2 : INFINITY;
-        double next = d + (both ? newton * (1 + further) : newton), size = fabs(newton) / fmax(1, fabs(d));
-        if (size <= 1e-9 || (both && size <= 1e-4 && is_smooth(model, d, next))) /* what is left is below rounding */
-            return next;
-        d = next;
+        double newton = (log_target - f.value) / f.first, bend = newton * f.second / (2 * f.first);
+        d += fabs(bend) <= small ? newton * (1 - bend) : newton;
+        if (fabs(newton) <= 1e-6 * fmax(1, fabs(d))) /* what is left is below rounding */
+            return d;
     }
     return d;
 }

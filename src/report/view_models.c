@@ -116,8 +116,8 @@ static void put_one_surface(json_t *out, const struct view_source *source)
         view_number(item, "area_slope", leading->area_slope, 3, "");
     double scale = asked_load_of(results, results->baseline).scale;
     for (size_t m = 0; m < model_count; m++)
-        if (plan_runs_model(results->plan, m) && source->baseline->curves[m].kink_count > 0) {
-            const struct model_kink *kink = &source->baseline->curves[m].kinks[0];
+        if (plan_runs_model(results->plan, m) && source->baseline->curves[m].kink.load > 0) {
+            const struct model_kink *kink = &source->baseline->curves[m].kink;
             json_t *one = view_item(view_list(item, "kinks"));
             view_text(one, "label", model_rows[m]->label);
             view_number(one, "load", kink->load * scale, 2, "");

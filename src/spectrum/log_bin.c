@@ -8,16 +8,6 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-enum status_code log_bin_check(const double *square_m2, size_t count, struct status *status)
-{
-    for (size_t i = 0; i < count; i++)
-        if (!(square_m2[i] >= 0) || !isfinite(square_m2[i]))
-            return status_fail(status, STATUS_SCAN,
-                               "the squared amplitude of harmonic %zu is %g; it must be finite and not negative", i + 1,
-                               square_m2[i]);
-    return STATUS_OK;
-}
-
 double log_bin_bias(double squares)
 {
     return (gsl_sf_psi(squares) - log(squares)) / (2 * M_LN10);

@@ -4,7 +4,6 @@
 #ifndef SPECTRUM_LOG_BIN_H
 #define SPECTRUM_LOG_BIN_H
 
-#include "base/status.h"
 #include <stddef.h>
 
 enum {
@@ -20,17 +19,14 @@ struct log_bin {
     double variance; /* of y: log_bin_covariance() with itself, decades² */
 };
 
-/** Bins the squared amplitudes square_m2[n-1] = Delta_n², n = MULTITAPER_FIRST ... count, of a multitaper spectrum that
- * is the mean over `scans` M >= 1 (not always whole) independent records of length_m L: harmonic n is in bin
- * floor(10 log10(n/5) + 1e-9),
- *  x = mean log10(L/n), y = mean log10(Delta_n) - b(K M), b(M) = (psi(M) - ln M)/(2 ln 10):
- * b is the mean of log10 sqrt(mean of M exponential squares). Harmonics split[0] ... split[1] get bins of their own
- * (NULL: no such band). Returns how many bins. Abramowitz & Stegun 6.3 (psi), 6.4 (its derivative). */
+/** Bins the squared amplitudes (finite, not negative) square_m2[n-1] = Delta_n², n = MULTITAPER_FIRST ... count, of a
+ * multitaper spectrum that is the mean over `scans` M >= 1 (not always whole) independent records of length_m L:
+ * harmonic n is in bin floor(10 log10(n/5) + 1e-9), x = mean log10(L/n), y = mean log10(Delta_n) - b(K M), b(M) =
+ * (psi(M) - ln M)/(2 ln 10): b is the mean of log10 sqrt(mean of M exponential squares). Harmonics split[0] ...
+ * split[1] get bins of their own (NULL: no such band). Returns how many bins. Abramowitz & Stegun 6.3 (psi), 6.4 (its
+ * derivative). */
 size_t log_bin_fill(struct log_bin bin[LOG_BIN_MOST], const double *square_m2, size_t count, double length_m,
                     double scans, const size_t split[2]);
-
-/** Error: STATUS_SCAN for a square that is negative or not finite. */
-MUST_CHECK enum status_code log_bin_check(const double *square_m2, size_t count, struct status *status);
 
 /** b(M) in decades, the mean of log10 of the root of a mean of M exponential variables of mean 1; M need not be whole.
  */

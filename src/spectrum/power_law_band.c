@@ -184,9 +184,8 @@ static void mark_lines(struct power_law_band *band)
 }
 
 /** Fills the bins and says which of them may take part. */
-static enum status_code gather(struct power_law_band *band, struct selection *selection,
-                               const struct power_law_band_spectrum *spectrum, const size_t split[2],
-                               struct status *status)
+static void gather(struct power_law_band *band, struct selection *selection,
+                   const struct power_law_band_spectrum *spectrum, const size_t split[2])
 {
     assert(spectrum->scans >= 1 && spectrum->length_m > 0);
     *band = (struct power_law_band){.fit = {.gamma = NAN,
@@ -200,8 +199,6 @@ static enum status_code gather(struct power_law_band *band, struct selection *se
                                     .psd_m3 = NAN,
                                     .alpha = NAN,
                                     .slope_share = NAN};
-    if (log_bin_check(spectrum->square_m2, spectrum->count, status) != STATUS_OK)
-        return status->code;
     band->bins =
         log_bin_fill(band->bin, spectrum->square_m2, spectrum->count, spectrum->length_m, spectrum->scans, split);
     mark_lines(band);
@@ -214,7 +211,6 @@ static enum status_code gather(struct power_law_band *band, struct selection *se
         if (band->use[j] == POWER_LAW_BAND_OUTSIDE)
             selection->index[selection->count++] = j;
     }
-    return STATUS_OK;
 }
 
 /** sum (2 pi f)² Delta²/2 in the band over that of all harmonics. */
@@ -390,8 +386,7 @@ enum status_code power_law_band_find(struct power_law_band *out, const struct po
 {
     struct selection selection;
     struct pieces pieces = {0};
-    if (gather(out, &selection, spectrum, NULL, status) != STATUS_OK)
-        return status->code;
+    gather(out, &selection, spectrum, NULL);
     if (selection.count < (size_t)2 * PIECE_BINS)
         return STATUS_OK;
     if (divide(&pieces, &selection, status) != STATUS_OK)
@@ -418,8 +413,8 @@ enum status_code power_law_band_find(struct power_law_band *out, const struct po
     return STATUS_OK;
 }
 
-enum status_code power_law_band_fit_in(struct power_law_band *out, const struct power_law_band_spectrum *spectrum,
-                                       const double band_m[2], struct status *status)
+void power_law_band_fit_in(struct power_law_band *out, const struct power_law_band_spectrum *spectrum,
+                           const double band_m[2])
 {
     assert(band_m[0] >= 0 && band_m[1] > band_m[0]);
     const double rounding = 1e-9; /* a band that ends on a harmonic has it */
@@ -428,17 +423,15 @@ enum status_code power_law_band_fit_in(struct power_law_band *out, const struct 
     double last = floor(fmin(spectrum->length_m / band_m[0] * (1 + rounding), most));
     size_t split[2] = {first > 1 ? (size_t)first : 1, (size_t)last};
     struct selection selection;
-    if (gather(out, &selection, spectrum, split, status) != STATUS_OK)
-        return status->code;
+    gather(out, &selection, spectrum, split);
     struct selection used = {.all = selection.all};
     for (size_t i = 0; i < selection.count; i++)
         if (bin_at(&selection, i)->first >= split[0] && bin_at(&selection, i)->last <= split[1])
             used.index[used.count++] = selection.index[i];
     if (used.count < CANDIDATE_BINS)
-        return STATUS_OK;
+        return;
     struct power_law_band_fit fit = fit_of(&used, spectrum->length_m, spectrum->scans);
     conclude(out, &fit, &used, spectrum);
-    return STATUS_OK;
 }
 
 size_t power_law_band_lines(double wavelength_m[LOG_BIN_MOST], const struct power_law_band *band)

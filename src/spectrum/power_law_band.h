@@ -89,16 +89,15 @@ struct power_law_band {
  * 6. The fit: w = 1/(v + tau²), tau² >= 0 such that sum w r² = n - 2 (Mandel & Paule 1970, doi:10.1021/ac60293a019);
  *    s² = a'(Sigma + tau² I)a for the estimate a'y. A knee adds, in quadrature, what 2 bins more off that end change,
  *    and once 0.04 (gamma) and 0.02 decades (amplitude). More scans lessen neither that nor tau² a'a.
- * Class NONE, and no error, when nothing is found. Error: STATUS_SCAN for a square that is negative or not finite. */
+ * Class NONE, and no error, when nothing is found. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code power_law_band_find(struct power_law_band *out,
                                                 const struct power_law_band_spectrum *spectrum, struct status *status);
 
 /** Step 6, with lines and short bins left out, in the given band, band_m = {shortest, longest}, at whose ends bins are
  * divided: for a band that the user states, or each scan in the band of their mean. Class NONE when fewer than 4 bins
  * are left. */
-MUST_CHECK enum status_code power_law_band_fit_in(struct power_law_band *out,
-                                                  const struct power_law_band_spectrum *spectrum,
-                                                  const double band_m[2], struct status *status);
+void power_law_band_fit_in(struct power_law_band *out, const struct power_law_band_spectrum *spectrum,
+                           const double band_m[2]);
 
 /** Wavelengths of the lines, longest first: of each run of bins that are one, the highest bin's. Returns how many. */
 size_t power_law_band_lines(double wavelength_m[LOG_BIN_MOST], const struct power_law_band *band);

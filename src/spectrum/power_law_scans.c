@@ -130,8 +130,11 @@ static enum status_code fit(struct power_law_band *out, const struct spectrum *s
     struct power_law_band_spectrum powers = {
         .square_m2 = square_m2, .count = spectrum->count, .length_m = spectrum->length_m, .scans = independent};
     powers.shortest_m = fmax(2 * def->lambda_s_m, power_law_band_digitising_limit(&powers, step_m));
-    enum status_code rc =
-        band_m ? power_law_band_fit_in(out, &powers, band_m, status) : power_law_band_find(out, &powers, status);
+    enum status_code rc = STATUS_OK;
+    if (band_m)
+        power_law_band_fit_in(out, &powers, band_m);
+    else
+        rc = power_law_band_find(out, &powers, status);
     free(square_m2);
     return rc;
 }

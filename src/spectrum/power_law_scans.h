@@ -39,7 +39,7 @@ struct power_law_scans_def {
 MUST_CHECK enum status_code power_law_scans_fit(struct power_law_band *out, const struct power_law_scans *scans,
                                                 const struct power_law_scans_def *def, struct status *status);
 
-/** The law of scan i alone in the band of `mean`, a law that was found. Errors: of power_law_band_fit_in(). */
+/** The law of scan i alone in the band of `mean`, a law that was found. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code power_law_scans_fit_alone(struct power_law_band *out, const struct power_law_scans *scans,
                                                       size_t i, const struct power_law_scans_def *def,
                                                       const struct power_law_band *mean, struct status *status);

@@ -2,7 +2,6 @@
 #include "spectrum/simulated_record.h"
 
 #include "base/fft.h"
-#include "spectrum/log_bin.h"
 #include "spectrum/multitaper.h"
 #include <assert.h>
 #include <gsl/gsl_randist.h>
@@ -25,21 +24,12 @@ static double square_at(double n, const double *square_m2, size_t count)
     return low * pow(high / low, log(n / (double)before) / log1p(1 / (double)before));
 }
 
-/** Squares of which some has power. */
-static enum status_code check(const double *square_m2, size_t count, struct status *status)
-{
-    double most = 0;
-    if (log_bin_check(square_m2, count, status) != STATUS_OK)
-        return status->code;
-    for (size_t n = 1; n <= count; n++)
-        most = fmax(most, square_m2[n - 1]);
-    return most > 0 ? STATUS_OK : status_fail(status, STATUS_SCAN, "the record has no power to simulate others of it");
-}
-
 bool simulated_record_possible(const double *square_m2, size_t points)
 {
-    struct status none = {0};
-    return points >= SIMULATED_RECORD_LEAST_POINTS && check(square_m2, multitaper_count(points), &none) == STATUS_OK;
+    double most = 0;
+    for (size_t n = 1; n <= multitaper_count(points); n++)
+        most = fmax(most, square_m2[n - 1]);
+    return points >= SIMULATED_RECORD_LEAST_POINTS && most > 0;
 }
 
 enum status_code simulated_record_prepare(struct simulated_record *out, const double *square_m2, size_t points,
@@ -48,8 +38,8 @@ enum status_code simulated_record_prepare(struct simulated_record *out, const do
     assert(points >= SIMULATED_RECORD_LEAST_POINTS);
     size_t count = multitaper_count(points), waves = points * SIMULATED_RECORD_LONGER / 2;
     *out = (struct simulated_record){.points = points};
-    if (check(square_m2, count, status) != STATUS_OK)
-        return status->code;
+    if (!simulated_record_possible(square_m2, points))
+        return status_fail(status, STATUS_SCAN, "the record has no power to simulate others of it");
     out->deviation_m = calloc(waves + 1, sizeof *out->deviation_m);
     out->record = fftw_alloc_real(2 * waves);
     out->wave = fftw_alloc_complex(waves + 1);

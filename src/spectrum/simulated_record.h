@@ -25,7 +25,7 @@ struct simulated_record {
 /** Takes the spectral density of a record of `points` N >= 16 heights from its multitaper spectrum square_m2[n-1], n =
  * 1 ... ceil(N/2)-1, straight between harmonics in log-log, as it is at the first one down to 1/(4L): a law carried on
  * below the fit would put waves there that a scan with a roll-off does not have.
- * Errors: STATUS_SCAN for a square that is not finite or negative, or when none has power; STATUS_MEMORY. */
+ * Errors: STATUS_SCAN when no square has power; STATUS_MEMORY. */
 MUST_CHECK enum status_code simulated_record_prepare(struct simulated_record *out, const double *square_m2,
                                                      size_t points, struct status *status);
 /** Will it find what it needs? Amplitudes in place of their squares answer the same; fewer than 16 heights never do. */

@@ -323,8 +323,8 @@ TEST_IN_WORKSPACE(test_report)
     json_decref(json);
     free(csv);
 
-    expect_in_file(place, "out/d/report.html", "red\\x1b[31m", "gnp.\\u202efdp", "&lt;script&gt;alert(1)&lt;!--",
-                   "{{body}} {{title}}", "&amp;amp;&amp;lt;b&amp;gt;");
+    expect_in_file(place, "out/d/report.html", "red\\x1b[31m", "gnp.\\u202efdp", "&#60;script&#62;alert(1)&#60;!--",
+                   "{{body}} {{title}}", "&#38;amp;&#38;lt;b&#38;gt;");
     expect_in_file(place, "out/d/data/surfaces.csv", "\n\"double\"\"quote\",\"double\"\"quote.csv\",100,",
                    "\n\"'=cmd,x;y\\x09tab\",", "\na|b,a|b.csv,100,");
     assert_int_equal(workspace_count(place, "PWNED"), 0);

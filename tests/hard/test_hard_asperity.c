@@ -77,33 +77,3 @@ TEST_CASE(hardness_is_clamped)
         assert_near(contact.load_N, flow * border * factor / asperity.critical_interference_m, 1e-11);
     }
 }
-
-/** Largest step of the logarithms of area, load and radius over a grid, the load's at the onset left out. */
-static double largest_step(const struct asperity *asperity, enum asperity_model_id law, int points)
-{
-    double largest = 0, before[3] = {0}, last = 0, onset = asperity_yield_onset * asperity->critical_interference_m;
-    for (int i = 0; i <= points; i++) {
-        double omega = radius_m * exp(((double)i / points - 1) * log(1e12)) * 10;
-        struct asperity_contact contact = press(asperity, law, omega);
-        double value[3] = {log(contact.area_m2), log(contact.load_N), log(contact.radius_m)};
-        for (int k = 0; k < 3 && i > 0; k++)
-            if (!(k == 1 && last < onset && omega >= onset))
-                largest = fmax(largest, fabs(value[k] - before[k]));
-        memcpy(before, value, sizeof before);
-        last = omega;
-    }
-    return largest;
-}
-
-TEST_CASE(laws_do_not_jump)
-{
-    enum { POINTS = 100000 / HARD_COARSER };
-    for (int y = 0; y < HARD_YIELD_RATIOS; y++)
-        for (int law = 0; law < ASPERITY_MODEL_COUNT; law++) {
-            struct material_pair pair = hard_pair(hard_yield_ratios[y], 0.36);
-            struct asperity asperity = asperity_make(radius_m, &pair, (enum asperity_model_id)law);
-            double coarse = largest_step(&asperity, (enum asperity_model_id)law, POINTS / 2);
-            double fine = largest_step(&asperity, (enum asperity_model_id)law, POINTS);
-            assert_true(fine > 0 && fine < 0.51 * coarse);
-        }
-}

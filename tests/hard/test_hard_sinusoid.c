@@ -195,44 +195,6 @@ TEST_CASE(link_at_four_fifths)
     }
 }
 
-/** Largest step of ln a or G over a grid of `points` in ln p, the one across p_c and (area) 0.8 p* left out. */
-static double largest_step(const struct sinusoid_scale *scale, int closure, bool gap, int points)
-{
-    double last = NAN, largest = 0, full = scale->full_pressure_Pa, low = 1e-8 * full;
-    bool was_plastic = false, was_linked = false;
-    for (int i = 0; i <= points; i++) {
-        double pressure = low * exp((double)i / points * log(2e8));
-        struct sinusoid_cell cell;
-        bool plastic = sinusoid_press(&cell, scale, &sinusoid_fits[closure], pressure, gap);
-        bool linked = closure == SINUSOID_FIT_THESIS && !gap && pressure >= 0.8 * full;
-        double value = gap ? cell.gap_ratio : log(cell.area_ratio);
-        if (i > 0 && plastic == was_plastic && (plastic || linked == was_linked))
-            largest = fmax(largest, fabs(value - last));
-        last = value;
-        was_plastic = plastic;
-        was_linked = linked;
-    }
-    return largest;
-}
-
-/** No other jump: with twice the points (10^5) every step is half as large. */
-TEST_CASE(curves_do_not_jump)
-{
-    static const double ratios[] = {0.5, 1.05, 1.4, 2, 30, 1000};
-    enum { POINTS = 100000 / HARD_COARSER };
-    struct material_pair pair = hard_tin();
-    double critical = sinusoid_critical_amplitude(frequency, &pair);
-    for (size_t r = 0; r < sizeof ratios / sizeof ratios[0]; r++)
-        for (int closure = 0; closure < SINUSOID_FIT_COUNT; closure++)
-            for (int gap = 0; gap < 2; gap++) {
-                struct sinusoid_scale scale = sinusoid_scale(ratios[r] * critical, frequency, &pair, true);
-                double coarse = largest_step(&scale, closure, gap, POINTS / 2);
-                double fine = largest_step(&scale, closure, gap, POINTS);
-                assert_true(fine > 0 && fine < 0.51 * coarse);
-                assert_true(fine < 2e-3 * HARD_COARSER);
-            }
-}
-
 /** A scale of no amplitude is flat; one of denormal amplitude is a scale like any other. */
 TEST_CASE(vanishing_amplitudes)
 {

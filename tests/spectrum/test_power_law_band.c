@@ -406,19 +406,6 @@ TEST_CASE(test_few_and_empty_harmonics)
     assert_int_equal(empty, 1);
 }
 
-TEST_CASE(test_squares_that_are_no_numbers_are_refused)
-{
-    struct sample *sample = *state;
-    const double bad[] = {NAN, INFINITY, -1};
-    for (size_t b = 0; b < 3; b++) {
-        struct status status = {0};
-        sample_law(sample, 100, 1e-3, 1, 1.3);
-        sample->square_m2[41] = bad[b];
-        assert_int_equal(power_law_band_find(&sample->band, &sample->spectrum, &status), STATUS_SCAN);
-        assert_non_null(strstr(status.message, "harmonic 42"));
-    }
-}
-
 /* Two and a half averaged scans: with their errors b(M) is right and s falls as the root of psi'(K M). */
 TEST_CASE(test_averaged_scans)
 {
@@ -443,12 +430,11 @@ TEST_CASE(test_a_given_band)
 {
     struct sample *sample = *state;
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
-    struct status status = {0};
     sample_law(sample, 3000, 1e-3, 1, 1.3);
     scatter(sample, random, 5);
     sample->other = *find(sample);
     const struct power_law_band *found = &sample->other, *band = &sample->band;
-    assert_int_equal(power_law_band_fit_in(&sample->band, &sample->spectrum, found->fit.band_m, &status), STATUS_OK);
+    power_law_band_fit_in(&sample->band, &sample->spectrum, found->fit.band_m);
     assert_near(band->fit.gamma, found->fit.gamma, 1e-13);
     assert_near(band->fit.gamma_s, found->fit.gamma_s, 1e-13);
     assert_within(found->fit.gamma_bias_s, 0, 0); /* no knee */
@@ -461,17 +447,17 @@ TEST_CASE(test_a_given_band)
         if (n < 17 || n > 911)
             sample->square_m2[n - 1] = sample->square_m2[n < 17 ? 16 : 910];
     const double given_m[2] = {1e-3 / 911, 1e-3 / 17};
-    assert_int_equal(power_law_band_fit_in(&sample->band, &sample->spectrum, given_m, &status), STATUS_OK);
+    power_law_band_fit_in(&sample->band, &sample->spectrum, given_m);
     assert_int_equal(band->fit.first_harmonic, 17);
     assert_int_equal(band->fit.last_harmonic, 911);
     assert_within(band->fit.gamma, 1.3, 1e-10);
     assert_int_equal(band->pieces, 0);
     const double tiny_m[2] = {1e-3 / 911, 1e-3 / 900}, beyond_m[2] = {1, 2}, all_m[2] = {0, INFINITY};
-    assert_int_equal(power_law_band_fit_in(&sample->band, &sample->spectrum, tiny_m, &status), STATUS_OK);
+    power_law_band_fit_in(&sample->band, &sample->spectrum, tiny_m);
     assert_none(band);
-    assert_int_equal(power_law_band_fit_in(&sample->band, &sample->spectrum, beyond_m, &status), STATUS_OK);
+    power_law_band_fit_in(&sample->band, &sample->spectrum, beyond_m);
     assert_none(band);
-    assert_int_equal(power_law_band_fit_in(&sample->band, &sample->spectrum, all_m, &status), STATUS_OK);
+    power_law_band_fit_in(&sample->band, &sample->spectrum, all_m);
     assert_int_equal(band->fit.first_harmonic, 5);
     assert_int_equal(band->fit.last_harmonic, 3000);
     gsl_rng_free(random);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Simulated coverage of the statistical estimators, beside the figures they were published to have. Slow, and random to
- * the extent that each figure says; hence no test. cmake --workflow --preset statistics */
+ * the extent that each figure says; hence no test. cmake --workflow --preset validation */
 #ifndef TESTS_STATISTICS_COVERAGE_H
 #define TESTS_STATISTICS_COVERAGE_H
 
@@ -48,6 +48,5 @@ void coverage_scans(FILE *out, size_t sets);
 void coverage_rows(FILE *out, size_t sets);
 void coverage_single(FILE *out, size_t sets);
 void coverage_pairs(FILE *out, size_t sets);
-void coverage_cost(FILE *out, size_t sets);
 
 #endif

@@ -334,8 +334,8 @@ void truths_add(struct page *page)
 
 void truths_add_coverage(struct page *page)
 {
-    static void (*const sections[])(FILE * out, size_t sets) = {coverage_band, coverage_fit, coverage_scans,
-                                                                coverage_single, coverage_pairs};
+    static void (*const sections[])(FILE * out, size_t sets) = {coverage_band, coverage_fit,    coverage_scans,
+                                                                coverage_rows, coverage_single, coverage_pairs};
     char line[4096];
     FILE *out = tmpfile();
     coverage_must(out ? STATUS_OK : STATUS_IO, &(struct status){.message = "no temporary file"});
