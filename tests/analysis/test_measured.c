@@ -42,7 +42,7 @@ TEST_CASE(units_are_the_models)
     static const char *const dialects[] = {"load,ecr,error\n20,3e-3,1e-4\n10,6e-3,2e-4\n",
                                            "# mine\r\n20;3e-3;1e-4\r\n10;6e-3;2e-4\r\n",
                                            "20\t3e-3\t1e-4\n\n10 6e-3 2e-4",
-                                           "load,ecr\r20,3e-3,1e-4\r10,6e-3,2e-4\r",
+                                           "load,ecr,\"error\"\r20,3e-3,1e-4\r10,6e-3,2e-4\r",
                                            "\"20\",\"3e-3\",\"1e-4\"\n10,6e-3,2e-4\n",
                                            "\xEF\xBB\xBF"
                                            "20,3e-3,1e-4 # run 3\n10 , 6e-3 , 2e-4,,\n"};
@@ -75,7 +75,6 @@ TEST_CASE(headings_say_the_units)
         {"F/kN;R/\xC2\xB5Ohm\n10;4.8\n", 1e4, 4.8e-6, NAN},
         {"load_N,ecr_mohm\n10,4.8\n", 10, 4.8e-3, NAN},
         {"\"Load (kN)\",\"R (\xCE\xBC\xE2\x84\xA6)\"\n10,4.8\n", 1e4, 4.8e-6, NAN},
-        {"\"Load, mN\",\"R, mOhm\"\n10,4.8\n", 1e-2, 4.8e-3, NAN},
         {"Load, kN; R, mOhm\n10;4.8\n", 1e4, 4.8e-3, NAN},
         {"Load in kN\tresistance mOhm\n10\t4.8\n", 1e4, 4.8e-3, NAN},
         {"load_kN ecr_mohm\n10 4.8\n", 1e4, 4.8e-3, NAN},
@@ -83,7 +82,6 @@ TEST_CASE(headings_say_the_units)
         {"F,R\nkN,mOhm\n10,4.8\n", 1e4, 4.8e-3, NAN},
         {"F;R;u\n[kN];[m\xCE\xA9];[\xC2\xB5\xCE\xA9]\n10;4.8;30\n", 1e4, 4.8e-3, 3e-5},
         {"N,mOhm\n10,4.8\n", 10, 4.8e-3, NAN},
-        {"N (kN),R (mOhm)\n10,4.8\n", 1e4, 4.8e-3, NAN},
         {"N/kN,R/mOhm\n10,4.8\n", 1e4, 4.8e-3, NAN}, /* the symbol of a normal load */
         {"force_mN,R_c (4-wire) [mOhm]\n10,4.8\n", 1e-2, 4.8e-3, NAN},
         {"load (N),4-wire R (mOhm)\n10,4.8\n", 10, 4.8e-3, NAN},
@@ -91,30 +89,22 @@ TEST_CASE(headings_say_the_units)
         {"pressure N/mm2,ecr_mohm\n10,4.8\n", 10, 4.8e-3, NAN},
         {"load_over_AnEp,ecr_ohm_m2\n10,4.8\n", 1e5, 4.8e6, NAN},
         {"load P/(A\xE2\x82\x99 E\xE2\x80\xB2),R (Ohm)\n10,4.8\n", 1e5, 4.8, NAN},
-        {"# Load (kN), R (mOhm)\n10,4.8\n", 1e4, 4.8e-3, NAN},
         {"# measured (twice), by hand\nLoad (kN), R (mOhm)\n# run 3, wet (a)\n10,4.8\n", 1e4, 4.8e-3, NAN},
         {"Contact test, tin (matt)\nLoad range (mN), 5 to 10\nLoad (kN), R (mOhm)\n\n10,4.8\n", 1e4, 4.8e-3, NAN},
         {"F (N);R (\xB5Ohm)\n10;4.8\n", 10, 4.8e-6, NAN}, /* latin-1 */
-        {"10 kN, 4.8 mOhm\n", 1e4, 4.8e-3, NAN},
-        {"10 kN 4.8 m\xCE\xA9 0.1 mohm\n", 1e4, 4.8e-3, 1e-4},
         {"load (N),R (mOhm),error\n10,4.8,0.1\n", 10, 4.8e-3, 1e-4},
         {"load (N),R (mOhm),error (uOhm)\n10,4.8,-30\n", 10, 4.8e-3, 3e-5},
         {"load (N),R (mOhm),error (%)\n10,4.8,5\n", 10, 4.8e-3, 2.4e-4},
         {"load (N),R (mOhm),u_r (-)\n10,4.8,0.05\n", 10, 4.8e-3, 2.4e-4},
         {"load (N),R (mOhm),sd (ohm mm2)\n10,4.8,1e-4\n", 10, 4.8e-3, 1e-4},
-        {"Samples, 3\nLoad (N)\tR (mOhm)\n10\t4.8\nunloading 2\n# nan, 3\n9\t5\n", 10, 4.8e-3, NAN},
-        {"Load (N), R (mOhm)\n10 4.8 0.1\n", 10, 4.8e-3, 1e-4},
-        {"Load (N),R (mOhm)\n10,4.8,0.1\n", 10, 4.8e-3, 1e-4},
-        {"Load (N),R (mOhm)\n10,4.8\nunloading (N),R (milliohm)\n9,5\n", 10, 4.8e-3, NAN},
+        {"Samples, 3\nLoad (N)\tR (mOhm)\n10\t4.8\n# unloading 2\n9\t5\n", 10, 4.8e-3, NAN},
         /* columns in another order, of which all name their unit */
         {"R (mOhm),F (N)\n4.8,10\n", 10, 4.8e-3, NAN},
         {"mOhm;kN\n4.8;10\n", 1e4, 4.8e-3, NAN},
         {"R F\nmOhm kN\n4.8 10\n", 1e4, 4.8e-3, NAN},
-        {"# R (mOhm), F (kN)\n4.8,10\n", 1e4, 4.8e-3, NAN},
         {"R (mOhm),u (uOhm),F (kN)\n4.8,30,10\n", 1e4, 4.8e-3, 3e-5},
         {"R (mOhm),F (kN),u (%)\n4.8,10,5\n", 1e4, 4.8e-3, 2.4e-4},
         {"F (kN),u (%),R (mOhm)\n10,5,4.8\n", 1e4, 4.8e-3, 2.4e-4},
-        {"R (mOhm),F (N)\n4.8 mOhm,10 N\n", 10, 4.8e-3, NAN},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         for (int agreed = 0; agreed < 2; agreed++) {
@@ -141,24 +131,6 @@ TEST_CASE(headings_say_the_units)
         }
 }
 
-/* A second block has its columns as its own heading says. */
-TEST_CASE(blocks_may_differ_in_order)
-{
-    static const unsigned quantities[MEASURED_COLUMNS] = {UNIT_LOADS, UNIT_RESISTANCE, UNIT_RESISTANCE};
-    static const char csv[] = "F (N),R (mOhm)\n10,4\nR (mOhm),F (N)\n5,9\nunloading\n6,8\nF (N),R (mOhm)\n7,7.5\n";
-    static const double load[] = {10, 9, 8, 7}, resistance[] = {4, 5, 6, 7.5};
-    struct measured_file file;
-    struct status status = {0};
-    assert_int_equal(measured_file_read(&file, (struct string_view){csv, csv + strlen(csv)}, "x", quantities, &status),
-                     STATUS_OK);
-    assert_int_equal(file.count, 4);
-    for (size_t i = 0; i < file.count; i++) {
-        assert_near(file.rows[i].value[MEASURED_LOAD], load[i], 0);
-        assert_near(file.rows[i].value[MEASURED_RESISTANCE], resistance[i], 0);
-    }
-    measured_file_free(&file);
-}
-
 TEST_CASE(what_is_wrong_is_named)
 {
     static const struct said plain = {SCENE_MEASURED_ECR, "Pa", "ohm m2", NAN};
@@ -176,19 +148,19 @@ TEST_CASE(what_is_wrong_is_named)
         {"", &plain, "ecr.csv: no row"},
         {"load,ecr\n1\n", &plain, "ecr.csv:2: a row is load, resistance"},
         {"1,2,3,4\n", &plain, "ecr.csv:1: a row is load, resistance"},
-        {"1,2\n0,2\n", &plain, "ecr.csv:2: load and resistance must be positive"},
-        {"1,-2\n", &plain, "ecr.csv:1: load and resistance must be positive"},
-        {"load,ecr\n\n\n1,2\n\n1,-1\n", &plain, "ecr.csv:6: load and resistance"},
-        {"1,2,3\n1,,3\n", &plain, "ecr.csv:2: a row is load, resistance"},
-        {"1,5;2\n", &plain, "ecr.csv:1: both ',' and ';' in a row"},
+        {"1,2\n0,2\n", &plain, "ecr.csv:2: a load of 0; allowed is 1e-100 to 1e+100"},
+        {"load,ecr\n\n\n1,2\n\n1,-1\n", &plain, "ecr.csv:6: a resistance of -1; allowed is"},
+        {"1,2,3\n1,,3\n", &plain, "ecr.csv:2: '' is no number"},
+        {"1,5;2\n", &plain, "ecr.csv:1: '1,5' is no number; write it as 1.5e-3, its unit in the heading"},
+        {"1 N,2 mohm\n", &plain, "ecr.csv:1: '1 N' is no number; write it as 1.5e-3, its unit in the heading"},
         {"1,5\t2\n", &plain, "ecr.csv:1: '1,5' is no number"},
-        {"1,2\n-.5,2\n", &plain, "ecr.csv:2: load and resistance must be positive"},
-        {"1,1e999\n", &plain, "ecr.csv:1: '1e999' is no number"},
+        {"1,1e999\n", &plain, "ecr.csv:1: a resistance of inf; allowed is"},
         {"1,1e308\n1,2\n", &huge, "ecr.csv:1: a resistance of 1e+308; allowed is"},
         /* decimal commas between commas; a load that is none */
         {"Load (N),R (mOhm)\n10,4,8\n20,2,1\n", &silent,
-         "ecr.csv:2: more cells than titles in line 1: decimal commas? Write decimals with a point"},
+         "ecr.csv:2: more cells than titles in line 1; write decimals with a point, and give an error a title"},
         {"Load,R\nN,mOhm\n10,4\n20,2,1\n", &silent, "ecr.csv:4: more cells than titles in line 2"},
+        {"load (N),R (mOhm)\n1,2\nload (kN),R (mOhm)\n1,2\n", &silent, "ecr.csv:3: 'load (kN)' is no load; correct"},
         {"1,2\nnan,3\n", &newton, "ecr.csv:2: 'nan' is no load; correct the row or remove it"},
         {"1 2\nInf 3\n", &newton, "ecr.csv:2: 'Inf' is no load"},
         {"1;2\n;3\n", &newton, "ecr.csv:2: '' is no load"},
@@ -210,18 +182,15 @@ TEST_CASE(what_is_wrong_is_named)
         {"\nload [kNm],R (mOhm)\n1,2\n", &newton,
          "ecr.csv:2: 'kNm' is no unit of load; understood: dimensionless; N, "},
         {"F/KN,R/ohm\n1,2\n", &newton, "ecr.csv:1: 'KN' is no unit of load"},
-        {"F,R\nN,mOm\n1,2\n", &newton, "ecr.csv:2: 'mOm' is no unit of electrical resistance"},
-        {"load_N,R_mV\n1,2\n", &newton, "ecr.csv:1: 'mV' is no unit of electrical resistance"},
+        {"F,R\nN,mOm\n1,2\n", &silent, "ecr.csv: nothing says the unit of the load"},
         {"R (mOhm),load\n1,2\n", &newton, "ecr.csv:1: 'mOhm' is no unit of load"}, /* not all say theirs */
         {"n,F (N),R (mOhm)\n1,2,3\n", &newton, "ecr.csv:1: 'N' is no unit of electrical resistance"},
         {"R (mOhm),F (N)\n1,2\nnan,3\n", &newton, "ecr.csv:3: 'nan' is no resistance; correct the row"},
-        {"R (mOhm),u (%),F (N)\n1,2\n", &newton, "ecr.csv:2: a row is load, resistance"},
-        {"load (N),R (K/W)\n1,2\n", &silent, "the 'quantity' of 'measured' in the scene"},
+        {"R (mOhm),u (%),F (N)\n1,2\n", &newton, "ecr.csv:2: '' is no number"},
+        {"load (N),R (K/W)\n1,2\n", &silent, "columns are load, the scene's 'quantity', perhaps its error"},
         {"load (N),R (mohm)\n1,2\n", &thermal, "ecr.csv:1: 'mohm' is no unit of thermal resistance"},
         {"load (N),R (mOhm),T (degC)\n1,2,3\n", &newton, "ecr.csv:1: 'degC' is no unit of the error"},
         {"load (%),R (mOhm)\n1,2\n", &silent, "ecr.csv:1: '%' is no unit of load"},
-        {"1 N,2 mOm\n", &newton, "ecr.csv:1: 'mOm' is no unit of electrical resistance"},
-        {"1,2 run 3\n", &newton, "ecr.csv:1: 'run 3' is no unit of electrical resistance"},
         {"load (N),R (\x1b[31m)\n1,2\n", &newton, "'?[31m' is no unit"},
         /* two that disagree */
         {"load (kN),R (mOhm)\n1,2\n", &newton,
@@ -229,9 +198,6 @@ TEST_CASE(what_is_wrong_is_named)
         {"load (N),R (Ohm)\n1,2\n", &newton,
          "ecr.csv:1: the unit is 'Ohm' here, but the scene's resistance_unit says 'mohm'"},
         {"load (Pa),R (Ohm)\n1,2\n", &newton, "'Pa' here, but the scene's load_unit says 'N'"},
-        {"load (kN),R (mOhm)\nN,mOhm\n1,2\n", &silent, "ecr.csv:2: 'N' as unit of load, but line 1 says 'kN'"},
-        {"load (N),R (mOhm)\n1,2\nload (kN),R (mOhm)\n1,2\n", &silent, "ecr.csv:3: 'kN' as unit of load, but line 1"},
-        {"1 N,2 ohm\n1 N,2 mohm\n", &silent, "ecr.csv:2: 'mohm' as unit of resistance, but line 1 says 'ohm'"},
         /* without the area */
         {"load (N),R (ohm m2)\n1,2\n", &no_area, "measured loads in N need the contact's area; add nominal_area"},
         {"load (Pa),R (mohm)\n1,2\n", &no_area, "resistances in mohm need the contact's area; add nominal_area"},
