@@ -37,44 +37,10 @@ enum status_code scene_files_add(struct scene_surface *surface, const char *file
     return files[surface->file_count++] ? STATUS_OK : status_memory(status);
 }
 
-/* Compares the numbers that `*a` and `*b` start with, and moves both past them. */
-static int compare_numbers(const char **a, const char **b)
-{
-    const char *first = *a + strspn(*a, "0"), *second = *b + strspn(*b, "0");
-    size_t length = strspn(first, "0123456789"), other = strspn(second, "0123456789");
-    *a = first + length;
-    *b = second + other;
-    if (length != other)
-        return length < other ? -1 : 1;
-    return memcmp(first, second, length);
-}
-
-/* Natural order: runs of digits by value, the rest by bytes; 2 before 10. */
-static int natural_order(const char *a, const char *b)
-{
-    const char *first = a, *second = b;
-    while (*first && *second) {
-        int order;
-        if (isdigit((unsigned char)*first) && isdigit((unsigned char)*second))
-            order = compare_numbers(&first, &second);
-        else
-            order = (unsigned char)*first++ - (unsigned char)*second++;
-        if (order != 0)
-            return order;
-    }
-    if (*first || *second)
-        return *first ? 1 : -1;
-    return strcmp(a, b); /* 01 and 1 */
-}
-
+/* 2 before 10. */
 static int compare_naturally(const void *a, const void *b)
 {
-    return natural_order(*(char *const *)a, *(char *const *)b);
-}
-
-static int compare_bytes(const void *a, const void *b)
-{
-    return strcmp(*(char *const *)a, *(char *const *)b);
+    return strverscmp(*(char *const *)a, *(char *const *)b);
 }
 
 /* Does `file` only say units of scans, wherever these are? */
@@ -86,47 +52,6 @@ static bool is_sidecar(const struct scene *scene, const char *file)
     bool is = path && sidecar_read(&sidecar, path);
     free(path);
     return is;
-}
-
-/* Is one of the scans, in the order of their bytes, what the sidecar `file` may be beside: `a` or `a.csv` of `a.txt`?
- */
-static bool has_scan(char *const *scans, size_t count, const char *file)
-{
-    size_t stem, low = 0, high = count;
-    if (!sidecar_ending(file, &stem))
-        return false;
-    while (low < high) { /* the first that begins with the stem */
-        size_t middle = low + (high - low) / 2;
-        if (strncmp(scans[middle], file, stem) < 0)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    while (low < count && strncmp(scans[low], file, stem) == 0 && !sidecar_fits(file, scans[low]))
-        low++;
-    return low < count && strncmp(scans[low], file, stem) == 0;
-}
-
-/* Takes those out of the files from `first` on that only say units of others among them. */
-static void drop_sidecars(struct scene_surface *surface, const struct scene *scene, size_t first)
-{
-    char **files = surface->files + first;
-    size_t count = surface->file_count - first, scans = 0;
-    for (size_t i = 0; i < count; i++) { /* sidecars go behind the scans */
-        char *file = files[i];
-        if (!is_sidecar(scene, file)) {
-            files[i] = files[scans];
-            files[scans++] = file;
-        }
-    }
-    qsort(files, scans, sizeof *files, compare_bytes);
-    surface->file_count = first + scans;
-    for (size_t i = scans; i < count; i++) {
-        if (has_scan(files, scans, files[i]))
-            free(files[i]);
-        else
-            surface->files[surface->file_count++] = files[i];
-    }
 }
 
 enum status_code scene_files_match(struct scene_surface *surface, const struct scene *scene, const char *pattern,
@@ -149,9 +74,12 @@ enum status_code scene_files_match(struct scene_surface *surface, const struct s
         char *file = NULL;
         struct stat info;
         if (code == STATUS_OK && fnmatch(name, entries[i]->d_name, FNM_PERIOD) == 0 &&
-            fstatat(directory, entries[i]->d_name, &info, 0) == 0 && (info.st_mode & S_IFMT) == kind)
-            code = asprintf(&file, "%s%s", folder, entries[i]->d_name) < 0 ? status_memory(status)
-                                                                           : scene_files_add(surface, file, status);
+            fstatat(directory, entries[i]->d_name, &info, 0) == 0 && (info.st_mode & S_IFMT) == kind) {
+            if (asprintf(&file, "%s%s", folder, entries[i]->d_name) < 0)
+                code = status_memory(status);
+            else if (kind == S_IFDIR || !is_sidecar(scene, file))
+                code = scene_files_add(surface, file, status);
+        }
         free(file);
         free(entries[i]);
     }
@@ -160,12 +88,9 @@ enum status_code scene_files_match(struct scene_surface *surface, const struct s
         close(directory);
     free(path);
     free(folder);
-    if (code != STATUS_OK || surface->file_count == first)
-        return code;
-    if (kind == S_IFREG)
-        drop_sidecars(surface, scene, first);
-    qsort(surface->files + first, surface->file_count - first, sizeof *surface->files, compare_naturally);
-    return STATUS_OK;
+    if (surface->file_count > first)
+        qsort(surface->files + first, surface->file_count - first, sizeof *surface->files, compare_naturally);
+    return code;
 }
 
 char *scene_files_name(const char *file, bool ending)
@@ -192,7 +117,7 @@ void scene_files_free(struct scene_surface *surface, const struct scene_bodies *
 static int compare_surfaces(const void *a, const void *b)
 {
     const struct scene_surface *first = a, *second = b;
-    int order = natural_order(first->name, second->name);
+    int order = strverscmp(first->name, second->name);
     return order ? order : strcmp(first->files[0], second->files[0]);
 }
 
@@ -219,20 +144,16 @@ static enum status_code tell_apart(struct scene *scene, struct status *status)
     return STATUS_OK;
 }
 
-/* The file's identity, however its path is spelt; false where there is none. */
-static bool find_file(struct stat *info, const struct scene *scene, const char *file)
-{
-    char *path = scene_file_path(scene, file);
-    bool found = path && stat(path, info) == 0;
-    free(path);
-    return found;
-}
-
+/* The same file, however its paths are spelt? */
 static bool is_same(const struct scene *scene, const char *a, const char *b)
 {
-    struct stat first, second;
-    return find_file(&first, scene, a) && find_file(&second, scene, b) && first.st_dev == second.st_dev &&
-           first.st_ino == second.st_ino;
+    char *first = scene_file_path(scene, a), *second = scene_file_path(scene, b);
+    struct stat info[2];
+    bool same = first && second && stat(first, &info[0]) == 0 && stat(second, &info[1]) == 0 &&
+                info[0].st_dev == info[1].st_dev && info[0].st_ino == info[1].st_ino;
+    free(first);
+    free(second);
+    return same;
 }
 
 /* Is the file spoken for: the scene itself, the counterface's scan, or measurements? */
@@ -244,134 +165,84 @@ static bool is_taken(const struct scene *scene, const char *file)
     return strcmp(file, "scene.yaml") == 0 || (scene->measured.file && is_same(scene, scene->measured.file, file));
 }
 
-/* A file that is no scan, and what it is. */
-struct other {
-    const char *kind;
-    char *file;
-};
-
-/* By kind, then by name. */
-static int compare_others(const void *a, const void *b)
-{
-    const struct other *first = a, *second = b;
-    int order = strcmp(first->kind, second->kind);
-    return order ? order : natural_order(first->file, second->file);
-}
-
-/* "passed over: 2 PNG pictures (a.png, b.png)", a line a kind. */
-static enum status_code tell_others(struct scene *scene, struct other *others, size_t count, struct status *status)
+/* "passed over: 2 x PNG picture (a.png, b.png)", a line a kind. Each of `others` is its kind, a line end, its name. */
+static enum status_code tell_others(struct scene *scene, struct scene_surface *others, struct status *status)
 {
     enum { NAMED = 8 };
     struct text lines = {0};
-    qsort(others, count, sizeof *others, compare_others);
+    char **files = others->files;
+    size_t count = others->file_count;
+    if (count > 0)
+        qsort(files, count, sizeof *files, compare_naturally);
     for (size_t i = 0, end; i < count; i = end) {
-        for (end = i + 1; end < count && strcmp(others[end].kind, others[i].kind) == 0;)
+        size_t kind = strcspn(files[i], "\n") + 1;
+        for (end = i + 1; end < count && strncmp(files[end], files[i], kind) == 0;)
             end++;
-        text_add(&lines, "%spassed over, no scan%s: %zu x %s (", i > 0 ? "\n" : "", end - i == 1 ? "" : "s", end - i,
-                 others[i].kind);
+        text_add(&lines, "%spassed over, no scan%s: %zu x %.*s (", i > 0 ? "\n" : "", end - i == 1 ? "" : "s", end - i,
+                 (int)kind - 1, files[i]);
         for (size_t k = i; k < end && k < i + NAMED; k++) {
             text_add(&lines, "%s", k > i ? ", " : "");
-            text_add_shown(&lines, others[k].file);
+            text_add_shown(&lines, files[k] + kind);
         }
         text_add(&lines, "%s)", end - i > NAMED ? ", ..." : "");
     }
-    if (lines.failed)
-        return text_free(&lines), status_memory(status);
     scene->passed_over = lines.data;
-    return STATUS_OK;
+    return lines.failed ? status_memory(status) : STATUS_OK;
 }
 
 /* What a file is that is no scan; NULL: it may be one. Only its beginning is read where that tells. */
-static const char *kind_of_other(const struct scene *scene, const char *name, struct status *status)
+static const char *kind_of_other(const struct scene *scene, const char *name)
 {
-    enum { BEGINNING = 65536 };
-    char *bytes = malloc(BEGINNING + 1), *path = scene_file_path(scene, name);
-    int descriptor =
-        path ? open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC) : -1; /* a file of a kernel may wait for news */
-    FILE *file = descriptor < 0 ? NULL : fdopen(descriptor, "rb");
-    const char *kind = NULL;
+    char bytes[32768], *path = scene_file_path(scene, name);
+    FILE *file = path ? fopen(path, "rbe") : NULL;
+    size_t length = file ? fread(bytes, 1, sizeof bytes, file) : 0;
+    bool whole = length < sizeof bytes;
     struct text all = {0};
-    if (!bytes || !path)
-        status_memory(status);
-    if (bytes && file) {
-        size_t length = fread(bytes, 1, BEGINNING, file);
-        bytes[length] = '\0';
-        struct scan_bytes content = {bytes, length, path};
-        bool whole = length < BEGINNING;
-        if (!whole && scan_tells_at_end(bytes, length) &&
-            text_read_file(&all, path, &(struct status){0}) == STATUS_OK) {
-            content = (struct scan_bytes){text_string(&all), all.length, path};
-            whole = true;
-        }
-        kind = scan_is_other(&content, whole);
-    }
+    text_add_bytes(&all, bytes, length);
+    if (!whole && scan_tells_at_end(text_string(&all), all.length))
+        whole = text_read_stream(&all, file, path, &(struct status){0}) == STATUS_OK;
+    const struct scan_bytes content = {text_string(&all), all.length, path};
+    const char *kind = file ? scan_is_other(&content, whole) : NULL;
     if (file)
         fclose(file);
     text_free(&all);
     free(path);
-    free(bytes);
     return kind;
 }
 
-/* Takes out the files that are no scans, such as pictures and documents, and the surfaces that then have none. */
-static enum status_code drop_others(struct scene *scene, struct status *status)
-{
-    size_t kept = 0, count = 0, files = 0;
-    for (size_t i = 0; i < scene->surface_count; i++)
-        files += scene->surfaces[i].file_count;
-    struct other *others = calloc(files + 1, sizeof *others);
-    if (!others)
-        return status_memory(status);
-    for (size_t i = 0; i < scene->surface_count; i++) {
-        struct scene_surface surface = scene->surfaces[i];
-        size_t left = 0;
-        for (size_t f = 0; f < surface.file_count; f++) {
-            const char *kind = kind_of_other(scene, surface.files[f], status);
-            if (kind)
-                others[count++] = (struct other){kind, surface.files[f]};
-            else
-                surface.files[left++] = surface.files[f];
-        }
-        surface.file_count = left;
-        if (left == 0)
-            scene_files_free(&surface, NULL);
-        else
-            scene->surfaces[kept++] = surface;
-    }
-    scene->surface_count = kept;
-    if (status->code == STATUS_OK && count > 0)
-        (void)tell_others(scene, others, count, status);
-    for (size_t i = 0; i < count; i++)
-        free(others[i].file);
-    free(others);
-    return status->code;
-}
-
-/* Takes out the files that are spoken for. */
-static void drop_taken(struct scene_surface *surface, const struct scene *scene)
-{
-    size_t kept = 0;
-    for (size_t i = 0; i < surface->file_count; i++) {
-        if (is_taken(scene, surface->files[i]))
-            free(surface->files[i]);
-        else
-            surface->files[kept++] = surface->files[i];
-    }
-    surface->file_count = kept;
-}
-
-/* A surface of one file, or of all that are in a folder, its repeated scans. */
-static enum status_code add_surface(struct scene *scene, const char *name, bool folder, struct status *status)
+/* Adds a surface of one file, or of all that are in a folder, its repeated scans; of those that are spoken for, or no
+ * scans, which are noted, none. */
+static enum status_code add_surface(struct scene *scene, struct scene_surface *others, const char *name, bool folder,
+                                    struct status *status)
 {
     struct scene_surface *surface = &scene->surfaces[scene->surface_count++];
     *surface = (struct scene_surface){.name = folder ? strdup(name) : scene_files_name(name, false)};
     char *pattern = NULL;
+    size_t kept = 0;
     if (!surface->name || (folder && asprintf(&pattern, "%s/*", name) < 0))
         return status_memory(status);
     enum status_code code =
         folder ? scene_files_match(surface, scene, pattern, S_IFREG, status) : scene_files_add(surface, name, status);
+    for (size_t i = 0; i < surface->file_count; i++) {
+        char *file = surface->files[i], *noted = NULL;
+        bool taken = is_taken(scene, file);
+        const char *kind = taken ? NULL : kind_of_other(scene, file);
+        if (!taken && !kind) {
+            surface->files[kept++] = file;
+            continue;
+        }
+        if (kind && code == STATUS_OK)
+            code = asprintf(&noted, "%s\n%s", kind, file) < 0 ? status_memory(status)
+                                                              : scene_files_add(others, noted, status);
+        free(noted);
+        free(file);
+    }
     free(pattern);
-    drop_taken(surface, scene);
+    surface->file_count = kept;
+    if (kept == 0) {
+        scene_files_free(surface, NULL);
+        scene->surface_count--;
+    }
     return code;
 }
 
@@ -388,7 +259,7 @@ static bool may_hold_scans(const struct scene *scene, const char *folder)
 
 enum status_code scene_files_list(struct scene *scene, struct status *status)
 {
-    struct scene_surface files = {0}, folders = {0};
+    struct scene_surface files = {0}, folders = {0}, others = {0};
     if (scene_files_match(&files, scene, "*", S_IFREG, status) == STATUS_OK &&
         scene_files_match(&folders, scene, "*", S_IFDIR, status) == STATUS_OK) {
         scene->surfaces = calloc(files.file_count + folders.file_count + 1, sizeof *scene->surfaces);
@@ -396,14 +267,16 @@ enum status_code scene_files_list(struct scene *scene, struct status *status)
             (void)status_memory(status);
     }
     for (size_t i = 0; i < files.file_count && status->code == STATUS_OK; i++)
-        (void)add_surface(scene, files.files[i], false, status);
+        (void)add_surface(scene, &others, files.files[i], false, status);
     for (size_t i = 0; i < folders.file_count && status->code == STATUS_OK; i++)
         if (may_hold_scans(scene, folders.files[i]))
-            (void)add_surface(scene, folders.files[i], true, status);
+            (void)add_surface(scene, &others, folders.files[i], true, status);
+    if (status->code == STATUS_OK && tell_others(scene, &others, status) == STATUS_OK)
+        (void)tell_apart(scene, status);
     scene_files_free(&files, NULL);
     scene_files_free(&folders, NULL);
-    return status->code == STATUS_OK && drop_others(scene, status) == STATUS_OK ? tell_apart(scene, status)
-                                                                                : status->code;
+    scene_files_free(&others, NULL);
+    return status->code;
 }
 
 static const char *ending_of(const char *file)
@@ -447,7 +320,7 @@ static int compare_repeats(const void *a, const void *b)
     const char *first = ((const struct scene_surface *)a)->files[0];
     const char *second = ((const struct scene_surface *)b)->files[0];
     int order = compare_roots(first, second);
-    return order ? order : natural_order(first, second);
+    return order ? order : strverscmp(first, second);
 }
 
 enum status_code scene_join_repeats(struct scene *scene, struct status *status)

@@ -5,7 +5,7 @@
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
 /* Makes the files, which '|' separates: a folder ends in '/'; behind '=' stands what a file is: U it says units, D the
- * same in JSON, N units above numbers. */
+ * same in JSON, N units above numbers, T words. */
 static void lay_out(const struct directory *directory, const char *files)
 {
     static const char units[] = "x unit: mm\nz unit: nm\n", json[] = "{\"X1_FACTOR\": 0.001, \"Y1_FACTOR\": 1e-9}",
@@ -20,7 +20,12 @@ static void lay_out(const struct directory *directory, const char *files)
         if (name[strlen(name) - 1] == '/')
             assert_int_equal(mkdir(directory_path(directory, name), 0777), 0);
         else
-            directory_write(directory, name, !kind ? "0 1\n" : *kind == 'U' ? units : *kind == 'D' ? json : numbers);
+            directory_write(directory, name,
+                            !kind          ? "0 1\n"
+                            : *kind == 'U' ? units
+                            : *kind == 'D' ? json
+                            : *kind == 'T' ? "words\n"
+                                           : numbers);
     }
     free(all);
 }
@@ -48,7 +53,7 @@ static const struct {
     {"s10.csv|s2.csv|s1.csv|s02.csv|s2b10.csv|s2b9.csv|S3.csv|s18446744073709551617.csv|t.csv|10.csv|9.csv|"
      "s18446744073709551616.csv",
      NULL,
-     "9: 9.csv|10: 10.csv|S3: S3.csv|s1: s1.csv|s02: s02.csv|s2: s2.csv|s2b9: s2b9.csv|s2b10: s2b10.csv|s10: s10.csv|"
+     "9: 9.csv|10: 10.csv|S3: S3.csv|s02: s02.csv|s1: s1.csv|s2: s2.csv|s2b9: s2b9.csv|s2b10: s2b10.csv|s10: s10.csv|"
      "s18446744073709551616: s18446744073709551616.csv|s18446744073709551617: s18446744073709551617.csv|t: t.csv",
      NULL},
     /* those of one stem keep their endings */
@@ -65,21 +70,10 @@ static const struct {
     {"r/|run-3.csv/|run-10.csv|run-9.csv|run-x.txt|r/run-1.csv|[1].csv|.run-1.csv",
      "surfaces:\n  - {name: a, file: \"run-*.csv\"}\n  - {name: b, file: [\"[1].csv\", \"r/*-?.c[st]v\"]}\n",
      "a: run-9.csv run-10.csv|b: [1].csv r/run-1.csv", NULL},
-    /* files that only say units of a scan beside them are no surfaces; alone they are passed over (d.txt is of d, not
-     * of d.1; two of them make no scan); with numbers in them they are surfaces */
-    {"a.dat|b.csv|c.csv|d.1.csv|g.csv|a.txt=D|a.hdr=U|b.csv.json=D|c.txt=N|d.txt=U|e.txt=U|f.json=D|f.txt=U|g.txt=U",
-     "counterface: {surface: g.csv}\n", "a: a.dat|b: b.csv|c.csv: c.csv|c.txt: c.txt|d.1: d.1.csv",
-     TEXTS("s: 4") "(d.txt, e.txt, f.json, f.txt)"},
-    /* in a folder, too: of names with an ending and without, among others that begin alike */
-    {"s/|s/a|s/a.txt=U|s/b.csv.hdr=U|s/b.txt=U", NULL, "s: s/a", TEXTS("s: 2") "(s/b.csv.hdr, s/b.txt)"},
-    {"s/|s/a-1.csv|s/a.txt=U|s/b.csv.hdr=U|s/b.txt=U", NULL, "s: s/a-1.csv",
-     TEXTS("s: 3") "(s/a.txt, s/b.csv.hdr, s/b.txt)"},
-    {"s/|s/a.csv|s/a.txt=U|s/b.csv.hdr=U|s/b.txt=U", NULL, "s: s/a.csv", TEXTS("s: 2") "(s/b.csv.hdr, s/b.txt)"},
-    {"s/|s/b.csv|s/a.txt=U|s/b.csv.hdr=U|s/b.txt=U", NULL, "s: s/b.csv", TEXTS(": 1") "(s/a.txt)"},
-    {"s/|s/b.c.csv|s/a.txt=U|s/b.csv.hdr=U|s/b.txt=U", NULL, "s: s/b.c.csv",
-     TEXTS("s: 3") "(s/a.txt, s/b.csv.hdr, s/b.txt)"},
-    {"s/|s/ab.csv|s/a.txt=U|s/b.csv.hdr=U|s/b.txt=U", NULL, "s: s/ab.csv",
-     TEXTS("s: 3") "(s/a.txt, s/b.csv.hdr, s/b.txt)"},
+    /* files that only say units are no surfaces; what else is no scan is passed over; with numbers they are surfaces */
+    {"a.dat|b.csv|c.csv|g.csv|a.txt=D|a.hdr=U|b.csv.json=D|c.txt=N|d.txt=U|g.txt=U|h.txt=T|i.txt=T",
+     "counterface: {surface: g.csv}\n", "a: a.dat|b: b.csv|c.csv: c.csv|c.txt: c.txt", TEXTS("s: 2") "(h.txt, i.txt)"},
+    {"s/|s/b.csv|s/a.txt=T|s/b.csv.hdr=U|s/b.txt=U", NULL, "s: s/b.csv", TEXTS(": 1") "(s/a.txt)"},
 };
 
 TEST_CASE(test_listings)
