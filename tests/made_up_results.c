@@ -340,7 +340,7 @@ void made_up_make_of(struct made_up *made, uint64_t models, unsigned effects,
         made->names[i] = (struct scene_surface){.name = i < MADE_UP_USABLE ? surfaces[i].name : "broken",
                                                 .files = made->files,
                                                 .file_count = 1,
-                                                .bodies = &made->bodies[i]};
+                                                .bodies = made->bodies[i]};
     }
     for (size_t i = 0; i < MADE_UP_LOADS; i++)
         made->loads[i] = pow(10, -6 + (double)i / 2);

@@ -359,7 +359,7 @@ enum status_code describe_surface(struct surface_record *out, const struct scene
     struct power_law_scans scans = {0};
     const struct describe_task task = {out, &scans, scene};
     summary->scene = surface;
-    summary->pair = scene_pair(surface->bodies);
+    summary->pair = scene_pair(&surface->bodies);
     out->ensemble.keeps_heights = wants_strips(scene);
     enum status_code rc = describe_files(&task, surface, &hash, &problem);
     if (rc == STATUS_OK && surface != &scene->counterface_surface) /* whose lay is taken to be the surface's */

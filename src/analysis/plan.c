@@ -8,7 +8,7 @@
 /** The bodies of surface `i`; the scene's where it has no surface. */
 static const struct scene_bodies *bodies_of(const struct scene *scene, size_t i)
 {
-    return i < scene->surface_count ? scene->surfaces[i].bodies : &scene->bodies;
+    return i < scene->surface_count ? &scene->surfaces[i].bodies : &scene->bodies;
 }
 
 /** What an effect lacks to run on every surface. */
@@ -54,7 +54,7 @@ static void say_lack(struct plan_effect *out, const struct lack *lack)
 static bool same_bodies(const struct scene *scene)
 {
     for (size_t i = 1; i < scene->surface_count; i++)
-        if (strcmp(scene->surfaces[i].bodies->material.name, scene->surfaces[0].bodies->material.name) != 0)
+        if (strcmp(scene->surfaces[i].bodies.material.name, scene->surfaces[0].bodies.material.name) != 0)
             return false;
     return true;
 }

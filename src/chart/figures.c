@@ -572,7 +572,7 @@ static void make_all_surfaces(struct chart *chart, const struct source *source, 
 /** The metal that melts first, °C; NaN: not known. */
 static double melting_C(const struct source *source)
 {
-    const struct scene_bodies *bodies = source->baseline->summary.scene->bodies;
+    const struct scene_bodies *bodies = &source->baseline->summary.scene->bodies;
     const struct heating_metal *metal = heating_metal_find(bodies->material.name);
     return metal ? metal->melting_K - 273.15 : NAN;
 }

@@ -50,7 +50,6 @@ static error_t parse_scene(int key, char *value, struct argp_state *state)
 {
     struct arguments *arguments = state->input;
     struct scene_overrides *overrides = &arguments->overrides;
-    char *end;
     switch (key) {
     case 'm':
         overrides->material = value;
@@ -59,9 +58,7 @@ static error_t parse_scene(int key, char *value, struct argp_state *state)
         overrides->effects = value;
         return 0;
     case 't':
-        overrides->tolerance = strtod(value, &end);
-        if (*end != '\0' || end == value || !(overrides->tolerance >= 1e-14 && overrides->tolerance <= 0.1))
-            argp_error(state, "--tolerance must be a number from 1e-14 to 0.1, not '%s'", value);
+        overrides->tolerance = value;
         return 0;
     case KEY_X_UNIT:
         overrides->x_unit = unit(value, "x-unit", state);

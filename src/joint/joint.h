@@ -23,7 +23,7 @@ struct joint {
     double temperature_K;         /* of the joint */
     double film_ohm_m2;
     double plating_thickness_m, plating_ohm_m;
-    bool both_plated; /* else the first body, which is the surface's */
+    unsigned both_plated; /* 1: both bodies; 0: the first, which is the surface's */
     double current_A;
 };
 

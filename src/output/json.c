@@ -349,9 +349,9 @@ static json_t *surface_json(const struct results *results, size_t index)
     json_t *json = json_pack("{s:o, s:o, s:s, s:s, s:s}", "surface", string(s->scene->name), "files",
                              files_json(s->scene->files, s->scene->file_count), "sha256", s->hash, "format", s->format,
                              "units", s->units);
-    if (s->scene->bodies->material_given || s->scene->bodies->counterface_given) {
-        json_object_set_new(json, "material", material_json(&s->scene->bodies->material, guard));
-        json_object_set_new(json, "counterface", counterface_json(s->scene->bodies, guard));
+    if (s->scene->bodies.material_given || s->scene->bodies.counterface_given) {
+        json_object_set_new(json, "material", material_json(&s->scene->bodies.material, guard));
+        json_object_set_new(json, "counterface", counterface_json(&s->scene->bodies, guard));
         set(json, guard, "effective_modulus_Pa", s->pair.effective_modulus_Pa);
     }
     set_count(json, "points", s->points);

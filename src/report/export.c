@@ -64,7 +64,7 @@ enum status_code export_check(const struct scene *scene, const char *templates, 
     if (words == 0)
         text_add(&problem, "names no program; name one, such as calculix");
     for (size_t i = 0; i < scene->surface_count && problem.length == 0; i++)
-        if (isnan(scene->surfaces[i].bodies->material.youngs_modulus_Pa))
+        if (isnan(scene->surfaces[i].bodies.material.youngs_modulus_Pa))
             text_add(&problem, "surface '%s' has no material, and so no pressures; add 'material' or export nothing",
                      scene_words_show(scene->surfaces[i].name).text);
     if (problem.length > 0 && scene->exports_overridden)

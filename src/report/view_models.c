@@ -269,7 +269,7 @@ static double temperature_C(const struct contact_point *p, const struct joint *j
 /** The body that yields first, whose metal softens first. */
 static const struct material *softer_body(const struct view_source *source, size_t surface)
 {
-    const struct scene_bodies *bodies = view_summary(source, surface)->scene->bodies;
+    const struct scene_bodies *bodies = &view_summary(source, surface)->scene->bodies;
     bool other = bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC &&
                  bodies->counterface.yield_strength_Pa < bodies->material.yield_strength_Pa;
     return other ? &bodies->counterface : &bodies->material;

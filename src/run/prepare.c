@@ -180,11 +180,11 @@ static void plan_direct(struct plan *plan, const struct results *results)
 static enum status_code make_loads(struct prepared *out, const struct scene *scene, struct status *status)
 {
     struct results *results = &out->results;
-    double modulus_Pa = scene_pair(scene->surfaces[0].bodies).effective_modulus_Pa;
+    double modulus_Pa = scene_pair(&scene->surfaces[0].bodies).effective_modulus_Pa;
     for (size_t i = 1; i < scene->surface_count && scene->load.kind != UNIT_NUMBER; i++)
-        results->loads_apart |= scene_pair(scene->surfaces[i].bodies).effective_modulus_Pa != modulus_Pa;
+        results->loads_apart |= scene_pair(&scene->surfaces[i].bodies).effective_modulus_Pa != modulus_Pa;
     for (size_t i = 0; i < (results->loads_apart ? scene->surface_count : 1); i++) {
-        struct material_pair pair = scene_pair(scene->surfaces[i].bodies);
+        struct material_pair pair = scene_pair(&scene->surfaces[i].bodies);
         size_t count, operating;
         double *own;
         if (scene_loads(&own, &count, &operating, scene, &pair, status) != STATUS_OK)

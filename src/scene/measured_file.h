@@ -33,8 +33,8 @@ struct measured_file {
  * A row is two or three numbers; cells are delimited by semicolons, tabs, commas or blanks. The last line of titles
  * above the rows names the units, as `load (N)`, `load [N]`, `F/N`, `load_N`, `load N`, or is the units alone. Columns
  * stand in that order or, where all of them name a unit, in another. What stands behind # is a remark; what else stands
- * above the rows is passed over. Errors: STATUS_SCENE with file and line: a row of another form or below a title that is
- * not there, numbers out of range, a unit that is unknown or not of the column's quantities; STATUS_MEMORY. */
+ * above the rows is passed over. Errors: STATUS_SCENE with file and line: a row of another form or below a title that
+ * is not there, numbers out of range, a unit that is unknown or not of the column's quantities; STATUS_MEMORY. */
 MUST_CHECK enum status_code measured_file_read(struct measured_file *out, struct string_view content, const char *name,
                                                const unsigned quantities[MEASURED_COLUMNS], struct status *status);
 void measured_file_free(struct measured_file *file);

@@ -7,7 +7,6 @@
 #include <gsl/gsl_sort_double.h>
 #include <libgen.h>
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -85,141 +84,114 @@ static enum status_code load_text(struct text *bytes, struct scene *scene, struc
     return text_read_file(bytes, scene->path, status);
 }
 
-static enum status_code override_effects(struct scene *scene, struct scene_source *source, const char *words)
+bool scene_lack_words(struct scene_lack_words *out, const struct scene_bodies *bodies, const char *owner,
+                      const struct effect_row *effect)
 {
-    const char *names[EFFECT_COUNT], *word;
-    memset(source->effect_line, 0, sizeof source->effect_line);
-    scene->effects = 0;
-    scene->effects_auto = strcmp(words, "auto") == 0;
-    if (scene->effects_auto)
-        return STATUS_OK;
-    scene_keys_effect_names(names);
-    size_t length;
-    for (const char *rest = words; (word = scene_words_next(&rest, &length));) {
-        struct scene_words_shown shown = scene_words_show_view((struct string_view){word, word + length});
-        size_t effect = scene_words_find(word, length, names, EFFECT_COUNT);
-        if (effect == EFFECT_COUNT)
-            return status_fail(source->status, STATUS_USAGE, "--effects: unknown effect '%s'; %s", shown.text,
-                               scene_words_hint(shown.text, names, EFFECT_COUNT, EFFECT_COUNT).text);
-        scene->effects |= EFFECT_BIT(effect);
-    }
-    scene->effects = scene_keys_with_needed(source, scene->effects);
-    return scene->effects ? STATUS_OK
-                          : status_fail(source->status, STATUS_USAGE,
-                                        "--effects names none; give 'auto' or names such as 'electrical,thermal'");
+    const char *body;
+    const struct material_property *property = scene_lack(&body, bodies, effect);
+    bool own = owner && (bodies->material_given || bodies->counterface_given);
+    if (property && isnan(bodies->material.youngs_modulus_Pa))
+        strcpy(out->text, "a material; add 'material'");
+    else if (property)
+        snprintf(out->text, sizeof out->text, own ? "'%s'; add it to '%s' of surface '%s'" : "'%s'; add it to '%s'",
+                 property->name, body, own ? scene_words_show(owner).text : "");
+    return property;
 }
 
-/* Effect `effect`, asked for in the scene or else by the command line, lacks what the text says. */
-PRINTF_LIKE(3, 4)
-static bool fail_effect(struct scene_source *source, int effect, const char *lacks, ...)
+/* Effect `effect`, asked for in the scene or else by the command line, lacks `what`. */
+static bool fail_effect(struct scene_source *source, const struct effect_row *effect, const char *what)
 {
-    char what[400];
-    va_list args;
-    va_start(args, lacks);
-    vsnprintf(what, sizeof what, lacks, args);
-    va_end(args);
-    if (source->effect_line[effect])
-        return scene_source_fail(source, source->effect_line[effect], "effect '%s' needs %s or leave the effect out",
-                                 effect_rows[effect].name, what);
+    if (!source->effects_overridden)
+        return scene_source_fail(source, scene_keys_line(source, "effects"),
+                                 "effect '%s' needs %s or leave the effect out", effect->name, what);
     (void)status_fail(source->status, STATUS_SCENE, "--effects: '%s' needs %s in scene.yaml, or leave the effect out",
-                      effect_rows[effect].name, what);
+                      effect->name, what);
     return false;
 }
 
 /* Effects run that a key calls for, unless the command line lists others; none runs without its key. */
-static bool call_effects(struct scene *scene, struct scene_source *source, bool listed)
+static bool call_effects(struct scene *scene, struct scene_source *source)
 {
     for (int i = 0; i < EFFECT_COUNT; i++) {
         const struct effect_row *row = &effect_rows[i];
         unsigned bit = EFFECT_BIT(i);
-        if (!row->key)
-            continue;
-        if (source->call_line[i] == 0 && (scene->effects & bit))
-            return fail_effect(source, i, "'%s'; add that key", row->key);
-        if (source->call_line[i] == 0 || row->only_listed ||
-            (listed && !scene->effects_auto && !(scene->effects & bit)))
+        char what[80];
+        bool given = row->key && scene_keys_line(source, row->key) > 0;
+        snprintf(what, sizeof what, "'%s'; add that key", row->key ? row->key : "");
+        if (row->key && !given && (scene->effects & bit))
+            return fail_effect(source, row, what);
+        if (!given || row->only_listed ||
+            (source->effects_overridden && !scene->effects_auto && !(scene->effects & bit)))
             continue;
         scene->called |= bit;
-        if (scene->effects_auto || (scene->effects & bit))
-            continue;
-        source->effect_line[i] = source->call_line[i];
-        scene->effects |= scene_keys_with_needed(source, bit);
+        if (!scene->effects_auto)
+            scene->effects = scene_keys_with_needed(scene->effects | bit);
     }
     return !(scene->called & EFFECT_BIT(EFFECT_HEATING)) || !isnan(scene->nominal_area_m2) ||
-           scene_source_fail(source, source->call_line[EFFECT_HEATING],
+           scene_source_fail(source, scene_keys_line(source, "current"),
                              "'current' flows through which area? add 'nominal_area'");
 }
 
-static enum status_code override_values(struct scene *scene, struct scene_source *source,
-                                        const struct scene_overrides *overrides)
+/* What the command line says instead of the scene; units once the surfaces are known. */
+static bool override_values(struct scene *scene, struct scene_source *source, const struct scene_overrides *overrides)
 {
-    const char *word = overrides->material, *names[SCENE_SURFACES_MATERIALS];
-    const struct material *material = word ? material_find(word) : &scene->bodies.material;
-    size_t count = scene_surfaces_materials(names, NULL, 0);
-    if (!material)
-        return status_fail(source->status, STATUS_USAGE, "--material: unknown material '%s'; %s",
-                           scene_words_show(word).text, scene_words_hint(word, names, count, count).text);
-    if (word && isnan(material->youngs_modulus_Pa))
-        return status_fail(source->status, STATUS_USAGE, "--material: '%s' bears no load; give the material of a body",
-                           material->name);
-    scene->bodies.material = *material;
-    scene->bodies.material_given = scene->bodies.material_given || word;
-    double tolerance = overrides->tolerance != 0.0 ? overrides->tolerance : scene->tolerance;
-    if (!(tolerance >= SCENE_KEYS_TOLERANCE_LEAST && tolerance <= SCENE_KEYS_TOLERANCE_MOST))
-        return status_fail(source->status, STATUS_USAGE, "--tolerance is %g; allowed is %g to %g", tolerance,
-                           SCENE_KEYS_TOLERANCE_LEAST, SCENE_KEYS_TOLERANCE_MOST);
-    scene->tolerance = tolerance;
-    if (overrides->effects && override_effects(scene, source, overrides->effects) != STATUS_OK)
-        return source->status->code;
-    if (overrides->effects) /* as they are listed there */
-        scene->direct.called = scene->effects_auto ? scene->direct.called : scene->effects & EFFECT_BIT(EFFECT_DIRECT);
-    scene->direct.called = scene->direct.called || overrides->direct || (scene->effects & EFFECT_BIT(EFFECT_DIRECT));
-    (void)call_effects(scene, source, overrides->effects);
-    if (overrides->exports) {
-        free(scene->exports);
-        scene->exports_overridden = true;
-        scene->exports = strdup(overrides->exports);
-        if (!scene->exports)
-            return status_memory(source->status);
-    }
-    return source->status->code;
+    const struct {
+        const char *key, *text;
+    } all[] = {{"material", overrides->material},
+               {"effects", overrides->effects},
+               {"tolerance", overrides->tolerance},
+               {"export", overrides->exports}};
+    for (size_t i = 0; i < SCENE_COUNT(all); i++)
+        for (size_t k = 0; k < scene_key_count && all[i].text; k++)
+            if (strcmp(scene_keys[k].name, all[i].key) == 0 &&
+                !scene_source_option(source, &scene_keys[k], all[i].key, all[i].text, scene))
+                return false;
+    unsigned direct = EFFECT_BIT(EFFECT_DIRECT);
+    if (source->effects_overridden && !scene->effects_auto) /* as they are listed there */
+        scene->direct.called = scene->effects & direct;
+    scene->direct.called = scene->direct.called || overrides->direct || (scene->effects & direct);
+    scene->effects |= scene->direct.called ? direct : 0;
+    return call_effects(scene, source);
 }
 
-static enum status_code override_units(struct scene *scene, const struct scene_overrides *overrides,
-                                       struct status *status)
+static bool override_units(struct scene *scene, struct scene_source *source, const struct scene_overrides *overrides)
 {
-    const char *const units[] = {overrides->x_unit, overrides->z_unit};
-    for (size_t axis = 0; axis < 2; axis++) {
-        const char *unit = units[axis];
-        if (unit && (*unit == '\0' || strlen(unit) >= sizeof scene->surfaces->x_unit))
-            return status_fail(status, STATUS_USAGE, "--%c-unit is '%s'; give a unit of length such as mm or um",
-                               "xz"[axis], scene_words_show(unit).text);
-        for (size_t i = 0; unit && i <= scene->surface_count; i++) {
-            struct scene_surface *surface = i ? &scene->surfaces[i - 1] : &scene->counterface_surface;
-            strcpy(axis ? surface->z_unit : surface->x_unit, unit);
-        }
+    const struct scene_key key = {"unit", NULL, SCENE_SHORT_TEXT(0, sizeof scene->surfaces->x_unit)};
+    for (size_t i = 0; i <= scene->surface_count; i++) {
+        struct scene_surface *surface = i ? &scene->surfaces[i - 1] : &scene->counterface_surface;
+        if ((overrides->x_unit && !scene_source_option(source, &key, "x-unit", overrides->x_unit, surface->x_unit)) ||
+            (overrides->z_unit && !scene_source_option(source, &key, "z-unit", overrides->z_unit, surface->z_unit)))
+            return false;
     }
-    return STATUS_OK;
+    return true;
 }
 
 /* Fails when the bodies of surface `owner` (NULL: the scene) lack what an effect needs that is asked for by name. */
 static bool check_effects(const struct scene *scene, struct scene_source *source, const struct scene_bodies *bodies,
                           const char *owner)
 {
-    char whose[140] = "";
-    if (owner)
-        snprintf(whose, sizeof whose, " of surface '%s'", scene_words_show(owner).text);
-    for (int i = 0; i < EFFECT_COUNT && !scene->effects_auto; i++) {
-        const struct effect_row *effect = &effect_rows[i];
-        const char *body;
-        const struct material_property *property =
-            scene->effects & EFFECT_BIT(i) ? scene_lack(&body, bodies, effect) : NULL;
-        if (property && isnan(bodies->material.youngs_modulus_Pa))
-            return fail_effect(source, i, "a material; add 'material'");
-        if (property)
-            return fail_effect(source, i, "'%s'; add it to '%s'%s", property->name, body, whose);
-    }
+    struct scene_lack_words lack;
+    for (int i = 0; i < EFFECT_COUNT && !scene->effects_auto; i++)
+        if ((scene->effects & EFFECT_BIT(i)) && scene_lack_words(&lack, bodies, owner, &effect_rows[i]))
+            return fail_effect(source, &effect_rows[i], lack.text);
     return true;
+}
+
+/* What some keys say beyond themselves. */
+static bool complete_keys(struct scene *scene, struct scene_source *source)
+{
+    bool band = scene_keys_line(source, "fit_band") > 0;
+    scene->lay_given = scene_keys_line(source, "lay") > 0;
+    scene->level_given = scene_keys_line(source, "level") > 0;
+    scene->fit_band_given = band && (scene->fit_band_m[0] > 0 || isfinite(scene->fit_band_m[1]));
+    if (!band) /* what the filters leave */
+        scene->fit_band_m[0] = scene->lambda_s_m;
+    if (!band && scene->lambda_c_m > 0)
+        scene->fit_band_m[1] = scene->lambda_c_m;
+    return !(scene->lambda_s_m > 0 && scene->lambda_c_m > 0) || scene->lambda_s_m < scene->lambda_c_m ||
+           scene_source_fail(source, scene_keys_line(source, "lambda_c"),
+                             "'lambda_c' is %g m, not above 'lambda_s', %g m; nothing would be left between them",
+                             scene->lambda_c_m, scene->lambda_s_m);
 }
 
 /* One body's mean free path, unless it has one. */
@@ -228,18 +200,14 @@ static bool give_mean_free_path(struct material *material, const struct scene *s
     if (scene->mean_free_path == SCENE_MEAN_FREE_PATH_THESIS || !isnan(material->mean_free_path_m) ||
         isnan(material->youngs_modulus_Pa))
         return true;
-    if (scene->mean_free_path == SCENE_MEAN_FREE_PATH_GIVEN) {
-        material->mean_free_path_m = source->mean_free_path_m;
-        return true;
-    }
     const struct electron_metal *metal = material->electrons ? electron_metal_find(material->electrons) : NULL;
     if (metal && material->resistivity_ohm_m > 0) {
         material->mean_free_path_m = electron_mean_free_path(metal->density_per_m3, material->resistivity_ohm_m);
         return true;
     }
     return scene_source_fail(
-        source, source->mean_free_path_line,
-        "'mean_free_path' is 'electron', which is not known of '%s'; give its length, such as 40 nm",
+        source, scene_keys_line(source, "mean_free_path"),
+        "'mean_free_path' is 'electron', which is not known of '%s'; give the material's own, such as 40 nm",
         scene_words_show(material->name).text);
 }
 
@@ -248,7 +216,6 @@ static bool complete_bodies(struct scene_bodies *bodies, const struct scene *sce
                             const char *owner)
 {
     const struct scene_bodies *whole = &scene->bodies;
-    bool own = bodies->material_given || bodies->counterface_given;
     if (!bodies->material_given)
         bodies->material = whole->material;
     if (!bodies->counterface_given) {
@@ -265,48 +232,33 @@ static bool complete_bodies(struct scene_bodies *bodies, const struct scene *sce
         return scene_source_fail(source, bodies->counterface_line ? bodies->counterface_line : whole->counterface_line,
                                  "'counterface' is '%s', but no material is given to press it on; add 'material'",
                                  scene_words_show(bodies->counterface.name).text);
-    return check_effects(scene, source, bodies, own ? owner : NULL) &&
-           give_mean_free_path(&bodies->material, scene, source) &&
+    return check_effects(scene, source, bodies, owner) && give_mean_free_path(&bodies->material, scene, source) &&
            (!elastic || give_mean_free_path(&bodies->counterface, scene, source));
-}
-
-/* Is any material given, of the scene or of a surface? */
-static bool has_material(const struct scene *scene)
-{
-    for (size_t i = 0; i < scene->surface_count; i++)
-        if (!isnan(scene->surfaces[i].bodies->material.youngs_modulus_Pa))
-            return true;
-    return !isnan(scene->bodies.material.youngs_modulus_Pa);
 }
 
 /* The bodies of every surface; the scene's own count where a surface uses them. */
 static bool complete_all_bodies(struct scene *scene, struct scene_source *source)
 {
-    bool used = scene->surface_count == 0;
+    bool used = scene->surface_count == 0, known = false;
     for (size_t i = 0; i < scene->surface_count; i++)
-        used = used || !scene->surfaces[i].bodies || !scene->surfaces[i].bodies->material_given;
+        used = used || !scene->surfaces[i].bodies.material_given;
     if (used && !complete_bodies(&scene->bodies, scene, source, NULL))
         return false;
-    scene->shared_bodies = malloc(sizeof *scene->shared_bodies);
-    if (!scene->shared_bodies)
-        return scene_source_memory(source);
-    *scene->shared_bodies = scene->bodies;
-    scene->shared_bodies->material_given = scene->shared_bodies->counterface_given = false; /* not a surface's own */
     for (size_t i = 0; i < scene->surface_count; i++) {
         struct scene_surface *surface = &scene->surfaces[i];
-        if (!surface->bodies)
-            surface->bodies = scene->shared_bodies;
-        else if (!complete_bodies(surface->bodies, scene, source, surface->name))
+        if (!complete_bodies(&surface->bodies, scene, source, surface->name))
             return false;
+        known = known || !isnan(surface->bodies.material.youngs_modulus_Pa);
     }
-    return source->hardness_line == 0 || has_material(scene) ||
-           scene_source_fail(source, source->hardness_line, "'hardness' stands without a material; add 'material'");
+    size_t line = scene_keys_line(source, "hardness");
+    return line == 0 || known || !isnan(scene->bodies.material.youngs_modulus_Pa) ||
+           scene_source_fail(source, line, "'hardness' stands without a material; add 'material'");
 }
 
 /* The bodies of surface `i`; without surfaces the scene's. */
 static const struct scene_bodies *bodies_at(const struct scene *scene, size_t i)
 {
-    return scene->surface_count > 0 ? scene->surfaces[i].bodies : &scene->bodies;
+    return scene->surface_count > 0 ? &scene->surfaces[i].bodies : &scene->bodies;
 }
 
 /* Can loads of that kind be turned into P/(A_n E') on every surface? */
@@ -329,8 +281,8 @@ static bool check_load_kind(const struct scene *scene, struct scene_source *sour
 static bool has_one_modulus(const struct scene *scene)
 {
     for (size_t i = 1; i < scene->surface_count; i++)
-        if (scene_pair(scene->surfaces[i].bodies).effective_modulus_Pa !=
-            scene_pair(scene->surfaces[0].bodies).effective_modulus_Pa)
+        if (scene_pair(&scene->surfaces[i].bodies).effective_modulus_Pa !=
+            scene_pair(&scene->surfaces[0].bodies).effective_modulus_Pa)
             return false;
     return true;
 }
@@ -343,9 +295,10 @@ static double one_load(const struct scene_one_load *one, const struct scene *sce
     return one->load / scene_load_divisor(scene, one->kind, pair) * scene_load_divisor(scene, scene->load.kind, pair);
 }
 
-static bool check_one_load(const struct scene_one_load *one, const char *key, size_t line, const struct scene *scene,
+static bool check_one_load(const struct scene_one_load *one, const char *key, const struct scene *scene,
                            struct scene_source *source)
 {
+    size_t line = scene_keys_line(source, key);
     const struct scene_load *load = &scene->load;
     double least = load->from, most = load->to;
     for (size_t i = 0; load->values && i < load->points; i++) {
@@ -370,10 +323,10 @@ static bool check_one_load(const struct scene_one_load *one, const char *key, si
 
 static bool check_loads(const struct scene *scene, struct scene_source *source)
 {
-    return check_load_kind(scene, source, "load", scene->load.kind, scene->load.kind_line) &&
-           check_load_kind(scene, source, "loads", scene->direct.kind, scene->direct.kind_line) &&
-           check_one_load(&scene->operating, "operating_load", source->operating_line, scene, source) &&
-           check_one_load(&scene->unload_from, "unload_from", source->call_line[EFFECT_UNLOADING], scene, source);
+    return check_load_kind(scene, source, "load", scene->load.kind, scene_keys_line(source, "load")) &&
+           check_load_kind(scene, source, "loads", scene->direct.kind, scene_keys_line(source, "direct")) &&
+           check_one_load(&scene->operating, "operating_load", scene, source) &&
+           check_one_load(&scene->unload_from, "unload_from", scene, source);
 }
 
 static bool check_baseline(const struct scene *scene, struct scene_source *source)
@@ -384,7 +337,8 @@ static bool check_baseline(const struct scene *scene, struct scene_source *sourc
         if (strcmp(scene->surfaces[i].name, scene->baseline) == 0)
             return true;
     const char *first = scene->surfaces[0].name;
-    return scene_source_fail(source, source->baseline_line, "'baseline' is '%s', no surface's name; the first is '%s'",
+    return scene_source_fail(source, scene_keys_line(source, "baseline"),
+                             "'baseline' is '%s', no surface's name; the first is '%s'",
                              scene_words_show(scene->baseline).text, scene_words_show(first).text);
 }
 
@@ -392,11 +346,10 @@ static enum status_code complete(struct scene *scene, struct scene_source *sourc
                                  const struct scene_overrides *overrides)
 {
     struct status *status = source->status;
-    if (override_values(scene, source, overrides) != STATUS_OK)
-        return status->code;
-    if ((scene->surface_count == 0 && scene_files_list(scene, status) != STATUS_OK) ||
+    if (!complete_keys(scene, source) || !override_values(scene, source, overrides) ||
+        (scene->surface_count == 0 && scene_files_list(scene, status) != STATUS_OK) ||
         !complete_all_bodies(scene, source) || !check_loads(scene, source) || !scene_asked_complete(scene, source) ||
-        override_units(scene, overrides, status) != STATUS_OK || !check_baseline(scene, source))
+        !override_units(scene, source, overrides) || !check_baseline(scene, source))
         return status->code;
     if (!scene->title)
         scene->title = directory_title(scene->directory);
@@ -419,7 +372,7 @@ enum status_code scene_read(struct scene *out, const char *directory, const stru
         return status_memory(status);
     const struct text *text = over->text ? over->text : &loaded;
     if ((over->text || load_text(&loaded, out, status) == STATUS_OK) &&
-        (!out->path || scene_source_read(&source, text_string(text), text->length, scene_keys_read)))
+        (!out->path || scene_source_read(&source, text_string(text), text->length)))
         (void)complete(out, &source, over);
     text_free(&loaded);
     return status->code;
@@ -428,10 +381,9 @@ enum status_code scene_read(struct scene *out, const char *directory, const stru
 void scene_free(struct scene *scene)
 {
     for (size_t i = 0; i < scene->surface_count; i++)
-        scene_files_free(&scene->surfaces[i], scene->shared_bodies);
+        scene_files_free(&scene->surfaces[i]);
     free(scene->surfaces);
-    scene_files_free(&scene->counterface_surface, NULL);
-    free(scene->shared_bodies);
+    scene_files_free(&scene->counterface_surface);
     free(scene->measured.file);
     free(scene->targets);
     free(scene->limits);

@@ -27,10 +27,9 @@ struct scene_bodies {
 
 /** One surface to report: one scan file, or repeated scans of it. */
 struct scene_surface {
-    struct scene_bodies
-        *bodies;  /* once the scene is read: its own, or those that it shares (see scene.shared_bodies) */
-    char *name;   /* as printed; hostile until escaped */
-    char **files; /* file_count paths as given: see scene_file_path() */
+    struct scene_bodies bodies; /* once the scene is read completed with the scene's */
+    char *name;                 /* as printed; hostile until escaped */
+    char **files;               /* file_count paths as given: see scene_file_path() */
     size_t file_count;
     char **along; /* along_count of scans along the lay, the same */
     size_t along_count;
@@ -50,8 +49,7 @@ struct scene_load {
     enum unit_quantity kind;     /* UNIT_NUMBER: P/(A_n E'); UNIT_PRESSURE: P/A_n; UNIT_FORCE: P */
     struct unit unit;            /* what they were given in */
     char unit_text[UNIT_LENGTH]; /* the same, as charts and tables over load are to stand in; "": P/(A_n E') */
-    size_t kind_line;            /* of the scene: says the kind; 0: nothing does */
-    size_t plain_line;           /* the last plain number's; 0: there is none */
+    bool given;                  /* by the scene: kind and unit are those of its first load */
 };
 
 /** A load beside those of the curves. */
@@ -71,7 +69,7 @@ struct scene_convergence {
 enum scene_mean_free_path {
     SCENE_MEAN_FREE_PATH_THESIS,   /* 3k/(density v_s c_p), one of phonons (4.52) */
     SCENE_MEAN_FREE_PATH_ELECTRON, /* of the metal's free electrons */
-    SCENE_MEAN_FREE_PATH_GIVEN     /* the scene's length */
+    SCENE_MEAN_FREE_PATH_COUNT
 };
 
 enum scene_measured_quantity { SCENE_MEASURED_ECR, SCENE_MEASURED_TCR, SCENE_MEASURED_QUANTITY_COUNT };
@@ -104,7 +102,6 @@ struct scene_direct {
     size_t loads;            /* how many */
     double *values;          /* `loads` of them, SI, or NULL */
     enum unit_quantity kind; /* of `values`: P/(A_n E'), pressure or force */
-    size_t kind_line;        /* of the scene: says it */
     double hardness_Pa;      /* NaN: the scene's hardness */
     double budget_s;         /* time of one core that grid and seeds are chosen to fit in; 0: none */
     enum scene_direct_surfaces surfaces;
@@ -157,12 +154,11 @@ struct scene {
     uint64_t models;   /* MODEL_BITs asked for */
     bool models_named; /* by the scene, so that they run whatever the surfaces are */
     bool effects_auto;
-    unsigned effects;                   /* EFFECT_BITs asked for, and those they build on, when !effects_auto */
-    unsigned called;                    /* EFFECT_BITs whose key the scene gives (effect_row.key): they run */
-    struct joint joint;                 /* what those keys say */
-    struct scene_bodies bodies;         /* of every surface that has none of its own */
-    struct scene_bodies *shared_bodies; /* the same, where all such surfaces point to; owned */
-    double nominal_area_m2;             /* NaN: resistances stay per area */
+    unsigned effects;           /* EFFECT_BITs asked for, and those they build on, when !effects_auto */
+    unsigned called;            /* EFFECT_BITs whose key the scene gives (effect_row.key): they run */
+    struct joint joint;         /* what those keys say */
+    struct scene_bodies bodies; /* of every surface that has none of its own */
+    double nominal_area_m2;     /* NaN: resistances stay per area */
     enum scene_mean_free_path mean_free_path;
     struct scene_load load;
     struct scene_one_load operating;   /* where summary and tables stand; none: at the middle one */
@@ -198,13 +194,10 @@ struct scene {
     char *passed_over;       /* files of the directory that are no scans, a line a kind; NULL: none */
 };
 
-/** Overrides from the command line; NULL, or 0 for tolerance, means not given. */
+/** Overrides from the command line, each as the scene's key has it; NULL means not given. */
 struct scene_overrides {
     const struct text *text; /* in place of what the directory's scene.yaml says, if there is one */
-    const char *material;    /* built-in name */
-    const char *effects;     /* "auto" or names separated by commas or blanks */
-    const char *exports;     /* the same, of programs */
-    double tolerance;
+    const char *material, *effects, *tolerance, *exports;
     const char *x_unit, *z_unit; /* for every surface */
     bool direct;                 /* calls for the direct solution */
 };
@@ -237,8 +230,7 @@ bool scene_bins_spectra(const struct scene *scene);
 /** Where a surface's file is: `file` if absolute, else below the scene's directory. malloc'ed; NULL: out of memory. */
 char *scene_file_path(const struct scene *scene, const char *file);
 
-/** The pair of bodies of a surface, or of the scene; material_pair_unknown() without a material, or without bodies
- * (NULL). */
+/** The pair of bodies of a surface, or of the scene; material_pair_unknown() without a material. */
 struct material_pair scene_pair(const struct scene_bodies *bodies);
 
 /** A property that the effect needs and one of the bodies does not have, and which body; NULL: they have all. */

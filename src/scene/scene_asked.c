@@ -35,7 +35,6 @@ static const struct {
 struct list {
     struct scene_asked *items;
     size_t *count;
-    bool is_limit, is_most;
     const struct scene_asked_row *row; /* of a limit */
 };
 
@@ -47,19 +46,17 @@ static const struct scene_asked_row *row_named(const char *name)
     return row;
 }
 
-static bool read_value(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+static bool read_value(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
 {
-    const struct list *list = key->field;
-    const struct scene_asked_row *row = list->row ? list->row : row_named(key->name);
+    const struct list *list = field;
     struct scene_quantity quantity;
     if (!scene_source_quantity_of(&quantity, source, key, value))
         return false;
     if (*list->count == ASKED_MOST)
-        return scene_source_fail_at(source, value, "more than %d %s; leave some out", ASKED_MOST,
-                                    list->is_limit ? "limits" : "targets");
-    struct scene_asked *asked = &list->items[*list->count];
-    *asked = (struct scene_asked){.row = row,
-                                  .is_most = list->is_most,
+        return scene_source_fail_at(source, value, "more than %d of them; leave some out", ASKED_MOST);
+    struct scene_asked *asked = &list->items[(*list->count)++];
+    *asked = (struct scene_asked){.row = list->row ? list->row : row_named(key->name),
+                                  .is_most = strcmp(key->name, "most") == 0,
                                   .kind = quantity.kind,
                                   .unit = quantity.unit,
                                   .value = quantity.value,
@@ -69,73 +66,67 @@ static bool read_value(struct scene_source *source, const struct scene_key *key,
     snprintf(asked->text, sizeof asked->text, "%.6g%s%s",
              (quantity.value - quantity.unit.offset) / quantity.unit.factor, asked->unit_text[0] ? " " : "",
              asked->unit_text);
-    for (size_t i = 0; i < *list->count; i++)
-        if (list->items[i].row == row && list->items[i].is_most == list->is_most &&
-            strcmp(list->items[i].text, asked->text) == 0)
-            return scene_source_fail(source, asked->line, "'%s' is asked to be %s twice; remove one", row->name,
-                                     asked->text);
-    ++*list->count;
     return true;
 }
 
-static bool read_ends(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+static bool read_ends(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
 {
-    const struct scene_asked_row *row = row_named(key->name);
-    struct list ends[2] = {*(struct list *)key->field, *(struct list *)key->field};
-    struct scene_key keys[2];
-    for (int k = 0; k < 2; k++) {
-        ends[k].row = row;
-        ends[k].is_most = k == 0;
-        keys[k] =
-            (struct scene_key){k == 0 ? "most" : "least", read_value,        .field = &ends[k],
-                               .least = row->least,       .most = row->most, .quantities = row->total | row->per_area};
-    }
-    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys)))
+    struct list *list = field;
+    struct scene_key keys[2] = {*key, *key};
+    size_t lines[2];
+    list->row = row_named(key->name);
+    keys[0].name = "most";
+    keys[1].name = "least";
+    keys[0].read = keys[1].read = read_value;
+    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys), lines, list))
         return false;
-    return keys[0].line > 0 || keys[1].line > 0 ||
+    return lines[0] > 0 || lines[1] > 0 ||
            scene_source_fail_at(source, value, "'%s' has no limit; give 'most' or 'least'", key->name);
-}
-
-static bool read_rows(struct scene_source *source, const yaml_node_t *node, const char *what, struct list *list)
-{
-    struct scene_key keys[ROWS];
-    for (size_t r = 0; r < ROWS; r++) {
-        const struct scene_asked_row *row = &scene_asked_rows[r];
-        keys[r] = (struct scene_key){row->name,         list->is_limit ? read_ends : read_value,
-                                     .field = list,     .least = row->least,
-                                     .most = row->most, .quantities = row->total | row->per_area};
-    }
-    return scene_source_mapping(source, node, what, keys, ROWS);
 }
 
 static bool read_asked(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
                        struct scene_asked **items, size_t *count, bool limits)
 {
-    *items = calloc(ASKED_MOST, sizeof **items);
-    struct list list = {.items = *items, .count = count, .is_limit = limits};
+    struct list list = {.items = *items = calloc(ASKED_MOST, sizeof **items), .count = count};
+    struct scene_key keys[ROWS];
+    size_t lines[ROWS];
     if (!*items)
         return scene_source_memory(source);
+    for (size_t r = 0; r < ROWS; r++) {
+        const struct scene_asked_row *row = &scene_asked_rows[r];
+        keys[r] = (struct scene_key){row->name,
+                                     NULL,
+                                     limits ? read_ends : read_value,
+                                     .least = row->least,
+                                     .most = row->most,
+                                     .quantities = row->total | row->per_area};
+    }
     for (size_t i = 0; i < (limits ? 1 : scene_source_item_count(value)); i++)
-        if (!read_rows(source, limits ? value : scene_source_item(source, value, i), key->name, &list))
+        if (!scene_source_mapping(source, limits ? value : scene_source_item(source, value, i), key->name, keys, ROWS,
+                                  lines, &list))
             return false;
     return *count > 0 || scene_source_fail_at(source, value, "'%s' names none; remove the line, or give one such as %s",
                                               key->name, limits ? "ecr: {most: 2 mohm}" : "{ecr: 1 mohm}");
 }
 
-bool scene_asked_targets(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+bool scene_asked_targets(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                         void *scene)
 {
-    return read_asked(source, key, value, &source->scene->targets, &source->scene->target_count, false);
+    struct scene *out = scene;
+    return read_asked(source, key, value, &out->targets, &out->target_count, false);
 }
 
-bool scene_asked_limits(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+bool scene_asked_limits(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *scene)
 {
-    return read_asked(source, key, value, &source->scene->limits, &source->scene->limit_count, true);
+    struct scene *out = scene;
+    return read_asked(source, key, value, &out->limits, &out->limit_count, true);
 }
 
 /* Will the models compute it on every surface? */
 static bool check_effects(const struct scene *scene, struct scene_source *source, const struct scene_asked *asked)
 {
     const struct quantity_row *quantity = &quantity_rows[asked->row->quantity];
+    struct scene_lack_words lack;
     const unsigned needed = quantity->from ? quantity->effect & scene->called : quantity->effect;
     for (int e = 0; e < EFFECT_COUNT; e++) {
         if (!(needed & EFFECT_BIT(e)))
@@ -144,18 +135,10 @@ static bool check_effects(const struct scene *scene, struct scene_source *source
             return scene_source_fail(source, asked->line,
                                      "'%s' needs the effect '%s', which is not listed; add it or leave '%s' out",
                                      asked->row->name, effect_rows[e].name, asked->row->name);
-        for (size_t i = 0; i < scene->surface_count; i++) {
-            const struct scene_surface *surface = &scene->surfaces[i];
-            const char *body;
-            const struct material_property *property = scene_lack(&body, surface->bodies, &effect_rows[e]);
-            if (property && isnan(surface->bodies->material.youngs_modulus_Pa))
-                return scene_source_fail(source, asked->line, "'%s' needs a material; add 'material' or leave '%s' out",
-                                         asked->row->name, asked->row->name);
-            if (property)
-                return scene_source_fail(
-                    source, asked->line, "'%s' needs '%s' of surface '%s'; add it to the material or leave '%s' out",
-                    asked->row->name, property->name, scene_words_show(surface->name).text, asked->row->name);
-        }
+        for (size_t i = 0; i < scene->surface_count; i++)
+            if (scene_lack_words(&lack, &scene->surfaces[i].bodies, scene->surfaces[i].name, &effect_rows[e]))
+                return scene_source_fail(source, asked->line, "'%s' needs %s or leave '%s' out", asked->row->name,
+                                         lack.text, asked->row->name);
     }
     return true;
 }

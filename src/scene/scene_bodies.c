@@ -6,7 +6,7 @@
 
 struct material_pair scene_pair(const struct scene_bodies *bodies)
 {
-    if (!bodies || isnan(bodies->material.youngs_modulus_Pa))
+    if (!(bodies->material.youngs_modulus_Pa > 0))
         return material_pair_unknown();
     struct material_pair pair = material_pair(&bodies->material, bodies->counterface_kind, &bodies->counterface);
     if (bodies->hardness_Pa > 0)

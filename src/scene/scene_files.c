@@ -99,10 +99,8 @@ char *scene_files_name(const char *file, bool ending)
     return !ending && dot && dot > start ? strndup(start, (size_t)(dot - start)) : strdup(start);
 }
 
-void scene_files_free(struct scene_surface *surface, const struct scene_bodies *shared)
+void scene_files_free(struct scene_surface *surface)
 {
-    if (surface->bodies != shared)
-        free(surface->bodies);
     free(surface->x_column);
     free(surface->z_column);
     for (size_t i = 0; i < surface->file_count; i++)
@@ -194,7 +192,8 @@ static enum status_code tell_others(struct scene *scene, struct scene_surface *o
 static const char *kind_of_other(const struct scene *scene, const char *name)
 {
     char bytes[32768], *path = scene_file_path(scene, name);
-    FILE *file = path ? fopen(path, "rbe") : NULL;
+    int descriptor = path ? open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC) : -1; /* a kernel's may wait for news */
+    FILE *file = descriptor < 0 ? NULL : fdopen(descriptor, "rb");
     size_t length = file ? fread(bytes, 1, sizeof bytes, file) : 0;
     bool whole = length < sizeof bytes;
     struct text all = {0};
@@ -240,7 +239,7 @@ static enum status_code add_surface(struct scene *scene, struct scene_surface *o
     free(pattern);
     surface->file_count = kept;
     if (kept == 0) {
-        scene_files_free(surface, NULL);
+        scene_files_free(surface);
         scene->surface_count--;
     }
     return code;
@@ -273,9 +272,9 @@ enum status_code scene_files_list(struct scene *scene, struct status *status)
             (void)add_surface(scene, &others, folders.files[i], true, status);
     if (status->code == STATUS_OK && tell_others(scene, &others, status) == STATUS_OK)
         (void)tell_apart(scene, status);
-    scene_files_free(&files, NULL);
-    scene_files_free(&folders, NULL);
-    scene_files_free(&others, NULL);
+    scene_files_free(&files);
+    scene_files_free(&folders);
+    scene_files_free(&others);
     return status->code;
 }
 
@@ -335,7 +334,7 @@ enum status_code scene_join_repeats(struct scene *scene, struct status *status)
         for (end = i + 1; end < scene->surface_count && compare_roots(file, all[end].files[0]) == 0 &&
                           scene_files_add(surface, all[end].files[0], status) == STATUS_OK;
              end++)
-            scene_files_free(&all[end], scene->shared_bodies);
+            scene_files_free(&all[end]);
         if (end == i + 1)
             continue;
         free(surface->name);
@@ -359,7 +358,7 @@ char *scene_pattern(const struct scene *scene, const struct scene_surface *surfa
                  found.file_count == surface->file_count;
     for (size_t i = 0; i < found.file_count && exact; i++) /* a file of that very name would be taken alone */
         exact = strcmp(found.files[i], surface->files[i]) == 0 && strcmp(found.files[i], pattern) != 0;
-    scene_files_free(&found, NULL);
+    scene_files_free(&found);
     if (exact)
         return pattern;
     free(pattern);

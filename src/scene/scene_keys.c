@@ -3,13 +3,13 @@
 #include "scene/scene_source.h"
 
 #include <assert.h>
-#include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 const char *const scene_data_names[SCENE_DATA_COUNT] = {"auto", "full"};
 static const char *const closure_names[SINUSOID_FIT_COUNT] = {"thesis", "numeric"};
+static const char *const mean_free_path_names[SCENE_MEAN_FREE_PATH_COUNT] = {"thesis", "electron"};
 static const char *const measured_quantity_names[SCENE_MEASURED_QUANTITY_COUNT] = {"ecr", "tcr"};
 const unsigned scene_measured_resistances[SCENE_MEASURED_QUANTITY_COUNT] = {
     [SCENE_MEASURED_ECR] = UNIT_RESISTANCE | UNIT_RESISTANCE_AREA,
@@ -21,49 +21,21 @@ const unsigned scene_measured_resistances[SCENE_MEASURED_QUANTITY_COUNT] = {
 #define LOAD_MOST        1e100
 #define LOAD_POINTS_MOST 100000
 
-void scene_keys_effect_names(const char *names[EFFECT_COUNT])
+unsigned scene_keys_with_needed(unsigned effects)
 {
     for (int i = 0; i < EFFECT_COUNT; i++)
-        names[i] = effect_rows[i].name;
-}
-
-unsigned scene_keys_with_needed(struct scene_source *source, unsigned effects)
-{
-    for (int i = 0; i < EFFECT_COUNT; i++)
-        for (int needed = 0; needed < EFFECT_COUNT; needed++)
-            if ((effects & EFFECT_BIT(i)) && (effect_rows[i].needs_effects & EFFECT_BIT(needed))) {
-                effects |= EFFECT_BIT(needed);
-                if (source->effect_line[needed] == 0)
-                    source->effect_line[needed] = source->effect_line[i];
-            }
+        for (int k = 0; k < EFFECT_COUNT; k++)
+            effects |= effects & EFFECT_BIT(k) ? effect_rows[k].needs_effects : 0;
     return effects;
 }
 
 enum { MODEL_NAMES = 128 }; /* a family and a name for each of at most 64 models */
 
-/* Names of models that went, families among them. */
-static const struct {
-    const char *name, *now;
-} former_models[] = {
-    {"two-band", "strip"},          {"two-band-elastic", "strip"},    {"two-band-plastic", "strip-plastic"},
-    {"contacting-slopes", "strip"}, {"persson", "corrected-persson"}, {"sridhar-yovanovich", "strip"},
-};
-
-static bool fail_word(struct scene_source *source, const yaml_node_t *item, struct string_view word, const char *what,
-                      const char *const *names, size_t count)
-{
-    for (size_t k = 0; k < SCENE_COUNT(former_models) && strcmp(what, "model") == 0; k++)
-        if (string_view_equals(word, former_models[k].name))
-            return scene_source_fail_at(source, item, "model '%s' is no longer there; '%s' took its place",
-                                        former_models[k].name, former_models[k].now);
-    return scene_source_unknown(source, item, what, names, count, count);
-}
-
-/* One or more words out of `names`, as a list or as one text: in `lines` the last line of each, 0 for the others. */
+/* Words out of `names`, as a list or as one text: given[n] where names[n] is among them. */
 static bool read_set(struct scene_source *source, const struct scene_key *key, const char *what,
-                     const yaml_node_t *value, const char *const *names, size_t count, size_t *lines)
+                     const yaml_node_t *value, const char *const *names, size_t count, bool *given)
 {
-    memset(lines, 0, count * sizeof *lines);
+    memset(given, 0, count * sizeof *given);
     for (size_t i = 0; i < scene_source_item_count(value); i++) {
         const yaml_node_t *item = scene_source_item(source, value, i);
         if (item->type != YAML_SCALAR_NODE)
@@ -72,8 +44,8 @@ static bool read_set(struct scene_source *source, const struct scene_key *key, c
         for (size_t length; (word = scene_words_next(&rest, &length));) {
             size_t n = scene_words_find(word, length, names, count);
             if (n == count)
-                return fail_word(source, item, (struct string_view){word, rest}, what, names, count);
-            lines[n] = scene_source_line(item);
+                return scene_source_unknown(source, item, (struct string_view){word, rest}, what, names, count, count);
+            given[n] = true;
         }
     }
     return true;
@@ -86,107 +58,116 @@ static void add_name(const char *names[MODEL_NAMES], size_t *count, const char *
 }
 
 /* Families, each once, then single models. */
-static bool read_models(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+static bool read_models(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
 {
     const char *names[MODEL_NAMES] = {0};
-    size_t lines[MODEL_NAMES], count = 0;
+    bool given[MODEL_NAMES];
+    size_t count = 0;
     for (size_t m = 0; m < model_count; m++)
         add_name(names, &count, model_rows[m]->family);
     for (size_t m = 0; m < model_count; m++)
         add_name(names, &count, model_rows[m]->name);
-    if (!read_set(source, key, "model", value, names, count, lines))
+    if (!read_set(source, key, "model", value, names, count, given))
         return false;
-    uint64_t *models = key->field;
+    uint64_t *models = field;
     *models = 0;
     source->scene->models_named = true;
     for (size_t i = 0; i < count; i++)
-        *models |= lines[i] ? model_find(names[i]) : 0;
+        *models |= given[i] ? model_find(names[i]) : 0;
     return *models || scene_source_fail_at(source, value, "'models' names none; remove the line for the default ones");
 }
 
-static bool read_effects(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+static bool read_effects(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                         void *field)
 {
     struct scene *scene = source->scene;
+    unsigned *effects = field;
     const char *names[EFFECT_COUNT];
-    if (scene_source_is(value, "auto"))
+    bool given[EFFECT_COUNT];
+    *effects = 0;
+    source->effects_overridden = source->option;
+    scene->effects_auto = scene_source_is(value, "auto");
+    if (scene->effects_auto)
         return true;
-    scene_keys_effect_names(names);
-    scene->effects_auto = false;
-    if (!read_set(source, key, "effect", value, names, EFFECT_COUNT, source->effect_line))
+    for (int i = 0; i < EFFECT_COUNT; i++)
+        names[i] = effect_rows[i].name;
+    if (!read_set(source, key, "effect", value, names, EFFECT_COUNT, given))
         return false;
     for (int i = 0; i < EFFECT_COUNT; i++)
-        scene->effects |= source->effect_line[i] ? EFFECT_BIT(i) : 0;
-    scene->effects = scene_keys_with_needed(source, scene->effects);
-    return true;
+        *effects |= given[i] ? EFFECT_BIT(i) : 0;
+    *effects = scene_keys_with_needed(*effects);
+    return *effects || !source->option ||
+           scene_source_fail_at(source, value,
+                                "'effects' names none; give 'auto' or names such as 'electrical,thermal'");
 }
 
 /* Names of programs, joined: report/export.h knows which there are. */
-static bool read_export(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+static bool read_export(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
 {
     struct text names = {0};
-    for (size_t i = 0; i < scene_source_item_count(value); i++) {
+    char **exports = field;
+    bool good = true;
+    for (size_t i = 0; i < scene_source_item_count(value) && good; i++) {
         const yaml_node_t *item = scene_source_item(source, value, i);
-        if (item->type != YAML_SCALAR_NODE) {
-            text_free(&names);
-            return scene_source_wrong_type(source, item, key->name, "a list of names");
-        }
-        text_add(&names, "%s ", (const char *)item->data.scalar.value);
+        good = item->type == YAML_SCALAR_NODE || scene_source_wrong_type(source, item, key->name, "a list of names");
+        text_add(&names, "%s ", good ? (const char *)item->data.scalar.value : "");
     }
-    source->scene->exports = strdup(text_string(&names));
+    free(*exports);
+    *exports = strdup(text_string(&names));
+    source->scene->exports_overridden = source->option;
     text_free(&names);
-    return source->scene->exports || scene_source_memory(source);
+    return good && (*exports || scene_source_memory(source));
 }
 
 /* Wavelengths [shortest, longest]. */
-static bool read_fit_band(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+static bool read_fit_band(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                          void *field)
 {
-    double *band = key->field;
+    double *band = field;
     if (scene_source_is(value, key->word))
         return true;
     if (value->type != YAML_SEQUENCE_NODE || scene_source_item_count(value) != 2)
         return scene_source_wrong_type(source, value, key->name, "two wavelengths [shortest, longest] in m");
-    struct scene_key number = *key;
-    for (size_t i = 0; i < 2; i++) {
-        number.field = &band[i];
-        if (!scene_source_quantity(source, &number, scene_source_item(source, value, i)))
+    for (size_t i = 0; i < 2; i++)
+        if (!scene_source_quantity(source, key, scene_source_item(source, value, i), &band[i]))
             return false;
-    }
     return band[0] < band[1] ||
            scene_source_fail_at(source, value, "'%s' is [%g, %g]; give the shorter wavelength first", key->name,
                                 band[0], band[1]);
 }
 
-/* One load, of the kind and with the unit that those before it in `load` have. */
-static bool read_load_one(struct scene_source *source, const struct scene_key *key, struct scene_load *load,
-                          double *number, const yaml_node_t *value)
+/* A load, of the kind that those before it in `load` have. */
+static bool read_load_one(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                          struct scene_load *load, double *number)
 {
     struct scene_quantity quantity;
     if (!scene_source_quantity_of(&quantity, source, key, value))
         return false;
-    if (quantity.has_unit && load->kind_line > 0 && load->kind != quantity.kind)
-        return scene_source_fail_at(source, value, "'%s' is %s, but %s stands in line %zu; give one kind", key->name,
-                                    unit_quantity_name(quantity.kind), unit_quantity_name(load->kind), load->kind_line);
-    if (quantity.has_unit && load->kind_line == 0) {
-        load->kind = quantity.kind;
-        load->kind_line = scene_source_line(value);
+    if (load->given && quantity.kind != load->kind)
+        return scene_source_fail_at(source, value, "'%s' is %s beside %s; give all loads in one unit", key->name,
+                                    unit_quantity_name(quantity.kind), unit_quantity_name(load->kind));
+    if (!load->given && quantity.kind != UNIT_NUMBER) {
         load->unit = quantity.unit;
-        strcpy(load->unit_text, quantity.kind == UNIT_NUMBER ? "" : quantity.text);
+        strcpy(load->unit_text, quantity.text);
     }
-    load->plain_line = quantity.has_unit ? load->plain_line : scene_source_line(value);
+    load->kind = quantity.kind;
+    load->given = true;
     *number = quantity.value;
     return true;
 }
 
-static bool read_load_number(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+static bool read_load_number(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                             void *field)
 {
-    double *number = key->field;
-    return read_load_one(source, key, &source->scene->load, number, value);
+    return read_load_one(source, key, value, &source->scene->load, field);
 }
 
-static bool read_load_list(struct scene_source *source, const struct scene_key *key, struct scene_load *load,
-                           size_t most, const yaml_node_t *value)
+/* A list of them, into a struct scene_load. */
+static bool read_load_list(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                           void *field)
 {
-    size_t count = scene_source_item_count(value);
+    struct scene_load *load = field;
+    size_t count = scene_source_item_count(value), most = LOAD_POINTS_MOST;
     if (count == 0 || count > most)
         return scene_source_fail_at(source, value, "'%s' holds %zu loads; allowed is 1 to %zu", key->name, count, most);
     load->values = malloc(count * sizeof *load->values);
@@ -194,339 +175,337 @@ static bool read_load_list(struct scene_source *source, const struct scene_key *
         return scene_source_memory(source);
     load->points = count;
     for (size_t i = 0; i < count; i++)
-        if (!read_load_one(source, key, load, &load->values[i], scene_source_item(source, value, i)))
+        if (!read_load_one(source, key, scene_source_item(source, value, i), load, &load->values[i]))
             return false;
     return true;
 }
 
-static bool read_load_values(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
-{
-    return read_load_list(source, key, key->field, LOAD_POINTS_MOST, value);
-}
+#define LOADS .least = LOAD_LEAST, .most = LOAD_MOST, .quantities = UNIT_LOADS
 
-/* Loads that have a unit beside some that have none: fails. */
-static bool check_units_of_all(struct scene_source *source, const struct scene_load *load)
-{
-    return load->kind_line == 0 || load->plain_line == 0 ||
-           scene_source_fail(source, load->plain_line,
-                             "a load has no unit, but one in line %zu has; give all of them theirs", load->kind_line);
-}
+#define LOAD(member) offsetof(struct scene_load, member)
+enum { LOAD_FROM, LOAD_TO, LOAD_POINTS, LOAD_VALUES, LOAD_UNIT };
+static const struct scene_key load_keys[] = {
+    {"from", NULL, read_load_number, .at = LOAD(from), LOADS},
+    {"to", NULL, read_load_number, .at = LOAD(to), LOADS},
+    {"points", NULL, SCENE_WHOLE(LOAD(points), 1, LOAD_POINTS_MOST)},
+    {"values", NULL, read_load_list, .at = 0, LOADS},
+    {"unit", NULL, scene_source_unit, .at = LOAD(unit_text), .quantities = UNIT_LOADS},
+};
 
-/* Is what the key gives, if anything, a unit of one of `quantities`? */
-static bool check_unit(struct scene_source *source, const struct scene_key *key, unsigned quantities)
+/* Puts plain loads into load->unit_text. Pascals leave the charts over P/(A_n E'), another unit of force or pressure
+ * does not. */
+static void apply_load_unit(struct scene_load *load)
 {
-    struct unit unit;
-    const char *text = key->field;
-    return key->line == 0 || (unit_read(&unit, text, strlen(text)) && unit_of(&unit, quantities)) ||
-           scene_source_fail(source, key->line, "'%s' is '%s'; understood: %s", key->name, scene_words_show(text).text,
-                             unit_known(quantities).text);
-}
-
-/* Puts plain loads into `unit:`. Pascals leave the charts over P/(A_n E'), another unit of force or pressure does not.
- */
-static bool apply_load_unit(struct scene_source *source, struct scene_load *load, const char *text,
-                            const struct scene_key *key)
-{
-    struct unit unit = {.factor = 1};
-    if (key->line > 0)
-        (void)unit_read(&unit, text, strlen(text)); /* check_unit() has */
-    enum unit_quantity kind = key->line > 0 ? (enum unit_quantity)unit_of(&unit, UNIT_LOADS) : UNIT_NUMBER;
-    if (load->kind_line > 0 && kind != load->kind && (key->line > 0 || load->plain_line > 0))
-        return scene_source_fail(source, key->line > 0 ? key->line : load->plain_line,
-                                 "a load is %s, but %s stands in line %zu; give one kind", unit_quantity_name(kind),
-                                 unit_quantity_name(load->kind), load->kind_line);
-    if (load->kind_line > 0 || key->line == 0)
-        return check_units_of_all(source, load);
-    load->kind = kind;
-    load->kind_line = key->line;
-    load->unit = unit;
-    if (kind != UNIT_NUMBER && strcmp(text, "Pa") != 0)
-        strcpy(load->unit_text, text);
-    load->from *= unit.factor;
-    load->to *= unit.factor;
+    (void)unit_read(&load->unit, load->unit_text, strlen(load->unit_text)); /* scene_source_unit() has */
+    load->kind = (enum unit_quantity)unit_of(&load->unit, UNIT_LOADS);
+    if (load->kind == UNIT_NUMBER || strcmp(load->unit_text, "Pa") == 0)
+        *load->unit_text = '\0';
+    load->from *= load->unit.factor;
+    load->to *= load->unit.factor;
     for (size_t i = 0; load->values && i < load->points; i++)
-        load->values[i] *= unit.factor;
-    return true;
+        load->values[i] *= load->unit.factor;
 }
 
-static bool read_load(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+static bool read_load(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
 {
-    struct scene_load *load = key->field;
-    char unit[UNIT_LENGTH] = "";
-    struct scene_key keys[] = {
-        {"from", read_load_number, .field = &load->from, .least = LOAD_LEAST, .most = LOAD_MOST,
-         .quantities = UNIT_LOADS},
-        {"to", read_load_number, .field = &load->to, .least = LOAD_LEAST, .most = LOAD_MOST, .quantities = UNIT_LOADS},
-        {"points", SCENE_WHOLE(load->points, 1, LOAD_POINTS_MOST)},
-        {"values", read_load_values, .field = load, .least = LOAD_LEAST, .most = LOAD_MOST, .quantities = UNIT_LOADS},
-        {"unit", SCENE_SHORT_TEXT(unit)},
-    };
-    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys)) ||
-        !check_unit(source, &keys[4], UNIT_LOADS))
+    struct scene_load *load = field;
+    size_t lines[SCENE_COUNT(load_keys)];
+    if (!scene_source_mapping(source, value, key->name, load_keys, SCENE_COUNT(load_keys), lines, load))
         return false;
-    if (load->values)
-        for (size_t k = 0; k < 3; k++)
-            if (keys[k].line)
-                return scene_source_fail(source, keys[k].line, "'%s' stands beside 'values'; remove one of them",
-                                         keys[k].name);
-    size_t from = scene_source_line_of(keys, "from"), to = scene_source_line_of(keys, "to");
-    const struct scene_key *unit_key = &keys[4];
-    if (!load->values && !(from && to) &&
-        (load->kind_line > 0 || (unit_key->line > 0 && strcmp(unit, "dimensionless") != 0)))
-        return scene_source_fail(source, unit_key->line > 0 ? unit_key->line : load->kind_line,
-                                 unit_key->line > 0 ? "'unit: %s' leaves the default loads without meaning; "
-                                                      "add 'from' and 'to', or 'values'"
-                                                    : "a load in %s leaves the default of the other without meaning; "
-                                                      "add 'from' and 'to', or 'values'",
-                                 unit_key->line > 0 ? unit : load->unit_text);
-    if (!apply_load_unit(source, load, unit, unit_key) || load->values)
-        return source->status->code == STATUS_OK;
-    if (load->from > load->to)
-        return scene_source_fail(source, to ? to : from, "'from' is %g, above 'to', %g; exchange them", load->from,
-                                 load->to);
-    if (load->points == 1 && load->from < load->to)
-        return scene_source_fail(source, scene_source_line_of(keys, "points"),
-                                 "'points' is 1, too few from %g to %g; give 2 or more, or 'values'", load->from,
-                                 load->to);
-    return true;
+    if (load->values && (lines[LOAD_FROM] || lines[LOAD_TO] || lines[LOAD_POINTS]))
+        return scene_source_fail_at(source, value, "'load' has 'values' and also from, to or points; remove either");
+    if (lines[LOAD_UNIT] && load->kind != UNIT_NUMBER)
+        return scene_source_fail(source, lines[LOAD_UNIT], "'unit' stands beside loads that have theirs; remove it");
+    if (lines[LOAD_UNIT])
+        apply_load_unit(load);
+    if (load->kind != UNIT_NUMBER && !load->values && !(lines[LOAD_FROM] && lines[LOAD_TO]))
+        return scene_source_fail_at(source, value, "'load' is %s, of which there is no default; give 'from' and 'to'",
+                                    unit_quantity_name(load->kind));
+    if (!load->values && load->from > load->to)
+        return scene_source_fail_at(source, value, "'from' is %g, above 'to', %g; exchange them", load->from, load->to);
+    return load->values || load->points > 1 || load->from == load->to ||
+           scene_source_fail_at(source, value, "'points' is 1, too few from %g to %g; give 2 or more, or 'values'",
+                                load->from, load->to);
 }
 
-static bool read_mean_free_path(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+static bool read_one_load(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                          void *field)
 {
-    enum scene_mean_free_path *kind = &source->scene->mean_free_path;
-    struct scene_quantity quantity;
-    if (scene_source_is(value, "thesis"))
-        return true;
-    *kind = scene_source_is(value, "electron") ? SCENE_MEAN_FREE_PATH_ELECTRON : SCENE_MEAN_FREE_PATH_GIVEN;
-    if (*kind == SCENE_MEAN_FREE_PATH_ELECTRON)
-        return true;
-    if (value->type == YAML_SCALAR_NODE && isalpha(*value->data.scalar.value)) {
-        static const char *const words[] = {"thesis", "electron"};
-        return scene_source_unknown(source, value, key->name, words, SCENE_COUNT(words), SCENE_COUNT(words));
-    }
-    if (!scene_source_quantity_of(&quantity, source, key, value))
-        return false;
-    source->mean_free_path_m = quantity.value;
-    return true;
-}
-
-static bool read_one_load(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
-{
-    struct scene_one_load *load = key->field;
     struct scene_quantity quantity;
     if (!scene_source_quantity_of(&quantity, source, key, value))
         return false;
-    *load = (struct scene_one_load){quantity.value, quantity.kind};
+    *(struct scene_one_load *)field = (struct scene_one_load){quantity.value, quantity.kind};
     return true;
 }
 
-static bool read_convergence(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+#define BENCHMARK(member) offsetof(struct scene_convergence, member)
+static bool read_convergence(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                             void *field)
 {
-    struct scene_convergence *convergence = key->field;
-    struct scene_key keys[] = {
-        {"alpha", SCENE_NUMBER(convergence->alpha, 1e-12, 1e12)},
-        {"gamma", SCENE_NUMBER(convergence->gamma, 0.0, 5.0)},
-        {"load", SCENE_NUMBER(convergence->load, LOAD_LEAST, LOAD_MOST)},
-        {"scan_length", SCENE_QUANTITY(convergence->scan_length_m, UNIT_DISTANCE, 1e-9, 1e3), .alias = "scan_length_m"},
-        {"scales", SCENE_WHOLE(convergence->scales, 1, 1e6)},
+    static const struct scene_key keys[] = {
+        {"alpha", NULL, SCENE_NUMBER(BENCHMARK(alpha), 1e-12, 1e12)},
+        {"gamma", NULL, SCENE_NUMBER(BENCHMARK(gamma), 0.0, 5.0)},
+        {"load", NULL, SCENE_NUMBER(BENCHMARK(load), LOAD_LEAST, LOAD_MOST)},
+        {"scan_length", NULL, SCENE_QUANTITY(BENCHMARK(scan_length_m), UNIT_DISTANCE, 1e-9, 1e3),
+         .alias = "scan_length_m"},
+        {"scales", NULL, SCENE_WHOLE(BENCHMARK(scales), 1, 1e6)},
     };
-    return scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys));
+    size_t lines[SCENE_COUNT(keys)];
+    return scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys), lines, field);
 }
 
-static bool read_measured_file(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+static bool read_measured_file(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                               void *field)
 {
     struct scene_surface one = {0};
-    char **file = key->field;
-    bool good = scene_surfaces_files(source, &(struct scene_key){.name = key->name, .field = &one}, value);
+    char **file = field;
+    bool good = scene_surfaces_files(source, key, value, &one);
     if (good && one.file_count != 1)
         good = scene_source_fail_at(source, value, "'%s' names %zu files; name one", key->name, one.file_count);
     if (good && !(*file = strdup(one.files[0])))
         good = scene_source_memory(source);
-    scene_files_free(&one, NULL);
+    scene_files_free(&one);
     return good;
 }
 
-static bool read_measured(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+#define MEASURED(member) offsetof(struct scene_measured, member)
+static bool read_measured(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                          void *field)
 {
-    struct scene_measured *measured = key->field;
-    struct scene_key keys[] = {
-        {"file", read_measured_file, .field = &measured->file},
-        {"quantity", SCENE_CHOICE(measured->quantity, measured_quantity_names)},
-        {"load_unit", SCENE_SHORT_TEXT(measured->load_unit)},
-        {"resistance_unit", SCENE_SHORT_TEXT(measured->resistance_unit)},
+    static const struct scene_key keys[] = {
+        {"file", NULL, read_measured_file, .at = MEASURED(file)},
+        {"quantity", NULL, SCENE_CHOICE(MEASURED(quantity), measured_quantity_names)},
+        {"load_unit", NULL, scene_source_unit, .at = MEASURED(load_unit), .quantities = UNIT_LOADS},
+        {"resistance_unit", NULL, scene_source_unit, .at = MEASURED(resistance_unit),
+         .quantities = UNIT_RESISTANCE | UNIT_RESISTANCE_AREA | UNIT_THERMAL_RESISTANCE | UNIT_THERMAL_RESISTANCE_AREA},
     };
-    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys)))
+    struct scene_measured *measured = field;
+    size_t lines[SCENE_COUNT(keys)];
+    struct unit unit;
+    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys), lines, field))
         return false;
-    if (!measured->file)
-        return scene_source_fail_at(source, value, "'measured' has no 'file'; name a CSV of load and resistance");
-    return check_unit(source, &keys[2], UNIT_LOADS) &&
-           check_unit(source, &keys[3], scene_measured_resistances[measured->quantity]);
+    const char *text = measured->resistance_unit;
+    unsigned known = scene_measured_resistances[measured->quantity];
+    if (*text && unit_read(&unit, text, strlen(text)) && !unit_of(&unit, known))
+        return scene_source_fail(source, lines[3], "'resistance_unit' is '%s'; understood: %s", text,
+                                 unit_known(known).text);
+    return measured->file ||
+           scene_source_fail_at(source, value, "'measured' has no 'file'; name a CSV of load and resistance");
 }
 
 /* How many, or which. */
-static bool read_direct_loads(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+static bool read_direct_loads(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                              void *field)
 {
-    struct scene_direct *direct = key->field;
-    if (value->type != YAML_SEQUENCE_NODE)
-        return scene_source_whole(
-            source, &(struct scene_key){key->name, SCENE_WHOLE(direct->loads, 2, SCENE_DIRECT_LOADS)}, value);
-    const struct scene_key number = {key->name, .least = LOAD_LEAST, .most = LOAD_MOST, .quantities = UNIT_LOADS};
+    struct scene_direct *direct = field;
+    const struct scene_key number = {key->name, LOADS};
     struct scene_load load = {.kind = UNIT_NUMBER};
-    bool good = read_load_list(source, &number, &load, SCENE_DIRECT_LOADS, value) && check_units_of_all(source, &load);
+    if (value->type != YAML_SEQUENCE_NODE)
+        return scene_source_whole(source, key, value, &direct->loads);
+    bool good = read_load_list(source, &number, value, &load);
     direct->values = load.values;
     direct->loads = load.points;
     direct->kind = load.kind;
-    direct->kind_line = load.kind_line;
     for (size_t i = 1; i < load.points && good; i++)
-        if (!(direct->values[i] > direct->values[i - 1]))
-            return scene_source_fail_at(source, value, "'loads' do not rise; order them, each once");
-    return good;
+        good = direct->values[i] > direct->values[i - 1] ||
+               scene_source_fail_at(source, value, "'loads' do not rise; order them, each once");
+    return good && (load.points <= SCENE_DIRECT_LOADS ||
+                    scene_source_fail_at(source, value, "'loads' holds %zu; allowed is 1 to %d", load.points,
+                                         SCENE_DIRECT_LOADS));
 }
 
-static bool read_direct(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+#define DIRECT(member) offsetof(struct scene_direct, member)
+static bool read_direct(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
 {
     static const char *const surfaces[SCENE_DIRECT_SURFACES_COUNT] = {"baseline", "all"};
-    struct scene_direct *direct = key->field;
+    static const struct scene_key keys[] = {
+        {"grid", NULL, SCENE_WHOLE(DIRECT(grid), SCENE_DIRECT_GRID_LEAST, SCENE_DIRECT_GRID_MOST)},
+        {"seeds", NULL, SCENE_WHOLE(DIRECT(seeds), 1, SCENE_DIRECT_SEEDS)},
+        {"loads", NULL, read_direct_loads, .at = 0, .least = 2, .most = SCENE_DIRECT_LOADS, .quantities = UNIT_NUMBER},
+        {"hardness", NULL, SCENE_QUANTITY(DIRECT(hardness_Pa), UNIT_PRESSURE, 1e3, 1e12), .word = "auto"},
+        {"budget", NULL, SCENE_QUANTITY(DIRECT(budget_s), UNIT_TIME, 1e-3, 1e7)},
+        {"surfaces", NULL, SCENE_CHOICE(DIRECT(surfaces), surfaces)},
+    };
+    struct scene_direct *direct = field;
+    size_t lines[SCENE_COUNT(keys)];
     if (scene_source_is(value, "off"))
         return true;
-    struct scene_key keys[] = {
-        {"grid", SCENE_WHOLE(direct->grid, SCENE_DIRECT_GRID_LEAST, SCENE_DIRECT_GRID_MOST)},
-        {"seeds", SCENE_WHOLE(direct->seeds, 1, SCENE_DIRECT_SEEDS)},
-        {"loads", read_direct_loads, .field = direct},
-        {"hardness", SCENE_QUANTITY(direct->hardness_Pa, UNIT_PRESSURE, 1e3, 1e12), .word = "auto"},
-        {"budget", SCENE_QUANTITY(direct->budget_s, UNIT_TIME, 1e-3, 1e7)},
-        {"surfaces", SCENE_CHOICE(direct->surfaces, surfaces)},
-    };
     direct->called = true;
-    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys)))
+    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys), lines, field))
         return false;
     if (direct->grid % 2 != 0)
-        return scene_source_fail(source, scene_source_line_of(keys, "grid"), "'grid' is %zu; give an even number",
-                                 direct->grid);
+        return scene_source_fail(source, lines[0], "'grid' is %zu; give an even number", direct->grid);
     size_t points = direct->grid * direct->grid * direct->seeds;
     return points <= limit_most(LIMIT_DIRECT_POINTS) ||
            scene_source_fail_at(source, value, "%zu x %zu points, %zu times%s", direct->grid, direct->grid,
                                 direct->seeds, limit_words(LIMIT_DIRECT_POINTS).text);
 }
 
-/* What fills the gaps between the spots, into a struct joint. */
-static bool read_gap(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+static bool read_gas(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
 {
-    struct joint *joint = key->field;
+    struct joint *joint = field;
     const char *names[SCENE_KEYS_MOST]; /* those of the table, then none */
-    unsigned gas = 0;
+    struct scene_key gases = *key;
+    unsigned gas;
     assert(gas_count < SCENE_KEYS_MOST);
     for (size_t i = 0; i < gas_count; i++)
         names[i] = gas_table[i].name;
     names[gas_count] = "vacuum";
-    struct scene_key keys[] = {
-        {"gas", scene_source_choice, .field = &gas, .choices = names, .choice_count = gas_count + 1},
-        {"pressure", SCENE_QUANTITY(joint->pressure_Pa, UNIT_PRESSURE, 0.0, 1e9)},
-        {"accommodation", SCENE_NUMBER(joint->accommodation, 1e-3, 1.0)},
-        {"temperature", SCENE_QUANTITY(joint->temperature_K, UNIT_TEMPERATURE, 1.0, 1e4)},
-        {"conductivity", SCENE_QUANTITY(joint->conductivity_W_per_mK, UNIT_CONDUCTIVITY, 1e-6, 1e4)},
-    };
-    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys)))
+    gases.choices = names;
+    gases.choice_count = gas_count + 1;
+    if (!scene_source_choice(source, &gases, value, &gas))
         return false;
-    bool medium = scene_source_line_of(keys, "conductivity") > 0;
-    for (size_t k = 0; k < 3 && medium; k++)
-        if (keys[k].line > 0)
-            return scene_source_fail(source, keys[k].line,
-                                     "'%s' stands beside 'conductivity', which is of what fills the gaps; remove one",
-                                     keys[k].name);
     joint->gas = gas < gas_count ? &gas_table[gas] : NULL;
-    joint->fill = medium ? JOINT_MEDIUM : joint->gas ? JOINT_GAS : JOINT_VACUUM;
+    joint->fill = joint->gas ? JOINT_GAS : JOINT_VACUUM;
     return true;
 }
 
-static bool read_plating(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+/* What fills the gaps between the spots, into a struct joint. */
+#define JOINT(member) offsetof(struct joint, member)
+static bool read_gap(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
+{
+    static const struct scene_key keys[] = {
+        {"conductivity", NULL, SCENE_QUANTITY(JOINT(conductivity_W_per_mK), UNIT_CONDUCTIVITY, 1e-6, 1e4)},
+        {"gas", NULL, read_gas, .at = 0},
+        {"pressure", NULL, SCENE_QUANTITY(JOINT(pressure_Pa), UNIT_PRESSURE, 0.0, 1e9)},
+        {"accommodation", NULL, SCENE_NUMBER(JOINT(accommodation), 1e-3, 1.0)},
+        {"temperature", NULL, SCENE_QUANTITY(JOINT(temperature_K), UNIT_TEMPERATURE, 1.0, 1e4)},
+    };
+    struct joint *joint = field;
+    size_t lines[SCENE_COUNT(keys)];
+    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys), lines, field))
+        return false;
+    if (lines[0] && (lines[1] || lines[2] || lines[3]))
+        return scene_source_fail(source, lines[0],
+                                 "'conductivity', of what fills the gaps, stands beside a gas; remove either");
+    joint->fill = lines[0] ? JOINT_MEDIUM : joint->fill;
+    return true;
+}
+
+static bool read_plating(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                         void *field)
 {
     static const char *const sides[] = {"one", "both"};
-    struct joint *joint = key->field;
-    unsigned both = joint->both_plated;
-    struct scene_key keys[] = {
-        {"thickness", SCENE_QUANTITY(joint->plating_thickness_m, UNIT_DISTANCE, 1e-12, 1.0)},
-        {"resistivity", SCENE_QUANTITY(joint->plating_ohm_m, UNIT_RESISTIVITY, 1e-12, 1e10)},
-        {"sides", SCENE_CHOICE(both, sides)},
+    static const struct scene_key keys[] = {
+        {"thickness", NULL, SCENE_QUANTITY(JOINT(plating_thickness_m), UNIT_DISTANCE, 1e-12, 1.0)},
+        {"resistivity", NULL, SCENE_QUANTITY(JOINT(plating_ohm_m), UNIT_RESISTIVITY, 1e-12, 1e10)},
+        {"sides", NULL, SCENE_CHOICE(JOINT(both_plated), sides)},
     };
-    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys)))
+    size_t lines[SCENE_COUNT(keys)];
+    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys), lines, field))
         return false;
     for (size_t k = 0; k < 2; k++)
-        if (keys[k].line == 0)
+        if (lines[k] == 0)
             return scene_source_fail_at(source, value, "'%s' has no '%s'; add it", key->name, keys[k].name);
-    joint->both_plated = both;
     return true;
 }
 
-bool scene_keys_read(struct scene_source *source, const yaml_node_t *root)
+#define AT(member) offsetof(struct scene, member)
+const struct scene_key scene_keys[] = {
+    {"title", "heading of the report; default: the directory's name", scene_source_text, .at = AT(title)},
+    {"models", "families or single models, as `roughcontact models` lists them; default: those that run by default",
+     read_models, .at = AT(models)},
+    {"effects", "auto, or a list of effects, as --effects takes it; default: auto", read_effects, .at = AT(effects)},
+    {"material",
+     "a built-in material, or a mapping of its properties (E, nu, Sy, resistivity, conductivity, density, "
+     "specific_heat, sound_speed, hardness, mean_free_path); default: none, and only what needs no material runs",
+     scene_surfaces_body, .at = AT(bodies)},
+    {"counterface",
+     "rigid, same, a material, a mapping of its properties, or another rough surface: {surface: FILE, material: NAME}, "
+     "whose amplitudes add as squares and whose profiles are taken in pairs; default: rigid, a flat that conducts like "
+     "the material",
+     scene_surfaces_counterface, .at = AT(bodies)},
+    {"direction", "profiles of a map are its rows or its columns; default: x",
+     SCENE_CHOICE(AT(direction), scan_direction_names)},
+    {"lay",
+     "rms slope along over across the lay, of scans taken across it (0: perfect, 1: none), where a surface does not "
+     "say "
+     "its own and is no map; default: no lay",
+     SCENE_NUMBER(AT(lay), 0.0, 1.0)},
+    {"measured",
+     "{file, quantity: ecr or tcr, load_unit, resistance_unit}: measured resistance to hold the models against",
+     read_measured, .at = AT(measured)},
+    {"nominal_area", "default: none, and resistances stay per area",
+     SCENE_QUANTITY(AT(nominal_area_m2), UNIT_AREA, 1e-18, 1e6), .word = "none", .alias = "nominal_area_m2"},
+    {"hardness", "of the softer body; default: the material's, else 2.84 of its yield strength",
+     SCENE_QUANTITY(AT(bodies.hardness_Pa), UNIT_PRESSURE, 1e3, 1e12), .alias = "hardness_Pa"},
+    {"mean_free_path",
+     "of what carries heat, for scale-dependent, where the material does not give its own: of phonons, or of a metal's "
+     "free electrons; default: thesis",
+     SCENE_CHOICE(AT(mean_free_path), mean_free_path_names)},
+    {"load",
+     "{from, to, points}, spaced by equal factors, or {values: [...]}, as P/(A_n E') or with a unit, in which charts "
+     "and tables then stand; default: 1e-6 to 0.1 in 121 points",
+     read_load, .at = AT(load)},
+    {"operating_load", "where the first page stands; default: the middle of an area of 0.1 to 10 %", read_one_load,
+     .at = AT(operating), LOADS},
+    {"unload_from", "with the effect unloading: the largest load that the contact has seen", read_one_load,
+     .at = AT(unload_from), LOADS},
+    {"targets", "a list of {ecr, tcr, conductance, area or temperature: value}: the load that each takes",
+     scene_asked_targets, .at = 0},
+    {"limits",
+     "a mapping of such quantities, each {most: value} or {least: value}, at the operating load; `report --check` ends "
+     "with 5 where one is missed",
+     scene_asked_limits, .at = 0},
+    {"tolerance", "relative, of every reported number; default: 1e-6", SCENE_NUMBER(AT(tolerance), 1e-14, 0.1)},
+    {"level", "what is taken out of a scan; default: line, of a periodic record the mean alone",
+     SCENE_CHOICE(AT(level), level_names)},
+    {"window", "of the spectrum; default: auto, none for a periodic record, else Hann",
+     SCENE_CHOICE(AT(window), spectrum_window_names)},
+    {"fit",
+     "of the power law: through a multitaper spectrum in the band found, or through all harmonics; default: auto",
+     SCENE_CHOICE(AT(fit), power_law_method_names)},
+    {"fit_band", "[shortest, longest] wavelength that the fit uses; default: found (auto), all (thesis)", read_fit_band,
+     .at = AT(fit_band_m), .least = 1e-12, .most = 1e3, .word = "all", .quantities = UNIT_DISTANCE,
+     .alias = "fit_band_m"},
+    {"moments", "how slopes and curvatures come about; default: difference",
+     SCENE_CHOICE(AT(moments), roughness_moments_names)},
+    {"closure", "area and gap of a sinusoid; default: thesis", SCENE_CHOICE(AT(closure), closure_names)},
+    {"data",
+     "spectra in data/: auto, every harmonic up to 100 surfaces and binned ones beyond, or full, every one of any "
+     "number; default: auto",
+     SCENE_CHOICE(AT(data), scene_data_names)},
+    {"export",
+     "programs that tables of conductance over pressure are written for, of abaqus, ansys, calculix, comsol, elmer, "
+     "moose; default: none",
+     read_export, .at = AT(exports)},
+    {"max_missing", "share of missing points that may be bridged; default: 10 %",
+     SCENE_QUANTITY(AT(max_missing), UNIT_NUMBER | UNIT_PERCENT, 0.0, 0.9)},
+    {"lambda_s", "cut-off of the Gaussian low-pass by ISO 16610-21; default: none",
+     SCENE_QUANTITY(AT(lambda_s_m), UNIT_DISTANCE, 1e-12, 1e3), .word = "none", .alias = "lambda_s_m"},
+    {"lambda_c", "cut-off of the Gaussian high-pass by ISO 16610-21; default: none",
+     SCENE_QUANTITY(AT(lambda_c_m), UNIT_DISTANCE, 1e-12, 1e3), .word = "none", .alias = "lambda_c_m"},
+    {"tip_radius", "of the stylus: warns where the surface is sharper; default: none",
+     SCENE_QUANTITY(AT(tip_radius_m), UNIT_DISTANCE, 1e-12, 1.0), .word = "none", .alias = "tip_radius_m"},
+    {"baseline", "the surface of the one-surface comparison; default: the second smoothest", scene_source_text,
+     .at = AT(baseline)},
+    {"direct",
+     "off, or {grid, seeds, loads (how many, or a list), hardness, budget, surfaces: baseline or all}: the direct "
+     "solution; default: off",
+     read_direct, .at = AT(direct)},
+    {"gap",
+     "{gas: air, nitrogen, helium, argon or vacuum, pressure, temperature, accommodation} or {conductivity} of what "
+     "fills the gaps: the heat that it carries; default: nothing is said of it",
+     read_gap, .at = AT(joint)},
+    {"film", "insulating film on the spots, a resistance times an area; default: none",
+     SCENE_QUANTITY(AT(joint.film_ohm_m2), UNIT_RESISTANCE_AREA, 0.0, 1e6)},
+    {"plating", "{thickness, resistivity, sides: one (the surface's) or both}; default: none", read_plating,
+     .at = AT(joint)},
+    {"current", "through the contact, for its voltage and temperature; needs nominal_area; default: none",
+     SCENE_QUANTITY(AT(joint.current_A), UNIT_CURRENT, 1e-12, 1e9)},
+    {"convergence", "{alpha, gamma, load, scan_length, scales} of the convergence study", read_convergence,
+     .at = AT(convergence)},
+    {"surfaces",
+     "a list of {name, file, along (scans along the lay) or lay, x_unit, z_unit, quantity, column, material, "
+     "counterface, hardness}; default: every scan in the directory by its name, a sub-directory a surface of its files",
+     scene_surfaces_read, .at = 0},
+};
+const size_t scene_key_count = SCENE_COUNT(scene_keys);
+
+size_t scene_keys_line(const struct scene_source *source, const char *name)
 {
-    struct scene *scene = source->scene;
-    struct scene_key keys[] = {
-        {"title", scene_source_text, .field = &scene->title},
-        {"models", read_models, .field = &scene->models},
-        {"effects", read_effects, .field = scene},
-        {"material", scene_surfaces_body, .field = &scene->bodies},
-        {"counterface", scene_surfaces_counterface, .field = &scene->bodies},
-        {"direction", SCENE_CHOICE(scene->direction, scan_direction_names)},
-        {"lay", SCENE_NUMBER(scene->lay, 0.0, 1.0)},
-        {"measured", read_measured, .field = &scene->measured},
-        {"nominal_area", SCENE_QUANTITY(scene->nominal_area_m2, UNIT_AREA, 1e-18, 1e6), .word = "none",
-         .alias = "nominal_area_m2"},
-        {"hardness", SCENE_QUANTITY(scene->bodies.hardness_Pa, UNIT_PRESSURE, 1e3, 1e12), .alias = "hardness_Pa",
-         .at = &source->hardness_line},
-        {"mean_free_path", read_mean_free_path, .at = &source->mean_free_path_line, .least = 1e-12, .most = 1e-3,
-         .quantities = UNIT_DISTANCE},
-        {"load", read_load, .field = &scene->load},
-        {"operating_load", read_one_load, .field = &scene->operating, .least = LOAD_LEAST, .most = LOAD_MOST,
-         .quantities = UNIT_LOADS, .at = &source->operating_line},
-        {"unload_from", read_one_load, .field = &scene->unload_from, .least = LOAD_LEAST, .most = LOAD_MOST,
-         .quantities = UNIT_LOADS},
-        {"targets", scene_asked_targets, .field = scene},
-        {"limits", scene_asked_limits, .field = scene},
-        {"tolerance", SCENE_NUMBER(scene->tolerance, SCENE_KEYS_TOLERANCE_LEAST, SCENE_KEYS_TOLERANCE_MOST)},
-        {"level", SCENE_CHOICE(scene->level, level_names)},
-        {"window", SCENE_CHOICE(scene->window, spectrum_window_names)},
-        {"fit", SCENE_CHOICE(scene->fit, power_law_method_names)},
-        {"fit_band", read_fit_band, scene->fit_band_m, 1e-12, 1e3, .word = "all", .quantities = UNIT_DISTANCE,
-         .alias = "fit_band_m"},
-        {"moments", SCENE_CHOICE(scene->moments, roughness_moments_names)},
-        {"closure", SCENE_CHOICE(scene->closure, closure_names)},
-        {"data", SCENE_CHOICE(scene->data, scene_data_names)},
-        {"export", read_export, .field = scene},
-        {"max_missing", SCENE_QUANTITY(scene->max_missing, UNIT_NUMBER | UNIT_PERCENT, 0.0, 0.9)},
-        {"lambda_s", SCENE_QUANTITY(scene->lambda_s_m, UNIT_DISTANCE, 1e-12, 1e3), .word = "none",
-         .alias = "lambda_s_m"},
-        {"lambda_c", SCENE_QUANTITY(scene->lambda_c_m, UNIT_DISTANCE, 1e-12, 1e3), .word = "none",
-         .alias = "lambda_c_m"},
-        {"tip_radius", SCENE_QUANTITY(scene->tip_radius_m, UNIT_DISTANCE, 1e-12, 1.0), .word = "none",
-         .alias = "tip_radius_m"},
-        {"baseline", scene_source_text, .field = &scene->baseline, .at = &source->baseline_line},
-        {"direct", read_direct, .field = &scene->direct},
-        {"gap", read_gap, .field = &scene->joint},
-        {"film", SCENE_QUANTITY(scene->joint.film_ohm_m2, UNIT_RESISTANCE_AREA, 0.0, 1e6)},
-        {"plating", read_plating, .field = &scene->joint},
-        {"current", SCENE_QUANTITY(scene->joint.current_A, UNIT_CURRENT, 1e-12, 1e9)},
-        {"convergence", read_convergence, .field = &scene->convergence},
-        {"surfaces", scene_surfaces_read, .field = scene},
-    };
-    if (!scene_source_mapping(source, root, "scene", keys, SCENE_COUNT(keys)))
-        return false;
-    if (scene->direct.called)
-        scene->effects |= EFFECT_BIT(EFFECT_DIRECT);
-    for (int i = 0; i < EFFECT_COUNT; i++)
-        source->call_line[i] = effect_rows[i].key ? scene_source_line_of(keys, effect_rows[i].key) : 0;
-    if (scene->lambda_s_m > 0 && scene->lambda_c_m > 0 && !(scene->lambda_s_m < scene->lambda_c_m))
-        return scene_source_fail(source, scene_source_line_of(keys, "lambda_c"),
-                                 "'lambda_c' is %g m, not above 'lambda_s', %g m; nothing would be left between them",
-                                 scene->lambda_c_m, scene->lambda_s_m);
-    scene->lay_given = scene_source_line_of(keys, "lay") > 0;
-    scene->level_given = scene_source_line_of(keys, "level") > 0;
-    bool band = scene_source_line_of(keys, "fit_band") > 0;
-    scene->fit_band_given = band && (scene->fit_band_m[0] > 0 || isfinite(scene->fit_band_m[1]));
-    if (!band) { /* what the filters leave */
-        scene->fit_band_m[0] = scene->lambda_s_m;
-        if (scene->lambda_c_m > 0)
-            scene->fit_band_m[1] = scene->lambda_c_m;
-    }
-    return true;
+    size_t k = 0;
+    while (strcmp(scene_keys[k].name, name) != 0)
+        k++;
+    return source->lines[k];
 }

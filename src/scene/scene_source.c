@@ -18,7 +18,10 @@ bool scene_source_fail(struct scene_source *source, size_t line, const char *for
     va_start(args, format);
     vsnprintf(message, sizeof message, format, args);
     va_end(args);
-    (void)status_fail(source->status, STATUS_SCENE, "%s:%zu: %s", source->scene->path, line, message);
+    if (source->option)
+        (void)status_fail(source->status, STATUS_USAGE, "--%s: %s", source->option, message);
+    else
+        (void)status_fail(source->status, STATUS_SCENE, "%s:%zu: %s", source->scene->path, line, message);
     return false;
 }
 
@@ -120,8 +123,7 @@ static size_t find_word(const yaml_node_t *node, const char *const *words, size_
                : scene_words_find((const char *)node->data.scalar.value, node->data.scalar.length, words, count);
 }
 
-/* The scalar's characters; nothing of a list or a mapping. */
-static struct string_view scalar_of(const yaml_node_t *node)
+struct string_view scene_source_scalar(const yaml_node_t *node)
 {
     const char *text = (const char *)node->data.scalar.value;
     return node->type == YAML_SCALAR_NODE ? (struct string_view){text, text + node->data.scalar.length}
@@ -136,14 +138,14 @@ static bool is_null(const yaml_node_t *node)
            node->data.scalar.style == YAML_PLAIN_SCALAR_STYLE;
 }
 
-bool scene_source_read(struct scene_source *source, const char *bytes, size_t length,
-                       bool (*read)(struct scene_source *source, const yaml_node_t *root))
+bool scene_source_read(struct scene_source *source, const char *bytes, size_t length)
 {
     if (!check_directives(source, bytes, length) || !parse(source, bytes, length, check_shape) ||
         !parse(source, bytes, length, load_tree))
         return false;
     const yaml_node_t *root = yaml_document_get_root_node(&source->document);
-    bool good = !root || is_null(root) || read(source, root);
+    bool good = !root || is_null(root) ||
+                scene_source_mapping(source, root, "scene", scene_keys, scene_key_count, source->lines, source->scene);
     yaml_document_delete(&source->document);
     return good;
 }
@@ -179,83 +181,70 @@ bool scene_source_wrong_type(struct scene_source *source, const yaml_node_t *nod
     if (node->type != YAML_SCALAR_NODE)
         return scene_source_fail(source, line, "'%s' is a %s; give %s", what,
                                  node->type == YAML_SEQUENCE_NODE ? "list" : "mapping", expected);
-    struct scene_words_shown shown = scene_words_show_view(scalar_of(node));
+    struct scene_words_shown shown = scene_words_show_view(scene_source_scalar(node));
     return scene_source_fail(source, line, "'%s' is '%s'; give %s", what, shown.text, expected);
 }
 
-bool scene_source_unknown(struct scene_source *source, const yaml_node_t *node, const char *what,
-                          const char *const *names, size_t count, size_t all)
+bool scene_source_unknown(struct scene_source *source, const yaml_node_t *node, struct string_view word,
+                          const char *what, const char *const *names, size_t count, size_t all)
 {
-    const char *word = (const char *)node->data.scalar.value;
-    return scene_source_fail_at(source, node, "unknown %s '%s'; %s", what, scene_words_show_view(scalar_of(node)).text,
-                                scene_words_hint(word, names, count, all).text);
-}
-
-/* The names of keys, then their aliases. */
-struct key_names {
-    const char *name[2 * SCENE_KEYS_MOST];
-    const struct scene_key *key[2 * SCENE_KEYS_MOST];
-    size_t count, all;
-};
-
-static struct key_names names_of(const struct scene_key *keys, size_t count)
-{
-    struct key_names out = {.count = count};
-    assert(count <= SCENE_KEYS_MOST);
-    for (size_t k = 0; k < count; k++) {
-        out.key[out.all] = &keys[k];
-        out.name[out.all++] = keys[k].name;
-    }
-    for (size_t k = 0; k < count; k++)
-        if (keys[k].alias) {
-            out.key[out.all] = &keys[k];
-            out.name[out.all++] = keys[k].alias;
-        }
-    return out;
+    struct scene_words_shown shown = scene_words_show_view(word);
+    return scene_source_fail_at(source, node, "unknown %s '%s'; %s", what, shown.text,
+                                scene_words_hint(shown.text, names, count, all).text);
 }
 
 static bool read_pair(struct scene_source *source, const yaml_node_t *name, const yaml_node_t *value, const char *what,
-                      struct scene_key *keys, const struct key_names *names)
+                      const struct scene_key *keys, size_t count, size_t *lines, void *into)
 {
-    size_t n = find_word(name, names->name, names->all), line = scene_source_line(name);
+    const char *names[2 * SCENE_KEYS_MOST] = {NULL}; /* of keys, then their aliases */
+    size_t key_of[2 * SCENE_KEYS_MOST], all = count, line = scene_source_line(name);
+    assert(count <= SCENE_KEYS_MOST);
+    for (size_t k = 0; k < count; k++) {
+        names[key_of[k] = k] = keys[k].name;
+        if (keys[k].alias) {
+            key_of[all] = k;
+            names[all++] = keys[k].alias;
+        }
+    }
+    size_t n = find_word(name, names, all);
     if (name->type != YAML_SCALAR_NODE)
         return scene_source_fail(source, line, "a key of '%s' is no text; write 'key: value'", what);
-    if (n == names->all)
-        return scene_source_unknown(source, name, "key", names->name, names->count, names->all);
-    struct scene_key *key = keys + (names->key[n] - keys), given = *key;
-    given.name = names->name[n];
-    if (key->line != 0)
-        return scene_source_fail(source, line, "'%s' is given twice, first%s in line %zu; remove one", given.name,
-                                 key->given && strcmp(key->given, given.name) != 0 ? " by its other name" : "",
-                                 key->line);
-    key->line = line;
-    if (key->at)
-        *key->at = line;
-    key->given = given.name;
+    if (n == all)
+        return scene_source_unknown(source, name, scene_source_scalar(name), "key", names, count, all);
+    struct scene_key key = keys[key_of[n]];
+    key.name = names[n];
+    if (lines[key_of[n]] != 0)
+        return scene_source_fail(source, line, "'%s' is given twice, first in line %zu; remove one", key.name,
+                                 lines[key_of[n]]);
+    lines[key_of[n]] = line;
     if (is_null(value))
-        return scene_source_fail(source, line, "'%s' has no value; give one or remove the line", given.name);
-    return key->read(source, &given, value);
+        return scene_source_fail(source, line, "'%s' has no value; give one or remove the line", key.name);
+    return key.read(source, &key, value, (char *)into + key.at);
 }
 
 bool scene_source_mapping(struct scene_source *source, const yaml_node_t *node, const char *what,
-                          struct scene_key *keys, size_t count)
+                          const struct scene_key *keys, size_t count, size_t *lines, void *into)
 {
-    const struct key_names names = names_of(keys, count);
+    memset(lines, 0, count * sizeof *lines);
     if (node->type != YAML_MAPPING_NODE)
         return scene_source_wrong_type(source, node, what, "'key: value' pairs");
     yaml_document_t *tree = &source->document;
     for (const yaml_node_pair_t *pair = node->data.mapping.pairs.start; pair < node->data.mapping.pairs.top; pair++)
         if (!read_pair(source, yaml_document_get_node(tree, pair->key), yaml_document_get_node(tree, pair->value), what,
-                       keys, &names))
+                       keys, count, lines, into))
             return false;
     return true;
 }
 
-size_t scene_source_line_of(const struct scene_key *keys, const char *name)
+bool scene_source_option(struct scene_source *source, const struct scene_key *key, const char *option, const char *text,
+                         void *into)
 {
-    while (strcmp(keys->name, name) != 0)
-        keys++;
-    return keys->line;
+    const yaml_node_t node = {.type = YAML_SCALAR_NODE,
+                              .data.scalar = {.value = (yaml_char_t *)text, .length = strlen(text)}};
+    source->option = option;
+    bool good = key->read(source, key, &node, (char *)into + key->at);
+    source->option = NULL;
+    return good;
 }
 
 bool scene_source_has(struct scene_source *source, const yaml_node_t *node, const char *name)
@@ -271,7 +260,7 @@ bool scene_source_has(struct scene_source *source, const yaml_node_t *node, cons
 bool scene_source_quantity_of(struct scene_quantity *out, struct scene_source *source, const struct scene_key *key,
                               const yaml_node_t *value)
 {
-    struct string_view text = scalar_of(value);
+    struct string_view text = scene_source_scalar(value);
     if (!text.start || !scene_quantity_read(out, text, key->quantities))
         return scene_source_wrong_type(source, value, key->name, scene_quantity_help(key->quantities).text);
     const char *si = unit_si(out->kind);
@@ -281,38 +270,41 @@ bool scene_source_quantity_of(struct scene_quantity *out, struct scene_source *s
     return true;
 }
 
-bool scene_source_quantity(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+bool scene_source_quantity(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                           void *field)
 {
     struct scene_quantity quantity;
     if (key->word && scene_source_is(value, key->word))
         return true;
     if (!scene_source_quantity_of(&quantity, source, key, value))
         return false;
-    *(double *)key->field = quantity.value;
+    *(double *)field = quantity.value;
     return true;
 }
 
-bool scene_source_whole(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+bool scene_source_whole(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
 {
-    struct string_view text = scalar_of(value);
+    struct string_view text = scene_source_scalar(value);
     struct scene_quantity number;
     bool is_number = text.start && scene_quantity_read(&number, text, UNIT_NUMBER);
     if (!is_number || (isfinite(number.value) && number.value != floor(number.value)))
         return scene_source_wrong_type(source, value, key->name, "a whole number");
     if (!scene_source_quantity_of(&number, source, key, value))
         return false;
-    *(size_t *)key->field = (size_t)number.value;
+    *(size_t *)field = (size_t)number.value;
     return true;
 }
 
-bool scene_source_choice(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+bool scene_source_choice(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                         void *field)
 {
     size_t choice = find_word(value, key->choices, key->choice_count);
     if (value->type != YAML_SCALAR_NODE)
         return scene_source_wrong_type(source, value, key->name, "one word");
     if (choice == key->choice_count)
-        return scene_source_unknown(source, value, key->name, key->choices, key->choice_count, key->choice_count);
-    *(unsigned *)key->field = (unsigned)choice; /* an enum of small constants is unsigned in gcc and clang */
+        return scene_source_unknown(source, value, scene_source_scalar(value), key->name, key->choices,
+                                    key->choice_count, key->choice_count);
+    *(unsigned *)field = (unsigned)choice; /* an enum of small constants is unsigned in gcc and clang */
     return true;
 }
 
@@ -334,19 +326,31 @@ static const char *read_text(struct scene_source *source, const struct scene_key
     return NULL;
 }
 
-bool scene_source_text(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+bool scene_source_text(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
 {
     const char *text = read_text(source, key, value);
-    return text && ((*(char **)key->field = strdup(text)) || scene_source_memory(source));
+    return text && ((*(char **)field = strdup(text)) || scene_source_memory(source));
 }
 
-bool scene_source_short_text(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+bool scene_source_short_text(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                             void *field)
 {
     const char *text = read_text(source, key, value);
     size_t size = (size_t)key->most;
     if (text && strlen(text) >= size)
         return scene_source_fail_at(source, value, "'%s' is longer than %zu bytes; shorten it", key->name, size - 1);
     if (text)
-        memcpy(key->field, text, strlen(text) + 1);
+        memcpy(field, text, strlen(text) + 1);
     return text;
+}
+
+bool scene_source_unit(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
+{
+    struct scene_key text = *key;
+    struct unit unit;
+    text.most = UNIT_LENGTH;
+    return scene_source_short_text(source, &text, value, field) &&
+           ((unit_read(&unit, field, strlen(field)) && unit_of(&unit, key->quantities)) ||
+            scene_source_fail_at(source, value, "'%s' is '%s'; understood: %s", key->name, scene_words_show(field).text,
+                                 unit_known(key->quantities).text));
 }

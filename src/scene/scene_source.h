@@ -9,50 +9,52 @@
 
 #include <yaml.h>
 
+enum { SCENE_KEYS_MOST = 48 }; /* of one mapping */
+
 struct scene_source {
     struct scene *scene; /* that is read: its path and directory are known */
     struct status *status;
     yaml_document_t document;
-    /* What is checked only once the command line has had its say: */
-    size_t effect_line[EFFECT_COUNT]; /* where an effect is asked for, 0: not in the file */
-    size_t call_line[EFFECT_COUNT];   /* where the key is given that calls for it, 0: it is not */
-    size_t baseline_line, operating_line;
-    size_t hardness_line;
-    double mean_free_path_m; /* where the scene gives one */
-    size_t mean_free_path_line;
-    size_t file_count; /* of all surfaces so far */
+    const char *option;            /* of the command line, where that is read now */
+    bool effects_overridden;       /* by the command line */
+    size_t lines[SCENE_KEYS_MOST]; /* of scene_keys: where the scene gives them, 0: it does not */
+    size_t file_count;             /* of all surfaces so far */
 };
 
-enum { SCENE_KEYS_MOST = 48 }; /* of one mapping */
-
 struct scene_key;
-typedef bool scene_reader(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value);
+/** Reads a value into `field`, which lies at `key->at` of what the mapping is read into. */
+typedef bool scene_reader(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                          void *field);
 
 /** One key of a mapping: how its value is read and where it goes. */
 struct scene_key {
     const char *name; /* what a reader is given has the one the scene uses, `alias` or this */
+    const char *text; /* what it says, and the default; docs/scene.md and the manual page are made from it */
     scene_reader *read;
-    void *field;
+    size_t at;
     double least, most;         /* numbers: range, inclusive; short text: `most` is the size of the array */
     const char *const *choices; /* words that the value may be, in the order of their enum */
     size_t choice_count;
     const char *word;    /* numbers: a word that leaves the default, or NULL */
     unsigned quantities; /* quantities: what they may be, enum unit_quantity bits */
     const char *alias;   /* an older name, or NULL: not shown in messages where the other will do */
-    const char *given;   /* the name by which it does; set with `line` */
-    size_t line;         /* where the scene gives it, 0: it does not; set by scene_source_mapping() */
-    size_t *at;          /* gets the line, too; or NULL */
 };
 
-/** Parses `bytes` and calls `read` with the outermost node, unless the text says nothing. Errors: not YAML, nested too
- * deep, more than one document, those of `read`. */
-MUST_CHECK bool scene_source_read(struct scene_source *source, const char *bytes, size_t length,
-                                  bool (*read)(struct scene_source *source, const yaml_node_t *root));
-/** Reads a mapping called `what`. */
+/** The keys of scene.yaml, which lie in a struct scene. */
+extern const struct scene_key scene_keys[];
+extern const size_t scene_key_count;
+/** The line that gives the key of that name; 0: none does. */
+size_t scene_keys_line(const struct scene_source *source, const char *name);
+
+/** Parses `bytes` and reads the keys of scene.yaml, unless the text says nothing. Errors: not YAML, nested too deep,
+ * more than one document, those of the keys. */
+MUST_CHECK bool scene_source_read(struct scene_source *source, const char *bytes, size_t length);
+/** Reads a mapping called `what` into `into`; lines[k] is where keys[k] is given, 0: it is not. */
 MUST_CHECK bool scene_source_mapping(struct scene_source *source, const yaml_node_t *node, const char *what,
-                                     struct scene_key *keys, size_t count);
-/** The line of a key of such a mapping. */
-size_t scene_source_line_of(const struct scene_key *keys, const char *name);
+                                     const struct scene_key *keys, size_t count, size_t *lines, void *into);
+/** Reads the text of an option of the command line as the value of `key`. Error: STATUS_USAGE. */
+MUST_CHECK bool scene_source_option(struct scene_source *source, const struct scene_key *key, const char *option,
+                                    const char *text, void *into);
 
 /** Is it a mapping with the key `name`? */
 bool scene_source_has(struct scene_source *source, const yaml_node_t *node, const char *name);
@@ -63,55 +65,47 @@ size_t scene_source_line(const yaml_node_t *node);
 /** Is it the plain or quoted scalar `word`? */
 bool scene_source_is(const yaml_node_t *node, const char *word);
 
-/** Fails with "path:line: " before the message; the line may be that of a node. */
+/** Fails with "path:line: " before the message, or with the option that is read now; the line may be that of a node. */
 bool scene_source_fail(struct scene_source *source, size_t line, const char *format, ...) PRINTF_LIKE(3, 4);
 #define scene_source_fail_at(source, node, ...) scene_source_fail((source), scene_source_line(node), __VA_ARGS__)
 /** Fails: the value of `what` is not of the type `expected` ("a number"). */
 bool scene_source_wrong_type(struct scene_source *source, const yaml_node_t *node, const char *what,
                              const char *expected);
-/** Fails: the scalar `node` is no known `what` ("effect"); `names` may go on beyond `count` with names that are near
- * enough to propose, but not to list, up to `all`. */
-bool scene_source_unknown(struct scene_source *source, const yaml_node_t *node, const char *what,
-                          const char *const *names, size_t count, size_t all);
+/** Fails: `word` of the scalar `node` is no known `what` ("effect"); `names` may go on beyond `count` with names that
+ * are near enough to propose, but not to list, up to `all`. */
+bool scene_source_unknown(struct scene_source *source, const yaml_node_t *node, struct string_view word,
+                          const char *what, const char *const *names, size_t count, size_t all);
+/** The scalar's characters; nothing of a list or a mapping. */
+struct string_view scene_source_scalar(const yaml_node_t *node);
 /** Fails: out of memory. */
 bool scene_source_memory(struct scene_source *source);
 
 /** To stand in scene_key.read; the field is a double (a number in SI or, where the quantities have units, with its
  * unit), a size_t, an enum, a malloc'ed char *, a char array. */
 scene_reader scene_source_quantity, scene_source_whole, scene_source_choice, scene_source_text, scene_source_short_text;
+/** The spelling of a unit of key->quantities, into a char[UNIT_LENGTH]. */
+scene_reader scene_source_unit;
 /** A quantity with all there is to know of it. */
 bool scene_source_quantity_of(struct scene_quantity *out, struct scene_source *source, const struct scene_key *key,
                               const yaml_node_t *value);
 
-/* Parts of a key's row. */
+/* Parts of a key's row; `place` is an offsetof(). */
 #define SCENE_COUNT(array) (sizeof(array) / sizeof *(array))
-#define SCENE_QUANTITY(number, kinds, lowest, highest)                                                                 \
-    scene_source_quantity, &(number), .quantities = (kinds), .least = (lowest), .most = (highest)
-#define SCENE_NUMBER(number, lowest, highest) SCENE_QUANTITY(number, UNIT_NUMBER, lowest, highest)
-#define SCENE_WHOLE(number, lowest, highest)                                                                           \
-    scene_source_whole, &(number), .quantities = UNIT_NUMBER, .least = (lowest), .most = (highest)
-#define SCENE_CHOICE(choice, spellings)                                                                                \
-    scene_source_choice, &(choice), .choices = (spellings), .choice_count = SCENE_COUNT(spellings)
-#define SCENE_SHORT_TEXT(array) scene_source_short_text, (array), .most = sizeof(array)
+#define SCENE_QUANTITY(place, kinds, lowest, highest)                                                                  \
+    scene_source_quantity, .at = (place), .quantities = (kinds), .least = (lowest), .most = (highest)
+#define SCENE_NUMBER(place, lowest, highest) SCENE_QUANTITY(place, UNIT_NUMBER, lowest, highest)
+#define SCENE_WHOLE(place, lowest, highest)                                                                            \
+    scene_source_whole, .at = (place), .quantities = UNIT_NUMBER, .least = (lowest), .most = (highest)
+#define SCENE_CHOICE(place, spellings)                                                                                 \
+    scene_source_choice, .at = (place), .choices = (spellings), .choice_count = SCENE_COUNT(spellings)
+#define SCENE_SHORT_TEXT(place, size) scene_source_short_text, .at = (place), .most = (size)
 
-/* The keys of scene.yaml. */
-
-/* Range of the relative tolerance: below is rounding, above is no accuracy. */
-#define SCENE_KEYS_TOLERANCE_LEAST 1e-14
-#define SCENE_KEYS_TOLERANCE_MOST  0.1
-
-/** Reads the outermost node into source->scene, which holds the defaults. */
-MUST_CHECK bool scene_keys_read(struct scene_source *source, const yaml_node_t *root);
-
-/** Name of every effect, in the order of the enum. */
-void scene_keys_effect_names(const char *names[EFFECT_COUNT]);
-/** `effects` with those they build on, which get their lines where they have none of their own. */
-unsigned scene_keys_with_needed(struct scene_source *source, unsigned effects);
+/** `effects` with those they build on. */
+unsigned scene_keys_with_needed(unsigned effects);
 
 /* The bodies of a scene: its surfaces, what they are pressed against, and their materials. */
-enum { SCENE_SURFACES_MATERIALS = 32 };
 
-/** The list `surfaces`, into source->scene. */
+/** The list `surfaces`, into a struct scene. */
 scene_reader scene_surfaces_read;
 /** rigid | same | a material's name | a mapping of properties | {surface: file, material: ..., x_unit, z_unit}, into
  * source->scene. */
@@ -121,9 +115,13 @@ scene_reader scene_surfaces_body;
 /** One file or a list of them, each checked to exist, into a struct scene_surface. */
 scene_reader scene_surfaces_files;
 
-/** The `word_count` words, then the names of the built-in materials of bodies; how many all in all. */
-size_t scene_surfaces_materials(const char *names[SCENE_SURFACES_MATERIALS], const char *const *words,
-                                size_t word_count);
+/** What bodies lack for an effect, to stand in a message: "'resistivity'; add it to 'material' of surface 'b'";
+ * `owner`: the surface's name, NULL: the scene's bodies. False: nothing. */
+struct scene_lack_words {
+    char text[240];
+};
+bool scene_lack_words(struct scene_lack_words *out, const struct scene_bodies *bodies, const char *owner,
+                      const struct effect_row *effect);
 
 /* Files of a directory: those that a pattern matches, in natural order. */
 /** Adds to surface->files what `pattern` (fnmatch(3); its last component alone is one) matches, below the scene's
@@ -144,8 +142,8 @@ MUST_CHECK enum status_code scene_files_list(struct scene *scene, struct status 
 
 /** The name of a surface read from `file`: its last component, without the ending unless `ending`; malloc'ed. */
 char *scene_files_name(const char *file, bool ending);
-/** Frees what one surface holds, its bodies unless they are the `shared` ones. */
-void scene_files_free(struct scene_surface *surface, const struct scene_bodies *shared);
+/** Frees what one surface holds. */
+void scene_files_free(struct scene_surface *surface);
 
 /* What a scene asks of the contact: a list of `key: value` pairs, each a quantity, whose load is sought; limits to be
  * kept, `key: {most: value, least: value}`. */

@@ -9,63 +9,54 @@
 #include <string.h>
 #include <sys/stat.h>
 
-size_t scene_surfaces_materials(const char *names[SCENE_SURFACES_MATERIALS], const char *const *words,
-                                size_t word_count)
+enum { MATERIALS_MOST = 32 }; /* names of them, or properties */
+
+static bool read_material_name(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                               struct material *out)
 {
-    size_t count = 0;
-    assert(word_count + material_table_count <= SCENE_SURFACES_MATERIALS);
-    for (size_t i = 0; i < word_count; i++)
-        names[count++] = words[i];
+    const char *names[MATERIALS_MOST], *word = (const char *)value->data.scalar.value;
+    const struct material *found = strlen(word) == value->data.scalar.length ? material_find(word) : NULL;
+    size_t count = key->choice_count;
+    assert(count + material_table_count <= MATERIALS_MOST);
+    for (size_t i = 0; i < count; i++)
+        names[i] = key->choices[i];
     for (size_t i = 0; i < material_table_count; i++)
         if (!isnan(material_table[i].youngs_modulus_Pa))
             names[count++] = material_table[i].name;
-    return count;
-}
-
-static bool read_material_name(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
-{
-    const char *names[SCENE_SURFACES_MATERIALS], *word = (const char *)value->data.scalar.value;
-    const struct material *found = strlen(word) == value->data.scalar.length ? material_find(word) : NULL;
-    size_t count = scene_surfaces_materials(names, key->choices, key->choice_count);
     if (!found)
-        return scene_source_unknown(source, value, key->name, names, count, count);
-    *(struct material *)key->field = *found;
+        return scene_source_unknown(source, value, scene_source_scalar(value), key->name, names, count, count);
+    *out = *found;
     return !isnan(found->youngs_modulus_Pa) ||
            scene_source_fail_at(source, value, "'%s' is '%s', which bears no load; give the material of a body",
                                 key->name, found->name);
 }
 
-/* A built-in name or a mapping of properties, into a struct material. The key's choices are named in the message about
- * an unknown name. */
-static bool read_material(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+/* A built-in name or a mapping of properties. The key's choices are named in the message about an unknown name. */
+static bool read_material(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                          struct material *material)
 {
-    struct material *material = key->field;
     if (value->type == YAML_SCALAR_NODE)
-        return read_material_name(source, key, value);
+        return read_material_name(source, key, value, material);
     if (value->type != YAML_MAPPING_NODE)
         return scene_source_wrong_type(source, value, key->name, "a name or a mapping of properties");
 
-    struct scene_key keys[SCENE_SURFACES_MATERIALS] = {{"name", SCENE_SHORT_TEXT(material->name)}};
+    size_t lines[MATERIALS_MOST];
+    struct scene_key keys[MATERIALS_MOST] = {
+        {"name", NULL, SCENE_SHORT_TEXT(offsetof(struct material, name), sizeof material->name)}};
     assert(material_property_count < SCENE_COUNT(keys));
     for (size_t i = 0; i < material_property_count; i++) {
-        const struct material_property *property = &material_properties[i];
-        keys[1 + i] = (struct scene_key){property->name,
-                                         scene_source_quantity,
-                                         .field = (char *)material + property->offset,
-                                         .least = property->least,
-                                         .most = property->most,
-                                         .quantities = property->quantity,
-                                         .alias = strcmp(property->name, property->key) != 0 ? property->key : NULL};
+        const struct material_property *row = &material_properties[i];
+        keys[1 + i] =
+            (struct scene_key){row->name, NULL, SCENE_QUANTITY(row->offset, row->quantity, row->least, row->most),
+                               .alias = strcmp(row->name, row->key) != 0 ? row->key : NULL};
     }
     *material = material_unknown("custom");
     material->source = "given in scene.yaml";
-    if (!scene_source_mapping(source, value, key->name, keys, 1 + material_property_count))
+    if (!scene_source_mapping(source, value, key->name, keys, 1 + material_property_count, lines, material))
         return false;
-    static const char *const required[] = {"E", "nu"};
-    for (size_t i = 0; i < SCENE_COUNT(required); i++)
-        if (scene_source_line_of(keys, required[i]) == 0)
-            return scene_source_fail_at(source, value, "'%s' has no '%s'; add it", key->name, required[i]);
-    return true;
+    bool stiff = !isnan(material->youngs_modulus_Pa);
+    return (stiff && !isnan(material->poisson_ratio)) ||
+           scene_source_fail_at(source, value, "'%s' has no '%s'; add it", key->name, stiff ? "nu" : "E");
 }
 
 /* Counts files of the scene, which aliases of long lists multiply. */
@@ -109,9 +100,10 @@ static bool add_files(struct scene_source *source, struct scene_surface *surface
            scene_source_fail(source, line, "'%s' matches no file; paths start at the scene's directory", shown.text);
 }
 
-bool scene_surfaces_files(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+bool scene_surfaces_files(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                          void *field)
 {
-    struct scene_surface *surface = key->field;
+    struct scene_surface *surface = field;
     size_t count = scene_source_item_count(value), line = scene_source_line(value);
     if (count == 0)
         return scene_source_fail(source, line, "'%s' lists none; name one or more scans", key->name);
@@ -120,8 +112,7 @@ bool scene_surfaces_files(struct scene_source *source, const struct scene_key *k
     for (size_t i = 0; i < count; i++) {
         char *file = NULL;
         const yaml_node_t *item = scene_source_item(source, value, i);
-        bool good = scene_source_text(source, &(struct scene_key){.name = key->name, .field = &file}, item) &&
-                    add_files(source, surface, item, file);
+        bool good = scene_source_text(source, key, item, &file) && add_files(source, surface, item, file);
         free(file);
         if (!good)
             return false;
@@ -129,127 +120,118 @@ bool scene_surfaces_files(struct scene_source *source, const struct scene_key *k
     return true;
 }
 
-/* Columns count from 1; what is no number is a title. */
-static bool read_column(struct scene_source *source, const char *name, const yaml_node_t *value, char **out)
+static bool read_column(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, char **out)
 {
-    char column[64] = "";
-    struct scene_key key = {name, scene_source_short_text, column, .most = sizeof column};
-    if (!scene_source_short_text(source, &key, value))
-        return false;
-    const char *number = column + (*column == '+' || *column == '-');
-    if (*number && number[strspn(number, "0123456789.")] == '\0' &&
-        (number[strspn(number, "0123456789")] || number > column || !number[strspn(number, "0")]))
-        return scene_source_fail_at(source, value, "'%s' is '%s'; give a column's number, from 1, or its title", name,
-                                    column);
-    free(*out); /* of the x of a pair given before */
-    *out = *column ? strdup(column) : NULL;
-    return *out || !*column || scene_source_memory(source);
+    return scene_source_text(source, key, value, out) &&
+           (strcmp(*out, "0") != 0 ||
+            scene_source_fail_at(source, value, "'%s' is '0'; give a column's number, from 1, or its title",
+                                 key->name));
 }
 
-/* A column or two of them, x and z, into a struct scene_surface. */
-static bool read_columns(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+/* A column or two of them, x and z. */
+static bool read_columns(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                         void *field)
 {
-    struct scene_surface *surface = key->field;
+    struct scene_surface *surface = field;
     if (value->type == YAML_SCALAR_NODE)
-        return read_column(source, key->name, value, &surface->z_column);
+        return read_column(source, key, value, &surface->z_column);
     if (value->type != YAML_SEQUENCE_NODE || scene_source_item_count(value) != 2)
         return scene_source_fail_at(
             source, value, "'%s' is no column; give one, as in `column: 3`, or x and z, as in `column: [1, 3]`",
             key->name);
-    return read_column(source, key->name, scene_source_item(source, value, 0), &surface->x_column) &&
-           read_column(source, key->name, scene_source_item(source, value, 1), &surface->z_column);
+    return read_column(source, key, scene_source_item(source, value, 0), &surface->x_column) &&
+           read_column(source, key, scene_source_item(source, value, 1), &surface->z_column);
 }
 
-/* How the files of a surface are read: keys of a surface and of the counterface alike. */
-#define READING_KEYS(surface)                                                                                          \
-    {"x_unit", SCENE_SHORT_TEXT((surface)->x_unit)}, {"z_unit", SCENE_SHORT_TEXT((surface)->z_unit)},                  \
-        {"quantity", SCENE_CHOICE((surface)->quantity, scan_quantity_names)},                                          \
-    {                                                                                                                  \
-        "column", read_columns, .field = (surface)                                                                     \
-    }
-
 /* A word, a material's name or its properties, into struct scene_bodies. */
-static bool read_body(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+static bool read_body(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
 {
     static const char *const words[] = {"rigid", "same"}; /* besides materials */
-    struct scene_bodies *bodies = key->field;
-    struct scene_key material = {key->name, read_material, &bodies->counterface, .choices = words,
-                                 .choice_count = SCENE_COUNT(words)};
+    struct scene_bodies *bodies = field;
+    const struct scene_key material = {key->name, .choices = words, .choice_count = SCENE_COUNT(words)};
     bodies->counterface_given = true;
     bodies->counterface_line = scene_source_line(value);
     if (scene_source_is(value, "rigid"))
         return true;
     bodies->counterface_kind = MATERIAL_COUNTERFACE_ELASTIC;
     bodies->counterface_same = scene_source_is(value, "same");
-    return bodies->counterface_same || read_material(source, &material, value);
+    return bodies->counterface_same || read_material(source, &material, value, &bodies->counterface);
 }
 
-bool scene_surfaces_body(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+bool scene_surfaces_body(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                         void *field)
 {
-    struct scene_bodies *bodies = key->field;
-    struct scene_key material = *key;
-    material.field = &bodies->material;
+    struct scene_bodies *bodies = field;
     bodies->material_given = true;
-    return read_material(source, &material, value);
-}
-
-bool scene_surfaces_counterface(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
-{
-    struct scene_surface *surface = &source->scene->counterface_surface;
-    struct scene_bodies *bodies = &source->scene->bodies;
-    if (!scene_source_has(source, value, "surface"))
-        return read_body(source, key, value);
-    struct scene_key keys[] = {{"surface", scene_surfaces_files, .field = surface},
-                               {"material", read_body, .field = bodies},
-                               READING_KEYS(surface)};
-    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys)))
-        return false;
-    if (scene_source_line_of(keys, "material") == 0) { /* two rough bodies of one material */
-        bodies->counterface_kind = MATERIAL_COUNTERFACE_ELASTIC;
-        bodies->counterface_given = bodies->counterface_same = true;
-    }
-    surface->name = strdup("counterface");
-    return surface->name || scene_source_memory(source);
+    return read_material(source, key, value, &bodies->material);
 }
 
 /* Scans along the lay. */
-static bool read_along(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+static bool read_along(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
 {
-    struct scene_surface *surface = key->field, along = {0};
-    bool good = scene_surfaces_files(source, &(struct scene_key){.name = key->name, .field = &along}, value);
+    struct scene_surface *surface = field, along = {0};
+    bool good = scene_surfaces_files(source, key, value, &along);
     surface->along = along.files;
     surface->along_count = along.file_count;
     return good;
 }
 
+#define AT(member) offsetof(struct scene_surface, member)
+enum { UNIT_BYTES = sizeof((struct scene_surface *)NULL)->x_unit };
+bool scene_surfaces_counterface(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                                void *field)
+{
+    static const struct scene_key keys[] = {
+        {"surface", NULL, scene_surfaces_files, .at = 0},
+        {"material", NULL, read_body, .at = AT(bodies)},
+        {"x_unit", NULL, SCENE_SHORT_TEXT(AT(x_unit), UNIT_BYTES)},
+        {"z_unit", NULL, SCENE_SHORT_TEXT(AT(z_unit), UNIT_BYTES)},
+        {"quantity", NULL, SCENE_CHOICE(AT(quantity), scan_quantity_names)},
+        {"column", NULL, read_columns, .at = 0},
+    };
+    struct scene_surface *surface = &source->scene->counterface_surface;
+    struct scene_bodies *bodies = field;
+    size_t lines[SCENE_COUNT(keys)];
+    if (!scene_source_has(source, value, "surface"))
+        return read_body(source, key, value, field);
+    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys), lines, surface))
+        return false;
+    bool given = lines[1] > 0; /* else two rough bodies of one material */
+    bodies->counterface_kind = given ? surface->bodies.counterface_kind : MATERIAL_COUNTERFACE_ELASTIC;
+    bodies->counterface_same = !given || surface->bodies.counterface_same;
+    bodies->counterface = surface->bodies.counterface;
+    bodies->counterface_line = surface->bodies.counterface_line;
+    bodies->counterface_given = true;
+    surface->name = strdup("counterface");
+    return surface->name || scene_source_memory(source);
+}
+
 static bool read_surface(struct scene_source *source, const yaml_node_t *node, struct scene_surface *surface)
 {
-    struct scene_bodies own = {.hardness_Pa = NAN};
-    struct scene_key keys[] = {
-        {"name", scene_source_text, .field = &surface->name},
-        {"file", scene_surfaces_files, .field = surface},
-        {"along", read_along, .field = surface},
-        {"lay", SCENE_NUMBER(surface->lay, 0.0, 1.0)},
-        {"material", scene_surfaces_body, .field = &own},
-        {"counterface", read_body, .field = &own},
-        {"hardness", SCENE_QUANTITY(own.hardness_Pa, UNIT_PRESSURE, 1e3, 1e12), .alias = "hardness_Pa"},
-        READING_KEYS(surface)};
-    if (!scene_source_mapping(source, node, "surfaces", keys, SCENE_COUNT(keys)))
+    static const struct scene_key keys[] = {
+        {"name", NULL, scene_source_text, .at = AT(name)},
+        {"file", NULL, scene_surfaces_files, .at = 0},
+        {"along", NULL, read_along, .at = 0},
+        {"lay", NULL, SCENE_NUMBER(AT(lay), 0.0, 1.0)},
+        {"material", NULL, scene_surfaces_body, .at = AT(bodies)},
+        {"counterface", NULL, read_body, .at = AT(bodies)},
+        {"hardness", NULL, SCENE_QUANTITY(AT(bodies.hardness_Pa), UNIT_PRESSURE, 1e3, 1e12), .alias = "hardness_Pa"},
+        {"x_unit", NULL, SCENE_SHORT_TEXT(AT(x_unit), UNIT_BYTES)},
+        {"z_unit", NULL, SCENE_SHORT_TEXT(AT(z_unit), UNIT_BYTES)},
+        {"quantity", NULL, SCENE_CHOICE(AT(quantity), scan_quantity_names)},
+        {"column", NULL, read_columns, .at = 0},
+    };
+    size_t lines[SCENE_COUNT(keys)];
+    if (!scene_source_mapping(source, node, "surfaces", keys, SCENE_COUNT(keys), lines, surface))
         return false;
-    if (scene_source_line_of(keys, "file") == 0)
+    if (surface->file_count == 0)
         return scene_source_fail_at(source, node, "a surface has no 'file'; add one");
-    surface->lay_given = scene_source_line_of(keys, "lay") > 0;
+    surface->lay_given = lines[3] > 0;
     if (surface->lay_given && surface->along_count > 0)
-        return scene_source_fail(source, scene_source_line_of(keys, "lay"),
-                                 "'lay' stands beside 'along', whose scans tell it; remove one of them");
+        return scene_source_fail(source, lines[3], "'lay' stands beside 'along', whose scans tell it; remove either");
     if (surface->name && strlen(surface->name) > limit_most(LIMIT_NAME_BYTES))
-        return scene_source_fail(source, scene_source_line_of(keys, "name"), "a name of %zu bytes%s",
-                                 strlen(surface->name), limit_words(LIMIT_NAME_BYTES).text);
-    if (own.material_given || own.counterface_given || !isnan(own.hardness_Pa)) {
-        if (!(surface->bodies = malloc(sizeof own)))
-            return scene_source_memory(source);
-        *surface->bodies = own;
-    }
+        return scene_source_fail(source, lines[0], "a name of %zu bytes%s", strlen(surface->name),
+                                 limit_words(LIMIT_NAME_BYTES).text);
     if (!surface->name)
         surface->name = scene_files_name(surface->files[0], false);
     return surface->name || scene_source_memory(source);
@@ -286,9 +268,10 @@ static bool check_names(struct scene_source *source, const yaml_node_t *list)
     return good;
 }
 
-bool scene_surfaces_read(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value)
+bool scene_surfaces_read(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                         void *field)
 {
-    struct scene *scene = source->scene;
+    struct scene *scene = field;
     if (value->type != YAML_SEQUENCE_NODE)
         return scene_source_wrong_type(source, value, key->name, "a list of '- {name: ..., file: ...}'");
     size_t count = scene_source_item_count(value);

@@ -101,13 +101,13 @@ TEST_IN_WORKSPACE(test_wrong_options)
     } wrong[] = {
         {"--material", "unobtainium", "unknown material 'unobtainium'; allowed: tin, copper"},
         {"--effects", "thermal,plastic", "unknown effect 'plastic'; "},
-        {"--effects", "", "--effects names none; give 'auto'"},
+        {"--effects", "", "--effects: 'effects' names none; give 'auto'"},
+        {"--tolerance", "2", "--tolerance: 'tolerance' is 2; allowed is 1e-14 to 0.1"},
+        {"--tolerance", "1e-3x", "'1e-3x'; give a number"},
     };
     static const struct {
         const char *option, *value, *message;
     } refused[] = {
-        {"--tolerance", "2", "--tolerance must be a number from 1e-14 to 0.1, not '2'"},
-        {"--tolerance", "1e-3x", "not '1e-3x'"},
         {"--x-unit", "furlong", "--x-unit must be a unit of length"},
         {"--jobs", "0", "--jobs must be 1 to 64, not '0'"},
         {"--jobs", "-1", "--jobs must be 1 to 64"},

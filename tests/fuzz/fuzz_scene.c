@@ -17,7 +17,7 @@ static void require_sound(const struct scene *scene)
     for (size_t i = 0; i < scene->surface_count; i++) {
         const struct scene_surface *surface = &scene->surfaces[i];
         struct status status = {0};
-        struct material_pair pair = scene_pair(surface->bodies);
+        struct material_pair pair = scene_pair(&surface->bodies);
         double *loads;
         size_t count, operating;
         FUZZ_REQUIRE(surface->name && surface->file_count > 0);

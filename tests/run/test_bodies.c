@@ -66,7 +66,7 @@ TEST_IN_DIRECTORY(bodies_are_completed)
                                              material_pair(silver, MATERIAL_COUNTERFACE_RIGID, tin)};
     const double hardness_Pa[] = {50e6, 50e6, 90e6};
     for (int s = 0; s < 3; s++) {
-        struct material_pair pair = scene_pair(scene.surfaces[s].bodies);
+        struct material_pair pair = scene_pair(&scene.surfaces[s].bodies);
         assert_near(pair.effective_modulus_Pa, expected[s].effective_modulus_Pa, 0);
         assert_near(pair.resistivity_ohm_m, expected[s].resistivity_ohm_m, 0);
         assert_near(pair.hardness_Pa, hardness_Pa[s], 0);
@@ -145,10 +145,10 @@ TEST_IN_DIRECTORY(without_a_material)
 /* The thesis's length is one of phonons, and the report says so; the electrons' is far shorter in tin. */
 TEST_IN_DIRECTORY(whose_mean_free_path)
 {
-    static const char *const kinds[] = {"thesis", "electron", "20 nm"};
-    static const double expected_nm[] = {44.2376, 3.94994, 20};
+    static const char *const kinds[] = {"thesis", "electron"};
+    static const double expected_nm[] = {44.2376, 3.94994};
     pipeline_rough(place, "in/a.csv", 400, 1, 5);
-    for (int k = 0; k < 3; k++) {
+    for (int k = 0; k < 2; k++) {
         struct scene scene;
         struct status status = {0};
         char text[200], directory[4096];
@@ -156,7 +156,7 @@ TEST_IN_DIRECTORY(whose_mean_free_path)
         directory_write(place, "in/scene.yaml", text);
         snprintf(directory, sizeof directory, "%s", directory_path(place, "in"));
         assert_int_equal(scene_read(&scene, directory, &(struct scene_overrides){0}, &status), STATUS_OK);
-        assert_near(scene_pair(scene.surfaces[0].bodies).mean_free_path_m[0], expected_nm[k] * 1e-9, 1e-5);
+        assert_near(scene_pair(&scene.surfaces[0].bodies).mean_free_path_m[0], expected_nm[k] * 1e-9, 1e-5);
         scene_free(&scene);
         assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
         struct text report = directory_read(place, "out/report.md");

@@ -162,8 +162,8 @@ TEST_CASE(test_same_metal_and_pressures)
     struct scene scene = scene_directory_read(DATA("same"), NULL);
     assert_int_equal(scene.bodies.counterface_kind, MATERIAL_COUNTERFACE_ELASTIC);
     assert_string_equal(scene.bodies.counterface.name, "copper");
-    assert_string_equal(scene.surfaces[0].bodies->material.name, "copper");
-    assert_false(scene.surfaces[0].bodies->material_given); /* its own, which results.json would repeat */
+    assert_string_equal(scene.surfaces[0].bodies.material.name, "copper");
+    assert_false(scene.surfaces[0].bodies.material_given); /* its own, which results.json would repeat */
     assert_true(scene.load.kind == UNIT_PRESSURE);
     size_t count;
     double *loads = scene_loads_of(&scene, 5e10, &count);
@@ -267,7 +267,7 @@ TEST_CASE(test_default_loads)
 TEST_CASE(test_the_command_line_wins)
 {
     struct scene_overrides overrides = {
-        .material = "Silver", .effects = "plasticity, separation", .tolerance = 1e-3, .x_unit = "nm", .z_unit = "pm"};
+        .material = "Silver", .effects = "plasticity, separation", .tolerance = "1e-3", .x_unit = "nm", .z_unit = "pm"};
     struct scene scene = scene_directory_read(DATA("full"), &overrides);
     assert_string_equal(scene.bodies.material.name, "silver");
     assert_int_equal(scene.effects, EFFECT_BIT(EFFECT_PLASTICITY) | EFFECT_BIT(EFFECT_SEPARATION));
@@ -301,10 +301,10 @@ TEST_CASE(test_wrong_overrides)
     } rows[] = {
         {{.material = "aluminim"}, "--material: unknown material 'aluminim'; did you mean 'aluminium'?"},
         {{.effects = "thermal,elctrical"}, "--effects: unknown effect 'elctrical'; did you mean 'electrical'?"},
-        {{.effects = " ,"}, "--effects names none; give 'auto' or names such as 'electrical,thermal'"},
-        {{.tolerance = 0.5}, "--tolerance is 0.5; allowed is 1e-14 to 0.1"},
-        {{.tolerance = (double)NAN}, "--tolerance is nan; allowed is 1e-14 to 0.1"},
-        {{.x_unit = "a very long unit"}, "--x-unit is 'a very long unit'; give a unit of length such as mm or um"},
+        {{.effects = " ,"}, "--effects: 'effects' names none; give 'auto' or names such as 'electrical,thermal'"},
+        {{.tolerance = "0.5"}, "--tolerance: 'tolerance' is 0.5; allowed is 1e-14 to 0.1"},
+        {{.tolerance = "nan"}, "--tolerance: 'tolerance' is 'nan'; give a number such as 1.5e-6"},
+        {{.x_unit = "a very long unit"}, "--x-unit: 'unit' is longer than 15 bytes; shorten it"},
         {{.effects = "electrical"},
          "--effects: 'electrical' needs 'resistivity'; add it to 'material' in scene.yaml, or leave the effect out"},
     };

@@ -265,7 +265,7 @@ static void hold(struct findings *findings, const double *height_m, const struct
     write_scans(&place, height_m, part, hardness);
     coverage_must(scene_read(&scene, place.path, NULL, &status), &status);
     plan_make(&plan, &scene);
-    struct material_pair pair = scene_pair(scene.surfaces[0].bodies);
+    struct material_pair pair = scene_pair(&scene.surfaces[0].bodies);
     coverage_must(scene_loads(&own, &count, &operating, &scene, &pair, &status), &status);
     plan.operating_place = operating + 1;
     const struct evaluate_task task = {
