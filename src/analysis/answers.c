@@ -4,7 +4,7 @@
 #include "analysis/landmarks.h"
 #include "analysis/surface.h"
 #include "base/clock.h"
-#include "joint/joint_curve.h"
+#include "joint/joint.h"
 #include <math.h>
 #include <stdlib.h>
 
