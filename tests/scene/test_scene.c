@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene_directory.h"
 
-#include <locale.h>
-
 #define NAMED(name) MODEL_BIT(model_named(name))
 #define DATA(name)  TEST_DATA "/scene/" name
 
@@ -211,14 +209,19 @@ TEST_CASE(test_spellings_that_are_allowed)
     }
 }
 
+/* Beside the directory's, and named by its file. */
 TEST_CASE(test_absolute_file)
 {
     struct scene scene = scene_of("surfaces: [{file: " DATA("full/a.csv") "}]\n");
-    assert_int_equal(scene.surface_count, 1);
-    assert_string_equal(scene.surfaces[0].name, "a"); /* named by its file */
-    char *path = scene_file_path(&scene, scene.surfaces[0].files[0]);
-    assert_string_equal(path, DATA("full/a.csv"));
-    free(path);
+    assert_string_equal(scene.surfaces[0].name, "a");
+    static const char *const rows[][3] = {{"some/where", "a.csv", "some/where/a.csv"},
+                                          {"some/", "../a.csv", "some/../a.csv"},
+                                          {"some/", DATA("full/a.csv"), DATA("full/a.csv")}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        char *path = scene_file_path(&(struct scene){.directory = (char *)rows[i][0]}, rows[i][1]);
+        assert_string_equal(path, rows[i][2]);
+        free(path);
+    }
     scene_free(&scene);
 }
 
@@ -338,35 +341,6 @@ TEST_CASE(test_titles)
     }
     assert_int_equal(chdir(before), 0);
     free(before);
-}
-
-TEST_CASE(test_file_paths)
-{
-    static const char *const rows[][3] = {{"some/where", "a.csv", "some/where/a.csv"},
-                                          {"some/", "../a.csv", "some/../a.csv"},
-                                          {"some/", "/data/a.csv", "/data/a.csv"}};
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct scene scene = {.directory = (char *)rows[i][0]};
-        char *path = scene_file_path(&scene, rows[i][1]);
-        assert_string_equal(path, rows[i][2]);
-        free(path);
-    }
-}
-
-TEST_CASE(test_numbers_in_another_locale)
-{
-    static const char *const locales[] = {"de_DE.UTF-8", "de_DE.utf8", "de_DE", "fr_FR.UTF-8", "fr_FR.utf8"};
-    const char *chosen = NULL;
-    for (size_t i = 0; !chosen && i < sizeof locales / sizeof *locales; i++)
-        chosen = setlocale(LC_ALL, locales[i]);
-    if (!chosen) {
-        print_message("no locale with a decimal comma is installed\n");
-        skip();
-    }
-    struct scene scene = scene_directory_read(DATA("full"), NULL);
-    assert_near(scene.bodies.material.poisson_ratio, 0.34, 0);
-    scene_free(&scene);
-    setlocale(LC_ALL, "C");
 }
 
 TEST_CASE(test_targets_and_limits)
