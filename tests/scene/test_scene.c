@@ -321,6 +321,37 @@ TEST_CASE(test_wrong_overrides)
     }
 }
 
+/* What is wrong in the file is told of the file, whatever the command line overrode. */
+TEST_CASE(test_an_override_is_read_alone)
+{
+    struct directory directory = directory_make();
+    struct scene scene;
+    struct status status = {0};
+    scene_directory_add(&directory, "a.csv");
+    directory_write(&directory, "scene.yaml", "\nbaseline: b\n");
+    assert_int_equal(scene_read(&scene, directory.path, &(struct scene_overrides){.tolerance = "1e-3"}, &status),
+                     STATUS_SCENE);
+    assert_non_null(strstr(status.message, "/scene.yaml:2: 'baseline' is 'b'"));
+    scene_free(&scene);
+    directory_remove(&directory);
+}
+
+TEST_CASE(test_units_of_loads_and_what_fills_the_gaps)
+{
+    struct scene scene = scene_of("material: tin\nnominal_area: 1 mm2\nload: {from: 1, to: 10, unit: kN}\n"
+                                  "gap: {conductivity: 0.8}\n");
+    assert_near(scene.load.from, 1e3, 0);
+    assert_near(scene.load.to, 1e4, 0);
+    assert_string_equal(scene.load.unit_text, "kN");
+    assert_int_equal(scene.joint.fill, JOINT_MEDIUM);
+    scene_free(&scene);
+    scene = scene_of("material: tin\nnominal_area: 1 mm2\nload: {values: [1 N, 2 N]}\ngap: {gas: vacuum}\n");
+    assert_near(scene.load.values[1], 2, 0);
+    assert_string_equal(scene.load.unit_text, "N");
+    assert_int_equal(scene.joint.fill, JOINT_VACUUM);
+    scene_free(&scene);
+}
+
 TEST_CASE(test_titles)
 {
     char *before = getcwd(NULL, 0);

@@ -9,8 +9,8 @@ struct wrong {
     const char *expected; /* the message after "file:line: "; where it ends in "...", its beginning */
 };
 
-#define DULL      "material: {E_Pa: 70e9, nu: 0.3}\n"
-#define AREA      "material: tin\nnominal_area: 1 mm2\n"
+#define DULL "material: {E_Pa: 70e9, nu: 0.3}\n"
+#define AREA "material: tin\nnominal_area: 1 mm2\n"
 
 static const struct wrong rows[] = {
     /* What is no YAML, or no mapping. */
