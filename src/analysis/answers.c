@@ -3,7 +3,7 @@
 
 #include "analysis/surface.h"
 #include "base/clock.h"
-#include "joint/joint_curve.h"
+#include "joint/joint.h"
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
 #include <math.h>

@@ -6,7 +6,7 @@
 #include "analysis/effects.h"
 #include "base/clock.h"
 #include "contact/statistical.h"
-#include "joint/joint_curve.h"
+#include "joint/joint.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/measured.h"
 
-#include "joint/joint_curve.h"
+#include "joint/joint.h"
 
 #include "scene/measured_file.h"
 #include <math.h>

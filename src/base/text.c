@@ -145,20 +145,8 @@ struct text_shown text_show(const char *s)
     return shown;
 }
 
-/** Is all of it ASCII that stands for itself: nothing to write out, no backslash? */
-static bool is_plain(const char *string)
-{
-    while (*string >= 0x20 && *string < 0x7f && *string != '\\')
-        string++;
-    return *string == '\0';
-}
-
 void text_add_shown(struct text *text, const char *string)
 {
-    if (is_plain(string)) {
-        text_add_bytes(text, string, strlen(string));
-        return;
-    }
     while (*string) {
         struct text_shown shown = text_show(string);
         text_add_bytes(text, shown.text, strlen(shown.text));

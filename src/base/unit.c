@@ -11,39 +11,33 @@
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
-/* Longer forms stand first where a shorter one ends them: the latin-1 micro sign is the last byte of the UTF-8 one. */
+/* In UTF-8; then in latin-1, which UTF-8 has behind the byte C2. */
 static const struct {
     const char *bytes, *letters;
 } unit_letters[] = {
-    {"\xC2\xB5", "u"},        /* micro sign */
     {"\xCE\xBC", "u"},        /* Greek mu */
     {"\xCE\xA9", "ohm "},     /* Ωm² is two words */
     {"\xE2\x84\xA6", "ohm "}, /* ohm sign */
     {"\xC3\x85", "angstrom"},
     {"\xE2\x84\xAB", "angstrom"},
-    {"\xC2\xB9", "1"},
-    {"\xC2\xB2", "2"},
-    {"\xC2\xB3", "3"},
     {"\xE2\x81\xB4", "4"},
     {"\xE2\x81\xBB", "-"}, /* raised minus */
     {"\xE2\x88\x92", "-"}, /* minus sign */
-    {"\xC2\xB7", "*"},     /* middle dot */
     {"\xE2\x8B\x85", "*"}, /* dot operator */
     {"\xC3\x97", "*"},     /* multiplication sign */
-    {"\xC2\xB0", "deg"},   /* degree sign */
     {"\xE2\x84\x83", "degC"},
     {"\xE2\x84\x89", "degF"},
-    {"\xC2\xA0", " "},     /* no-break space */
     {"\xE2\x80\x89", " "}, /* thin space */
     {"\xE2\x80\xAF", " "}, /* narrow no-break space */
-    {"\xB5", "u"},
+    {"\xC2", ""},
+    {"\xB5", "u"}, /* micro sign */
     {"\xC5", "angstrom"},
     {"\xB9", "1"},
     {"\xB2", "2"},
     {"\xB3", "3"},
-    {"\xB7", "*"},
-    {"\xB0", "deg"},
-    {"\xA0", " "},
+    {"\xB7", "*"},   /* middle dot */
+    {"\xB0", "deg"}, /* degree sign */
+    {"\xA0", " "},   /* no-break space */
 };
 
 static const struct {
@@ -62,41 +56,42 @@ static const struct unit_row {
     double mantissa;
     int exponent;
     int power[UNIT_BASES];
+    double offset; /* [K] of its zero, where it stands alone: a temperature, and not only a difference */
 } unit_rows[] = {
-    {"m", "metre", true, 1, 0, {[UNIT_METRE] = 1}},
-    {"m", "meter", true, 1, 0, {[UNIT_METRE] = 1}},
-    {"g", "gram", true, 1, -3, {[UNIT_KILOGRAM] = 1}},
-    {"in", "inch", false, 2.54, -2, {[UNIT_METRE] = 1}},
-    {"uin", "microinch", false, 2.54, -8, {[UNIT_METRE] = 1}},
-    {"mil", "mil", false, 2.54, -5, {[UNIT_METRE] = 1}},
-    {"angstrom", "angstrom", false, 1, -10, {[UNIT_METRE] = 1}},
-    {"s", NULL, true, 1, 0, {[UNIT_SECOND] = 1}},
-    {"min", "minute", false, 60, 0, {[UNIT_SECOND] = 1}},
-    {"h", "hour", false, 3600, 0, {[UNIT_SECOND] = 1}},
-    {"A", "ampere", true, 1, 0, {[UNIT_AMPERE] = 1}},
-    {"K", "kelvin", true, 1, 0, {[UNIT_KELVIN] = 1}},
-    {"degC", NULL, false, 1, 0, {[UNIT_KELVIN] = 1}}, /* in a product a difference: degC/W is K/W */
-    {"degF", NULL, false, 1 / 1.8, 0, {[UNIT_KELVIN] = 1}},
-    {"N", "newton", true, 1, 0, {1, 1, -2, 0, 0}},
-    {"gf", NULL, false, 9.80665, -3, {1, 1, -2, 0, 0}},
-    {"kgf", NULL, false, 9.80665, 0, {1, 1, -2, 0, 0}},
-    {"lbf", NULL, false, 4.4482216152605, 0, {1, 1, -2, 0, 0}},
-    {"Pa", "pascal", true, 1, 0, {-1, 1, -2, 0, 0}},
-    {"bar", "bar", true, 1, 5, {-1, 1, -2, 0, 0}},
-    {"psi", NULL, false, 6.894757293168361, 3, {-1, 1, -2, 0, 0}},
-    {"atm", NULL, false, 1.01325, 5, {-1, 1, -2, 0, 0}},
-    {"torr", "torr", false, 1.01325e5 / 760, 0, {-1, 1, -2, 0, 0}},
-    {"J", "joule", true, 1, 0, {2, 1, -2, 0, 0}},
-    {"W", "watt", true, 1, 0, {2, 1, -3, 0, 0}},
-    {"V", "volt", true, 1, 0, {2, 1, -3, -1, 0}},
-    {"ohm", "ohm", true, 1, 0, {2, 1, -3, -2, 0}},
-    {"Ohm", NULL, true, 1, 0, {2, 1, -3, -2, 0}},
-    {"ohms", NULL, true, 1, 0, {2, 1, -3, -2, 0}},
-    {"Ohms", NULL, true, 1, 0, {2, 1, -3, -2, 0}},
-    {"S", "siemens", true, 1, 0, {-2, -1, 3, 2, 0}},
-    {"%", "percent", false, 1, -2, {0, 0, 0, 0, 0}},
-    {"1", "dimensionless", false, 1, 0, {0, 0, 0, 0, 0}},
-    {"-", NULL, false, 1, 0, {0, 0, 0, 0, 0}},
+    {"m", "metre", true, 1, 0, {[UNIT_METRE] = 1}, 0},
+    {"m", "meter", true, 1, 0, {[UNIT_METRE] = 1}, 0},
+    {"g", "gram", true, 1, -3, {[UNIT_KILOGRAM] = 1}, 0},
+    {"in", "inch", false, 2.54, -2, {[UNIT_METRE] = 1}, 0},
+    {"uin", "microinch", false, 2.54, -8, {[UNIT_METRE] = 1}, 0},
+    {"mil", "mil", false, 2.54, -5, {[UNIT_METRE] = 1}, 0},
+    {"angstrom", "angstrom", false, 1, -10, {[UNIT_METRE] = 1}, 0},
+    {"s", NULL, true, 1, 0, {[UNIT_SECOND] = 1}, 0},
+    {"min", "minute", false, 60, 0, {[UNIT_SECOND] = 1}, 0},
+    {"h", "hour", false, 3600, 0, {[UNIT_SECOND] = 1}, 0},
+    {"A", "ampere", true, 1, 0, {[UNIT_AMPERE] = 1}, 0},
+    {"K", "kelvin", true, 1, 0, {[UNIT_KELVIN] = 1}, 0},
+    {"degC", NULL, false, 1, 0, {[UNIT_KELVIN] = 1}, 273.15}, /* in a product a difference: degC/W is K/W */
+    {"degF", NULL, false, 1 / 1.8, 0, {[UNIT_KELVIN] = 1}, 273.15 - 32 / 1.8},
+    {"N", "newton", true, 1, 0, {1, 1, -2, 0, 0}, 0},
+    {"gf", NULL, false, 9.80665, -3, {1, 1, -2, 0, 0}, 0},
+    {"kgf", NULL, false, 9.80665, 0, {1, 1, -2, 0, 0}, 0},
+    {"lbf", NULL, false, 4.4482216152605, 0, {1, 1, -2, 0, 0}, 0},
+    {"Pa", "pascal", true, 1, 0, {-1, 1, -2, 0, 0}, 0},
+    {"bar", "bar", true, 1, 5, {-1, 1, -2, 0, 0}, 0},
+    {"psi", NULL, false, 6.894757293168361, 3, {-1, 1, -2, 0, 0}, 0},
+    {"atm", NULL, false, 1.01325, 5, {-1, 1, -2, 0, 0}, 0},
+    {"torr", "torr", false, 1.01325e5 / 760, 0, {-1, 1, -2, 0, 0}, 0},
+    {"J", "joule", true, 1, 0, {2, 1, -2, 0, 0}, 0},
+    {"W", "watt", true, 1, 0, {2, 1, -3, 0, 0}, 0},
+    {"V", "volt", true, 1, 0, {2, 1, -3, -1, 0}, 0},
+    {"ohm", "ohm", true, 1, 0, {2, 1, -3, -2, 0}, 0},
+    {"Ohm", NULL, true, 1, 0, {2, 1, -3, -2, 0}, 0},
+    {"ohms", NULL, true, 1, 0, {2, 1, -3, -2, 0}, 0},
+    {"Ohms", NULL, true, 1, 0, {2, 1, -3, -2, 0}, 0},
+    {"S", "siemens", true, 1, 0, {-2, -1, 3, 2, 0}, 0},
+    {"%", "percent", false, 1, -2, {0, 0, 0, 0, 0}, 0},
+    {"1", "dimensionless", false, 1, 0, {0, 0, 0, 0, 0}, 0},
+    {"-", NULL, false, 1, 0, {0, 0, 0, 0, 0}, 0},
 };
 
 static const struct {
@@ -144,12 +139,6 @@ static const struct {
      "W/m2/K, kW/m2/K, W/cm2/K"},
     {UNIT_POWER, "a power", "W", {2, 1, -3, 0, 0}, 0, "W, mW, kW"},
 };
-
-/* Temperatures, and not only differences, when they stand alone: the offset of their zero [K]. */
-static const struct {
-    const char *symbol;
-    double offset;
-} unit_offsets[] = {{"degC", 273.15}, {"degF", 273.15 - 32 / 1.8}};
 
 bool unit_spell(char spelling[UNIT_LENGTH], const char *text, size_t length)
 {
@@ -314,15 +303,13 @@ bool unit_read(struct unit *out, const char *text, size_t length)
     const struct unit_row *alone = find_word(spelling, strlen(spelling), &product.exponent); /* also no letter: % */
     if (alone) {
         product.unit.factor = alone->mantissa;
+        product.unit.offset = alone->offset;
         memcpy(product.unit.power, alone->power, sizeof alone->power);
     } else {
         const char *end = read_product(&product, spelling, 1);
         if (!end || *end != '\0')
             return false;
     }
-    for (size_t i = 0; alone && i < COUNT(unit_offsets); i++)
-        product.unit.offset =
-            strcmp(spelling, unit_offsets[i].symbol) == 0 ? unit_offsets[i].offset : product.unit.offset;
     *out = product.unit;
     /* dividing by a power of ten that double holds exactly rounds once */
     out->factor =

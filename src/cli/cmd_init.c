@@ -65,11 +65,10 @@ static enum status_code add_surface(json_t *view, const struct scene *scene, con
 {
     json_t *files = json_array(), *name = json_shown(surface->name);
     bool several = surface->file_count > 1, folder = strchr(surface->files[0], '/');
-    char *all = several ? scene_pattern(scene, surface, status) : NULL;
     char *path = scene_file_path(scene, surface->files[0]);
     bool good = json_string_length(name) <= limit_most(LIMIT_NAME_BYTES);
-    for (size_t i = 0; i < (all ? 1 : surface->file_count); i++)
-        good = json_array_append_new(files, path_json(all ? all : surface->files[i])) == 0 && good;
+    for (size_t i = 0; i < surface->file_count; i++)
+        good = json_array_append_new(files, path_json(surface->files[i])) == 0 && good;
     json_t *one = json_pack("{s:o, s:O, s:b, s:b, s:o}", "name", name, "files", files, "folder", several && folder,
                             "alike", several && !folder, "count", json_sprintf("%zu", surface->file_count));
     if (json_array_size(files) == 1)
@@ -79,7 +78,6 @@ static enum status_code add_surface(json_t *view, const struct scene *scene, con
     json_array_append_new(json_object_get(view, good ? "surfaces" : "left_out"), one);
     json_decref(files);
     free(path);
-    free(all);
     return one && path ? status->code : status_memory(status);
 }
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "direct/direct_surface.h"
 
-#include "base/rank.h"
 #include <assert.h>
 #include <fftw3.h>
 #include <gsl/gsl_sort.h>
@@ -323,6 +322,15 @@ static void impose_amplitudes(struct modes *modes)
     fftw_execute(modes->backward);
 }
 
+static int by_value(const void *left, const void *right, void *values)
+{
+    const double *value = values;
+    uint64_t a = *(const uint64_t *)left, b = *(const uint64_t *)right;
+    if (value[a] != value[b])
+        return value[a] < value[b] ? -1 : 1;
+    return (a > b) - (a < b);
+}
+
 /** The rounds proper; values: n² of room, order: 2 n². */
 static void adjust(struct modes *modes, const double *heights, double *values, uint64_t *order, uint64_t seed)
 {
@@ -331,7 +339,9 @@ static void adjust(struct modes *modes, const double *heights, double *values, u
     for (size_t k = 0; k < count; k++)
         values[k] = direct_random(seed, k);
     for (int round = 0; round <= ROUNDS; round++) {
-        rank_ascending(order, values, count);
+        for (size_t k = 0; k < count; k++)
+            order[k] = k;
+        qsort_r(order, count, sizeof *order, by_value, values);
         for (size_t k = 0; k < count; k++)
             values[order[k]] = heights[k];
         for (size_t j = 0; j < n; j++)

@@ -21,20 +21,9 @@ const struct electron_metal *electron_metal_find(const char *name)
     return NULL;
 }
 
-double electron_resistivity_path(double density_per_m3)
-{
-    double charge = constant_electron_charge_C, reduced_planck = constant_planck_J_s / (2 * M_PI);
-    return reduced_planck / charge * cbrt(3 * M_PI * M_PI) / charge / pow(density_per_m3, 2.0 / 3);
-}
-
 double electron_mean_free_path(double density_per_m3, double resistivity_ohm_m)
 {
-    return electron_resistivity_path(density_per_m3) / resistivity_ohm_m;
-}
-
-double electron_spot_resistance(double resistivity_ohm_m, double mean_free_path_m, double radius_m)
-{
-    double knudsen = mean_free_path_m / radius_m;
-    double gamma = (1 + 0.83 * knudsen) / (1 + 1.33 * knudsen);
-    return resistivity_ohm_m / radius_m * (4 * knudsen / (3 * M_PI) + gamma / 2);
+    double charge = constant_electron_charge_C, reduced_planck = constant_planck_J_s / (2 * M_PI);
+    double product = reduced_planck / charge * cbrt(3 * M_PI * M_PI) / charge / pow(density_per_m3, 2.0 / 3);
+    return product / resistivity_ohm_m;
 }

@@ -5,9 +5,13 @@
 #include "joint/plating.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 /** A/A_n up to which spots count as independent, and so have a radius and a plating factor. */
 static const double joint_independent_area = 0.1;
+
+/** The effects whose quantities are made of spots. */
+static const unsigned on_spots = EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING) | EFFECT_BIT(EFFECT_HEATING);
 
 struct joint joint_default(void)
 {
@@ -104,7 +108,6 @@ static void add_spots(double *value, const struct contact_spots *own, const stru
 void joint_apply(struct contact_point *points, const struct contact_spots *spots, size_t count,
                  const struct joint_task *task)
 {
-    const unsigned on_spots = EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING) | EFFECT_BIT(EFFECT_HEATING);
     for (size_t i = 0; i < count; i++) {
         double *value = points[i].value;
         if (runs(task, EFFECT_GAP)) {
@@ -115,4 +118,26 @@ void joint_apply(struct contact_point *points, const struct contact_spots *spots
         if (task->effects & on_spots)
             add_spots(value, spots ? &spots[i] : NULL, task);
     }
+}
+
+enum status_code joint_curve(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
+                             const struct joint_task *joint, struct status *status)
+{
+    struct contact_spots *spots = NULL;
+    enum status_code rc = STATUS_OK;
+    if (!curve->exists || !(joint->effects & (on_spots | EFFECT_BIT(EFFECT_GAP))))
+        return STATUS_OK;
+    if (row->spots && (joint->effects & on_spots)) {
+        spots = calloc(task->load_count + 1, sizeof *spots);
+        if (!spots)
+            return status_memory(status);
+        rc = row->spots(spots, row, task, status);
+        for (size_t i = 0; i < curve->count; i++)
+            if (i >= task->load_count || curve->points[i].value[QUANTITY_LOAD] != task->loads[i]) /* full contact */
+                spots[i] = (struct contact_spots){NAN, NAN};
+    }
+    if (rc == STATUS_OK)
+        joint_apply(curve->points, spots, curve->count, joint);
+    free(spots);
+    return rc;
 }

@@ -4,7 +4,7 @@
 #ifndef JOINT_JOINT_H
 #define JOINT_JOINT_H
 
-#include "contact/quantity.h"
+#include "contact/model.h"
 #include "joint/gas.h"
 #include "material/material.h"
 
@@ -52,5 +52,11 @@ double joint_film(double contact_ohm_m2, double film_ohm_m2, double area_ratio);
  * one a point; NULL: it has none, so equal ones. What is not finite is NaN. */
 void joint_apply(struct contact_point *points, const struct contact_spots *spots, size_t count,
                  const struct joint_task *task);
+
+/** Adds to `curve`, of `row` at the loads of `task`, what the joint's effects make of it: joint_apply() with the spots
+ * of the model, which are those of the task's one surface. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code joint_curve(struct model_curve *curve, const struct model_row *row,
+                                        const struct model_task *task, const struct joint_task *joint,
+                                        struct status *status);
 
 #endif

@@ -41,16 +41,10 @@ bool scene_bins_spectra(const struct scene *scene)
     return scene->data == SCENE_DATA_AUTO && !scene->exports && scene->surface_count > SCENE_DATA_SURFACES;
 }
 
-/* The directory's own name, also where it is given as "." or "..". */
+/* The directory's own name, however it is given. */
 static char *directory_title(const char *directory)
 {
-    char *path = strdup(directory), *name = path ? basename(path) : NULL;
-    if (name && (strcmp(name, ".") == 0 || strcmp(name, "..") == 0)) {
-        free(path);
-        path = realpath(directory, NULL);
-        name = path ? basename(path) : NULL;
-    }
-    char *title = strdup(name ? name : directory);
+    char *path = realpath(directory, NULL), *title = strdup(path ? basename(path) : directory);
     free(path);
     return title;
 }

@@ -220,10 +220,6 @@ void scene_free(struct scene *scene);
  * then counts these. In the order of names, each its own. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code scene_join_repeats(struct scene *scene, struct status *status);
 
-/** A pattern that matches the files of a surface, as they were found, and no other; malloc'ed. NULL: there is none, or
- * an error, STATUS_IO or STATUS_MEMORY. */
-char *scene_pattern(const struct scene *scene, const struct scene_surface *surface, struct status *status);
-
 /** Does data/ hold bins of the spectra instead of every harmonic? */
 bool scene_bins_spectra(const struct scene *scene);
 

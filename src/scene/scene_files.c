@@ -342,23 +342,3 @@ enum status_code scene_join_repeats(struct scene *scene, struct status *status)
     scene->surface_count = joined;
     return status->code == STATUS_OK ? tell_apart(scene, status) : status->code;
 }
-
-char *scene_pattern(const struct scene *scene, const struct scene_surface *surface, struct status *status)
-{
-    const char *first = surface->files[0], *slash = strrchr(first, '/');
-    size_t kept = slash ? (size_t)(slash + 1 - first) : root_length(first);
-    struct scene_surface found = {0};
-    char *pattern;
-    kept += slash ? 0 : strspn(first + kept, repeat_marks);
-    if (asprintf(&pattern, "%.*s*%s", (int)kept, first, slash ? "" : ending_of(first)) < 0)
-        return (void)status_memory(status), NULL;
-    bool exact = scene_files_match(&found, scene, pattern, S_IFREG, status) == STATUS_OK &&
-                 found.file_count == surface->file_count;
-    for (size_t i = 0; i < found.file_count && exact; i++) /* a file of that very name would be taken alone */
-        exact = strcmp(found.files[i], surface->files[i]) == 0 && strcmp(found.files[i], pattern) != 0;
-    scene_files_free(&found);
-    if (exact)
-        return pattern;
-    free(pattern);
-    return NULL;
-}

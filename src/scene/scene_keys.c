@@ -505,7 +505,7 @@ const size_t scene_key_count = SCENE_COUNT(scene_keys);
 size_t scene_keys_line(const struct scene_source *source, const char *name)
 {
     size_t k = 0;
-    while (strcmp(scene_keys[k].name, name) != 0)
-        k++;
+    for (; strcmp(scene_keys[k].name, name) != 0; k++)
+        assert(k + 1 < SCENE_COUNT(scene_keys));
     return source->lines[k];
 }

@@ -5,6 +5,7 @@
 #include <assert.h>
 #include <errno.h>
 #include <math.h>
+#include <search.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -230,34 +231,32 @@ static bool read_surface(struct scene_source *source, const yaml_node_t *node, s
     return surface->name || scene_source_memory(source);
 }
 
-/* By name, then in the order of the list. */
-static int compare_surfaces(const void *a, const void *b)
+static int compare_names(const void *a, const void *b)
 {
-    const struct scene_surface *first = *(struct scene_surface *const *)a, *second = *(struct scene_surface *const *)b;
-    int order = strcmp(first->name, second->name);
-    return order ? order : (first > second) - (first < second);
+    return strcmp(((const struct scene_surface *)a)->name, ((const struct scene_surface *)b)->name);
 }
 
-static bool check_names(struct scene_source *source, const yaml_node_t *list)
+static void keep(void *surface)
 {
-    struct scene *scene = source->scene;
-    const struct scene_surface **surfaces = malloc(scene->surface_count * sizeof *surfaces);
-    if (!surfaces)
-        return scene_source_memory(source);
-    for (size_t i = 0; i < scene->surface_count; i++)
-        surfaces[i] = &scene->surfaces[i];
-    qsort(surfaces, scene->surface_count, sizeof *surfaces, compare_surfaces);
+    (void)surface;
+}
+
+static bool check_names(struct scene_source *source, const struct scene *scene, const yaml_node_t *list)
+{
+    void *tree = NULL;
     bool good = true;
-    for (size_t i = 1; i < scene->surface_count && good; i++) {
-        const struct scene_surface *first = surfaces[i - 1], *second = surfaces[i];
-        if (strcmp(first->name, second->name) == 0)
-            good = scene_source_fail(
-                source, scene_source_line(scene_source_item(source, list, (size_t)(second - scene->surfaces))),
+    for (size_t i = 0; i < scene->surface_count && good; i++) {
+        const struct scene_surface *surface = &scene->surfaces[i], **found = tsearch(surface, &tree, compare_names);
+        if (!found)
+            good = scene_source_memory(source);
+        else if (*found != surface)
+            good = scene_source_fail_at(
+                source, scene_source_item(source, list, i),
                 "two surfaces are named '%s', the first in line %zu; give each its own 'name'",
-                scene_words_show(second->name).text,
-                scene_source_line(scene_source_item(source, list, (size_t)(first - scene->surfaces))));
+                scene_words_show(surface->name).text,
+                scene_source_line(scene_source_item(source, list, (size_t)(*found - scene->surfaces))));
     }
-    free(surfaces);
+    tdestroy(tree, keep);
     return good;
 }
 
@@ -278,5 +277,5 @@ bool scene_surfaces_read(struct scene_source *source, const struct scene_key *ke
     for (size_t i = 0; i < count; i++)
         if (!read_surface(source, scene_source_item(source, value, i), &scene->surfaces[i]))
             return false;
-    return check_names(source, value);
+    return check_names(source, scene, value);
 }

@@ -2,7 +2,6 @@
 /* Numbers that one call gives: integrals, intervals, one sinusoidal scale, what lies in and around the spots. */
 #include "contact/gaussian.h"
 #include "contact/sinusoid.h"
-#include "joint/electron.h"
 #include "joint/gas.h"
 #include "joint/heating.h"
 #include "joint/joint.h"
@@ -73,8 +72,6 @@ enum status_code selftest_plain(double *value, const reference *r, const struct 
         *value = heating_rise(at[0], at[1]);
     else if (is(r, "heating", "melting voltage of tin"))
         *value = heating_voltage(at[0], at[1]);
-    else if (is(r, "spot", "resistance"))
-        *value = electron_spot_resistance(at[0], at[1], at[2]);
     else if (is(r, "film", "resistance"))
         *value = joint_film(at[0], at[1], at[2]);
     else if (gas && strcmp(r->quantity, "jump length") == 0)

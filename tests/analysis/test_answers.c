@@ -2,7 +2,7 @@
 /* Loads for a target: against reference forces, the model itself, scans solved one by one here, and bands. Limits. */
 #include "analysis/answers.h"
 #include "analysis/surface.h"
-#include "joint/joint_curve.h"
+#include "joint/joint.h"
 #include "support.h"
 
 enum { HARMONICS = 60, LOADS = 121, SCANS = 3, TARGETS_MOST = 8 };

@@ -56,38 +56,6 @@ TEST_CASE(test_numbers)
     }
 }
 
-/* Read back, a number is itself within half a unit of its last digit. */
-TEST_CASE(test_every_magnitude_reads_back)
-{
-    static const char *const superscripts[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    for (int exponent = -40; exponent <= 40; exponent++)
-        for (int digits = 2; digits <= 7; digits++) {
-            struct text text = {0};
-            char *rest;
-            double value = 3.14159265 * pow(10, exponent), back;
-            number_format(&text, value, digits);
-            back = strtod(text_string(&text), &rest);
-            if (strncmp(rest, "·10", strlen("·10")) == 0) {
-                int power = 0, sign = 1;
-                rest += strlen("·10");
-                if (strncmp(rest, "⁻", strlen("⁻")) == 0) {
-                    sign = -1;
-                    rest += strlen("⁻");
-                }
-                while (*rest)
-                    for (int d = 0; d < 10; d++)
-                        if (strncmp(rest, superscripts[d], strlen(superscripts[d])) == 0) {
-                            power = 10 * power + d;
-                            rest += strlen(superscripts[d]);
-                        }
-                back *= pow(10, sign * power);
-            }
-            assert_string_equal(rest, "");
-            assert_near(back, value, 0.5 * pow(10, 1 - digits));
-            text_free(&text);
-        }
-}
-
 TEST_CASE(test_ranges)
 {
     static const struct {

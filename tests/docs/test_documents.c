@@ -260,55 +260,44 @@ TEST_CASE(equations_are_complete)
     free(text);
 }
 
-/** Files and folders that the documents name. */
+static void expect_there(const char *document, const char *folder, const char *target, size_t length)
+{
+    char full[8192];
+    snprintf(full, sizeof full, "%s/%s%.*s", PROJECT_SOURCE, folder, (int)length, target);
+    if (access(full, R_OK) != 0)
+        fail_msg("%s names %.*s, which is not there", document, (int)length, target);
+}
+
+/** Files and folders that the documents name, and links from one to another. */
 TEST_CASE(paths_exist)
 {
     static const char *const folders[] = {"src/", "tests/", "templates/", "docs/", "surfaces/"};
-    size_t paths = 0;
-    for (size_t d = 0; d < sizeof documents / sizeof *documents; d++) {
-        char *text = read_document(documents[d]);
-        struct span span;
-        for (const char *at = text; next_span(&span, at); at = span.end + 1) {
-            char full[8192];
-            bool ours = false, pattern = false;
-            for (size_t f = 0; f < sizeof folders / sizeof *folders; f++)
-                ours = ours || strncmp(span.start, folders[f], strlen(folders[f])) == 0;
-            for (const char *c = span.start; c < span.end; c++)
-                pattern = pattern || *c == '<' || *c == '*' || *c == '{';
-            if (!ours || pattern)
-                continue;
-            snprintf(full, sizeof full, "%s/%.*s", PROJECT_SOURCE, (int)(span.end - span.start), span.start);
-            if (access(full, R_OK) != 0)
-                fail_msg("%s names %.*s, which is not there", documents[d], (int)(span.end - span.start), span.start);
-            paths++;
-        }
-        free(text);
-    }
-    assert_true(paths > 100);
-}
-
-/** Links from one file of the project to another. */
-TEST_CASE(links_lead_somewhere)
-{
-    size_t links = 0;
+    size_t paths = 0, links = 0;
     for (size_t d = 0; d < sizeof documents / sizeof *documents; d++) {
         char *text = read_document(documents[d]), folder[NAME] = "";
         const char *slash = strrchr(documents[d], '/');
+        struct span span;
+        for (const char *at = text; next_span(&span, at); at = span.end + 1) {
+            size_t length = (size_t)(span.end - span.start);
+            bool ours = false, pattern = strcspn(span.start, "<*{") < length;
+            for (size_t f = 0; f < sizeof folders / sizeof *folders; f++)
+                ours = ours || strncmp(span.start, folders[f], strlen(folders[f])) == 0;
+            if (!ours || pattern)
+                continue;
+            expect_there(documents[d], "", span.start, length);
+            paths++;
+        }
         snprintf(folder, sizeof folder, "%.*s", slash ? (int)(slash + 1 - documents[d]) : 0, documents[d]);
         for (const char *at = text; (at = strstr(at, "](")); at++) {
-            const char *target = at + 2;
-            size_t length = strcspn(target, ")#");
-            char full[8192];
-            if (length == 0 || strncmp(target, "http", 4) == 0)
+            size_t length = strcspn(at + 2, ")#");
+            if (length == 0 || strncmp(at + 2, "http", 4) == 0)
                 continue;
-            snprintf(full, sizeof full, "%s/%s%.*s", PROJECT_SOURCE, folder, (int)length, target);
-            if (access(full, R_OK) != 0)
-                fail_msg("%s links to %.*s, which is not there", documents[d], (int)length, target);
+            expect_there(documents[d], folder, at + 2, length);
             links++;
         }
         free(text);
     }
-    assert_true(links > 5);
+    assert_true(paths > 100 && links > 5);
 }
 
 /** Fails unless `document` names `name` between backticks. */
@@ -323,7 +312,7 @@ static void expect_named(const char *document, const char *text, const char *nam
 TEST_CASE(tables_are_described)
 {
     char *laws = read_document("docs/equations.md"), *formats = read_document("docs/formats.md");
-    char *report = read_document("docs/report.md"), *commands = read_document("docs/commands.md");
+    char *report = read_document("docs/report.md");
     for (size_t m = 0; m < model_count; m++)
         expect_named("docs/equations.md", laws, model_rows[m]->name);
     for (size_t i = 0; i < scan_reader_count; i++)
@@ -334,7 +323,6 @@ TEST_CASE(tables_are_described)
         expect_named("docs/report.md", report, q == QUANTITY_LOAD ? "load_over_AnEp" : quantity_rows[q].name);
     for (size_t p = 0; p < material_property_count; p++)
         expect_named("docs/report.md", report, material_properties[p].key);
-    free(commands);
     free(laws);
     free(formats);
     free(report);

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene_directory.h"
 
-#include <locale.h>
-
 #define NAMED(name) MODEL_BIT(model_named(name))
 #define DATA(name)  TEST_DATA "/scene/" name
 
@@ -211,14 +209,19 @@ TEST_CASE(test_spellings_that_are_allowed)
     }
 }
 
+/* Beside the directory's, and named by its file. */
 TEST_CASE(test_absolute_file)
 {
     struct scene scene = scene_of("surfaces: [{file: " DATA("full/a.csv") "}]\n");
-    assert_int_equal(scene.surface_count, 1);
-    assert_string_equal(scene.surfaces[0].name, "a"); /* named by its file */
-    char *path = scene_file_path(&scene, scene.surfaces[0].files[0]);
-    assert_string_equal(path, DATA("full/a.csv"));
-    free(path);
+    assert_string_equal(scene.surfaces[0].name, "a");
+    static const char *const rows[][3] = {{"some/where", "a.csv", "some/where/a.csv"},
+                                          {"some/", "../a.csv", "some/../a.csv"},
+                                          {"some/", DATA("full/a.csv"), DATA("full/a.csv")}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        char *path = scene_file_path(&(struct scene){.directory = (char *)rows[i][0]}, rows[i][1]);
+        assert_string_equal(path, rows[i][2]);
+        free(path);
+    }
     scene_free(&scene);
 }
 
@@ -318,6 +321,37 @@ TEST_CASE(test_wrong_overrides)
     }
 }
 
+/* What is wrong in the file is told of the file, whatever the command line overrode. */
+TEST_CASE(test_an_override_is_read_alone)
+{
+    struct directory directory = directory_make();
+    struct scene scene;
+    struct status status = {0};
+    scene_directory_add(&directory, "a.csv");
+    directory_write(&directory, "scene.yaml", "\nbaseline: b\n");
+    assert_int_equal(scene_read(&scene, directory.path, &(struct scene_overrides){.tolerance = "1e-3"}, &status),
+                     STATUS_SCENE);
+    assert_non_null(strstr(status.message, "/scene.yaml:2: 'baseline' is 'b'"));
+    scene_free(&scene);
+    directory_remove(&directory);
+}
+
+TEST_CASE(test_units_of_loads_and_what_fills_the_gaps)
+{
+    struct scene scene = scene_of("material: tin\nnominal_area: 1 mm2\nload: {from: 1, to: 10, unit: kN}\n"
+                                  "gap: {conductivity: 0.8}\n");
+    assert_near(scene.load.from, 1e3, 0);
+    assert_near(scene.load.to, 1e4, 0);
+    assert_string_equal(scene.load.unit_text, "kN");
+    assert_int_equal(scene.joint.fill, JOINT_MEDIUM);
+    scene_free(&scene);
+    scene = scene_of("material: tin\nnominal_area: 1 mm2\nload: {values: [1 N, 2 N]}\ngap: {gas: vacuum}\n");
+    assert_near(scene.load.values[1], 2, 0);
+    assert_string_equal(scene.load.unit_text, "N");
+    assert_int_equal(scene.joint.fill, JOINT_VACUUM);
+    scene_free(&scene);
+}
+
 TEST_CASE(test_titles)
 {
     char *before = getcwd(NULL, 0);
@@ -338,35 +372,6 @@ TEST_CASE(test_titles)
     }
     assert_int_equal(chdir(before), 0);
     free(before);
-}
-
-TEST_CASE(test_file_paths)
-{
-    static const char *const rows[][3] = {{"some/where", "a.csv", "some/where/a.csv"},
-                                          {"some/", "../a.csv", "some/../a.csv"},
-                                          {"some/", "/data/a.csv", "/data/a.csv"}};
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct scene scene = {.directory = (char *)rows[i][0]};
-        char *path = scene_file_path(&scene, rows[i][1]);
-        assert_string_equal(path, rows[i][2]);
-        free(path);
-    }
-}
-
-TEST_CASE(test_numbers_in_another_locale)
-{
-    static const char *const locales[] = {"de_DE.UTF-8", "de_DE.utf8", "de_DE", "fr_FR.UTF-8", "fr_FR.utf8"};
-    const char *chosen = NULL;
-    for (size_t i = 0; !chosen && i < sizeof locales / sizeof *locales; i++)
-        chosen = setlocale(LC_ALL, locales[i]);
-    if (!chosen) {
-        print_message("no locale with a decimal comma is installed\n");
-        skip();
-    }
-    struct scene scene = scene_directory_read(DATA("full"), NULL);
-    assert_near(scene.bodies.material.poisson_ratio, 0.34, 0);
-    scene_free(&scene);
-    setlocale(LC_ALL, "C");
 }
 
 TEST_CASE(test_targets_and_limits)

@@ -21,23 +21,15 @@ TEST_CASE(values_are_si)
         double value;
     } rows[] = {
         {"4 mm2", UNIT_AREA, 4e-6},
-        {"4mm\xC2\xB2", UNIT_AREA, 4e-6},
         {"2.5 um", UNIT_DISTANCE, 2.5e-6},
-        {"8 nm", UNIT_DISTANCE, 8e-9},
         {" 10 N ", UNIT_FORCE, 10},
-        {"1.2 MPa", UNIT_PRESSURE, 1.2e6},
         {"30 psi", UNIT_PRESSURE, 30 * 6894.757293168361},
-        {"1 mohm", UNIT_RESISTANCE, 1e-3},
         {"1e4 W/m2/K", UNIT_CONDUCTANCE_AREA, 1e4},
-        {"1e-12 ohm m2", UNIT_RESISTANCE_AREA, 1e-12},
         {"20 degC", UNIT_TEMPERATURE, 293.15},
         {"-40 \xC2\xB0"
          "C",
          UNIT_TEMPERATURE, 233.15},
-        {"-40 degF", UNIT_TEMPERATURE, 233.15},
         {"212 degF", UNIT_TEMPERATURE, 373.15},
-        {"300 K", UNIT_TEMPERATURE, 300},
-        {"5 A", UNIT_CURRENT, 5},
         {"10 %", UNIT_PERCENT, 0.1},
         {"0.5", UNIT_NUMBER, 0.5},
         {"+1.5e-6", UNIT_NUMBER, 1.5e-6},
