@@ -175,7 +175,7 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
         summary->scans = index == 0 ? 2 : 1;
         summary->independent = (double)summary->scans;
         if (index == 0)
-            note_add(&summary->notes, "beta.csv", "a note");
+            note_add(&summary->notes, "beta.csv", "%s", "a note");
         record->spectrum = (struct spectrum){malloc(3 * sizeof(double)), 3, 2e-4, false};
         for (size_t i = 0; i < 3; i++)
             record->spectrum.amplitude_m[i] = power_law_amplitude(&summary->power_law, 2e-4 / (double)(i + 1));

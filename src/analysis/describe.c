@@ -29,7 +29,7 @@ static void note_counterface(struct surface_summary *summary, const struct surfa
         struct text line = {0};
         note_line(&line, note);
         if (note->subject || note->refused_scan)
-            note_say(&summary->notes, "counterface %s", text_string(&line));
+            note_add(&summary->notes, NULL, "counterface %s", text_string(&line));
         text_free(&line);
     }
 }
@@ -40,7 +40,7 @@ enum status_code describe_counterface(struct surface_record *record, struct powe
     struct roughness *own = &record->summary.roughness;
     double own_rq_m = own->rq_m;
     roughness_add(own, &counterface->summary.roughness);
-    note_say(&record->summary.notes,
+    note_add(&record->summary.notes, NULL,
              "pressed against a rough counterface: Rq %.4g um and %.4g um give %.4g um together", own_rq_m * 1e6,
              counterface->summary.roughness.rq_m * 1e6, own->rq_m * 1e6);
     note_counterface(&record->summary, &counterface->summary);
@@ -52,7 +52,7 @@ enum status_code describe_counterface(struct surface_record *record, struct powe
             return status->code;
     }
     if (set->count > 0)
-        note_say(&record->summary.notes,
+        note_add(&record->summary.notes, NULL,
                  "no intervals: how far the rough counterface's own scans scatter is not told by "
                  "those of the surface");
     for (size_t i = 0; i < scans->scan_count && counterface->tapered.count > 0; i++)
@@ -105,7 +105,7 @@ static enum status_code cut_to_shortest(struct surface_record *record, const str
     if (repeats_cut_to_shortest(&record->ensemble, &cut, &odd, scene, status) != STATUS_OK)
         return status->code;
     if (odd)
-        note_say(&record->summary.notes,
+        note_add(&record->summary.notes, NULL,
                  "%s is less than half as long as the others, which are all cut to its length; leave it out", odd);
     record->summary.repeats.cut = cut;
     return STATUS_OK;
@@ -122,7 +122,7 @@ enum status_code describe_conclude(struct surface_record *record, struct power_l
     if (all == 0) /* a map of which other rows were chosen than can be used */
         return STATUS_OK;
     if (all > 1 && repeats_merge_identical(set)) {
-        note_say(&record->summary.notes, "its %zu scans are the same to the last digit: they count as one", all);
+        note_add(&record->summary.notes, NULL, "its %zu scans are the same to the last digit: they count as one", all);
         scans->independent = 1;
     }
     if (set->count > 1 && profiles && cut_to_shortest(record, scene, status) != STATUS_OK)
@@ -130,7 +130,7 @@ enum status_code describe_conclude(struct surface_record *record, struct power_l
     if (set->keeps_heights && strips_gather(&record->strips, set, status) != STATUS_OK)
         return status->code;
     if (set->keeps_heights && record->strips.rows.rows == 0)
-        note_say(&record->summary.notes, "no strip transfer: its scans differ in spacing or points");
+        note_add(&record->summary.notes, NULL, "no strip transfer: its scans differ in spacing or points");
     if (set->count == 1) {
         keep_single(record, scans, scene);
         return STATUS_OK;
@@ -155,29 +155,29 @@ static void note_description(struct note_list *notes, const struct surface_summa
         if ((scene->models & MODEL_BIT(m)) && model_rows[m]->asperity_model)
             text_add(&models, "%s%s", models.length > 0 ? " and " : "", model_rows[m]->label);
     if (scene->fit == POWER_LAW_THESIS && isnan(law->gamma))
-        note_say(notes, "no power law: %s",
+        note_add(notes, NULL, "no power law: %s",
                  law->harmonics < 3 ? "fewer than 3 harmonics lie in the fit band; widen fit_band"
                                     : "its alpha is beyond the range of numbers; are the units right?");
     else if (law->found == POWER_LAW_BAND_NONE)
-        note_say(notes, "no power law found");
+        note_add(notes, NULL, "no power law found");
     else if (law->found == POWER_LAW_BAND_NARROW)
-        note_say(notes, "the power law is narrow: it holds from %.3g to %.3g um only, under a decade",
+        note_add(notes, NULL, "the power law is narrow: it holds from %.3g to %.3g um only, under a decade",
                  law->band_m[0] * 1e6, law->band_m[1] * 1e6);
     if (summary->jump_share > 0.5)
-        note_say(
-            notes,
+        note_add(
+            notes, NULL,
             "the ends of the record differ by %.3g um; that jump alone leaks %s of the fitted amplitude at %.3g um, "
             "so gamma is drawn towards 1: try window: hann",
             summary->jump_m * 1e6, summary->jump_share > 1 ? "more than the whole" : "over half", law->band_m[0] * 1e6);
     if (isfinite(law->knee_m))
-        note_say(notes, "two slopes fit better than one: gamma %.2f above %.3g um, %.2f below; consider fit_band",
+        note_add(notes, NULL, "two slopes fit better than one: gamma %.2f above %.3g um, %.2f below; consider fit_band",
                  law->gamma_above, law->knee_m * 1e6, law->gamma_below);
     if (lines.length > 0)
-        note_say(notes, "lines of periodic marks, left out of the fit: %s", text_string(&lines));
+        note_add(notes, NULL, "lines of periodic marks, left out of the fit: %s", text_string(&lines));
     if (models.length > 0)
-        note_say(notes, "no %s: %s", text_string(&models), why_none);
+        note_add(notes, NULL, "no %s: %s", text_string(&models), why_none);
     if (diverges)
-        note_say(notes,
+        note_add(notes, NULL,
                  "gamma = %.2f is below 1: the elastic multiscale area depends on the shortest wavelength sampled",
                  surface_short_gamma(law));
     text_free(&lines);
@@ -277,7 +277,7 @@ static enum status_code take_along(struct surface_summary *summary, const struct
         surface_set_lay(summary, sqrt(along.summary.roughness.m2 / summary->roughness.m2),
                         "are 'file' and 'along' exchanged?");
     if (rc == STATUS_OK && !(fabs(log(unlike)) < 0.1))
-        note_say(&summary->notes,
+        note_add(&summary->notes, NULL,
                  "its scans along the lay have %.3g times the spacing of those across: slopes so taken do "
                  "not compare well",
                  unlike);
@@ -329,7 +329,8 @@ static enum status_code conclude(struct surface_record *record, struct power_law
                         strips_pair(&record->strips, &counterface->strips, status) != STATUS_OK))
         return status->code;
     if (counterface && wants_strips(scene) && counterface->strips.rows.rows == 0)
-        note_say(&record->summary.notes, "no strip transfer: the counterface's scans differ in spacing or points");
+        note_add(&record->summary.notes, NULL,
+                 "no strip transfer: the counterface's scans differ in spacing or points");
     record->summary.strip_cost = (double)strips_cost(&record->strips, STRIP_SURROGATES);
     record->summary.has_strips = strips_surrogates(&record->strips, scene) > 0;
     if (describe(record, scans, scene, status) != STATUS_OK)

@@ -9,11 +9,8 @@
 /** Notes a scan that its surface goes on without. */
 static void note_refused_scan(struct surface_summary *summary, const char *why, const char *others)
 {
-    struct text line = {0};
-    text_add(&line, "%s%s", why, others);
-    note_add_refused(&summary->notes, text_string(&line));
+    note_add_refused(&summary->notes, "%s%s", why, others);
     summary->refused_scans++;
-    text_free(&line);
 }
 
 static enum status_code hash_file(struct hash *hash, const char *path, struct status *status)

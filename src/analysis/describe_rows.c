@@ -11,9 +11,9 @@ static void note_scan(struct surface_summary *summary, const struct scan *scan, 
                       const char *file)
 {
     for (size_t w = 0; w < scan->warning_count; w++)
-        note_add(&summary->notes, file, scan->warnings[w]);
+        note_add(&summary->notes, file, "%s", scan->warnings[w]);
     for (size_t n = 0; n < profile->note_count; n++)
-        note_add(&summary->notes, file, profile->notes[n]);
+        note_add(&summary->notes, file, "%s", profile->notes[n]);
 }
 
 /** The profile thinned for its chart: of every run of points the lowest and the highest, in their order. */
@@ -104,8 +104,6 @@ static enum status_code average(struct surface_record *record, const struct prof
     summary->roughness = *roughness;
     summary->points = profile->points;
     summary->spacing_m = profile->spacing_m;
-    summary->grid = profile->grid;
-    summary->tilt = profile->tilt;
     return spectrum_copy(&record->spectrum, spectrum, status) == STATUS_OK ? keep_preview(record, profile, status)
                                                                            : status->code;
 }
@@ -156,15 +154,6 @@ static struct profile_options profile_options_of(const struct scene *scene)
 /* The first harmonic whose estimate by five sine tapers keeps off the ends of the spectrum is the fifth
  * (docs/equations.md, power_law_band.h); a record has it below its Nyquist frequency from 11 points on. */
 enum { LEAST_POINTS = 11 };
-
-static void note_rows_left_out(struct surface_summary *summary, const char *file, size_t count, const char *kind,
-                               const struct status *first)
-{
-    struct text line = {0};
-    text_add(&line, "%zu %s%s left out, the first because %s", count, kind, count == 1 ? "" : "s", first->message);
-    note_add(&summary->notes, file, text_string(&line));
-    text_free(&line);
-}
 
 /** Takes out of a map what neither a row nor a direct solution can hold: both are of the heights that are left. */
 static enum status_code condition_map(struct direct_map_def *map, struct scan *scan, struct status *status)
@@ -224,16 +213,14 @@ static void note_map(struct surface_summary *summary, const struct describe_task
 {
     size_t used = scan->ny - unusable;
     const char *rows = task->scene->direction == SCAN_DIRECTION_X ? "rows" : "columns";
-    struct text line = {0};
-    text_add(&line, "a map");
+    char filtered[100] = "", models[80] = "";
     if (map->cutoff > 0)
-        text_add(&line, ", low-passed at %.3g um as more than 2 %% of its slopes are shorter",
+        snprintf(filtered, sizeof filtered, ", low-passed at %.3g um as more than 2 %% of its slopes are shorter",
                  map->cutoff * map->dx_m * 1e6);
-    text_add(&line, "; its %zu %s were averaged as profiles for spectrum and fit", used, rows);
     if (run < used)
-        text_add(&line, ", and %zu of them, evenly spaced, go through the models", run);
-    note_add(&summary->notes, file, text_string(&line));
-    text_free(&line);
+        snprintf(models, sizeof models, ", and %zu of them, evenly spaced, go through the models", run);
+    note_add(&summary->notes, file, "a map%s; its %zu %s were averaged as profiles for spectrum and fit%s", filtered,
+             used, rows, models);
 }
 
 /** The first map of a surface speaks for all: of its lay, and of the square that a direct solution takes. */
@@ -291,7 +278,8 @@ enum status_code describe_rows(const struct describe_task *task, struct scan *sc
     if (areal)
         note_map(summary, task, file, scan, &map, unusable, set->count - run_before);
     if (unusable > 0)
-        note_rows_left_out(summary, file, unusable, task->scene->direction == SCAN_DIRECTION_X ? "row" : "column",
-                           &first);
+        note_add(&summary->notes, file, "%zu %s%s left out, the first because %s", unusable,
+                 task->scene->direction == SCAN_DIRECTION_X ? "row" : "column", unusable == 1 ? "" : "s",
+                 first.message);
     return power_law_scans_end_file(task->scans, scan->ny - unusable, areal, status);
 }

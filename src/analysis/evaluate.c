@@ -112,11 +112,11 @@ static void note_model(struct surface_record *record, size_t m, size_t left_out)
 {
     const struct model_curve *curve = &record->curves[m];
     if (left_out > 0 && curve->exists)
-        note_say(&record->summary.notes,
+        note_add(&record->summary.notes, NULL,
                  "%s has no solution for %zu of the scans run alone; its curve is of the others", model_rows[m]->label,
                  left_out);
     if (curve->overflows)
-        note_say(&record->summary.notes,
+        note_add(&record->summary.notes, NULL,
                  "no %s: its numbers leave what can be computed with; check the units, the material and the loads",
                  model_rows[m]->label);
 }
@@ -214,7 +214,7 @@ static enum status_code solve_strips(struct surface_record *record, const struct
     record->summary.has_strips = record->strips.joined != NULL;
     if (rc == STATUS_OK && !record->strips.joined) {
         record->summary.strip_cost = 0; /* more of it would not help */
-        note_say(&record->summary.notes, "no strip transfer: under no load do enough points of its scans touch");
+        note_add(&record->summary.notes, NULL, "no strip transfer: under no load do enough points of its scans touch");
     }
     record->summary.strip_transforms = record->strips.transforms;
     record->summary.times.strips = clock_seconds() - started;
@@ -299,7 +299,8 @@ static enum status_code run_unloading(struct surface_record *record, const struc
         rc = unload(out, record, &asked, &problem);
     summary->times.unloading = clock_seconds() - started;
     if (rc == STATUS_OK && out->ratio.raised > 1)
-        note_say(&summary->notes, "unloading: its strip was loaded to %g times unload_from, so that enough spots touch",
+        note_add(&summary->notes, NULL,
+                 "unloading: its strip was loaded to %g times unload_from, so that enough spots touch",
                  out->ratio.raised);
     if (rc == STATUS_OK)
         return rc;
@@ -307,7 +308,7 @@ static enum status_code run_unloading(struct surface_record *record, const struc
     summary->unloading = NULL;
     if (rc != STATUS_MODEL)
         return status_fail(status, rc, "%s", problem.message);
-    note_say(&summary->notes, "no curve of unloading: %s", problem.message);
+    note_add(&summary->notes, NULL, "no curve of unloading: %s", problem.message);
     return STATUS_OK;
 }
 

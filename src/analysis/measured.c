@@ -258,7 +258,7 @@ void measured_answers_free(struct measured_answers *out)
 struct measured_distance measured_compare(const struct measured *measured, const struct measured_answers *models,
                                           size_t m)
 {
-    struct measured_distance out = {0, NAN, NAN, {NAN, NAN}};
+    struct measured_distance out = {0, NAN, NAN};
     double square = 0, sum = 0;
     for (size_t i = 0; i < measured->count; i++) {
         double model = models->resistance[m * measured->count + i];
@@ -267,8 +267,6 @@ struct measured_distance measured_compare(const struct measured *measured, const
         double decades = log10(model / measured->resistance[i]);
         square += decades * decades;
         sum += decades;
-        out.load[0] = fmin(out.load[0], measured->load[i]); /* of a number and NaN, the number */
-        out.load[1] = fmax(out.load[1], measured->load[i]);
         out.points++;
     }
     if (out.points > 0) {

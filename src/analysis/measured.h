@@ -48,7 +48,6 @@ struct measured_distance {
     size_t points;       /* compared */
     double rms_decades;  /* of log10(model/measured); NaN when no point could be compared */
     double bias_decades; /* mean of the same */
-    double load[2];      /* least and greatest compared */
 };
 
 /** Reads the scene's file (see measured_file.h), measured on these bodies. Units are those that the file names, else

@@ -16,16 +16,15 @@ void note_list_free(struct note_list *list)
     *list = (struct note_list){0};
 }
 
-static void insert(struct note_list *list, size_t at, const char *subject, const char *what, bool refused_scan)
+/** Adds a note, whose line is malloc'ed and taken over (NULL: out of memory). */
+static void insert(struct note_list *list, size_t at, const char *subject, char *what, bool refused_scan)
 {
     struct note *notes = reallocarray(list->notes, list->count + 1, sizeof *notes);
-    if (!notes)
-        return;
-    list->notes = notes;
-    struct note note = {subject ? strdup(subject) : NULL, strdup(what), 0, refused_scan};
-    if (!note.what || (subject && !note.subject)) {
+    struct note note = {subject ? strdup(subject) : NULL, what, 0, refused_scan};
+    list->notes = notes ? notes : list->notes;
+    if (!notes || !what || (subject && !note.subject)) {
         free(note.subject);
-        free(note.what);
+        free(what);
         return;
     }
     memmove(notes + at + 1, notes + at, (list->count - at) * sizeof *notes);
@@ -33,31 +32,29 @@ static void insert(struct note_list *list, size_t at, const char *subject, const
     list->count++;
 }
 
-void note_add(struct note_list *list, const char *subject, const char *what)
+void note_add(struct note_list *list, const char *subject, const char *format, ...)
 {
-    for (size_t i = 0; i < list->count && subject; i++)
+    char *what = NULL;
+    va_list args;
+    va_start(args, format);
+    what = vasprintf(&what, format, args) < 0 ? NULL : what;
+    va_end(args);
+    for (size_t i = 0; i < list->count && subject && what; i++)
         if (list->notes[i].subject && strcmp(list->notes[i].what, what) == 0) {
             list->notes[i].more++;
+            free(what);
             return;
         }
     insert(list, list->count, subject, what, false);
 }
 
-void note_say(struct note_list *list, const char *format, ...)
+void note_add_refused(struct note_list *list, const char *format, ...)
 {
-    char *line = NULL;
+    char *what = NULL;
     va_list args;
     va_start(args, format);
-    int length = vasprintf(&line, format, args);
+    what = vasprintf(&what, format, args) < 0 ? NULL : what;
     va_end(args);
-    if (length < 0)
-        return;
-    insert(list, list->count, NULL, line, false);
-    free(line);
-}
-
-void note_add_refused(struct note_list *list, const char *what)
-{
     size_t at = 0;
     while (at < list->count && list->notes[at].refused_scan)
         at++;

@@ -19,12 +19,10 @@ struct note_list {
 };
 void note_list_free(struct note_list *list);
 
-/** Adds a note on the surface. */
-void note_say(struct note_list *list, const char *format, ...) PRINTF_LIKE(2, 3);
-/** Adds a note on a scan; what was said of another scan in the same words is counted there. */
-void note_add(struct note_list *list, const char *subject, const char *what);
+/** Adds a note on a scan (NULL: the surface); what was said of another scan in the same words is counted there. */
+void note_add(struct note_list *list, const char *subject, const char *format, ...) PRINTF_LIKE(3, 4);
 /** Adds one of a refused scan, behind the others of that kind and before all else. */
-void note_add_refused(struct note_list *list, const char *what);
+void note_add_refused(struct note_list *list, const char *format, ...) PRINTF_LIKE(2, 3);
 
 /** "scan.csv: what it is (and of 2 more scans)". */
 void note_line(struct text *out, const struct note *note);

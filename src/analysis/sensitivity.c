@@ -8,9 +8,9 @@
 #include <string.h>
 
 const struct sensitivity_change_row sensitivity_changes[SENSITIVITY_CHANGES] = {
-    [SENSITIVITY_CUTOFF_DOUBLED] = {"cut-off x2", "cut-off × 2", "Doubling the cut-off", false},
-    [SENSITIVITY_SCAN_HALVED] = {"scan /2", "scan ÷ 2", "Halving the scan", false},
-    [SENSITIVITY_HARDNESS_RAISED] = {"hardness x1.1", "hardness × 1.1", "Raising the hardness by a tenth", true},
+    [SENSITIVITY_CUTOFF_DOUBLED] = {"cut-off x2", false},
+    [SENSITIVITY_SCAN_HALVED] = {"scan /2", false},
+    [SENSITIVITY_HARDNESS_RAISED] = {"hardness x1.1", true},
 };
 
 /** What hardness and yield strength are raised by: 1.1, about how well they are known of a metal whose state is not. */

@@ -25,10 +25,8 @@ enum sensitivity_change {
     SENSITIVITY_CHANGES
 };
 struct sensitivity_change_row {
-    const char *name;    /* as in sensitivity.csv: "cut-off x2" */
-    const char *heading; /* as tables print it: "cut-off × 2" */
-    const char *doing;   /* as a sentence begins: "Doubling the cut-off" */
-    bool plastic;        /* changes plastic models alone */
+    const char *name; /* as in sensitivity.csv: "cut-off x2" */
+    bool plastic;     /* changes plastic models alone */
 };
 extern const struct sensitivity_change_row sensitivity_changes[SENSITIVITY_CHANGES];
 

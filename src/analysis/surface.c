@@ -61,7 +61,7 @@ void surface_set_lay(struct surface_summary *summary, double lay, const char *in
     summary->has_lay = isfinite(lay);
     summary->lay = lay;
     if (summary->has_lay && lay > 1.5)
-        note_say(&summary->notes, "it is %.3g times as steep along as across its lay; %s", lay, instead);
+        note_add(&summary->notes, NULL, "it is %.3g times as steep along as across its lay; %s", lay, instead);
 }
 
 double surface_kappa(const struct surface_summary *summary)

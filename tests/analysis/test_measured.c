@@ -292,10 +292,7 @@ TEST_CASE(distance_is_in_decades)
     assert_int_equal(distance.points, 4);
     assert_near(distance.rms_decades, log10(4), 1e-12);
     assert_near(distance.bias_decades, -log10(4), 1e-12);
-    assert_near(distance.load[0], 2e-6, 0);
-    assert_near(distance.load[1], 4e-4, 0);
     assert_true(isnan(measured_compare(&measured, &answers, 0).rms_decades));
-    assert_true(isnan(measured_compare(&measured, &answers, 0).load[0]));
     measured_answers_free(&answers);
 }
 

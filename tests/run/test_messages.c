@@ -17,9 +17,9 @@ static void note_it(size_t i)
 {
     char line[64];
     snprintf(line, sizeof line, "holds from %g to 20 um", 1.5 + (double)i);
-    note_add(&records[i].summary.notes, NULL, line);
+    note_add(&records[i].summary.notes, NULL, "%s", line);
     if (i % 2)
-        note_add(&records[i].summary.notes, NULL, "looks like 'a.csv', too");
+        note_add(&records[i].summary.notes, NULL, "%s", "looks like 'a.csv', too");
 }
 
 /* Every surface has a note of one kind, every second one of another besides, every fifth is refused for the same. */
@@ -69,7 +69,7 @@ TEST_CASE(all_are_said_without_a_report)
 TEST_CASE(notes_alike_are_a_line_beside_a_report)
 {
     make();
-    note_add(&records[0].summary.notes, NULL, "holds from 7 to 9 um"); /* twice on one surface */
+    note_add(&records[0].summary.notes, NULL, "%s", "holds from 7 to 9 um"); /* twice on one surface */
     struct text text = said_of(records, SURFACES, true, 10);
     assert_int_equal(lines_with(&text, "holds from"), 1);
     assert_int_equal(lines_with(&text, "looks like"), 1);
@@ -91,7 +91,7 @@ TEST_CASE(what_is_of_no_kind_is_said)
         snprintf(note[i], sizeof *note, "%c%c%c", (char)('a' + i % 25), (char)('a' + i / 25), 'a');
         all[i].name = note[i];
         said[i].summary = (struct surface_summary){.scene = &all[i]};
-        note_add(&said[i].summary.notes, NULL, note[i]);
+        note_add(&said[i].summary.notes, NULL, "%s", note[i]);
     }
     struct text text = said_of(said, MANY, true, 0);
     assert_int_equal(lines_with(&text, "\n"), MANY);
