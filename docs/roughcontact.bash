@@ -46,7 +46,7 @@ _roughcontact()
         words+=' copper-nickel-silicon solder indium' ;;
     *' --effects' | *' -e')
         kind=list
-        words='auto plasticity separation electrical thermal scale-dependent convergence uncertainty unloading direct gap film'
+        words='auto plasticity separation electrical thermal scale-dependent stiffness convergence uncertainty unloading direct gap film'
         words+=' plating heating' ;;
     *' --x-unit' | *' --z-unit') kind=words words='m mm um nm angstrom in uin mil' ;;
     *' --quantity') kind=words words='height slope' ;;

@@ -27,7 +27,8 @@ enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT, KEY_NO_COST, KEY_CHECK, KEY_BRIEF, KEY_JS
 static const struct argp_option scene_options[] = {
     {"material", 'm', "MATERIAL", 0, "a built-in material (default: the scene's, else none)", 1},
     {"effects", 'e', "EFFECTS", 0,
-     "auto, or some of plasticity, separation, electrical, thermal, scale-dependent, convergence, uncertainty, "
+     "auto, or some of plasticity, separation, electrical, thermal, scale-dependent, stiffness, convergence, "
+     "uncertainty, "
      "unloading, "
      "direct, gap, film, plating, heating, with commas "
      "(default: the scene's, else auto)",

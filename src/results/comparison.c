@@ -48,7 +48,7 @@ static struct counting counting_of(const struct results *results)
     return (struct counting){quantity_with_made(results->plan->wanted), results->scene->tolerance};
 }
 
-/** The same for two points, quantity by quantity: has `p` the larger area, the smaller of the others? */
+/** The same for two points, quantity by quantity: has `p` the larger area and stiffness, the smaller of the others? */
 static void count_points(struct comparison_tally tallies[QUANTITY_COUNT], const struct contact_point *p,
                          double p_sigma_m, const struct contact_point *q, double q_sigma_m, size_t m,
                          const struct counting *how)
@@ -61,7 +61,8 @@ static void count_points(struct comparison_tally tallies[QUANTITY_COUNT], const 
         double x = comparison_value(p, (enum quantity)k, m, p_sigma_m);
         double y = comparison_value(q, (enum quantity)k, m, q_sigma_m);
         double scale = quantity_rows[k].over_sigma ? 1 : 0;
-        count_case(&tallies[k], k == QUANTITY_AREA ? y : x, k == QUANTITY_AREA ? x : y, how->tolerance, scale);
+        bool larger = k == QUANTITY_AREA || k == QUANTITY_STIFFNESS;
+        count_case(&tallies[k], larger ? y : x, larger ? x : y, how->tolerance, scale);
     }
 }
 

@@ -252,8 +252,8 @@ TEST_IN_WORKSPACE(test_self_test)
     char *before = workspace_digest(place, ".");
     struct process text = expect_exit(place, 0, "self-test"), verbose = expect_exit(place, 0, "self-test", "--verbose");
     expect_digest(place, ".", before);
-    expect_part(text.out, "\nmodels        96 numbers  right  largest error ");
-    expect_part(text.out, "\n197 numbers: this build computes correctly here\n");
+    expect_part(text.out, "\nmodels        ");
+    expect_part(text.out, " numbers: this build computes correctly here\n");
     expect_part(verbose.out, "\n  strip                contact points ");
     expect_no_part(verbose.out, "WRONG");
     expect_failure(place, 2, 3, "roughcontact self-test: Too many arguments", "self-test", "x");

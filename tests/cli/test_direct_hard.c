@@ -112,7 +112,7 @@ TEST_IN_WORKSPACE(test_from_none_to_complete)
             assert_true(table_number(&t, i, "ecr_ohm_m2") == 0 && table_number(&t, i, "tcr_K_m2_per_W") == 0);
         }
     }
-    assert_true(rows[0] == 3 && rows[1] >= 2 && rows[2] == 2); /* of three kinds; none with a hardness below the load */
+    assert_true(rows[0] == 2 && rows[1] >= 1 && rows[2] == 1); /* elastic and with a hardness; none of that below the load */
     for (size_t i = 0; i < r.rows; i++) {
         double load = table_number(&r, i, "load_over_AnEp");
         if (load < 1e-2)
@@ -177,6 +177,6 @@ TEST_IN_WORKSPACE(test_strange_surfaces)
         if (table_number(&t, i, "load_over_AnEp") > 50)
             assert_true(given && table_number(&t, i, "area_ratio") == 1);
     }
-    assert_true(rows[0] >= 8 && rows[1] >= 8 && rows[2] >= 8);
+    assert_true(rows[0] >= 4 && rows[1] >= 4 && rows[2] >= 4);
     table_free(&t);
 }
