@@ -18,7 +18,6 @@
 /* The charts of a report take a fraction of a second; beyond this, it hangs. */
 static const double most_seconds = 120;
 
-
 /* An unnamed file that takes so many bytes of messages and no more; what was not written is 0. */
 static int gnuplot_log(void)
 {
@@ -46,8 +45,7 @@ enum status_code gnuplot_start(struct gnuplot *out, const char *directory, struc
                     ? errno
                     : 0;
     if (!error)
-        error = program_start(&out->process,
-                              &(struct program_task){arguments, program, directory, NULL, ends[0], log});
+        error = program_start(&out->process, &(struct program_task){arguments, program, directory, NULL, ends[0], log});
     if (ends[0] >= 0)
         close(ends[0]);
     out->input = ends[1];

@@ -17,16 +17,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum {
-    KEY_JSON = 0x100,
-    KEY_CHART,
-    KEY_X_UNIT,
-    KEY_Z_UNIT,
-    KEY_QUANTITY,
-    KEY_COLUMN,
-    KEY_LAMBDA_S,
-    KEY_LAMBDA_C
-};
+enum { KEY_JSON = 0x100, KEY_CHART, KEY_X_UNIT, KEY_Z_UNIT, KEY_QUANTITY, KEY_COLUMN, KEY_LAMBDA_S, KEY_LAMBDA_C };
 
 struct arguments {
     struct scan_options scan;

@@ -112,7 +112,8 @@ TEST_IN_WORKSPACE(test_from_none_to_complete)
             assert_true(table_number(&t, i, "ecr_ohm_m2") == 0 && table_number(&t, i, "tcr_K_m2_per_W") == 0);
         }
     }
-    assert_true(rows[0] == 2 && rows[1] >= 1 && rows[2] == 1); /* elastic and with a hardness; none of that below the load */
+    assert_true(rows[0] == 2 && rows[1] >= 1 &&
+                rows[2] == 1); /* elastic and with a hardness; none of that below the load */
     for (size_t i = 0; i < r.rows; i++) {
         double load = table_number(&r, i, "load_over_AnEp");
         if (load < 1e-2)

@@ -50,8 +50,9 @@ TEST_CASE(of_greenwood_and_williamson_in_closed_form)
 /** Every model's is the slope of its separation between loads 2 % apart. */
 TEST_CASE(is_the_slope_of_the_separation)
 {
-    static const char *const models[] = {"gw", "jg", "multiscale-elastic", "multiscale-plastic", "corrected-persson",
-                                         "corrected-persson-plastic", "cmy"};
+    static const char *const models[] = {
+        "gw", "jg", "multiscale-elastic", "multiscale-plastic", "corrected-persson", "corrected-persson-plastic",
+        "cmy"};
     const struct asperities asperities = some_asperities();
     const struct material_pair tin = model_support_tin();
     struct spectrum spectrum = model_support_law(1e-3, 0.01, 1.6, 40);

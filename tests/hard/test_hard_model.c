@@ -25,7 +25,8 @@ static struct model_task task_of(const struct spectrum *spectrum, const struct a
 static void check_number(const struct model_row *row, const struct contact_point *point, enum quantity q)
 {
     double value = point->value[q];
-    bool computes = row->quantities & QUANTITY_BIT(q), may_lack = (row->may_be_empty | QUANTITY_BIT(QUANTITY_STIFFNESS)) & QUANTITY_BIT(q);
+    bool computes = row->quantities & QUANTITY_BIT(q),
+         may_lack = (row->may_be_empty | QUANTITY_BIT(QUANTITY_STIFFNESS)) & QUANTITY_BIT(q);
     assert_true(computes ? isfinite(value) || (may_lack && isnan(value)) : isnan(value));
 }
 
