@@ -9,8 +9,6 @@ const enum quantity direct_study_quantities[DIRECT_STUDY_QUANTITIES] = {QUANTITY
                                                                         QUANTITY_ECR};
 static const double contact_tolerance = 1e-6; /* finds the set of points that 1e-12 finds */
 
-_Static_assert((int)SCENE_DIRECT_LOADS <= (int)DIRECT_LADDER_SHARED, "ranks take all loads of a scene");
-
 /** What the surfaces of a study are made of. */
 struct maker {
     const struct direct_study_task *task;
@@ -117,7 +115,6 @@ static struct direct_ensemble_def ensemble_def(struct maker *maker, enum direct_
         .given_count = surface->direct_count,
         .seeds = capped ? plan->fewer : plan->seeds,
         .threads = maker->task->threads,
-        .team = maker->task->team,
         .solved = maker->task->progress ? tell : NULL,
         .solved_context = maker,
     };

@@ -47,8 +47,7 @@ struct direct_study_task {
     size_t index;
     const struct scene *scene;
     const struct plan *plan;
-    unsigned threads;               /* 0: one a processor; the result does not depend on it */
-    const struct direct_team *team; /* that shares each contact; NULL: this process alone */
+    unsigned threads; /* 0: one a processor; the result does not depend on it */
     const atomic_bool *stop;
     void (*progress)(void *context, double done, double all); /* told of work done, from several threads; NULL: not */
     void *progress_context;

@@ -148,14 +148,6 @@ static error_t parse_report(int key, char *value, struct argp_state *state)
     }
 }
 
-/* Of the program over several processes; argp leads past main(). */
-static const struct direct_team *direct_team;
-
-void command_use_team(const struct direct_team *team)
-{
-    direct_team = team;
-}
-
 /** A line that overwrites itself: the stage, and from its first step on how long it still takes. */
 static void progress(const char *stage, const char *name, double done, double all)
 {
@@ -229,7 +221,6 @@ static int report(char **written, struct arguments *arguments, struct scene *sce
     }
     arguments->run.templates = text_string(&templates);
     arguments->run.terminal_size = arguments->show ? size : NULL;
-    arguments->run.team = direct_team;
     arguments->run.outline = arguments->json;
     arguments->run.stop = signals_stop(STOP_MS);
     arguments->run.progress = isatty(STDERR_FILENO) ? progress : NULL;

@@ -5,7 +5,6 @@
 
 #include "base/status.h"
 #include "base/text.h"
-#include "direct/direct_team.h"
 #include "output/json.h"
 #include "run/prepare.h"
 #include "run/run.h"
@@ -61,9 +60,6 @@ extern const struct argp command_report_argp, command_direct_argp, command_plan_
 void command_parse(const struct argp *argp, int argc, char **argv, void *input);
 /** Of a parser: takes the one directory that a command is about. */
 error_t command_directory(const char **directory, int key, const char *value, struct argp_state *state);
-
-/** From now on the contacts that `report` and `direct` solve directly are shared by these processes; NULL: not. */
-void command_use_team(const struct direct_team *team);
 
 /** Prints "roughcontact: `what``message`" as one line on stderr; what a terminal might act upon comes out as '?'. */
 void command_complain(const char *what, const char *message);

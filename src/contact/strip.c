@@ -170,7 +170,7 @@ static enum status_code solve_strip(struct strip_curve *curve, const double *str
 {
     struct direct_contact contact;
     struct direct_contact_effort effort = {0};
-    if (direct_contact_make(&contact, NULL, strip_m, points, 1, spacing_m, status) != STATUS_OK)
+    if (direct_contact_make(&contact, strip_m, points, 1, spacing_m, status) != STATUS_OK)
         return status->code;
     (void)descend(curve, &contact, sqrt(mean_square_slope(strip_m, points, spacing_m)), stop, &effort, status);
     direct_contact_free(&contact);

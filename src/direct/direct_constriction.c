@@ -9,13 +9,13 @@
 enum { MOST_ITERATIONS = 500 };
 
 /** Values on the contact's set, put into the field, 0 elsewhere; convolved with the compliance, or stiffened, and the
- * mean over the set, of `total` points on all ranks. */
+ * mean over the set, of `total` points. */
 static double convolve(struct direct_contact *contact, const double *values, bool stiffen, double total)
 {
     struct direct_kernel *kernel = &contact->kernel;
     const uint32_t *set = contact->set;
     double part[4] = {0};
-    memset(kernel->field, 0, kernel->rows * kernel->stride * sizeof(double));
+    memset(kernel->field, 0, kernel->ny * kernel->stride * sizeof(double));
     for (size_t k = 0; k < contact->set_count; k++)
         kernel->field[set[k]] = values[k];
     if (stiffen)
@@ -24,7 +24,7 @@ static double convolve(struct direct_contact *contact, const double *values, boo
         direct_kernel_convolve(kernel, kernel->compliance);
     for (size_t k = 0; k < contact->set_count; k++)
         part[k % 4] += kernel->field[set[k]];
-    return direct_team_sum(kernel->team, (part[0] + part[1]) + (part[2] + part[3])) / total;
+    return ((part[0] + part[1]) + (part[2] + part[3])) / total;
 }
 
 static double dot(const struct direct_contact *contact, const double *a, const double *b)
@@ -32,16 +32,15 @@ static double dot(const struct direct_contact *contact, const double *a, const d
     double part[4] = {0};
     for (size_t k = 0; k < contact->set_count; k++)
         part[k % 4] += a[k] * b[k];
-    return direct_team_sum(contact->kernel.team, (part[0] + part[1]) + (part[2] + part[3]));
+    return (part[0] + part[1]) + (part[2] + part[3]);
 }
 
-/** On the contact's set, of `total` points on all ranks; `current`: room for a value at each. */
+/** On the contact's set, of `total` points; `current`: room for a value at each. */
 static enum status_code iterate(double *length_m, struct direct_contact *contact, double *current, double total,
                                 double tolerance, const atomic_bool *stop, struct direct_contact_effort *effort,
                                 struct status *status)
 {
     const struct direct_kernel *kernel = &contact->kernel;
-    const struct direct_team *team = kernel->team;
     const uint32_t *set = contact->set;
     size_t count = contact->set_count;
     double *residual = contact->gap_m, *direction = contact->direction, points = (double)kernel->points;
@@ -54,15 +53,14 @@ static enum status_code iterate(double *length_m, struct direct_contact *contact
     for (size_t k = 0; k < count; k++)
         residual[k] = kernel->field[set[k]] - potential;
     for (int iteration = 0;; iteration++) {
-        double most[2] = {0, stop && *stop};
+        double most = 0;
         for (size_t k = 0; k < count; k++)
-            most[0] = fabs(residual[k]) > most[0] ? fabs(residual[k]) : most[0];
-        direct_team_most(team, most, 2);
+            most = fabs(residual[k]) > most ? fabs(residual[k]) : most;
         *length_m = potential + dot(contact, current, residual) / points;
-        effort->violation = most[0] / fabs(*length_m);
-        if (most[0] <= tolerance * fabs(*length_m))
+        effort->violation = most / fabs(*length_m);
+        if (most <= tolerance * fabs(*length_m))
             return STATUS_OK;
-        if (most[1] > 0)
+        if (stop && *stop)
             return status_fail(status, STATUS_INTERRUPTED, "stopped");
         if (!isfinite(*length_m) || iteration >= MOST_ITERATIONS)
             return status_fail(status, STATUS_MODEL,
@@ -70,14 +68,13 @@ static enum status_code iterate(double *length_m, struct direct_contact *contact
         double mean = convolve(contact, residual, true, total), product = 0, curvature = 0;
         for (size_t k = 0; k < count; k++)
             product += residual[k] * (kernel->field[set[k]] - mean);
-        product = direct_team_sum(team, product);
         for (size_t k = 0; k < count; k++)
             direction[k] = kernel->field[set[k]] - mean + product / last * direction[k];
         last = product;
         mean = convolve(contact, direction, false, total);
         for (size_t k = 0; k < count; k++)
             curvature += direction[k] * kernel->field[set[k]];
-        double tau = dot(contact, residual, direction) / direct_team_sum(team, curvature);
+        double tau = dot(contact, residual, direction) / curvature;
         for (size_t k = 0; k < count; k++) {
             current[k] -= tau * direction[k];
             residual[k] -= tau * (kernel->field[set[k]] - mean);
@@ -95,17 +92,14 @@ enum status_code direct_constriction_of_contact(double *length_m, struct direct_
     size_t before = kernel->convolutions;
     *length_m = 0;
     direct_contact_select(contact, false);
-    double *current = calloc(contact->set_count + 1, sizeof *current); /* a rank may touch nowhere */
+    double *current = calloc(contact->set_count + 1, sizeof *current);
     if (!current)
-        (void)status_memory(status);
-    if (direct_team_agree(kernel->team, status) == STATUS_OK) {
-        double total = direct_team_sum(kernel->team, (double)contact->set_count);
-        assert(total > 0 && tolerance > 0);
-        if (total < (double)kernel->points)
-            (void)iterate(length_m, contact, current, total, tolerance, stop, effort, status);
-        for (size_t k = 0; contact->response && *length_m > 0 && k < contact->set_count; k++)
-            contact->response[contact->set[k]] = current[k];
-    }
+        return status_memory(status);
+    assert(contact->set_count > 0 && tolerance > 0);
+    if (contact->set_count < kernel->points)
+        (void)iterate(length_m, contact, current, (double)contact->set_count, tolerance, stop, effort, status);
+    for (size_t k = 0; contact->response && *length_m > 0 && k < contact->set_count; k++)
+        contact->response[contact->set[k]] = current[k];
     free(current);
     effort->convolutions += kernel->convolutions - before;
     return status->code;

@@ -22,50 +22,33 @@ struct solver {
     struct direct_contact_effort *effort;
     double hardness;
     bool preconditioned;
-    bool joined;  /* some point has come into the set: directions so far are no longer conjugate */
-    bool stopped; /* the load's stop, as all ranks see it */
-    double last;  /* <g, z> of the iteration before */
+    bool joined; /* some point has come into the set: directions so far are no longer conjugate */
+    double last; /* <g, z> of the iteration before */
     size_t since_refresh;
 };
-
-/** The heights of the rows here, from all of them. */
-static void deal_heights(struct direct_contact *contact, const double *height_m)
-{
-    const struct direct_kernel *kernel = &contact->kernel;
-    for (size_t j = 0; j < kernel->ny; j++) {
-        bool here = j >= kernel->first_row && j < kernel->first_row + kernel->rows;
-        double *row = here ? contact->height_m + (j - kernel->first_row) * kernel->stride : (double *)kernel->row;
-        if (height_m)
-            memcpy(row, height_m + j * kernel->nx, kernel->nx * sizeof *row);
-        if (kernel->team)
-            kernel->team->spread(kernel->team, row, kernel->nx * sizeof *row);
-    }
-}
 
 /** Takes the mean off the heights, an offset of which would only cost digits. */
 static enum status_code centre_heights(struct direct_contact *contact, struct status *status)
 {
     const struct direct_kernel *kernel = &contact->kernel;
     double mean = 0, square = 0, highest = 0, points = (double)kernel->points;
-    for (size_t j = 0; j < kernel->rows; j++)
+    for (size_t j = 0; j < kernel->ny; j++)
         for (size_t i = 0; i < kernel->nx; i++) {
             double height = contact->height_m[j * kernel->stride + i];
             mean += height / points;
             highest = fmax(highest, fabs(height));
             if (!isfinite(height))
                 (void)status_fail(status, STATUS_MODEL, "height %zu of the surface is missing or not finite; fill it",
-                                  (kernel->first_row + j) * kernel->nx + i);
+                                  j * kernel->nx + i);
         }
-    if (direct_team_agree(kernel->team, status) != STATUS_OK)
+    if (status->code != STATUS_OK)
         return status->code;
-    mean = direct_team_sum(kernel->team, mean);
-    direct_team_most(kernel->team, &highest, 1);
-    for (size_t j = 0; j < kernel->rows; j++)
+    for (size_t j = 0; j < kernel->ny; j++)
         for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++) {
             contact->height_m[k] -= mean;
             square += contact->height_m[k] * contact->height_m[k];
         }
-    contact->rms_m = sqrt(direct_team_sum(kernel->team, square) / points);
+    contact->rms_m = sqrt(square / points);
     if (!(contact->rms_m > 1e-14 * highest) || !isfinite(contact->rms_m))
         return status_fail(status, STATUS_MODEL, "the surface is flat: it has no roughness to solve the contact of");
     return STATUS_OK;
@@ -79,17 +62,15 @@ static enum status_code make_coarse(struct direct_contact *out, const double *he
     struct status problem = {0};
     if (nx < COARSEST || ny < COARSEST || kernel->nx % 2 || kernel->ny % 2)
         return STATUS_OK;
-    double *coarse_m = height_m ? malloc(nx * ny * sizeof *coarse_m) : NULL;
+    double *coarse_m = malloc(nx * ny * sizeof *coarse_m);
     out->coarse = calloc(1, sizeof *out->coarse);
-    out->coarse_rows = kernel->team ? malloc(kernel->team->size * nx * sizeof(double)) : NULL;
-    if (!out->coarse || (height_m && !coarse_m) || (kernel->team && !out->coarse_rows))
+    if (!out->coarse || !coarse_m)
         (void)status_memory(status);
     for (size_t j = 0; coarse_m && j < ny; j++)
         for (size_t i = 0; i < nx; i++)
             coarse_m[j * nx + i] = height_m[2 * (j * kernel->nx + i)];
-    if (direct_team_agree(kernel->team, status) == STATUS_OK &&
-        direct_contact_make(out->coarse, kernel->team, coarse_m, nx, ny, 2 * kernel->spacing_m, &problem) !=
-            STATUS_OK) {
+    if (status->code == STATUS_OK &&
+        direct_contact_make(out->coarse, coarse_m, nx, ny, 2 * kernel->spacing_m, &problem) != STATUS_OK) {
         free(out->coarse);
         out->coarse = NULL;
         if (problem.code != STATUS_MODEL)
@@ -99,13 +80,13 @@ static enum status_code make_coarse(struct direct_contact *out, const double *he
     return status->code;
 }
 
-enum status_code direct_contact_make(struct direct_contact *out, const struct direct_team *team, const double *height_m,
-                                     size_t nx, size_t ny, double spacing_m, struct status *status)
+enum status_code direct_contact_make(struct direct_contact *out, const double *height_m, size_t nx, size_t ny,
+                                     double spacing_m, struct status *status)
 {
     *out = (struct direct_contact){0};
-    if (direct_kernel_make(&out->kernel, team, nx, ny, spacing_m, status) != STATUS_OK)
+    if (direct_kernel_make(&out->kernel, nx, ny, spacing_m, status) != STATUS_OK)
         return status->code;
-    size_t places = (out->kernel.rows + 1) * out->kernel.stride; /* a rank may have no rows */
+    size_t places = ny * out->kernel.stride;
     out->height_m = calloc(places, sizeof(double));
     out->pressure = calloc(places, sizeof(double));
     out->gap_m = calloc(places, sizeof(double));
@@ -113,15 +94,13 @@ enum status_code direct_contact_make(struct direct_contact *out, const struct di
     out->response = ny == 1 ? calloc(places, sizeof(double)) : NULL;
     out->set = malloc(places * sizeof(uint32_t));
     out->member = calloc(places, 1);
-    out->touching = team ? calloc((team->rank == 0 ? ny : 0) + team->size, nx) : NULL;
     if (!out->height_m || !out->pressure || !out->gap_m || !out->direction || !out->set || !out->member ||
-        (ny == 1 && !out->response) || (team && !out->touching))
+        (ny == 1 && !out->response))
         (void)status_memory(status);
-    if (direct_team_agree(team, status) == STATUS_OK) {
-        deal_heights(out, height_m);
-        if (centre_heights(out, status) == STATUS_OK)
-            (void)make_coarse(out, height_m, status);
-    }
+    for (size_t j = 0; status->code == STATUS_OK && j < ny; j++)
+        memcpy(out->height_m + j * out->kernel.stride, height_m + j * nx, nx * sizeof *height_m);
+    if (status->code == STATUS_OK && centre_heights(out, status) == STATUS_OK)
+        (void)make_coarse(out, height_m, status);
     if (status->code != STATUS_OK)
         direct_contact_free(out);
     return status->code;
@@ -132,7 +111,6 @@ void direct_contact_free(struct direct_contact *contact)
     if (contact->coarse)
         direct_contact_free(contact->coarse);
     free(contact->coarse);
-    free(contact->coarse_rows);
     direct_kernel_free(&contact->kernel);
     free(contact->height_m);
     free(contact->pressure);
@@ -141,7 +119,6 @@ void direct_contact_free(struct direct_contact *contact)
     free(contact->response);
     free(contact->set);
     free(contact->member);
-    free(contact->touching);
     *contact = (struct direct_contact){0};
 }
 
@@ -153,7 +130,7 @@ static double sum_on(const struct direct_contact *contact, const double *a)
     double part[4] = {0};
     for (size_t k = 0; k < contact->set_count; k++)
         part[k % 4] += a[set[k]];
-    return direct_team_sum(contact->kernel.team, (part[0] + part[1]) + (part[2] + part[3]));
+    return (part[0] + part[1]) + (part[2] + part[3]);
 }
 
 /** <a - a0, b> over the set. */
@@ -163,7 +140,7 @@ static double dot_on(const struct direct_contact *contact, const double *a, doub
     double part[4] = {0};
     for (size_t k = 0; k < contact->set_count; k++)
         part[k % 4] += (a[set[k]] - a0) * b[set[k]];
-    return direct_team_sum(contact->kernel.team, (part[0] + part[1]) + (part[2] + part[3]));
+    return (part[0] + part[1]) + (part[2] + part[3]);
 }
 
 /** g = K p - h, lambda still to be taken off. */
@@ -171,7 +148,7 @@ static void compute_gap(struct solver *solver)
 {
     struct direct_contact *contact = solver->contact;
     struct direct_kernel *kernel = &contact->kernel;
-    size_t places = kernel->rows * kernel->stride;
+    size_t places = kernel->ny * kernel->stride;
     memcpy(kernel->field, contact->pressure, places * sizeof(double));
     direct_kernel_convolve(kernel, kernel->compliance);
     for (size_t k = 0; k < places; k++)
@@ -183,7 +160,7 @@ void direct_contact_select(struct direct_contact *contact, bool all)
 {
     const struct direct_kernel *kernel = &contact->kernel;
     contact->set_count = 0;
-    for (size_t j = 0; j < kernel->rows; j++)
+    for (size_t j = 0; j < kernel->ny; j++)
         for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++) {
             contact->set[contact->set_count] = (uint32_t)k;
             contact->set_count += all || contact->pressure[k] != 0;
@@ -202,13 +179,12 @@ static void fit_mean(struct solver *solver)
     do {
         direct_contact_select(contact, all);
         all = !all;
-        count = direct_team_sum(kernel->team, (double)contact->set_count);
+        count = (double)contact->set_count;
     } while (count * hardness <= wanted && all);
     for (size_t k = 0; k < contact->set_count; k++) {
         bounds[0] = fmax(bounds[0], pressure[contact->set[k]]);
         bounds[1] = fmax(bounds[1], -pressure[contact->set[k]]);
     }
-    direct_team_most(kernel->team, bounds, 2);
     double low = -bounds[0], high = hardness + bounds[1], shift = 0;
     for (int step = 0; step < 100; step++) {
         double parts[3] = {0};
@@ -219,7 +195,6 @@ static void fit_mean(struct solver *solver)
             parts[1] += free;
             parts[2] += p >= hardness;
         }
-        direct_team_add(kernel->team, parts, 3);
         double sum = parts[0] + parts[2] * hardness;
         if (sum < wanted)
             low = shift;
@@ -260,24 +235,21 @@ static double level(const struct solver *solver)
         parts[0] += free ? contact->gap_m[contact->set[k]] : 0;
         parts[1] += free;
     }
-    direct_team_add(kernel->team, parts, 2);
     if (parts[1] > 0)
         return parts[0] / parts[1];
-    for (size_t j = 0; j < kernel->rows; j++)
+    for (size_t j = 0; j < kernel->ny; j++)
         for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++) {
             if (contact->pressure[k] > 0)
                 ends[0] = fmax(ends[0], contact->gap_m[k]);
             else
                 ends[1] = fmax(ends[1], -contact->gap_m[k]);
         }
-    direct_team_most(kernel->team, ends, 2);
     return (ends[0] - ends[1]) / 2;
 }
 
 /** Takes lambda off the gap and lays the set anew: {0 < p < H}, and where a condition is violated, {p = 0, g < 0} and
  * {p = H, g > 0}. These wait until they are the worst (proportioning: Dostál, SIAM J. Optim. 7 (1997) 871); else points
- * change sides in every iteration and no direction lives. Returns max |g| over all of them. What the ranks of a team
- * decide by is the same on all. */
+ * change sides in every iteration and no direction lives. Returns max |g| over all of them. */
 static double lay_set(struct solver *solver)
 {
     struct direct_contact *contact = solver->contact;
@@ -288,7 +260,7 @@ static double lay_set(struct solver *solver)
     bool joined = false;
     if (!isfinite(lambda))
         return NAN; /* comparisons below would pass over it */
-    for (size_t j = 0; j < kernel->rows; j++)
+    for (size_t j = 0; j < kernel->ny; j++)
         for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++) {
             double p = contact->pressure[k], g = contact->gap_m[k] - lambda;
             contact->gap_m[k] = g;
@@ -302,11 +274,6 @@ static double lay_set(struct solver *solver)
         else
             worst_other = g > worst_other ? g : worst_other;
     }
-    double most[3] = {worst_free, worst_other, solver->load->stop && *solver->load->stop};
-    direct_team_most(kernel->team, most, 3);
-    worst_free = most[0];
-    worst_other = most[1];
-    solver->stopped = most[2] > 0;
     if (worst_other < worst_free) {
         for (size_t k = 0; k < count; k++) {
             double p = contact->pressure[set[k]];
@@ -317,14 +284,11 @@ static double lay_set(struct solver *solver)
     }
     for (size_t k = 0; k < count; k++)
         joined |= !contact->member[set[k]];
-    memset(contact->member, 0, kernel->rows * kernel->stride);
+    memset(contact->member, 0, kernel->ny * kernel->stride);
     for (size_t k = 0; k < count; k++)
         contact->member[set[k]] = 1;
     contact->set_count = count;
-    double totals[2] = {(double)count, joined};
-    direct_team_add(kernel->team, totals, 2);
-    contact->set_total = totals[0];
-    solver->joined |= totals[1] > 0;
+    solver->joined |= joined;
     return fmax(worst_free, worst_other);
 }
 
@@ -367,10 +331,10 @@ static double turn(struct solver *solver, double gap_mean)
     struct direct_contact *contact = solver->contact;
     struct direct_kernel *kernel = &contact->kernel;
     const uint32_t *set = contact->set;
-    double *z = contact->gap_m, z_mean = gap_mean, *t = contact->direction, n = contact->set_total;
+    double *z = contact->gap_m, z_mean = gap_mean, *t = contact->direction, n = (double)contact->set_count;
     if (solver->preconditioned) {
         z = kernel->field;
-        memset(z, 0, kernel->rows * kernel->stride * sizeof(double));
+        memset(z, 0, kernel->ny * kernel->stride * sizeof(double));
         for (size_t k = 0; k < contact->set_count; k++)
             z[set[k]] = contact->gap_m[set[k]] - gap_mean;
         direct_contact_stiffen(contact);
@@ -396,8 +360,8 @@ static void step(struct solver *solver)
     struct direct_kernel *kernel = &contact->kernel;
     const uint32_t *set = contact->set;
     double *pressure = contact->pressure, *t = contact->direction, *field = kernel->field;
-    double slope = turn(solver, sum_on(contact, contact->gap_m) / contact->set_total);
-    size_t places = kernel->rows * kernel->stride;
+    double slope = turn(solver, sum_on(contact, contact->gap_m) / (double)contact->set_count);
+    size_t places = kernel->ny * kernel->stride;
     memset(field, 0, places * sizeof(double));
     for (size_t k = 0; k < contact->set_count; k++)
         field[set[k]] = t[set[k]];
@@ -409,7 +373,6 @@ static void step(struct solver *solver)
         inside &= (p >= 0) & (p <= solver->hardness);
         pressure[set[k]] = p;
     }
-    inside = !direct_team_any(kernel->team, !inside);
     if (!inside) {
         if (isinf(solver->hardness))
             scale_mean(solver);
@@ -435,7 +398,7 @@ static enum status_code iterate(struct solver *solver, double tolerance, struct 
         solver->effort->violation = violation;
         if (violation < tolerance)
             return STATUS_OK;
-        if (solver->stopped)
+        if (solver->load->stop && *solver->load->stop)
             return status_fail(status, STATUS_INTERRUPTED, "stopped");
         waited++;
         if (violation < best / 2) {
@@ -485,26 +448,20 @@ static void follow_response(struct solver *solver)
 static void add_coarse(struct direct_contact *contact, double sign)
 {
     const struct direct_kernel *fine = &contact->kernel, *coarse = &contact->coarse->kernel;
-    const struct direct_team *team = fine->team;
-    size_t first, size = team ? team->size : 1, nx = coarse->nx, block = direct_team_slab(coarse->ny, size, 0, &first);
-    memset(fine->field, 0, fine->rows * fine->stride * sizeof(double));
-    for (size_t turn = 0; turn < block; turn++) { /* the row of every rank */
-        const double *row = contact->coarse->pressure + (turn < coarse->rows ? turn : 0) * coarse->stride;
-        if (team)
-            team->gather(team, contact->coarse_rows, row, nx * sizeof *row);
-        for (size_t rank = 0; rank < size && rank * block + turn < coarse->ny; rank++) {
-            row = team ? contact->coarse_rows + rank * nx : row;
-            for (size_t k = 0; k < 3; k++) { /* the fine rows before, on and behind it */
-                size_t j = (2 * (rank * block + turn) + k + fine->ny - 1) % fine->ny - fine->first_row;
-                double *to = fine->field + j * fine->stride, weight = k == 1 ? sign : sign / 2;
-                for (size_t i = 0; j < fine->rows && i < nx; i++) { /* j of another rank is beyond */
-                    to[2 * i] += weight * row[i];
-                    to[2 * i + 1] += weight / 2 * (row[i] + row[i + 1 < nx ? i + 1 : 0]);
-                }
+    size_t nx = coarse->nx;
+    memset(fine->field, 0, fine->ny * fine->stride * sizeof(double));
+    for (size_t turn = 0; turn < coarse->ny; turn++) {
+        const double *row = contact->coarse->pressure + turn * coarse->stride;
+        for (size_t k = 0; k < 3; k++) { /* the fine rows before, on and behind it */
+            double *to = fine->field + (2 * turn + k + fine->ny - 1) % fine->ny * fine->stride;
+            double weight = k == 1 ? sign : sign / 2;
+            for (size_t i = 0; i < nx; i++) {
+                to[2 * i] += weight * row[i];
+                to[2 * i + 1] += weight / 2 * (row[i] + row[i + 1 < nx ? i + 1 : 0]);
             }
         }
     }
-    for (size_t k = 0; k < fine->rows * fine->stride; k++)
+    for (size_t k = 0; k < fine->ny * fine->stride; k++)
         contact->direction[k] += fine->field[k];
 }
 
@@ -516,7 +473,7 @@ static bool follow_coarse(struct solver *solver, bool warm)
     struct direct_contact_load load = *solver->load;
     struct direct_contact_effort effort = {0};
     struct status problem = {0};
-    size_t places = contact->kernel.rows * contact->kernel.stride;
+    size_t places = contact->kernel.ny * contact->kernel.stride;
     warm = warm && coarse->solved;
     load.hardness = INFINITY;
     load.tolerance = fmax(load.tolerance, START);
@@ -554,7 +511,7 @@ static bool exceeds(const struct direct_contact *contact, double hardness)
     bool found = false;
     for (size_t k = 0; k < contact->set_count && !found; k++)
         found = contact->pressure[contact->set[k]] > hardness;
-    return direct_team_any(contact->kernel.team, found);
+    return found;
 }
 
 static enum status_code solve(struct solver *solver, struct status *status)
@@ -605,18 +562,7 @@ enum status_code direct_contact_solve(struct direct_contact *contact, const stru
 const uint8_t *direct_contact_touching(struct direct_contact *contact)
 {
     const struct direct_kernel *kernel = &contact->kernel;
-    const struct direct_team *team = kernel->team;
-    size_t nx = kernel->nx, first;
-    for (size_t k = 0; k < kernel->rows * nx; k++)
-        contact->member[k] = contact->pressure[k / nx * kernel->stride + k % nx] > 0;
-    if (!team)
-        return contact->member;
-    size_t block = direct_team_slab(kernel->ny, team->size, 0, &first);
-    uint8_t *rows = contact->touching + (team->rank == 0 ? kernel->points : 0);
-    for (size_t j = 0; j < block; j++) { /* row j of each rank */
-        team->gather(team, rows, contact->member + (j < kernel->rows ? j : kernel->rows) * nx, nx);
-        for (size_t rank = 0; team->rank == 0 && rank * block + j < kernel->ny; rank++)
-            memcpy(contact->touching + (rank * block + j) * nx, rows + rank * nx, nx);
-    }
-    return team->rank == 0 ? contact->touching : NULL;
+    for (size_t k = 0; k < kernel->points; k++)
+        contact->member[k] = contact->pressure[k / kernel->nx * kernel->stride + k % kernel->nx] > 0;
+    return contact->member;
 }

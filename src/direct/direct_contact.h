@@ -19,25 +19,22 @@
 #include <stdint.h>
 
 /** A surface and the state of its contact. Fields have the kernel's rows and stride: the point (i along x, j along y)
- * is at j stride + i, j from the kernel's first_row. About 67 bytes a point (shared by a team 77), 4 more while its
- * patches are counted, or 8 for each in contact while its constriction is solved. Owned: direct_contact_free(). */
+ * is at j stride + i. About 67 bytes a point, 4 more while its patches are counted, or 8 for each in contact while its
+ * constriction is solved. Owned: direct_contact_free(). */
 struct direct_contact {
     struct direct_kernel kernel;
     double *height_m;
-    double *pressure;  /* p/E' */
-    double *gap_m;     /* g; overlap that has flowed is negative */
-    double *direction; /* the solver's */
-    double *response;  /* of a strip: d(pressure)/d(mean pressure) when last found; else NULL */
-    uint32_t *set;     /* the solver's points at work: their places in a field, ascending */
-    uint8_t *member;   /* whether a point is in it; between solutions, what is in contact */
-    uint8_t *touching; /* of a team: room for the same of the whole grid on the first rank, and a row of each rank */
+    double *pressure;              /* p/E' */
+    double *gap_m;                 /* g; overlap that has flowed is negative */
+    double *direction;             /* the solver's */
+    double *response;              /* of a strip: d(pressure)/d(mean pressure) when last found; else NULL */
+    uint32_t *set;                 /* the solver's points at work: their places in a field, ascending */
+    uint8_t *member;               /* whether a point is in it; between solutions, what is in contact */
     struct direct_contact *coarse; /* every second point of every second row; NULL: too few of them */
-    double *coarse_rows;           /* of a team: room for one of its rows of each rank */
-    size_t set_count;              /* here */
-    double set_total;              /* on all ranks, while the solver works */
-    double rms_m;                  /* root mean square of the height about its mean */
-    bool solved;                   /* pressure and gap_m hold a solution, to start the next from */
-    bool capped;                   /* that with a hardness */
+    size_t set_count;
+    double rms_m; /* root mean square of the height about its mean */
+    bool solved;  /* pressure and gap_m hold a solution, to start the next from */
+    bool capped;  /* that with a hardness */
 };
 
 /** What to solve for. */
@@ -55,18 +52,17 @@ struct direct_contact_effort {
     double violation; /* reached: max |g| on the set / rms_m */
 };
 
-/** Takes a copy of ny rows of nx heights (of a team, which may be NULL: the first rank's). Errors: those of
- * direct_kernel_make(); STATUS_MODEL: a height that is not finite, or a flat surface. */
-MUST_CHECK enum status_code direct_contact_make(struct direct_contact *out, const struct direct_team *team,
-                                                const double *height_m, size_t nx, size_t ny, double spacing_m,
-                                                struct status *status);
+/** Takes a copy of ny rows of nx heights. Errors: those of direct_kernel_make(); STATUS_MODEL: a height that is not
+ * finite, or a flat surface. */
+MUST_CHECK enum status_code direct_contact_make(struct direct_contact *out, const double *height_m, size_t nx,
+                                                size_t ny, double spacing_m, struct status *status);
 void direct_contact_free(struct direct_contact *contact);
 
 /** Solves for one load; adds the effort to *effort. Method: Polonsky and Keer, Wear 231 (1999) 206, with points that
  * violate a condition in one set with the others, and, for elastic contact, the preconditioner |q|E'/2 on the set. It
- * starts from the elastic solution of the coarse grid. A
- * hardness starts from the elastic solution. Errors: STATUS_MODEL: p̄ >= H (complete contact, which the hardness does
- * not define), a load that is no positive number, no convergence; STATUS_INTERRUPTED. */
+ * starts from the elastic solution of the coarse grid. A hardness starts from the elastic solution. Errors:
+ * STATUS_MODEL: p̄ >= H (complete contact, which the hardness does not define), a load that is no positive number, no
+ * convergence; STATUS_INTERRUPTED. */
 MUST_CHECK enum status_code direct_contact_solve(struct direct_contact *contact, const struct direct_contact_load *load,
                                                  struct direct_contact_effort *effort, struct status *status);
 
@@ -75,11 +71,10 @@ MUST_CHECK enum status_code direct_contact_solve(struct direct_contact *contact,
  * between, E, and |q| acts between E and its transpose: an edge is then no jump, which |q| would answer with spikes. */
 void direct_contact_stiffen(struct direct_contact *contact);
 
-/** Makes the set of the points here under pressure, or of all. */
+/** Makes the set of the points under pressure, or of all. */
 void direct_contact_select(struct direct_contact *contact, bool all);
 
-/** Where the bodies touch, p > 0: ny rows of nx, 1 where they do; of a team on the first rank, NULL on the others. The
- * contact's, until it is solved again. */
+/** Where the bodies touch, p > 0: ny rows of nx, 1 where they do. The contact's, until it is solved again. */
 const uint8_t *direct_contact_touching(struct direct_contact *contact);
 
 #endif

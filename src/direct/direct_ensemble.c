@@ -29,8 +29,7 @@ static enum status_code solve_surface(struct direct_point *out, const struct dir
         height_m = fine_m;
     }
     if (rc == STATUS_OK)
-        return direct_ladder_of_heights(out, height_m, fine_n, def->length_m / (double)fine_n, &def->ladder, def->team,
-                                        status);
+        return direct_ladder_of_heights(out, height_m, fine_n, def->length_m / (double)fine_n, &def->ladder, status);
     free(height_m);
     return rc;
 }
@@ -44,7 +43,7 @@ static enum status_code solve_part(struct direct_point *out, const struct direct
         return STATUS_OK;
     if (direct_map_take(&taken, def->map, part, status) != STATUS_OK)
         return status->code;
-    return direct_ladder_of_heights(out, taken.height_m, taken.n, taken.spacing_m, &def->ladder, def->team, status);
+    return direct_ladder_of_heights(out, taken.height_m, taken.n, taken.spacing_m, &def->ladder, status);
 }
 
 static enum status_code solve_one(const struct tasks *tasks, size_t index, struct status *status)
@@ -149,7 +148,7 @@ enum status_code direct_ensemble_run(struct direct_ensemble *out, const struct d
                                      struct status *status)
 {
     assert(def->seeds > 0 && def->ladder.loads > 0);
-    const struct threads threads = {def->team ? 1 : def->threads, def->ladder.stop};
+    const struct threads threads = {def->threads, def->ladder.stop};
     size_t fine = def->fine_times > 1 && !def->map, surfaces = def->map ? DIRECT_MAP_PARTS : def->seeds;
     *out = (struct direct_ensemble){.loads = def->ladder.loads, .seeds = def->map ? 1 : def->seeds};
     out->point = calloc(out->loads, sizeof *out->point);

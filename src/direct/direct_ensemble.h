@@ -27,7 +27,6 @@ struct direct_ensemble_def {
     size_t given_count;
     size_t seeds;                               /* 1 ... seeds */
     unsigned threads;                           /* 0: one a processor. The result does not depend on it */
-    const struct direct_team *team;             /* that shares each grid; NULL: none, a thread has one to itself */
     void (*solved)(void *context, double work); /* told after each surface, on its thread; NULL: nobody is */
     void *solved_context;
 };

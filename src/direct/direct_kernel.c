@@ -20,12 +20,12 @@ __attribute__((constructor)) static void let_threads_plan(void)
 /** Both tables, the 1/points of an unnormalised pair of transforms included. */
 static void fill_tables(struct direct_kernel *kernel)
 {
-    size_t rows = kernel->ny / 2 + 1;
+    size_t rows = kernel->ny / 2 + 1, columns = kernel->nx / 2 + 1;
     double fx = 2 * M_PI / ((double)kernel->nx * kernel->spacing_m), n = (double)kernel->points;
     double fy = 2 * M_PI / ((double)kernel->ny * kernel->spacing_m);
-    for (size_t i = 0; i < kernel->own_columns; i++)
+    for (size_t i = 0; i < columns; i++)
         for (size_t j = 0; j < rows; j++) {
-            double q = hypot(fx * (double)(kernel->first_column + i), fy * (double)j);
+            double q = hypot(fx * (double)i, fy * (double)j);
             kernel->compliance[i * rows + j] = q > 0 ? 1 / (q * n) : 0;
             kernel->stiffness[i * rows + j] = q / n;
         }
@@ -43,31 +43,17 @@ static void make_plans(struct direct_kernel *kernel)
 /** Room, plans and tables. */
 static enum status_code make(struct direct_kernel *out, struct status *status)
 {
-    size_t places = out->rows * out->stride, quarter = out->own_columns * (out->ny / 2 + 1);
-    size_t modes = BLOCK * (out->ny + GAP);
-    if (out->team) { /* both have room for rows and for columns */
-        modes = out->own_columns * out->ny;
-        modes = places / 2 > modes ? places / 2 : modes;
-        places = 2 * modes;
-    }
-    out->field = fftw_alloc_real(places + 1); /* a rank may have none */
+    size_t quarter = (out->nx / 2 + 1) * (out->ny / 2 + 1);
+    out->field = fftw_alloc_real(out->ny * out->stride);
     out->row = fftw_alloc_complex(out->nx / 2 + 1);
-    out->columns = fftw_alloc_complex(modes + 1);
+    out->columns = fftw_alloc_complex(BLOCK * (out->ny + GAP));
     out->transformed = fftw_alloc_complex(out->ny);
-    out->compliance = malloc((quarter + 1) * sizeof(double));
-    out->stiffness = malloc((quarter + 1) * sizeof(double));
+    out->compliance = malloc(quarter * sizeof(double));
+    out->stiffness = malloc(quarter * sizeof(double));
     if (out->field && out->row && out->columns && out->transformed && out->compliance && out->stiffness)
         make_plans(out);
     if (!out->row_forward || !out->row_backward || !out->column_forward || !out->column_backward)
         (void)status_memory(status);
-    if (direct_team_agree(out->team, status) == STATUS_OK && out->team) {
-        double *field = out->field, *columns = (double *)out->columns;
-        out->to_columns = out->team->transposition_make(out->team, out->ny, out->nx / 2 + 1, field, columns);
-        out->to_rows = out->team->transposition_make(out->team, out->nx / 2 + 1, out->ny, columns, field);
-        if (!out->to_columns || !out->to_rows)
-            (void)status_memory(status);
-        (void)direct_team_agree(out->team, status);
-    }
     if (status->code != STATUS_OK)
         direct_kernel_free(out);
     else
@@ -75,14 +61,11 @@ static enum status_code make(struct direct_kernel *out, struct status *status)
     return status->code;
 }
 
-enum status_code direct_kernel_make(struct direct_kernel *out, const struct direct_team *team, size_t nx, size_t ny,
-                                    double spacing_m, struct status *status)
+enum status_code direct_kernel_make(struct direct_kernel *out, size_t nx, size_t ny, double spacing_m,
+                                    struct status *status)
 {
-    size_t size = team ? team->size : 1, rank = team ? team->rank : 0;
-    *out = (struct direct_kernel){.team = team, .nx = nx, .ny = ny, .points = nx * ny, .spacing_m = spacing_m};
+    *out = (struct direct_kernel){.nx = nx, .ny = ny, .points = nx * ny, .spacing_m = spacing_m};
     out->stride = 2 * (nx / 2 + 1);
-    out->rows = direct_team_slab(ny, size, rank, &out->first_row);
-    out->own_columns = direct_team_slab(nx / 2 + 1, size, rank, &out->first_column);
     size_t most = (size_t)DIRECT_KERNEL_MOST * DIRECT_KERNEL_MOST;
     if (nx < 2 || ny < 1 || nx > most / ny)
         return status_fail(status, STATUS_USAGE,
@@ -95,10 +78,6 @@ enum status_code direct_kernel_make(struct direct_kernel *out, const struct dire
 
 void direct_kernel_free(struct direct_kernel *kernel)
 {
-    if (kernel->team) {
-        kernel->team->transposition_free(kernel->to_columns);
-        kernel->team->transposition_free(kernel->to_rows);
-    }
     fftw_destroy_plan(kernel->row_forward);
     fftw_destroy_plan(kernel->row_backward);
     fftw_destroy_plan(kernel->column_forward);
@@ -115,7 +94,7 @@ void direct_kernel_free(struct direct_kernel *kernel)
 /** Transforms the rows to where they are. */
 static void transform_rows(struct direct_kernel *kernel)
 {
-    for (size_t j = 0; j < kernel->rows; j++) {
+    for (size_t j = 0; j < kernel->ny; j++) {
         double *row = kernel->field + j * kernel->stride;
         fftw_execute_dft_r2c(kernel->row_forward, row, kernel->row);
         memcpy(row, kernel->row, kernel->stride * sizeof *row);
@@ -124,7 +103,7 @@ static void transform_rows(struct direct_kernel *kernel)
 
 static void transform_rows_back(struct direct_kernel *kernel)
 {
-    for (size_t j = 0; j < kernel->rows; j++) {
+    for (size_t j = 0; j < kernel->ny; j++) {
         double *row = kernel->field + j * kernel->stride;
         memcpy(kernel->row, row, kernel->stride * sizeof *row);
         fftw_execute_dft_c2r(kernel->row_backward, kernel->row, row);
@@ -145,7 +124,7 @@ static void filter_column(struct direct_kernel *kernel, fftw_complex *column, co
     fftw_execute_dft(kernel->column_backward, transformed, column);
 }
 
-/** The columns of a grid that is all here, some at a time. */
+/** All columns, some at a time. */
 static void filter_columns(struct direct_kernel *kernel, const double *table)
 {
     size_t count = kernel->nx / 2 + 1, length = kernel->ny + GAP, rows = kernel->ny / 2 + 1;
@@ -186,13 +165,6 @@ void direct_kernel_convolve(struct direct_kernel *kernel, const double *table)
         return;
     }
     transform_rows(kernel);
-    if (kernel->team) {
-        kernel->team->transpose(kernel->to_columns);
-        for (size_t i = 0; i < kernel->own_columns; i++)
-            filter_column(kernel, kernel->columns + i * kernel->ny, table + i * (kernel->ny / 2 + 1));
-        kernel->team->transpose(kernel->to_rows);
-    } else {
-        filter_columns(kernel, table);
-    }
+    filter_columns(kernel, table);
     transform_rows_back(kernel);
 }

@@ -10,7 +10,7 @@
 #ifndef DIRECT_KERNEL_H
 #define DIRECT_KERNEL_H
 
-#include "direct/direct_team.h"
+#include "base/status.h"
 #include <fftw3.h>
 #include <stddef.h>
 
@@ -19,32 +19,27 @@ enum { DIRECT_KERNEL_MOST = 32768 };
 
 /** A grid of ny rows of nx points and one field on it to transform. Owned: direct_kernel_free(). */
 struct direct_kernel {
-    const struct direct_team *team; /* NULL: the whole grid is here */
     size_t nx, ny;
-    size_t first_row, rows;              /* those that are here */
-    size_t first_column, own_columns;    /* of the nx/2 + 1 of the transform: those whose tables are here */
-    size_t points;                       /* nx ny, of the whole grid */
+    size_t points;                       /* nx ny */
     size_t stride;                       /* values from row to row of `field`: 2 (nx/2 + 1), the last ones unused */
     double spacing_m;                    /* dx, the same in both directions */
-    double *field;                       /* rows x stride */
-    double *compliance;                  /* 1/|q| [m] over the points, own_columns x (ny/2 + 1); 0 at q = 0 */
+    double *field;                       /* ny x stride */
+    double *compliance;                  /* 1/|q| [m] over the points, (nx/2 + 1) x (ny/2 + 1); 0 at q = 0 */
     double *stiffness;                   /* |q| [1/m] over the points, the same shape */
     fftw_complex *row;                   /* one row's transform */
-    fftw_complex *columns, *transformed; /* some columns and one's transform; shared: own_columns x ny */
-    void *to_columns, *to_rows;          /* the team's transpositions of the rows here to the columns here, and back */
+    fftw_complex *columns, *transformed; /* some columns and one's transform */
     fftw_plan row_forward, row_backward, column_forward, column_backward;
     size_t convolutions; /* done so far */
 };
 
 /** nx >= 2, ny >= 1; with ny = 1 it is a strip, without strain across. A transform is made of transforms of rows and
  * columns, each column copied to a place of its own and its product transformed back at once: from 512 points a side on
- * that is 1.2 to 1.9 times as fast as FFTW's own plan of two dimensions. A team has the field transposed between them
- * instead, its rows and columns by slabs, and gets the same bits; it has to outlive the kernel. Plans are made with
+ * that is 1.2 to 1.9 times as fast as FFTW's own plan of two dimensions. Plans are made with
  * FFTW_ESTIMATE: the same plan, hence the same bytes, in every thread and run, within 1 ms (FFTW_MEASURE would take 0.2
  * to 2 s and choose by the clock). Any thread may call this at any time. Errors: STATUS_MEMORY; STATUS_USAGE: a grid
  * too large or too small, a spacing that is no length. */
-MUST_CHECK enum status_code direct_kernel_make(struct direct_kernel *out, const struct direct_team *team, size_t nx,
-                                               size_t ny, double spacing_m, struct status *status);
+MUST_CHECK enum status_code direct_kernel_make(struct direct_kernel *out, size_t nx, size_t ny, double spacing_m,
+                                               struct status *status);
 void direct_kernel_free(struct direct_kernel *kernel);
 
 /** Replaces `field` f by the field with the transform f̂ times `table`: compliance, stiffness (its inverse, for a field

@@ -64,12 +64,12 @@ enum status_code direct_ladder_loop(struct direct_point *up, struct direct_point
     double *flowed_m = malloc((nx * ny + 1) * sizeof *flowed_m);
     if (!flowed_m)
         return status_memory(status);
-    enum status_code rc = direct_contact_make(&loaded, NULL, height_m, nx, ny, spacing_m, status);
+    enum status_code rc = direct_contact_make(&loaded, height_m, nx, ny, spacing_m, status);
     if (rc == STATUS_OK)
         rc = direct_contact_solve(&loaded, &most, &effort, status);
     if (rc == STATUS_OK) {
         flow(flowed_m, &loaded);
-        rc = direct_contact_make(&flowed, NULL, flowed_m, nx, ny, spacing_m, status);
+        rc = direct_contact_make(&flowed, flowed_m, nx, ny, spacing_m, status);
     }
     for (size_t i = 0; i < def->loads; i++)
         up[i] = down[i] = (struct direct_point){.constriction_m = NAN};
@@ -86,13 +86,10 @@ enum status_code direct_ladder_loop(struct direct_point *up, struct direct_point
 }
 
 enum status_code direct_ladder_of_heights(struct direct_point *out, double *height_m, size_t n, double spacing_m,
-                                          const struct direct_ladder_def *def, const struct direct_team *team,
-                                          struct status *status)
+                                          const struct direct_ladder_def *def, struct status *status)
 {
     struct direct_contact contact;
-    if (team && team->rank == 0)
-        team->call(team, n, spacing_m, def);
-    enum status_code rc = direct_contact_make(&contact, team, height_m, n, n, spacing_m, status);
+    enum status_code rc = direct_contact_make(&contact, height_m, n, n, spacing_m, status);
     free(height_m);
     if (rc != STATUS_OK)
         return rc;

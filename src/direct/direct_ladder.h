@@ -5,9 +5,6 @@
 
 #include "direct/direct_quantities.h"
 
-/** Loads of a ladder that ranks share. */
-enum { DIRECT_LADDER_SHARED = 64 };
-
 struct direct_ladder_def {
     const double *load; /* p̄/E', ascending */
     size_t loads;
@@ -17,7 +14,7 @@ struct direct_ladder_def {
     const atomic_bool *stop; /* NULL: never */
 };
 
-/** At one load; of a team, on the first rank. */
+/** At one load. */
 struct direct_point {
     bool exists; /* false: p̄ >= H, complete contact, which a hardness does not define; no number then */
     struct direct_quantities quantities;
@@ -43,10 +40,10 @@ MUST_CHECK enum status_code direct_ladder_loop(struct direct_point *up, struct d
                                                const struct direct_ladder_def *def, size_t least_patches,
                                                struct status *status);
 
-/** direct_ladder_run() of n x n heights, which are freed as soon as they are taken. With a team (NULL: none) the first
- * rank calls the others, which have no heights. Errors: those of the surface and the solutions. */
+/** direct_ladder_run() of n x n heights, which are freed as soon as they are taken. Errors: those of the surface and
+ * the solutions. */
 MUST_CHECK enum status_code direct_ladder_of_heights(struct direct_point *out, double *height_m, size_t n,
                                                      double spacing_m, const struct direct_ladder_def *def,
-                                                     const struct direct_team *team, struct status *status);
+                                                     struct status *status);
 
 #endif

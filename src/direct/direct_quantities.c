@@ -29,14 +29,13 @@ struct direct_quantities direct_quantities_of(struct direct_contact *contact, co
     const uint8_t *touching = direct_contact_touching(contact);
     struct direct_quantities out = {0};
     double open = 0;
-    for (size_t j = 0; j < kernel->rows; j++) {
+    for (size_t j = 0; j < kernel->ny; j++) {
         double row = 0;
         for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++)
             row += fmax(contact->gap_m[k], 0);
         open += row;
     }
-    open = direct_team_sum(kernel->team, open);
-    for (size_t k = 0; touching && k < kernel->points; k++) {
+    for (size_t k = 0; k < kernel->points; k++) {
         out.contact_points += touching[k];
         out.perimeter_faces += touching[k] != touching[right_of(k, kernel->nx)];
         out.perimeter_faces += touching[k] != touching[above(k, kernel->nx, kernel->points)];
@@ -68,13 +67,11 @@ enum status_code direct_patches(size_t *count, struct direct_contact *contact, s
 {
     const struct direct_kernel *kernel = &contact->kernel;
     const uint8_t *touching = direct_contact_touching(contact);
-    size_t nx = kernel->nx, points = touching ? kernel->points : 0;
+    size_t nx = kernel->nx, points = kernel->points;
     uint32_t *parent = malloc((points + 1) * sizeof *parent);
     *count = 0;
     if (!parent)
-        (void)status_memory(status);
-    if (direct_team_agree(kernel->team, status) != STATUS_OK)
-        points = 0;
+        return status_memory(status);
     for (size_t k = 0; k < points; k++)
         parent[k] = (uint32_t)k;
     for (size_t k = 0; k < points; k++) { /* each point is one until it is joined */
@@ -84,5 +81,5 @@ enum status_code direct_patches(size_t *count, struct direct_contact *contact, s
         *count -= touching[k] && touching[next] && join(parent, k, next);
     }
     free(parent);
-    return status->code;
+    return STATUS_OK;
 }

@@ -20,14 +20,13 @@ struct direct_quantities {
     double gap_m;      /* mean of max(g, 0): 0 at complete contact */
 };
 
-/** Of a contact just solved for `load`; of a team, on the first rank. */
+/** Of a contact just solved for `load`. */
 struct direct_quantities direct_quantities_of(struct direct_contact *contact, const struct direct_contact_load *load);
 
 /** Area corrected with another kappa, neither limited by the hardness nor below 0. */
 double direct_area_corrected(const struct direct_quantities *quantities, size_t points, double kappa);
 
-/** How many connected patches of contact there are, points touching along a face, periodic; of a team, on the first
- * rank. Error: STATUS_MEMORY. */
+/** How many connected patches of contact there are, points touching along a face, periodic. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code direct_patches(size_t *count, struct direct_contact *contact, struct status *status);
 
 #endif

@@ -130,7 +130,6 @@ static enum status_code run_direct(struct run *run, struct status *status)
                                                .scene = results->scene,
                                                .plan = results->plan,
                                                .threads = run->options->jobs,
-                                               .team = run->options->team,
                                                .stop = run->options->stop,
                                                .progress = run->options->progress ? add_progress : NULL,
                                                .progress_context = &progress};

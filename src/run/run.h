@@ -4,23 +4,21 @@
 #define RUN_RUN_H
 
 #include "base/text.h"
-#include "direct/direct_team.h"
 #include "scene/scene.h"
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stdint.h>
 
 struct run_options {
-    const char *output;             /* OUT, NULL: out/<name of DIR> */
-    const char *templates;          /* directory of the templates */
-    const char *template;           /* the user's own in place of report.md; NULL: that */
-    const char *terminal_size;      /* "columns,rows" to draw the main charts as text, NULL: not */
-    bool no_cost;                   /* leave out what accuracy costs */
-    bool brief;                     /* the report's first page, with its figures, alone */
-    bool outline;                   /* fill run_outcome.outline */
-    unsigned jobs;                  /* threads; 0: one a processor */
-    const struct direct_team *team; /* processes that share each direct solution; NULL: this one alone */
-    const atomic_bool *stop;        /* becomes true when the run is to end early; NULL: never */
+    const char *output;        /* OUT, NULL: out/<name of DIR> */
+    const char *templates;     /* directory of the templates */
+    const char *template;      /* the user's own in place of report.md; NULL: that */
+    const char *terminal_size; /* "columns,rows" to draw the main charts as text, NULL: not */
+    bool no_cost;              /* leave out what accuracy costs */
+    bool brief;                /* the report's first page, with its figures, alone */
+    bool outline;              /* fill run_outcome.outline */
+    unsigned jobs;             /* threads; 0: one a processor */
+    const atomic_bool *stop;   /* becomes true when the run is to end early; NULL: never */
     /** How much of a stage's work is done, 0 as it begins, and the name of what it is done to. NULL: nobody asks;
      * called from several threads, one at a time. */
     void (*progress)(const char *stage, const char *name, double done, double all);

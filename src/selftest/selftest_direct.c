@@ -49,7 +49,7 @@ static enum status_code solve(double *value, const struct selftest_reference *r,
     struct direct_contact contact;
     struct direct_contact_effort effort = {0};
     const struct direct_contact_load load = {.mean_pressure = pressure, .hardness = INFINITY, .tolerance = 1e-12};
-    if (direct_contact_make(&contact, NULL, height, nx, ny, spacing_m, status) != STATUS_OK)
+    if (direct_contact_make(&contact, height, nx, ny, spacing_m, status) != STATUS_OK)
         return status->code;
     enum status_code rc = direct_contact_solve(&contact, &load, &effort, status);
     if (rc == STATUS_OK)

@@ -72,7 +72,7 @@ static void solve(struct direct_point *out, const double *height_m, const double
     memcpy(copy, height_m, SIDE * SIDE * sizeof *copy); /* which are freed */
     const struct direct_ladder_def def = {
         .load = load, .loads = DIRECT_LOADS, .hardness = hardness, .tolerance = 1e-6, .resistance = true};
-    assert_int_equal(direct_ladder_of_heights(out, copy, SIDE, 1e-6, &def, NULL, &status), STATUS_OK);
+    assert_int_equal(direct_ladder_of_heights(out, copy, SIDE, 1e-6, &def, &status), STATUS_OK);
 }
 
 /** What follows from the elastic solution of a surface with plateaus, against solutions under three hardnesses. */

@@ -160,7 +160,7 @@ TEST_CASE(gap_of_the_open_points)
     struct direct_contact contact;
     struct status status = {0};
     size_t count = 0;
-    assert_int_equal(direct_contact_make(&contact, NULL, height, POINTS, 1, 1e-6, &status), STATUS_OK);
+    assert_int_equal(direct_contact_make(&contact, height, POINTS, 1, 1e-6, &status), STATUS_OK);
     for (size_t k = 0; k < strip.own.count; k++) {
         struct direct_contact_load load = {exp(strip.own.value[k][0]), INFINITY, 1e-9, true, NULL};
         struct direct_contact_effort effort = {0};
@@ -253,7 +253,7 @@ TEST_CASE(against_direct_solutions)
             loads[i] = sqrt(2 * square) * (double[TRUTHS]){0.02, 0.08, 0.25, 0.6}[i];
         struct direct_ladder_def ladder = {loads, TRUTHS, INFINITY, 1e-5, true, NULL};
         struct direct_contact contact;
-        assert_int_equal(direct_contact_make(&contact, NULL, height, SIDE, SIDE, 1e-6, &status), STATUS_OK);
+        assert_int_equal(direct_contact_make(&contact, height, SIDE, SIDE, 1e-6, &status), STATUS_OK);
         assert_int_equal(direct_ladder_run(truth, &contact, &ladder, &status), STATUS_OK);
         assert_int_equal(persson_make(&persson, &mean, &status), STATUS_OK);
         struct strip_rows rows = {row, LINES, SIDE, 1e-6, true};

@@ -68,7 +68,7 @@ struct direct_contact contact_of(const double *height, size_t nx, size_t ny)
 {
     struct direct_contact contact;
     struct status status = {0};
-    if (direct_contact_make(&contact, NULL, height, nx, ny, 1 / (double)nx, &status) != STATUS_OK)
+    if (direct_contact_make(&contact, height, nx, ny, 1 / (double)nx, &status) != STATUS_OK)
         fail_msg("%s", status.message);
     return contact;
 }

@@ -157,7 +157,7 @@ static enum status_code result_of(const double *height, size_t n, const struct d
 {
     struct direct_contact contact;
     struct direct_contact_effort effort = {0};
-    if (direct_contact_make(&contact, NULL, height, n, n, 1 / (double)n, status) != STATUS_OK)
+    if (direct_contact_make(&contact, height, n, n, 1 / (double)n, status) != STATUS_OK)
         return status->code;
     enum status_code rc = direct_contact_solve(&contact, load, &effort, status);
     direct_contact_free(&contact);
@@ -325,7 +325,7 @@ TEST_CASE(scale_free)
     struct status status = {0};
     for (size_t k = 0; k < 64 * 64; k++)
         height[k] = height[k] * 1e-9 + 1e-3; /* far off its datum */
-    assert_int_equal(direct_contact_make(&small, NULL, height, 64, 64, 1e-9 / 64, &status), STATUS_OK);
+    assert_int_equal(direct_contact_make(&small, height, 64, 64, 1e-9 / 64, &status), STATUS_OK);
     struct direct_contact_load load = load_of(0.05, INFINITY, 1e-9);
     struct direct_quantities found = solved(&contact, &load), other = solved(&small, &load);
     assert_int_equal(found.contact_points, other.contact_points);

@@ -136,7 +136,7 @@ static void solve_mirrored(struct direct_point out[MIRROR_LOADS], const double *
     struct direct_ladder_def ladder = {load, MIRROR_LOADS, INFINITY, 1e-6, true, NULL};
     for (int i = 0; i < MIRROR_LOADS; i++)
         load[i] = mirror_loads[i] * gradient;
-    if (direct_contact_make(&contact, NULL, height, n, n, 1, &status) != STATUS_OK ||
+    if (direct_contact_make(&contact, height, n, n, 1, &status) != STATUS_OK ||
         direct_ladder_run(out, &contact, &ladder, &status) != STATUS_OK)
         fail_msg("%s", status.message);
     direct_contact_free(&contact);

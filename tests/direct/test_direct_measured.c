@@ -25,7 +25,7 @@ static void solve(struct direct_point *out, const double *height_m, const struct
     struct status status = {0};
     struct direct_ladder_def ladder = {measured->load, LOADS, INFINITY, 1e-6, true, NULL};
     size_t n = measured->map.n;
-    if (direct_contact_make(&contact, NULL, height_m, n, n, measured->map.spacing_m, &status) != STATUS_OK ||
+    if (direct_contact_make(&contact, height_m, n, n, measured->map.spacing_m, &status) != STATUS_OK ||
         direct_ladder_run(out, &contact, &ladder, &status) != STATUS_OK)
         fail_msg("%s: %s", measured->name, status.message);
     direct_contact_free(&contact);

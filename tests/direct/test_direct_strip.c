@@ -9,7 +9,7 @@ static struct direct_contact strip_of(const double *height, size_t points, doubl
 {
     struct direct_contact contact;
     struct status status = {0};
-    assert_int_equal(direct_contact_make(&contact, NULL, height, points, 1, spacing_m, &status), STATUS_OK);
+    assert_int_equal(direct_contact_make(&contact, height, points, 1, spacing_m, &status), STATUS_OK);
     return contact;
 }
 

@@ -16,8 +16,8 @@
 enum { NAME = 96, EQUATIONS = 55, ROOMS = 32, NAMES_MOST = 16 };
 
 static const char *const documents[] = {"README.md",        "docs/equations.md",    "docs/formats.md",
-                                        "docs/report.md",   "docs/CONTRIBUTING.md", "docs/mpi.md",
-                                        "docs/tutorial.md", "docs/commands.md",     "docs/limits.md"};
+                                        "docs/report.md",   "docs/CONTRIBUTING.md", "docs/tutorial.md",
+                                        "docs/commands.md", "docs/limits.md"};
 
 /** A file of the project as text, NULL where there is none. To be freed. */
 static char *read_project(const char *path)

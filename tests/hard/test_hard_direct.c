@@ -24,7 +24,7 @@ static struct direct_contact contact_of(const double *height, size_t n)
 {
     struct direct_contact contact;
     struct status status = {0};
-    if (direct_contact_make(&contact, NULL, height, n, n, 1 / (double)n, &status) != STATUS_OK)
+    if (direct_contact_make(&contact, height, n, n, 1 / (double)n, &status) != STATUS_OK)
         fail_msg("%s", status.message);
     return contact;
 }
@@ -161,7 +161,7 @@ TEST_CASE(no_surface)
         for (size_t k = 0; k < (size_t)N * N; k++)
             height[k] = cases[c].offset + cases[c].rough * (double)(k % 7);
         height[200] = cases[c].one;
-        assert_int_equal(direct_contact_make(&contact, NULL, height, N, N, 1.0 / N, &status), STATUS_MODEL);
+        assert_int_equal(direct_contact_make(&contact, height, N, N, 1.0 / N, &status), STATUS_MODEL);
         if (!strstr(status.message, cases[c].says))
             fail_msg("case %zu: %s", c, status.message);
         assert_null(contact.height_m);

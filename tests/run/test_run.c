@@ -105,13 +105,11 @@ PLACED(test_the_baseline_and_the_order_do_not_depend_on_file_names)
 
 /* In place of direct_ladder_of_heights() (ld --wrap, tests/CMakeLists.txt): none converges. */
 enum status_code __wrap_direct_ladder_of_heights(struct direct_point *out, double *height_m, size_t n, double spacing_m,
-                                                 const struct direct_ladder_def *def, const struct direct_team *team,
-                                                 struct status *status);
+                                                 const struct direct_ladder_def *def, struct status *status);
 enum status_code __wrap_direct_ladder_of_heights(struct direct_point *out, double *height_m, size_t n, double spacing_m,
-                                                 const struct direct_ladder_def *def, const struct direct_team *team,
-                                                 struct status *status)
+                                                 const struct direct_ladder_def *def, struct status *status)
 {
-    (void)out, (void)n, (void)spacing_m, (void)def, (void)team;
+    (void)out, (void)n, (void)spacing_m, (void)def;
     free(height_m);
     return status_fail(status, STATUS_MODEL, "the direct solution does not converge at p/E' = 0.01");
 }

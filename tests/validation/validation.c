@@ -147,7 +147,7 @@ static void solve(struct direct_point *out, const double *height_m, double hardn
         own[i] = loads[i] * gradient;
     const struct direct_ladder_def def = {
         .load = own, .loads = LOADS, .hardness = hardness * gradient, .tolerance = 1e-6, .resistance = true};
-    coverage_must(direct_ladder_of_heights(out, copy, SIDE, spacing_m, &def, NULL, &status), &status);
+    coverage_must(direct_ladder_of_heights(out, copy, SIDE, spacing_m, &def, &status), &status);
 }
 
 /** Writes rows and a scene into the directory. */
