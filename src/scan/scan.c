@@ -142,42 +142,13 @@ enum status_code scan_read_bytes(struct scan *out, const struct scan_bytes *byte
     return check(out, &file);
 }
 
-/* Reads what Gwyddion makes of a binary file that no reader knows. file->status says why none does. */
-static enum status_code read_converted(struct scan *out, const struct scan_file *file, const char *path,
-                                       const struct foreign *foreign, struct status *status)
-{
-    struct text text = {0};
-    struct status failed = {0};
-    enum status_code code = gwyddion_convert(&text, path, &failed);
-    struct scan_bytes converted = {text_string(&text), text.length, file->path};
-    if (code == STATUS_OK)
-        code = scan_read_bytes(out, &converted, file->options, &failed);
-    text_free(&text);
-    if (code == STATUS_SCAN || code == STATUS_IO) /* what the user can do is said there */
-        return status_fail(status, STATUS_SCAN, "%s (%.200s)", file->status->message, failed.message);
-    if (code != STATUS_OK)
-        return status_fail(status, code, "%s", failed.message);
-    scan_warn(out, "converted by the program Gwyddion from a %s",
-              foreign ? foreign->name : "format that is not read here");
-    return STATUS_OK;
-}
-
 enum status_code scan_read_beside(struct scan *out, const struct scan_bytes *bytes, const char *path,
                                   const struct scan_options *options, struct status *status)
 {
     struct status problem = {0};
     enum status_code code = scan_read_bytes(out, bytes, options, &problem);
-    const struct scan_file file = {bytes->bytes, bytes->length, bytes->path, options, &problem};
     struct sidecar sidecar;
     char *found = NULL;
-    struct format format = {.kind = FORMAT_SCAN};
-    if (code == STATUS_SCAN && !options->no_programs)
-        format = format_of(&file, false);
-    bool convertible = format.kind == FORMAT_FOREIGN || (format.kind == FORMAT_UNKNOWN && foreign_is_binary(&file));
-    if (convertible && gwyddion_exists()) {
-        scan_free(out);
-        return read_converted(out, &file, path, format.foreign, status);
-    }
     if (code != STATUS_MEMORY && out->units_lacking && sidecar_find(&sidecar, &found, path, status) != STATUS_OK)
         return status->code;
     if (found) {

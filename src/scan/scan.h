@@ -52,7 +52,6 @@ struct scan_options {
     size_t x_column, z_column;     /* of a table of text, from 1; 0: the header decides */
     size_t entry;                  /* of an archive of several scans: 0 the first, then next_entry of the one before */
     const struct sidecar *sidecar; /* set by scan_read_beside() */
-    bool no_programs;              /* no other program is asked to convert what no reader knows */
 };
 
 /** The bytes of a file in memory; `bytes[length]` is readable and 0. */
@@ -74,11 +73,10 @@ extern const double scan_least_m, scan_most_m;
 MUST_CHECK enum status_code scan_read(struct scan *out, const char *path, const struct scan_options *options,
                                       struct status *status);
 /** The same from bytes already in memory, the content of `path`. Where they do not name both units, a sidecar of `path`
- * (sidecar.h) is read too: what it says comes before the scene's units, and out->sidecar names it. Binary data that no
- * reader knows are given to the program Gwyddion, where it is installed; a warning says so. */
+ * (sidecar.h) is read too: what it says comes before the scene's units, and out->sidecar names it. */
 MUST_CHECK enum status_code scan_read_beside(struct scan *out, const struct scan_bytes *file, const char *path,
                                              const struct scan_options *options, struct status *status);
-/** The same without a look at any other file or program. */
+/** The same without a look at any other file. */
 MUST_CHECK enum status_code scan_read_bytes(struct scan *out, const struct scan_bytes *file,
                                             const struct scan_options *options, struct status *status);
 /** What a file is that lies beside scans and is certainly none, by its name and its bytes (`whole`: all of them; else

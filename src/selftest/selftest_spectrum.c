@@ -96,7 +96,7 @@ static const struct gauge {
 
 static enum status_code measure(struct parameters *out, const struct gauge *gauge, struct status *status)
 {
-    static const struct scan_options options = {.no_programs = true};
+    static const struct scan_options options = {0};
     struct text file = {0};
     struct scan scan = {0};
     struct profile profile = {0};
