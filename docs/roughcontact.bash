@@ -24,7 +24,7 @@ _roughcontact()
         options="--json $scene"
         kind=directories ;;
     inspect)
-        options='--json --chart --x-unit= --z-unit= --quantity= --column= --lambda-s= --lambda-c='
+        options='--json --chart --x-unit= --z-unit= --column= --lambda-s= --lambda-c='
         kind=files ;;
     init) kind=directories ;;
     view)
@@ -49,7 +49,6 @@ _roughcontact()
         words='auto plasticity separation electrical thermal scale-dependent convergence uncertainty unloading direct gap film'
         words+=' plating heating' ;;
     *' --x-unit' | *' --z-unit') kind=words words='m mm um nm angstrom in uin mil' ;;
-    *' --quantity') kind=words words='height slope' ;;
     *' --jobs' | *' -j' | *' --tolerance' | *' -t' | *' --column' | *' --lambda-'[sc] | 'synth -'[agrlncd] | \
         'synth --'[agrlps]*) kind=nothing ;;
     *) argument=1 ;;

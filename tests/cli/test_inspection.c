@@ -203,8 +203,6 @@ TEST_IN_WORKSPACE(test_options)
     json_decref(raw);
     json_decref(smooth);
     expect_output(expect_exit(place, 0, "inspect", "a.csv"), "parameters  Pa ");
-    expect_failure(place, 2, 3, "unknown quantity 'slop'; allowed: height, slope", "inspect", "--quantity", "slop",
-                   "a.csv");
     struct process metres =
         expect_exit(place, 0, "inspect", "--json", "--lambda-s=8e-6", "--lambda-c", "8e-5", "a.csv");
     static const char *const spelled[][2] = {{"--lambda-s=8um", "80um"}, {"--lambda-s=8 um", "0.08mm"}};
