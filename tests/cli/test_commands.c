@@ -187,12 +187,6 @@ TEST_IN_WORKSPACE(test_inspect_json)
     expect_part(json_string_value(json_object_get(bad, "error")), "no line of numbers in it");
     assert_int_equal(json_object_size(bad), 2);
     json_decref(json);
-    /* units that the file does not name */
-    workspace_write(place, "plain.csv", "0,1\n1,3\n2,2\n3,5\n4,1\n5,4\n6,2\n7,6\n8,3\n9,1\n");
-    expect_failure(place, 4, 1, "plain.csv: no unit for z; add", "inspect", "--x-unit", "um", "plain.csv");
-    json = process_json(expect_exit(place, 0, "inspect", "--json", "--x-unit", "mm", "--z-unit", "um", "plain.csv"));
-    assert_near(json_number_value(json_object_get(json_array_get(json, 0), "spacing_m")), 1e-3, 1e-12);
-    json_decref(json);
 }
 
 TEST_IN_WORKSPACE(test_synth)
