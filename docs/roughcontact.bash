@@ -31,7 +31,7 @@ _roughcontact()
         options='--json'
         kind=directories ;;
     synth)
-        options='--alpha= -a --gamma= -g --rq= -r --length= -l --points= -n --scatter= -c --seed= -d'
+        options='--alpha= -a --gamma= -g --rq= -r --length= -l --points= -n --scatter= -c --lambda-s= -s --seed= -d'
         options+=' --output= -o' ;;
     models | materials) options='--json' ;;
     self-test) options='--verbose -v' ;;
@@ -49,7 +49,7 @@ _roughcontact()
         words='auto plasticity separation electrical thermal scale-dependent convergence uncertainty unloading direct gap film'
         words+=' plating heating' ;;
     *' --x-unit' | *' --z-unit') kind=words words='m mm um nm angstrom in uin mil' ;;
-    *' --jobs' | *' -j' | *' --tolerance' | *' -t' | *' --column' | *' --lambda-'[sc] | 'synth -'[agrlncd] | \
+    *' --jobs' | *' -j' | *' --tolerance' | *' -t' | *' --column' | *' --lambda-'[sc] | 'synth -'[agrlncsd] | \
         'synth --'[agrlps]*) kind=nothing ;;
     *) argument=1 ;;
     esac

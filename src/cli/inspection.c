@@ -163,11 +163,12 @@ void inspection_add_json(json_t *object, const struct inspection *inspection)
     json_object_set_new(object, "parameters", parameters);
 }
 
-/** Lengths in um. */
+/** Lengths in um, five to a line. */
 static void print_parameters(const struct parameters *parameters)
 {
-    printf("  parameters  ");
     for (size_t p = 0; p < PARAMETERS_COUNT; p++) {
+        if (p % 5 == 0)
+            printf(p == 0 ? "  parameters  " : "\n              ");
         double value = parameters->value[p] * (parameters_rows[p].is_length ? 1e6 : 1);
         if (isnan(value))
             printf("%c%s - ", parameters->letter, parameters_rows[p].name);

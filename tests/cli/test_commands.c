@@ -206,7 +206,7 @@ TEST_IN_WORKSPACE(test_synth)
     assert_near(json_number_value(json_object_get(found, "spacing_m")), 0.5e-6, 1e-9);
     assert_near(json_number_value(json_object_get(found, "gamma")), 1.4, 0.05);
     json_decref(json);
-    run_to_exit(place, 0, "synth", "--rq", "5um", "--points", "500", "-o", "b.csv");
+    run_to_exit(place, 0, "synth", "--rq", "5um", "--points", "500", "--lambda-s", "8um", "-o", "b.csv");
     json = process_json(expect_exit(place, 0, "inspect", "--json", "b.csv"));
     assert_near(json_number_value(json_object_get(json_array_get(json, 0), "rq_m")), 5e-6, 1e-5);
     json_decref(json);
