@@ -83,29 +83,11 @@ static bool take_dabam(struct text_header *out, const json_t *object)
     return true;
 }
 
-/* `"x_unit": "mm"` as a line of its own, `x_unit: mm`. */
-static bool take_members(struct text_header *out, json_t *object)
-{
-    bool any = false;
-    const char *key;
-    json_t *value;
-    json_object_foreach(object, key, value)
-    {
-        struct text line = {0};
-        if (!json_is_string(value))
-            continue;
-        text_add(&line, "%s: %s", key, json_string_value(value));
-        any = text_header_add_line(out, string_view_of(text_string(&line))) || any;
-        text_free(&line);
-    }
-    return any;
-}
-
 static bool parse_json(struct text_header *out, const struct text *bytes)
 {
     const char *start = strchr(text_string(bytes), '{'); /* behind a byte order mark */
     json_t *root = json_loadb(start, bytes->length - (size_t)(start - text_string(bytes)), 0, NULL);
-    bool any = json_is_object(root) && (take_dabam(out, root) || take_members(out, root));
+    bool any = json_is_object(root) && take_dabam(out, root);
     json_decref(root);
     return any;
 }

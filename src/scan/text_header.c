@@ -148,7 +148,8 @@ static bool take_unit(struct text_header *header, const struct key *key, const c
     return true;
 }
 
-bool text_header_add_line(struct text_header *header, struct string_view line)
+/* Takes over what the keys in `line` say. Does one of them name a unit? */
+static bool add_line(struct text_header *header, struct string_view line)
 {
     struct key key = {.count = 0};
     struct string_view word;
@@ -295,7 +296,7 @@ bool text_header_add(struct text_header *header, struct string_view text)
     bool any = false, comment;
     struct lines lines = lines_begin(text);
     for (struct string_view line; lines_next(&lines, &line);)
-        any = text_header_add_line(header, text_header_uncomment(line, &comment)) || any;
+        any = add_line(header, text_header_uncomment(line, &comment)) || any;
     return any;
 }
 
@@ -311,7 +312,7 @@ struct text_header text_header_read(struct string_view preamble, char delimiter,
         line = text_header_uncomment(line, &comment);
         if (line.start == line.end)
             continue;
-        if (text_header_add_line(&header, line))
+        if (add_line(&header, line))
             line.end = line.start; /* `X unit: mm` is no pair of titles */
         last[count++ % TEXT_HEADER_LINES] = line;
     }

@@ -45,9 +45,8 @@ bool text_header_says(struct string_view title, const char *words);
 /** Without its mark (#, //, %, ;) and trimmed when `line` is a comment, else just trimmed; *comment tells. */
 struct string_view text_header_uncomment(struct string_view line, bool *comment);
 
-/** Takes over what the keys in `line`, or in every line of `text`, say, as the members of struct text_header describe
- * it. Does a key of it name a unit? */
-bool text_header_add_line(struct text_header *header, struct string_view line);
+/** Takes over what the keys in every line of `text` say, as the members of struct text_header describe it. Does one of
+ * them name a unit? */
 bool text_header_add(struct text_header *header, struct string_view text);
 
 /** Reads `preamble`, the lines above the numbers. Titles come from its last TEXT_HEADER_LINES lines that are not blank,
@@ -56,7 +55,7 @@ struct text_header text_header_read(struct string_view preamble, char delimiter,
 
 /* A file beside a scan that says its units: `scan.dat` may have `scan.txt`, `scan.json`, `scan.hdr` or `scan.dat.txt`,
  * ... Two kinds are known: the JSON of the DABAM metrology database (X1_FACTOR, Y1_FACTOR, ...: metres or radians per
- * unit of a column), and lines or JSON members such as `x_unit: mm`, as in the header of a text scan. */
+ * unit of a column), and lines such as `x_unit: mm`, as in the header of a text scan. */
 
 /** Can a file named `beside` be the sidecar of one named `scan`? Both without a directory. */
 bool sidecar_fits(const char *beside, const char *scan);

@@ -210,7 +210,6 @@ IN_FOLDER(test_sidecars)
         {"s.txt", "Instrument: none\nx unit: mm\nz unit: nm\n"},
         {"s.hdr", "# x_unit = mm\n# z_unit = nm\n"},
         {"s.dat.txt", "X unit: mm\nY unit: nm\n"},
-        {"s.json", "{\"x_unit\": \"mm\", \"z_unit\": \"nm\", \"operator\": 7}"},
         {"s.dat.json", "\n {\"X1_FACTOR\": 0.001, \"Y1_FACTOR\": 1e-09, \"FILE_FORMAT\": 2}"},
         {"s.txt", "{\"X1_FACTOR\": 0.001, \"Y1_FACTOR\": 1e-9, \"PLOT_TITLE_Y1\": \"Height (um)\"}"},
     };
@@ -221,7 +220,7 @@ IN_FOLDER(test_sidecars)
         {"s.txt", "measured by hand\n"},
         {"s.csv", "x unit: mm\nz unit: nm\n"},
         {"t.txt", "x unit: mm\nz unit: nm\n"},
-        {"s.json", "{\"x_unit\": \"mm\", \"z_unit\": \"nm\""},
+        {"s.json", "{\"X1_FACTOR\": 0.001, \"Y1_FACTOR\": 1e-9, \"FILE_FORMAT\": 2"},
         {"s.json", "{\"X1_FACTOR\": 0.001, \"Y1_FACTOR\": 1e-9}"}, /* heights or slopes? */
         {"s.json", "{\"X1_FACTOR\": 0.001, \"Y1_FACTOR\": 3.3e-9, \"FILE_FORMAT\": 2}"},
     };
