@@ -24,14 +24,14 @@ _roughcontact()
         options="--json $scene"
         kind=directories ;;
     inspect)
-        options='--json --chart --x-unit= --z-unit= --quantity= --column= --lambda-s= --lambda-c='
+        options='--json --chart --x-unit= --z-unit= --column= --lambda-s= --lambda-c='
         kind=files ;;
     init) kind=directories ;;
     view)
         options='--json'
         kind=directories ;;
     synth)
-        options='--alpha= -a --gamma= -g --rq= -r --length= -l --points= -n --scatter= -c --seed= -d'
+        options='--alpha= -a --gamma= -g --rq= -r --length= -l --points= -n --scatter= -c --lambda-s= -s --seed= -d'
         options+=' --output= -o' ;;
     models | materials) options='--json' ;;
     self-test) options='--verbose -v' ;;
@@ -49,8 +49,7 @@ _roughcontact()
         words='auto plasticity separation electrical thermal scale-dependent stiffness convergence uncertainty unloading direct gap film'
         words+=' plating heating' ;;
     *' --x-unit' | *' --z-unit') kind=words words='m mm um nm angstrom in uin mil' ;;
-    *' --quantity') kind=words words='height slope' ;;
-    *' --jobs' | *' -j' | *' --tolerance' | *' -t' | *' --column' | *' --lambda-'[sc] | 'synth -'[agrlncd] | \
+    *' --jobs' | *' -j' | *' --tolerance' | *' -t' | *' --column' | *' --lambda-'[sc] | 'synth -'[agrlncsd] | \
         'synth --'[agrlps]*) kind=nothing ;;
     *) argument=1 ;;
     esac

@@ -55,7 +55,6 @@ static enum status_code add_scans(const struct describe_task *task, const struct
 {
     struct scan_options options = {.x_unit = surface->x_unit,
                                    .z_unit = surface->z_unit,
-                                   .quantity = surface->quantity,
                                    .x_column = surface->x_column,
                                    .z_column = surface->z_column};
     struct surface_summary *summary = &task->record->summary;

@@ -74,7 +74,7 @@ int program_start(pid_t *process, const struct program_task *task)
     if (stop)
         error = ECANCELED;
     else
-        *process = divide(task, (char *[]){path, locale, task->home, NULL}, &error);
+        *process = divide(task, (char *[]){path, locale, NULL}, &error);
     pthread_sigmask(SIG_SETMASK, &before, NULL);
     free(path);
     if (error && *process > 0)

@@ -16,7 +16,6 @@ struct program_task {
     char *const *arguments; /* the last is NULL */
     const char *path;       /* of the program */
     const char *directory;  /* where it runs */
-    char *home;             /* "HOME=..."; NULL: it has none */
     int input, output;      /* descriptors, beyond 2, of its standard input and of both its outputs */
 };
 

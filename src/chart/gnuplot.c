@@ -45,7 +45,7 @@ enum status_code gnuplot_start(struct gnuplot *out, const char *directory, struc
                     ? errno
                     : 0;
     if (!error)
-        error = program_start(&out->process, &(struct program_task){arguments, program, directory, NULL, ends[0], log});
+        error = program_start(&out->process, &(struct program_task){arguments, program, directory, ends[0], log});
     if (ends[0] >= 0)
         close(ends[0]);
     out->input = ends[1];

@@ -5,8 +5,8 @@
 #include "chart/words.h"
 #include "cli/command.h"
 #include "cli/inspection.h"
+#include "scan/string_view.h"
 #include "scene/scene.h"
-#include "scene/scene_words.h"
 
 #include <argp.h>
 #include <jansson.h>
@@ -17,7 +17,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { KEY_JSON = 0x100, KEY_CHART, KEY_X_UNIT, KEY_Z_UNIT, KEY_QUANTITY, KEY_COLUMN, KEY_LAMBDA_S, KEY_LAMBDA_C };
+enum { KEY_JSON = 0x100, KEY_CHART, KEY_X_UNIT, KEY_Z_UNIT, KEY_COLUMN, KEY_LAMBDA_S, KEY_LAMBDA_C };
 
 struct arguments {
     struct scan_options scan;
@@ -32,7 +32,6 @@ static const struct argp_option options[] = {
     {"chart", KEY_CHART, 0, 0, "draw the profile even when the output is no terminal (default: only on one)", 0},
     {"x-unit", KEY_X_UNIT, "UNIT", 0, "unit of x where the file names none (default: such a file is refused)", 0},
     {"z-unit", KEY_Z_UNIT, "UNIT", 0, "unit of z where the file names none (default: such a file is refused)", 0},
-    {"quantity", KEY_QUANTITY, "QUANTITY", 0, "height or slope, which is integrated to heights (default: height)", 0},
     {"column", KEY_COLUMN, "Z|X,Z", 0, "columns by number (default: the first two that can be x and z)", 0},
     {"lambda-s", KEY_LAMBDA_S, "LENGTH", 0, "cut-off of a Gaussian low-pass (default: none; profiles only)", 0},
     {"lambda-c", KEY_LAMBDA_C, "LENGTH", 0, "cut-off of a high-pass: R beside P parameters (default: none)", 0},
@@ -52,7 +51,6 @@ static void parse_column(struct arguments *arguments, const char *text, struct a
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     struct arguments *arguments = state->input;
-    size_t which;
     switch (key) {
     case KEY_JSON:
         arguments->json = true;
@@ -65,13 +63,6 @@ static error_t parse(int key, char *value, struct argp_state *state)
         return 0;
     case KEY_Z_UNIT:
         arguments->scan.z_unit = value;
-        return 0;
-    case KEY_QUANTITY:
-        which = scene_words_find(value, strlen(value), scan_quantity_names, SCAN_QUANTITY_COUNT);
-        if (which == SCAN_QUANTITY_COUNT)
-            argp_error(state, "unknown quantity '%s'; %s", scene_words_show(value).text,
-                       scene_words_hint(value, scan_quantity_names, SCAN_QUANTITY_COUNT, 0).text);
-        arguments->scan.quantity = (unsigned)which;
         return 0;
     case KEY_COLUMN:
         parse_column(arguments, value, state);
@@ -215,7 +206,6 @@ static struct scan_options options_of(const struct arguments *arguments, const s
     struct scan_options how = arguments->scan;
     how.x_unit = how.x_unit ? how.x_unit : surface->x_unit;
     how.z_unit = how.z_unit ? how.z_unit : surface->z_unit;
-    how.quantity = how.quantity != SCAN_HEIGHT ? how.quantity : surface->quantity;
     if (how.z_column == 0) {
         how.x_column = surface->x_column;
         how.z_column = surface->z_column;

@@ -14,8 +14,6 @@ struct arguments {
     const char *output;
 };
 
-enum { KEY_GAMMA = 0x100, KEY_SCATTER };
-
 static const struct argp_option options[] = {
     {"alpha", 'a', "SI", 0, "alpha of amplitude = alpha lambda^gamma, in m^(1-gamma) (default 0.085)", 0},
     {"gamma", 'g', "G", 0, "gamma (default 1.5)", 0},
@@ -26,6 +24,7 @@ static const struct argp_option options[] = {
     {"points", 'n', "N", 0, "points (default 1200)", 0},
     {"scatter", 'c', "DECADES", 0, "RMS scatter of the amplitudes about the law (default 0.2785, a Gaussian surface's)",
      0},
+    {"lambda-s", 's', "LENGTH", 0, "short-wavelength cut-off, as stylus instruments apply one (default: none)", 0},
     {"seed", 'd', "N", 0, "of the random numbers (default 1)", 0},
     {"output", 'o', "FILE", 0, "where to write (default: standard output)", 0},
     {0},
@@ -66,6 +65,9 @@ static error_t parse(int key, char *value, struct argp_state *state)
         return 0;
     case 'c':
         def->scatter_decades = number("scatter", value, 0, 100, false, state);
+        return 0;
+    case 's':
+        def->lambda_s_m = command_length("lambda-s", value, state);
         return 0;
     case 'd':
         def->seed = (unsigned long)number("seed", value, 0, 4294967295.0, true, state);

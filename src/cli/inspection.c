@@ -30,18 +30,18 @@ static enum status_code look_at_map(struct inspection *out, struct status *statu
 static enum status_code compute_parameters(struct inspection *out, struct status *status)
 {
     const struct profile *profile = &out->profile;
-    out->has_parameters = true;
-    if (!(out->options.lambda_c_m > 0))
-        return parameters_compute(&out->primary, 'P', profile->height_m, profile->points, profile->spacing_m, 1,
-                                  status);
     struct profile_options primary = out->options;
     struct profile before;
+    out->has_parameters = true;
+    out->primary = parameters_compute('P', profile->height_m, profile->points, profile->spacing_m, 1);
+    if (!(out->options.lambda_c_m > 0))
+        return STATUS_OK;
     primary.lambda_c_m = 0;
-    if (profile_make(&before, &out->scan, 0, &primary, status) == STATUS_OK &&
-        parameters_compute(&out->primary, 'P', before.height_m, before.points, before.spacing_m, 1, status) ==
-            STATUS_OK)
+    if (profile_make(&before, &out->scan, 0, &primary, status) == STATUS_OK) {
+        out->primary = parameters_compute('P', before.height_m, before.points, before.spacing_m, 1);
         out->has_filtered = parameters_of_roughness(&out->filtered, profile->height_m, profile->points,
                                                     profile->spacing_m, out->options.lambda_c_m, status) == STATUS_OK;
+    }
     profile_free(&before);
     return status->code;
 }
@@ -117,19 +117,14 @@ static void add_real(json_t *object, const char *key, double value)
 static void add_parameters(json_t *object, const struct parameters *parameters)
 {
     char key[32];
-    json_t *curve = json_array();
     for (size_t p = 0; p < PARAMETERS_COUNT; p++) {
         snprintf(key, sizeof key, "%c%s", parameters->letter, parameters_rows[p].name);
         add_real(object, key, parameters->value[p]);
     }
-    for (size_t i = 0; i < PARAMETERS_CURVE; i++)
-        json_array_append_new(curve, json_finite(parameters->material_ratio_m[i]));
     snprintf(key, sizeof key, "%c_evaluation_length_m", parameters->letter);
     add_real(object, key, parameters->evaluation_length_m);
     snprintf(key, sizeof key, "%c_sampling_lengths", parameters->letter);
     json_object_set_new(object, key, json_integer((json_int_t)parameters->sampling_lengths));
-    snprintf(key, sizeof key, "%c_material_ratio_m", parameters->letter);
-    json_object_set_new(object, key, curve);
 }
 
 void inspection_add_json(json_t *object, const struct inspection *inspection)
@@ -161,30 +156,28 @@ void inspection_add_json(json_t *object, const struct inspection *inspection)
     json_t *parameters = json_object();
     add_real(parameters, "lambda_s_m", options->lambda_s_m > 0 ? options->lambda_s_m : NAN);
     add_real(parameters, "lambda_c_m", options->lambda_c_m > 0 ? options->lambda_c_m : NAN);
-    json_object_set_new(parameters, "slope", json_string(parameters_slope));
+    json_object_set_new(parameters, "slope", json_string("7-point"));
     add_parameters(parameters, &inspection->primary);
     if (inspection->has_filtered)
         add_parameters(parameters, &inspection->filtered);
     json_object_set_new(object, "parameters", parameters);
 }
 
-/** Lengths in um, material ratios in %, eight to a line. */
+/** Lengths in um, five to a line. */
 static void print_parameters(const struct parameters *parameters)
 {
     for (size_t p = 0; p < PARAMETERS_COUNT; p++) {
-        const struct parameters_row *row = &parameters_rows[p];
-        bool length = strcmp(row->unit, "m") == 0, ratio = strncmp(row->name, "mrk", 3) == 0;
-        if (p % 8 == 0)
+        if (p % 5 == 0)
             printf(p == 0 ? "  parameters  " : "\n              ");
-        double value = parameters->value[p], scale = length ? 1e6 : ratio ? 100 : 1;
+        double value = parameters->value[p] * (parameters_rows[p].is_length ? 1e6 : 1);
         if (isnan(value))
-            printf("%c%s - ", parameters->letter, row->name);
+            printf("%c%s - ", parameters->letter, parameters_rows[p].name);
         else
-            printf("%c%s %.5g%s ", parameters->letter, row->name, value * scale, ratio ? "%" : "");
+            printf("%c%s %.5g ", parameters->letter, parameters_rows[p].name, value);
     }
-    printf("\n              lengths in um, over %.6g mm in %zu sampling length%s, slope %s\n",
+    printf("\n              lengths in um, over %.6g mm in %zu sampling length%s, slope 7-point\n",
            parameters->evaluation_length_m * 1e3, parameters->sampling_lengths,
-           parameters->sampling_lengths == 1 ? "" : "s", parameters_slope);
+           parameters->sampling_lengths == 1 ? "" : "s");
 }
 
 /** A line of text that may be hostile. */

@@ -94,7 +94,7 @@ static enum status_code read_scan(struct roughcontact_scan **out, const char *pa
         if (units[axis] && *units[axis] && !(scan_unit_m(units[axis]) > 0))
             return status_fail(status, STATUS_USAGE, "%c_unit is '%.60s'; give a unit of length such as mm or um",
                                "xz"[axis], units[axis]);
-    const struct scan_options how = {.x_unit = own.x_unit, .z_unit = own.z_unit, .no_programs = true};
+    const struct scan_options how = {.x_unit = own.x_unit, .z_unit = own.z_unit};
     struct roughcontact_scan *made = calloc(1, sizeof *made);
     if (!made)
         return status_memory(status);

@@ -18,8 +18,6 @@ const struct scan_reader scan_readers[] = {
     {"gsf", "Gwyddion Simple Field 1.0\n", NULL, scan_gsf_read},
     {"gwy", "GWYPGwyContainer", NULL, scan_gwy_read},
     {"surfer", "DSAA", NULL, scan_surfer_read},
-    {"surfer", "DSBB", NULL, scan_surfer_read},
-    {"surfer", "DSRB", NULL, scan_surfer_read},
     {"mahr-text", "[PROFILE_HEADER]", NULL, scan_mahr_text_read},
     {"npl-prf", NULL, scan_npl_prf_sniff, scan_npl_prf_read},
     {"smd", NULL, scan_smd_sniff, scan_smd_read},

@@ -67,16 +67,6 @@ extern const char foreign_usual_remedy[];
 /** Does the name end in one of `endings` (".a .b", ASCII case ignored)? */
 bool foreign_has_ending(const char *path, const char *endings);
 
-/* The program Gwyddion, where it is installed, reads what no reader here does. It is never needed. */
-
-/** Is there a program `gwyddion` in PATH? */
-bool gwyddion_exists(void);
-
-/** Adds the file at `path` to `out` as Gwyddion converts it to its own format (`gwyddion --convert-to-gwy`), in a
- * private directory that is removed again, whatever comes back. Errors: STATUS_SCAN: it cannot read it, or took too
- * long; STATUS_IO, STATUS_MEMORY; STATUS_INTERRUPTED. */
-MUST_CHECK enum status_code gwyddion_convert(struct text *out, const char *path, struct status *status);
-
 /* Zip archives in memory, entries stored or deflated, by libzip. Nothing of one is trusted: before an entry is unpacked
  * their number, what all of them claim to unpack to and what they take in the file were checked against base/limits.h
  * and the file. */

@@ -69,47 +69,22 @@ static const char *said(const char *name)
     return name && *name ? name : NULL;
 }
 
-/* The file calls z a slope, and the scene does not ask to integrate it; or the other way round. */
-static enum status_code fail_quantity(const struct scan *out, const char *z, const struct scan_file *file)
-{
-    char where[32] = "z";
-    if (out->z_column > 0)
-        snprintf(where, sizeof where, "column %zu", out->z_column);
-    if (file->options->quantity == SCAN_SLOPE)
-        return scan_fail(file, 0, "%s has heights in %.16s, not slopes; remove `quantity: slope`", where, z);
-    return scan_fail(file, 0,
-                     "%s is a slope%s%.16s, not heights; to integrate it add `quantity: slope` to this surface in "
-                     "scene.yaml, or give --quantity slope%s",
-                     where, z ? " in " : "", z ? z : "",
-                     out->z_column > 0 ? "; or choose the heights by `column`" : "");
-}
-
 static enum status_code fail_units(const struct scan *out, const char *x, const char *z, const struct scan_file *file)
 {
-    static const char lengths[] = "m, mm, um, nm, pm, A, in, mil or uin";
-    static const char slopes[] = "rad, mrad, urad, nrad, deg, arcsec, um/mm or 1 (z is a slope)";
-    bool slope = out->quantity == SCAN_SLOPE, x_wrong = x && !*out->x_unit, z_wrong = z && !*out->z_unit;
+    bool no_x = !*out->x_unit, no_z = !*out->z_unit, x_wrong = x && no_x, z_wrong = z && no_z;
     if (x_wrong || z_wrong)
-        return scan_fail(file, 0, "'%.16s' is no unit of %s; give %s as %s", x_wrong ? x : z,
-                         slope && !x_wrong ? "slope" : "length", x_wrong ? "x_unit" : "z_unit",
-                         slope && !x_wrong ? slopes : lengths);
-    bool no_x = !*out->x_unit, no_z = !*out->z_unit;
-    const char *usual = slope ? "urad" : "um";
-    return scan_fail(
-        file, 0, "no unit for %s%s%s; add %s%s%s%.4s%s (or what %s in) to this surface in scene.yaml, or give%s%s%s",
-        no_x ? "x" : "", no_x && no_z ? " nor for " : "", no_z ? "z" : "", no_x ? "`x_unit: mm`" : "",
-        no_x && no_z ? " and " : "", no_z ? "`z_unit: " : "", no_z ? usual : "", no_z ? "`" : "",
-        no_x && no_z ? "they are" : "it is", no_x ? " --x-unit mm" : "", no_z ? " --z-unit " : "", no_z ? usual : "");
+        return scan_fail(file, 0, "'%.16s' is no unit of length; give %s as m, mm, um, nm, pm, A, in, mil or uin",
+                         x_wrong ? x : z, x_wrong ? "x_unit" : "z_unit");
+    return scan_fail(file, 0,
+                     "no unit for %s%s%s; add %s%s%s (or what %s in) to this surface in scene.yaml, or give%s%s",
+                     no_x ? "x" : "", no_x && no_z ? " nor for " : "", no_z ? "z" : "", no_x ? "`x_unit: mm`" : "",
+                     no_x && no_z ? " and " : "", no_z ? "`z_unit: um`" : "", no_x && no_z ? "they are" : "it is",
+                     no_x ? " --x-unit mm" : "", no_z ? " --z-unit um" : "");
 }
 
-static struct scan_unit find_unit(const char *name, enum scan_quantity quantity)
+static struct scan_unit find_unit(const char *name)
 {
-    return scan_unit_find(string_view_of(name ? name : ""), quantity);
-}
-
-static bool is_slope_unit(const char *name)
-{
-    return find_unit(name, SCAN_SLOPE).name;
+    return scan_unit_find(string_view_of(name ? name : ""));
 }
 
 enum status_code scan_units(struct scan *out, const char *x_named, const char *z_named, double *x_m, double *z_m,
@@ -117,31 +92,23 @@ enum status_code scan_units(struct scan *out, const char *x_named, const char *z
 {
     const struct text_header *beside = file->options->sidecar ? &file->options->sidecar->header : NULL;
     const char *x = said(x_named), *z = said(z_named);
-    if (x && !find_unit(x, SCAN_HEIGHT).name)
+    if (x && !(find_unit(x).si > 0))
         return scan_fail(file, 0, "x is in '%.16s' by the file, which is no unit of length", x);
-    if (z && !find_unit(z, SCAN_HEIGHT).name && !is_slope_unit(z))
+    if (z && !find_unit(z).name)
         return scan_fail(file, 0, "z is in '%.16s' by the file, which is no unit of length", z);
     out->units_lacking = !x || !z;
-    bool slope = out->quantity == SCAN_SLOPE || is_slope_unit(z), x_beside = false, z_beside = false;
-    if (!x && beside && (x = text_header_x_unit(beside, out->x_column)))
-        x_beside = true;
-    if (!z && beside) {
-        slope = slope || text_header_is_slope(beside, out->z_column);
-        z = text_header_z_unit(beside, out->z_column, slope);
-        z_beside = z || (slope && out->quantity != SCAN_SLOPE);
-        slope = slope || is_slope_unit(z);
-    }
-    bool said_height = z && !slope;
+    bool x_beside = !x && beside && (x = text_header_x_unit(beside, out->x_column));
+    bool z_beside = !z && beside && (z = text_header_z_unit(beside, out->z_column));
     x = x ? x : said(file->options->x_unit);
     z = z ? z : said(file->options->z_unit);
-    slope = slope || (is_slope_unit(z) && !said_height);
-    if (slope ? file->options->quantity != SCAN_SLOPE : said_height && file->options->quantity == SCAN_SLOPE)
-        return fail_quantity(out, z, file);
-    out->quantity = file->options->quantity;
-    struct scan_unit x_unit = find_unit(x, SCAN_HEIGHT), z_unit = find_unit(z, out->quantity);
+    struct scan_unit x_unit = find_unit(x), z_unit = find_unit(z);
+    if (z_unit.name == scan_slope)
+        return scan_fail(file, 0, "z%s%.0zu is a slope, not heights; integrate it%s",
+                         out->z_column > 0 ? " in column " : "", out->z_column,
+                         out->z_column > 0 ? ", or choose the heights by `column`" : "");
     *x_m = x_unit.si;
     *z_m = z_unit.si;
-    scan_set_units(out, x_unit.name ? x_unit.name : "", z_unit.name ? z_unit.name : "");
+    scan_set_units(out, *x_m > 0 ? x_unit.name : "", *z_m > 0 ? z_unit.name : "");
     if (!(*x_m > 0 && *z_m > 0))
         return fail_units(out, x, z, file);
     out->units_beside = x_beside || z_beside;
@@ -152,18 +119,18 @@ enum status_code scan_units(struct scan *out, const char *x_named, const char *z
     return STATUS_OK;
 }
 
-static void warn_unit(struct scan *scan, char axis, const char *named, const char *scene, enum scan_quantity quantity)
+static void warn_unit(struct scan *scan, char axis, const char *named, const char *scene)
 {
-    double used = find_unit(named, quantity).si;
-    if (said(scene) && used > 0 && find_unit(scene, quantity).si != used)
+    double used = find_unit(named).si;
+    if (said(scene) && used > 0 && find_unit(scene).si != used)
         scan_warn(scan, "the file%s names its %c unit, %s: the scene's %c_unit is not used",
                   scan->units_beside ? " or its sidecar" : "", axis, named, axis);
 }
 
 void scan_warn_units(struct scan *out, const struct scan_file *file)
 {
-    warn_unit(out, 'x', out->x_unit, file->options->x_unit, SCAN_HEIGHT);
-    warn_unit(out, 'z', out->z_unit, file->options->z_unit, out->quantity);
+    warn_unit(out, 'x', out->x_unit, file->options->x_unit);
+    warn_unit(out, 'z', out->z_unit, file->options->z_unit);
 }
 
 void scan_set_units(struct scan *out, const char *x_unit, const char *z_unit)

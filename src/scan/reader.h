@@ -32,9 +32,8 @@ struct scan_quote scan_quote(struct string_view view);
 void scan_copy(char *to, size_t size, struct string_view view);
 
 /** SI per unit of both axes, which the file names (x_named, z_named; NULL or "" where it does not), else the sidecar
- * for out->x_column and out->z_column, else the scene. out->quantity says whether the file calls z a slope in other
- * words than by its unit. Fills out->x_unit, out->z_unit and out->quantity. Error: STATUS_SCAN, one message that says
- * every scene line that is lacking; a slope that the scene does not call one, or heights that it calls slopes. */
+ * for out->x_column and out->z_column, else the scene. Fills out->x_unit and out->z_unit. Error: STATUS_SCAN, one
+ * message that says every scene line that is lacking, or that z is a slope. */
 MUST_CHECK enum status_code scan_units(struct scan *out, const char *x_named, const char *z_named, double *x_m,
                                        double *z_m, const struct scan_file *file);
 /** Sets the unit of both axes where the format fixes it. */

@@ -10,7 +10,6 @@
 #include <string.h>
 
 const char *const scan_direction_names[SCAN_DIRECTION_COUNT] = {"x", "y"};
-const char *const scan_quantity_names[SCAN_QUANTITY_COUNT] = {"height", "slope"};
 const double scan_least_m = 1e-30, scan_most_m = 1e30;
 
 enum { SCAN_POINTS = 3 };
@@ -76,29 +75,6 @@ static enum status_code check_lengths(const struct scan *scan, const struct scan
     return highest_m == lowest_m ? STATUS_OK : check_length(highest_m - lowest_m, "heights", 'z', file);
 }
 
-/* The slopes dz/dx in scan->z_m become heights by the trapezoidal rule, from 0 at the first point; a missing point
- * stays missing and is bridged. */
-static enum status_code integrate(struct scan *scan, const struct scan_file *file)
-{
-    if (scan->kind != SCAN_PROFILE)
-        return scan_fail(file, 0, "a map of slopes; only profiles can be integrated to heights");
-    double z_m = 0, slope = NAN;
-    size_t last = 0; /* the measured point before */
-    for (size_t i = 0; i < scan->nx; i++) {
-        double next = scan->z_m[i];
-        if (isnan(next))
-            continue;
-        double step_m = scan->x_m ? scan->x_m[i] - scan->x_m[last] : (double)(i - last) * scan->dx_m;
-        if (!isnan(slope))
-            z_m += 0.5 * (slope + next) * step_m;
-        scan->z_m[i] = z_m;
-        slope = next;
-        last = i;
-    }
-    scan_warn(scan, "slopes in %s, integrated to heights by the trapezoidal rule", scan->z_unit);
-    return STATUS_OK;
-}
-
 /* What scan.h promises about every scan, whichever reader made it. */
 static enum status_code check(struct scan *scan, const struct scan_file *file)
 {
@@ -106,10 +82,9 @@ static enum status_code check(struct scan *scan, const struct scan_file *file)
     scan->dy_m = scan->kind == SCAN_AREAL ? scan->dy_m : 0.0;
     if (scan->nx < SCAN_POINTS || points < SCAN_POINTS)
         return scan_fail(file, 0, "only %zu points in a row; a scan needs at least %d", scan->nx, SCAN_POINTS);
-    if (check_positions(scan, file) != STATUS_OK ||
-        (scan->quantity == SCAN_SLOPE && integrate(scan, file) != STATUS_OK))
+    if (check_positions(scan, file) != STATUS_OK)
         return file->status->code;
-    scan->missing = 0; /* what follows is about heights, those of slopes too */
+    scan->missing = 0;
     for (size_t i = 0; i < points; i++) {
         if (isinf(scan->z_m[i]))
             return scan_fail(file, 0, "the height of point %zu is infinite", i + 1);
@@ -120,46 +95,16 @@ static enum status_code check(struct scan *scan, const struct scan_file *file)
     return check_lengths(scan, file);
 }
 
-/* What the scene asks of a file whose format settles it. */
-static enum status_code check_asked(const struct scan *scan, const struct scan_file *file)
-{
-    const struct scan_options *options = file->options;
-    if (options->z_column > 0 && scan->z_column == 0)
-        return scan_fail(file, 0, "a file of format %s has no columns to choose from; remove `column`", scan->format);
-    if (options->quantity == SCAN_SLOPE && scan->quantity != SCAN_SLOPE)
-        return scan_fail(file, 0, "a file of format %s has heights, not slopes; remove `quantity: slope`",
-                         scan->format);
-    return STATUS_OK;
-}
-
 enum status_code scan_read_bytes(struct scan *out, const struct scan_bytes *bytes, const struct scan_options *options,
                                  struct status *status)
 {
     const struct scan_file file = {bytes->bytes, bytes->length, bytes->path, options, status};
     *out = (struct scan){.ny = 1};
-    if (format_read(out, &file, false) != STATUS_OK || check_asked(out, &file) != STATUS_OK)
+    if (format_read(out, &file, false) != STATUS_OK)
         return status->code;
+    if (options->z_column > 0 && out->z_column == 0)
+        return scan_fail(&file, 0, "a file of format %s has no columns to choose from; remove `column`", out->format);
     return check(out, &file);
-}
-
-/* Reads what Gwyddion makes of a binary file that no reader knows. file->status says why none does. */
-static enum status_code read_converted(struct scan *out, const struct scan_file *file, const char *path,
-                                       const struct foreign *foreign, struct status *status)
-{
-    struct text text = {0};
-    struct status failed = {0};
-    enum status_code code = gwyddion_convert(&text, path, &failed);
-    struct scan_bytes converted = {text_string(&text), text.length, file->path};
-    if (code == STATUS_OK)
-        code = scan_read_bytes(out, &converted, file->options, &failed);
-    text_free(&text);
-    if (code == STATUS_SCAN || code == STATUS_IO) /* what the user can do is said there */
-        return status_fail(status, STATUS_SCAN, "%s (%.200s)", file->status->message, failed.message);
-    if (code != STATUS_OK)
-        return status_fail(status, code, "%s", failed.message);
-    scan_warn(out, "converted by the program Gwyddion from a %s",
-              foreign ? foreign->name : "format that is not read here");
-    return STATUS_OK;
 }
 
 enum status_code scan_read_beside(struct scan *out, const struct scan_bytes *bytes, const char *path,
@@ -167,17 +112,8 @@ enum status_code scan_read_beside(struct scan *out, const struct scan_bytes *byt
 {
     struct status problem = {0};
     enum status_code code = scan_read_bytes(out, bytes, options, &problem);
-    const struct scan_file file = {bytes->bytes, bytes->length, bytes->path, options, &problem};
     struct sidecar sidecar;
     char *found = NULL;
-    struct format format = {.kind = FORMAT_SCAN};
-    if (code == STATUS_SCAN && !options->no_programs)
-        format = format_of(&file, false);
-    bool convertible = format.kind == FORMAT_FOREIGN || (format.kind == FORMAT_UNKNOWN && foreign_is_binary(&file));
-    if (convertible && gwyddion_exists()) {
-        scan_free(out);
-        return read_converted(out, &file, path, format.foreign, status);
-    }
     if (code != STATUS_MEMORY && out->units_lacking && sidecar_find(&sidecar, &found, path, status) != STATUS_OK)
         return status->code;
     if (found) {

@@ -13,10 +13,6 @@ enum scan_kind { SCAN_PROFILE, SCAN_AREAL };
 enum scan_direction { SCAN_DIRECTION_X, SCAN_DIRECTION_Y, SCAN_DIRECTION_COUNT };
 extern const char *const scan_direction_names[SCAN_DIRECTION_COUNT]; /* as a scene spells them */
 
-/** What the numbers along z are in the file. Slopes dz/dx are integrated: a scan that was read holds heights. */
-enum scan_quantity { SCAN_HEIGHT, SCAN_SLOPE, SCAN_QUANTITY_COUNT };
-extern const char *const scan_quantity_names[SCAN_QUANTITY_COUNT]; /* as a scene spells them */
-
 enum { SCAN_WARNINGS = 12, SCAN_WARNING_LENGTH = 240, SCAN_UNIT_SIZE = 16 };
 
 /** What a file holds, as read: not levelled, not resampled. */
@@ -31,7 +27,6 @@ struct scan {
     size_t missing;      /* how many are */
     char x_unit[SCAN_UNIT_SIZE],
         z_unit[SCAN_UNIT_SIZE];                        /* as named by the file, else by a sidecar, else by the scene */
-    enum scan_quantity quantity;                       /* of the file; z_m has heights either way */
     char part[104];                                    /* of an archive: which file in it; else "" */
     size_t next_entry;                                 /* where its next scan is; 0: there is none */
     size_t x_column, z_column;                         /* of a table of text, from 1; 0 where there is none */
@@ -47,12 +42,10 @@ struct sidecar;
 /** What the scene says about a file; "" or NULL where it says nothing. Its units are used only where neither the file
  * itself nor a sidecar names any. */
 struct scan_options {
-    const char *x_unit, *z_unit;   /* a unit of length; of slopes: rad, mrad, urad, nrad, um/mm, ..., or 1 */
-    enum scan_quantity quantity;   /* slopes are read only where this says so */
+    const char *x_unit, *z_unit;   /* units of length */
     size_t x_column, z_column;     /* of a table of text, from 1; 0: the header decides */
     size_t entry;                  /* of an archive of several scans: 0 the first, then next_entry of the one before */
     const struct sidecar *sidecar; /* set by scan_read_beside() */
-    bool no_programs;              /* no other program is asked to convert what no reader knows */
 };
 
 /** The bytes of a file in memory; `bytes[length]` is readable and 0. */
@@ -74,11 +67,10 @@ extern const double scan_least_m, scan_most_m;
 MUST_CHECK enum status_code scan_read(struct scan *out, const char *path, const struct scan_options *options,
                                       struct status *status);
 /** The same from bytes already in memory, the content of `path`. Where they do not name both units, a sidecar of `path`
- * (sidecar.h) is read too: what it says comes before the scene's units, and out->sidecar names it. Binary data that no
- * reader knows are given to the program Gwyddion, where it is installed; a warning says so. */
+ * (sidecar.h) is read too: what it says comes before the scene's units, and out->sidecar names it. */
 MUST_CHECK enum status_code scan_read_beside(struct scan *out, const struct scan_bytes *file, const char *path,
                                              const struct scan_options *options, struct status *status);
-/** The same without a look at any other file or program. */
+/** The same without a look at any other file. */
 MUST_CHECK enum status_code scan_read_bytes(struct scan *out, const struct scan_bytes *file,
                                             const struct scan_options *options, struct status *status);
 /** What a file is that lies beside scans and is certainly none, by its name and its bytes (`whole`: all of them; else

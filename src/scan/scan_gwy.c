@@ -140,8 +140,8 @@ static bool is_key(struct string_view name, const char *end, size_t *number)
 /* Is `field` to be read rather than `best`? Lengths before others, then by number. */
 static bool is_better(const struct field *field, const struct field *best)
 {
-    bool length = scan_unit_find(string_view_of(field->z_unit), SCAN_HEIGHT).name;
-    bool best_length = scan_unit_find(string_view_of(best->z_unit), SCAN_HEIGHT).name;
+    bool length = scan_unit_m(field->z_unit) > 0;
+    bool best_length = scan_unit_m(best->z_unit) > 0;
     return length != best_length ? length : field->number < best->number;
 }
 

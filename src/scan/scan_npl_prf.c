@@ -34,8 +34,8 @@ static bool read_axis(struct npl_axis *axis, struct string_view line)
     axis->n = (size_t)n;
     if (!scan_word(&line, &word))
         return false;
-    axis->unit = scan_unit_find(word, SCAN_HEIGHT);
-    return axis->unit.name && scan_word(&line, &word) && number_read(word, &axis->factor);
+    axis->unit = scan_unit_find(word);
+    return axis->unit.si > 0 && scan_word(&line, &word) && number_read(word, &axis->factor);
 }
 
 enum status_code scan_npl_prf_read(struct scan *out, const struct scan_file *file)

@@ -42,8 +42,8 @@ static bool read_axis(struct smd_axis *axis, struct string_view line)
     axis->type = *field.start;
     if (!next_field(&line, &field) || !number_read_size(field, &axis->n) || !next_field(&line, &field))
         return false;
-    axis->unit = scan_unit_find(field, SCAN_HEIGHT);
-    if (!axis->unit.name || !next_field(&line, &field) || !number_read(field, &axis->scale) ||
+    axis->unit = scan_unit_find(field);
+    if (!(axis->unit.si > 0) || !next_field(&line, &field) || !number_read(field, &axis->scale) ||
         !next_field(&line, &field))
         return false;
     return axis->type != 'I' || (next_field(&line, &field) && number_read(field, &axis->increment));

@@ -353,7 +353,7 @@ static bool is_mark(double height, double mark)
 
 static void mark_sentinels(struct scan *out)
 {
-    double z_m = scan_unit_find(string_view_of(out->z_unit), out->quantity).si;
+    double z_m = scan_unit_m(out->z_unit);
     for (size_t k = 0; k < sizeof sentinels / sizeof *sentinels; k++) {
         double mark = sentinels[k] * z_m;
         size_t found = 0, near = 0, points = out->nx * out->ny;
@@ -365,8 +365,7 @@ static void mark_sentinels(struct scan *out)
             continue;
         for (size_t i = 0; i < points; i++)
             out->z_m[i] = is_mark(out->z_m[i], mark) ? NAN : out->z_m[i];
-        scan_warn(out, "a %s of %g %s stands for a missing point, %zu times", scan_quantity_names[out->quantity],
-                  sentinels[k], out->z_unit, found);
+        scan_warn(out, "a height of %g %s stands for a missing point, %zu times", sentinels[k], out->z_unit, found);
     }
 }
 
@@ -417,10 +416,8 @@ static enum status_code take_units(struct scan *out, const struct table *table, 
                                    double *z_m)
 {
     const struct text_header *header = &table->header;
-    bool slope = text_header_is_slope(header, out->z_column);
     x_unit = x_unit ? x_unit : text_header_x_unit(header, out->x_column);
-    const char *z_unit = text_header_z_unit(header, out->z_column, slope);
-    out->quantity = slope ? SCAN_SLOPE : SCAN_HEIGHT;
+    const char *z_unit = text_header_z_unit(header, out->z_column);
     if (scan_units(out, x_unit, z_unit, x_m, z_m, table->file) != STATUS_OK)
         return table->file->status->code;
     if (header->all_unit && x_unit == header->all_unit && z_unit == header->all_unit)

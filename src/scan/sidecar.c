@@ -54,20 +54,18 @@ static double dabam_factor(const json_t *object, char axis, size_t index)
     return dabam_number(object, key);
 }
 
-/* Is y number `index` a slope? *known: does the file say what it is? */
-static bool is_dabam_slope(const json_t *object, size_t index, bool *known)
+/* The unit of y number `index`, by FILE_FORMAT the first, by its title any other; NULL: not said. */
+static const char *dabam_unit(const json_t *object, size_t index, double format)
 {
     char key[32];
-    double format = dabam_number(object, "FILE_FORMAT");
     snprintf(key, sizeof key, "PLOT_TITLE_Y%zu", index);
-    const char *title = json_string_value(json_object_get(object, key));
-    title = title ? title : "";
-    bool slope = text_header_title_slope(string_view_of(title));
-    *known = slope || text_header_says(string_view_of(title), "height heights heigth heigths");
-    if (index > 1 || format < DABAM_SLOPES || format > DABAM_HEIGHTS_IN_PAIRS)
-        return slope;
-    *known = true;
-    return format == DABAM_SLOPES || format == DABAM_SLOPES_IN_PAIRS;
+    const char *string = json_string_value(json_object_get(object, key));
+    struct string_view title = string_view_of(string ? string : "");
+    bool told = index == 1 && format >= DABAM_SLOPES && format <= DABAM_HEIGHTS_IN_PAIRS;
+    if (told ? format == DABAM_SLOPES || format == DABAM_SLOPES_IN_PAIRS : text_header_title_slope(title))
+        return scan_slope;
+    bool height = told || text_header_says(title, "height heights heigth heigths");
+    return height ? scan_unit_of(dabam_factor(object, 'Y', index)) : NULL;
 }
 
 static bool take_dabam(struct text_header *out, const json_t *object)
@@ -77,41 +75,19 @@ static bool take_dabam(struct text_header *out, const json_t *object)
         return false;
     double format = dabam_number(object, "FILE_FORMAT");
     bool pairs = format == DABAM_SLOPES_IN_PAIRS || format == DABAM_HEIGHTS_IN_PAIRS;
-    out->factors = true;
     for (size_t i = 1; 2 * i <= TEXT_HEADER_COLUMNS; i++) {
         size_t x = pairs ? 2 * i - 2 : 0, y = pairs ? 2 * i - 1 : i;
-        bool known, slope = is_dabam_slope(object, i, &known);
-        out->unit[x] = scan_unit_of(dabam_factor(object, 'X', pairs ? i : 1), SCAN_HEIGHT);
-        if (known)
-            out->unit[y] = scan_unit_of(dabam_factor(object, 'Y', i), slope ? SCAN_SLOPE : SCAN_HEIGHT);
-        out->slope[y] = slope;
+        out->unit[x] = scan_unit_of(dabam_factor(object, 'X', pairs ? i : 1));
+        out->unit[y] = dabam_unit(object, i, format);
     }
     return true;
-}
-
-/* `"x_unit": "mm"` as a line of its own, `x_unit: mm`. */
-static bool take_members(struct text_header *out, json_t *object)
-{
-    bool any = false;
-    const char *key;
-    json_t *value;
-    json_object_foreach(object, key, value)
-    {
-        struct text line = {0};
-        if (!json_is_string(value))
-            continue;
-        text_add(&line, "%s: %s", key, json_string_value(value));
-        any = text_header_add_line(out, string_view_of(text_string(&line))) || any;
-        text_free(&line);
-    }
-    return any;
 }
 
 static bool parse_json(struct text_header *out, const struct text *bytes)
 {
     const char *start = strchr(text_string(bytes), '{'); /* behind a byte order mark */
     json_t *root = json_loadb(start, bytes->length - (size_t)(start - text_string(bytes)), 0, NULL);
-    bool any = json_is_object(root) && (take_dabam(out, root) || take_members(out, root));
+    bool any = json_is_object(root) && take_dabam(out, root);
     json_decref(root);
     return any;
 }

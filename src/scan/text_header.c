@@ -83,7 +83,7 @@ static bool next_word(struct string_view *rest, struct string_view *word, char *
         const char *end = rest->start + 1;
         for (; end < rest->end && !is_separator(*end); end++)
             ;
-        if (scan_unit_find((struct string_view){word->start, end}, SCAN_SLOPE).name)
+        if (scan_unit_find((struct string_view){word->start, end}).name == scan_slope)
             word->end = rest->start = end;
     }
     return word->end > word->start;
@@ -111,11 +111,10 @@ static void take_number(struct text_header *header, const struct key *key, doubl
     }
 }
 
-/* The unit of length or of slope that `word` is, as the program prints it; NULL when it is none. */
+/* The unit that `word` is, as the program prints it; NULL when it is none. */
 static const char *unit_of(struct string_view word)
 {
-    const char *name = scan_unit_find(word, SCAN_HEIGHT).name;
-    return name || is_number(word) ? name : scan_unit_find(word, SCAN_SLOPE).name;
+    return scan_unit_find(word).name;
 }
 
 static bool is_unit_word(struct string_view word)
@@ -149,13 +148,8 @@ static bool take_unit(struct text_header *header, const struct key *key, const c
     return true;
 }
 
-static bool says_slope(const struct key *key, struct string_view word, char before)
-{
-    return (before == ':' || before == '=') && string_view_is_one_of(word, "slope slopes") &&
-           has_any(key, "quantity signal z value values");
-}
-
-bool text_header_add_line(struct text_header *header, struct string_view line)
+/* Takes over what the keys in `line` say. Does one of them name a unit? */
+static bool add_line(struct text_header *header, struct string_view line)
 {
     struct key key = {.count = 0};
     struct string_view word;
@@ -169,7 +163,8 @@ bool text_header_add_line(struct text_header *header, struct string_view line)
             char between;
             if (end == word.end && !next_word(&rest, &behind, &between))
                 behind = (struct string_view){end, end};
-            const char *unit = scan_unit_find(behind, SCAN_HEIGHT).name;
+            struct scan_unit found = scan_unit_find(behind);
+            const char *unit = found.si > 0 ? found.name : NULL;
             line = unit && end == word.end ? rest : line;
             take_number(header, &key, value, unit ? unit : key.unit, sign);
             key = (struct key){.count = 0};
@@ -184,8 +179,6 @@ bool text_header_add_line(struct text_header *header, struct string_view line)
             key = (struct key){.count = 0};
             continue;
         }
-        if (says_slope(&key, word, before))
-            any = header->z_slope = true;
         if (name && before && strchr("[({>", before))
             key.unit = name;
         if (key.count < KEY_WORDS)
@@ -285,7 +278,8 @@ static bool read_titles(struct text_header *header, struct string_view line, cha
         if (count >= TEXT_HEADER_COLUMNS)
             continue;
         found.unit[count] = either(cell_unit(cell, with_numbers), header->unit[count]);
-        found.slope[count] = header->slope[count] || text_header_title_slope(cell);
+        if (header->unit[count] == scan_slope || text_header_title_slope(cell))
+            found.unit[count] = scan_slope; /* whatever its unit is said to be */
         bare += is_bare(cell) ? 1 : 0;
         last_bare = is_bare(cell) ? count : last_bare;
     }
@@ -302,7 +296,7 @@ bool text_header_add(struct text_header *header, struct string_view text)
     bool any = false, comment;
     struct lines lines = lines_begin(text);
     for (struct string_view line; lines_next(&lines, &line);)
-        any = text_header_add_line(header, text_header_uncomment(line, &comment)) || any;
+        any = add_line(header, text_header_uncomment(line, &comment)) || any;
     return any;
 }
 
@@ -318,7 +312,7 @@ struct text_header text_header_read(struct string_view preamble, char delimiter,
         line = text_header_uncomment(line, &comment);
         if (line.start == line.end)
             continue;
-        if (text_header_add_line(&header, line))
+        if (add_line(&header, line))
             line.end = line.start; /* `X unit: mm` is no pair of titles */
         last[count++ % TEXT_HEADER_LINES] = line;
     }
@@ -339,19 +333,9 @@ const char *text_header_x_unit(const struct text_header *header, size_t column)
     return either(either(column_unit(header, column), header->x_unit), header->all_unit);
 }
 
-const char *text_header_z_unit(const struct text_header *header, size_t column, bool slope)
+const char *text_header_z_unit(const struct text_header *header, size_t column)
 {
     const char *y_unit = column == 1 || column == 2 ? header->y_unit : NULL;
     const char *unit = either(column_unit(header, column), either(header->z_factor.unit, header->z_unit));
-    unit = either(unit, either(y_unit, header->all_unit));
-    if (!unit || !slope || scan_unit_find(string_view_of(unit), SCAN_SLOPE).name)
-        return unit;
-    return header->factors ? scan_unit_of(scan_unit_m(unit), SCAN_SLOPE) : NULL;
-}
-
-bool text_header_is_slope(const struct text_header *header, size_t column)
-{
-    const char *unit = text_header_z_unit(header, column, false);
-    return header->z_slope || (column > 0 && column <= TEXT_HEADER_COLUMNS && header->slope[column - 1]) ||
-           (unit && scan_unit_find(string_view_of(unit), SCAN_SLOPE).name);
+    return either(unit, either(y_unit, header->all_unit));
 }

@@ -17,16 +17,13 @@ struct text_quantity {
 };
 
 struct text_header {
-    const char *unit[TEXT_HEADER_COLUMNS]; /* of each column, of length or of slope; NULL where none is named */
-    bool slope[TEXT_HEADER_COLUMNS];       /* its title says slope */
-    bool factors;                          /* the units stand for factors: of a slope um is urad */
+    const char *unit[TEXT_HEADER_COLUMNS]; /* of each column, scan_slope of one whose title says so; NULL: none named */
     size_t valid;                          /* column that says whether a point is valid; SIZE_MAX where none does */
     struct text_quantity spacing;          /* `spacing 0.5 um`, `dx=0.5um`, `Resolution,0.156 um/sample` */
     struct text_quantity pixel;            /* `pixel size = 0.5 um` */
     struct text_quantity width, height;    /* of a map: `Width: 10 um`, `x-length = 10 um` */
     const char *x_unit, *y_unit, *z_unit;  /* `x_unit: mm`, `Value units: m`; NULL where not said */
     const char *all_unit;                  /* `unit: um`: of every axis that has none of its own */
-    bool z_slope;                          /* `quantity: slope` */
     struct text_quantity z_factor;         /* `height conversion factor (-> m) = 1e-9` */
 };
 
@@ -36,12 +33,10 @@ struct sidecar {
     struct text_header header;
 };
 
-/** The unit of x in `column` (from 1; 0: no table) and of z, heights or slopes: the column's own, else the one that a
- * key names; NULL where none is said. A y beside no third column is z. */
+/** The unit of x in `column` (from 1; 0: no table) and of z: the column's own, else the one that a key names; NULL
+ * where none is said. A y beside no third column is z. */
 const char *text_header_x_unit(const struct text_header *header, size_t column);
-const char *text_header_z_unit(const struct text_header *header, size_t column, bool slope);
-/** Does it call `column` (0: z) a slope, by its title, its unit or a key? */
-bool text_header_is_slope(const struct text_header *header, size_t column);
+const char *text_header_z_unit(const struct text_header *header, size_t column);
 /** Is it a title of a column of slopes: `Slope (urad)`, `dz/dx`? */
 bool text_header_title_slope(struct string_view title);
 /** Is one of `words`, which blanks separate, a word of the title? */
@@ -50,9 +45,8 @@ bool text_header_says(struct string_view title, const char *words);
 /** Without its mark (#, //, %, ;) and trimmed when `line` is a comment, else just trimmed; *comment tells. */
 struct string_view text_header_uncomment(struct string_view line, bool *comment);
 
-/** Takes over what the keys in `line`, or in every line of `text`, say, as the members of struct text_header describe
- * it. Does a key of it name a unit, or what is measured? */
-bool text_header_add_line(struct text_header *header, struct string_view line);
+/** Takes over what the keys in every line of `text` say, as the members of struct text_header describe it. Does one of
+ * them name a unit? */
 bool text_header_add(struct text_header *header, struct string_view text);
 
 /** Reads `preamble`, the lines above the numbers. Titles come from its last TEXT_HEADER_LINES lines that are not blank,
@@ -61,7 +55,7 @@ struct text_header text_header_read(struct string_view preamble, char delimiter,
 
 /* A file beside a scan that says its units: `scan.dat` may have `scan.txt`, `scan.json`, `scan.hdr` or `scan.dat.txt`,
  * ... Two kinds are known: the JSON of the DABAM metrology database (X1_FACTOR, Y1_FACTOR, ...: metres or radians per
- * unit of a column), and lines or JSON members such as `x_unit: mm`, as in the header of a text scan. */
+ * unit of a column), and lines such as `x_unit: mm`, as in the header of a text scan. */
 
 /** Can a file named `beside` be the sidecar of one named `scan`? Both without a directory. */
 bool sidecar_fits(const char *beside, const char *scan);

@@ -37,8 +37,7 @@ struct scene_surface {
     double lay;      /* rms slope along over across the lay; 0: a perfect one */
     char x_unit[16]; /* "" when the scene gives none */
     char z_unit[16];
-    enum scan_quantity quantity; /* slopes are integrated to heights */
-    size_t x_column, z_column;   /* from 1; 0: the file's header decides */
+    size_t x_column, z_column; /* from 1; 0: the file's header decides */
 };
 
 /** Loads as given, in SI; scene_loads() turns them into P/(A_n E'). */

@@ -496,7 +496,7 @@ const struct scene_key scene_keys[] = {
     {"convergence", "{alpha, gamma, load, scan_length, scales} of the convergence study", read_convergence,
      .at = AT(convergence)},
     {"surfaces",
-     "a list of {name, file, along (scans along the lay) or lay, x_unit, z_unit, quantity, column, material, "
+     "a list of {name, file, along (scans along the lay) or lay, x_unit, z_unit, column, material, "
      "counterface, hardness}; default: every scan in the directory by its name, a sub-directory a surface of its files",
      scene_surfaces_read, .at = 0},
 };

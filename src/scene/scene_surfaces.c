@@ -180,7 +180,6 @@ bool scene_surfaces_counterface(struct scene_source *source, const struct scene_
         {"material", NULL, read_body, .at = AT(bodies)},
         {"x_unit", NULL, SCENE_SHORT_TEXT(AT(x_unit), UNIT_BYTES)},
         {"z_unit", NULL, SCENE_SHORT_TEXT(AT(z_unit), UNIT_BYTES)},
-        {"quantity", NULL, SCENE_CHOICE(AT(quantity), scan_quantity_names)},
         {"column", NULL, read_columns, .at = 0},
     };
     struct scene_surface *surface = &source->scene->counterface_surface;
@@ -212,7 +211,6 @@ static bool read_surface(struct scene_source *source, const yaml_node_t *node, s
         {"hardness", NULL, SCENE_QUANTITY(AT(bodies.hardness_Pa), UNIT_PRESSURE, 1e3, 1e12), .alias = "hardness_Pa"},
         {"x_unit", NULL, SCENE_SHORT_TEXT(AT(x_unit), UNIT_BYTES)},
         {"z_unit", NULL, SCENE_SHORT_TEXT(AT(z_unit), UNIT_BYTES)},
-        {"quantity", NULL, SCENE_CHOICE(AT(quantity), scan_quantity_names)},
         {"column", NULL, read_columns, .at = 0},
     };
     size_t lines[SCENE_COUNT(keys)];

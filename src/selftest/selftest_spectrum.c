@@ -96,7 +96,7 @@ static const struct gauge {
 
 static enum status_code measure(struct parameters *out, const struct gauge *gauge, struct status *status)
 {
-    static const struct scan_options options = {.no_programs = true};
+    static const struct scan_options options = {0};
     struct text file = {0};
     struct scan scan = {0};
     struct profile profile = {0};
@@ -110,7 +110,7 @@ static enum status_code measure(struct parameters *out, const struct gauge *gaug
     if (rc == STATUS_OK)
         rc = profile_make(&profile, &scan, 0, &(struct profile_options){.level = LEVEL_MEAN}, status);
     if (rc == STATUS_OK)
-        rc = parameters_compute(out, 'P', profile.height_m, profile.points, profile.spacing_m, 1, status);
+        *out = parameters_compute('P', profile.height_m, profile.points, profile.spacing_m, 1);
     profile_free(&profile);
     scan_free(&scan);
     text_free(&file);

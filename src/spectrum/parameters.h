@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Profile parameters of ISO 21920-2:2021 (as ISO 4287:1997 and ISO 13565-2:1996 have them), for P and R profiles.
+/* Profile parameters of ISO 21920-2:2021 (as ISO 4287:1997 has them), for P and R profiles.
  *
  * Conventions, under which the values that instruments print come out to their last digit (tests/spectrum):
  *  - Heights count from 0, the reference line, as they come: no line and no mean is taken out here. The NIST and NPL
@@ -7,16 +7,12 @@
  *    wants neither.
  *  - a, q, p, v, z, sk, ku, dq are means over the sampling lengths, each of its own points only (ISO 4287; with this
  *    Mitutoyo's Rq comes out; ISO 21920-2 takes a, q, sk, ku, dq over the evaluation length instead). A P profile has
- *    one sampling length, its whole record, so there both agree. t, sm, the k family and the material ratio curve are
- *    of the evaluation length.
+ *    one sampling length, its whole record, so there both agree. t and sm are of the evaluation length.
  *  - Mean values are 1/n; ku is 3 for a Gaussian.
  *  - dq uses the 7-point slope (z[3] - 9 z[2] + 45 z[1] - 45 z[-1] + 9 z[-2] - z[-3])/(60 h) at the points that have
  *    three neighbours on both sides. m2 of roughness.h is of central differences: another number.
  *  - sm: a profile element is a hill above 10 % of p and a dale below 10 % of v, from crossing to crossing of the
  *    reference line, counted in both directions; there is no least width.
- *  - k family: the 40 % of the material ratio curve whose secant is least steep (the first of such), a least-squares
- * line through it, its heights at 0 and 100 %, and triangles of equal area for pk and vk. The profile is not filtered
- *    again as ISO 13565-1 asks.
  */
 #ifndef SPECTRUM_PARAMETERS_H
 #define SPECTRUM_PARAMETERS_H
@@ -25,46 +21,27 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { PARAMETERS_COUNT = 15, PARAMETERS_CURVE = 101 };
+enum { PARAMETERS_COUNT = 10 };
 
-/** Heights in their order, and what a row's function may ask of them. */
-struct parameters_part {
-    const double *height_m;
-    size_t points;
-    double spacing_m;
-    const double *sorted_m;             /* the same heights, highest first; whole rows only */
-    const struct parameters_core *core; /* of those */
-};
-
-/** One row a parameter. */
 struct parameters_row {
     const char *name; /* after P or R: "a" for Pa, Ra */
-    const char *unit; /* "m", or "" for a pure number */
-    const char *meaning;
-    const char *clause; /* where the standards define it */
-    bool whole;         /* over the evaluation length; else the mean over the sampling lengths */
-    double (*evaluate)(const struct parameters_part *part); /* NaN: not defined for these heights */
+    bool is_length;   /* in m; else a pure number */
 };
-
 extern const struct parameters_row parameters_rows[PARAMETERS_COUNT];
-/** How dq takes slopes, as said in output. */
-extern const char *const parameters_slope;
 
 struct parameters {
     char letter; /* 'P' or 'R' */
     size_t sampling_lengths;
-    double evaluation_length_m;                /* points h, those outside the sampling lengths left out */
-    double value[PARAMETERS_COUNT];            /* of parameters_rows */
-    double material_ratio_m[PARAMETERS_CURVE]; /* height that 0, 1, ... 100 % of the profile is above */
+    double evaluation_length_m;     /* points h, those outside the sampling lengths left out */
+    double value[PARAMETERS_COUNT]; /* of parameters_rows; NaN: not defined for these heights */
 };
 
-/** Parameters of `points` >= 3 heights cut into `sampling_lengths` equal parts. Errors: STATUS_MEMORY. */
-MUST_CHECK enum status_code parameters_compute(struct parameters *out, char letter, const double *height_m,
-                                               size_t points, double spacing_m, size_t sampling_lengths,
-                                               struct status *status);
+/** Parameters of `points` >= 3 heights cut into `sampling_lengths` equal parts. */
+struct parameters parameters_compute(char letter, const double *height_m, size_t points, double spacing_m,
+                                     size_t sampling_lengths);
 
 /** Those of an R profile (high-pass filtered): as many sampling lengths of cutoff_m as fit (one that is at most 1 %
- * short fits), from the middle of the record. Errors: STATUS_SCAN: not one fits; STATUS_MEMORY. */
+ * short fits), from the middle of the record. Error: STATUS_SCAN: not one fits. */
 MUST_CHECK enum status_code parameters_of_roughness(struct parameters *out, const double *height_m, size_t points,
                                                     double spacing_m, double cutoff_m, struct status *status);
 

@@ -13,12 +13,12 @@
 /* Starts a shell with these lines in the directory; what it says goes to the file `said`. */
 static int start(pid_t *process, char *lines, const char *directory)
 {
-    char shell[] = "/bin/sh", option[] = "-c", home[] = "HOME=/nowhere";
+    char shell[] = "/bin/sh", option[] = "-c";
     char *const arguments[] = {shell, option, lines, NULL};
     int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC),
         said = open(directory_path(&directory_here, "said"), O_RDWR | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0600);
     assert_true(nothing > 2 && said > 2);
-    int error = program_start(process, &(struct program_task){arguments, shell, directory, home, nothing, said});
+    int error = program_start(process, &(struct program_task){arguments, shell, directory, nothing, said});
     close(nothing);
     close(said);
     return error;
@@ -72,10 +72,9 @@ PLACED(test_what_it_gets)
     assert_int_equal(setenv("PATH", "/usr/bin:/bin:/kept", 1), 0);
     assert_int_equal(run(first, 60, &how), PROGRAM_ENDED);
     assert_int_equal(how, 0);
-    snprintf(
-        expected, sizeof expected,
-        "%s\n/nowhere C.UTF-8  /usr/bin:/bin:/kept\ncomplaint\nno input\nits own group\nSigIgn:\t0000000000000000\n",
-        directory_here.path);
+    snprintf(expected, sizeof expected,
+             "%s\n C.UTF-8  /usr/bin:/bin:/kept\ncomplaint\nno input\nits own group\nSigIgn:\t0000000000000000\n",
+             directory_here.path);
     directory_holds(&directory_here, "said", expected);
     assert_int_equal(run(second, 60, &how), PROGRAM_ENDED);
     directory_holds(&directory_here, "said", "SigBlk:\t0000000000000000\n");
@@ -96,7 +95,7 @@ PLACED(test_how_it_ends)
     assert_true(WIFSIGNALED(how) && WTERMSIG(how) == SIGKILL);
     assert_int_equal(start(&process, fails, "/no/such/place"), ENOENT);
     int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
-    const struct program_task task = {none, path, "/", NULL, nothing, nothing};
+    const struct program_task task = {none, path, "/", nothing, nothing};
     assert_int_equal(program_start(&process, &task), ENOENT);
     close(nothing);
     assert_int_equal(waitpid(-1, &how, 0), -1); /* nothing is left of them */

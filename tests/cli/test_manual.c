@@ -212,7 +212,6 @@ TEST_IN_WORKSPACE(bash_completes)
         {"roughcontact plan --material = copper", "copper\ncopper-nickel-silicon\n"},
         {"roughcontact plan --effects = th", "thermal\n"},
         {"roughcontact plan -e electrical,gap,fi", "electrical,gap,film\n"},
-        {"roughcontact inspect --quantity = s", "slope\n"},
         {"roughcontact inspect --x-unit = u", "um\nuin\n"},
         {"roughcontact report in", "inner\n"},
         {"roughcontact report -o in", "inner\n"},

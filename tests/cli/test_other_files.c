@@ -1,15 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What lies beside scans, scans in archives, standard input, directories, and the help of another program. */
+/* What lies beside scans, and scans in archives. */
 #include "base/text.h"
 #include "cli/process.h"
 
-#include <signal.h>
 #include <stdio.h>
 #include <sys/stat.h>
-#include <time.h>
-#include <unistd.h>
-
-#define ROUGH "x [um],z [um]\n0,1\n1,3\n2,2\n3,5\n4,1\n5,4\n6,2\n7,6\n8,3\n9,1\n"
 
 static void expect_same_files(const char *place, const char *one, const char *other)
 {
@@ -66,7 +61,7 @@ TEST_IN_WORKSPACE(test_passed_over)
     /* an instrument's file that is not read is no such thing */
     write_bytes(place, "d/w.opd", "\1\0Directory\0\0\0", 14);
     expect_errors(expect_exit(place, 1, "plan", "d"),
-                  "surface 'w' refused: w.opd: the format is not read here: Wyko OPD file; export it in Vision");
+                  "surface 'w' refused: w.opd: the format is not read here: Wyko OPD file; export it as text");
 
     workspace_write(place, "d/scene.yaml", "surfaces: [{file: 1.csv}, {file: photo.jpg}]\n");
     process = expect_exit(place, 1, "report", "--no-cost", "d");
@@ -153,86 +148,4 @@ TEST_IN_WORKSPACE(test_packed)
     expect_same_files(place, "out/dz/data/contact.csv", "out/df/data/contact.csv");
     text_free(&bytes);
     free(name);
-}
-
-/** Does the process still run? One that ended may wait for its parent. */
-static bool is_running(const char *pid)
-{
-    char path[64], state = 'Z';
-    snprintf(path, sizeof path, "/proc/%d/stat", atoi(pid));
-    FILE *file = fopen(path, "r");
-    if (file && fscanf(file, "%*d (%*[^)]) %c", &state) != 1)
-        state = 'Z';
-    if (file)
-        fclose(file);
-    return state != 'Z';
-}
-
-/* Where Gwyddion is installed it is asked for what nothing here reads; nothing it leaves stays. */
-TEST_IN_WORKSPACE(test_gwyddion)
-{
-    char *temporary = NULL, *kept = getenv("TMPDIR") ? strdup(getenv("TMPDIR")) : NULL;
-    assert_true(asprintf(&temporary, "%s/tmp", place) > 0);
-    workspace_folder(place, "tmp");
-    assert_int_equal(setenv("TMPDIR", temporary, 1), 0);
-    write_bytes(place, "-a.opd", "\1\0Directory\0\0\0", 14);
-    write_bytes(place, "b.bin", "\0\1\2\3", 4);
-    write_bytes(place, "c.png", "\x89PNG\r\n\x1a\n\0\0", 10);
-    workspace_write(place, "map.gsf", ""); /* what stands for a conversion: any format will do */
-    workspace_write(place, "converted", ROUGH);
-    char *before = workspace_program(place, "gwyddion",
-                                     "#!/bin/sh\n"
-                                     "case \"$1\" in --convert-to-gwy=*) ;; *) exit 1 ;; esac\n"
-                                     "case \"$2\" in /*) ;; *) exit 1 ;; esac\n"
-                                     "mkdir -p \"$HOME/.gwyddion/ui\"\n"
-                                     "cp \"$(dirname \"$2\")/converted\" \"${1#*=}\"\n");
-    expect_output(expect_exit(place, 0, "inspect", "--", "-a.opd"),
-                  "converted by the program Gwyddion from a Wyko OPD file");
-    expect_output(expect_exit(place, 0, "inspect", "b.bin"),
-                  "converted by the program Gwyddion from a format that is not read here");
-    static const char *const headed[] = {"fileType      Image\n", "UK SOFT\r\n"}; /* text as far as one looks */
-    for (size_t i = 0; i < sizeof headed / sizeof *headed; i++) {
-        struct text text = {0};
-        text_add(&text, "%s%5000s", headed[i], "Data_section\r\n");
-        text_add_bytes(&text, "\0\1\2\3", 4);
-        write_bytes(place, "d.mi", text.data, text.length);
-        text_free(&text);
-        expect_output(expect_exit(place, 0, "inspect", "d.mi"),
-                      "converted by the program Gwyddion from a Molecular Imaging");
-    }
-    expect_failure(place, 4, 1, "c.png: it is no scan: PNG picture", "inspect", "c.png");
-    workspace_write(place, "converted", "hello\n");
-    expect_failure(place, 4, 1, "the format is not read here: Wyko OPD file", "inspect", "--", "-a.opd");
-    workspace_take_back(before);
-
-    before = workspace_program(place, "gwyddion", "#!/bin/sh\nexit 1\n");
-    expect_failure(place, 4, 1, "Wyko OPD file; export it in Vision", "inspect", "--", "-a.opd");
-    workspace_take_back(before);
-
-    /* a signal ends it and what it started, and the directory goes */
-    before = workspace_program(place, "gwyddion",
-                               "#!/bin/sh\ncd /\nsleep 1000 &\n"
-                               "echo $! > \"$(dirname \"$2\")/started\"\n"
-                               "mv \"$(dirname \"$2\")/started\" \"$(dirname \"$2\")/pid\"\nsleep 1000\n");
-    struct process_running running = process_start(place, "inspect", "b.bin");
-    const struct timespec pause = {0, 20000000};
-    while (!workspace_has(place, "pid"))
-        nanosleep(&pause, NULL);
-    nanosleep(&pause, NULL);
-    kill(running.pid, SIGTERM);
-    struct process process = process_end(running);
-    assert_int_equal(process.status, 128 + SIGTERM);
-    process_free(&process);
-    char *pid = workspace_read(place, "pid");
-    while (is_running(pid))
-        nanosleep(&pause, NULL); /* until the test's own time is up */
-    free(pid);
-    workspace_take_back(before);
-    assert_int_equal(workspace_count(place, "roughcontact-"), 0);
-    if (kept)
-        setenv("TMPDIR", kept, 1);
-    else
-        unsetenv("TMPDIR");
-    free(kept);
-    free(temporary);
 }

@@ -28,7 +28,7 @@ static pid_t start(char *lines)
     char *const arguments[] = {shell, option, lines, NULL};
     int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
     pid_t process = 0;
-    struct program_task task = {arguments, shell, place.path, NULL, nothing, nothing};
+    struct program_task task = {arguments, shell, place.path, nothing, nothing};
     if (program_start(&process, &task) != 0)
         _exit(70);
     return process;

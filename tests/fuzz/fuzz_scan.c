@@ -97,8 +97,7 @@ static char *file_of(const char *bytes, size_t *length)
 void fuzz_scan(const uint8_t *bytes, size_t length)
 {
     /* what the scene says of the file follows from its length */
-    struct scan_options options = {.x_unit = "mm", .z_unit = length % 8 == 7 ? "urad" : "um"};
-    options.quantity = length % 8 == 7 ? SCAN_SLOPE : SCAN_HEIGHT;
+    struct scan_options options = {.x_unit = "mm", .z_unit = "um"};
     if (length % 8 == 6) {
         options.x_column = 1;
         options.z_column = 2;

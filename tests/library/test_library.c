@@ -512,22 +512,6 @@ TEST_CASE(a_map_needs_a_row)
     roughcontact_scan_free(scan);
 }
 
-/** No reader knows these bytes: the program asks Gwyddion, where it is installed; the library starts no program. */
-TEST_IN_WORKSPACE(no_program_is_started)
-{
-    struct roughcontact_status status;
-    struct roughcontact_scan *scan;
-    char path[512], *before = workspace_program(place, "gwyddion", "#!/bin/sh\necho >>\"${0%/bin/*}/mark\"\nexit 1\n");
-    workspace_write(place, "foreign.bin", "\x01\x02\x80\xff\x03 binary \x01\x02\x80\xff");
-    snprintf(path, sizeof path, "%s/foreign.bin", place);
-    assert_int_equal(roughcontact_scan_read_file(&scan, path, NULL, &status), ROUGHCONTACT_SCAN);
-    assert_false(workspace_has(place, "mark"));
-    struct process process = process_run(place, "inspect", "foreign.bin");
-    assert_true(workspace_has(place, "mark")); /* as it does where it may */
-    process_free(&process);
-    workspace_take_back(before);
-}
-
 /** Loads in Pa are those over E' times E'. */
 TEST_IN_WORKSPACE(loads_may_be_pressures)
 {

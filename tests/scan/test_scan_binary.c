@@ -197,40 +197,6 @@ TEST_CASE(test_gsf)
     refuse_text(gsf("XRes = 1e9\n"), &no_units, "file:7: XRes = '1e9'");
 }
 
-TEST_CASE(test_surfer)
-{
-    struct scan_options um = {.x_unit = "um", .z_unit = "um"};
-    struct text text = {0};
-    put_field(&text, "DSBB", 4);
-    put_bytes(&text, SAMPLE_COLUMNS, 2);
-    put_bytes(&text, SAMPLE_ROWS, 2);
-    static const double box[] = {10, 11, 5, 7, -4, 8};
-    for (size_t i = 0; i < 6; i++)
-        put_f64(&text, box[i]);
-    for (size_t i = 0; i < SAMPLE_POINTS; i++)
-        put_f32(&text, i == 0 ? 1.70141e38 : sample_um[i]);
-    assert_sample(&text, "surfer", SCAN_AREAL, 0, &um);
-    text_free(&text);
-    put_bytes(&text, 0x42525344, 4);
-    put_bytes(&text, 4, 4);
-    put_bytes(&text, 1, 4);
-    put_bytes(&text, 0x44495247, 4);
-    put_bytes(&text, 72, 4);
-    put_bytes(&text, SAMPLE_ROWS, 4);
-    put_bytes(&text, SAMPLE_COLUMNS, 4);
-    static const double grid[] = {10, 5, 0.5, 2, -4, 8, 0, 1e30};
-    for (size_t i = 0; i < 8; i++)
-        put_f64(&text, grid[i]);
-    put_bytes(&text, 0x41544144, 4);
-    put_bytes(&text, 48, 4);
-    for (size_t i = 0; i < SAMPLE_POINTS; i++)
-        put_f64(&text, i == 5 ? 1e30 : sample_um[i]);
-    assert_sample(&text, "surfer", SCAN_AREAL, 5, &um);
-    assert_refused_bytes(text_string(&text), text.length, &no_units, "add `x_unit: mm` and `z_unit: um`");
-    assert_refused_bytes(text_string(&text), 60, &um, "no grid and data sections");
-    text_free(&text);
-}
-
 static void put_tag(struct text *text, const char *key, const char *value)
 {
     put_field(text, key, 20);

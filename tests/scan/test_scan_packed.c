@@ -116,7 +116,7 @@ TEST_CASE(test_refusals)
     struct scan_options second = {.entry = 1};
     refuse_text(zip(damaged, true), &second, "file(b.csv): no line of numbers in it");
     refuse_text(zip(wyko, true), &no_units,
-                "file(b.opd): the format is not read here: Wyko OPD file; export it in Vision");
+                "file(b.opd): the format is not read here: Wyko OPD file; export it as text");
     struct text text = zip(wyko, true);
     const struct member nested[] = {{"inner.zip", text.data, text.length}, {NULL, NULL, 0}};
     refuse_text(zip(nested, false), &no_units, "no scan in this zip archive, only inner.zip");

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Which unit a header gives to which axis, slopes and heights, the choice of columns, and sidecars. */
+/* Which unit a header gives to which axis, slopes refused, the choice of columns, and sidecars. */
 #include "directory.h"
 #include "scan_support.h"
 
@@ -87,74 +87,31 @@ static void refuse_with(const char *text, const struct scan_options *options, co
     assert_refused_bytes(text, strlen(text), options, expected);
 }
 
-/* The trapezoidal rule is exact for slopes that are straight lines: dz/dx = s x gives z = s x^2 / 2. */
+/* A slope is told by its unit or its title, whatever the scene says; heights beside it may be chosen. */
 TEST_CASE(test_slopes)
 {
     static const struct {
         const char *text, *z_unit; /* of the scene */
-        double slope;              /* s in 1/m, times the x of the file in m */
     } rows[] = {
-        {"x [mm],slope [urad]\n0,0\n1,2\n3,6\n7,14\n", "", 2e-3},
-        {"x [mm],z [\xC2\xB5rad]\n0,0\n1,2\n3,6\n7,14\n", "", 2e-3},
-        {"x [um],t [mrad]\n0,0\n1,2\n3,6\n7,14\n", "", 2e3},
-        {"x [m],angle (rad)\n0,0\n1,2\n3,6\n7,14\n", "", 2},
-        {"x [mm],tilt (deg)\n0,0\n1,2\n3,6\n7,14\n", "", 2e3 * M_PI / 180},
-        {"x [mm],tilt (\xC2\xB0)\n0,0\n1,2\n3,6\n7,14\n", "", 2e3 * M_PI / 180},
-        {"x [mm],angle/arcsec\n0,0\n1,2\n3,6\n7,14\n", "", 2e3 * M_PI / 180 / 3600},
-        {"x [mm],error (um/mm)\n0,0\n1,2\n3,6\n7,14\n", "", 2},
-        {"X unit: mm\nZ unit: microradians\n0,0\n1,2\n3,6\n7,14\n", "", 2e-3},
-        {"x [mm],slope\n0,0\n1,2\n3,6\n7,14\n", "nrad", 2e-6},
-        {"x [mm],dz/dx\n0,0\n1,2\n3,6\n7,14\n", "1", 2e3},
-        {"quantity: slope\nx unit: mm\n0,0\n1,2\n3,6\n7,14\n", "mrad", 2},
-        {"x [mm],q\n0,0\n1,2\n3,6\n7,14\n", "urad", 2e-3},
-        {"spacing 1 mm\nSlope [urad]\n0\n2\n4\n6\n8\n10\n12\n14\n", "", 2e-3},
-        {"x [mm],slope [urad]\n7,14\n3,6\n1,2\n0,0\n", "", 2e-3},
-        {"x [mm],slope [urad]\n0,0\n1,2\n2,-9999\n3,6\n7,14\n", "", 2e-3},
+        {"x [mm],z [\xC2\xB5rad]\n" COMMA, ""},
+        {"x [um],t [mrad]\n" COMMA, "um"},
+        {"x [m],angle (rad)\n" COMMA, ""},
+        {"x [mm],tilt (deg)\n" COMMA, ""},
+        {"x [mm],tilt (\xC2\xB0)\n" COMMA, ""},
+        {"x [mm],angle/arcsec\n" COMMA, "um"},
+        {"x [mm],error (um/mm)\n" COMMA, ""},
+        {"X unit: mm\nZ unit: microradians\n" COMMA, ""},
+        {"x [mm],slope\n" COMMA, "um"},
+        {"x [mm],slope [um]\n" COMMA, "um"},
+        {"x,slope\nmm,um\n" COMMA, ""},
+        {"x [mm],dz/dx\n" COMMA, "um"},
+        {"x [mm],q\n" COMMA, "urad"},
+        {"spacing 1 mm\nSlope [urad]\n" ONE, ""},
+        {"x [um] y [um] z [urad]\n0 0 1\n1 0 2\n2 0 3\n0 1 4\n1 1 5\n2 1 7\n", ""},
     };
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct scan_options options = {.z_unit = rows[i].z_unit, .quantity = SCAN_SLOPE};
-        struct scan scan = read_with(rows[i].text, &options);
-        assert_int_equal(scan.quantity, SCAN_SLOPE);
-        for (size_t k = 0; k < scan.nx; k++) {
-            double x_m = scan_x(&scan, k);
-            if (!isnan(scan.z_m[k]))
-                assert_within(scan.z_m[k], rows[i].slope * x_m * x_m / 2, 1e-12 * rows[i].slope * x_m * x_m);
-        }
-        assert_int_equal(scan.missing, strstr(rows[i].text, "-9999") ? 1 : 0);
-        assert_non_null(strstr(scan.warnings[scan.warning_count - 1], "integrated to heights by the trapezoidal rule"));
-        scan_free(&scan);
-        options.quantity = SCAN_HEIGHT;
-        refuse_with(rows[i].text, &options, "a slope");
-        refuse_with(rows[i].text, &options, "to integrate it add `quantity: slope` to this surface in scene.yaml");
-    }
-}
-
-/* What lengths a scan may have holds for the heights that slopes give, not for the slopes. */
-TEST_CASE(test_absurd_slopes)
-{
-    struct scan_options slope = {.quantity = SCAN_SLOPE};
-    refuse_with("x [m],z [rad]\n0,0\n1e25,1e25\n2e25,-3e25\n3e25,1e25\n", &slope,
-                "heights of 1.5e+50 m; allowed is 1e-30 to 1e+30 m");
-    refuse_with("x [m],z [rad]\n0,0\n1e-20,1e-20\n2e-20,-1e-20\n3e-20,0\n", &slope, "heights of 5e-41 m");
-    refuse_with("x [m],z [rad]\n0,1e308\n1e10,1e308\n2e10,-1e308\n3e10,0\n", &slope,
-                "the height of point 2 is infinite");
-    struct scan scan = read_with("x [m],z [rad]\n0,0\n1e3,1e-32\n2e3,1e-32\n3e3,0\n", &slope);
-    assert_near(scan.z_m[3], 2e-29, 1e-14);
-    scan_free(&scan);
-}
-
-TEST_CASE(test_slopes_refused)
-{
-    struct scan_options slope = {.quantity = SCAN_SLOPE}, urad = {.z_unit = "urad", .quantity = SCAN_SLOPE},
-                        um = {.z_unit = "um", .quantity = SCAN_SLOPE}, height = {.x_unit = "mm", .z_unit = "um"};
-    refuse_with("x [mm],z [um]\n" COMMA, &urad, "column 2 has heights in um, not slopes; remove `quantity: slope`");
-    refuse_with("x [mm],slope\n" COMMA, &slope, "no unit for z; add `z_unit: urad`");
-    refuse_with("x [mm],slope\n" COMMA, &um, "'um' is no unit of slope; give z_unit as rad, mrad, urad");
-    refuse_with("x [mm],slope [um]\n" COMMA, &height, "column 2 is a slope in um, not heights");
-    refuse_with("x [um] y [um] z [urad]\n0 0 1\n1 0 2\n2 0 3\n0 1 4\n1 1 5\n2 1 7\n", &slope, "a map of slopes");
-    refuse_with("aISO-1.0\nNumPoints = 4\nNumProfiles = 1\nXscale = 1E-6\nYscale = 1E-6\nZscale = 1E-6\n"
-                "Compression = 0\nDataType = 7\nCheckType = 0\n*\n1\n2\n3\n1\n",
-                &slope, "a file of format sdf has heights, not slopes");
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        refuse_with(rows[i].text, &(struct scan_options){.x_unit = "mm", .z_unit = rows[i].z_unit},
+                    " is a slope, not heights; integrate it, or choose the heights by `column`");
 }
 
 #define FIVE                                                                                                           \
@@ -253,7 +210,6 @@ IN_FOLDER(test_sidecars)
         {"s.txt", "Instrument: none\nx unit: mm\nz unit: nm\n"},
         {"s.hdr", "# x_unit = mm\n# z_unit = nm\n"},
         {"s.dat.txt", "X unit: mm\nY unit: nm\n"},
-        {"s.json", "{\"x_unit\": \"mm\", \"z_unit\": \"nm\", \"operator\": 7}"},
         {"s.dat.json", "\n {\"X1_FACTOR\": 0.001, \"Y1_FACTOR\": 1e-09, \"FILE_FORMAT\": 2}"},
         {"s.txt", "{\"X1_FACTOR\": 0.001, \"Y1_FACTOR\": 1e-9, \"PLOT_TITLE_Y1\": \"Height (um)\"}"},
     };
@@ -264,7 +220,7 @@ IN_FOLDER(test_sidecars)
         {"s.txt", "measured by hand\n"},
         {"s.csv", "x unit: mm\nz unit: nm\n"},
         {"t.txt", "x unit: mm\nz unit: nm\n"},
-        {"s.json", "{\"x_unit\": \"mm\", \"z_unit\": \"nm\""},
+        {"s.json", "{\"X1_FACTOR\": 0.001, \"Y1_FACTOR\": 1e-9, \"FILE_FORMAT\": 2"},
         {"s.json", "{\"X1_FACTOR\": 0.001, \"Y1_FACTOR\": 1e-9}"}, /* heights or slopes? */
         {"s.json", "{\"X1_FACTOR\": 0.001, \"Y1_FACTOR\": 3.3e-9, \"FILE_FORMAT\": 2}"},
     };
@@ -303,23 +259,13 @@ static const char dabam[] = "{\"FILE_FORMAT\": 1, \"X1_FACTOR\": 0.001, \"Y1_FAC
 IN_FOLDER(test_dabam)
 {
     folder = *state;
-    struct scan_options slope = {.quantity = SCAN_SLOPE}, second = {.z_column = 3},
-                        third = {.z_column = 4, .quantity = SCAN_SLOPE}, um = {.z_unit = "um"},
-                        second_slope = {.z_column = 3, .quantity = SCAN_SLOPE};
+    struct scan_options second = {.z_column = 3}, third = {.z_column = 4}, um = {.z_unit = "um"};
     directory_write(folder, "s.dat", "0 0 5 0\n1 2 6 4\n2 4 7 8\n3 6 9 12\n");
     directory_write(folder, "s.txt", dabam);
-    expect_refusal(&no_units, "column 2 is a slope in urad, not heights; to integrate it add `quantity: slope`");
-    expect_refusal(&um, "column 2 is a slope in urad, not heights");
-    expect_refusal(&second_slope, "column 3 has heights in nm, not slopes");
-    expect_units(&slope, "urad", "s.txt");
+    expect_refusal(&no_units, "z in column 2 is a slope, not heights");
+    expect_refusal(&um, "z in column 2 is a slope, not heights");
     expect_units(&second, "nm", "s.txt");
-    expect_units(&third, "mrad", "s.txt");
-    struct scan scan;
-    struct status status;
-    assert_int_equal(take(&scan, &slope, &status), STATUS_OK);
-    for (size_t i = 0; i < 4; i++) /* 2 urad per mm */
-        assert_within(scan.z_m[i], 1e-9 * (double)(i * i), 1e-22);
-    scan_free(&scan);
+    expect_refusal(&third, "z in column 4 is a slope, not heights");
     /* pairs of columns, each y with an x of its own */
     struct scan_options pair = {.x_column = 3, .z_column = 4};
     directory_write(folder, "s.dat", "0 0 0 1\n1 2 1 2\n2 4 2 3\n3 6 3 4\n");

@@ -149,21 +149,19 @@ TEST_CASE(test_files_spoken_for)
     directory_remove(&directory);
 }
 
-TEST_CASE(test_columns_and_quantity)
+TEST_CASE(test_columns)
 {
-    static const char text[] = "counterface: {surface: b.csv, quantity: slope, column: [2, 1]}\n"
+    static const char text[] = "counterface: {surface: b.csv, column: [2, 1]}\n"
                                "surfaces:\n  - {name: p, file: a.csv}\n"
-                               "  - {name: q, file: a.csv, quantity: slope, column: 3}\n"
-                               "  - {name: r, file: a.csv, quantity: height, column: [1, 4]}\n";
+                               "  - {name: q, file: a.csv, column: 3}\n"
+                               "  - {name: r, file: a.csv, column: [1, 4]}\n";
     struct scene scene = scene_of(text);
     const struct scene_surface *surface[] = {&scene.surfaces[0], &scene.surfaces[1], &scene.surfaces[2],
                                              &scene.counterface_surface};
     static const struct {
-        enum scan_quantity quantity;
         size_t x, z;
-    } expected[] = {{SCAN_HEIGHT, 0, 0}, {SCAN_SLOPE, 0, 3}, {SCAN_HEIGHT, 1, 4}, {SCAN_SLOPE, 2, 1}};
+    } expected[] = {{0, 0}, {0, 3}, {1, 4}, {2, 1}};
     for (size_t i = 0; i < COUNT(expected); i++) {
-        assert_int_equal(surface[i]->quantity, expected[i].quantity);
         assert_int_equal(surface[i]->x_column, expected[i].x);
         assert_int_equal(surface[i]->z_column, expected[i].z);
     }

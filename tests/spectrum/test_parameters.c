@@ -13,15 +13,6 @@ static double *room(void)
     return z;
 }
 
-static struct parameters compute(const double *z, size_t points, double spacing_m, size_t sampling_lengths)
-{
-    struct parameters parameters;
-    struct status status = {0};
-    if (parameters_compute(&parameters, 'P', z, points, spacing_m, sampling_lengths, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
-    return parameters;
-}
-
 static void assert_value(const struct parameters *parameters, const char *name, double expected, double atol)
 {
     double value = parameters_value(parameters, name);
@@ -30,26 +21,12 @@ static void assert_value(const struct parameters *parameters, const char *name, 
     assert_within(value, expected, atol);
 }
 
-TEST_CASE(test_every_row_is_described)
-{
-    for (size_t p = 0; p < PARAMETERS_COUNT; p++) {
-        const struct parameters_row *row = &parameters_rows[p];
-        assert_true(strlen(row->name) > 0 && strlen(row->meaning) > 5 && strstr(row->clause, "ISO"));
-        assert_true(strcmp(row->unit, "m") == 0 || strcmp(row->unit, "") == 0);
-        assert_non_null(row->evaluate);
-        for (size_t other = 0; other < p; other++)
-            assert_string_not_equal(row->name, parameters_rows[other].name);
-    }
-    struct parameters parameters = {0};
-    assert_true(isnan(parameters_value(&parameters, "nothing")));
-}
-
 TEST_CASE(test_a_sine)
 {
     double *z = room(), k = 2 * M_PI / 400; /* 50 waves of 100 um */
     for (size_t i = 0; i < POINTS; i++)
         z[i] = 2e-6 * sin(k * ((double)i + 0.25));
-    struct parameters p = compute(z, POINTS, 2.5e-7, 1);
+    struct parameters p = parameters_compute('P', z, POINTS, 2.5e-7, 1);
     assert_value(&p, "a", 4e-6 / M_PI, 1e-10);
     assert_value(&p, "q", 2e-6 / sqrt(2), 1e-14);
     assert_value(&p, "p", 2e-6, 1e-10);
@@ -61,8 +38,6 @@ TEST_CASE(test_a_sine)
     assert_value(&p, "dq", 2e-6 * 2 * M_PI / 1e-4 / sqrt(2), 2e-5); /* six points of 20000 have no slope */
     assert_value(&p, "sm", 1e-4, 1e-10);
     assert_near(p.evaluation_length_m, 5e-3, 1e-12);
-    for (size_t i = 0; i < PARAMETERS_CURVE; i++) /* the share c of a sine lies above cos(pi c) */
-        assert_within(p.material_ratio_m[i], 2e-6 * cos(M_PI * (double)i / 100), 2e-10);
     free(z);
 }
 
@@ -75,7 +50,7 @@ TEST_CASE(test_a_gaussian_has_a_kurtosis_of_3)
             x -= (0.5 * erfc(-x / sqrt(2)) - ((double)i + 0.5) / POINTS) * sqrt(2 * M_PI) * exp(x * x / 2);
         z[i] = 1e-6 * x;
     }
-    struct parameters p = compute(z, POINTS, 1e-6, 1);
+    struct parameters p = parameters_compute('P', z, POINTS, 1e-6, 1);
     assert_value(&p, "ku", 3, 0.01);
     assert_value(&p, "sk", 0, 1e-9);
     assert_value(&p, "q", 1e-6, 1e-10);
@@ -93,9 +68,9 @@ TEST_CASE(test_slope_formula)
         double slope = 2 + x * (-2 + x * (1.5 + x * (12 + x * (-10 + x * 6))));
         sum += i >= 3 && i < 37 ? slope * slope : 0;
     }
-    struct parameters p = compute(z, 40, 0.05, 1);
+    struct parameters p = parameters_compute('P', z, 40, 0.05, 1);
     assert_value(&p, "dq", sqrt(sum / 34), 1e-12);
-    p = compute(z, 6, 0.05, 1);
+    p = parameters_compute('P', z, 6, 0.05, 1);
     assert_true(isnan(parameters_value(&p, "dq")));
 }
 
@@ -105,7 +80,7 @@ TEST_CASE(test_means_over_sampling_lengths)
     double *z = room();
     for (size_t i = 0; i < POINTS; i++)
         z[i] = (double)(i / (POINTS / 5) + 1) * 1e-6 * sin(2 * M_PI * ((double)i + 0.5) / 200);
-    struct parameters p = compute(z, POINTS, 1e-6, 5);
+    struct parameters p = parameters_compute('P', z, POINTS, 1e-6, 5);
     assert_value(&p, "p", 3e-6, 1e-9);
     assert_value(&p, "v", 3e-6, 1e-9);
     assert_value(&p, "z", 6e-6, 1e-9);
@@ -123,47 +98,18 @@ TEST_CASE(test_profile_elements)
     double *z = room();
     for (size_t i = 0; i < POINTS; i++)
         z[i] = 1e-6 * (sin(2 * M_PI * (double)i / 1000) + 0.05 * sin(2 * M_PI * (double)i / 37));
-    struct parameters p = compute(z, POINTS, 1e-6, 1);
+    struct parameters p = parameters_compute('P', z, POINTS, 1e-6, 1);
     assert_value(&p, "sm", 1e-3, 2e-6);
     for (size_t i = 0; i < POINTS; i++) { /* every other wave is 8 % as high: an element is two waves wide */
         double wave = sin(2 * M_PI * ((double)i + 0.5) / 1000);
         z[i] = 1e-6 * wave * ((i / 1000) % 2 ? 0.08 : 1);
     }
-    p = compute(z, POINTS, 1e-6, 1);
+    p = parameters_compute('P', z, POINTS, 1e-6, 1);
     assert_value(&p, "sm", 2e-3, 2e-5);
     for (size_t i = 0; i < POINTS; i++)
         z[i] = 1e-6 + 1e-9 * (double)i; /* never below the line */
-    p = compute(z, POINTS, 1e-6, 1);
+    p = parameters_compute('P', z, POINTS, 1e-6, 1);
     assert_true(isnan(parameters_value(&p, "sm")));
-    free(z);
-}
-
-/* A material ratio curve of three straight pieces, slopes s1 to ratio a, s to b, s2 beyond: the core is the middle one,
- * carried on to 0 and 100 %; peaks and valleys are the triangles beyond it. */
-TEST_CASE(test_k_family_of_a_known_curve)
-{
-    double *z = room(), s = 1e-6, s1 = 10e-6, s2 = 20e-6, a = 0.15, b = 0.85;
-    for (size_t i = 0; i < POINTS; i++) {
-        size_t k = i * 7919 % POINTS; /* any order */
-        double r = ((double)i + 0.5) / POINTS;
-        z[k] = 2e-6 - s * r + (r < a ? (s1 - s) * (a - r) : 0) - (r > b ? (s2 - s) * (r - b) : 0);
-    }
-    struct parameters p = compute(z, POINTS, 1e-6, 1);
-    double mr1 = a - s * a / s1, mr2 = b + s * (1 - b) / s2;
-    assert_value(&p, "k", s, 1e-12);
-    assert_value(&p, "mrk1", mr1, 1e-4);
-    assert_value(&p, "mrk2", mr2, 1e-4);
-    /* above the core's height: triangles of slope s1 to mr1 less what the corner at a leaves, none: z crosses at mr1 */
-    assert_value(&p, "pk", s1 * mr1, 1e-9);
-    assert_value(&p, "vk", s2 * (1 - mr2), 1e-9);
-    for (size_t i = 0; i < POINTS; i++)
-        z[i] = 1e-6 * (1 - ((double)i + 0.5) / POINTS); /* all core */
-    p = compute(z, POINTS, 1e-6, 1);
-    assert_value(&p, "k", 1e-6, 1e-15);
-    assert_value(&p, "pk", 0, 1e-9);
-    assert_value(&p, "vk", 0, 1e-9);
-    assert_value(&p, "mrk1", 0, 1e-4);
-    assert_value(&p, "mrk2", 1, 1e-4);
     free(z);
 }
 
@@ -243,7 +189,7 @@ TEST_CASE(test_nist_edm)
     for (size_t f = 0; f < 4; f++)
         for (int level = LEVEL_NONE; level <= LEVEL_LINE; level++) { /* it has no line to lose */
             struct profile profile = real_profile(files[f], (enum level)level, 0, 1);
-            struct parameters p = compute(profile.height_m, profile.points, profile.spacing_m, 1);
+            struct parameters p = parameters_compute('P', profile.height_m, profile.points, profile.spacing_m, 1);
             assert_printed(&p, printed, sizeof printed / sizeof *printed);
             profile_free(&profile);
         }
@@ -272,7 +218,7 @@ TEST_CASE(test_dektak_window)
     NEED_REAL_SCANS();
     static const struct printed printed[] = {{"a", .00525, 1e-5}, {"q", .01143, 1e-5}};
     struct profile profile = real_profile("dektak_stylus.csv", LEVEL_LINE, 467.95e-6, 733.05e-6);
-    struct parameters p = compute(profile.height_m, profile.points, profile.spacing_m, 1);
+    struct parameters p = parameters_compute('P', profile.height_m, profile.points, profile.spacing_m, 1);
     assert_printed(&p, printed, 2);
     profile_free(&profile);
 }

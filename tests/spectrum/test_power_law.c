@@ -113,26 +113,6 @@ TEST_CASE(test_standard_errors)
     gsl_rng_free(random);
 }
 
-/* Over many surfaces the fitted slopes scatter as much as each fit says. */
-TEST_CASE(test_standard_errors_are_those_of_repeated_surfaces)
-{
-    enum { SURFACES = 2000 };
-    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
-    double squares = 0, stated = 0, log_squares = 0, log_stated = 0;
-    for (int k = 0; k < SURFACES; k++) {
-        struct spectrum *spectrum = sample_law(*state, 60, 3e-4, 0.085, 1.5);
-        scatter(*state, random, 0.1);
-        struct power_law law = power_law_fit(spectrum, all_m);
-        squares += pow(law.gamma - 1.5, 2) / SURFACES;
-        stated += pow(law.gamma_error, 2) / SURFACES;
-        log_squares += pow(log10(law.amplitude_m / (0.085 * pow(law.wavelength_m, 1.5))), 2) / SURFACES;
-        log_stated += pow(law.amplitude_error_decades, 2) / SURFACES;
-    }
-    gsl_rng_free(random);
-    assert_near(stated, squares, 0.1); /* relative error of a variance from 2000: 0.03 */
-    assert_near(log_stated, log_squares, 0.1);
-}
-
 TEST_CASE(test_the_band_is_kept)
 {
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);

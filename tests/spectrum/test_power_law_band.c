@@ -63,17 +63,10 @@ static const struct power_law_band *find(struct sample *sample)
 static void assert_list(const char *list, const double *value, size_t count, double rtol)
 {
     size_t found = 0;
-    for (char *end; *list && *list != '-'; list = end + (*end == ' '), found++) {
+    for (char *end; *list && strcmp(list, "-") != 0; list = end + (*end == ' '), found++) {
         double expected = strtod(list, &end);
         assert_true(found < count);
         assert_near(value[found], expected, rtol);
-    }
-    if (*list == '-' && list[1] != '\0') { /* a negative number comes first */
-        for (char *end; *list; list = end + (*end == ' '), found++) {
-            double expected = strtod(list, &end);
-            assert_true(found < count);
-            assert_near(value[found], expected, rtol);
-        }
     }
     assert_int_equal(found, count);
 }
@@ -356,34 +349,6 @@ TEST_CASE(test_a_long_run_of_bins_is_no_line)
     }
 }
 
-TEST_CASE(test_every_second_bin_a_line)
-{
-    struct sample *sample = *state;
-    sample_law(sample, 2000, 1e-2, 1e-3, 1.5);
-    struct log_bin bin[LOG_BIN_MOST];
-    size_t bins = log_bin_fill(bin, sample->square_m2, 2000, 1e-2, 1, NULL);
-    for (size_t j = 0; j < bins; j++)
-        for (size_t n = bin[j].first; n <= bin[j].last; n++)
-            sample->square_m2[n - 1] *= j % 3 ? 1e6 : 1;
-    const struct power_law_band *band = find(sample);
-    assert_true(band->bins == bins);
-    assert_true(band->law == POWER_LAW_BAND_NONE || isfinite(band->fit.gamma_s));
-}
-
-/* Heights of one harmonic: all the rest is leakage and rounding. */
-TEST_CASE(test_one_harmonic)
-{
-    struct sample *sample = *state;
-    double height_m[1000];
-    for (size_t i = 0; i < 1000; i++)
-        height_m[i] = 1e-6 * sin(2 * M_PI * (double)(20 * i) / 1000);
-    struct status status = {0};
-    assert_int_equal(multitaper_square(sample->square_m2, height_m, 1000, &status), STATUS_OK);
-    sample->spectrum = (struct power_law_band_spectrum){sample->square_m2, multitaper_count(1000), 1e-3, 1, 0};
-    const struct power_law_band *band = find(sample);
-    assert_true(band->law == POWER_LAW_BAND_NONE || isfinite(band->fit.gamma_s));
-}
-
 TEST_CASE(test_few_and_empty_harmonics)
 {
     struct sample *sample = *state;
@@ -478,18 +443,6 @@ TEST_CASE(test_digitising_limit)
     assert_near(power_law_band_digitising_limit(&sample->spectrum, sqrt(6 * 29.9)), 1.0 / 71, 1e-12);
     assert_near(power_law_band_digitising_limit(&sample->spectrum, sqrt(6 * 30.1)), 1.0 / 70, 1e-12);
     assert_near(power_law_band_digitising_limit(&sample->spectrum, sqrt(6 * 101)), 1, 1e-12);
-}
-
-/* Waves of 0.15 decades on the law are more than is called one law. */
-TEST_CASE(test_too_wavy_is_no_law)
-{
-    struct sample *sample = *state;
-    sample_law(sample, 1000, 1e-3, 1, 1.3);
-    for (size_t n = 1; n <= 1000; n++)
-        sample->square_m2[n - 1] *= pow(10, 0.3 * sin(2 * M_PI * log10((double)n)));
-    const struct power_law_band *band = find(sample);
-    assert_true(band->law == POWER_LAW_BAND_NONE || band->fit.misfit_decades <= 0.1);
-    assert_true(band->pieces > 1);
 }
 
 /* Bins that alternate about the law: no line, as every second is alike, and no pieces to follow them. */

@@ -88,27 +88,6 @@ TEST_CASE(test_a_ramp)
     }
 }
 
-/* A prime length against the defining sum in long double. */
-TEST_CASE(test_against_the_defining_sum)
-{
-    enum { POINTS = 499 };
-    double height_m[POINTS];
-    uint64_t seed = 5;
-    for (size_t j = 0; j < POINTS; j++)
-        height_m[j] = 1e-6 * noise(&seed);
-    struct spectrum spectrum = compute(height_m, POINTS, SPECTRUM_WINDOW_NONE);
-    for (size_t n = 1; n <= POINTS / 2; n++) {
-        long double real = 0, imaginary = 0;
-        for (size_t j = 0; j < POINTS; j++) {
-            long double angle = 2 * acosl(-1) * (long double)(n * j % POINTS) / POINTS;
-            real += height_m[j] * cosl(angle);
-            imaginary -= height_m[j] * sinl(angle);
-        }
-        assert_within(spectrum.amplitude_m[n - 1], (double)(2 * hypotl(real, imaginary) / POINTS), 1e-13 * 1e-6);
-    }
-    spectrum_free(&spectrum);
-}
-
 TEST_CASE(test_parseval)
 {
     static const size_t lengths[] = {3, 4, 5, 1000, 1001, 1009};
