@@ -170,8 +170,6 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
         summary->spacing_m = 1e-6;
         summary->length_m = 2e-4;
         summary->harmonics = 3;
-        summary->jump_m = 1e-8;
-        summary->jump_share = 0.1;
         summary->scans = index == 0 ? 2 : 1;
         summary->independent = (double)summary->scans;
         if (index == 0)

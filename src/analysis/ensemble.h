@@ -54,11 +54,12 @@ struct record_conditioning {
 };
 struct record_conditioning record_conditioning_of(const struct scene *scene, bool periodic);
 
-/** Levels the heights in room->record, which are used up, and takes their spectrum (owned: spectrum_free()) and
- * roughness; how->periodic: they close on themselves. A form that does not fit leaves them as they are. Error:
- * STATUS_MEMORY. */
+/** Levels the heights in room->record, which are used up, and takes their spectrum, roughness and, where they
+ * are to be kept, a copy (owned: spectrum_free(), free()); how->periodic: they close on themselves. A form that does
+ * not fit leaves them as they are. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code member_of_record(struct member *out, struct fft_room *room, size_t points, double spacing_m,
-                                             const struct record_conditioning *how, struct status *status);
+                                             const struct record_conditioning *how, bool keeps_heights,
+                                             struct status *status);
 /** Adds a member made of a copy of the heights; of a periodic scan it is looked at whether they close too. Error:
  * STATUS_MEMORY. */
 MUST_CHECK enum status_code ensemble_add(struct ensemble *set, size_t scan, const double *height_m, size_t points,

@@ -56,8 +56,6 @@ struct surface_summary {
     bool has_strips;                /* they are, or will be, solved */
     size_t points;                  /* of the first */
     double spacing_m, length_m;
-    double jump_m;     /* end-to-end jump, root mean square over the scans */
-    double jump_share; /* amplitude that jump leaks at the short end of the fit band / fitted amplitude there */
     struct roughness roughness;
     struct asperities asperities;
     bool has_asperities; /* a statistical model exists */
