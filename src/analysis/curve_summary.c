@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-const double curve_summary_beyond_fit_share = 0.1;
+static const double beyond_fit_share = 0.1;
 const double curve_summary_elbow_slope = 2;
 static const double slope_area = 0.1; /* A/A_n up to which the area is held to be a power of the load */
 
@@ -27,21 +27,21 @@ static void fit_area_slope(struct curve_summary *model, const struct model_curve
     model->area_slope = n < 5 ? NAN : (sxy - sx * sy / n) / (sxx - sx * sx / n);
 }
 
-static bool is_valid(const struct contact_point *point, const struct model_row *row)
+bool curve_summary_point_is_valid(const struct contact_point *point, const struct model_row *row)
 {
     return !(row->largest_area > 0 && point->value[QUANTITY_AREA] > row->largest_area) &&
-           !(point->beyond_fit > curve_summary_beyond_fit_share);
+           !(point->beyond_fit > beyond_fit_share);
 }
 
 struct curve_validity curve_summary_validity(const struct model_curve *curve, const struct model_row *row)
 {
     struct curve_validity valid = {0, 0};
-    while (valid.first < curve->count && !is_valid(&curve->points[valid.first], row))
+    while (valid.first < curve->count && !curve_summary_point_is_valid(&curve->points[valid.first], row))
         valid.first++;
     if (valid.first == curve->count)
         valid.first = 0;
     valid.end = valid.first;
-    while (valid.end < curve->count && is_valid(&curve->points[valid.end], row))
+    while (valid.end < curve->count && curve_summary_point_is_valid(&curve->points[valid.end], row))
         valid.end++;
     return valid;
 }

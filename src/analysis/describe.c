@@ -212,7 +212,6 @@ static enum status_code describe(struct surface_record *record, struct power_law
     struct status none = {0};
     double started = clock_seconds(), line_m[LOG_BIN_MOST];
     size_t lines = 0;
-    summary->harmonics = record->spectrum.count;
     summary->longest_waves = spectrum_longest_waves(&record->spectrum);
     summary->independent = fmax(1, scans->independent);
     size_t known = convergence_known(&record->spectrum, fmax(2 * def.lambda_s_m, scene->fit_band_m[0]), scans->step_m);

@@ -93,7 +93,7 @@ enum status_code ensemble_estimate(struct estimate *out, const struct ensemble *
 {
     enum status_code rc;
     if (count > 1 && set->scan_count == 1) {
-        rc = estimate_rows(out, value, count, logarithmic, status);
+        rc = estimate_make(out, value, NULL, count, true, logarithmic, status);
     } else {
         double *mean = malloc(2 * (count + 1) * sizeof *mean);
         size_t scans = 0;
@@ -108,7 +108,7 @@ enum status_code ensemble_estimate(struct estimate *out, const struct ensemble *
             mean[scans] = end == i + 1 ? value[i] : logarithmic ? exp(own) : own;
             weight[scans] = set->scans[scan[i]].weight;
         }
-        rc = estimate_scans(out, mean, weight, scans, logarithmic, status);
+        rc = estimate_make(out, mean, weight, scans, false, logarithmic, status);
         free(mean);
     }
     if (set->no_intervals)

@@ -72,7 +72,7 @@ struct model_task member_task(struct asperities *asperities, const struct member
                               const struct model_task *task);
 
 /** What is known of a number from values of members, the scan of each ascending: the mean over a scan's values counts
- * once, with the scan's weight; rows of a map by estimate_rows(). Error: STATUS_MEMORY. */
+ * once, with the scan's weight; rows of a map by their blocks. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code ensemble_estimate(struct estimate *out, const struct ensemble *set, const double *value,
                                               const size_t *scan, size_t count, bool logarithmic,
                                               struct status *status);

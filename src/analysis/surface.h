@@ -64,7 +64,6 @@ struct surface_summary {
     size_t periodic;              /* of the scans: those that close on themselves */
     size_t windowed;              /* of the scans: those whose spectrum was taken under a Hann window */
     struct convergence_tail tail; /* the spectrum's own short end, carried on below what is known */
-    size_t harmonics;
     double longest_waves; /* spectrum_longest_waves(); fewer than SURFACE_LONGEST_WAVES: a longer scan may differ */
     double pressure_over_hardness; /* and scale_dependence: effects_bound(); 0: not asked, or none */
     double scale_dependence;

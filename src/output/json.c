@@ -431,7 +431,7 @@ static json_t *answer_json(const struct results *results, size_t surface, size_t
     set(json, "load_N", met ? answer->load * scene_load_divisor(results->scene, UNIT_FORCE, &s->pair) : NAN);
     set(json, "load_over_AnEp", met ? answer->load : NAN);
     set_all(json, "load_over_AnEp_95", interval, 2);
-    set(json, "spots", answers_spots(answer, area_m2));
+    set(json, "spots", answer->spots_per_m2 * area_m2);
     json_object_set_new(json, "spots_by",
                         isnan(answer->spots_per_m2) ? json_null() : json_string(model_rows[answer->counted_by]->name));
     text_free(&note);
