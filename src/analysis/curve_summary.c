@@ -6,7 +6,7 @@
 #include <string.h>
 
 static const double beyond_fit_share = 0.1;
-const double curve_summary_elbow_slope = 2;
+static const double elbow_slope = 2;  /* twice the slope before it */
 static const double slope_area = 0.1; /* A/A_n up to which the area is held to be a power of the load */
 
 /** Least-squares slope of ln A over ln P where A/A_n < 0.1. */
@@ -107,7 +107,7 @@ void curve_summary_make(struct curve_summary *model, const struct model_curve *c
             isnan(model->elbow_load) &&
             !(point->value[QUANTITY_ECR] > 0 &&
               log(before->value[QUANTITY_ECR] / point->value[QUANTITY_ECR]) <
-                  curve_summary_elbow_slope * log(point->value[QUANTITY_LOAD] / before->value[QUANTITY_LOAD])))
+                  elbow_slope * log(point->value[QUANTITY_LOAD] / before->value[QUANTITY_LOAD])))
             model->elbow_load = before->value[QUANTITY_LOAD];
     }
 }

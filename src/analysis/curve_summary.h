@@ -30,8 +30,6 @@ struct curve_summary {
     double seconds; /* that the curve took */
 };
 
-/** |d ln ECR/d ln P| that counts as the elbow: twice the slope before it. */
-extern const double curve_summary_elbow_slope;
 /** Is it inside the model's validity: its largest area, and a tenth of the load beyond a law's fitted range? */
 bool curve_summary_point_is_valid(const struct contact_point *point, const struct model_row *row);
 

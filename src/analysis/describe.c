@@ -167,7 +167,7 @@ static void note_description(struct note_list *notes, const struct surface_summa
 
 static struct power_law_scans_def fit_def(const struct surface_summary *summary, const struct scene *scene)
 {
-    return (struct power_law_scans_def){surface_lambda_s(summary, scene),
+    return (struct power_law_scans_def){fmax(scene->lambda_s_m, summary->cutoff_m),
                                         scene->fit_band_given ? scene->fit_band_m : NULL};
 }
 

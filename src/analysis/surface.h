@@ -135,9 +135,6 @@ void surface_set_lay(struct surface_summary *summary, double lay, const char *in
  * sqrt((1 + r²)/2), r the rms slope along over across (equations: lay). */
 double surface_kappa(const struct surface_summary *summary);
 
-/** Cut-off of the low-pass that a surface's scans have had, by the scene's wish or as a map; 0: none. */
-double surface_lambda_s(const struct surface_summary *summary, const struct scene *scene);
-
 /** Frees the scans that only the models need: those run alone, the heights of a single one. */
 void surface_drop_scans(struct surface_record *record);
 /** Frees all arrays; the summary stays. */
