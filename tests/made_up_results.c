@@ -78,7 +78,7 @@ static struct estimate about(double value, double deviation, bool logarithmic)
     double step = deviation / M_SQRT2;
     const double scans[2] = {logarithmic ? value * exp(-step) : value - step,
                              logarithmic ? value * exp(step) : value + step};
-    assert_int_equal(estimate_scans(&estimate, scans, NULL, 2, logarithmic, &status), STATUS_OK);
+    assert_int_equal(estimate_make(&estimate, scans, NULL, 2, false, logarithmic, &status), STATUS_OK);
     return estimate;
 }
 
@@ -170,9 +170,6 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
         summary->points = 200;
         summary->spacing_m = 1e-6;
         summary->length_m = 2e-4;
-        summary->harmonics = 3;
-        summary->jump_m = 1e-8;
-        summary->jump_share = 0.1;
         summary->scans = index == 0 ? 2 : 1;
         summary->independent = (double)summary->scans;
         if (index == 0)

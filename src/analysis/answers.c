@@ -16,14 +16,6 @@ static const struct answer no_answer = {.load = NAN, .low = NAN, .high = NAN, .s
 /** Share by which a number may miss its target where the curve ends without a full contact. */
 static const double end_slack = 0.01;
 
-/** `point` NULL: contact is full. */
-static bool is_invalid(const struct contact_point *point, const struct model_row *row)
-{
-    double area = point ? point->value[QUANTITY_AREA] : 1;
-    return (row->largest_area > 0 && area > row->largest_area) ||
-           (point && point->beyond_fit > curve_summary_beyond_fit_share);
-}
-
 /** What a quantity is where contact is full: there is no resistance left but the film's. */
 static double full_value(enum quantity quantity, const struct joint_task *joint)
 {
@@ -41,8 +33,7 @@ static double full_value(enum quantity quantity, const struct joint_task *joint)
 static bool is_above_hardness(const struct contact_point *point, double load, const struct model_row *row,
                               const struct model_task *task)
 {
-    double area = point ? point->value[QUANTITY_AREA] : 1;
-    return !row->plastic && material_pair_pressure(task->pair, load) > task->hardness_Pa * area;
+    return !row->plastic && material_pair_pressure(task->pair, load) > task->hardness_Pa * point->value[QUANTITY_AREA];
 }
 
 /** One end of the band about a curve. */
@@ -191,9 +182,10 @@ static enum status_code solve(struct answer *out, struct search *search)
         out->kind = near ? ANSWER_LOAD : ANSWER_NOT_REACHED;
         out->load = near ? ends[1] : search->full_load <= last ? last : ends[0];
     }
-    const struct contact_point *point = search->full_load <= out->load ? NULL : &search->point;
-    out->invalid = is_invalid(point, search->row);
-    out->above_hardness = is_above_hardness(point, out->load, search->row, &search->task);
+    if (search->full_load <= out->load)
+        search->point = (struct contact_point){.value[QUANTITY_AREA] = 1};
+    out->invalid = !curve_summary_point_is_valid(&search->point, search->row);
+    out->above_hardness = is_above_hardness(&search->point, out->load, search->row, &search->task);
     return search->status->code;
 }
 
@@ -372,16 +364,11 @@ enum status_code answers_find(struct surface_record *record, const struct scene 
     return STATUS_OK;
 }
 
-double answers_spots(const struct answer *answer, double nominal_area_m2)
-{
-    return answer->spots_per_m2 * nominal_area_m2;
-}
-
 void answers_note(struct text *out, const struct answer *answer, double nominal_area_m2, double load_scale,
                   const char *load_unit)
 {
     const char *before = "";
-    double spots = answers_spots(answer, nominal_area_m2);
+    double spots = answer->spots_per_m2 * nominal_area_m2;
     if (answer->kind == ANSWER_NONE)
         text_add(out, "no value");
     if (answer->kind == ANSWER_LIGHTEST)

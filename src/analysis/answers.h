@@ -46,8 +46,6 @@ MUST_CHECK enum status_code answers_find(struct surface_record *record, const st
 
 /** Spots below which a contact is no matter for statistics. */
 extern const double answers_least_spots;
-/** Spots in the nominal area; NaN: not known. */
-double answers_spots(const struct answer *answer, double nominal_area_m2);
 /** "not reached up to 0.1 N; beyond the model's validity; too few spots for statistics (9.1)": nothing, or what goes
  * with the answer's load, which stands in `load_unit` ("": P/(A_n E')), `load_scale` of them one P/(A_n E'). */
 void answers_note(struct text *out, const struct answer *answer, double nominal_area_m2, double load_scale,

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-const double curve_summary_beyond_fit_share = 0.1;
-const double curve_summary_elbow_slope = 2;
+static const double beyond_fit_share = 0.1;
+static const double elbow_slope = 2;  /* twice the slope before it */
 static const double slope_area = 0.1; /* A/A_n up to which the area is held to be a power of the load */
 
 /** Least-squares slope of ln A over ln P where A/A_n < 0.1. */
@@ -27,21 +27,21 @@ static void fit_area_slope(struct curve_summary *model, const struct model_curve
     model->area_slope = n < 5 ? NAN : (sxy - sx * sy / n) / (sxx - sx * sx / n);
 }
 
-static bool is_valid(const struct contact_point *point, const struct model_row *row)
+bool curve_summary_point_is_valid(const struct contact_point *point, const struct model_row *row)
 {
     return !(row->largest_area > 0 && point->value[QUANTITY_AREA] > row->largest_area) &&
-           !(point->beyond_fit > curve_summary_beyond_fit_share);
+           !(point->beyond_fit > beyond_fit_share);
 }
 
 struct curve_validity curve_summary_validity(const struct model_curve *curve, const struct model_row *row)
 {
     struct curve_validity valid = {0, 0};
-    while (valid.first < curve->count && !is_valid(&curve->points[valid.first], row))
+    while (valid.first < curve->count && !curve_summary_point_is_valid(&curve->points[valid.first], row))
         valid.first++;
     if (valid.first == curve->count)
         valid.first = 0;
     valid.end = valid.first;
-    while (valid.end < curve->count && is_valid(&curve->points[valid.end], row))
+    while (valid.end < curve->count && curve_summary_point_is_valid(&curve->points[valid.end], row))
         valid.end++;
     return valid;
 }
@@ -107,7 +107,7 @@ void curve_summary_make(struct curve_summary *model, const struct model_curve *c
             isnan(model->elbow_load) &&
             !(point->value[QUANTITY_ECR] > 0 &&
               log(before->value[QUANTITY_ECR] / point->value[QUANTITY_ECR]) <
-                  curve_summary_elbow_slope * log(point->value[QUANTITY_LOAD] / before->value[QUANTITY_LOAD])))
+                  elbow_slope * log(point->value[QUANTITY_LOAD] / before->value[QUANTITY_LOAD])))
             model->elbow_load = before->value[QUANTITY_LOAD];
     }
 }

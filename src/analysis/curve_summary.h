@@ -30,10 +30,8 @@ struct curve_summary {
     double seconds; /* that the curve took */
 };
 
-/** |d ln ECR/d ln P| that counts as the elbow: twice the slope before it. */
-extern const double curve_summary_elbow_slope;
-/** Share of the load beyond a law's fitted range from which a curve is drawn as outside its validity. */
-extern const double curve_summary_beyond_fit_share;
+/** Is it inside the model's validity: its largest area, and a tenth of the load beyond a law's fitted range? */
+bool curve_summary_point_is_valid(const struct contact_point *point, const struct model_row *row);
 
 /** Points of a curve inside the model's validity: from `first` to before `end`, which are the same when none is. Light
  * loads may be outside too (contacting slopes: too few points touch). */

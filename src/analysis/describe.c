@@ -97,20 +97,6 @@ static void keep_single(struct surface_record *record, const struct power_law_sc
     ensemble_free(&record->ensemble);
 }
 
-/** Scans of unlike lengths are cut to subrecords of the shortest one's. */
-static enum status_code cut_to_shortest(struct surface_record *record, const struct scene *scene, struct status *status)
-{
-    const char *odd;
-    size_t cut;
-    if (repeats_cut_to_shortest(&record->ensemble, &cut, &odd, scene, status) != STATUS_OK)
-        return status->code;
-    if (odd)
-        note_add(&record->summary.notes, NULL,
-                 "%s is less than half as long as the others, which are all cut to its length; leave it out", odd);
-    record->summary.repeats.cut = cut;
-    return STATUS_OK;
-}
-
 enum status_code describe_conclude(struct surface_record *record, struct power_law_scans *scans,
                                    const struct scene *scene, struct status *status)
 {
@@ -125,7 +111,8 @@ enum status_code describe_conclude(struct surface_record *record, struct power_l
         note_add(&record->summary.notes, NULL, "its %zu scans are the same to the last digit: they count as one", all);
         scans->independent = 1;
     }
-    if (set->count > 1 && profiles && cut_to_shortest(record, scene, status) != STATUS_OK)
+    if (set->count > 1 && profiles &&
+        repeats_cut_to_shortest(set, &record->summary.repeats.cut, scene, status) != STATUS_OK)
         return status->code;
     if (set->keeps_heights && strips_gather(&record->strips, set, status) != STATUS_OK)
         return status->code;
@@ -142,7 +129,7 @@ enum status_code describe_conclude(struct surface_record *record, struct power_l
     return STATUS_OK;
 }
 
-/** Says what the law leaves to say: a step between the ends, two slopes, lines, a slope that decides on convergence;
+/** Says what the law leaves to say: two slopes, lines, a slope that decides on convergence;
  * and which models are lost where the surface has no asperities (`why_none`). */
 static void note_description(struct note_list *notes, const struct surface_summary *summary, const struct scene *scene,
                              const double *line_m, size_t line_count, bool diverges, const char *why_none)
@@ -163,12 +150,6 @@ static void note_description(struct note_list *notes, const struct surface_summa
     else if (law->found == POWER_LAW_BAND_NARROW)
         note_add(notes, NULL, "the power law is narrow: it holds from %.3g to %.3g um only, under a decade",
                  law->band_m[0] * 1e6, law->band_m[1] * 1e6);
-    if (summary->jump_share > 0.5)
-        note_add(
-            notes, NULL,
-            "the ends of the record differ by %.3g um; that jump alone leaks %s of the fitted amplitude at %.3g um, "
-            "so gamma is drawn towards 1: try window: hann",
-            summary->jump_m * 1e6, summary->jump_share > 1 ? "more than the whole" : "over half", law->band_m[0] * 1e6);
     if (isfinite(law->knee_m))
         note_add(notes, NULL, "two slopes fit better than one: gamma %.2f above %.3g um, %.2f below; consider fit_band",
                  law->gamma_above, law->knee_m * 1e6, law->gamma_below);
@@ -186,7 +167,7 @@ static void note_description(struct note_list *notes, const struct surface_summa
 
 static struct power_law_scans_def fit_def(const struct surface_summary *summary, const struct scene *scene)
 {
-    return (struct power_law_scans_def){surface_lambda_s(summary, scene),
+    return (struct power_law_scans_def){fmax(scene->lambda_s_m, summary->cutoff_m),
                                         scene->fit_band_given ? scene->fit_band_m : NULL};
 }
 
@@ -231,17 +212,12 @@ static enum status_code describe(struct surface_record *record, struct power_law
     struct status none = {0};
     double started = clock_seconds(), line_m[LOG_BIN_MOST];
     size_t lines = 0;
-    summary->harmonics = record->spectrum.count;
     summary->longest_waves = spectrum_longest_waves(&record->spectrum);
     summary->independent = fmax(1, scans->independent);
     size_t known = convergence_known(&record->spectrum, fmax(2 * def.lambda_s_m, scene->fit_band_m[0]), scans->step_m);
     summary->tail = convergence_tail(&record->spectrum, known);
     if (scene->fit == POWER_LAW_THESIS) {
         *law = power_law_fit(&record->spectrum, scene->fit_band_m);
-        /* a jump J at the border of the record adds J/(pi n) to harmonic n, an f^-1 tail */
-        double leak_m = summary->jump_m * law->band_m[0] / (M_PI * summary->length_m);
-        bool leaks = summary->windowed < summary->scans && summary->periodic < summary->scans && isfinite(law->gamma);
-        summary->jump_share = leaks ? leak_m / power_law_amplitude(law, law->band_m[0]) : 0;
     } else {
         if (!(record->band = malloc(sizeof *record->band)))
             return status_memory(status);

@@ -94,8 +94,6 @@ static enum status_code average(struct surface_record *record, const struct prof
                                 struct status *status)
 {
     struct surface_summary *summary = &record->summary;
-    double before = (double)summary->scans, jump_m = profile->end_jump_m;
-    summary->jump_m = sqrt((before * summary->jump_m * summary->jump_m + jump_m * jump_m) / (before + 1));
     summary->periodic += profile->periodic;
     if (summary->scans++ > 0) {
         roughness_average(&summary->roughness, roughness, summary->scans - 1);

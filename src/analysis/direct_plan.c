@@ -5,7 +5,16 @@
 #include <math.h>
 #include <stdio.h>
 
-enum { GRID_LEAST = 64, GRID_USUAL = 256, GRID_MOST = 1024, FINE_MOST = 2048, SIDE_MOST = 400, LOADS = 13, SEEDS = 12 };
+enum {
+    GRID_LEAST = 64,
+    GRID_USUAL = 256,
+    GRID_MOST = 1024,
+    FINE_MOST = 2048,
+    SIDE_MOST = 400,
+    LOADS = 13,
+    SEEDS = 12,
+    FEWER = 4
+};
 
 /** Points that the shortest wave needs: gap within 3e-4, constriction within 0.5 %, area within 1 %. */
 static const double points_a_wave = 6;
@@ -92,7 +101,7 @@ static void try(struct direct_plan *plan, const struct direct_plan_task *task, s
     plan->grid = map ? direct_map_side(&task->map, size) : size;
     plan->mirrored = plan->grid > size;
     plan->seeds = map ? 1 : seeds;
-    plan->fewer = map || seeds < 2 ? 1 : seeds < 6 ? 2 : (seeds + 2) / 3; /* one has no scatter to tell */
+    plan->fewer = map ? 1 : seeds < FEWER ? seeds : FEWER; /* as many as tell their scatter */
     plan->fine_times = fine && !map && 2 * plan->grid <= FINE_MOST ? 2 : 0;
     plan->length_m = map ? task->map.dx_m * (double)plan->grid : task->length_m;
     double resolved_m = points_a_wave * plan->length_m / (double)plan->grid;

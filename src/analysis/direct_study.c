@@ -135,26 +135,6 @@ static enum status_code solve(struct maker *maker, enum direct_study_kind kind, 
     return STATUS_OK;
 }
 
-/** Two or three surfaces tell next to nothing of their own scatter: where that is less, it is taken as the relative one
- * of the elastic solution at that load, whose surfaces have the same spectrum. The area under a hardness is p̄/H on all.
- */
-static void borrow_scatter(struct direct_study *study)
-{
-    enum { FEW = 4 };
-    const struct direct_study_curve *elastic = &study->curves[DIRECT_STUDY_ELASTIC];
-    struct direct_study_curve *capped = &study->curves[DIRECT_STUDY_CAPPED];
-    if (!capped->points || capped->seeds >= FEW || elastic->seeds <= capped->seeds)
-        return;
-    for (size_t i = 0; i < capped->loads; i++)
-        for (int q = DIRECT_GAP; q <= DIRECT_CONSTRICTION; q++) {
-            const struct direct_mean *from = &elastic->points[i].mean[q];
-            struct direct_mean *to = &capped->points[i].mean[q];
-            double share = from->standard_error / from->value * sqrt((double)elastic->seeds / (double)capped->seeds);
-            if (to->value > 0 && share > 0)
-                to->standard_error = fmax(to->standard_error, share * to->value);
-        }
-}
-
 /** The models on the surface's rows. */
 static enum status_code run_models(struct maker *maker, struct status *status)
 {
@@ -204,8 +184,6 @@ static enum status_code run(struct maker *maker, struct status *status)
     for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++)
         if (solve(maker, (enum direct_study_kind)kind, &defs[kind], status) != STATUS_OK)
             return status->code;
-    if (study->plan.side == 0)
-        borrow_scatter(study);
     return run_models(maker, status);
 }
 

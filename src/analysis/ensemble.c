@@ -39,39 +39,26 @@ struct record_conditioning record_conditioning_of(const struct scene *scene, boo
     return (struct record_conditioning){scene->level, !scene->level_given, periodic, scene->window, scene->moments};
 }
 
-static enum level level_of(const struct record_conditioning *how)
-{
-    return how->periodic && how->periodic_mean ? LEVEL_MEAN : how->level;
-}
-
 enum status_code member_of_record(struct member *out, struct fft_room *room, size_t points, double spacing_m,
-                                  const struct record_conditioning *how, struct status *status)
+                                  const struct record_conditioning *how, bool keeps_heights, struct status *status)
 {
     struct levelling levelling;
     struct status none = {0};
+    enum level level = how->periodic && how->periodic_mean ? LEVEL_MEAN : how->level;
     *out = (struct member){.points = points, .spacing_m = spacing_m, .periodic = how->periodic};
-    if (level_remove(&levelling, room->record, NULL, points, spacing_m, level_of(how), &none) == STATUS_MEMORY)
+    if (level_remove(&levelling, room->record, NULL, points, spacing_m, level, &none) == STATUS_MEMORY)
         return status_memory(status);
+    if (keeps_heights) {
+        if (!(out->height_m = malloc(points * sizeof *out->height_m)))
+            return status_memory(status);
+        memcpy(out->height_m, room->record, points * sizeof *out->height_m);
+    }
     out->roughness = roughness_of_heights(room->record, points, spacing_m);
     enum spectrum_window window = spectrum_window_for(how->window, how->periodic);
     if (spectrum_of_record(&out->spectrum, room, points, spacing_m, window, status) != STATUS_OK)
         return status->code;
     if (how->moments == ROUGHNESS_MOMENTS_SPECTRAL)
         roughness_from_spectrum(&out->roughness, &out->spectrum);
-    return STATUS_OK;
-}
-
-static enum status_code keep_heights(struct member *member, const double *height_m,
-                                     const struct record_conditioning *how, struct status *status)
-{
-    struct levelling levelling;
-    struct status none = {0};
-    if (!(member->height_m = malloc(member->points * sizeof *height_m)))
-        return status_memory(status);
-    memcpy(member->height_m, height_m, member->points * sizeof *height_m);
-    if (level_remove(&levelling, member->height_m, NULL, member->points, member->spacing_m, level_of(how), &none) ==
-        STATUS_MEMORY)
-        return status_memory(status);
     return STATUS_OK;
 }
 
@@ -85,10 +72,8 @@ enum status_code ensemble_add(struct ensemble *set, size_t scan, const double *h
     if (!member || !fft_room_make(&room, points))
         return status_memory(status);
     memcpy(room.record, height_m, points * sizeof *height_m);
-    enum status_code rc = member_of_record(member, &room, points, spacing_m, &own, status);
+    enum status_code rc = member_of_record(member, &room, points, spacing_m, &own, set->keeps_heights, status);
     member->scan = scan;
-    if (rc == STATUS_OK && set->keeps_heights)
-        rc = keep_heights(member, height_m, &own, status);
     fft_room_free(&room);
     return rc;
 }
@@ -108,7 +93,7 @@ enum status_code ensemble_estimate(struct estimate *out, const struct ensemble *
 {
     enum status_code rc;
     if (count > 1 && set->scan_count == 1) {
-        rc = estimate_rows(out, value, count, logarithmic, status);
+        rc = estimate_make(out, value, NULL, count, true, logarithmic, status);
     } else {
         double *mean = malloc(2 * (count + 1) * sizeof *mean);
         size_t scans = 0;
@@ -123,7 +108,7 @@ enum status_code ensemble_estimate(struct estimate *out, const struct ensemble *
             mean[scans] = end == i + 1 ? value[i] : logarithmic ? exp(own) : own;
             weight[scans] = set->scans[scan[i]].weight;
         }
-        rc = estimate_scans(out, mean, weight, scans, logarithmic, status);
+        rc = estimate_make(out, mean, weight, scans, false, logarithmic, status);
         free(mean);
     }
     if (set->no_intervals)

@@ -54,11 +54,12 @@ struct record_conditioning {
 };
 struct record_conditioning record_conditioning_of(const struct scene *scene, bool periodic);
 
-/** Levels the heights in room->record, which are used up, and takes their spectrum (owned: spectrum_free()) and
- * roughness; how->periodic: they close on themselves. A form that does not fit leaves them as they are. Error:
- * STATUS_MEMORY. */
+/** Levels the heights in room->record, which are used up, and takes their spectrum, roughness and, where they
+ * are to be kept, a copy (owned: spectrum_free(), free()); how->periodic: they close on themselves. A form that does
+ * not fit leaves them as they are. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code member_of_record(struct member *out, struct fft_room *room, size_t points, double spacing_m,
-                                             const struct record_conditioning *how, struct status *status);
+                                             const struct record_conditioning *how, bool keeps_heights,
+                                             struct status *status);
 /** Adds a member made of a copy of the heights; of a periodic scan it is looked at whether they close too. Error:
  * STATUS_MEMORY. */
 MUST_CHECK enum status_code ensemble_add(struct ensemble *set, size_t scan, const double *height_m, size_t points,
@@ -71,7 +72,7 @@ struct model_task member_task(struct asperities *asperities, const struct member
                               const struct model_task *task);
 
 /** What is known of a number from values of members, the scan of each ascending: the mean over a scan's values counts
- * once, with the scan's weight; rows of a map by estimate_rows(). Error: STATUS_MEMORY. */
+ * once, with the scan's weight; rows of a map by their blocks. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code ensemble_estimate(struct estimate *out, const struct ensemble *set, const double *value,
                                               const size_t *scan, size_t count, bool logarithmic,
                                               struct status *status);

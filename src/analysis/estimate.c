@@ -50,67 +50,38 @@ static struct estimate alone(double value, bool logarithmic)
     return out;
 }
 
-/** A copy of the values to work on; *known: all are finite. */
-static enum status_code scale_all(double **out, bool *known, const double *value, size_t count, bool logarithmic,
-                                  struct status *status)
-{
-    *known = count > 0;
-    *out = malloc((count + 1) * sizeof **out);
-    for (size_t i = 0; *out && i < count; i++) {
-        (*out)[i] = scaled(value[i], logarithmic);
-        *known = *known && !isnan((*out)[i]);
-    }
-    return *out ? STATUS_OK : status_memory(status);
-}
-
-/** Of finite values, or of what there is to say of one. */
-static enum status_code conclude(struct estimate *out, const double *own, const double *weight, size_t count, bool rows,
-                                 bool logarithmic, struct status *status)
+enum status_code estimate_make(struct estimate *out, const double *value, const double *weight, size_t count, bool rows,
+                               bool logarithmic, struct status *status)
 {
     struct interval interval;
-    if (count == 1) {
-        *out = alone(own[0], logarithmic);
-        return STATUS_OK;
+    bool known = count > 0;
+    double *own = malloc((count + 1) * sizeof *own);
+    *out = estimate_none;
+    out->logarithmic = logarithmic;
+    if (!own)
+        return status_memory(status);
+    for (size_t i = 0; i < count; i++) {
+        own[i] = scaled(value[i], logarithmic);
+        known = known && !isnan(own[i]);
     }
-    enum status_code rc = rows ? interval_rows(&interval, own, count, estimate_level, status)
-                               : interval_scans(&interval, own, weight, count, estimate_level, status);
-    if (rc == STATUS_OK)
-        *out = from_interval(&interval, logarithmic);
-    return rc;
-}
-
-enum status_code estimate_scans(struct estimate *out, const double *value, const double *weight, size_t count,
-                                bool logarithmic, struct status *status)
-{
-    double *own;
-    bool known;
-    *out = estimate_none;
-    out->logarithmic = logarithmic;
-    enum status_code rc = scale_all(&own, &known, value, count, logarithmic, status);
-    if (rc == STATUS_OK && known)
-        rc = conclude(out, own, weight, count, false, logarithmic, status);
-    free(own);
-    return rc;
-}
-
-enum status_code estimate_rows(struct estimate *out, const double *value, size_t count, bool logarithmic,
-                               struct status *status)
-{
-    double *own, mean[ESTIMATE_BLOCKS] = {0};
-    bool known;
-    *out = estimate_none;
-    out->logarithmic = logarithmic;
-    enum status_code rc = scale_all(&own, &known, value, count, logarithmic, status);
-    size_t blocks = count < ESTIMATE_BLOCKS ? count : ESTIMATE_BLOCKS;
-    for (size_t b = 0; rc == STATUS_OK && known && b < blocks; b++) {
-        size_t first = b * count / blocks, end = (b + 1) * count / blocks;
+    size_t parts = rows && count > ESTIMATE_BLOCKS ? ESTIMATE_BLOCKS : count;
+    for (size_t b = 0; b < parts && parts < count; b++) {
+        size_t first = b * count / parts, end = (b + 1) * count / parts;
+        double base = own[first], mean = 0;
         for (size_t i = first; i < end; i++)
-            mean[b] += (own[i] - own[first]) / (double)(end - first);
-        mean[b] += own[first]; /* equal rows have this very mean */
+            mean += (own[i] - base) / (double)(end - first);
+        own[b] = mean + base; /* equal rows have this very mean */
     }
-    if (rc == STATUS_OK && known)
-        rc = conclude(out, mean, NULL, blocks, true, logarithmic, status);
-    out->next_half_width = NAN; /* another row is no other scan */
+    enum status_code rc = STATUS_OK;
+    if (known && parts == 1) {
+        *out = alone(own[0], logarithmic);
+    } else if (known) {
+        rc = rows ? interval_rows(&interval, own, parts, estimate_level, status)
+                  : interval_scans(&interval, own, weight, parts, estimate_level, status);
+        *out = rc == STATUS_OK ? from_interval(&interval, logarithmic) : *out;
+    }
+    if (rows)
+        out->next_half_width = NAN; /* another row is no other scan */
     free(own);
     return rc;
 }

@@ -31,20 +31,16 @@ struct estimate {
     }
 extern const struct estimate estimate_none;
 
-/** Of `count` scans in any order, of the weights given (NULL: 1 each); values as they are, not their logarithms. A
- * value that is not finite (or not positive, of a logarithmic one): not known; one value: its mean alone. Error:
- * STATUS_MEMORY. */
-MUST_CHECK enum status_code estimate_scans(struct estimate *out, const double *value, const double *weight,
-                                           size_t count, bool logarithmic, struct status *status);
-
 enum {
     ESTIMATE_BLOCKS = 16,
     ESTIMATE_LEAST_EFFECTIVE = 4 /* fewer independent rows: the map is too small for its longest waves */
 };
-/** Of a map's rows in their order: of the means over ESTIMATE_BLOCKS blocks of them (of the rows where there are
- * fewer). As estimate_scans(). */
-MUST_CHECK enum status_code estimate_rows(struct estimate *out, const double *value, size_t count, bool logarithmic,
-                                          struct status *status);
+/** Of `count` scans in any order, of the weights given (NULL: 1 each), or of a map's `rows` in their order: of the
+ * means over ESTIMATE_BLOCKS blocks of them (of the rows where there are fewer). Values as they are, not their
+ * logarithms; one that is not finite (or not positive, of a logarithmic one): not known; one value: its mean alone.
+ * Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code estimate_make(struct estimate *out, const double *value, const double *weight, size_t count,
+                                          bool rows, bool logarithmic, struct status *status);
 
 /** Of one scan that answers `value`. */
 struct estimate estimate_single(double value, const struct single_scan *single, bool logarithmic);

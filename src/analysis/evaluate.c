@@ -27,14 +27,6 @@ static void extend(struct surface_record *record, const struct scene *scene)
     summary->times.convergence = clock_seconds() - started;
 }
 
-/** A band for model `m`, of which nothing is known yet. */
-static enum status_code make_band(struct surface_record *record, size_t m, const struct model_task *task,
-                                  struct status *status)
-{
-    record->bands[m] = ensemble_band_make(task->loads, task->load_count);
-    return record->bands[m] ? STATUS_OK : status_memory(status);
-}
-
 /** What simulated records say of how far another place of a surface with one scan may answer. */
 static enum status_code run_uncertainty(struct surface_record *record, const struct scene *scene,
                                         const struct plan *plan, const struct model_task *task, struct status *status)
@@ -60,8 +52,10 @@ static enum status_code run_uncertainty(struct surface_record *record, const str
         struct estimate estimates[CURVE_ESTIMATES];
         for (int which = 0; which < CURVE_ESTIMATES; which++)
             estimates[which] = estimate_none;
-        if ((rc = make_band(record, m, task, status)) != STATUS_OK)
+        if (!(record->bands[m] = ensemble_band_make(task->loads, task->load_count))) {
+            rc = status_memory(status);
             break;
+        }
         for (size_t i = 0; i < curve->count; i++) {
             const struct contact_point *point = &curve->points[i];
             if (point->value[QUANTITY_LOAD] != record->bands[m][i].load)
@@ -80,13 +74,6 @@ static enum status_code run_uncertainty(struct surface_record *record, const str
     free(all);
     summary->times.uncertainty += clock_seconds() - started;
     return rc == STATUS_SCAN ? STATUS_OK : rc; /* no records of this one */
-}
-
-/** Is the beta of model `m` sought that is nearest to its multiscale counterpart? */
-static bool seeks_beta(const struct plan *plan, size_t m)
-{
-    return plan_runs(plan, EFFECT_SEPARATION) && plan_runs_model(plan, m) &&
-           plan_runs_model(plan, model_index(model_rows[m]->counterpart));
 }
 
 /** The other estimate of beta (4.54), which brings delta_ADJ closest to the separation H of the multiscale model of the
@@ -132,8 +119,8 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
         return status_memory(status);
     double started = clock_seconds();
     bool several = record->ensemble.count > 1;
-    if (several && make_band(record, m, task, status) != STATUS_OK)
-        return status->code;
+    if (several && !(record->bands[m] = ensemble_band_make(task->loads, task->load_count)))
+        return status_memory(status);
     struct ensemble_result result = {.band = record->bands[m]};
     if (ensemble_curve(curve, &result, &record->ensemble, model_rows[m], task, status) != STATUS_OK)
         return status->code;
@@ -243,7 +230,8 @@ enum status_code evaluate_models(struct surface_record *record, const struct sce
         run_uncertainty(record, scene, plan, &task, status) != STATUS_OK)
         return status->code;
     for (size_t m = 0; m < model_count; m++)
-        if (seeks_beta(plan, m))
+        if (plan_runs(plan, EFFECT_SEPARATION) && plan_runs_model(plan, m) &&
+            plan_runs_model(plan, model_index(model_rows[m]->counterpart)))
             record->summary.models[m]->beta_multiscale = nearest_beta(record, m);
     if (plan_runs(plan, EFFECT_CONVERGENCE))
         extend(record, scene);

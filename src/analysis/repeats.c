@@ -84,32 +84,13 @@ static enum status_code cut_scan(struct ensemble *cut, const struct member *scan
     return STATUS_OK;
 }
 
-/** Index of the shortest scan. Error: STATUS_MEMORY. */
-static enum status_code find_shortest(size_t *out, bool *odd, const struct ensemble *set, struct status *status)
-{
-    double *length_m = malloc(set->count * sizeof *length_m), least_m = INFINITY;
-    if (!length_m)
-        return status_memory(status);
-    for (size_t p = 0; p < set->count; p++) {
-        length_m[p] = (double)set->members[p].points * set->members[p].spacing_m;
-        *out = length_m[p] < least_m ? p : *out;
-        least_m = fmin(least_m, length_m[p]);
-    }
-    *odd = interval_shortest_is_odd(length_m, set->count);
-    free(length_m);
-    return STATUS_OK;
-}
-
-enum status_code repeats_cut_to_shortest(struct ensemble *set, size_t *cut, const char **odd, const struct scene *scene,
+enum status_code repeats_cut_to_shortest(struct ensemble *set, size_t *cut, const struct scene *scene,
                                          struct status *status)
 {
-    size_t shortest = 0, longer = 0;
-    bool is_odd = false;
-    if (find_shortest(&shortest, &is_odd, set, status) != STATUS_OK)
-        return status->code;
-    const struct member *least = &set->members[shortest];
-    double least_m = (double)least->points * least->spacing_m;
-    *odd = is_odd ? set->scans[least->scan].file : NULL;
+    size_t longer = 0;
+    double least_m = INFINITY;
+    for (size_t p = 0; p < set->count; p++)
+        least_m = fmin(least_m, (double)set->members[p].points * set->members[p].spacing_m);
     struct ensemble out = {.scans = set->scans, .scan_count = set->scan_count, .keeps_heights = set->keeps_heights};
     enum status_code rc = STATUS_OK;
     for (size_t p = 0; p < set->count && rc == STATUS_OK; p++) {

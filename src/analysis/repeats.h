@@ -28,9 +28,9 @@ MUST_CHECK enum status_code repeats_add(struct ensemble *set, size_t row, size_t
 bool repeats_merge_identical(struct ensemble *set);
 
 /** Cuts scans of unlike lengths to subrecords as long as the shortest; *cut: how many members they are, 0 where none is
- * longer. *odd: the file that is less than half as long as the others, NULL: none. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code repeats_cut_to_shortest(struct ensemble *set, size_t *cut, const char **odd,
-                                                    const struct scene *scene, struct status *status);
+ * longer. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code repeats_cut_to_shortest(struct ensemble *set, size_t *cut, const struct scene *scene,
+                                                    struct status *status);
 
 /** Puts the members on the grid of `mean`, their mean spectrum. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code repeats_align(struct ensemble *set, const struct spectrum *mean, struct status *status);

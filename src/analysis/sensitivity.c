@@ -63,7 +63,7 @@ static enum status_code add_variant(struct member *mean, size_t so_far, enum sen
         return status_memory(status);
     enum status_code rc = take_variant(&room, points, variant, profile, how->lambda_s_m, status);
     if (rc == STATUS_OK)
-        rc = member_of_record(&own, &room, points, profile->spacing_m, record, status);
+        rc = member_of_record(&own, &room, points, profile->spacing_m, record, false, status);
     fft_room_free(&room);
     return rc == STATUS_OK ? add_mean(mean, so_far, &own, status) : rc;
 }

@@ -69,11 +69,6 @@ double surface_kappa(const struct surface_summary *summary)
     return summary->has_lay ? sqrt((1 + summary->lay * summary->lay) / 2) : 1;
 }
 
-double surface_lambda_s(const struct surface_summary *summary, const struct scene *scene)
-{
-    return fmax(scene->lambda_s_m, summary->cutoff_m);
-}
-
 struct model_task surface_middle_task(const struct model_task *task)
 {
     return model_task_at(task, task->loads ? &task->loads[model_task_operating(task)] : NULL, 1);

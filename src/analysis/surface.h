@@ -56,8 +56,6 @@ struct surface_summary {
     bool has_strips;                /* they are, or will be, solved */
     size_t points;                  /* of the first */
     double spacing_m, length_m;
-    double jump_m;     /* end-to-end jump, root mean square over the scans */
-    double jump_share; /* amplitude that jump leaks at the short end of the fit band / fitted amplitude there */
     struct roughness roughness;
     struct asperities asperities;
     bool has_asperities; /* a statistical model exists */
@@ -66,7 +64,6 @@ struct surface_summary {
     size_t periodic;              /* of the scans: those that close on themselves */
     size_t windowed;              /* of the scans: those whose spectrum was taken under a Hann window */
     struct convergence_tail tail; /* the spectrum's own short end, carried on below what is known */
-    size_t harmonics;
     double longest_waves; /* spectrum_longest_waves(); fewer than SURFACE_LONGEST_WAVES: a longer scan may differ */
     double pressure_over_hardness; /* and scale_dependence: effects_bound(); 0: not asked, or none */
     double scale_dependence;
@@ -137,9 +134,6 @@ void surface_set_lay(struct surface_summary *summary, double lay, const char *in
 /** What the frequencies of the scans, taken across a lay, are multiplied by in the models, which know no direction:
  * sqrt((1 + r²)/2), r the rms slope along over across (equations: lay). */
 double surface_kappa(const struct surface_summary *summary);
-
-/** Cut-off of the low-pass that a surface's scans have had, by the scene's wish or as a map; 0: none. */
-double surface_lambda_s(const struct surface_summary *summary, const struct scene *scene);
 
 /** Frees the scans that only the models need: those run alone, the heights of a single one. */
 void surface_drop_scans(struct surface_record *record);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fourier transforms of real records by FFTW, whose planner is the one part of it that threads have to take turns at.
- * Small sizes are planned once: planning takes longer than many such transforms. */
+ */
 #ifndef BASE_FFT_H
 #define BASE_FFT_H
 

@@ -74,13 +74,6 @@ void number_format_uncertain(struct text *out, double value, double error)
     }
 }
 
-void number_format_between(struct text *out, const char *before, double value, int digits, const char *after)
-{
-    text_add(out, "%s", before);
-    number_format(out, value, digits);
-    text_add(out, "%s", after);
-}
-
 void number_format_range(struct text *out, double least_value, double most_value, int digits)
 {
     struct text low = {0}, high = {0};

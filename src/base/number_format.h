@@ -11,7 +11,5 @@ void number_format(struct text *out, double value, int digits);
 void number_format_uncertain(struct text *out, double value, double error);
 /** "least to most", or one number when both are the same to the digits shown. */
 void number_format_range(struct text *out, double least, double most, int digits);
-/** number_format() between two fixed texts. */
-void number_format_between(struct text *out, const char *before, double value, int digits, const char *after);
 
 #endif

@@ -209,7 +209,9 @@ static bool is_number(const char *string)
     return *end == '\0';
 }
 
-bool text_is_formula(const char *string)
+/** Would a spreadsheet calculate a cell of this text, that is: does it begin, perhaps behind blanks or apostrophes,
+ * with = + - @ (or their full-width forms), and is no number? */
+static bool is_formula(const char *string)
 {
     static const char *const marks[] = {"=", "+", "-", "@", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"};
     const char *start = string + strspn(string, " '");
@@ -223,7 +225,7 @@ void text_add_csv(struct text *text, const char *string)
 {
     struct text shown = {0};
     text_add_shown(&shown, string);
-    const char *all = text_string(&shown), *before = text_is_formula(all) ? "'" : "";
+    const char *all = text_string(&shown), *before = is_formula(all) ? "'" : "";
     text->failed = text->failed || shown.failed;
     if (!strpbrk(all, ",\""))
         text_add(text, "%s%s", before, all);

@@ -40,11 +40,8 @@ void text_add_markdown_shown(struct text *text, const char *string);
  * ends and tabs stay; what else may not be shown is written out, but no backslash doubled, as most of it was shown
  * before. `bytes` ends with a whole character or before a NUL. */
 void text_add_html(struct text *out, const char *bytes, size_t size);
-/** Would a spreadsheet calculate a cell of this text, that is: does it begin, perhaps behind blanks or apostrophes,
- * with = + - @ (or their full-width forms), and is no number? An apostrophe before it tells that it is text. */
-bool text_is_formula(const char *string);
-/** Adds `string` as one CSV field, as it may be shown, an apostrophe before what is a formula; quoted, with quotes
- * doubled, when it holds a comma or a quote. */
+/** Adds `string` as one CSV field, as it may be shown, an apostrophe before what a spreadsheet would take for a
+ * formula; quoted, with quotes doubled, when it holds a comma or a quote. */
 void text_add_csv(struct text *text, const char *string);
 /** How many characters `string` has, in UTF-8. */
 int text_characters(const char *string);

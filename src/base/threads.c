@@ -30,8 +30,6 @@ struct crowd {
 
 size_t threads_number(const struct threads *threads, size_t count)
 {
-    if (!threads)
-        return count < 1 ? count : 1;
     long processors = sysconf(_SC_NPROCESSORS_ONLN);
     size_t wanted = threads->jobs ? threads->jobs : processors > 0 ? (size_t)processors : 1;
     wanted = wanted < count ? wanted : count;
@@ -42,7 +40,7 @@ size_t threads_number(const struct threads *threads, size_t count)
 static bool begin(struct crowd *crowd, struct threads_turn *turn)
 {
     pthread_mutex_lock(&crowd->lock);
-    if (crowd->threads && crowd->threads->stop && *crowd->threads->stop && crowd->next < crowd->count &&
+    if (crowd->threads->stop && *crowd->threads->stop && crowd->next < crowd->count &&
         crowd->status.code == STATUS_OK) {
         (void)status_fail(&crowd->status, STATUS_INTERRUPTED, "stopped");
         crowd->failed = crowd->next;

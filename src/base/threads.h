@@ -22,7 +22,7 @@ struct threads_turn;
 /** What is done to thing `index`, on any thread. */
 typedef enum status_code threads_task(void *context, size_t index, struct threads_turn *turn, struct status *status);
 
-/** Does `task` for 0 ... count-1, begun in this order; threads NULL: on this thread alone. Errors: that of the first
+/** Does `task` for 0 ... count-1, begun in this order. Errors: that of the first
  * task, by index, that fails, after which none is begun; STATUS_INTERRUPTED when told to stop. */
 MUST_CHECK enum status_code threads_run(const struct threads *threads, size_t count, threads_task *task, void *context,
                                         struct status *status);

@@ -350,7 +350,7 @@ int command_plan(int argc, char **argv)
     double seconds = rc == STATUS_OK ? prepare_rough_seconds(results, &arguments.run) : 0;
     if (rc == STATUS_OK && !arguments.json)
         print_plan(results, seconds);
-    size_t left_out = messages_add_lost(&messages, &prepared);
+    size_t left_out = messages_left_out(&prepared);
     int exit_status = rc != STATUS_OK ? command_fail(&status) : refused + left_out > 0 ? COMMAND_REFUSED : COMMAND_DONE;
     if (arguments.json)
         scene_json_print_plan(rc == STATUS_OK ? results : NULL, seconds, arguments.directory, text_string(&messages),

@@ -1,23 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Numbers on their way into a file. NaN stands for what was not computed or does not exist; nothing is infinite. */
+/* The numbers of a surface that its table and results.json share. */
 #ifndef OUTPUT_CELL_H
 #define OUTPUT_CELL_H
 
-#include "base/text.h"
 #include "results/results.h"
-#include <jansson.h>
-
-/** Whose numbers are written, and where the first that is infinite is said, with quantity and surface: a fault of the
- * program, which costs that number. */
-struct cell_guard {
-    const char *surface;       /* NULL: of no surface */
-    struct results_lost *lost; /* NULL: nobody asks */
-};
-
-/** Adds a comma and the number (%.17g, SI), nothing more for NaN. */
-void cell_number(struct text *row, const struct cell_guard *guard, const char *quantity, double value);
-/** The number, null for NaN. */
-json_t *cell_json(const struct cell_guard *guard, const char *quantity, double value);
+#include <stddef.h>
 
 /** What is said of a surface, number by number, under one name in surfaces.csv and results.json. */
 struct cell_column {

@@ -38,16 +38,16 @@ json_t *json_finite(double value)
     return isfinite(value) ? json_real(value) : json_null();
 }
 
-static void set(json_t *object, const struct cell_guard *guard, const char *key, double value)
+static void set(json_t *object, const char *key, double value)
 {
-    json_object_set_new(object, key, cell_json(guard, key, value));
+    json_object_set_new(object, key, json_finite(value));
 }
 
-static void set_all(json_t *object, const struct cell_guard *guard, const char *key, const double *values, size_t count)
+static void set_all(json_t *object, const char *key, const double *values, size_t count)
 {
     json_t *array = json_array();
     for (size_t i = 0; i < count; i++)
-        json_array_append_new(array, cell_json(guard, key, values[i]));
+        json_array_append_new(array, json_finite(values[i]));
     json_object_set_new(object, key, array);
 }
 
@@ -61,27 +61,27 @@ static void set_word(json_t *object, const char *key, const char *word)
     json_object_set_new(object, key, json_string(word));
 }
 
-static json_t *material_json(const struct material *material, const struct cell_guard *guard)
+static json_t *material_json(const struct material *material)
 {
     json_t *json = json_pack("{s:o}", "name", json_shown(material->name));
     for (size_t i = 0; i < material_property_count; i++) {
         double value = material_value(material, &material_properties[i]);
         if (!material_properties[i].optional || value > 0)
-            set(json, guard, material_properties[i].key, value);
+            set(json, material_properties[i].key, value);
     }
     json_object_set_new(json, "source", json_shown(material->source));
     return json;
 }
 
-static json_t *counterface_json(const struct scene_bodies *bodies, const struct cell_guard *guard)
+static json_t *counterface_json(const struct scene_bodies *bodies)
 {
     if (bodies->counterface_kind == MATERIAL_COUNTERFACE_RIGID)
         return json_string("rigid");
-    return isnan(bodies->counterface.youngs_modulus_Pa) ? json_null() : material_json(&bodies->counterface, guard);
+    return isnan(bodies->counterface.youngs_modulus_Pa) ? json_null() : material_json(&bodies->counterface);
 }
 
 /** What the scene says lies in and around the spots, of the effects that run. */
-static json_t *joint_json(const struct results *results, const struct cell_guard *guard)
+static json_t *joint_json(const struct results *results)
 {
     const struct joint *joint = &results->scene->joint;
     json_t *json = json_object();
@@ -92,26 +92,26 @@ static json_t *joint_json(const struct results *results, const struct cell_guard
         set_word(json, "gap", names[joint->fill]);
     }
     if (gap && joint->fill == JOINT_GAS) {
-        set(json, guard, "gap_pressure_Pa", joint->pressure_Pa);
-        set(json, guard, "accommodation", joint->accommodation);
+        set(json, "gap_pressure_Pa", joint->pressure_Pa);
+        set(json, "accommodation", joint->accommodation);
     }
     if (gap && joint->fill == JOINT_MEDIUM)
-        set(json, guard, "gap_conductivity_W_per_mK", joint->conductivity_W_per_mK);
+        set(json, "gap_conductivity_W_per_mK", joint->conductivity_W_per_mK);
     if (gap || heating)
-        set(json, guard, "temperature_K", joint->temperature_K);
+        set(json, "temperature_K", joint->temperature_K);
     if (plan_runs(results->plan, EFFECT_FILM))
-        set(json, guard, "film_ohm_m2", joint->film_ohm_m2);
+        set(json, "film_ohm_m2", joint->film_ohm_m2);
     if (plan_runs(results->plan, EFFECT_PLATING)) {
-        set(json, guard, "plating_thickness_m", joint->plating_thickness_m);
-        set(json, guard, "plating_resistivity_ohm_m", joint->plating_ohm_m);
+        set(json, "plating_thickness_m", joint->plating_thickness_m);
+        set(json, "plating_resistivity_ohm_m", joint->plating_ohm_m);
         json_object_set_new(json, "plated_sides", json_integer(joint->both_plated ? 2 : 1));
     }
     if (heating)
-        set(json, guard, "current_A", joint->current_A);
+        set(json, "current_A", joint->current_A);
     return json;
 }
 
-static json_t *scene_json(const struct results *results, const struct cell_guard *guard)
+static json_t *scene_json(const struct results *results)
 {
     const struct scene *scene = results->scene;
     json_t *effects = json_object(), *models = json_array();
@@ -126,22 +126,22 @@ static json_t *scene_json(const struct results *results, const struct cell_guard
         if (scene->models & MODEL_BIT(m))
             json_array_append_new(models, json_string(model_rows[m]->name));
     json_t *json = json_pack("{s:o, s:o, s:o, s:o}", "title", json_shown(scene->title), "models", models, "effects",
-                             effects, "material", pair.unknown ? json_null() : material_json(&bodies->material, guard));
-    json_object_set_new(json, "counterface", counterface_json(bodies, guard));
-    set(json, guard, "nominal_area_m2", scene->nominal_area_m2);
-    set_all(json, guard, "loads_over_AnEp", results->loads, results->loads_apart ? 0 : results->load_count);
+                             effects, "material", pair.unknown ? json_null() : material_json(&bodies->material));
+    json_object_set_new(json, "counterface", counterface_json(bodies));
+    set(json, "nominal_area_m2", scene->nominal_area_m2);
+    set_all(json, "loads_over_AnEp", results->loads, results->loads_apart ? 0 : results->load_count);
     if (scene->load.unit_text[0])
         json_object_set_new(json, "load_unit", json_shown(scene->load.unit_text));
     if (results->usable_count > 0)
-        set(json, guard, "operating_load_over_AnEp", results_operating_load(results, results->baseline));
+        set(json, "operating_load_over_AnEp", results_operating_load(results, results->baseline));
     if (plan_runs(results->plan, EFFECT_UNLOADING))
-        set(json, guard, "unload_from_over_AnEp", scene_unload_from(scene, &pair));
+        set(json, "unload_from_over_AnEp", scene_unload_from(scene, &pair));
     if (scene->called & results->plan->running)
-        json_object_set_new(json, "joint", joint_json(results, guard));
+        json_object_set_new(json, "joint", joint_json(results));
     if (scene->mean_free_path == SCENE_MEAN_FREE_PATH_ELECTRON)
         set_word(json, "mean_free_path", "electron");
-    set(json, guard, "effective_modulus_Pa", pair.unknown ? NAN : pair.effective_modulus_Pa);
-    set(json, guard, "tolerance", scene->tolerance);
+    set(json, "effective_modulus_Pa", pair.unknown ? NAN : pair.effective_modulus_Pa);
+    set(json, "tolerance", scene->tolerance);
     set_word(json, "level", level_names[scene->level]);
     set_word(json, "window", spectrum_window_names[scene->window]);
     set_word(json, "moments", roughness_moments_names[scene->moments]);
@@ -151,10 +151,10 @@ static json_t *scene_json(const struct results *results, const struct cell_guard
     if (scene_bins_spectra(scene))
         set_word(json, "curves", "in data/contact.csv alone");
     set_word(json, "direction", scan_direction_names[scene->direction]);
-    set(json, guard, "max_missing", scene->max_missing);
-    set(json, guard, "lambda_s_m", scene->lambda_s_m);
-    set(json, guard, "lambda_c_m", scene->lambda_c_m);
-    set(json, guard, "tip_radius_m", scene->tip_radius_m);
+    set(json, "max_missing", scene->max_missing);
+    set(json, "lambda_s_m", scene->lambda_s_m);
+    set(json, "lambda_c_m", scene->lambda_c_m);
+    set(json, "tip_radius_m", scene->tip_radius_m);
     json_object_set_new(json, "baseline", json_shown(results->surfaces[results->baseline].summary.scene->name));
     if (scene->measured.file)
         json_object_set_new(json, "measured_file", json_shown(scene->measured.file));
@@ -163,82 +163,77 @@ static json_t *scene_json(const struct results *results, const struct cell_guard
                             json_pack("{s:o, s:s}", "file", json_shown(scene->counterface_surface.files[0]), "sha256",
                                       results->counterface->summary.hash));
     set_word(json, "fit", power_law_method_names[scene->fit]);
-    double band_m[2] = {scene->fit_band_m[0], scene->fit_band_m[1]};
-    if (isinf(band_m[1])) /* up to the whole record */
-        band_m[1] = NAN;
-    set_all(json, guard, "fit_band_m", band_m, 2);
+    set_all(json, "fit_band_m", scene->fit_band_m, 2);
     json_t *convergence = json_object();
-    set(convergence, guard, "alpha", scene->convergence.alpha);
-    set(convergence, guard, "gamma", scene->convergence.gamma);
-    set(convergence, guard, "load_over_AnEp", scene->convergence.load);
-    set(convergence, guard, "scan_length_m", scene->convergence.scan_length_m);
+    set(convergence, "alpha", scene->convergence.alpha);
+    set(convergence, "gamma", scene->convergence.gamma);
+    set(convergence, "load_over_AnEp", scene->convergence.load);
+    set(convergence, "scan_length_m", scene->convergence.scan_length_m);
     set_count(convergence, "scales", scene->convergence.scales);
     json_object_set_new(json, "convergence", convergence);
     return json;
 }
 
 /** The points of a curve, quantity by quantity. */
-static void add_points(json_t *json, const struct model_curve *curve, const struct plan *plan,
-                       const struct cell_guard *guard)
+static void add_points(json_t *json, const struct model_curve *curve, const struct plan *plan)
 {
     for (int q = 0; q < QUANTITY_COUNT; q++) {
         if (!(plan->wanted & QUANTITY_BIT(q)))
             continue;
         json_t *values = json_array();
         for (size_t i = 0; i < curve->count; i++)
-            json_array_append_new(values, cell_json(guard, quantity_rows[q].name, curve->points[i].value[q]));
+            json_array_append_new(values, json_finite(curve->points[i].value[q]));
         json_object_set_new(json, quantity_rows[q].name, values);
     }
 }
 
 static json_t *curve_json(const struct model_curve *curve, const struct curve_summary *model, const struct scene *scene,
-                          const struct plan *plan, const struct cell_guard *guard)
+                          const struct plan *plan)
 {
     json_t *json = json_object();
-    set(json, guard, "full_contact_load_over_AnEp", model->full_load);
-    set(json, guard, "beta", model->beta);
-    set(json, guard, "beta_from_multiscale", model->beta_multiscale);
-    set(json, guard, "area_load_slope", model->area_slope);
-    set(json, guard, "largest_load_share_beyond_fit", model->most_beyond_fit);
+    set(json, "full_contact_load_over_AnEp", model->full_load);
+    set(json, "beta", model->beta);
+    set(json, "beta_from_multiscale", model->beta_multiscale);
+    set(json, "area_load_slope", model->area_slope);
+    set(json, "largest_load_share_beyond_fit", model->most_beyond_fit);
     set_count(json, "evaluations", model->evaluations);
     set_count(json, "areas_limited", model->clamped);
-    set(json, guard, "largest_load_share_clamped_at_radius", model->most_radius_clamped);
+    set(json, "largest_load_share_clamped_at_radius", model->most_radius_clamped);
     if (!scene_bins_spectra(scene)) /* else contact.csv alone has them */
-        add_points(json, curve, plan, guard);
+        add_points(json, curve, plan);
     return json;
 }
 
 /** A number with the 95 % intervals of the surface's mean and of another scan; the deviation is of the logarithm where
  * the mean is geometric. */
-static void set_estimate(json_t *object, const struct cell_guard *guard, const char *key,
-                         const struct estimate *estimate)
+static void set_estimate(json_t *object, const char *key, const struct estimate *estimate)
 {
     json_t *json = json_pack("{s:I, s:b}", "scans", (json_int_t)estimate->count, "geometric", estimate->logarithmic);
     const double mean_95[] = {estimate_end(estimate, 0), estimate_end(estimate, 1)};
     const double next_95[] = {estimate_next_end(estimate, 0), estimate_next_end(estimate, 1)};
-    set(json, guard, "mean", estimate_value(estimate));
-    set(json, guard, "standard_deviation", estimate->sd);
-    set(json, guard, "effective", estimate->effective);
-    set_all(json, guard, "mean_95", mean_95, 2);
-    set_all(json, guard, "next_scan_95", next_95, 2);
+    set(json, "mean", estimate_value(estimate));
+    set(json, "standard_deviation", estimate->sd);
+    set(json, "effective", estimate->effective);
+    set_all(json, "mean_95", mean_95, 2);
+    set_all(json, "next_scan_95", next_95, 2);
     if (estimate->heterogeneous)
         json_object_set_new(json, "same_along_the_scan", json_false());
     json_object_set_new(object, key, json);
 }
 
 /** What repeated scans say apart. */
-static json_t *repeats_json(const struct repeats *spread, const struct cell_guard *guard)
+static json_t *repeats_json(const struct repeats *spread)
 {
     json_t *json =
         json_pack("{s:I, s:I}", "scans_run_alone", (json_int_t)spread->count, "files", (json_int_t)spread->scans);
-    set_estimate(json, guard, "rq_m", &spread->rq_m);
-    set_estimate(json, guard, "gamma", &spread->gamma);
-    set_estimate(json, guard, "fit_psd_m3", &spread->psd_m3);
+    set_estimate(json, "rq_m", &spread->rq_m);
+    set_estimate(json, "gamma", &spread->gamma);
+    set_estimate(json, "fit_psd_m3", &spread->psd_m3);
     return json;
 }
 
 /** What is known of a model's numbers at the middle load, and of its load of full contact. */
-static void set_intervals(json_t *object, const struct curve_summary *model, const struct cell_guard *guard)
+static void set_intervals(json_t *object, const struct curve_summary *model)
 {
     json_t *json = json_object();
     for (int q = 0; q < CURVE_ESTIMATES; q++) {
@@ -247,7 +242,7 @@ static void set_intervals(json_t *object, const struct curve_summary *model, con
                                                : quantity_shown_name((enum quantity)q);
         if ((q >= QUANTITY_COUNT || ensemble_band_holds((enum quantity)q)) &&
             curve_summary_estimate(model, q)->count > 0)
-            set_estimate(json, guard, key, curve_summary_estimate(model, q));
+            set_estimate(json, key, curve_summary_estimate(model, q));
     }
     if (json_object_size(json) > 0)
         json_object_set(object, "at_middle_load", json);
@@ -267,8 +262,7 @@ static json_t *notes_json(const struct note_list *list)
 }
 
 /** What was found beside the law's numbers; of fit: thesis its class alone. */
-static json_t *fit_json(const struct surface_record *record, enum power_law_method method,
-                        const struct cell_guard *guard)
+static json_t *fit_json(const struct surface_record *record, enum power_law_method method)
 {
     static const struct power_law_band dropped;
     const struct power_law_band *band = record->band ? record->band : &dropped;
@@ -278,9 +272,9 @@ static json_t *fit_json(const struct surface_record *record, enum power_law_meth
     if (method == POWER_LAW_THESIS)
         return json;
     double line_m[LOG_BIN_MOST];
-    set_all(json, guard, "knees_m", band->knee_m, band->pieces > 0 ? band->pieces - 1 : 0);
-    set_all(json, guard, "lines_m", line_m, power_law_band_lines(line_m, band));
-    set(json, guard, "share_of_m2", band->slope_share);
+    set_all(json, "knees_m", band->knee_m, band->pieces > 0 ? band->pieces - 1 : 0);
+    set_all(json, "lines_m", line_m, power_law_band_lines(line_m, band));
+    set(json, "share_of_m2", band->slope_share);
     return json;
 }
 
@@ -293,17 +287,17 @@ static json_t *files_json(char *const *names, size_t count)
 }
 
 /** r and what the scans' frequencies were multiplied by; where r is not known, what a perfect lay would change. */
-static json_t *lay_json(const struct surface_summary *s, const struct plan *plan, const struct cell_guard *guard)
+static json_t *lay_json(const struct surface_summary *s, const struct plan *plan)
 {
     json_t *json = json_object();
-    set(json, guard, "r", s->has_lay ? s->lay : NAN);
-    set(json, guard, "kappa", surface_kappa(s));
+    set(json, "r", s->has_lay ? s->lay : NAN);
+    set(json, "kappa", surface_kappa(s));
     if (s->scene->along_count > 0)
         json_object_set_new(json, "along", files_json(s->scene->along, s->scene->along_count));
     if (s->perfect_lay[0] != 0) {
         set_word(json, "perfect_lay_model", model_rows[plan_leading_model(plan)]->name);
-        set(json, guard, "perfect_lay_area_factor", s->perfect_lay[0]);
-        set(json, guard, "perfect_lay_ecr_factor", s->perfect_lay[1]);
+        set(json, "perfect_lay_area_factor", s->perfect_lay[0]);
+        set(json, "perfect_lay_ecr_factor", s->perfect_lay[1]);
     }
     return json;
 }
@@ -313,38 +307,37 @@ static json_t *surface_json(const struct results *results, size_t index)
     const struct surface_record *record = &results->surfaces[index];
     const struct surface_summary *s = &record->summary;
     const struct scene *scene = results->scene;
-    const struct cell_guard of_surface = {s->scene->name, results->lost}, *guard = &of_surface;
     json_t *models = json_object();
     for (size_t m = 0; m < model_count; m++)
         if (surface_model(s, m)->exists) {
-            json_t *model = curve_json(record->curves ? &record->curves[m] : NULL, surface_model(s, m), scene,
-                                       results->plan, guard);
-            set_intervals(model, surface_model(s, m), guard);
+            json_t *model =
+                curve_json(record->curves ? &record->curves[m] : NULL, surface_model(s, m), scene, results->plan);
+            set_intervals(model, surface_model(s, m));
             json_object_set_new(models, model_rows[m]->name, model);
         }
     json_t *json = json_pack("{s:o, s:o, s:s, s:s, s:s}", "surface", json_shown(s->scene->name), "files",
                              files_json(s->scene->files, s->scene->file_count), "sha256", s->hash, "format", s->format,
                              "units", s->units);
     if (s->scene->bodies.material_given || s->scene->bodies.counterface_given) {
-        json_object_set_new(json, "material", material_json(&s->scene->bodies.material, guard));
-        json_object_set_new(json, "counterface", counterface_json(&s->scene->bodies, guard));
-        set(json, guard, "effective_modulus_Pa", s->pair.effective_modulus_Pa);
+        json_object_set_new(json, "material", material_json(&s->scene->bodies.material));
+        json_object_set_new(json, "counterface", counterface_json(&s->scene->bodies));
+        set(json, "effective_modulus_Pa", s->pair.effective_modulus_Pa);
     }
     set_count(json, "points", s->points);
     for (size_t c = 0; c < cell_column_count; c++)
-        set(json, guard, cell_columns[c].name, cell_column_of(s, c));
-    set(json, guard, "heights_factor_ecr", comparison_heights_factor(results, index, QUANTITY_ECR));
-    set(json, guard, "rsk", roughness_skewness(&s->roughness));
-    set(json, guard, "rku", roughness_kurtosis(&s->roughness));
-    json_object_set_new(json, "fit", fit_json(record, scene->fit, guard));
-    json_object_set_new(json, "lay", lay_json(s, results->plan, guard));
+        set(json, cell_columns[c].name, cell_column_of(s, c));
+    set(json, "heights_factor_ecr", comparison_heights_factor(results, index, QUANTITY_ECR));
+    set(json, "rsk", roughness_skewness(&s->roughness));
+    set(json, "rku", roughness_kurtosis(&s->roughness));
+    json_object_set_new(json, "fit", fit_json(record, scene->fit));
+    json_object_set_new(json, "lay", lay_json(s, results->plan));
     set_count(json, "scans", s->scans);
     set_count(json, "scans_periodic", s->periodic);
     set_count(json, "scans_windowed", s->windowed);
-    set(json, guard, "scans_independent", s->independent);
-    set(json, guard, "longest_waves", s->longest_waves);
+    set(json, "scans_independent", s->independent);
+    set(json, "longest_waves", s->longest_waves);
     if (s->repeats.count > 0)
-        json_object_set_new(json, "spread", repeats_json(&s->repeats, guard));
+        json_object_set_new(json, "spread", repeats_json(&s->repeats));
     json_object_set_new(json, "notes", notes_json(&s->notes));
     json_object_set_new(json, "models", models);
     return json;
@@ -352,16 +345,15 @@ static json_t *surface_json(const struct results *results, size_t index)
 
 /** One kind of direct solution of a surface, load by load. */
 static json_t *direct_curve_json(const struct direct_study *study, const struct results *results,
-                                 enum direct_study_kind kind, const struct cell_guard *guard)
+                                 enum direct_study_kind kind)
 {
     static const enum quantity quantities[] = {QUANTITY_AREA, QUANTITY_SEPARATION, QUANTITY_ECR, QUANTITY_TCR};
     const struct direct_study_curve *curve = &study->curves[kind];
     const struct material_pair *pair = results_pair(results, study->surface);
     double value[SCENE_DIRECT_LOADS], error[SCENE_DIRECT_LOADS];
     json_t *json = json_pack("{s:s, s:I}", "heights", direct_study_heights(study), "seeds", (json_int_t)curve->seeds);
-    set(json, guard, "hardness_Pa",
-        kind == DIRECT_STUDY_CAPPED ? study->plan.hardness * pair->effective_modulus_Pa : NAN);
-    set_all(json, guard, quantity_rows[QUANTITY_LOAD].name, study->plan.load, curve->loads);
+    set(json, "hardness_Pa", kind == DIRECT_STUDY_CAPPED ? study->plan.hardness * pair->effective_modulus_Pa : NAN);
+    set_all(json, quantity_rows[QUANTITY_LOAD].name, study->plan.load, curve->loads);
     for (size_t q = 0; q < sizeof quantities / sizeof *quantities; q++) {
         const char *name = quantity_rows[quantities[q]].name;
         char error_name[64];
@@ -370,8 +362,8 @@ static json_t *direct_curve_json(const struct direct_study *study, const struct 
         for (size_t i = 0; i < curve->loads; i++)
             value[i] = direct_study_value(study, pair, kind, quantities[q], i, &error[i]);
         snprintf(error_name, sizeof error_name, "%s_stderr", name);
-        set_all(json, guard, name, value, curve->loads);
-        set_all(json, guard, error_name, error, curve->loads);
+        set_all(json, name, value, curve->loads);
+        set_all(json, error_name, error, curve->loads);
     }
     return json;
 }
@@ -379,12 +371,11 @@ static json_t *direct_curve_json(const struct direct_study *study, const struct 
 static json_t *direct_json(const struct direct_study *study, const struct results *results)
 {
     const struct surface_summary *surface = &results->surfaces[study->surface].summary;
-    const struct cell_guard guard = {surface->scene->name, results->lost};
     const struct direct_plan *plan = &study->plan;
     json_t *solutions = json_array(), *ratios = json_object();
     for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++)
         if (study->curves[kind].points)
-            json_array_append_new(solutions, direct_curve_json(study, results, (enum direct_study_kind)kind, &guard));
+            json_array_append_new(solutions, direct_curve_json(study, results, (enum direct_study_kind)kind));
     for (size_t m = 0; m < model_count; m++) {
         if (!study->models[m].exists)
             continue;
@@ -396,18 +387,18 @@ static json_t *direct_json(const struct direct_study *study, const struct result
             for (size_t i = 0; i < loads; i++)
                 ratio[i] = direct_study_ratio(study, results_pair(results, study->surface), m, quantity, i);
             if (results->plan->wanted & QUANTITY_BIT(quantity))
-                set_all(model, &guard, quantity_rows[quantity].short_symbol, ratio, loads);
+                set_all(model, quantity_rows[quantity].short_symbol, ratio, loads);
         }
         json_object_set_new(ratios, model_rows[m]->name, model);
     }
     json_t *json = json_pack("{s:o, s:s, s:I, s:I, s:o, s:o}", "surface", json_shown(surface->scene->name), "source",
                              plan->side > 0 ? "map" : "law", "grid", (json_int_t)plan->grid, "contacts_solved",
                              (json_int_t)study->solutions, "solutions", solutions, "model_over_direct", ratios);
-    set(json, &guard, "cell_m", plan->length_m);
-    set(json, &guard, "lambda_s_m", plan->lambda_s_m);
-    set(json, &guard, "alpha_SI", plan->side > 0 ? NAN : plan->law.alpha);
-    set(json, &guard, "gamma", plan->side > 0 ? NAN : plan->law.gamma);
-    set(json, &guard, "roll_off_m", plan->side > 0 ? NAN : plan->length_m / plan->law.roll_off);
+    set(json, "cell_m", plan->length_m);
+    set(json, "lambda_s_m", plan->lambda_s_m);
+    set(json, "alpha_SI", plan->side > 0 ? NAN : plan->law.alpha);
+    set(json, "gamma", plan->side > 0 ? NAN : plan->law.gamma);
+    set(json, "roll_off_m", plan->side > 0 ? NAN : plan->length_m / plan->law.roll_off);
     return json;
 }
 
@@ -423,12 +414,11 @@ static json_t *work_json(const struct results *results)
 }
 
 /** What one model says of one target. */
-static json_t *answer_json(const struct results *results, size_t surface, size_t m, size_t t, struct results_lost *lost)
+static json_t *answer_json(const struct results *results, size_t surface, size_t m, size_t t)
 {
     const struct scene_asked *target = &results->scene->targets[t];
     const struct surface_summary *s = &results->surfaces[surface].summary;
     const struct answer *answer = &s->answers[t * model_count + m];
-    const struct cell_guard guard = {s->scene->name, lost};
     bool met = answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST;
     double area_m2 = results->scene->nominal_area_m2;
     const double interval[] = {answer->low, answer->high};
@@ -438,10 +428,10 @@ static json_t *answer_json(const struct results *results, size_t surface, size_t
     json_t *json =
         json_pack("{s:o, s:s, s:o, s:o}", "surface", json_shown(s->scene->name), "model", model_rows[m]->name, "target",
                   json_shown(text_string(&asked)), "note", json_shown(text_string(&note)));
-    set(json, &guard, "load_N", met ? answer->load * scene_load_divisor(results->scene, UNIT_FORCE, &s->pair) : NAN);
-    set(json, &guard, "load_over_AnEp", met ? answer->load : NAN);
-    set_all(json, &guard, "load_over_AnEp_95", interval, 2);
-    set(json, &guard, "spots", answers_spots(answer, area_m2));
+    set(json, "load_N", met ? answer->load * scene_load_divisor(results->scene, UNIT_FORCE, &s->pair) : NAN);
+    set(json, "load_over_AnEp", met ? answer->load : NAN);
+    set_all(json, "load_over_AnEp_95", interval, 2);
+    set(json, "spots", answer->spots_per_m2 * area_m2);
     json_object_set_new(json, "spots_by",
                         isnan(answer->spots_per_m2) ? json_null() : json_string(model_rows[answer->counted_by]->name));
     text_free(&note);
@@ -449,18 +439,18 @@ static json_t *answer_json(const struct results *results, size_t surface, size_t
     return json;
 }
 
-static json_t *answers_json(const struct results *results, struct results_lost *lost)
+static json_t *answers_json(const struct results *results)
 {
     json_t *answers = json_array();
     for (size_t i = 0; i < results->surface_count; i++)
         for (size_t m = 0; m < model_count && results->surfaces[i].summary.usable; m++)
             for (size_t t = 0; t < results->scene->target_count && plan_runs_model(results->plan, m); t++)
-                json_array_append_new(answers, answer_json(results, i, m, t, lost));
+                json_array_append_new(answers, answer_json(results, i, m, t));
     return answers;
 }
 
 /** How every surface stands to every limit, by the leading model. */
-static json_t *limits_json(const struct results *results, struct results_lost *lost)
+static json_t *limits_json(const struct results *results)
 {
     static const char *const verdicts[] = {[LIMIT_NO_VALUE] = "no value",
                                            [LIMIT_MET] = "meets",
@@ -472,7 +462,6 @@ static json_t *limits_json(const struct results *results, struct results_lost *l
             const struct surface_summary *s = &results->surfaces[i].summary;
             const struct scene_asked *limit = &results->scene->limits[l];
             const struct limit_check *check = &s->limits[l];
-            const struct cell_guard guard = {s->scene->name, lost};
             const double interval[] = {check->low, check->high};
             struct text asked = {0};
             text_add(&asked, "%s %s %s", limit->row->name, limit->is_most ? "most" : "least", limit->text);
@@ -480,8 +469,8 @@ static json_t *limits_json(const struct results *results, struct results_lost *l
                 json_pack("{s:o, s:s, s:o, s:s, s:s}", "surface", json_shown(s->scene->name), "model",
                           model_rows[plan_leading_model(results->plan)]->name, "limit", json_shown(text_string(&asked)),
                           "verdict", verdicts[check->verdict], "quantity", quantity_rows[limit->row->quantity].name);
-            set(json, &guard, "value", check->value);
-            set_all(json, &guard, "interval_95", interval, 2);
+            set(json, "value", check->value);
+            set_all(json, "interval_95", interval, 2);
             json_array_append_new(limits, json);
             text_free(&asked);
         }
@@ -502,14 +491,14 @@ static json_t *refused_json(const struct results *results)
 
 json_t *json_outline(const struct results *results)
 {
-    json_t *limits = limits_json(results, NULL), *missed = json_array(), *limit;
+    json_t *limits = limits_json(results), *missed = json_array(), *limit;
     size_t index;
     json_array_foreach(limits, index, limit)
     {
         if (strcmp(json_string_value(json_object_get(limit, "verdict")), "misses") == 0)
             json_array_append(missed, limit);
     }
-    return json_pack("{s:o, s:o, s:o, s:o}", "refused", refused_json(results), "answers", answers_json(results, NULL),
+    return json_pack("{s:o, s:o, s:o, s:o}", "refused", refused_json(results), "answers", answers_json(results),
                      "limits", limits, "missed_limits", missed);
 }
 
@@ -547,7 +536,6 @@ static json_t *studies_json(const struct results *results)
 enum status_code json_write(const struct results *results, const char *directory, struct status *status)
 {
     const struct scene *scene = results->scene;
-    const struct cell_guard of_scene = {NULL, results->lost};
     struct text path = {0};
     text_add(&path, "%s/results.json", directory);
     FILE *file = fopen(text_string(&path), "w");
@@ -556,12 +544,12 @@ enum status_code json_write(const struct results *results, const char *directory
         return status_fail(status, STATUS_IO, "cannot write results.json: %s", strerror(errno));
     bool ok = print(file, "{\"program\": ", json_string("roughcontact")) &&
               print(file, ",\n\"version\": ", json_string(version_string())) &&
-              print(file, ",\n\"scene\": ", scene_json(results, &of_scene)) &&
+              print(file, ",\n\"scene\": ", scene_json(results)) &&
               print(file, ",\n\"leading\": ", json_string(model_rows[plan_leading_model(results->plan)]->name)) &&
               print_surfaces(file, results) && print(file, ",\n\"refused\": ", refused_json(results)) &&
               (!scene->passed_over || print(file, ",\n\"passed_over\": ", json_lines(scene->passed_over))) &&
-              (scene->target_count == 0 || print(file, ",\n\"answers\": ", answers_json(results, results->lost))) &&
-              (scene->limit_count == 0 || print(file, ",\n\"limits\": ", limits_json(results, results->lost))) &&
+              (scene->target_count == 0 || print(file, ",\n\"answers\": ", answers_json(results))) &&
+              (scene->limit_count == 0 || print(file, ",\n\"limits\": ", limits_json(results))) &&
               (results->direct_count == 0 || print(file, ",\n\"direct\": ", studies_json(results))) &&
               print(file, ",\n\"work\": ", work_json(results)) && fputs("}\n", file) >= 0;
     if (fclose(file) != 0 || !ok)

@@ -23,20 +23,19 @@ struct table {
     struct text header;        /* the columns' names, as the first row goes over them */
     bool named;                /* it has */
     struct text rows;          /* not written yet */
-    struct cell_guard guard;   /* names the surface of the row */
     struct table *whole;       /* of a part: the table that other threads write too; NULL: this is it */
     struct threads_turn *turn; /* of a part; NULL: no other thread writes */
 };
 
-static struct table table_make(const struct results *results, const char *directory, const char *name)
+static struct table table_make(const char *directory, const char *name)
 {
-    return (struct table){.directory = directory, .name = name, .guard = {NULL, results->lost}};
+    return (struct table){.directory = directory, .name = name};
 }
 
 /** What one surface adds to a table. */
 static struct table table_part(struct table *whole, struct threads_turn *turn)
 {
-    return (struct table){.name = whole->name, .guard = {NULL, whole->guard.lost}, .whole = whole, .turn = turn};
+    return (struct table){.name = whole->name, .whole = whole, .turn = turn};
 }
 
 /** Opens the file and writes the columns' names. */
@@ -85,11 +84,13 @@ static void name_column(struct table *table, const char *name, const char *end)
         text_add(&table->header, "%s%s%s", table->header.length > 0 ? "," : "", name, end);
 }
 
-/** A number; the column's name has two parts. */
+/** A number (%.17g, SI), nothing where it is not finite; the column's name has two parts. */
 static void put(struct table *table, const char *name, const char *end, double value)
 {
     name_column(table, name, end);
-    cell_number(&table->rows, &table->guard, name, value);
+    text_add_bytes(&table->rows, ",", 1);
+    if (isfinite(value))
+        text_add(&table->rows, "%.17g", value);
 }
 
 static void put_number(struct table *table, const char *name, double value)
@@ -122,7 +123,6 @@ static void put_text(struct table *table, const char *name, const char *text)
 static void put_surface(struct table *table, const struct surface_summary *surface)
 {
     name_column(table, "surface", "");
-    table->guard.surface = surface->scene->name;
     text_add_csv(&table->rows, surface->scene->name);
 }
 
@@ -252,9 +252,9 @@ enum status_code curve_tables_open(struct curve_tables **out, const struct resul
     if (!all)
         return status_memory(status);
     *all = (struct curve_tables){.binned = scene_bins_spectra(results->scene),
-                                 .spectrum = table_make(results, directory, "spectrum.csv"),
-                                 .contact = table_make(results, directory, "contact.csv"),
-                                 .bands = table_make(results, directory, "bands.csv"),
+                                 .spectrum = table_make(directory, "spectrum.csv"),
+                                 .contact = table_make(directory, "contact.csv"),
+                                 .bands = table_make(directory, "bands.csv"),
                                  .quantities = plan_quantities(plan)};
     for (int q = 0; q < QUANTITY_COUNT; q++)
         if (ensemble_band_holds((enum quantity)q) && (plan->wanted & QUANTITY_BIT(q)))
@@ -540,7 +540,7 @@ enum status_code tables_write(const struct results *results, const char *directo
     };
     enum status_code rc = scene_bins_spectra(results->scene) ? STATUS_OK : write_curves(results, directory, status);
     for (size_t f = 0; f < sizeof files / sizeof *files && rc == STATUS_OK; f++) {
-        struct table table = table_make(results, directory, files[f].name);
+        struct table table = table_make(directory, files[f].name);
         if (files[f].wanted)
             files[f].fill(&table, results);
         rc = table_close(&table, status);

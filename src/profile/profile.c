@@ -409,7 +409,6 @@ enum status_code profile_make(struct profile *out, const struct scan *scan, size
     check_sanity(out, out->digit_m, &how);
     if (take_filters(out, &how, status) != STATUS_OK)
         return status->code;
-    out->end_jump_m = out->height_m[out->points - 1] - out->height_m[0];
     return STATUS_OK;
 }
 

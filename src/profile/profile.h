@@ -29,7 +29,6 @@ struct profile {
     bool periodic;                       /* it closes on itself, before levelling: record_window_is_periodic() */
     double digit_m;                      /* step of the digitiser: profile_digitiser_step(); 0: none seen */
     double tilt;                         /* slope the levelling took out (line, parabola, circle, robust), else 0 */
-    double end_jump_m;                   /* last minus first height: the record is not periodic */
     char notes[PROFILE_NOTES][PROFILE_NOTE_LENGTH]; /* each one line, lower case: steps taken and warnings */
     size_t note_count;
 };

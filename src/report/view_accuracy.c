@@ -111,13 +111,7 @@ static void put_stability(json_t *out, const struct view_source *source)
         view_count(item, "refused", refused);
     if (refused_scans > 0)
         view_count(item, "refused_scans", refused_scans);
-    if (results->lost && results->lost->count > 0) {
-        view_count(item, "lost", results->lost->count);
-        view_text(item, "lost_first", results->lost->first);
-    }
-    view_flag(item, "nothing",
-              limited == 0 && !(clamped > 1e-4) && refused + refused_scans == 0 &&
-                  !(results->lost && results->lost->count > 0));
+    view_flag(item, "nothing", limited == 0 && !(clamped > 1e-4) && refused + refused_scans == 0);
 }
 
 void view_accuracy(json_t *out, const struct view_source *source)

@@ -475,11 +475,13 @@ size_t view_missed_limits(struct text *out, const struct results *results)
             text_add(out, "' misses the limit %s %s ", limit->row->symbol, limit->is_most ? "≤" : "≥");
             text_add_shown(out, limit->text);
             double value = scene_asked_shown(limit, check->value);
-            text_add(out, isfinite(value) ? ": " : ": from a lighter load on");
-            if (isfinite(value))
-                number_format_between(out, "", value, 3, " ");
-            text_add_shown(out, isfinite(value) ? limit->unit_text : "");
-            text_add(out, "\n");
+            text_add(out, isfinite(value) ? ": " : ": from a lighter load on\n");
+            if (isfinite(value)) {
+                number_format(out, value, 3);
+                text_add(out, " ");
+                text_add_shown(out, limit->unit_text);
+                text_add(out, "\n");
+            }
             missed++;
         }
     return missed;

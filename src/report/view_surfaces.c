@@ -13,7 +13,8 @@ static void put_amplitude(json_t *out, const char *name, const struct power_law 
 {
     struct text text = {0};
     number_format(&text, power_law_amplitude(law, wavelength_m) * 1e6, 3);
-    number_format_between(&text, " ×÷ ", pow(10, power_law_error_decades(law, wavelength_m)), 3, "");
+    text_add(&text, " ×÷ ");
+    number_format(&text, pow(10, power_law_error_decades(law, wavelength_m)), 3);
     view_text(out, name, text_string(&text));
     text_free(&text);
 }

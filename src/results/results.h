@@ -6,16 +6,8 @@
 #include "analysis/benchmark.h"
 #include "analysis/effects.h"
 #include "analysis/measured.h"
-#include <pthread.h>
 
 struct direct_study; /* analysis/direct_study.h */
-
-/** Numbers that came out infinite, whose cells are empty. `lock` guards the others while they are added to. */
-struct results_lost {
-    pthread_mutex_t lock;
-    size_t count;
-    char first[256]; /* what is said of the first */
-};
 
 /** Everything that the report is about, from here on read-only. */
 struct results {
@@ -27,7 +19,6 @@ struct results {
     struct surface_record *surfaces; /* one a surface of the scene, in its order */
     size_t surface_count;
     struct effects_studies studies;           /* what the studies below took */
-    struct results_lost *lost;                /* while they are written */
     const struct surface_record *counterface; /* described; NULL: smooth */
     const struct measured *measured;          /* NULL: none */
     const struct measured_answers *answers;   /* the models' on the baseline surface; NULL: nothing measured */

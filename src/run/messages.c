@@ -93,14 +93,11 @@ size_t messages_add(struct text *messages, const struct results *results, bool r
     return refused;
 }
 
-size_t messages_add_lost(struct text *messages, const struct prepared *prepared)
+size_t messages_left_out(const struct prepared *prepared)
 {
     const struct results *results = &prepared->results;
-    size_t lost = prepared->lost.count;
+    size_t count = prepared->counterface ? prepared->counterface->summary.refused_scans : 0;
     for (size_t i = 0; results->surfaces && i < results->surface_count; i++)
-        lost += results->surfaces[i].summary.usable ? results->surfaces[i].summary.refused_scans : 0;
-    lost += prepared->counterface ? prepared->counterface->summary.refused_scans : 0;
-    if (prepared->lost.count > 0)
-        text_add(messages, "%s\n", prepared->lost.first);
-    return lost;
+        count += results->surfaces[i].summary.usable ? results->surfaces[i].summary.refused_scans : 0;
+    return count;
 }

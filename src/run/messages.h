@@ -10,8 +10,7 @@
  */
 size_t messages_add(struct text *messages, const struct results *results, bool reported);
 
-/** How many scans were refused of surfaces, and of the counterface, that go on with their others; and numbers that came
- * out infinite, of which a line says the first. */
-size_t messages_add_lost(struct text *messages, const struct prepared *prepared);
+/** How many scans were refused of surfaces, and of the counterface, that go on with their others. */
+size_t messages_left_out(const struct prepared *prepared);
 
 #endif

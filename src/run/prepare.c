@@ -337,11 +337,10 @@ static enum status_code run_again(struct surfaces *all, bool shown_only, struct 
 enum status_code prepare(struct prepared *out, const struct scene *scene, const struct run_options *options,
                          bool describe_only, const char *curves, struct status *status)
 {
-    *out = (struct prepared){.lost.lock = PTHREAD_MUTEX_INITIALIZER};
+    *out = (struct prepared){.counterface = NULL};
     plan_make(&out->allowed, scene);
     struct results *results = &out->results;
-    *results =
-        (struct results){.scene = scene, .plan = &out->plan, .surface_count = scene->surface_count, .lost = &out->lost};
+    *results = (struct results){.scene = scene, .plan = &out->plan, .surface_count = scene->surface_count};
     if (scene->surface_count == 0)
         return status_fail(status, STATUS_SCAN, "no scan in '%s': put the profilometer's files there",
                            scene->directory);

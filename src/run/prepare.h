@@ -14,7 +14,6 @@ struct prepared {
     double *loads;                      /* P/(A_n E') */
     struct surface_record *counterface; /* NULL: smooth */
     struct measured measured;
-    struct results_lost lost;
     struct results results;
 };
 

@@ -289,7 +289,7 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
         rc = status_memory(status);
     out->refused = messages_add(&out->messages, &run.prepared.results, rc == STATUS_OK);
     out->surfaces = run.prepared.results.surface_count - out->refused;
-    out->left_out = messages_add_lost(&out->messages, &run.prepared);
+    out->left_out = messages_left_out(&run.prepared);
     if (options->outline && rc == STATUS_OK)
         out->outline = json_outline(run.results);
     for (size_t k = 0; k < run.prepared.results.direct_count; k++)

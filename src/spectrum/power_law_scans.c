@@ -98,12 +98,13 @@ static enum status_code rows_worth(double *out, const struct spectrum *row, size
             mean[b] += level / (double)(end - first);
         }
     }
+    const double rounding = 1e-9; /* decades: more than it leaves of rows that are alike */
     struct interval interval;
     struct status constant = {0};
     enum status_code rc = interval_rows(&interval, mean, blocks, 0.95, &constant);
     if (rc == STATUS_MEMORY)
         return status_memory(status);
-    *out = rc == STATUS_OK && interval.sd > 0 ? interval.effective : 1;
+    *out = rc == STATUS_OK && interval.sd > rounding ? interval.effective : 1;
     return STATUS_OK;
 }
 

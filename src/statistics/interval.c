@@ -3,7 +3,6 @@
 
 #include <assert.h>
 #include <gsl/gsl_cdf.h>
-#include <gsl/gsl_sort_double.h>
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
@@ -116,11 +115,4 @@ size_t interval_subrecord_first(size_t points, size_t shortest, size_t subrecord
     size_t count = interval_subrecords(points, shortest), room = points - shortest;
     assert(subrecord < count);
     return count > 1 ? (subrecord * room + (count - 1) / 2) / (count - 1) : 0;
-}
-
-bool interval_shortest_is_odd(double *length, size_t count)
-{
-    assert(count > 0);
-    gsl_sort(length, 1, count);
-    return length[0] < gsl_stats_median_from_sorted_data(length, 1, count) / 2;
 }

@@ -48,8 +48,5 @@ double interval_quantile(double level, double degrees);
 size_t interval_subrecords(size_t points, size_t shortest);
 /** First point of subrecord 0 ... subrecords-1, of `shortest` points. */
 size_t interval_subrecord_first(size_t points, size_t shortest, size_t subrecord);
-/** Is the shortest of the scans less than half as long as the median one, so that it cuts all others up? length[] is
- * sorted. */
-bool interval_shortest_is_odd(double *length, size_t count);
 
 #endif

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* From scans to one surface: averages, scans kept to run alone, their laws, the counterface, and what is said of a
- * jump. */
+/* From scans to one surface: averages, scans kept to run alone, their laws, the counterface. */
 #include "analysis/describe.h"
 #include "analysis/ensemble.h"
 #include "directory.h"
@@ -124,11 +123,11 @@ static bool has_note(const char *words)
 
 #define PLACED(name) TEST_WITH(name, make, end)
 
-/* Powers and moments are averaged, a jump as its root mean square; the first scan stands for the rest. */
+/* Powers and moments are averaged; the first scan stands for the rest. */
 PLACED(test_the_mean_of_scans)
 {
     add_scan(1e-6, 0, 1);
-    double first_jump_m = record->summary.jump_m, m2 = record->summary.roughness.m2;
+    double m2 = record->summary.roughness.m2;
     add_scan(2e-6, 3e-7, 1);
     add_scan(3e-6, 0, 1);
     struct surface_summary *s = &record->summary;
@@ -138,14 +137,6 @@ PLACED(test_the_mean_of_scans)
     double square = (1 + 4 + 9) / 3.0;
     assert_near(record->spectrum.amplitude_m[2], 1e-6 * sqrt(square), 2e-2); /* the step leaks a little */
     assert_near(s->roughness.m2, m2 * square, 2e-2);
-    double jumps[3]; /* cos(0) - cos(2 pi 7 63/64), and the sine's end */
-    for (int k = 0; k < 3; k++) {
-        double height_m[POINTS];
-        sine(height_m, POINTS, (k + 1) * 1e-6, k == 1 ? 3e-7 : 0);
-        jumps[k] = height_m[POINTS - 1] - height_m[0];
-    }
-    assert_near(first_jump_m, fabs(jumps[0]), 1e-6);
-    assert_near(s->jump_m, sqrt((jumps[0] * jumps[0] + jumps[1] * jumps[1] + jumps[2] * jumps[2]) / 3), 1e-6);
 }
 
 /* ---------------------------------------------------------------- scans kept to run alone */
@@ -323,17 +314,6 @@ PLACED(test_scans_are_cut_to_the_shortest)
     assert_near(exp(record->summary.repeats.rq_m.mean), 1e-6 * sqrt(0.5 + 0.125) * exp(log_rq / 5), 1e-2);
     assert_near(record->summary.repeats.rq_m.effective, 5, 1e-12);
     assert_near(record->summary.repeats.rq_m.degrees, 2, 0);
-    assert_false(has_note("less than half as long"));
-}
-
-PLACED(test_a_short_scan_among_long_ones)
-{
-    add_long_scan(3 * POINTS, 1e-6, 0, 1);
-    add_long_scan(POINTS, 2e-6, 0, 1);
-    add_long_scan(3 * POINTS, 3e-6, 0, 1);
-    conclude();
-    assert_true(has_note("second.csv is less than half as long as the others, which are all cut to its length"));
-    assert_int_equal(record->ensemble.count, 7);
 }
 
 /* ---------------------------------------------------------------- each scan's law */
@@ -532,60 +512,4 @@ PLACED(test_a_rough_counterface)
     assert_true(has_note("no intervals: how far the rough counterface's own scans scatter is not told"));
     assert_non_null(strstr(all_notes(), "Rq 2.372 um and 4 um give 4.65 um together"));
     free(counterface);
-}
-
-/* ---------------------------------------------------------------- the jump between the ends */
-
-/** A power-law profile with a jump, described: is there a note, and which? */
-static double jump_share(double exponent, double jump_m, enum spectrum_window window, char *note, size_t size)
-{
-    static char *files[] = {scan_name};
-    static struct scene_surface surface = {.name = scan_name, .files = files, .file_count = 1};
-    struct status status = {0};
-    double height_m[POINTS];
-    for (int i = 0; i < POINTS; i++) {
-        height_m[i] = jump_m * i / (POINTS - 1);
-        for (int n = 1; n < POINTS / 2; n++)
-            height_m[i] += 1e-6 * pow(n, -exponent) * cos(2 * M_PI * n * (double)i / POINTS + n * n);
-    }
-    write_scan(scan_name, height_m, POINTS, 1);
-    surface_record_free(record);
-    *record = (struct surface_record){0};
-    scene.window = window;
-    assert_int_equal(describe_surface(record, &scene, &surface, NULL, &status), STATUS_OK);
-    assert_true(record->summary.usable);
-    const struct power_law *law = &record->summary.power_law;
-    assert_near(record->summary.jump_m, fabs(height_m[POINTS - 1] - height_m[0]), 1e-6);
-    const char *line = strstr(all_notes(), "that jump alone leaks");
-    snprintf(note, size, "%.40s", line ? line : "");
-    /* J/(pi n) at the shortest wavelength of the fit, over the law there */
-    double shortest_m = 2e-6, n = POINTS * 1e-6 / shortest_m;
-    assert_near(law->band_m[0], shortest_m, 1e-6);
-    if (record->summary.periodic) /* it closes on itself: no step */
-        return 0;
-    return record->summary.jump_m / (M_PI * n) / (law->alpha * pow(shortest_m, law->gamma));
-}
-
-PLACED(test_the_note_on_a_jump)
-{
-    static const double exponents[] = {1.2, 2.5}; /* shares from 0.1 to 0.8, and from 3 to 0.9 */
-    size_t below[2] = {0}, above[2] = {0}, closed = 0;
-    char note[64];
-    for (int e = 0; e < 2; e++)
-        for (double jump_m = e ? 1e-7 : 5e-7; jump_m < (e ? 2e-6 : 2e-5); jump_m *= 1.04) {
-            double share = jump_share(exponents[e], jump_m, SPECTRUM_WINDOW_NONE, note, sizeof note);
-            assert_near(record->summary.jump_share, share, 1e-6);
-            const char *expected = share > 1     ? "that jump alone leaks more than the whol"
-                                   : share > 0.5 ? "that jump alone leaks over half of the f"
-                                                 : "";
-            assert_string_equal(note, expected);
-            double border = e ? 1 : 0.5; /* it was met from either side */
-            closed += share == 0;
-            below[e] += share > 0.9 * border && share <= border;
-            above[e] += share > border && share <= 1.1 * border;
-        }
-    assert_true(closed > 0 && below[0] > 0 && above[0] > 0 && below[1] > 0 && above[1] > 0);
-    jump_share(1.2, 1e-5, SPECTRUM_WINDOW_HANN, note, sizeof note);
-    assert_near(record->summary.jump_share, 0, 0);
-    assert_string_equal(note, "");
 }

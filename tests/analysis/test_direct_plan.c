@@ -123,7 +123,7 @@ static void a_budget_buys_in_order(void **state)
     assert_int_equal(plan.fine_times, 2);
 }
 
-/* A hardness has two surfaces or more to tell their scatter, unless the scene asks for one, and costs time; so does
+/* A hardness has four surfaces to tell their scatter, unless the scene asks for fewer, and costs time; so does
  * making surfaces with a scan's heights. */
 static void time_is_counted(void **state)
 {

@@ -39,7 +39,7 @@ static void check(size_t n, size_t periods)
     fftw_free(transform);
 }
 
-/* Odd, even, prime and one; more sizes and ways than plans are kept of. */
+/* Odd, even, prime and one. */
 TEST_CASE(test_sizes)
 {
     for (size_t n = 1; n < 70; n++)
@@ -48,7 +48,7 @@ TEST_CASE(test_sizes)
     check(1009, 0);
 }
 
-/* A cosine of 7 periods, a size that is planned each time and one that is kept. */
+/* A cosine of 7 periods. */
 TEST_CASE(test_large_sizes)
 {
     check(65536, 7);
@@ -77,7 +77,7 @@ static void *transform_often(void *context)
     return NULL;
 }
 
-TEST_CASE(test_threads_share_a_plan)
+TEST_CASE(test_threads_transform_at_once)
 {
     double sums[THREADS][ROUNDS];
     pthread_t threads[THREADS];

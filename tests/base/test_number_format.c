@@ -73,13 +73,6 @@ TEST_CASE(test_ranges)
     }
 }
 
-TEST_CASE(test_between)
-{
-    struct text text = {0};
-    number_format_between(&text, "a ", 1, 1, " b");
-    assert_text(&text, "a 1 b");
-}
-
 TEST_CASE(test_value_and_error_have_the_same_decimals)
 {
     static const struct {

@@ -188,39 +188,6 @@ TEST_IN_WORKSPACE(test_resolution)
     expect_not_in_file(place, "out/report.md", "true at this resolution");
 }
 
-/* Two surfaces with a hardness beside five: an error no less than the scatter of the five says; of the capped area none
- * is borrowed. */
-TEST_IN_WORKSPACE(test_few_surfaces)
-{
-    write_profile(place, EFFECTS "direct: {grid: 64, seeds: 5, loads: [1e-3, 2e-3, 4e-3], hardness: 400 MPa}\n");
-    report(place, "out", "2");
-    struct table t = workspace_table(place, "out/data/direct.csv");
-    static const char *const columns[][2] = {
-        {"gap_m", "gap_stderr"}, {"ecr_ohm_m2", "ecr_stderr"}, {"area_ratio", "area_stderr"}};
-    size_t compared = 0, alike = 0, bare = 0;
-    for (size_t i = 0; i < t.rows; i++)
-        for (size_t k = 0; k < t.rows; k++) {
-            double few = table_number(&t, i, "seeds"), many = table_number(&t, k, "seeds");
-            if (many != 5 || few != 2 || table_number(&t, i, "load_over_AnEp") != table_number(&t, k, "load_over_AnEp"))
-                continue;
-            bool capped = *table_text(&t, i, "hardness_Pa") != '\0';
-            for (int c = 0; c < 3; c++) {
-                double own = table_number(&t, i, columns[c][1]) / table_number(&t, i, columns[c][0]),
-                       borrowed =
-                           table_number(&t, k, columns[c][1]) / table_number(&t, k, columns[c][0]) * sqrt(5 / 2.0);
-                if (capped && c == 2) {
-                    bare += own < borrowed;
-                    continue;
-                }
-                assert_true(own >= borrowed * (1 - 1e-12));
-                alike += own <= borrowed * (1 + 1e-12);
-                compared++;
-            }
-        }
-    assert_true(compared == 6 && alike > 0 && alike < compared && bare > 0);
-    table_free(&t);
-}
-
 TEST_IN_WORKSPACE(test_impossible)
 {
     write_profile(place, EFFECTS "load: {values: [1e-9]}\ndirect: {grid: 64, seeds: 1}\n");

@@ -52,27 +52,6 @@ TEST_IN_DIRECTORY(a_map_is_its_rows)
     expect_in_file(place, "rows/report.md", "its 12 rows were averaged as profiles for spectrum and fit", "| 12 rows");
 }
 
-/** One file twice is that file; a surface of one scan has no spread. */
-TEST_IN_DIRECTORY(averaging_a_scan_with_itself_changes_nothing)
-{
-    pipeline_rough(place, "in/a.csv", 200, 1, 1);
-    scene(place, "", "{name: s, file: a.csv}");
-    assert_int_equal(pipeline_run(place, "in", "once", 1), 0);
-    scene(place, "", "{name: s, file: [a.csv, a.csv]}");
-    assert_int_equal(pipeline_run(place, "in", "twice", 1), 0);
-    struct table once = directory_table(place, "once/data/contact.csv");
-    struct table twice = directory_table(place, "twice/data/contact.csv");
-    assert_int_equal(once.rows, twice.rows);
-    for (size_t i = 0; i < once.rows; i++) {
-        double area = table_number(&once, i, "area_ratio");
-        assert_near(table_number(&twice, i, "area_ratio"), area, 1e-12);
-    }
-    table_free(&once);
-    table_free(&twice);
-    assert_false(directory_has(place, "once/data/spread.csv"));
-    assert_false(directory_has(place, "twice/data/spread.csv")); /* the same twice counts as one */
-}
-
 /** Pressed against its own copy: amplitudes times sqrt 2, and half the modulus; the counterface is no surface itself.
  */
 TEST_IN_DIRECTORY(two_rough_bodies_add_their_squares)

@@ -198,12 +198,3 @@ TEST_CASE(test_pieces_reach_from_end_to_end)
             }
         }
 }
-
-TEST_CASE(test_an_odd_short_scan)
-{
-    double alike[3] = {3, 2, 4}, odd[4] = {4, 4, 1.9, 4}, half[3] = {2, 4, 5}, one[1] = {1};
-    assert_false(interval_shortest_is_odd(alike, 3));
-    assert_true(interval_shortest_is_odd(odd, 4));
-    assert_false(interval_shortest_is_odd(half, 3));
-    assert_false(interval_shortest_is_odd(one, 1));
-}
