@@ -156,7 +156,9 @@ static void put_all_surfaces(json_t *out, const struct view_source *source)
         for (size_t m = 0; m < model_count; m++)
             if (adjusts(source, m)) {
                 const struct curve_summary *curve = surface_model(view_summary(source, i), m);
-                view_number(view_item(cells), "text", curve->exists ? curve->beta : NAN, 3, "");
+                json_t *full = view_item(cells);
+                view_flag(full, model_rows[m]->plastic ? "beta_plastic" : "beta_elastic", true);
+                view_number(full, "text", curve->exists ? curve->beta : NAN, 3, "");
                 view_number(view_item(cells), "text", curve->exists ? curve->beta_multiscale : NAN, 3, "");
             }
     }

@@ -184,7 +184,6 @@ TEST_CASE(test_a_long_scan)
 TEST_CASE(test_the_law_in_place_of_the_data)
 {
     const struct curve_summary *model = record->summary.models[model_named("multiscale-elastic")];
-    struct constriction spot = constriction_make(&record->summary.pair);
     struct spectrum spectrum = record->spectrum;
     double area[2], amplitude_m[POINTS], at = model->operating.value[QUANTITY_LOAD];
     spectrum.amplitude_m = memcpy(amplitude_m, spectrum.amplitude_m, spectrum.count * sizeof *amplitude_m);
@@ -192,12 +191,11 @@ TEST_CASE(test_the_law_in_place_of_the_data)
         struct multiscale stack;
         struct contact_point point;
         struct status status = {0};
-        uint64_t visits = 0;
         for (size_t i = 2; i < 32 && law; i++) /* 4 to 50 um of 128 */
             amplitude_m[i] = 0.2 * pow(1.28e-4 / (double)(i + 1), 1.4);
         assert_int_equal(multiscale_make(&stack, &spectrum, &record->summary.pair, false, SINUSOID_FIT_THESIS, &status),
                          STATUS_OK);
-        multiscale_solve(&point, &stack, &spot, QUANTITY_BIT(QUANTITY_AREA), at, &visits);
+        multiscale_solve(&point, &stack, &(struct constriction){0}, QUANTITY_BIT(QUANTITY_AREA), at, &(uint64_t){0});
         area[law] = point.value[QUANTITY_AREA];
         multiscale_free(&stack);
     }
