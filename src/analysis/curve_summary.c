@@ -79,6 +79,7 @@ void curve_summary_make(struct curve_summary *model, const struct model_curve *c
         .full_load = curve->full_load,
         .beta = curve->beta,
         .beta_multiscale = NAN,
+        .law_factor = NAN,
         .elbow_load = NAN,
         .sd_most = -INFINITY,
         .invalid_load = NAN,

@@ -25,6 +25,8 @@ struct curve_summary {
     uint64_t evaluations;       /* that the curve and what is known of it took */
     bool extended;              /* the fitted power law was carried on below the sampling limit */
     struct convergence_extension extension;
+    double law_factor; /* area at the operating load with the fitted law in place of the harmonics of its band, over
+                          that with them; NaN: not asked, or no law */
     struct estimate *estimates; /* CURVE_ESTIMATES of them; owned; NULL: none known, as of most single scans */
     struct sensitivity_factors sensitivity;
     double seconds; /* that the curve took */

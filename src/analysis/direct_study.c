@@ -6,7 +6,7 @@
 #include <string.h>
 
 const enum quantity direct_study_quantities[DIRECT_STUDY_QUANTITIES] = {QUANTITY_AREA, QUANTITY_SEPARATION,
-                                                                        QUANTITY_ECR};
+                                                                        QUANTITY_ECR, QUANTITY_STIFFNESS};
 static const double contact_tolerance = 1e-6; /* finds the set of points that 1e-12 finds */
 
 /** What the surfaces of a study are made of. */
@@ -57,7 +57,8 @@ enum status_code direct_study_plan(struct surface_record *record, const struct s
         .of_spacing = !(scene->lambda_s_m > 0 || scene->fit_band_m[0] > resolved_m),
         .slope = sqrt(surface->roughness.m2) * kappa,
         .hardness = capped ? hardness_Pa / surface->pair.effective_modulus_Pa : INFINITY,
-        .resistance = plan->running & (EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL)),
+        .resistance =
+            plan->running & (EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL) | EFFECT_BIT(EFFECT_STIFFNESS)),
         .gaussian = scene->counterface_surface.file_count > 0 || is_nearly_gaussian(&surface->roughness),
     };
     surface->direct = calloc(1, sizeof *surface->direct);
@@ -235,6 +236,9 @@ static const struct direct_mean *mean_of(const struct direct_study *study, const
     case QUANTITY_TCR:
         *factor = 2 / pair->conductivity_W_per_mK; /* 1/k1 + 1/k2 */
         return &mean[DIRECT_CONSTRICTION];
+    case QUANTITY_STIFFNESS: /* over the length; Barber: of a contact that is elastic throughout */
+        *factor = pair->effective_modulus_Pa / 2;
+        return kind == DIRECT_STUDY_ELASTIC && mean[DIRECT_CONSTRICTION].value > 0 ? &mean[DIRECT_CONSTRICTION] : NULL;
     default:
         return NULL;
     }
@@ -245,6 +249,8 @@ double direct_study_value(const struct direct_study *study, const struct materia
 {
     double factor;
     const struct direct_mean *mean = mean_of(study, pair, kind, quantity, i, &factor);
+    if (mean && quantity == QUANTITY_STIFFNESS)
+        factor /= mean->value * mean->value;
     if (error)
         *error = mean ? mean->standard_error * factor : NAN;
     return mean ? mean->value * factor : NAN;

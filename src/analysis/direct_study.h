@@ -62,7 +62,8 @@ void direct_study_free(struct direct_study *study);
 /** Whose heights they are: "map", "scan" or "gaussian". */
 const char *direct_study_heights(const struct direct_study *study);
 /** A quantity at load `i` by one kind of direct solution, SI, NaN where there is none: the mean gap, ECR A_n =
- * (rho1 + rho2) l, TCR A_n = (1/k1 + 1/k2) l. *error (NULL: not wanted): standard error over the surfaces, NaN from
+ * (rho1 + rho2) l, TCR A_n = (1/k1 + 1/k2) l, elastic stiffness
+ * E'/(2 l). *error (NULL: not wanted): standard error over the surfaces, NaN from
  * one; of a map as in direct_ensemble.h. */
 double direct_study_value(const struct direct_study *study, const struct material_pair *pair,
                           enum direct_study_kind kind, enum quantity quantity, size_t i, double *error);
@@ -87,7 +88,7 @@ struct direct_study_distance direct_study_distance(const struct direct_study *st
 size_t direct_study_nearest(const struct direct_study *study, const struct material_pair *pair, enum quantity quantity);
 
 /** The quantities that are compared. */
-enum { DIRECT_STUDY_QUANTITIES = 3 };
+enum { DIRECT_STUDY_QUANTITIES = 4 };
 extern const enum quantity direct_study_quantities[DIRECT_STUDY_QUANTITIES];
 
 #endif

@@ -27,6 +27,43 @@ static void extend(struct surface_record *record, const struct scene *scene)
     summary->times.convergence = clock_seconds() - started;
 }
 
+/** What the models that stack scales say at the operating load where the fitted law (4.53) stands in place of the
+ * harmonics of its band. */
+static enum status_code try_law(struct surface_record *record, const struct model_task *task, struct status *status)
+{
+    struct surface_summary *summary = &record->summary;
+    const struct power_law *fit = &summary->power_law;
+    struct spectrum law = record->spectrum;
+    const double load = task->loads[model_task_operating(task)];
+    struct model_task own = model_task_at(task, &load, 1);
+    enum status_code rc = STATUS_OK;
+    if (!power_law_holds(fit))
+        return rc;
+    law.amplitude_m = malloc(law.count * sizeof *law.amplitude_m);
+    if (!law.amplitude_m)
+        return status_memory(status);
+    for (size_t i = 0; i < law.count; i++) {
+        double wavelength_m = law.length_m / (double)(i + 1) * surface_kappa(summary);
+        law.amplitude_m[i] = wavelength_m >= fit->band_m[0] && wavelength_m <= fit->band_m[1]
+                                 ? power_law_amplitude(fit, wavelength_m)
+                                 : record->spectrum.amplitude_m[i];
+    }
+    for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
+        double area[2] = {NAN, NAN};
+        for (int k = 0; k < 2 && model_rows[m]->stacks_scales && record->curves[m].exists && rc == STATUS_OK; k++) {
+            struct contact_point points[2];
+            struct model_curve curve = {.points = points};
+            own.spectrum = k == 0 ? &record->spectrum : &law;
+            rc = model_run(&curve, model_rows[m], &own, status);
+            area[k] = curve.exists && curve.count > 0 ? points[0].value[QUANTITY_AREA] : NAN;
+        }
+        if (summary->models[m])
+            summary->models[m]->law_factor = area[1] / area[0];
+    }
+    free(law.amplitude_m);
+    return rc;
+}
+
 /** What simulated records say of how far another place of a surface with one scan may answer. */
 static enum status_code run_uncertainty(struct surface_record *record, const struct scene *scene,
                                         const struct plan *plan, const struct model_task *task, struct status *status)
@@ -233,8 +270,11 @@ enum status_code evaluate_models(struct surface_record *record, const struct sce
         if (plan_runs(plan, EFFECT_SEPARATION) && plan_runs_model(plan, m) &&
             plan_runs_model(plan, model_index(model_rows[m]->counterpart)))
             record->summary.models[m]->beta_multiscale = nearest_beta(record, m);
-    if (plan_runs(plan, EFFECT_CONVERGENCE))
+    if (plan_runs(plan, EFFECT_CONVERGENCE)) {
         extend(record, scene);
+        if (try_law(record, &task, status) != STATUS_OK)
+            return status->code;
+    }
     return answers_find(record, scene, plan, &task, status);
 }
 

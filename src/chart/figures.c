@@ -60,9 +60,10 @@ static double on_axis(const struct contact_point *point, const struct axis *axis
     return axis->reciprocal ? axis->scale / value : axis->scale * value;
 }
 
+/** A resistance, or what goes as its inverse. */
 static bool is_resistance(enum quantity quantity)
 {
-    return quantity == QUANTITY_JOINT || quantity == QUANTITY_JOINT_ECR ||
+    return quantity == QUANTITY_STIFFNESS || quantity == QUANTITY_JOINT || quantity == QUANTITY_JOINT_ECR ||
            (QUANTITY_BIT(quantity) & QUANTITY_RESISTANCES);
 }
 
@@ -469,9 +470,9 @@ static bool computes(const struct source *source, size_t m, enum quantity quanti
 /** A panel of one quantity against another. */
 struct quantity_panel {
     enum quantity x, y;
-    int number;       /* of the baseline's panel in chapter 6; 0: it is of the joint, and not there */
-    int first;        /* of the four of all surfaces */
-    const char *file; /* of those */
+    int number;       /* of the baseline's panel in chapter 6; 0: it is not there */
+    int first;        /* of the four of all surfaces; 0: the same */
+    const char *file; /* of those; NULL: it is of the joint */
 };
 static const struct quantity_panel quantity_panels[] = {
     {QUANTITY_LOAD, QUANTITY_AREA, 5, 11, "area"},
@@ -479,12 +480,13 @@ static const struct quantity_panel quantity_panels[] = {
     {QUANTITY_AREA, QUANTITY_SEPARATION, 6, 19, "separation-area"},
     {QUANTITY_LOAD, QUANTITY_ECR, 8, 23, "ecr"},
     {QUANTITY_LOAD, QUANTITY_TCR, 9, 27, "tcr"},
+    {QUANTITY_LOAD, QUANTITY_STIFFNESS, 0, 0, "stiffness"},
     {.x = QUANTITY_LOAD, .y = QUANTITY_JOINT},
     {.x = QUANTITY_LOAD, .y = QUANTITY_GAP},
     {.x = QUANTITY_LOAD, .y = QUANTITY_JOINT_ECR},
     {.x = QUANTITY_LOAD, .y = QUANTITY_TEMPERATURE},
 };
-enum { QUANTITY_PANELS = sizeof quantity_panels / sizeof *quantity_panels, QUANTITY_FIGURES = 5 };
+enum { QUANTITY_PANELS = sizeof quantity_panels / sizeof *quantity_panels, QUANTITY_FIGURES = 6 };
 
 static bool begin_panel(struct chart *chart, const struct source *source, const struct quantity_panel *panel,
                         const char *title)
@@ -519,10 +521,10 @@ static void put_baseline(struct chart *chart, const struct source *source, bool 
         const struct quantity_panel *panel = &quantity_panels[p];
         char number[20];
         snprintf(number, sizeof number, "6-%02d", panel->number);
-        if ((panel->number == 0) != joint || !(plan_quantities(source->results->plan) & QUANTITY_BIT(panel->y)) ||
+        if (!panel->file != joint || !(plan_quantities(source->results->plan) & QUANTITY_BIT(panel->y)) ||
             !begin_panel(chart, source, panel,
-                         joint ? quantity_words(source, "panel", panel->y)
-                               : words_say(source->words, number, "number", number, NULL)))
+                         panel->number == 0 ? quantity_words(source, "panel", panel->y)
+                                            : words_say(source->words, number, "number", number, NULL)))
             continue;
         for (size_t m = 0; m < model_count; m++)
             put_quantity(chart, source, panel, source->results->baseline, m, model_look(m));
@@ -552,7 +554,7 @@ static void make_all_surfaces(struct chart *chart, const struct source *source, 
             bool leads = m == source->leading && model_rows[m]->thesis_place == 0;
             if (!computes(source, m, panel->y) || (place < 5 ? model_rows[m]->thesis_place != place : !leads))
                 continue;
-            if (place < 5)
+            if (place < 5 && panel->first > 0)
                 snprintf(number, sizeof number, "6-%02d", panel->first + place - 1);
             thesis += place < 5;
             if (!begin_panel(
@@ -562,7 +564,7 @@ static void make_all_surfaces(struct chart *chart, const struct source *source, 
             for (size_t k = 0; k < results->shown_count; k++)
                 put_quantity(chart, source, panel, results->shown[k], m, surface_look(source, k));
         }
-    if (thesis == 4)
+    if (thesis == 4 && panel->first > 0)
         snprintf(chart->numbers, sizeof chart->numbers, "6-%02d to 6-%02d", panel->first, panel->first + 3);
 }
 

@@ -347,7 +347,8 @@ static json_t *surface_json(const struct results *results, size_t index)
 static json_t *direct_curve_json(const struct direct_study *study, const struct results *results,
                                  enum direct_study_kind kind)
 {
-    static const enum quantity quantities[] = {QUANTITY_AREA, QUANTITY_SEPARATION, QUANTITY_ECR, QUANTITY_TCR};
+    static const enum quantity quantities[] = {QUANTITY_AREA, QUANTITY_SEPARATION, QUANTITY_ECR, QUANTITY_TCR,
+                                               QUANTITY_STIFFNESS};
     const struct direct_study_curve *curve = &study->curves[kind];
     const struct material_pair *pair = results_pair(results, study->surface);
     double value[SCENE_DIRECT_LOADS], error[SCENE_DIRECT_LOADS];

@@ -458,6 +458,7 @@ static const struct {
     {QUANTITY_SEPARATION, "gap_m", "gap_stderr", "gap"},
     {QUANTITY_ECR, "ecr_ohm_m2", "ecr_stderr", "ecr"},
     {QUANTITY_TCR, "tcr_K_m2_per_W", NULL, NULL},
+    {QUANTITY_STIFFNESS, "stiffness_Pa_per_m", "stiffness_stderr", "stiffness"},
 };
 enum { DIRECT_COLUMNS = sizeof direct_columns / sizeof *direct_columns };
 

@@ -16,7 +16,17 @@ struct finding {
 enum need { NEEDS_ANY, NEEDS_SCALES, NEEDS_ADJUSTED, NEEDS_FAMILIES };
 
 /** A number of a curve's summary, or of a surface's power law. */
-enum number { AREA_SLOPE, GAP_AT_FULL, ELBOW_SHARE, SCALE_DEPENDENCE, BETA, LAW_GAMMA, LAW_AMPLITUDE };
+enum number {
+    AREA_SLOPE,
+    GAP_AT_FULL,
+    STATISTICAL_GAP,
+    ELBOW_SHARE,
+    SCALE_DEPENDENCE,
+    LAW_FACTOR,
+    BETA,
+    LAW_GAMMA,
+    LAW_AMPLITUDE
+};
 
 struct check {
     const char *part; /* of the thesis */
@@ -79,6 +89,10 @@ static double number_of(const struct curve_summary *curve, enum number number)
         return curve->area_slope;
     case GAP_AT_FULL:
         return isnan(curve->beta) ? curve->gap_at_full : NAN; /* β makes it 0, which proves nothing */
+    case STATISTICAL_GAP:
+        return -curve->beta / 2; /* delta_full/sigma, by the definition of beta (4.54) */
+    case LAW_FACTOR:
+        return fmax(curve->law_factor, 1 / curve->law_factor);
     case ELBOW_SHARE:
         return curve_summary_elbow_share(curve);
     case SCALE_DEPENDENCE:
@@ -136,6 +150,50 @@ static void check_distances(struct finding *out, const struct view_source *sourc
         }
 }
 
+/** The multiscale model over the statistical one of its law on every surface: is it stiffer, are their gaps of one
+ * order of magnitude, in the mean over the loads? */
+static void check_factors(struct finding *out, const struct view_source *source, const struct check *row)
+{
+    const bool stiffness = row->quantity == QUANTITY_STIFFNESS;
+    for (size_t m = 0; m < model_count; m++) {
+        double least = INFINITY, most = -INFINITY;
+        for (size_t k = 0; speaks(source, m) && k < source->results->usable_count; k++) {
+            const struct comparison_gap *gap = &source->comparison->models[m].gaps[source->results->by_roughness[k]];
+            double decades = stiffness ? gap->stiffness : gap->separation;
+            if (!isfinite(decades))
+                continue;
+            out->all++;
+            out->good += stiffness ? decades > 0 : decades < 1;
+            least = fmin(least, pow(10, decades));
+            most = fmax(most, pow(10, decades));
+        }
+        if (least <= most)
+            add_number(out, model_rows[m]->label, least, most);
+    }
+}
+
+/** Does the resistance of an elastic stack bend where contact of the plastic one is full, within half a decade? */
+static void check_shoulder(struct finding *out, const struct view_source *source, const struct check *row)
+{
+    (void)row;
+    for (size_t m = 0; m < model_count; m++) {
+        size_t elastic = model_index(model_rows[m]->elastic);
+        double least = INFINITY, most = -INFINITY;
+        for (size_t k = 0; elastic < model_count && k < source->results->usable_count; k++) {
+            const struct model_curve *curves = source->results->surfaces[source->results->by_roughness[k]].curves;
+            const struct curve_summary *plastic = curve_of(source, k, m);
+            if (!curves || !plastic || !(curves[elastic].kink.load > 0))
+                continue;
+            double ratio = curves[elastic].kink.load / plastic->full_load;
+            least = fmin(least, ratio);
+            most = fmax(most, ratio);
+            add_case(out, fabs(log10(ratio)), 0.5, 0);
+        }
+        if (least <= most)
+            add_number(out, model_rows[elastic]->label, least, most);
+    }
+}
+
 static void check_gamma(struct finding *out, const struct view_source *source, const struct check *row)
 {
     (void)row;
@@ -173,6 +231,46 @@ static void check_rank(struct finding *out, const struct view_source *source, co
             add_no_order(out, tally->agreeing, tally->opposed);
         else if (speaks(source, m))
             add_tally(out, tally);
+    }
+}
+
+/** The gaps of neighbours in the last decade of load before one of them is full. */
+static void check_high_rank(struct finding *out, const struct view_source *source, const struct check *row)
+{
+    for (size_t m = 0; m < model_count; m++)
+        if (speaks(source, m))
+            add_tally(out, &source->comparison->models[m].high_rank[row->quantity]);
+}
+
+/** Do statistical gaps follow roughness but for that of the smoothest surface? The number: at how many of its loads
+ * not, in %. */
+static void check_smoothest(struct finding *out, const struct view_source *source, const struct check *row)
+{
+    for (size_t m = 0; m < model_count; m++) {
+        const struct comparison_tally *all = &source->comparison->models[m].rank[row->quantity],
+                                      *first = &source->comparison->models[m].smoothest[row->quantity];
+        size_t agreeing = all->agreeing - first->agreeing, opposed = all->opposed - first->opposed,
+               cases = first->agreeing + first->opposed;
+        if (!speaks(source, m) || !model_rows[m]->asperity_model || cases == 0 || agreeing + opposed == 0)
+            continue;
+        double percent = 100 * (double)first->opposed / (double)cases;
+        out->all++;
+        out->good += first->opposed > first->agreeing && agreeing > opposed;
+        add_number(out, model_rows[m]->label, percent, percent);
+    }
+}
+
+/** Statistical resistances of the two smoothest surfaces lie less than half as far apart as other neighbours' do. */
+static void check_together(struct finding *out, const struct view_source *source, const struct check *row)
+{
+    (void)row;
+    for (size_t m = 0; m < model_count; m++) {
+        const double *steps = source->comparison->models[m].steps;
+        if (!speaks(source, m) || !model_rows[m]->asperity_model || !isfinite(steps[0]))
+            continue;
+        for (size_t k = 1; k + 1 < source->results->usable_count; k++)
+            add_case(out, 2 * fabs(steps[0]), fabs(steps[k]), 0);
+        add_number(out, model_rows[m]->label, steps[0], steps[0]);
     }
 }
 
@@ -287,6 +385,7 @@ enum {
     THERMAL = EFFECT_BIT(EFFECT_THERMAL),
     SCALE_DEPENDENT = EFFECT_BIT(EFFECT_SCALE_DEPENDENT),
     CONVERGENCE = EFFECT_BIT(EFFECT_CONVERGENCE),
+    STIFFNESS = EFFECT_BIT(EFFECT_STIFFNESS),
 };
 
 static const struct check checks[] = {
@@ -298,6 +397,10 @@ static const struct check checks[] = {
      .high = 0.01},
     {"6.3.2", "plastic_gap", PLASTIC | SEPARATION, NEEDS_ANY, 1, check_yield, .quantity = QUANTITY_SEPARATION},
     {"6.3.2", "adjustment", SEPARATION, NEEDS_FAMILIES, 1, check_distances, .quantity = QUANTITY_SEPARATION},
+    {"6.3.2", "statistical_gap", SEPARATION, NEEDS_ADJUSTED, 1, check_numbers, .number = STATISTICAL_GAP, .scale = 1,
+     .low = 0, .high = INFINITY},
+    {"6.3.2", "same_order", SEPARATION, NEEDS_FAMILIES, 1, check_factors, .quantity = QUANTITY_SEPARATION},
+    {"6.3.2", "stiffer", STIFFNESS, NEEDS_FAMILIES, 1, check_factors, .quantity = QUANTITY_STIFFNESS},
     {"6.3.3", "elbow", ELECTRICAL, NEEDS_ANY, 1, check_numbers, .number = ELBOW_SHARE, .scale = 100, .low = 0.1,
      .high = INFINITY},
     {"6.3.3", "plastic_ecr", PLASTIC | ELECTRICAL, NEEDS_ANY, 1, check_yield, .quantity = QUANTITY_ECR},
@@ -306,17 +409,22 @@ static const struct check checks[] = {
      .scale = 100, .low = -INFINITY, .high = 0.05},
     {"6.4", "gamma_rank", 0, NEEDS_ANY, 2, check_laws, .number = LAW_GAMMA},
     {"6.4", "amplitude_rank", 0, NEEDS_ANY, 3, check_laws, .number = LAW_AMPLITUDE},
+    {"6.4", "law", 0, NEEDS_SCALES, 1, check_numbers, .number = LAW_FACTOR, .scale = 1, .low = 2, .high = INFINITY},
     {"6.4.1", "area_rank", 0, NEEDS_ANY, 2, check_rank, .quantity = QUANTITY_AREA},
     {"6.4.1", "magnitude", 0, NEEDS_ANY, 2, .check = check_magnitude},
     {"6.4.1", "spread", PLASTIC, NEEDS_ANY, 2, check_spread, .quantity = QUANTITY_AREA},
     {"6.4.1", "sooner", PLASTIC, NEEDS_ANY, 1, check_yield, .quantity = QUANTITY_LOAD},
     {"6.4.2", "separation_rank", SEPARATION, NEEDS_ANY, 2, check_rank, .quantity = QUANTITY_SEPARATION},
+    {"6.4.2", "high_rank", SEPARATION, NEEDS_ANY, 2, check_high_rank, .quantity = QUANTITY_SEPARATION},
+    {"6.4.2", "smoothest", SEPARATION, NEEDS_ADJUSTED, 3, check_smoothest, .quantity = QUANTITY_SEPARATION},
     {"6.4.2", "beta", SEPARATION, NEEDS_ADJUSTED, 1, check_numbers, .number = BETA, .scale = 1, .low = 4, .high = 12},
     {"6.4.2", "beta_rank", SEPARATION, NEEDS_ADJUSTED, 3, .check = check_beta_rank},
     {"6.4.3", "ecr_rank", ELECTRICAL, NEEDS_ANY, 2, check_rank, .quantity = QUANTITY_ECR},
     {"6.4.3", "equal_steps", ELECTRICAL, NEEDS_SCALES, 3, .check = check_equal_steps},
+    {"6.4.3", "shoulder", ELECTRICAL | PLASTIC, NEEDS_SCALES, 1, .check = check_shoulder},
     {"6.4.4", "tcr_rank", THERMAL, NEEDS_ANY, 2, check_rank, .quantity = QUANTITY_TCR},
     {"6.4.4", "sensitive", THERMAL, NEEDS_FAMILIES, 2, check_spread, .quantity = QUANTITY_TCR},
+    {"6.4.4", "together", THERMAL, NEEDS_ADJUSTED, 3, .check = check_together},
     {"6.4.4", "family_ecr", ELECTRICAL, NEEDS_FAMILIES, 2, check_distances, .quantity = QUANTITY_ECR},
 };
 

@@ -40,6 +40,7 @@ static void put_model(json_t *out, const struct view_source *source, size_t m)
                 3, "");
     view_number(row, "ecr", at.value[QUANTITY_ECR], 3, "");
     view_number(row, "tcr", at.value[QUANTITY_TCR], 3, "");
+    view_number(row, "stiffness", at.value[QUANTITY_STIFFNESS], 3, "");
     view_number(row, "full_load", curve->exists ? curve->full_load * scale : NAN, 3, "");
     bool invalid = !curve_summary_is_valid(curve, at.value[QUANTITY_LOAD]);
     bool above = !model_rows[m]->plastic && !pair->unknown &&
@@ -105,6 +106,7 @@ static void put_one_surface(json_t *out, const struct view_source *source)
     view_flag(item, "has_separation", wants(source, QUANTITY_SEPARATION));
     view_flag(item, "has_ecr", wants(source, QUANTITY_ECR));
     view_flag(item, "has_tcr", wants(source, QUANTITY_TCR));
+    view_flag(item, "has_stiffness", wants(source, QUANTITY_STIFFNESS));
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(results->plan, m) && surface_model(&source->baseline->summary, m)->exists)
             put_model(item, source, m);
@@ -154,7 +156,9 @@ static void put_all_surfaces(json_t *out, const struct view_source *source)
         for (size_t m = 0; m < model_count; m++)
             if (adjusts(source, m)) {
                 const struct curve_summary *curve = surface_model(view_summary(source, i), m);
-                view_number(view_item(cells), "text", curve->exists ? curve->beta : NAN, 3, "");
+                json_t *full = view_item(cells);
+                view_flag(full, model_rows[m]->plastic ? "beta_plastic" : "beta_elastic", true);
+                view_number(full, "text", curve->exists ? curve->beta : NAN, 3, "");
                 view_number(view_item(cells), "text", curve->exists ? curve->beta_multiscale : NAN, 3, "");
             }
     }
@@ -386,6 +390,7 @@ static void put_study(json_t *item, const struct view_source *source, const stru
         put_distance(row, "area", study, pair, m, QUANTITY_AREA);
         put_distance(row, "gap", study, pair, m, QUANTITY_SEPARATION);
         put_distance(row, "ecr", study, pair, m, QUANTITY_ECR);
+        put_distance(row, "stiffness", study, pair, m, QUANTITY_STIFFNESS);
     }
     bool resolved = false;
     for (size_t i = 0; i < study->plan.loads; i++)
@@ -410,6 +415,7 @@ void view_direct(json_t *out, const struct view_source *source)
     view_flag(item, "solved", results->direct_count > 0);
     view_flag(item, "has_ecr", wants(source, QUANTITY_ECR));
     view_flag(item, "has_gap", wants(source, QUANTITY_SEPARATION));
+    view_flag(item, "has_stiffness", wants(source, QUANTITY_STIFFNESS));
     for (size_t k = 0; k < results->direct_count && k < VIEW_ROWS; k++)
         put_study(view_item(view_list(item, "studies")), source, &results->direct[k]);
     for (size_t i = 0; i < results->surface_count; i++) {

@@ -102,6 +102,12 @@ static void compare_neighbours(struct comparison *out, const struct surface_reco
             const struct contact_point *p = &a->points[i], *q = &b->points[i];
             count_points(out->models[m].rank, p, smooth->summary.asperities.sigma_m, q,
                          rough->summary.asperities.sigma_m, m, &how);
+            if (pair == 0)
+                count_points(out->models[m].smoothest, p, smooth->summary.asperities.sigma_m, q,
+                             rough->summary.asperities.sigma_m, m, &how);
+            if (p->value[QUANTITY_LOAD] >= 0.1 * a->full_load || q->value[QUANTITY_LOAD] >= 0.1 * b->full_load)
+                count_points(out->models[m].high_rank, p, smooth->summary.asperities.sigma_m, q,
+                             rough->summary.asperities.sigma_m, m, &how);
             double step = log10(resistance(q) / resistance(p));
             if (isfinite(step)) {
                 sum += step;
@@ -131,13 +137,29 @@ static void compare_laws(struct comparison_plastic *out, const struct model_curv
     count_case(&out->sooner, plastic->full_load, elastic->full_load, how->tolerance, 0);
 }
 
+/** Mean log10 of quantity `p` of one curve over `q` of another, without its sign where `plain`, where both are above 0.
+ */
+static double mean_decades(const struct model_curve *a, enum quantity p, const struct model_curve *b, enum quantity q,
+                           bool plain, size_t points)
+{
+    double sum = 0, count = 0;
+    for (size_t i = 0; i < points; i++) {
+        double x = a->points[i].value[p], y = b->points[i].value[q];
+        if (!(x > 0) || !(y > 0))
+            continue;
+        sum += plain ? fabs(log10(x / y)) : log10(x / y);
+        count++;
+    }
+    return sum / count;
+}
+
 /** Mean distances of a multiscale and a statistical curve. */
 static struct comparison_gap gap_between(const struct model_curve *multiscale, const struct model_curve *statistical,
                                          double sigma_m)
 {
     size_t count = multiscale->exists && statistical->exists ? common_points(multiscale, statistical) : 0;
     size_t conducting = 0;
-    struct comparison_gap gap = {0, 0, 0, 0};
+    struct comparison_gap gap = {0};
     for (size_t i = 0; i < count; i++) {
         const struct contact_point *p = &multiscale->points[i], *q = &statistical->points[i];
         gap.plain += fabs(p->value[QUANTITY_SEPARATION] - q->value[QUANTITY_SEPARATION]) / sigma_m;
@@ -149,8 +171,13 @@ static struct comparison_gap gap_between(const struct model_curve *multiscale, c
         conducting++;
     }
     double loads = count > 0 ? (double)count : NAN, conducting_loads = conducting > 0 ? (double)conducting : NAN;
-    return (struct comparison_gap){gap.area / conducting_loads, gap.ecr / conducting_loads, gap.plain / loads,
-                                   gap.adjusted / loads};
+    return (struct comparison_gap){
+        gap.area / conducting_loads,
+        gap.ecr / conducting_loads,
+        gap.plain / loads,
+        gap.adjusted / loads,
+        mean_decades(multiscale, QUANTITY_SEPARATION, statistical, QUANTITY_ADJUSTED, true, count),
+        mean_decades(multiscale, QUANTITY_STIFFNESS, statistical, QUANTITY_STIFFNESS, false, count)};
 }
 
 static void widen(struct comparison_extent *extent, double value)
@@ -270,7 +297,7 @@ static enum status_code allocate(struct comparison *out, const struct results *r
     if (!out->models || !out->gaps || !out->steps || !out->extents)
         return status_memory(status);
     for (size_t i = 0; i < model_count * surfaces; i++) {
-        out->gaps[i] = (struct comparison_gap){NAN, NAN, NAN, NAN};
+        out->gaps[i] = (struct comparison_gap){NAN, NAN, NAN, NAN, NAN, NAN};
         out->steps[i] = NAN;
     }
     for (size_t m = 0; m < model_count; m++) {

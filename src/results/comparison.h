@@ -25,6 +25,8 @@ struct comparison_plastic {
 struct comparison_gap {
     double area, ecr;       /* mean |log10 ratio| */
     double plain, adjusted; /* mean distance of delta, and of delta_ADJ (4.54), from the multiscale H; in sigma */
+    double separation;      /* mean |log10(H/delta_ADJ)| */
+    double stiffness;       /* mean log10 of the multiscale stiffness over the statistical one */
 };
 
 /** Least and largest value over the surfaces that have one. */
@@ -40,8 +42,10 @@ enum comparison_spread { COMPARISON_AREAS, COMPARISON_RESISTANCES, COMPARISON_SP
 struct comparison_model {
     struct comparison_tally rank[QUANTITY_COUNT]; /* neighbours in roughness, load by load: the smoother one has the
                                                      larger area, the smaller shown separation/sigma and resistance */
-    struct comparison_plastic plastic;            /* against its elastic partner */
-    struct comparison_gap *gaps;                  /* against its counterpart, one a surface of the scene */
+    struct comparison_tally smoothest[QUANTITY_COUNT];       /* those of them of the two smoothest surfaces */
+    struct comparison_tally high_rank[QUANTITY_COUNT];       /* those in the last decade of load before one is full */
+    struct comparison_plastic plastic;                       /* against its elastic partner */
+    struct comparison_gap *gaps;                             /* against its counterpart, one a surface of the scene */
     struct comparison_extent extremes[QUANTITY_COUNT];       /* of the surfaces, at the middle load */
     struct comparison_extent (*extents)[COMPARISON_SPREADS]; /* one a load of the list, of those in partial contact */
     double *steps; /* mean log10 of the resistance of the (k+1)-th smoothest surface over the k-th's, over their common

@@ -38,7 +38,7 @@ static int make(void **state)
     assert_int_equal(roughness_asperities(&record->summary.asperities, &record->summary.roughness, &status), STATUS_OK);
     record->summary.has_asperities = true;
     scene = (struct scene){.models = model_defaults(),
-                           .effects = (1u << EFFECT_COUNT) - 1 - EFFECT_BIT(EFFECT_CONVERGENCE),
+                           .effects = (1u << EFFECT_COUNT) - 1,
                            .bodies = {.material = *material_find("tin"),
                                       .counterface_kind = MATERIAL_COUNTERFACE_RIGID,
                                       .counterface = material_unknown("rigid"),
@@ -46,6 +46,9 @@ static int make(void **state)
                            .tolerance = 1e-7,
                            .closure = SINUSOID_FIT_THESIS};
     record->summary.pair = scene_pair(&scene.bodies);
+    record->summary.tail.gamma = NAN;
+    record->summary.power_law = (struct power_law){.alpha = 0.2, .gamma = 1.4, .band_m = {3.9e-6, 5e-5}};
+    record->summary.power_law.found = POWER_LAW_BAND_LAW;
     plan_make(&plan, &scene);
     for (int i = 0; i < LOADS; i++)
         loads[i] = pow(10, -6 + i / 4.0);
@@ -175,6 +178,29 @@ TEST_CASE(test_a_long_scan)
     }
     assert_true(evaluations[0] > 10000);
     assert_int_equal(evaluations[0], evaluations[1]);
+}
+
+/* The area by the law in place of the harmonics of its band, and of no others, over that by the scan's. */
+TEST_CASE(test_the_law_in_place_of_the_data)
+{
+    const struct curve_summary *model = record->summary.models[model_named("multiscale-elastic")];
+    struct spectrum spectrum = record->spectrum;
+    double area[2], amplitude_m[POINTS], at = model->operating.value[QUANTITY_LOAD];
+    spectrum.amplitude_m = memcpy(amplitude_m, spectrum.amplitude_m, spectrum.count * sizeof *amplitude_m);
+    for (int law = 0; law < 2; law++) {
+        struct multiscale stack;
+        struct contact_point point;
+        struct status status = {0};
+        for (size_t i = 2; i < 32 && law; i++) /* 4 to 50 um of 128 */
+            amplitude_m[i] = 0.2 * pow(1.28e-4 / (double)(i + 1), 1.4);
+        assert_int_equal(multiscale_make(&stack, &spectrum, &record->summary.pair, false, SINUSOID_FIT_THESIS, &status),
+                         STATUS_OK);
+        multiscale_solve(&point, &stack, &(struct constriction){0}, QUANTITY_BIT(QUANTITY_AREA), at, &(uint64_t){0});
+        area[law] = point.value[QUANTITY_AREA];
+        multiscale_free(&stack);
+    }
+    assert_near(model->law_factor, area[1] / area[0], 1e-9);
+    assert_true(fabs(model->law_factor - 1) > 0.05);
 }
 
 TEST_GROUP(make, end)

@@ -91,6 +91,34 @@ TEST_IN_WORKSPACE(test_numbers)
     table_free(&r);
 }
 
+/* Barber: stiffness and conductance of elastic contact are one number, k ECR A_n = E' rho, of the models too. */
+TEST_IN_WORKSPACE(test_stiffness)
+{
+    static const char *const effects[] = {"[separation, stiffness]", "[plasticity, separation, electrical, stiffness]"};
+    struct table t[2], r;
+    for (int k = 0; k < 2; k++) {
+        char scene[200];
+        snprintf(scene, sizeof scene, "effects: %s\ndirect: {grid: 64, seeds: 2, loads: [1e-3], hardness: 400 MPa}\n",
+                 effects[k]);
+        write_profile(place, scene);
+        report(place, "out", "1");
+        t[k] = workspace_table(place, "out/data/direct.csv");
+    }
+    double k = table_number(&t[1], 0, "stiffness_Pa_per_m"), ecr = table_number(&t[1], 0, "ecr_ohm_m2");
+    assert_near(k * ecr, 41.369e9 / (1 - 0.36 * 0.36) * 11.5e-8, 1e-9);
+    assert_near(table_number(&t[0], 0, "stiffness_Pa_per_m"), k, 1e-12);
+    assert_string_equal(table_text(&t[1], 1, "stiffness_Pa_per_m"), ""); /* with a hardness */
+    r = workspace_table(place, "out/data/direct_ratio.csv");
+    for (size_t i = 0; i < r.rows; i++)
+        if (strcmp(table_text(&r, i, "model"), "corrected-persson") == 0)
+            assert_near(table_number(&r, i, "stiffness") * table_number(&r, i, "ecr"), 1, 1e-9);
+    expect_in_file(place, "out/report.md", "| model | area | gap | ECR | stiffness |", " k/Aₙ (Pa/m) |");
+    expect_in_file(place, "out/figures/one-surface.gp", "Stiffness versus load");
+    table_free(&t[0]);
+    table_free(&t[1]);
+    table_free(&r);
+}
+
 TEST_IN_WORKSPACE(test_off)
 {
     static const char *const scenes[] = {EFFECTS "direct: off\n", "effects: auto\n"};

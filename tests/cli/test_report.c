@@ -29,8 +29,10 @@ TEST_IN_WORKSPACE(test_overrides)
     run_to_exit(place, 0, "report", "d");
     expect_in_file(place, "out/d/data/contact.csv", "tcr_K_m2_per_W");
     expect_not_in_file(place, "out/d/data/contact.csv", "ecr_ohm_m2");
+    assert_false(workspace_has(place, "out/d/figures/stiffness.svg"));
 
-    run_to_exit(place, 0, "report", "d", "--material=copper", "--effects", "electrical", "--tolerance", "1e-3");
+    run_to_exit(place, 0, "report", "d", "--material=copper", "--effects", "electrical,stiffness", "--tolerance",
+                "1e-3");
     char *markdown = workspace_read(place, "out/d/report.md");
     expect_in_file(place, "out/d/data/contact.csv", "ecr_ohm_m2");
     expect_not_in_file(place, "out/d/data/contact.csv", "tcr_K_m2_per_W");
@@ -39,6 +41,7 @@ TEST_IN_WORKSPACE(test_overrides)
     expect_part(markdown, "copper");
     expect_no_part(markdown, "](figures/tcr.svg)");
     expect_part(markdown, "](figures/ecr.svg)");
+    expect_part(markdown, "](figures/stiffness.svg)");
     assert_true(workspace_has(place, "out/d/figures/ecr.svg"));
     assert_false(workspace_has(place, "out/d/figures/tcr.svg"));
     assert_false(workspace_has(place, "out/d/data/convergence.csv"));

@@ -243,6 +243,11 @@ static const struct {
     {"magnitude", "holds", "4", "4"},
     {"scale_dependence", "holds", "12", "12"},
     {"sooner", "holds", NULL, NULL},
+    {"statistical_gap", "fails", "0", "6"}, /* β 6: -3 σ */
+    {"same_order", "holds", "6", "6"},
+    {"high_rank", "holds", "21", "21"},
+    {"smoothest", "fails", "0", "2"},
+    {"together", "fails", "0", "2"},
 };
 
 TEST_CASE(the_findings_of_chapter_6)
@@ -290,6 +295,57 @@ TEST_CASE(a_finding_that_does_not_hold_fails)
     made_up_sweep(&made, CONVERGENCE_ALPHA, "multiscale-elastic", 0, 0.1);
     made_up_again(&made);
     assert_true(json_is_true(json_object_get(finding(&made, "convergence_by_gamma"), "in_part")));
+    made_up_free(&made);
+}
+
+/** What the thesis says of stiffness, of a shoulder at 3 times the load, and of its smoothest surface. */
+static void as_the_thesis_has_it(struct surface_record *record, size_t index)
+{
+    for (size_t m = 0; index < MADE_UP_USABLE && m < model_count; m++) {
+        struct model_curve *curve = &record->curves[m];
+        bool statistical = model_rows[m]->asperity_model;
+        curve->beta = statistical ? -1 : NAN; /* 0.5 σ left */
+        if (model_rows[m]->stacks_scales && !model_rows[m]->plastic)
+            curve->kink.load = 3 * record->curves[made_up_model("multiscale-plastic")].full_load;
+        for (size_t i = 0; curve->exists && i < curve->count; i++) {
+            double *value = curve->points[i].value;
+            value[QUANTITY_STIFFNESS] = statistical ? 1e12 : 4e12;
+            if (statistical && index == 1)
+                value[QUANTITY_ADJUSTED] += 1e-5;
+            if (statistical && index == 0)
+                value[QUANTITY_ECR] *= 0.5; /* 1.5 times alpha's */
+        }
+    }
+}
+
+TEST_CASE(findings_as_the_thesis_has_them)
+{
+    static const struct {
+        const char *name, *number;
+    } all[] = {{"statistical_gap", "0.50"}, {"stiffer", "4.0"},  {"law", "3.0 to 4.0"},
+               {"smoothest", "100"},        {"shoulder", "3.0"}, {"together", "0.18"}};
+    struct made_up made;
+    made_up_make(&made, as_the_thesis_has_it);
+    for (size_t i = 0; i < MADE_UP_USABLE; i++)
+        for (size_t m = 0; m < model_count; m++)
+            if (made_up_surface(&made, i)->models[m])
+                made_up_surface(&made, i)->models[m]->law_factor = i == 0 ? 0.25 : 3;
+    made_up_again(&made);
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+        const json_t *item = finding(&made, all[i].name);
+        assert_true(json_is_true(json_object_get(item, "holds")));
+        assert_string_equal(view_at(item, "numbers.0.range"), all[i].number);
+    }
+    const struct report_options how = {PROJECT_SOURCE "/templates", PROJECT_SOURCE "/surfaces/chapter6/report.md", 0};
+    struct status status = {0};
+    struct text out = {0};
+    assert_int_equal(report_markdown(&out, made.view, &how, &status), STATUS_OK);
+    assert_says(&out, "| GW, thesis | 153.7 | 5.2 | 8.8 | 6.8 |\n| GW, here | −1.00 | −1.00 | −1.00 |\n");
+    assert_says(&out, "| JG, here | −1.00 | −1.00 | −1.00 |\n");
+    text_free(&out);
+    made_up_free(&made);
+    made_up_make_of(&made, made_up_models(), PLAIN | EFFECT_BIT(EFFECT_CONVERGENCE), NULL);
+    assert_null(finding(&made, "stiffer")); /* only where stiffness runs */
     made_up_free(&made);
 }
 

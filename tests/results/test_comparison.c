@@ -61,6 +61,13 @@ PLACED(test_power_laws)
         assert_true(isnan(of("multiscale-elastic")->gaps[i].area));
     }
     assert_true(isnan(of("gw")->gaps[3].area)); /* refused */
+    /* alpha is full at 1e-3 and beta at 2e-3, so that the last two loads are no cases; gamma at 5e-3 */
+    assert_int_equal(of("multiscale-elastic")->smoothest[QUANTITY_SEPARATION].agreeing, 7);
+    assert_int_equal(of("multiscale-elastic")->high_rank[QUANTITY_SEPARATION].agreeing, 3 + 3); /* from 1e-4, 2e-4 on */
+    double decades = 0, partly = 0; /* of 1 - A/A_n, alpha's in multiscale plastic and JG */
+    for (size_t i = 0; i < MADE_UP_LOADS && 2000 * made.loads[i] < 1; i++, partly++)
+        decades += log10((1 - 800 * made.loads[i]) / (1 - 2000 * made.loads[i]));
+    assert_near(of("jg")->gaps[1].separation, decades / partly, 1e-12);
     /* neighbours: 3 times the resistance from alpha to beta, 2.5 times from beta to gamma */
     assert_near(of("gw")->steps[0], log10(3), 1e-12);
     assert_near(of("gw")->steps[1], log10(2.5), 1e-12);
