@@ -42,8 +42,8 @@ _roughcontact()
     *' --output' | *' -o') kind=directories ;;
     *' --material' | *' -m')
         kind=words
-        words='tin copper brass bronze gold silver nickel aluminium steel hard-gold beryllium-copper'
-        words+=' copper-nickel-silicon solder indium' ;;
+        words='tin copper brass bronze gold silver nickel aluminium steel carbon-steel hard-gold'
+        words+=' beryllium-copper copper-nickel-silicon solder indium' ;;
     *' --effects' | *' -e')
         kind=list
         words='auto plasticity separation electrical thermal scale-dependent stiffness convergence uncertainty unloading direct gap film'

@@ -2,6 +2,7 @@
 #include "analysis/describe.h"
 
 #include "base/clock.h"
+#include "contact/cmy.h"
 
 #include "spectrum/areal.h"
 #include "spectrum/grid.h"
@@ -320,6 +321,25 @@ static enum status_code conclude(struct surface_record *record, struct power_law
     return STATUS_OK;
 }
 
+/** Where it falls with size, the hardness of all but cmy: that of cmy's spots at the operating load or, where the scene
+ * gives none, at an area of 1 %. */
+static void find_hardness(struct surface_record *record, const struct scene *scene)
+{
+    struct material_pair *pair = &record->summary.pair;
+    const double c1 = pair->vickers_Pa, c2 = pair->vickers_exponent;
+    const struct cmy surface = {sqrt(spectrum_moment(&record->spectrum, 0)),
+                                cmy_slope(spectrum_moment(&record->spectrum, 1))};
+    double load = scene_load_of(&scene->operating, scene, pair), own_Pa = NAN;
+    if (!(c1 > 0 && surface.sigma_m > 0))
+        return;
+    if (load > 0)
+        own_Pa = cmy_microhardness(&surface, material_pair_pressure(pair, load), c1, c2);
+    pair->hardness_Pa = own_Pa > 0 ? own_Pa : cmy_spot_hardness(&surface, 0.01, c1, c2);
+    note_add(&record->summary.notes, NULL,
+             "its hardness falls with size: CMY has its spots' own, all else %.4g MPa, theirs at %s",
+             pair->hardness_Pa * 1e-6, own_Pa > 0 ? "the operating load" : "an area of 1 %");
+}
+
 enum status_code describe_surface(struct surface_record *out, const struct scene *scene,
                                   const struct scene_surface *surface, const struct surface_record *counterface,
                                   struct status *status)
@@ -343,6 +363,8 @@ enum status_code describe_surface(struct surface_record *out, const struct scene
     power_law_scans_free(&scans);
     if (rc == STATUS_MEMORY)
         return status_memory(status);
+    if (rc == STATUS_OK && surface != &scene->counterface_surface)
+        find_hardness(out, scene);
     summary->usable = rc == STATUS_OK;
     if (!summary->usable && !(summary->refusal = strdup(problem.message)))
         return status_memory(status);

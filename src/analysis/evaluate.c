@@ -245,6 +245,30 @@ static enum status_code solve_strips(struct surface_record *record, const struct
     return rc;
 }
 
+/** What is to be known of the joint beside its numbers. */
+static void note_joint(struct surface_record *record, const struct scene *scene, const struct plan *plan,
+                       const struct model_task *task)
+{
+    const struct joint *joint = &scene->joint;
+    const struct joint_layer *metal = &joint_platings[joint->plating];
+    struct note_list *notes = &record->summary.notes;
+    const double *wide_m = scene->flatness_m, thick_m = joint->plating_thickness_m;
+    double *flat = record->summary.flatness;
+    double pressure_Pa = material_pair_pressure(task->pair, task->loads[model_task_operating(task)]);
+    if (plan_runs(plan, EFFECT_GAP) && joint->fill == JOINT_MEDIUM && !(joint->bond_line_m > 0))
+        note_add(notes, NULL, "no bond_line: the filler is as thin as the gaps, which none is; give it, such as 25 um");
+    if (plan_runs(plan, EFFECT_PLATING) && joint->plating && (thick_m < metal->least_m || thick_m > metal->most_m))
+        note_add(notes, NULL, "%.3g um of %s, of which %.3g to %.3g um are usual", thick_m * 1e6,
+                 joint_plating_names[joint->plating], metal->least_m * 1e6, metal->most_m * 1e6);
+    if (wide_m[0] > 0 && plan_runs(plan, EFFECT_THERMAL))
+        flat[1] = joint_flatness(&flat[0], wide_m[0], wide_m[1], pressure_Pa, task->pair);
+    if (flat[1] > 0)
+        note_add(notes, NULL,
+                 "flat to %.3g um over %.3g mm, of which %.2g touch: that constricts the heat by %.2g "
+                 "m2K/W at the operating load, which is in no number",
+                 wide_m[0] * 1e6, wide_m[1] * 1e3, flat[0], flat[1]);
+}
+
 enum status_code evaluate_models(struct surface_record *record, const struct scene *scene, const struct plan *plan,
                                  const double *loads, size_t load_count, struct status *status)
 {
@@ -275,6 +299,7 @@ enum status_code evaluate_models(struct surface_record *record, const struct sce
         if (try_law(record, &task, status) != STATUS_OK)
             return status->code;
     }
+    note_joint(record, scene, plan, &task);
     return answers_find(record, scene, plan, &task, status);
 }
 
@@ -317,7 +342,7 @@ static enum status_code run_unloading(struct surface_record *record, const struc
     enum status_code rc = STATUS_OK;
     if (!out)
         return status_memory(status);
-    out->largest_load = scene_unload_from(task->scene, asked.pair);
+    out->largest_load = scene_load_of(&task->scene->unload_from, task->scene, asked.pair);
     out->model = plan_leading_model(plan);
     if (asked.rows)
         rc = unloading_solve(&out->ratio, asked.rows, out->largest_load, hardness, task->stop, &problem);

@@ -41,9 +41,10 @@ struct surface_summary {
     struct material_pair pair;         /* what the models need of the bodies */
     bool usable;                       /* false: refused, see `refusal` */
     char *refusal;                     /* one line; owned */
-    struct note_list notes;            /* warnings; owned */
-    size_t refused_scans;              /* of several; the notes begin with them */
-    char hash[65];                     /* SHA-256 of the first file (of all of them one after another), hexadecimal */
+    double flatness[2]; /* where the scene gives it: share that touches, constriction [m²K/W] at the operating load */
+    struct note_list notes; /* warnings; owned */
+    size_t refused_scans;   /* of several; the notes begin with them */
+    char hash[65];          /* SHA-256 of the first file (of all of them one after another), hexadecimal */
     char format[32];
     char units[40];                 /* "x mm, z um" as read */
     size_t scans;                   /* averaged: files, or rows of a map */

@@ -80,6 +80,7 @@ static const struct unit_row {
     {"bar", "bar", true, 1, 5, {-1, 1, -2, 0, 0}, 0},
     {"psi", NULL, false, 6.894757293168361, 3, {-1, 1, -2, 0, 0}, 0},
     {"atm", NULL, false, 1.01325, 5, {-1, 1, -2, 0, 0}, 0},
+    {"HV", NULL, false, 9.80665, 6, {-1, 1, -2, 0, 0}, 0}, /* Vickers: kgf/mm² */
     {"torr", "torr", false, 1.01325e5 / 760, 0, {-1, 1, -2, 0, 0}, 0},
     {"J", "joule", true, 1, 0, {2, 1, -2, 0, 0}, 0},
     {"W", "watt", true, 1, 0, {2, 1, -3, 0, 0}, 0},

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/command.h"
 #include "contact/model.h"
+#include "joint/joint.h"
 #include "material/material.h"
 
 #include <math.h>
@@ -27,7 +28,7 @@ static error_t parse(int key, char *value, struct argp_state *state)
 const struct argp command_models_argp = {
     .options = options, .parser = parse, .doc = "The models, their sources and where they are valid."};
 const struct argp command_materials_argp = {
-    .options = options, .parser = parse, .doc = "The built-in materials and where their numbers are from."};
+    .options = options, .parser = parse, .doc = "The built-in materials, platings and fillers, and their sources."};
 
 /** Prints the rows as JSON; or as text: of each its name, and below it the words and numbers that it has. Returns the
  * exit status. */
@@ -54,6 +55,8 @@ static int print(json_t *rows, bool as_json)
             snprintf(number, sizeof number, "%.6g", json_number_value(value));
             if (before > 0)
                 text_add(&text, "  %-*s", KEY_WIDTH, key);
+            else if (strcmp(key, "plating") == 0 || strcmp(key, "filler") == 0)
+                text_add(&text, "%s ", key);
             text_add_wrapped(&text, json_is_string(value) ? json_string_value(value) : number, WIDTH, before);
             text_add(&text, "\n");
             before = 2 + KEY_WIDTH;
@@ -106,5 +109,15 @@ int command_materials(int argc, char **argv)
     json_t *rows = json_array();
     for (size_t i = 0; i < material_table_count; i++)
         json_array_append_new(rows, material_json(&material_table[i]));
+    for (size_t i = 0; i < JOINT_PLATINGS + JOINT_FILLERS; i++) {
+        size_t f = i < JOINT_PLATINGS ? 0 : i - JOINT_PLATINGS;
+        const struct joint_layer *layer = f ? &joint_fillers[f] : &joint_platings[i % JOINT_PLATINGS];
+        if (layer->source)
+            json_array_append_new(rows, json_pack("{s:s, s:f, s:f, s:f, s:s}", f ? "filler" : "plating",
+                                                  f ? joint_filler_names[f] : joint_plating_names[i],
+                                                  f ? "conductivity_W_per_mK" : "resistivity_ohm_m", layer->value,
+                                                  "least_thickness_m", layer->least_m, "most_thickness_m",
+                                                  layer->most_m, "source", layer->source));
+    }
     return print(rows, json);
 }

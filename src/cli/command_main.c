@@ -23,7 +23,7 @@ const struct command_row command_rows[COMMANDS] = {
      &command_view_argp},
     {"synth", "[-o FILE]", "write a scan that obeys a given power law", command_synth, &command_synth_argp},
     {"models", "", "the models, their sources and where they are valid", command_models, &command_models_argp},
-    {"materials", "", "the built-in materials and where their numbers are from", command_materials,
+    {"materials", "", "the built-in materials, platings and fillers, and their sources", command_materials,
      &command_materials_argp},
     {"self-test", "", "does this build compute correctly here?", command_self_test, &command_self_test_argp},
 };

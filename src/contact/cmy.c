@@ -27,8 +27,7 @@ bool cmy_press(struct cmy_contact *out, const struct cmy *surface, double pressu
     return true;
 }
 
-/** H(a) of the spots at P/H = ratio. */
-static double spot_hardness(const struct cmy *surface, double ratio, double c1_Pa, double c2)
+double cmy_spot_hardness(const struct cmy *surface, double ratio, double c1_Pa, double c2)
 {
     struct cmy_contact contact;
     if (!cmy_press(&contact, surface, ratio))
@@ -40,16 +39,16 @@ double cmy_microhardness(const struct cmy *surface, double pressure_Pa, double c
 {
     /* ratio = P/H(ratio) by bisection of its logarithm: ratio H(ratio) rises with the ratio, H falling more slowly */
     double low = log(1e-300), high = log(0.5);
-    if (!(exp(high) * spot_hardness(surface, exp(high), c1_Pa, c2) > pressure_Pa))
+    if (!(exp(high) * cmy_spot_hardness(surface, exp(high), c1_Pa, c2) > pressure_Pa))
         return NAN;
     for (int i = 0; i < 200; i++) {
         double middle = low + (high - low) / 2;
         if (middle <= low || middle >= high)
             break;
-        if (exp(middle) * spot_hardness(surface, exp(middle), c1_Pa, c2) < pressure_Pa)
+        if (exp(middle) * cmy_spot_hardness(surface, exp(middle), c1_Pa, c2) < pressure_Pa)
             low = middle;
         else
             high = middle;
     }
-    return spot_hardness(surface, exp(high), c1_Pa, c2);
+    return cmy_spot_hardness(surface, exp(high), c1_Pa, c2);
 }

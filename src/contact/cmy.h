@@ -32,8 +32,11 @@ bool cmy_press(struct cmy_contact *out, const struct cmy *surface, double pressu
 /** Largest P/H = A/A_n for which the law is meant: above, truncated islands run together. */
 #define CMY_VALID_AREA 0.1
 
-/** Hardness [Pa] of the spots themselves, smaller spots being harder: P = H(a(l)) erfc(l/sqrt2)/2 with
- * H = c1 (d/1 um)^c2, d = sqrt(2 pi) a the diagonal of the Vickers indentation of the area of a spot, solved for l
+/** H = c1 (d/1 um)^c2 of the spots at P/H = ratio, d = sqrt(2 pi) a the diagonal of the Vickers indentation of the area
+ * of a spot. NaN where cmy_press() has none. */
+double cmy_spot_hardness(const struct cmy *surface, double ratio, double c1_Pa, double c2);
+
+/** Hardness [Pa] of the spots themselves, smaller spots being harder: P = H(a(l)) erfc(l/sqrt2)/2, solved for l
  * (Yovanovich, Hegazy and DeVaal 1982, AIAA 82-0887, without its fit). -1 < c2 <= 0. NaN when the pressure is beyond
  * all of them. */
 double cmy_microhardness(const struct cmy *surface, double pressure_Pa, double c1_Pa, double c2);

@@ -12,9 +12,15 @@ static bool surface_of(struct cmy *out, const struct model_task *task)
     return out->sigma_m > 0 && out->slope > 0 && task->hardness_Pa > 0;
 }
 
-static double pressure_over_hardness(const struct model_task *task, size_t i)
+/* By the one hardness, or by that of the spots' own size; what the task raises it by (sensitivity) raises either. */
+static double pressure_over_hardness(const struct cmy *surface, const struct model_task *task, size_t i)
 {
-    return task->loads[i] * (task->pair->effective_modulus_Pa / task->hardness_Pa);
+    const struct material_pair *pair = task->pair;
+    double hardness_Pa = task->hardness_Pa;
+    if (pair->vickers_Pa > 0)
+        hardness_Pa = cmy_microhardness(surface, material_pair_pressure(pair, task->loads[i]),
+                                        pair->vickers_Pa * (hardness_Pa / pair->hardness_Pa), pair->vickers_exponent);
+    return task->loads[i] * (pair->effective_modulus_Pa / hardness_Pa);
 }
 
 /* The curve ends at P = H; there is no point of full contact. The separation is empty where the other's plane would lie
@@ -29,7 +35,7 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     curve->evaluations = task->load_count;
     bool has_law = surface_of(&surface, task), gap = task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION);
     for (size_t i = 0; i < task->load_count && has_law; i++) {
-        double area_ratio = pressure_over_hardness(task, i);
+        double area_ratio = pressure_over_hardness(&surface, task, i);
         if (!cmy_press(&contact, &surface, area_ratio))
             break;
         double spread_m = surface.sigma_m / surface.slope / contact.conductance;
@@ -56,7 +62,7 @@ static enum status_code spots_of(struct contact_spots *spots, const struct model
     (void)row;
     (void)status;
     for (size_t i = 0; i < task->load_count; i++) {
-        bool pressed = exists && cmy_press(&contact, &surface, pressure_over_hardness(task, i));
+        bool pressed = exists && cmy_press(&contact, &surface, pressure_over_hardness(&surface, task, i));
         spots[i].density_per_m2 = pressed ? contact.spot_density_per_m2 : NAN;
         spots[i].radius_m = pressed ? contact.spot_radius_m : NAN;
     }
@@ -79,7 +85,7 @@ const struct model_row model_cmy = {
     .equations = "truncation",
     .source = "Cooper, Mikic and Yovanovich, Int. J. Heat Mass Transf. 12 (1969) 279",
     .assumes = "isotropic Gaussian surface, of which all that is truncated touches; every spot bears the hardness (the "
-               "scene's, else 2.84 S_y); round spots",
+               "scene's, by Vickers's c1 and c2 that of its own size, else 2.84 S_y); round spots",
     .valid = "Gaussian heights, first loading, P/H up to 0.1: beyond, islands run together; it ends at P = H. From ten "
              "spots on, resistance 0.6 to 1.1 of direct solutions of the same islands, which are neither round nor "
              "evenly spread",

@@ -13,6 +13,30 @@ static const double joint_independent_area = 0.1;
 /** The effects whose quantities are made of spots. */
 static const unsigned on_spots = EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING) | EFFECT_BIT(EFFECT_HEATING);
 
+#define HARTING "resistivity: Harting catalogue 2013, table of specific resistances; "
+#define COPPER  "thickness: copper.org, connector design guide, plating summary"
+const char *const joint_plating_names[] = {"none", "hard gold", "soft gold", "tin", "silver", "nickel"};
+const struct joint_layer joint_platings[] = {
+    {0},
+    {2.3e-8, 0.5e-6, 1.3e-6,
+     HARTING "that of gold, unchecked for hard gold, whose cobalt raises it: give the plater's; " COPPER
+             ", 20 to 50 microinches"},
+    {2.3e-8, 0.25e-6, 5e-6, HARTING "thickness: classes 0.25 to 5 of ASTM B488 as told by aotco.com"},
+    {12e-8, 2.5e-6, 10e-6, HARTING COPPER ", 100 microinches at least; the upper end is unchecked"},
+    {1.6e-8, 2e-6, 10e-6, HARTING "the thickness is unchecked"},
+    {6.9e-8, 1.25e-6, 5e-6, HARTING "thickness: 50 microinches below gold (spcprecision.com) to 5 um alone (Harting)"},
+};
+
+#define BOND "bond line: rfessentials.com, comparison of thermal interface materials"
+const char *const joint_filler_names[] = {"none", "silicone grease", "filled grease", "pad", "gallium alloy"};
+const struct joint_layer joint_fillers[] = {
+    {0},
+    {0.8, 25e-6, 75e-6, "conductivity: Assmann WSW at digikey, thermal compound; " BOND},
+    {4, 25e-6, 75e-6, "conductivity: arctic.de, 1 to 4 W/(m K) whatever is advertised, its upper end; " BOND},
+    {1, 50e-6, 1e-3, "conductivity, most: Bergquist Gap Pad VO Ultra Soft, 1.02 mm (elcodis.com); least " BOND},
+    {16.5, 25e-6, 50e-6, "galinstan; conductivity: Wikipedia; bond line: indium.com on liquid metal, 1 to 2 mils"},
+};
+
 struct joint joint_default(void)
 {
     return (struct joint){.fill = JOINT_GAS,
@@ -46,6 +70,7 @@ static double joint_gap_conductance(const struct joint_task *task, double separa
         return NAN;
     if (joint->fill == JOINT_VACUUM)
         return 0;
+    separation_m = fmax(separation_m, joint->fill == JOINT_MEDIUM ? joint->bond_line_m : separation_m);
     if (joint->fill == JOINT_MEDIUM)
         return separation_m > 0 ? open * joint->conductivity_W_per_mK / separation_m : NAN;
     double jump_m = gas_jump_length(joint->gas, joint->temperature_K, joint->pressure_Pa, joint->accommodation,
@@ -79,6 +104,14 @@ static double joint_plating(const struct joint_task *task, double radius_m)
 double joint_film(double contact_ohm_m2, double film_ohm_m2, double area_ratio)
 {
     return contact_ohm_m2 + film_ohm_m2 / area_ratio;
+}
+
+double joint_flatness(double *share, double flatness_m, double over_m, double pressure_Pa,
+                      const struct material_pair *pair)
+{
+    double b = over_m / 2, ratio = cbrt(3 * M_PI / 8 * (pressure_Pa / pair->effective_modulus_Pa) * (b / flatness_m));
+    *share = ratio < 1 ? ratio : isnan(ratio) ? NAN : 1;
+    return M_PI * b * pow(1 - *share, 1.5) / (2 * pair->conductivity_W_per_mK * *share);
 }
 
 /** Spots, plating and film of one point. */

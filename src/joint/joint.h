@@ -14,12 +14,24 @@ enum joint_fill {
     JOINT_MEDIUM /* grease: conducts to the walls */
 };
 
+/** A plating or filler that goes by name; of each the first is none. */
+struct joint_layer {
+    double value;           /* a plating's resistivity [ohm m], a filler's conductivity [W/m/K] */
+    double least_m, most_m; /* usual thickness */
+    const char *source;     /* what was read, and what is unchecked */
+};
+enum { JOINT_PLATINGS = 6, JOINT_FILLERS = 5 };
+extern const char *const joint_plating_names[JOINT_PLATINGS], *const joint_filler_names[JOINT_FILLERS];
+extern const struct joint_layer joint_platings[JOINT_PLATINGS], joint_fillers[JOINT_FILLERS];
+
 /** A joint; a member counts when its effect is called for. */
 struct joint {
     enum joint_fill fill;
     const struct gas *gas;
     double pressure_Pa, accommodation;
     double conductivity_W_per_mK; /* of a medium */
+    double bond_line_m;           /* least thickness of a medium; 0: that of the gaps */
+    unsigned filler, plating;     /* which by name */
     double temperature_K;         /* of the joint */
     double film_ohm_m2;
     double plating_thickness_m, plating_ohm_m;
@@ -47,6 +59,12 @@ struct contact_spots joint_equal_spots(double area_ratio, double ecr_ohm_m2, dou
  * a²), alike spots R_c A_n + s_f/(A/A_n) (Holm 1967, Electric Contacts, 4th edition). The film's resistance is never
  * predicted: a tunnel resistance spans ten decades within 1.5 nm. */
 double joint_film(double contact_ohm_m2, double film_ohm_m2, double area_ratio);
+
+/** Constriction [m²K/W] of plates that bulge, pi b² (1 - r)^1.5/(2 k r b), which touch on the share r = a_L/b =
+ * (3 pi P b/(8 E' delta))^(1/3) of `over_m` = 2b: Hertz's contact of a crown of radius b²/(2 delta); 1: all of it.
+ * Clausing and Chao 1965, J. Heat Transfer 87, 243. */
+double joint_flatness(double *share, double flatness_m, double over_m, double pressure_Pa,
+                      const struct material_pair *pair);
 
 /** Fills what the effects call for: quantities that are made of the model's (quantity_row.from). `spots`: the model's,
  * one a point; NULL: it has none, so equal ones. What is not finite is NaN. */

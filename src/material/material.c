@@ -67,6 +67,10 @@ const struct material material_table[] = {
      "stainless steel AISI 304, annealed: ASM Handbook vol. 1; longitudinal v_s of AISI 347: CRC Handbook of Chemistry "
      "and Physics",
      NAN, NAN, NULL},
+    {"carbon-steel", 200e9, 0.29, 350e6, 1.59e-7, 51.9, 7870, 486, 5770,
+     "AISI 1020, cold drawn: E, nu, resistivity, c_p matmake.com, in whose range of 240 to 380 MPa S_y is; k, density: "
+     "theworldmaterial.com; longitudinal v_s computed from E, nu and density",
+     NAN, NAN, NULL},
     {"hard-gold", 78e9, 0.44, 587e6, NAN, NAN, NAN, NAN, NAN,
      "cobalt-hardened gold plate, type I code C of ASTM B488, 130...200 HK25: hardness of its middle, 170 HK = 1.67 "
      "GPa; "
@@ -114,6 +118,8 @@ static const struct {
     {"C7025", "copper-nickel-silicon"},
     {"C70250", "copper-nickel-silicon"},
     {"aluminum", "aluminium"},
+    {"Al", "aluminium"},
+    {"carbon steel", "carbon-steel"},
     {"Al6061", "aluminium"},
     {"stainless", "steel"},
     {"304", "steel"},

@@ -59,15 +59,16 @@ enum material_counterface {
 
 /** What the models need of the two bodies together. A quantity whose properties are missing is NaN. */
 struct material_pair {
-    bool unknown;                 /* no material is given: E' stands as 1, so that pressures are P/(A_n E') */
-    double effective_modulus_Pa;  /* E': E/(1-nu²), or 1/E' = (1-nu1²)/E1 + (1-nu2²)/E2 */
-    double yield_strength_Pa;     /* S_y of the softer body */
-    double poisson_ratio;         /* nu of the softer body */
-    double hardness_Pa;           /* H of the softer body: as given, else 2.84 S_y */
-    double yield_coefficient;     /* C = 1.295 exp(0.736 nu) */
-    double resistivity_ohm_m;     /* (rho1 + rho2)/2 */
-    double conductivity_W_per_mK; /* 2 k1 k2/(k1 + k2) */
-    double mean_free_path_m[2];   /* lambda_mfp of each side: as given, else 3k/(density v_s c_p) (4.52) */
+    bool unknown;                        /* no material is given: E' stands as 1, so that pressures are P/(A_n E') */
+    double effective_modulus_Pa;         /* E': E/(1-nu²), or 1/E' = (1-nu1²)/E1 + (1-nu2²)/E2 */
+    double yield_strength_Pa;            /* S_y of the softer body */
+    double poisson_ratio;                /* nu of the softer body */
+    double hardness_Pa;                  /* H of the softer body: as given, else 2.84 S_y */
+    double vickers_Pa, vickers_exponent; /* H = c1 (d/1 um)^c2 of an indentation of diagonal d; c1 0: not given */
+    double yield_coefficient;            /* C = 1.295 exp(0.736 nu) */
+    double resistivity_ohm_m;            /* (rho1 + rho2)/2 */
+    double conductivity_W_per_mK;        /* 2 k1 k2/(k1 + k2) */
+    double mean_free_path_m[2];          /* lambda_mfp of each side: as given, else 3k/(density v_s c_p) (4.52) */
     double side_conductivity_W_per_mK[2];
     double side_resistivity_ohm_m[2];
 };

@@ -97,6 +97,8 @@ static json_t *joint_json(const struct results *results)
     }
     if (gap && joint->fill == JOINT_MEDIUM)
         set(json, "gap_conductivity_W_per_mK", joint->conductivity_W_per_mK);
+    if (gap && joint->bond_line_m > 0)
+        set(json, "bond_line_m", joint->bond_line_m);
     if (gap || heating)
         set(json, "temperature_K", joint->temperature_K);
     if (plan_runs(results->plan, EFFECT_FILM))
@@ -135,7 +137,7 @@ static json_t *scene_json(const struct results *results)
     if (results->usable_count > 0)
         set(json, "operating_load_over_AnEp", results_operating_load(results, results->baseline));
     if (plan_runs(results->plan, EFFECT_UNLOADING))
-        set(json, "unload_from_over_AnEp", scene_unload_from(scene, &pair));
+        set(json, "unload_from_over_AnEp", scene_load_of(&scene->unload_from, scene, &pair));
     if (scene->called & results->plan->running)
         json_object_set_new(json, "joint", joint_json(results));
     if (scene->mean_free_path == SCENE_MEAN_FREE_PATH_ELECTRON)

@@ -3,6 +3,7 @@
 #include "report/view.h"
 
 #include "analysis/direct_study.h"
+#include "base/constants.h"
 #include "base/number_format.h"
 #include "joint/heating.h"
 #include <math.h>
@@ -217,7 +218,7 @@ void view_models(json_t *out, const struct view_source *source)
 
 /* ---- The joint ---- */
 
-enum joint_number { GAP_SHARE, FILM_SHARE, PLATING_FACTOR, VOLTAGE, TEMPERATURE, JOINT_NUMBERS };
+enum joint_number { GAP_SHARE, FILM_SHARE, PLATING_FACTOR, VOLTAGE, TEMPERATURE, H_J, FLAT, TOUCHING, JOINT_NUMBERS };
 
 /** What the leading model says of the joint, over the surfaces: shares in %, mV, °C. */
 static void joint_ranges(struct range out[JOINT_NUMBERS], const struct view_source *source)
@@ -229,7 +230,11 @@ static void joint_ranges(struct range out[JOINT_NUMBERS], const struct view_sour
         const struct contact_point at =
             comparison_middle(source->results, source->leading, source->results->by_roughness[k]);
         const double *value = at.value;
+        const double *flat = view_summary(source, source->results->by_roughness[k])->flatness;
         widen(&out[GAP_SHARE], 100 * value[QUANTITY_GAP] / value[QUANTITY_JOINT]);
+        widen(&out[H_J], value[QUANTITY_JOINT]);
+        widen(&out[TOUCHING], flat[1] > 0 ? 100 * flat[0] : NAN);
+        widen(&out[FLAT], flat[1] > 0 ? flat[1] / value[QUANTITY_TCR] : NAN);
         widen(&out[FILM_SHARE], 100 * film_ohm_m2 / value[QUANTITY_AREA] / value[QUANTITY_JOINT_ECR]);
         widen(&out[PLATING_FACTOR], value[QUANTITY_PLATING_FACTOR]);
         widen(&out[VOLTAGE], 1e3 * value[QUANTITY_VOLTAGE]);
@@ -278,8 +283,10 @@ void view_joint(json_t *out, const struct view_source *source)
     const struct joint *joint = &source->results->scene->joint;
     bool gap = plan_runs(plan, EFFECT_GAP), film = plan_runs(plan, EFFECT_FILM),
          plating = plan_runs(plan, EFFECT_PLATING), heat = plan_runs(plan, EFFECT_HEATING);
+    const double *flatness_m = source->results->scene->flatness_m;
+    bool flat = flatness_m[0] > 0 && plan_runs(plan, EFFECT_THERMAL);
     struct range ranges[JOINT_NUMBERS];
-    if (!gap && !film && !plating && !heat)
+    if (!gap && !film && !plating && !heat && !flat)
         return;
     json_t *item = view_part(out, "joint");
     joint_ranges(ranges, source);
@@ -293,6 +300,10 @@ void view_joint(json_t *out, const struct view_source *source)
         view_number(part, "pressure_kPa", joint->pressure_Pa * 1e-3, 3, "");
         view_number(part, "temperature_K", joint->temperature_K, 3, "");
         put_range(part, "share", &share, 2);
+        view_text(part, "filler", joint->filler ? joint_filler_names[joint->filler] : "");
+        view_number(part, "bond_line_um", joint->bond_line_m > 0 ? joint->bond_line_m * 1e6 : NAN, 3, "");
+        put_range(part, "conductance", &ranges[H_J], 2);
+        view_number(part, "radiation", 4 * constant_stefan_boltzmann * pow(joint->temperature_K, 3), 2, "");
         view_flag(part, "finish_matters", share.least > 50);
         view_flag(part, "load_matters", share.most < 50);
     }
@@ -304,11 +315,19 @@ void view_joint(json_t *out, const struct view_source *source)
     if (plating) {
         json_t *part = view_part(item, "has_plating");
         const struct range factor = ranges[PLATING_FACTOR];
+        view_text(part, "metal", joint->plating ? joint_plating_names[joint->plating] : "");
         view_number(part, "thickness_um", joint->plating_thickness_m * 1e6, 3, "");
         view_flag(part, "both", joint->both_plated);
         put_range(part, "factor", &factor, 3);
         view_flag(part, "helps", factor.most < 1);
         view_flag(part, "hurts", factor.least > 1 && factor.most >= factor.least);
+    }
+    if (flat) {
+        json_t *part = view_part(item, "flatness");
+        view_number(part, "deviation_um", flatness_m[0] * 1e6, 3, "");
+        view_number(part, "over_mm", flatness_m[1] * 1e3, 3, "");
+        put_range(part, "touching", &ranges[TOUCHING], 2);
+        put_range(part, "times", &ranges[FLAT], 2);
     }
     if (heat) {
         json_t *part = view_part(item, "heating");

@@ -217,8 +217,10 @@ static bool complete_bodies(struct scene_bodies *bodies, const struct scene *sce
         bodies->counterface_same = whole->counterface_same;
         bodies->counterface = whole->counterface;
     }
-    if (!(bodies->hardness_Pa > 0))
+    if (!(bodies->hardness_Pa > 0)) {
         bodies->hardness_Pa = whole->hardness_Pa;
+        bodies->hardness_exponent = whole->hardness_exponent;
+    }
     if (bodies->counterface_same)
         bodies->counterface = bodies->material;
     bool elastic = bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC;
@@ -410,9 +412,9 @@ double scene_load_divisor(const struct scene *scene, enum unit_quantity kind, co
     return kind == UNIT_NUMBER ? 1 : kind == UNIT_PRESSURE ? modulus_Pa : modulus_Pa * scene->nominal_area_m2;
 }
 
-double scene_unload_from(const struct scene *scene, const struct material_pair *pair)
+double scene_load_of(const struct scene_one_load *one, const struct scene *scene, const struct material_pair *pair)
 {
-    return one_load(&scene->unload_from, scene, pair) / scene_load_divisor(scene, scene->load.kind, pair);
+    return one_load(one, scene, pair) / scene_load_divisor(scene, scene->load.kind, pair);
 }
 
 enum status_code scene_loads(double **loads, size_t *count, size_t *operating, const struct scene *scene,

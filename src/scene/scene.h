@@ -23,6 +23,7 @@ struct scene_bodies {
     bool counterface_given, counterface_same; /* it is whatever the material is */
     size_t counterface_line;                  /* of the scene; 0: none */
     double hardness_Pa;                       /* of the softer body; NaN: what material_pair() has */
+    double hardness_exponent;                 /* below 0: hardness_Pa is c1 and this c2 of Vickers's correlation */
 };
 
 /** One surface to report: one scan file, or repeated scans of it. */
@@ -158,6 +159,7 @@ struct scene {
     struct joint joint;         /* what those keys say */
     struct scene_bodies bodies; /* of every surface that has none of its own */
     double nominal_area_m2;     /* NaN: resistances stay per area */
+    double flatness_m[2];       /* how far the plates bulge, over what length; 0: not given */
     enum scene_mean_free_path mean_free_path;
     struct scene_load load;
     struct scene_one_load operating;   /* where summary and tables stand; none: at the middle one */
@@ -235,8 +237,8 @@ const struct material_property *scene_lack(const char **body, const struct scene
 /** What a load of `kind` is divided by, to be P/(A_n E'); NaN where the nominal area or E' is not known. */
 double scene_load_divisor(const struct scene *scene, enum unit_quantity kind, const struct material_pair *pair);
 
-/** unload_from as P/(A_n E') of a pair of bodies; 0: none. */
-double scene_unload_from(const struct scene *scene, const struct material_pair *pair);
+/** operating or unload_from as P/(A_n E') of a pair of bodies; 0: none. */
+double scene_load_of(const struct scene_one_load *one, const struct scene *scene, const struct material_pair *pair);
 
 /** The scene's loads on a pair of bodies as P/(A_n E'), ascending, without duplicates: malloc'ed array in *loads,
  * *count of them, as many whatever the pair is; *operating is the place of the one where the summary stands. Error:

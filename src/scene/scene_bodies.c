@@ -11,6 +11,10 @@ struct material_pair scene_pair(const struct scene_bodies *bodies)
     struct material_pair pair = material_pair(&bodies->material, bodies->counterface_kind, &bodies->counterface);
     if (bodies->hardness_Pa > 0)
         pair.hardness_Pa = bodies->hardness_Pa;
+    if (bodies->hardness_exponent < 0) {
+        pair.vickers_Pa = bodies->hardness_Pa;
+        pair.vickers_exponent = bodies->hardness_exponent;
+    }
     return pair;
 }
 

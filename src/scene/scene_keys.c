@@ -366,6 +366,8 @@ static bool read_gap(struct scene_source *source, const struct scene_key *key, c
 {
     static const struct scene_key keys[] = {
         {"conductivity", NULL, SCENE_QUANTITY(JOINT(conductivity_W_per_mK), UNIT_CONDUCTIVITY, 1e-6, 1e4)},
+        {"filler", NULL, SCENE_CHOICE(JOINT(filler), joint_filler_names)},
+        {"bond_line", NULL, SCENE_QUANTITY(JOINT(bond_line_m), UNIT_DISTANCE, 1e-9, 1.0)},
         {"gas", NULL, read_gas, .at = 0},
         {"pressure", NULL, SCENE_QUANTITY(JOINT(pressure_Pa), UNIT_PRESSURE, 0.0, 1e9)},
         {"accommodation", NULL, SCENE_NUMBER(JOINT(accommodation), 1e-3, 1.0)},
@@ -375,10 +377,14 @@ static bool read_gap(struct scene_source *source, const struct scene_key *key, c
     size_t lines[SCENE_COUNT(keys)];
     if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys), lines, field))
         return false;
-    if (lines[0] && (lines[1] || lines[2] || lines[3]))
-        return scene_source_fail(source, lines[0],
-                                 "'conductivity', of what fills the gaps, stands beside a gas; remove either");
-    joint->fill = lines[0] ? JOINT_MEDIUM : joint->fill;
+    bool medium = lines[0] || joint->filler;
+    if (medium && (lines[3] || lines[4] || lines[5]))
+        return scene_source_fail(source, lines[lines[0] ? 0 : 1], "a filler stands beside a gas; remove either");
+    if (lines[2] && !medium)
+        return scene_source_fail(source, lines[2], "'bond_line' is of which filler? add 'filler' or 'conductivity'");
+    if (joint->filler && !lines[0])
+        joint->conductivity_W_per_mK = joint_fillers[joint->filler].value;
+    joint->fill = medium ? JOINT_MEDIUM : joint->fill;
     return true;
 }
 
@@ -390,14 +396,33 @@ static bool read_plating(struct scene_source *source, const struct scene_key *ke
         {"thickness", NULL, SCENE_QUANTITY(JOINT(plating_thickness_m), UNIT_DISTANCE, 1e-12, 1.0)},
         {"resistivity", NULL, SCENE_QUANTITY(JOINT(plating_ohm_m), UNIT_RESISTIVITY, 1e-12, 1e10)},
         {"sides", NULL, SCENE_CHOICE(JOINT(both_plated), sides)},
+        {"metal", NULL, SCENE_CHOICE(JOINT(plating), joint_plating_names)},
     };
+    struct joint *joint = field;
     size_t lines[SCENE_COUNT(keys)];
     if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys), lines, field))
         return false;
+    if (joint->plating && lines[1] == 0)
+        joint->plating_ohm_m = joint_platings[joint->plating].value;
     for (size_t k = 0; k < 2; k++)
-        if (lines[k] == 0)
+        if (lines[k] == 0 && !(k == 1 && joint->plating))
             return scene_source_fail_at(source, value, "'%s' has no '%s'; add it", key->name, keys[k].name);
     return true;
+}
+
+/* Into two numbers. */
+static bool read_flatness(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                          void *field)
+{
+    struct string_view text = scene_source_scalar(value);
+    const char *over = text.start ? strstr(text.start, " over ") : NULL;
+    struct scene_quantity high, wide;
+    bool good = over && scene_quantity_read(&high, (struct string_view){text.start, over}, UNIT_DISTANCE) &&
+                scene_quantity_read(&wide, (struct string_view){over + strlen(" over "), text.end}, UNIT_DISTANCE) &&
+                high.value > 0 && high.value < wide.value;
+    memcpy(field, good ? (double[]){high.value, wide.value} : (double[]){0, 0}, 2 * sizeof(double));
+    return good || scene_source_wrong_type(source, value, key->name,
+                                           "a deviation and its length, which is more, as in '5 um over 20 mm'");
 }
 
 #define AT(member) offsetof(struct scene, member)
@@ -427,8 +452,10 @@ const struct scene_key scene_keys[] = {
      read_measured, .at = AT(measured)},
     {"nominal_area", "default: none, and resistances stay per area",
      SCENE_QUANTITY(AT(nominal_area_m2), UNIT_AREA, 1e-18, 1e6), .word = "none", .alias = "nominal_area_m2"},
-    {"hardness", "of the softer body; default: the material's, else 2.84 of its yield strength",
-     SCENE_QUANTITY(AT(bodies.hardness_Pa), UNIT_PRESSURE, 1e3, 1e12), .alias = "hardness_Pa"},
+    {"hardness",
+     "of the softer body: a pressure, HV 120 (kgf/mm2), or {c1, c2} of the Vickers hardness c1 (d/1 um)^c2 of an "
+     "indentation of diagonal d; default: the material's, else 2.84 of its yield strength",
+     SCENE_HARDNESS(AT(bodies))},
     {"mean_free_path",
      "of what carries heat, for scale-dependent, where the material does not give its own: of phonons, or of a metal's "
      "free electrons; default: thesis",
@@ -484,13 +511,18 @@ const struct scene_key scene_keys[] = {
      "solution; default: off",
      read_direct, .at = AT(direct)},
     {"gap",
-     "{gas: air, nitrogen, helium, argon or vacuum, pressure, temperature, accommodation} or {conductivity} of what "
-     "fills the gaps: the heat that it carries; default: nothing is said of it",
+     "{gas: air, nitrogen, helium, argon or vacuum, pressure, temperature, accommodation} or {filler: silicone grease, "
+     "filled grease, pad or gallium alloy, or its conductivity, bond_line} of what fills the gaps: the heat that it "
+     "carries; default: nothing is said of it",
      read_gap, .at = AT(joint)},
     {"film", "insulating film on the spots, a resistance times an area; default: none",
      SCENE_QUANTITY(AT(joint.film_ohm_m2), UNIT_RESISTANCE_AREA, 0.0, 1e6)},
-    {"plating", "{thickness, resistivity, sides: one (the surface's) or both}; default: none", read_plating,
-     .at = AT(joint)},
+    {"flatness", "how far the plates bulge, as in 5 um over 20 mm: what that adds to TCR is said; default: nothing is",
+     read_flatness, .at = AT(flatness_m)},
+    {"plating",
+     "{thickness, metal: hard gold, soft gold, tin, silver or nickel, or its resistivity, sides: one or both (the "
+     "surface's comes first)}; default: none",
+     read_plating, .at = AT(joint)},
     {"current", "through the contact, for its voltage and temperature; needs nominal_area; default: none",
      SCENE_QUANTITY(AT(joint.current_A), UNIT_CURRENT, 1e-12, 1e9)},
     {"convergence", "{alpha, gamma, load, scan_length, scales} of the convergence study", read_convergence,

@@ -6,6 +6,7 @@
 #include <errno.h>
 #include <math.h>
 #include <search.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -199,6 +200,27 @@ bool scene_surfaces_counterface(struct scene_source *source, const struct scene_
     return surface->name || scene_source_memory(source);
 }
 
+bool scene_surfaces_hardness(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                             void *field)
+{
+    static const struct scene_key keys[] = {
+        {"c1", NULL, SCENE_QUANTITY(offsetof(struct scene_bodies, hardness_Pa), UNIT_PRESSURE, 1e3, 1e12)},
+        {"c2", NULL, SCENE_NUMBER(offsetof(struct scene_bodies, hardness_exponent), -0.99, 0)},
+    };
+    size_t lines[SCENE_COUNT(keys)];
+    char text[64];
+    yaml_node_t node = *value;
+    if (value->type == YAML_MAPPING_NODE)
+        return scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys), lines, field) &&
+               ((lines[0] && lines[1]) || scene_source_fail_at(source, value, "'%s' needs c1 and c2", key->name));
+    if (value->type == YAML_SCALAR_NODE && strncmp((const char *)value->data.scalar.value, "HV ", 3) == 0) {
+        snprintf(text, sizeof text, "%.40s HV", (const char *)value->data.scalar.value + 3);
+        node.data.scalar.value = (yaml_char_t *)text;
+        node.data.scalar.length = strlen(text);
+    }
+    return scene_source_quantity(source, key, &node, &((struct scene_bodies *)field)->hardness_Pa);
+}
+
 static bool read_surface(struct scene_source *source, const yaml_node_t *node, struct scene_surface *surface)
 {
     static const struct scene_key keys[] = {
@@ -208,7 +230,7 @@ static bool read_surface(struct scene_source *source, const yaml_node_t *node, s
         {"lay", NULL, SCENE_NUMBER(AT(lay), 0.0, 1.0)},
         {"material", NULL, scene_surfaces_body, .at = AT(bodies)},
         {"counterface", NULL, read_body, .at = AT(bodies)},
-        {"hardness", NULL, SCENE_QUANTITY(AT(bodies.hardness_Pa), UNIT_PRESSURE, 1e3, 1e12), .alias = "hardness_Pa"},
+        {"hardness", NULL, SCENE_HARDNESS(AT(bodies))},
         {"x_unit", NULL, SCENE_SHORT_TEXT(AT(x_unit), UNIT_BYTES)},
         {"z_unit", NULL, SCENE_SHORT_TEXT(AT(z_unit), UNIT_BYTES)},
         {"column", NULL, read_columns, .at = 0},

@@ -109,6 +109,39 @@ TEST_CASE(hard_cases)
     }
 }
 
+/** At each load P = H A/A_n with the hardness of that load's spots; an exponent of 0 is one hardness; what raises the
+ * task's hardness raises that of every size. */
+TEST_CASE(hardness_of_the_spots_own_size)
+{
+    struct spectrum spectrum = wave(1e-6, 0.1);
+    struct material_pair pair = model_support_tin();
+    const double loads[] = {1e-6, 1e-5, 1e-4};
+    struct model_task task = task_of(&spectrum, &pair, loads, 3);
+    struct contact_point points[4], raised[4], plain[4];
+    struct contact_spots spots[3];
+    pair.hardness_Pa = task.hardness_Pa;
+    model_support_run(plain, "cmy", &task);
+    pair.vickers_Pa = pair.hardness_Pa;
+    pair.vickers_exponent = -1e-300;
+    model_support_run(points, "cmy", &task);
+    assert_near(points[1].value[QUANTITY_AREA], plain[1].value[QUANTITY_AREA], 1e-12);
+    pair.vickers_exponent = -0.2;
+    model_support_run(points, "cmy", &task);
+    spots_of(spots, &task);
+    for (size_t i = 0; i < 3; i++) {
+        double hardness_Pa = pair.vickers_Pa * pow(sqrt(2 * M_PI) * spots[i].radius_m / 1e-6, -0.2);
+        assert_near(points[i].value[QUANTITY_AREA], loads[i] * pair.effective_modulus_Pa / hardness_Pa, 1e-10);
+    }
+    assert_true(spots[2].radius_m > 1.1 * spots[0].radius_m);
+    task.hardness_Pa *= 1.2;
+    model_support_run(raised, "cmy", &task);
+    pair.vickers_Pa *= 1.2;
+    pair.hardness_Pa *= 1.2;
+    model_support_run(points, "cmy", &task);
+    assert_near(raised[1].value[QUANTITY_AREA], points[1].value[QUANTITY_AREA], 1e-15);
+    spectrum_free(&spectrum);
+}
+
 /** To P = H and no further, with the hardness that it is given; outside the stated range from A/A_n = 0.1 on. */
 TEST_CASE(the_curve_ends)
 {

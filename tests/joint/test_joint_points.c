@@ -70,6 +70,11 @@ TEST_CASE(gaps)
     joint.conductivity_W_per_mK = 0.8;
     assert_near(apply(&joint, gap, point_of(0.25, 2e-6)).value[QUANTITY_GAP], 0.75 * 0.8 / 2e-6, 1e-15);
     assert_true(isnan(apply(&joint, gap, point_of(0.25, 0)).value[QUANTITY_GAP]));
+    /* a bond line counts where it is thicker than the gap */
+    joint.bond_line_m = 3e-6;
+    assert_near(apply(&joint, gap, point_of(0.25, 2e-6)).value[QUANTITY_GAP], 0.75 * 0.8 / 3e-6, 1e-15);
+    assert_near(apply(&joint, gap, point_of(0.25, -1e-6)).value[QUANTITY_GAP], 0.75 * 0.8 / 3e-6, 1e-15);
+    assert_near(apply(&joint, gap, point_of(0.25, 4e-6)).value[QUANTITY_GAP], 0.75 * 0.8 / 4e-6, 1e-15);
     /* a model without a separation has none, whatever fills the gaps */
     for (int fill = JOINT_VACUUM; fill <= JOINT_MEDIUM; fill++) {
         joint.fill = (enum joint_fill)fill;
@@ -80,6 +85,18 @@ TEST_CASE(gaps)
     joint = joint_default();
     assert_near(apply(&joint, gap, point_of(0.3, -1e-6)).value[QUANTITY_GAP],
                 apply(&joint, gap, point_of(0.3, 0)).value[QUANTITY_GAP], 1e-15);
+}
+
+/** Clausing and Chao: r = 1.285 (P b/(E_m delta))^(1/3) of alike bodies with nu² = 0.1, delta being of both; where all
+ * touches nothing is constricted. */
+TEST_CASE(flatness)
+{
+    const struct material_pair plates = {.effective_modulus_Pa = 70e9 / 1.8, .conductivity_W_per_mK = 50};
+    double share, m2K_per_W = joint_flatness(&share, 5e-6, 20e-3, 1e5, &plates), b = 10e-3;
+    assert_near(share, 1.285 * cbrt(1e5 * b / (70e9 * 5e-6)), 1e-3);
+    assert_near(m2K_per_W / (M_PI * b * b), pow(1 - share, 1.5) / (2 * 50 * share * b), 1e-14);
+    assert_within(joint_flatness(&share, 5e-6, 20e-3, 1e9, &plates), 0, 0);
+    assert_near(share, 1, 0);
 }
 
 /** Equal spots have the area and the resistance they are made from; own ones come through as they are. */

@@ -352,6 +352,50 @@ TEST_CASE(test_units_of_loads_and_what_fills_the_gaps)
     scene_free(&scene);
 }
 
+/** A Vickers number is in kgf/mm²; a correlation holds for surfaces without a hardness of their own. */
+TEST_CASE(test_hardness)
+{
+    static const char *const same[] = {"HV 120", "120 HV", "1.176798 GPa"};
+    for (size_t i = 0; i < 3; i++) {
+        char text[80];
+        snprintf(text, sizeof text, "material: tin\nhardness: %s\n", same[i]);
+        struct scene scene = scene_of(text);
+        assert_near(scene_pair(&scene.bodies).hardness_Pa, 120 * 9.80665e6, 1e-14);
+        assert_within(scene_pair(&scene.bodies).vickers_Pa, 0, 0);
+        scene_free(&scene);
+    }
+    struct scene scene = scene_of("material: tin\nhardness: {c1: 3 GPa, c2: -0.2}\nsurfaces:\n  - {file: a.csv}\n"
+                                  "  - {file: b.csv, hardness: 1 GPa}\n");
+    assert_near(scene_pair(&scene.surfaces[0].bodies).vickers_Pa, 3e9, 0);
+    assert_near(scene_pair(&scene.surfaces[0].bodies).vickers_exponent, -0.2, 0);
+    assert_within(scene_pair(&scene.surfaces[1].bodies).vickers_Pa, 0, 0);
+    scene_free(&scene);
+}
+
+/** A number beside a name is what counts. */
+TEST_CASE(test_platings_and_fillers_by_name)
+{
+    struct scene scene = scene_of("material: Al\ncounterface: carbon steel\nflatness: 5 um over 20 mm\n"
+                                  "gap: {filler: filled grease, bond_line: 30 um}\n"
+                                  "plating: {metal: hard gold, thickness: 0.8 um}\n");
+    assert_string_equal(scene.bodies.material.name, "aluminium");
+    assert_string_equal(scene.bodies.counterface.name, "carbon-steel");
+    assert_near(scene.joint.conductivity_W_per_mK, 4, 0);
+    assert_near(scene.joint.bond_line_m, 3e-5, 1e-15);
+    assert_int_equal(scene.joint.fill, JOINT_MEDIUM);
+    assert_near(scene.joint.plating_ohm_m, 2.3e-8, 0);
+    assert_near(scene.flatness_m[0] / scene.flatness_m[1], 5e-6 / 20e-3, 1e-15);
+    scene_free(&scene);
+    scene = scene_of("material: tin\ngap: {filler: pad, conductivity: 3}\n"
+                     "plating: {resistivity: 1e-7, metal: nickel, thickness: 2 um}\n");
+    assert_near(scene.joint.conductivity_W_per_mK, 3, 0);
+    assert_near(scene.joint.plating_ohm_m, 1e-7, 0);
+    scene_free(&scene);
+    scene = scene_of("material: tin\ngap: {filler: none, gas: argon}\n");
+    assert_int_equal(scene.joint.fill, JOINT_GAS);
+    scene_free(&scene);
+}
+
 TEST_CASE(test_titles)
 {
     char *before = getcwd(NULL, 0);
