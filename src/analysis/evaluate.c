@@ -261,7 +261,7 @@ static void note_joint(struct surface_record *record, const struct scene *scene,
         note_add(notes, NULL, "%.3g um of %s, of which %.3g to %.3g um are usual", thick_m * 1e6,
                  joint_plating_names[joint->plating], metal->least_m * 1e6, metal->most_m * 1e6);
     if (wide_m[0] > 0 && plan_runs(plan, EFFECT_THERMAL))
-        flat[1] = joint_flatness(&flat[0], wide_m[0], wide_m[1], pressure_Pa, task->pair);
+        flat[1] = joint_flatness(&flat[0], wide_m, pressure_Pa, task->pair);
     if (flat[1] > 0)
         note_add(notes, NULL,
                  "flat to %.3g um over %.3g mm, of which %.2g touch: that constricts the heat by %.2g "

@@ -106,10 +106,10 @@ double joint_film(double contact_ohm_m2, double film_ohm_m2, double area_ratio)
     return contact_ohm_m2 + film_ohm_m2 / area_ratio;
 }
 
-double joint_flatness(double *share, double flatness_m, double over_m, double pressure_Pa,
-                      const struct material_pair *pair)
+double joint_flatness(double *share, const double flatness_m[2], double pressure_Pa, const struct material_pair *pair)
 {
-    double b = over_m / 2, ratio = cbrt(3 * M_PI / 8 * (pressure_Pa / pair->effective_modulus_Pa) * (b / flatness_m));
+    double b = flatness_m[1] / 2, strain = pressure_Pa / pair->effective_modulus_Pa;
+    double ratio = cbrt(3 * M_PI / 8 * strain * (b / flatness_m[0]));
     *share = ratio < 1 ? ratio : isnan(ratio) ? NAN : 1;
     return M_PI * b * pow(1 - *share, 1.5) / (2 * pair->conductivity_W_per_mK * *share);
 }

@@ -60,11 +60,10 @@ struct contact_spots joint_equal_spots(double area_ratio, double ecr_ohm_m2, dou
  * predicted: a tunnel resistance spans ten decades within 1.5 nm. */
 double joint_film(double contact_ohm_m2, double film_ohm_m2, double area_ratio);
 
-/** Constriction [m²K/W] of plates that bulge, pi b² (1 - r)^1.5/(2 k r b), which touch on the share r = a_L/b =
- * (3 pi P b/(8 E' delta))^(1/3) of `over_m` = 2b: Hertz's contact of a crown of radius b²/(2 delta); 1: all of it.
+/** Constriction [m²K/W] of plates that bulge by delta over 2b, pi b² (1 - r)^1.5/(2 k r b), which touch on the share r
+ * = a_L/b = (3 pi P b/(8 E' delta))^(1/3) of 2b: Hertz's contact of a crown of radius b²/(2 delta); 1: all of it.
  * Clausing and Chao 1965, J. Heat Transfer 87, 243. */
-double joint_flatness(double *share, double flatness_m, double over_m, double pressure_Pa,
-                      const struct material_pair *pair);
+double joint_flatness(double *share, const double flatness_m[2], double pressure_Pa, const struct material_pair *pair);
 
 /** Fills what the effects call for: quantities that are made of the model's (quantity_row.from). `spots`: the model's,
  * one a point; NULL: it has none, so equal ones. What is not finite is NaN. */

@@ -455,7 +455,8 @@ const struct scene_key scene_keys[] = {
     {"hardness",
      "of the softer body: a pressure, HV 120 (kgf/mm2), or {c1, c2} of the Vickers hardness c1 (d/1 um)^c2 of an "
      "indentation of diagonal d; default: the material's, else 2.84 of its yield strength",
-     SCENE_HARDNESS(AT(bodies))},
+     scene_surfaces_hardness, .at = AT(bodies), .quantities = UNIT_PRESSURE, .least = 1e3, .most = 1e12,
+     .alias = "hardness_Pa"},
     {"mean_free_path",
      "of what carries heat, for scale-dependent, where the material does not give its own: of phonons, or of a metal's "
      "free electrons; default: thesis",

@@ -112,9 +112,6 @@ scene_reader scene_surfaces_read;
 scene_reader scene_surfaces_counterface;
 /** A pressure, HV 120 or {c1, c2}, into a struct scene_bodies. */
 scene_reader scene_surfaces_hardness;
-#define SCENE_HARDNESS(place)                                                                                          \
-    scene_surfaces_hardness, .at = (place), .quantities = UNIT_PRESSURE, .least = 1e3, .most = 1e12,                   \
-                             .alias = "hardness_Pa"
 /** A built-in name or a mapping of properties, into a struct scene_bodies. */
 scene_reader scene_surfaces_body;
 /** One file or a list of them, each checked to exist, into a struct scene_surface. */

@@ -109,22 +109,18 @@ TEST_CASE(hard_cases)
     }
 }
 
-/** At each load P = H A/A_n with the hardness of that load's spots; an exponent of 0 is one hardness; what raises the
- * task's hardness raises that of every size. */
+/** At each load P = H A/A_n with the hardness of that load's spots; what raises the task's hardness raises that of
+ * every size. */
 TEST_CASE(hardness_of_the_spots_own_size)
 {
     struct spectrum spectrum = wave(1e-6, 0.1);
     struct material_pair pair = model_support_tin();
     const double loads[] = {1e-6, 1e-5, 1e-4};
     struct model_task task = task_of(&spectrum, &pair, loads, 3);
-    struct contact_point points[4], raised[4], plain[4];
+    struct contact_point points[4], raised[4];
     struct contact_spots spots[3];
     pair.hardness_Pa = task.hardness_Pa;
-    model_support_run(plain, "cmy", &task);
     pair.vickers_Pa = pair.hardness_Pa;
-    pair.vickers_exponent = -1e-300;
-    model_support_run(points, "cmy", &task);
-    assert_near(points[1].value[QUANTITY_AREA], plain[1].value[QUANTITY_AREA], 1e-12);
     pair.vickers_exponent = -0.2;
     model_support_run(points, "cmy", &task);
     spots_of(spots, &task);

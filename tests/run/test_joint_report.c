@@ -180,8 +180,6 @@ TEST_IN_PLACE(sentences)
          "Plates that are flat to 1.00·10⁻⁶ µm over 1000 mm are pressed flat."},
         {"material: tin\nplating: {thickness: 9 um, metal: hard gold}\n",
          ": 9 um of hard gold, of which 0.5 to 1.3 um are usual"},
-        {"material: tin\nfilm: 0\nhardness: {c1: 60 MPa, c2: -0.2}\n",
-         "its hardness falls with size: CMY has its spots' own, all else "},
         {"material: tin\ngap: {gas: air, pressure: 1 Pa}\n", "**the load matters more than the finish**"},
         {"material: tin\nplating: {thickness: 2 um, resistivity: 1e-8}\n", ", so it helps"},
         {"material: tin\nplating: {thickness: 2 um, resistivity: 1e-6}\n", ", so it does not help"},
@@ -195,6 +193,26 @@ TEST_IN_PLACE(sentences)
         expect_parts(strstr(text_string(&report), "## The joint"), rows[k].says);
         text_free(&report);
     }
+}
+
+/** All models but CMY take the hardness of CMY's spots at the operating load. */
+TEST_IN_PLACE(one_hardness_for_the_others)
+{
+    struct text report = report_of(place, "film: 0\nnominal_area: 1 mm2\noperating_load: 1e-6\n"
+                                          "hardness: {c1: 60 MPa, c2: -0.2}\n");
+    struct table contact = directory_table(place, "out/data/contact.csv");
+    char says[80];
+    size_t checked = 0;
+    for (size_t i = 0; i < contact.rows; i++)
+        if (strcmp(table_text(&contact, i, "model"), "cmy") == 0 && number(&contact, i, "load_over_AnEp") == 1e-6) {
+            double hardness_MPa = 60 * pow(sqrt(2 * M_PI) * number(&contact, i, "spot_radius_m") / 1e-6, -0.2);
+            snprintf(says, sizeof says, "all else %.4g MPa, theirs at the operating load", hardness_MPa);
+            expect_parts(text_string(&report), says);
+            checked++;
+        }
+    assert_int_equal(checked, 2);
+    table_free(&contact);
+    text_free(&report);
 }
 
 TEST_GROUP(place_setup, directory_teardown)
