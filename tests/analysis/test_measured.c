@@ -15,16 +15,16 @@ struct said {
 /* Reads `csv` under such a scene, E' being 10 GPa. */
 static enum status_code read_csv(struct measured *out, const char *csv, const struct said *said, struct status *status)
 {
-    static char name[] = "ecr.csv";
+    static char name[] = "ecr.csv", *names[] = {name};
     struct plan plan = {.running = EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL)};
     struct scene scene = {.directory = place.path, .nominal_area_m2 = said->area_m2};
-    scene.measured = (struct scene_measured){.file = name, .quantity = said->quantity};
+    scene.measured = (struct scene_measured){.files = names, .file_count = 1, .quantity = said->quantity};
     snprintf(scene.measured.load_unit, UNIT_LENGTH, "%s", said->load_unit);
     snprintf(scene.measured.resistance_unit, UNIT_LENGTH, "%s", said->resistance_unit);
     const struct material_pair pair = {.effective_modulus_Pa = 1e10};
     directory_write(&place, name, csv);
     *status = (struct status){0};
-    return measured_read(out, &scene, &plan, &pair, status);
+    return measured_read(out, &scene.measured, &scene, &plan, &pair, status);
 }
 
 TEST_CASE(units_are_the_models)
@@ -253,14 +253,14 @@ TEST_CASE(any_bytes_are_read_or_refused)
 
 TEST_CASE(only_an_effect_that_runs_is_compared)
 {
-    static char name[] = "ecr.csv";
+    static char name[] = "ecr.csv", *names[] = {name};
     struct measured measured;
     struct plan plan = {.running = EFFECT_BIT(EFFECT_ELECTRICAL)};
     struct status status = {0};
     struct scene scene = {.directory = place.path, .nominal_area_m2 = NAN};
-    scene.measured = (struct scene_measured){.file = name, .quantity = SCENE_MEASURED_TCR};
+    scene.measured = (struct scene_measured){.files = names, .file_count = 1, .quantity = SCENE_MEASURED_TCR};
     assert_int_equal(
-        measured_read(&measured, &scene, &plan, &(struct material_pair){.effective_modulus_Pa = 1e10}, &status),
+        measured_read(&measured, &scene.measured, &scene, &plan, &(struct material_pair){.effective_modulus_Pa = 1e10}, &status),
         STATUS_SCENE);
     assert_non_null(strstr(status.message, "the effect thermal does not run"));
     measured_free(&measured);
