@@ -226,12 +226,11 @@ static void make_measured(struct made_up *made)
     made->run = (struct measured_run){0, MADE_UP_MEASURED - 1, MADE_UP_MEASURED};
     made->measured[0] = (struct measured){.count = MADE_UP_MEASURED,
                                           .run_count = 1,
+                                          .given = &made->scene.measured,
                                           .runs = &made->run,
                                           .load = values,
                                           .resistance = values + MADE_UP_MEASURED,
-                                          .error = values + 2 * MADE_UP_MEASURED,
-                                          .load_unit = "N",
-                                          .resistance_unit = "mOhm"};
+                                          .error = values + 2 * MADE_UP_MEASURED};
     for (size_t i = 0; i < MADE_UP_MEASURED; i++) {
         values[i] = loads[i];
         values[MADE_UP_MEASURED + i] = 1.5 * 1.5e-14 / loads[i];

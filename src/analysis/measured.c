@@ -40,34 +40,20 @@ static enum status_code complete_units(struct measured_file *file, const char *n
     return STATUS_OK;
 }
 
-static enum status_code need_area(const struct scene *scene, const char *name, const struct measured_unit *unit,
-                                  const char *what, struct status *status)
-{
-    if (isfinite(scene->nominal_area_m2))
-        return STATUS_OK;
-    return status_fail(status, STATUS_SCENE,
-                       "%s: measured %s in %s need the contact's area; add nominal_area to the scene", name, what,
-                       unit->text);
-}
-
-/** What loads of a unit are times, to be P/(A_n E'). */
-static enum status_code load_factor(double *factor, const char *name, const struct measured_unit *unit,
+/** What a column of a unit is times, to be P/(A_n E') or per nominal area. */
+static enum status_code unit_factor(double *factor, const char *name, const struct measured_unit *unit,
                                     const struct scene *scene, const struct material_pair *pair, struct status *status)
 {
-    enum unit_quantity kind = (enum unit_quantity)unit_of(&unit->unit, UNIT_LOADS);
-    *factor = unit->unit.factor / scene_load_divisor(scene, kind, pair);
-    return kind == UNIT_FORCE ? need_area(scene, name, unit, "loads", status) : STATUS_OK;
-}
-
-/** The same for resistances, to be per nominal area. */
-static enum status_code resistance_factor(double *factor, const char *name, const struct measured_unit *unit,
-                                          const struct scene *scene, struct status *status)
-{
-    *factor = unit->unit.factor;
-    if (!unit_of(&unit->unit, UNIT_RESISTANCE | UNIT_THERMAL_RESISTANCE))
+    enum unit_quantity load = (enum unit_quantity)unit_of(&unit->unit, UNIT_LOADS);
+    bool whole = load == UNIT_FORCE || unit_of(&unit->unit, UNIT_RESISTANCE | UNIT_THERMAL_RESISTANCE);
+    *factor = load    ? unit->unit.factor / scene_load_divisor(scene, load, pair)
+              : whole ? unit->unit.factor * scene->nominal_area_m2
+                      : unit->unit.factor;
+    if (!whole || isfinite(scene->nominal_area_m2))
         return STATUS_OK;
-    *factor *= scene->nominal_area_m2;
-    return need_area(scene, name, unit, "resistances", status);
+    return status_fail(status, STATUS_SCENE,
+                       "%s: measured %s in %s need the contact's area; add nominal_area to the scene", name,
+                       load ? "loads" : "resistances", unit->text);
 }
 
 /** Adds the rows in the models' units: a run. */
@@ -81,9 +67,9 @@ static enum status_code add_run(struct measured *out, const struct measured_file
     double **const columns[] = {&out->load, &out->resistance, &out->error};
     double load, resistance, error = error_unit->unit.factor;
     *run = (struct measured_run){out->count, out->count, out->count + file->count};
-    if (load_factor(&load, name, &units[MEASURED_LOAD], scene, pair, status) != STATUS_OK ||
-        resistance_factor(&resistance, name, &units[MEASURED_RESISTANCE], scene, status) != STATUS_OK ||
-        (!relative && resistance_factor(&error, name, error_unit, scene, status) != STATUS_OK))
+    if (unit_factor(&load, name, &units[MEASURED_LOAD], scene, pair, status) != STATUS_OK ||
+        unit_factor(&resistance, name, &units[MEASURED_RESISTANCE], scene, pair, status) != STATUS_OK ||
+        (!relative && unit_factor(&error, name, error_unit, scene, pair, status) != STATUS_OK))
         return status->code;
     for (size_t c = 0; c < sizeof columns / sizeof *columns; c++) {
         double *more = reallocarray(*columns[c], run->end, sizeof *more);
@@ -108,10 +94,10 @@ static enum status_code add_run(struct measured *out, const struct measured_file
     return STATUS_OK;
 }
 
-static enum status_code read_run(struct measured *out, const char *name, const struct scene_measured *given,
-                                 const struct scene *scene, const struct material_pair *pair, struct status *status)
+static enum status_code read_run(struct measured *out, const char *name, const struct scene *scene,
+                                 const struct material_pair *pair, struct status *status)
 {
-    const unsigned resistances = scene_measured_resistances[given->quantity];
+    const unsigned resistances = scene_measured_resistances[out->given->quantity];
     const unsigned quantities[MEASURED_COLUMNS] = {UNIT_LOADS, resistances, resistances | UNIT_NUMBER | UNIT_PERCENT};
     struct text content = {0};
     struct measured_file file = {0};
@@ -123,7 +109,7 @@ static enum status_code read_run(struct measured *out, const char *name, const s
     if (rc == STATUS_OK)
         rc = measured_file_read(&file, (struct string_view){start, start + content.length}, name, quantities, status);
     if (rc == STATUS_OK)
-        rc = complete_units(&file, name, given, quantities, status);
+        rc = complete_units(&file, name, out->given, quantities, status);
     if (rc == STATUS_OK)
         rc = add_run(out, &file, name, scene, pair, status);
     measured_file_free(&file);
@@ -135,7 +121,7 @@ static enum status_code read_run(struct measured *out, const char *name, const s
 enum status_code measured_read(struct measured *out, const struct scene_measured *given, const struct scene *scene,
                                const struct plan *plan, const struct material_pair *pair, struct status *status)
 {
-    *out = (struct measured){.thermal = given->quantity == SCENE_MEASURED_TCR};
+    *out = (struct measured){.given = given, .thermal = given->quantity == SCENE_MEASURED_TCR};
     enum effect needed = out->thermal ? EFFECT_THERMAL : EFFECT_ELECTRICAL;
     if (!plan_runs(plan, needed))
         return status_fail(status, STATUS_SCENE,
@@ -145,7 +131,7 @@ enum status_code measured_read(struct measured *out, const struct scene_measured
     if (!(out->runs = calloc(given->file_count, sizeof *out->runs)))
         return status_memory(status);
     for (size_t f = 0; f < given->file_count; f++)
-        if (read_run(out, given->files[f], given, scene, pair, status) != STATUS_OK)
+        if (read_run(out, given->files[f], scene, pair, status) != STATUS_OK)
             return status->code;
     return STATUS_OK;
 }
@@ -169,14 +155,6 @@ enum quantity measured_quantity(const struct measured *measured, unsigned effect
 {
     bool covered = effects & (EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING));
     return covered && !measured->thermal ? QUANTITY_JOINT_ECR : quantity_of(measured);
-}
-
-bool measured_falls(const struct measured *measured, size_t point)
-{
-    for (size_t r = 0; r < measured->run_count; r++)
-        if (point > measured->runs[r].turn && point < measured->runs[r].end)
-            return true;
-    return false;
 }
 
 static int compare_numbers(const void *a, const void *b)
@@ -226,15 +204,16 @@ static void answer_branches(struct measured_answers *out, const struct measured 
                             const struct surface_unloading *unloading)
 {
     double *up = out->resistance + MEASURED_LOADING * measured->count, *down = up + measured->count;
-    for (size_t i = 0; i < measured->count; i++) {
-        bool falls = measured_falls(measured, i);
-        double rising = unloading ? out->resistance[unloading->model * measured->count + i] : NAN;
-        up[i] = falls ? NAN : rising;
-        down[i] = NAN;
-        if (unloading && falls)
-            down[i] =
-                rising * unloading_factor(&unloading->ratio, quantity, measured->load[i] / unloading->largest_load);
-    }
+    for (const struct measured_run *run = measured->runs; run < measured->runs + measured->run_count; run++)
+        for (size_t i = run->first; i < run->end; i++) {
+            bool falls = i > run->turn;
+            double rising = unloading ? out->resistance[unloading->model * measured->count + i] : NAN;
+            up[i] = falls ? NAN : rising;
+            down[i] = NAN;
+            if (unloading && falls)
+                down[i] =
+                    rising * unloading_factor(&unloading->ratio, quantity, measured->load[i] / unloading->largest_load);
+        }
 }
 
 enum status_code measured_answer(struct measured_answers *out, const struct measured *measured, uint64_t models,

@@ -17,6 +17,7 @@ struct measured_run {
 /** Points of a surface in the models' units, in the order in which they were measured (loading, then unloading), run
  * after run. Owned: measured_free(). */
 struct measured {
+    const struct scene_measured *given;
     size_t count, run_count; /* 0: none */
     struct measured_run *runs;
     double *load;       /* P/(A_n E') */
@@ -25,9 +26,6 @@ struct measured {
     bool thermal;       /* TCR, else ECR */
     char load_unit[UNIT_LENGTH], resistance_unit[UNIT_LENGTH]; /* that they were given in, as written */
 };
-
-/** Is a point of the way down? */
-bool measured_falls(const struct measured *measured, size_t point);
 
 /** Beside the models, in the place of one: the model that leads on the way up alone, and its curve of falling load on
  * the way down. */

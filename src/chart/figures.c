@@ -209,20 +209,21 @@ static void put_bar(struct chart *chart, const struct asked *asked, double load,
     chart_row(chart, load, asked_shown(asked, value), fmin(a, b), fmax(a, b));
 }
 
-/** What was measured, loading filled, unloading open: from the largest load on. */
-static void put_measured(struct chart *chart, const struct source *source, const struct asked *asked, size_t surface,
-                         const char *colour)
+/** What was measured on a surface shown, loading filled, unloading open: from the largest load on. */
+static void put_measured(struct chart *chart, const struct source *source, const struct asked *asked, size_t k)
 {
-    const struct measured *measured = results_measured(source->results, surface);
-    double scale = asked_load_of(source->results, surface).scale;
+    const struct results *results = source->results;
+    const struct measured *measured = results_measured(results, results->shown[k]);
+    double scale = asked_load_of(results, results->shown[k]).scale;
     for (size_t part = 0; measured && part < 2 * measured->run_count; part++) {
         const struct measured_run *run = &measured->runs[part / 2];
         bool branch = part % 2, both = run->turn + 1 < run->end && run->turn > run->first;
         const char *name = !both ? "measured" : branch ? "measured.unloading" : "measured.loading";
-        chart_curve(chart, &(struct chart_curve){.kind = CHART_BARS,
-                                                 .legend = words_say(source->words, name, NULL),
-                                                 .colour = colour,
-                                                 .marker = both && branch ? 6 : 7});
+        chart_curve(chart,
+                    &(struct chart_curve){.kind = CHART_BARS,
+                                          .legend = words_say(source->words, name, NULL),
+                                          .colour = results->usable_count > 1 ? surface_look(source, k).colour : ink,
+                                          .marker = both && branch ? 6 : 7});
         for (size_t i = branch ? run->turn + 1 : run->first; i < (branch ? run->end : run->turn + 1); i++)
             put_bar(chart, asked, scale * measured->load[i], measured->resistance[i], measured->error[i]);
     }
@@ -273,8 +274,7 @@ static void make_answer(struct chart *chart, const struct source *source)
     }
     put_direct(chart, source, x.scale);
     for (size_t k = 0; k < results->shown_count && asked->quantity == results_measured_quantity(results); k++)
-        put_measured(chart, source, asked, results->shown[k],
-                     results->usable_count > 1 ? surface_look(source, k).colour : ink);
+        put_measured(chart, source, asked, k);
     if (asked->target)
         chart_mark(chart, false, asked_shown(asked, asked->target->value), words_say(source->words, "target", NULL));
     chart_mark(chart, true, x.scale * results_operating_load(results, results->baseline),
@@ -599,8 +599,7 @@ static void make_measured(struct chart *chart, const struct source *source)
             if (computes(source, m, quantity))
                 put_curve(chart, source, record, m, &x, &y, &look);
         }
-        put_measured(chart, source, &asked, results->shown[k],
-                     results->usable_count > 1 ? surface_look(source, k).colour : ink);
+        put_measured(chart, source, &asked, k);
     }
 }
 

@@ -306,8 +306,7 @@ static json_t *lay_json(const struct surface_summary *s, const struct plan *plan
 static json_t *measured_json(const struct results *results, size_t index)
 {
     const struct measured_answers *answers = &results->answers[index];
-    const struct scene_measured *own = &results->scene->surfaces[index].measured,
-                                *given = own->file_count > 0 ? own : &results->scene->measured;
+    const struct scene_measured *given = results->measured[index].given;
     const double ends[] = {estimate_end(&answers->fit, 0), estimate_end(&answers->fit, 1)};
     json_t *json = json_pack("{s:o, s:s, s:b}", "files", files_json(given->files, given->file_count), "model",
                              model_rows[answers->fitted]->name, "carried", answers->carried);

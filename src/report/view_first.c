@@ -179,25 +179,20 @@ static void put_ratio(json_t *out, const char *name, double ratio)
     view_flag(out, "alike", fabs(ratio - 1) < 0.1);
 }
 
-/** Where a series of loads and values passes a value, straight in the logarithms; NaN: nowhere. */
-static double passes(const double *load, const double *value, size_t from, size_t to, double target)
-{
-    for (size_t i = from; i + 1 < to; i++)
-        if ((value[i] - target) * (value[i + 1] - target) <= 0 && value[i] != value[i + 1])
-            return load[i] * pow(load[i + 1] / load[i], log(target / value[i]) / log(value[i + 1] / value[i]));
-    return NAN;
-}
-
-/** The load at which a branch meets a target: of several runs, the mean of those that do. */
+/** Where the branches of a measurement pass a value, straight in the logarithms, on average; NaN: nowhere. */
 static double meets(const struct measured *measured, bool falls, double target)
 {
+    const double *load = measured->load, *value = measured->resistance;
     double sum = 0, count = 0;
     for (size_t r = 0; r < measured->run_count; r++) {
         const struct measured_run *run = &measured->runs[r];
-        double load = passes(measured->load, measured->resistance, falls ? run->turn : run->first,
-                             falls ? run->end : run->turn + 1, target);
-        sum += isnan(load) ? 0 : log(load);
-        count += !isnan(load);
+        size_t i = falls ? run->turn : run->first, last = falls ? run->end - 1 : run->turn;
+        while (i < last && ((value[i] - target) * (value[i + 1] - target) > 0 || value[i] == value[i + 1]))
+            i++;
+        if (i == last)
+            continue;
+        sum += log(load[i]) + log(load[i + 1] / load[i]) * log(target / value[i]) / log(value[i + 1] / value[i]);
+        count++;
     }
     return exp(sum / count);
 }
@@ -221,7 +216,7 @@ static void put_measured_on(json_t *item, const struct view_source *source, size
     view_flag(item, "beyond", distance.points == 0);
     put_ratio(item, "ratio", pow(10, distance.bias_decades));
     view_number(item, "carries", estimate_value(&answers->fit), DIGITS, "");
-    view_number(item, "carries_times", times, times < 1.095 ? 3 : DIGITS, "");
+    view_number(item, "carries_times", times >= 1.005 ? times : NAN, times < 1.095 ? 3 : DIGITS, "");
     view_flag(item, "carried", answers->carried);
 }
 

@@ -96,15 +96,12 @@ static enum status_code run_measured_on(struct run *run, size_t surface, struct 
                         status) != STATUS_OK ||
         measured_fit(answers, measured, asked_leading(results, &asked), status) != STATUS_OK)
         return status->code;
-    bool own = record->summary.scene->measured.file_count > 0;
-    unsigned carry = own ? record->summary.scene->measured.carry : results->scene->measured.carry;
-    answers->carried = carry && answers->fit.count > 0 && results->scene->target_count > 0;
-    if (!answers->carried)
-        return STATUS_OK;
     record->summary.carried_model = answers->fitted;
     record->summary.carried_quantity = measured_quantity(measured, results->plan->running);
-    record->summary.carried = estimate_value(&answers->fit);
-    return answers_find(record, results->scene, results->plan, &task, status);
+    for (size_t t = 0; measured->given->carry && answers->fit.count > 0 && t < results->scene->target_count; t++)
+        answers->carried |= results->scene->targets[t].row->quantity == record->summary.carried_quantity;
+    record->summary.carried = answers->carried ? estimate_value(&answers->fit) : 0;
+    return answers->carried ? answers_find(record, results->scene, results->plan, &task, status) : STATUS_OK;
 }
 
 static enum status_code run_measured(struct run *run, struct status *status)
