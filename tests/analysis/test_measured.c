@@ -252,22 +252,7 @@ TEST_CASE(any_bytes_are_read_or_refused)
     assert_true(taken > 500); /* not only refused */
 }
 
-TEST_CASE(only_an_effect_that_runs_is_compared)
-{
-    static char name[] = "ecr.csv", *names[] = {name};
-    struct measured measured;
-    struct plan plan = {.running = EFFECT_BIT(EFFECT_ELECTRICAL)};
-    struct status status = {0};
-    struct scene scene = {.directory = place.path, .nominal_area_m2 = NAN};
-    scene.measured = (struct scene_measured){.files = names, .file_count = 1, .quantity = SCENE_MEASURED_TCR};
-    assert_int_equal(measured_read(&measured, &scene.measured, &scene, &plan,
-                                   &(struct material_pair){.effective_modulus_Pa = 1e10}, &status),
-                     STATUS_SCENE);
-    assert_non_null(strstr(status.message, "the effect thermal does not run"));
-    measured_free(&measured);
-}
-
-/** Each file has its units, its largest load and its way down. */
+/** Each file has its units, its largest load and its way down; only an effect that runs is compared. */
 TEST_CASE(files_are_runs)
 {
     static char *names[] = {"1.csv", "2.csv"};
@@ -275,7 +260,7 @@ TEST_CASE(files_are_runs)
     struct plan plan = {.running = EFFECT_BIT(EFFECT_ELECTRICAL)};
     struct status status = {0};
     struct scene scene = {.directory = place.path, .nominal_area_m2 = 1e-6};
-    const struct scene_measured given = {.files = names, .file_count = 2};
+    struct scene_measured given = {.files = names, .file_count = 2};
     const struct material_pair pair = {.effective_modulus_Pa = 1e10};
     directory_write(&place, names[0], "load (N),R (mOhm)\n1,9\n3,5\n2,6\n");
     directory_write(&place, names[1], "R (Ohm),load (mN)\n4e-3,5000\n5e-3,4000\n7e-3,2000\n");
@@ -288,6 +273,9 @@ TEST_CASE(files_are_runs)
     assert_near(measured.resistance[1], 5e-9, 1e-14);
     assert_near(measured.resistance[3], 4e-9, 1e-14);
     measured_free(&measured);
+    given.quantity = SCENE_MEASURED_TCR;
+    assert_int_equal(measured_read(&measured, &given, &scene, &plan, &pair, &status), STATUS_SCENE);
+    assert_non_null(strstr(status.message, "the effect thermal does not run"));
 }
 
 /** Answers of all models, none yet. */
