@@ -223,23 +223,27 @@ static void make_measured(struct made_up *made)
 {
     static const double loads[MADE_UP_MEASURED] = {1e-5, 3e-5, 1e-4};
     double *values = made->measured_values;
-    made->measured = (struct measured){.count = MADE_UP_MEASURED,
-                                       .load = values,
-                                       .resistance = values + MADE_UP_MEASURED,
-                                       .error = values + 2 * MADE_UP_MEASURED,
-                                       .load_unit = "N",
-                                       .resistance_unit = "mOhm"};
+    made->run = (struct measured_run){0, MADE_UP_MEASURED - 1, MADE_UP_MEASURED};
+    made->measured[0] = (struct measured){.count = MADE_UP_MEASURED,
+                                          .run_count = 1,
+                                          .given = &made->scene.measured,
+                                          .runs = &made->run,
+                                          .load = values,
+                                          .resistance = values + MADE_UP_MEASURED,
+                                          .error = values + 2 * MADE_UP_MEASURED};
     for (size_t i = 0; i < MADE_UP_MEASURED; i++) {
         values[i] = loads[i];
         values[MADE_UP_MEASURED + i] = 1.5 * 1.5e-14 / loads[i];
         values[2 * MADE_UP_MEASURED + i] = NAN;
     }
-    made->answers = (struct measured_answers){calloc(model_count * MADE_UP_MEASURED, sizeof(double))};
-    assert_non_null(made->answers.resistance);
+    made->answers[0].resistance = calloc(model_count * MADE_UP_MEASURED, sizeof(double));
+    assert_non_null(made->answers[0].resistance);
     for (size_t m = 0; m < model_count; m++)
         for (size_t i = 0; i < MADE_UP_MEASURED; i++)
-            made->answers.resistance[m * MADE_UP_MEASURED + i] =
+            made->answers[0].resistance[m * MADE_UP_MEASURED + i] =
                 plan_runs_model(&made->plan, m) ? surfaces[0].ecr * 1e-14 / factor_of(m) / loads[i] : NAN;
+    struct status status = {0};
+    assert_int_equal(measured_fit(made->answers, made->measured, plan_leading_model(&made->plan), &status), STATUS_OK);
 }
 
 static void make_benchmark(struct made_up *made)
@@ -359,8 +363,8 @@ void made_up_make_of(struct made_up *made, uint64_t models, unsigned effects,
                                      .load_count = MADE_UP_LOADS,
                                      .surfaces = made->surfaces,
                                      .surface_count = MADE_UP_SURFACES,
-                                     .measured = &made->measured,
-                                     .answers = &made->answers,
+                                     .measured = made->measured,
+                                     .answers = made->answers,
                                      .benchmark = &made->benchmark,
                                      .shown = made->shown,
                                      .shown_count = MADE_UP_USABLE,
@@ -381,7 +385,7 @@ void made_up_free(struct made_up *made)
     for (size_t i = 0; i < MADE_UP_SURFACES; i++)
         surface_record_free(&made->surfaces[i]);
     free(made->sweeps);
-    measured_answers_free(&made->answers);
+    measured_answers_free(made->answers);
 }
 
 struct surface_summary *made_up_surface(struct made_up *made, size_t index)

@@ -30,9 +30,10 @@ struct made_up {
     double loads[MADE_UP_LOADS];
     struct surface_record surfaces[MADE_UP_SURFACES];
     size_t order[MADE_UP_USABLE], shown[MADE_UP_USABLE];
-    struct measured measured;
+    struct measured measured[MADE_UP_SURFACES];
+    struct measured_run run;
     double measured_values[3 * MADE_UP_MEASURED];
-    struct measured_answers answers;
+    struct measured_answers answers[MADE_UP_SURFACES];
     struct benchmark benchmark;
     double *sweeps;
     struct results results;

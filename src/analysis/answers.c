@@ -331,6 +331,10 @@ enum status_code answers_find(struct surface_record *record, const struct scene 
 {
     struct surface_summary *summary = &record->summary;
     const struct joint_task joint = surface_joint(record, scene, plan, task);
+    free(summary->answers);
+    free(summary->limits);
+    summary->answers = NULL;
+    summary->limits = NULL;
     if (scene->target_count > 0 &&
         !(summary->answers = calloc(scene->target_count * model_count, sizeof *summary->answers)))
         return status_memory(status);
@@ -349,7 +353,11 @@ enum status_code answers_find(struct surface_record *record, const struct scene 
         own.evaluations = &model->evaluations;
         for (size_t t = 0; t < scene->target_count; t++) {
             struct answer *answer = &summary->answers[t * model_count + m];
-            if (answer_target(answer, record, m, &scene->targets[t], &own, &joint, status) != STATUS_OK)
+            struct scene_asked target = scene->targets[t];
+            if (summary->carried > 0 && m == summary->carried_model &&
+                target.row->quantity == summary->carried_quantity)
+                target.value *= summary->carried; /* the model's resistance over that factor is what is met */
+            if (answer_target(answer, record, m, &target, &own, &joint, status) != STATUS_OK)
                 return status->code;
             bool met = (answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST) && !answer->full;
             size_t by = met ? counting_model(record, plan, m, answer->load) : model_count;

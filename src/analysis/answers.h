@@ -38,9 +38,9 @@ struct limit_check {
 };
 
 /** Fills record->summary.answers and .limits, once all models and intervals are there, and adds a search a target to
- * each model's work. Each target is solved on the surface's curve, to the tolerance of `task`. The interval is where
- * the ends of the quantity's band pass the target: the model times the band's factor, which goes straight in ln P
- * between the loads. Error: STATUS_MEMORY. */
+ * each model's work; once more after summary.carried has become known. Each target is solved on the surface's curve, to
+ * the tolerance of `task`. The interval is where the ends of the quantity's band pass the target: the model times the
+ * band's factor, which goes straight in ln P between the loads. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code answers_find(struct surface_record *record, const struct scene *scene,
                                          const struct plan *plan, const struct model_task *task, struct status *status);
 

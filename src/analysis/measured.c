@@ -11,7 +11,7 @@
 static const char *const column_keys[] = {[MEASURED_LOAD] = "load_unit", [MEASURED_RESISTANCE] = "resistance_unit"};
 
 /** Completes the file's units with the scene's; what both say has to be the same. */
-static enum status_code complete_units(struct measured_file *file, const struct scene_measured *scene,
+static enum status_code complete_units(struct measured_file *file, const char *name, const struct scene_measured *scene,
                                        const unsigned *quantities, struct status *status)
 {
     const char *const given[] = {[MEASURED_LOAD] = scene->load_unit, [MEASURED_RESISTANCE] = scene->resistance_unit};
@@ -21,13 +21,13 @@ static enum status_code complete_units(struct measured_file *file, const struct 
         bool known = unit_read(&unit, given[c], strlen(given[c])) && unit_of(&unit, quantities[c]);
         if (known && own->known && !unit_equal(&unit, &own->unit))
             return status_fail(status, STATUS_SCENE,
-                               "%s:%zu: the unit is '%s' here, but the scene's %s says '%s'; correct one of them",
-                               scene->file, own->line, own->text, column_keys[c], given[c]);
+                               "%s:%zu: the unit is '%s' here, but the scene's %s says '%s'; correct one of them", name,
+                               own->line, own->text, column_keys[c], given[c]);
         if (!known && !own->known)
             return status_fail(status, STATUS_SCENE,
                                "%s: nothing says the unit of the %s; name it in the heading, such as '%s', or add '%s' "
                                "to 'measured' in the scene",
-                               scene->file, c == MEASURED_LOAD ? "load" : "resistance",
+                               name, c == MEASURED_LOAD ? "load" : "resistance",
                                c == MEASURED_LOAD                ? "load (N)"
                                : quantities[c] & UNIT_RESISTANCE ? "ECR (mohm)"
                                                                  : "TCR (K/W)",
@@ -40,104 +40,108 @@ static enum status_code complete_units(struct measured_file *file, const struct 
     return STATUS_OK;
 }
 
-static enum status_code need_area(const struct scene *scene, const struct measured_unit *unit, const char *what,
-                                  struct status *status)
+/** What a column of a unit is times, to be P/(A_n E') or per nominal area. */
+static enum status_code unit_factor(double *factor, const char *name, const struct measured_unit *unit,
+                                    const struct scene *scene, const struct material_pair *pair, struct status *status)
 {
-    if (isfinite(scene->nominal_area_m2))
+    enum unit_quantity load = (enum unit_quantity)unit_of(&unit->unit, UNIT_LOADS);
+    bool whole = load == UNIT_FORCE || unit_of(&unit->unit, UNIT_RESISTANCE | UNIT_THERMAL_RESISTANCE);
+    *factor = load    ? unit->unit.factor / scene_load_divisor(scene, load, pair)
+              : whole ? unit->unit.factor * scene->nominal_area_m2
+                      : unit->unit.factor;
+    if (!whole || isfinite(scene->nominal_area_m2))
         return STATUS_OK;
     return status_fail(status, STATUS_SCENE,
-                       "%s: measured %s in %s need the contact's area; add nominal_area to the scene",
-                       scene->measured.file, what, unit->text);
+                       "%s: measured %s in %s need the contact's area; add nominal_area to the scene", name,
+                       load ? "loads" : "resistances", unit->text);
 }
 
-/** What loads of a unit are times, to be P/(A_n E'). */
-static enum status_code load_factor(double *factor, const struct measured_unit *unit, const struct scene *scene,
-                                    const struct material_pair *pair, struct status *status)
-{
-    enum unit_quantity kind = (enum unit_quantity)unit_of(&unit->unit, UNIT_LOADS);
-    *factor = unit->unit.factor / scene_load_divisor(scene, kind, pair);
-    return kind == UNIT_FORCE ? need_area(scene, unit, "loads", status) : STATUS_OK;
-}
-
-/** The same for resistances, to be per nominal area. */
-static enum status_code resistance_factor(double *factor, const struct measured_unit *unit, const struct scene *scene,
-                                          struct status *status)
-{
-    *factor = unit->unit.factor;
-    if (!unit_of(&unit->unit, UNIT_RESISTANCE | UNIT_THERMAL_RESISTANCE))
-        return STATUS_OK;
-    *factor *= scene->nominal_area_m2;
-    return need_area(scene, unit, "resistances", status);
-}
-
-/** The rows in the models' units. */
-static enum status_code convert(struct measured *out, const struct measured_file *file, const struct scene *scene,
-                                const struct material_pair *pair, struct status *status)
+/** Adds the rows in the models' units: a run. */
+static enum status_code add_run(struct measured *out, const struct measured_file *file, const char *name,
+                                const struct scene *scene, const struct material_pair *pair, struct status *status)
 {
     const struct measured_unit *units = file->units;
     const struct measured_unit *error_unit = &units[units[MEASURED_ERROR].known ? MEASURED_ERROR : MEASURED_RESISTANCE];
     bool relative = unit_of(&error_unit->unit, UNIT_NUMBER | UNIT_PERCENT);
+    struct measured_run *run = &out->runs[out->run_count++];
+    double **const columns[] = {&out->load, &out->resistance, &out->error};
     double load, resistance, error = error_unit->unit.factor;
-    if (load_factor(&load, &units[MEASURED_LOAD], scene, pair, status) != STATUS_OK ||
-        resistance_factor(&resistance, &units[MEASURED_RESISTANCE], scene, status) != STATUS_OK ||
-        (!relative && resistance_factor(&error, error_unit, scene, status) != STATUS_OK))
+    *run = (struct measured_run){out->count, out->count, out->count + file->count};
+    if (unit_factor(&load, name, &units[MEASURED_LOAD], scene, pair, status) != STATUS_OK ||
+        unit_factor(&resistance, name, &units[MEASURED_RESISTANCE], scene, pair, status) != STATUS_OK ||
+        (!relative && unit_factor(&error, name, error_unit, scene, pair, status) != STATUS_OK))
         return status->code;
-    if (!(out->load = malloc(3 * file->count * sizeof *out->load)))
-        return status_memory(status);
-    out->count = file->count;
-    out->resistance = out->load + out->count;
-    out->error = out->resistance + out->count;
-    for (size_t i = 0; i < out->count; i++) {
-        const struct measured_row *row = &file->rows[i];
+    for (size_t c = 0; c < sizeof columns / sizeof *columns; c++) {
+        double *more = reallocarray(*columns[c], run->end, sizeof *more);
+        if (!more)
+            return status_memory(status);
+        *columns[c] = more;
+    }
+    for (size_t i = out->count; i < run->end; i++) {
+        const struct measured_row *row = &file->rows[i - run->first];
         out->load[i] = row->value[MEASURED_LOAD] * load;
         out->resistance[i] = row->value[MEASURED_RESISTANCE] * resistance;
         out->error[i] = fabs(row->value[MEASURED_ERROR]) * error * (relative ? out->resistance[i] : 1);
         if (!(out->load[i] > 0 && out->resistance[i] > 0 && isfinite(out->load[i]) && isfinite(out->resistance[i])) ||
             isinf(out->error[i]))
             return status_fail(status, STATUS_SCENE, "%s:%zu: too large or too small in its unit; correct the row",
-                               scene->measured.file, row->line);
+                               name, row->line);
+        run->turn = out->load[i] > out->load[run->turn] ? i : run->turn;
     }
+    out->count = run->end;
     memcpy(out->load_unit, units[MEASURED_LOAD].text, UNIT_LENGTH);
     memcpy(out->resistance_unit, units[MEASURED_RESISTANCE].text, UNIT_LENGTH);
     return STATUS_OK;
 }
 
-enum status_code measured_read(struct measured *out, const struct scene *scene, const struct plan *plan,
-                               const struct material_pair *pair, struct status *status)
+static enum status_code read_run(struct measured *out, const char *name, const struct scene *scene,
+                                 const struct material_pair *pair, struct status *status)
 {
-    *out = (struct measured){.thermal = scene->measured.quantity == SCENE_MEASURED_TCR};
-    enum effect needed = out->thermal ? EFFECT_THERMAL : EFFECT_ELECTRICAL;
-    if (!plan_runs(plan, needed))
-        return status_fail(status, STATUS_SCENE,
-                           "'%s' holds measured %s, but the effect %s does not run; add it to "
-                           "effects, or take out measured",
-                           scene->measured.file, out->thermal ? "TCR" : "ECR", effect_rows[needed].name);
-    const unsigned resistances = scene_measured_resistances[scene->measured.quantity];
+    const unsigned resistances = scene_measured_resistances[out->given->quantity];
     const unsigned quantities[MEASURED_COLUMNS] = {UNIT_LOADS, resistances, resistances | UNIT_NUMBER | UNIT_PERCENT};
     struct text content = {0};
     struct measured_file file = {0};
-    char *path = scene_file_path(scene, scene->measured.file);
+    char *path = scene_file_path(scene, name);
     enum status_code rc = path ? text_read_file(&content, path, status) : status_memory(status);
     if (rc == STATUS_OK && memchr(text_string(&content), '\0', content.length))
-        rc = status_fail(status, STATUS_SCENE, "%s: a NUL byte in the file; save it as plain text (UTF-8)",
-                         scene->measured.file);
+        rc = status_fail(status, STATUS_SCENE, "%s: a NUL byte in the file; save it as plain text (UTF-8)", name);
     const char *start = text_string(&content);
     if (rc == STATUS_OK)
-        rc = measured_file_read(&file, (struct string_view){start, start + content.length}, scene->measured.file,
-                                quantities, status);
+        rc = measured_file_read(&file, (struct string_view){start, start + content.length}, name, quantities, status);
     if (rc == STATUS_OK)
-        rc = complete_units(&file, &scene->measured, quantities, status);
+        rc = complete_units(&file, name, out->given, quantities, status);
     if (rc == STATUS_OK)
-        rc = convert(out, &file, scene, pair, status);
+        rc = add_run(out, &file, name, scene, pair, status);
     measured_file_free(&file);
     free(path);
     text_free(&content);
     return rc;
 }
 
+enum status_code measured_read(struct measured *out, const struct scene_measured *given, const struct scene *scene,
+                               const struct plan *plan, const struct material_pair *pair, struct status *status)
+{
+    *out = (struct measured){.given = given, .thermal = given->quantity == SCENE_MEASURED_TCR};
+    enum effect needed = out->thermal ? EFFECT_THERMAL : EFFECT_ELECTRICAL;
+    if (!plan_runs(plan, needed))
+        return status_fail(status, STATUS_SCENE,
+                           "'%s' holds measured %s, but the effect %s does not run; add it to "
+                           "effects, or take out measured",
+                           given->files[0], out->thermal ? "TCR" : "ECR", effect_rows[needed].name);
+    if (!(out->runs = calloc(given->file_count, sizeof *out->runs)))
+        return status_memory(status);
+    for (size_t f = 0; f < given->file_count; f++)
+        if (read_run(out, given->files[f], scene, pair, status) != STATUS_OK)
+            return status->code;
+    return STATUS_OK;
+}
+
 void measured_free(struct measured *measured)
 {
     free(measured->load);
+    free(measured->resistance);
+    free(measured->error);
+    free(measured->runs);
     *measured = (struct measured){0};
 }
 
@@ -151,14 +155,6 @@ enum quantity measured_quantity(const struct measured *measured, unsigned effect
 {
     bool covered = effects & (EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING));
     return covered && !measured->thermal ? QUANTITY_JOINT_ECR : quantity_of(measured);
-}
-
-size_t measured_turn(const struct measured *measured)
-{
-    size_t turn = 0;
-    for (size_t i = 0; i < measured->count; i++)
-        turn = measured->load[i] > measured->load[turn] ? i : turn;
-    return turn;
 }
 
 static int compare_numbers(const void *a, const void *b)
@@ -208,15 +204,16 @@ static void answer_branches(struct measured_answers *out, const struct measured 
                             const struct surface_unloading *unloading)
 {
     double *up = out->resistance + MEASURED_LOADING * measured->count, *down = up + measured->count;
-    for (size_t i = 0; i < measured->count; i++) {
-        bool falls = i > measured_turn(measured);
-        double rising = unloading ? out->resistance[unloading->model * measured->count + i] : NAN;
-        up[i] = falls ? NAN : rising;
-        down[i] = NAN;
-        if (unloading && falls)
-            down[i] =
-                rising * unloading_factor(&unloading->ratio, quantity, measured->load[i] / unloading->largest_load);
-    }
+    for (const struct measured_run *run = measured->runs; run < measured->runs + measured->run_count; run++)
+        for (size_t i = run->first; i < run->end; i++) {
+            bool falls = i > run->turn;
+            double rising = unloading ? out->resistance[unloading->model * measured->count + i] : NAN;
+            up[i] = falls ? NAN : rising;
+            down[i] = NAN;
+            if (unloading && falls)
+                down[i] =
+                    rising * unloading_factor(&unloading->ratio, quantity, measured->load[i] / unloading->largest_load);
+        }
 }
 
 enum status_code measured_answer(struct measured_answers *out, const struct measured *measured, uint64_t models,
@@ -246,6 +243,34 @@ enum status_code measured_answer(struct measured_answers *out, const struct meas
         answer_branches(out, measured, quantity, unloading);
     free(loads);
     free(points);
+    return rc;
+}
+
+enum status_code measured_fit(struct measured_answers *out, const struct measured *measured, size_t m,
+                              struct status *status)
+{
+    double *ratio = malloc(2 * measured->count * sizeof *ratio), *mean = ratio + measured->count;
+    size_t points = 0, runs = 0;
+    if (!ratio)
+        return status_memory(status);
+    for (size_t r = 0; r < measured->run_count; r++) {
+        const struct measured_run *run = &measured->runs[r];
+        size_t before = points;
+        double sum = 0;
+        for (size_t i = run->first; i <= run->turn; i++) {
+            double model = out->resistance[m * measured->count + i];
+            if (isnan(model))
+                continue;
+            ratio[points] = model / measured->resistance[i]; /* of conductances: measured over predicted */
+            sum += log(ratio[points++]);
+        }
+        if (points > before)
+            mean[runs++] = exp(sum / (double)(points - before));
+    }
+    out->fitted = m;
+    enum status_code rc =
+        estimate_make(&out->fit, runs > 1 ? mean : ratio, NULL, runs > 1 ? runs : points, false, true, status);
+    free(ratio);
     return rc;
 }
 

@@ -8,19 +8,24 @@
 #include "contact/model.h"
 #include "joint/joint.h"
 
-/** Points in the models' units, in the order in which they were measured (loading, then unloading). Owned:
- * measured_free(). */
+/** One file: the points from `first` to before `end`, of which those behind `turn`, the one of the largest load, are of
+ * the way down. */
+struct measured_run {
+    size_t first, turn, end;
+};
+
+/** Points of a surface in the models' units, in the order in which they were measured (loading, then unloading), run
+ * after run. Owned: measured_free(). */
 struct measured {
-    size_t count;
+    const struct scene_measured *given;
+    size_t count, run_count; /* 0: none */
+    struct measured_run *runs;
     double *load;       /* P/(A_n E') */
     double *resistance; /* per nominal area: Ω m² or K m²/W */
     double *error;      /* of the resistance, same unit; NaN where none is given */
     bool thermal;       /* TCR, else ECR */
     char load_unit[UNIT_LENGTH], resistance_unit[UNIT_LENGTH]; /* that they were given in, as written */
 };
-
-/** The point of the largest load: where others follow, they are of the way down. */
-size_t measured_turn(const struct measured *measured);
 
 /** Beside the models, in the place of one: the model that leads on the way up alone, and its curve of falling load on
  * the way down. */
@@ -29,7 +34,10 @@ size_t measured_turn(const struct measured *measured);
 
 /** What the models say at the measured loads, as far as these lie within the run's. Owned: measured_answers_free(). */
 struct measured_answers {
-    double *resistance; /* [model, branch][measured point]; NaN: beyond the run's loads, or none */
+    double *resistance;  /* [model, branch][measured point]; NaN: beyond the run's loads, or none */
+    struct estimate fit; /* measured over predicted conductance, by measured_fit(); count 0: none */
+    size_t fitted;       /* the model */
+    bool carried;        /* targets' loads are solved with that factor */
 };
 
 /** The models' quantity that measurements are held against with these EFFECT_BITs: the resistance with film and plating
@@ -41,6 +49,10 @@ MUST_CHECK enum status_code measured_answer(struct measured_answers *out, const 
                                             uint64_t models, const struct model_task *task,
                                             const struct joint_task *joint, const struct ensemble *set,
                                             const struct surface_unloading *unloading, struct status *status);
+/** Fits the factor that the loading points carry of the conductance of model `m`, with the interval of their scatter;
+ * of several runs that of the runs' means. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code measured_fit(struct measured_answers *out, const struct measured *measured, size_t m,
+                                         struct status *status);
 void measured_answers_free(struct measured_answers *answers);
 
 /** How far a model is from the measurements, over the loads that it answers. */
@@ -50,12 +62,13 @@ struct measured_distance {
     double bias_decades; /* mean of the same */
 };
 
-/** Reads the scene's file (see measured_file.h), measured on these bodies. Units are those that the file names, else
+/** Reads the files of `given` (see measured_file.h), measured on these bodies. Units are those that a file names, else
  * the scene's load_unit and resistance_unit. N are divided by the nominal area, Ω and K/W multiplied by it; an error in
  * the unit 1 or % is relative, one without unit is in the resistance's. Errors: STATUS_SCENE with file, line and remedy
  * (as measured_file_read(); no unit anywhere, file and scene of two minds, N, Ω or K/W without nominal_area_m2, nothing
  * to compare with); STATUS_IO, STATUS_MEMORY. */
-MUST_CHECK enum status_code measured_read(struct measured *out, const struct scene *scene, const struct plan *plan,
+MUST_CHECK enum status_code measured_read(struct measured *out, const struct scene_measured *given,
+                                          const struct scene *scene, const struct plan *plan,
                                           const struct material_pair *pair, struct status *status);
 void measured_free(struct measured *measured);
 

@@ -70,8 +70,11 @@ struct surface_summary {
     double scale_dependence;
     unsigned running; /* EFFECT_BITs of the effects that ran on it */
     struct curve_summary *
-        *models;            /* [model]: of those that have run, NULL of others; owned like the texts: surface_model() */
-    struct answer *answers; /* [target][model]; owned, NULL: the scene has no targets */
+        *models;          /* [model]: of those that have run, NULL of others; owned like the texts: surface_model() */
+    size_t carried_model; /* the factor of conductance that was measured, in that model's answers to such targets */
+    enum quantity carried_quantity;
+    double carried;             /* 0: none */
+    struct answer *answers;     /* [target][model]; owned, NULL: the scene has no targets */
     struct limit_check *limits; /* one a limit of the scene; the same */
     struct direct_map_def map;  /* the square that a map offers to a direct solution; nx 0: profiles */
     double cutoff_m;            /* of the low-pass that a map has had; 0: none */

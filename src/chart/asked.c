@@ -97,7 +97,7 @@ static enum quantity chosen(const struct results *results, bool *reciprocal)
     unsigned computed = plan_quantities(results->plan);
     *reciprocal = false;
     if (results->measured)
-        return measured_quantity(results->measured, results->plan->running);
+        return results_measured_quantity(results);
     if (computed & QUANTITY_BIT(QUANTITY_JOINT))
         return QUANTITY_JOINT;
     if (computed & QUANTITY_BIT(QUANTITY_JOINT_ECR))

@@ -209,19 +209,22 @@ static void put_bar(struct chart *chart, const struct asked *asked, double load,
     chart_row(chart, load, asked_shown(asked, value), fmin(a, b), fmax(a, b));
 }
 
-/** What was measured, loading filled, unloading open: from the largest load on. */
-static void put_measured(struct chart *chart, const struct source *source, const struct asked *asked, double scale)
+/** What was measured on a surface shown, loading filled, unloading open: from the largest load on. */
+static void put_measured(struct chart *chart, const struct source *source, const struct asked *asked, size_t k)
 {
-    const struct measured *measured = source->results->measured;
-    size_t turn = measured_turn(measured);
-    bool both = turn + 1 < measured->count && turn > 0;
-    for (int branch = 0; branch < 2; branch++) {
+    const struct results *results = source->results;
+    const struct measured *measured = results_measured(results, results->shown[k]);
+    double scale = asked_load_of(results, results->shown[k]).scale;
+    for (size_t part = 0; measured && part < 2 * measured->run_count; part++) {
+        const struct measured_run *run = &measured->runs[part / 2];
+        bool branch = part % 2, both = run->turn + 1 < run->end && run->turn > run->first;
         const char *name = !both ? "measured" : branch ? "measured.unloading" : "measured.loading";
-        chart_curve(chart, &(struct chart_curve){.kind = CHART_BARS,
-                                                 .legend = words_say(source->words, name, NULL),
-                                                 .colour = ink,
-                                                 .marker = both && branch ? 6 : 7});
-        for (size_t i = branch ? turn + 1 : 0; i < (branch ? measured->count : turn + 1); i++)
+        chart_curve(chart,
+                    &(struct chart_curve){.kind = CHART_BARS,
+                                          .legend = words_say(source->words, name, NULL),
+                                          .colour = results->usable_count > 1 ? surface_look(source, k).colour : ink,
+                                          .marker = both && branch ? 6 : 7});
+        for (size_t i = branch ? run->turn + 1 : run->first; i < (branch ? run->end : run->turn + 1); i++)
             put_bar(chart, asked, scale * measured->load[i], measured->resistance[i], measured->error[i]);
     }
 }
@@ -270,8 +273,8 @@ static void make_answer(struct chart *chart, const struct source *source)
         put_curve(chart, source, &results->surfaces[results->shown[k]], source->leading, &own, &y, &look);
     }
     put_direct(chart, source, x.scale);
-    if (results->measured && asked->quantity == measured_quantity(results->measured, results->plan->running))
-        put_measured(chart, source, asked, x.scale);
+    for (size_t k = 0; k < results->shown_count && asked->quantity == results_measured_quantity(results); k++)
+        put_measured(chart, source, asked, k);
     if (asked->target)
         chart_mark(chart, false, asked_shown(asked, asked->target->value), words_say(source->words, "target", NULL));
     chart_mark(chart, true, x.scale * results_operating_load(results, results->baseline),
@@ -570,27 +573,34 @@ static void make_all_surfaces(struct chart *chart, const struct source *source, 
 
 /* ---- What is called for ---- */
 
+/** Every model beside what was measured, a panel a surface. */
 static void make_measured(struct chart *chart, const struct source *source)
 {
     const struct results *results = source->results;
     struct asked asked = source->asked;
-    if (!results->measured)
-        return;
-    enum quantity quantity = measured_quantity(results->measured, results->plan->running);
+    enum quantity quantity = results_measured_quantity(results);
     bool own = asked.quantity == quantity;
     if (!own)
         asked = (struct asked){.quantity = quantity, .scale = 1};
-    const struct axis x = {QUANTITY_LOAD, false, asked_load_of(results, results->baseline).scale},
-                      y = {quantity, asked.reciprocal, asked.scale};
-    if (!chart_panel(chart, "", load_label(source, true),
-                     own ? asked_label(source, "axis.asked") : quantity_words(source, "axis", quantity), true, true))
-        return;
-    for (size_t m = 0; m < model_count; m++) {
-        const struct chart_curve look = model_look(m);
-        if (computes(source, m, quantity))
-            put_curve(chart, source, source->baseline, m, &x, &y, &look);
+    for (size_t k = 0, panels = 0; k < results->shown_count; k++) {
+        const struct surface_record *record = &results->surfaces[results->shown[k]];
+        const struct axis x = {QUANTITY_LOAD, false, asked_load_of(results, results->shown[k]).scale},
+                          y = {quantity, asked.reciprocal, asked.scale};
+        const char *title = results->usable_count > 1 ? short_name(source, record->summary.scene->name) : "";
+        if (!results_measured(results, results->shown[k]))
+            continue;
+        if (!chart_panel(chart, title, load_label(source, true),
+                         own ? asked_label(source, "axis.asked") : quantity_words(source, "axis", quantity), true,
+                         true))
+            return;
+        chart->shares = panels++ > 0;
+        for (size_t m = 0; m < model_count; m++) {
+            const struct chart_curve look = model_look(m);
+            if (computes(source, m, quantity))
+                put_curve(chart, source, record, m, &x, &y, &look);
+        }
+        put_measured(chart, source, &asked, k);
     }
-    put_measured(chart, source, &asked, x.scale);
 }
 
 /** The models over the direct solution of the baseline, and how far that may itself be off. */

@@ -158,8 +158,8 @@ static json_t *scene_json(const struct results *results)
     set(json, "lambda_c_m", scene->lambda_c_m);
     set(json, "tip_radius_m", scene->tip_radius_m);
     json_object_set_new(json, "baseline", json_shown(results->surfaces[results->baseline].summary.scene->name));
-    if (scene->measured.file)
-        json_object_set_new(json, "measured_file", json_shown(scene->measured.file));
+    if (scene->measured.file_count == 1)
+        json_object_set_new(json, "measured_file", json_shown(scene->measured.files[0]));
     if (results->counterface)
         json_object_set_new(json, "counterface_surface",
                             json_pack("{s:o, s:s}", "file", json_shown(scene->counterface_surface.files[0]), "sha256",
@@ -304,6 +304,20 @@ static json_t *lay_json(const struct surface_summary *s, const struct plan *plan
     return json;
 }
 
+/** What was measured on a surface, and the factor of the predicted conductance that it carries. */
+static json_t *measured_json(const struct results *results, size_t index)
+{
+    const struct measured_answers *answers = &results->answers[index];
+    const struct scene_measured *given = results->measured[index].given;
+    const double ends[] = {estimate_end(&answers->fit, 0), estimate_end(&answers->fit, 1)};
+    json_t *json = json_pack("{s:o, s:s, s:b}", "files", files_json(given->files, given->file_count), "model",
+                             model_rows[answers->fitted]->name, "carried", answers->carried);
+    set_count(json, "points", results->measured[index].count);
+    set(json, "conductance_factor", estimate_value(&answers->fit));
+    set_all(json, "conductance_factor_95", ends, 2);
+    return json;
+}
+
 static json_t *surface_json(const struct results *results, size_t index)
 {
     const struct surface_record *record = &results->surfaces[index];
@@ -340,6 +354,8 @@ static json_t *surface_json(const struct results *results, size_t index)
     set(json, "longest_waves", s->longest_waves);
     if (s->repeats.count > 0)
         json_object_set_new(json, "spread", repeats_json(&s->repeats));
+    if (results_measured(results, index))
+        json_object_set_new(json, "measured", measured_json(results, index));
     json_object_set_new(json, "notes", notes_json(&s->notes));
     json_object_set_new(json, "models", models);
     return json;

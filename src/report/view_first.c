@@ -179,35 +179,45 @@ static void put_ratio(json_t *out, const char *name, double ratio)
     view_flag(out, "alike", fabs(ratio - 1) < 0.1);
 }
 
-/** Where a series of loads and values passes a value, straight in the logarithms; NaN: nowhere. */
-static double passes(const double *load, const double *value, size_t from, size_t to, double target)
+/** Where the branches of a measurement pass a value, straight in the logarithms, on average; NaN: nowhere. */
+static double meets(const struct measured *measured, bool falls, double target)
 {
-    for (size_t i = from; i + 1 < to; i++)
-        if ((value[i] - target) * (value[i + 1] - target) <= 0 && value[i] != value[i + 1])
-            return load[i] * pow(load[i + 1] / load[i], log(target / value[i]) / log(value[i + 1] / value[i]));
-    return NAN;
+    const double *load = measured->load, *value = measured->resistance;
+    double sum = 0, count = 0;
+    for (size_t r = 0; r < measured->run_count; r++) {
+        const struct measured_run *run = &measured->runs[r];
+        size_t i = falls ? run->turn : run->first, last = falls ? run->end - 1 : run->turn;
+        while (i < last && ((value[i] - target) * (value[i + 1] - target) > 0 || value[i] == value[i + 1]))
+            i++;
+        if (i == last)
+            continue;
+        sum += log(load[i]) + log(load[i + 1] / load[i]) * log(target / value[i]) / log(value[i + 1] / value[i]);
+        count++;
+    }
+    return exp(sum / count);
 }
 
-/** Where the measurement meets the target, and how the leading model fares against it. */
-static void put_measured(json_t *out, const struct view_source *source)
+/** Where the measurement on a surface meets the target, and how the leading model fares against it. */
+static void put_measured_on(json_t *item, const struct view_source *source, size_t surface)
 {
-    const struct measured *measured = source->results->measured;
-    if (!measured)
-        return;
-    json_t *item = view_part(out, "measured");
-    size_t turn = measured_turn(measured);
+    const struct measured *measured = results_measured(source->results, surface);
+    const struct measured_answers *answers = &source->results->answers[surface];
     const struct scene_asked *target = source->asked.target;
-    if (target && source->asked.quantity == measured_quantity(measured, source->results->plan->running)) {
-        view_load(item, "loading", source, source->results->baseline,
-                  passes(measured->load, measured->resistance, 0, turn + 1, target->value));
-        view_load(item, "unloading", source, source->results->baseline,
-                  passes(measured->load, measured->resistance, turn, measured->count, target->value));
+    const double times = exp(answers->fit.half_width);
+    if (view_summary(source, surface)->scene->measured.file_count > 0)
+        view_text(item, "of", view_name(source, surface));
+    if (target && source->asked.quantity == results_measured_quantity(source->results)) {
+        view_load(item, "loading", source, surface, meets(measured, false, target->value));
+        view_load(item, "unloading", source, surface, meets(measured, true, target->value));
     }
     view_flag(item, "reaches", json_object_get(item, "loading") || json_object_get(item, "unloading"));
     view_flag(item, "both", json_object_get(item, "loading") && json_object_get(item, "unloading"));
-    struct measured_distance distance = measured_compare(measured, source->results->answers, source->leading);
+    struct measured_distance distance = measured_compare(measured, answers, source->leading);
     view_flag(item, "beyond", distance.points == 0);
     put_ratio(item, "ratio", pow(10, distance.bias_decades));
+    view_number(item, "carries", estimate_value(&answers->fit), DIGITS, "");
+    view_number(item, "carries_times", times >= 1.005 ? times : NAN, times < 1.095 ? 3 : DIGITS, "");
+    view_flag(item, "carried", answers->carried);
 }
 
 /** What handbooks say, and the direct solution, of the baseline. */
@@ -449,7 +459,9 @@ void view_first_page(json_t *out, const struct view_source *source)
     put_answers(out, source);
     put_other_targets(out, source);
     put_ranking(out, source);
-    put_measured(out, source);
+    for (size_t i = 0; i < results->surface_count; i++)
+        if (results_measured(results, i) && json_array_size(view_list(out, "measured")) < VIEW_ROWS)
+            put_measured_on(view_item(view_list(out, "measured")), source, i);
     put_beside(out, source);
     put_limits(out, source);
     double waves = INFINITY;

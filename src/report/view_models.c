@@ -341,31 +341,33 @@ void view_joint(json_t *out, const struct view_source *source)
 /* ---- Measured, and the direct solution ---- */
 
 /** Branch by branch, where there is a curve of falling load for the second. */
-static void put_branches(json_t *out, const struct view_source *source)
+static void put_branches(json_t *out, const struct view_source *source, size_t surface)
 {
     static const char *const names[] = {"loading", "unloading"};
-    const struct results *results = source->results;
-    const struct surface_unloading *unloading = source->baseline->summary.unloading;
-    if (!unloading || measured_compare(results->measured, results->answers, MEASURED_UNLOADING).points == 0)
+    const struct measured *measured = &source->results->measured[surface];
+    const struct measured_answers *answers = &source->results->answers[surface];
+    const struct surface_unloading *unloading = view_summary(source, surface)->unloading;
+    if (!unloading || measured_compare(measured, answers, MEASURED_UNLOADING).points == 0)
         return;
     json_t *item = view_part(out, "branches");
     view_text(item, "label", model_rows[unloading->model]->label);
     for (size_t b = 0; b < 2; b++) {
-        struct measured_distance distance = measured_compare(results->measured, results->answers, MEASURED_LOADING + b);
+        struct measured_distance distance = measured_compare(measured, answers, MEASURED_LOADING + b);
         json_t *branch = view_part(item, names[b]);
         view_number(branch, "factor", pow(10, distance.rms_decades), 3, "");
         view_number(branch, "ratio", pow(10, distance.bias_decades), 3, "");
     }
 }
 
-/** How far each model is from what was measured. */
-static void put_measured_models(json_t *out, const struct view_source *source)
+/** How far each model is from what was measured on a surface. */
+static void put_measured_models(json_t *item, const struct view_source *source, size_t surface)
 {
-    const struct measured *measured = source->results->measured;
-    json_t *item = view_part(out, "measured_models"), *rows = view_list(item, "rows");
+    const struct measured *measured = &source->results->measured[surface];
+    const struct measured_answers *answers = &source->results->answers[surface];
+    json_t *rows = view_list(item, "rows");
     for (size_t m = 0; m < model_count; m++) {
-        struct measured_distance distance = measured_compare(measured, source->results->answers, m);
-        if (!source->baseline->curves[m].exists || distance.points == 0)
+        struct measured_distance distance = measured_compare(measured, answers, m);
+        if (!surface_model(view_summary(source, surface), m)->exists || distance.points == 0)
             continue;
         json_t *row = view_item(rows);
         view_text(row, "label", model_rows[m]->label);
@@ -373,12 +375,14 @@ static void put_measured_models(json_t *out, const struct view_source *source)
         view_number(row, "factor", pow(10, distance.rms_decades), 3, "");
         view_number(row, "ratio", pow(10, distance.bias_decades), 3, "");
     }
-    struct measured_ranking rank = measured_rank(measured, source->results->answers);
+    struct measured_ranking rank = measured_rank(measured, answers);
     if (rank.nearest < model_count)
         view_text(item, "nearest", model_rows[rank.nearest]->label);
-    put_branches(item, source);
+    put_branches(item, source, surface);
     view_count(item, "points", measured->count);
-    view_text(item, "surface", view_name(source, source->results->baseline));
+    if (measured->run_count > 1)
+        view_count(item, "runs", measured->run_count);
+    view_text(item, "surface", view_name(source, surface));
     view_separate(rows);
 }
 
@@ -425,8 +429,10 @@ static void put_study(json_t *item, const struct view_source *source, const stru
 void view_direct(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
-    if (results->measured)
-        put_measured_models(out, source);
+    for (size_t i = 0; i < results->surface_count; i++)
+        if (results_measured(results, i) && json_array_size(view_list(out, "measured_models")) < VIEW_ROWS)
+            put_measured_models(view_item(view_list(out, "measured_models")), source, i);
+    view_separate(json_object_get(out, "measured_models"));
     if (!plan_runs(results->plan, EFFECT_DIRECT))
         return;
     json_t *item = view_part(out, "direct");

@@ -105,6 +105,19 @@ bool results_has_material(const struct results *results)
     return false;
 }
 
+const struct measured *results_measured(const struct results *results, size_t surface)
+{
+    return results->measured && results->measured[surface].count > 0 ? &results->measured[surface] : NULL;
+}
+
+enum quantity results_measured_quantity(const struct results *results)
+{
+    for (size_t i = 0; i < results->surface_count; i++)
+        if (results_measured(results, i))
+            return measured_quantity(&results->measured[i], results->plan->running);
+    return QUANTITY_COUNT;
+}
+
 const struct direct_study *results_direct_baseline(const struct results *results)
 {
     for (size_t k = 0; k < results->direct_count; k++)

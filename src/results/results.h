@@ -20,8 +20,8 @@ struct results {
     size_t surface_count;
     struct effects_studies studies;           /* what the studies below took */
     const struct surface_record *counterface; /* described; NULL: smooth */
-    const struct measured *measured;          /* NULL: none */
-    const struct measured_answers *answers;   /* the models' on the baseline surface; NULL: nothing measured */
+    const struct measured *measured;          /* one a surface, see results_measured(); NULL: nothing measured */
+    const struct measured_answers *answers;   /* the models' on each of those; NULL: the same */
     const struct benchmark *benchmark;        /* what accuracy costs; NULL: left out */
     const struct direct_study *direct;        /* the surfaces solved directly; NULL: none */
     size_t direct_count;
@@ -49,6 +49,11 @@ const struct material_pair *results_pair(const struct results *results, size_t s
 extern const char results_without_material[];
 /** Is any surface's material known? */
 bool results_has_material(const struct results *results);
+
+/** What was measured on a surface; NULL: nothing. */
+const struct measured *results_measured(const struct results *results, size_t surface);
+/** The quantity of all that was measured; QUANTITY_COUNT: nothing. */
+enum quantity results_measured_quantity(const struct results *results);
 
 /** The direct solution of the baseline; NULL: none. */
 const struct direct_study *results_direct_baseline(const struct results *results);

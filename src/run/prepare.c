@@ -5,6 +5,7 @@
 #include "analysis/direct_study.h"
 #include "analysis/evaluate.h"
 #include "base/threads.h"
+#include "scene/scene_words.h"
 #include <math.h>
 #include <pthread.h>
 #include <stdlib.h>
@@ -197,7 +198,8 @@ static struct evaluate_task task_of(const struct surfaces *all, size_t index)
                                   .stop = all->options->stop,
                                   .describe_only = all->describe_only,
                                   .described = all->described == index + 1,
-                                  .keep_scans = results->scene->measured.file != NULL};
+                                  .keep_scans = results->scene->measured.file_count > 0 ||
+                                                results->scene->surfaces[index].measured.file_count > 0};
 }
 
 static enum status_code run_surface(void *context, size_t index, struct threads_turn *turn, struct status *status)
@@ -320,7 +322,7 @@ static enum status_code run_again(struct surfaces *all, bool shown_only, struct 
     all->described = 0;
     for (size_t i = 0; i < results->surface_count; i++) {
         struct surface_record *record = &results->surfaces[i];
-        bool shown = i == results->baseline;
+        bool shown = i == results->baseline || record->summary.scene->measured.file_count > 0;
         for (size_t k = 0; k < results->shown_count; k++)
             shown = shown || results->shown[k] == i;
         bool whole = !(all->plan->running & ~record->summary.running & skipped);
@@ -330,6 +332,33 @@ static enum status_code run_again(struct surfaces *all, bool shown_only, struct 
         surface_record_free(record);
         if (evaluate_surface(record, &task, status) != STATUS_OK)
             return status->code;
+    }
+    return STATUS_OK;
+}
+
+/** What was measured, on usable surfaces: on the baseline what the scene says, on others what is said of them. */
+static enum status_code read_measured(struct prepared *out, struct status *status)
+{
+    struct results *results = &out->results;
+    const struct scene *scene = results->scene;
+    for (size_t k = 0; k < results->usable_count; k++) {
+        size_t i = results->by_roughness[k];
+        const struct scene_surface *surface = &scene->surfaces[i];
+        bool both = i == results->baseline && scene->measured.file_count > 0;
+        const struct scene_measured *given = both ? &scene->measured : &surface->measured;
+        if (both && surface->measured.file_count > 0)
+            return status_fail(status, STATUS_SCENE,
+                               "the baseline, '%s', has 'measured' of its own and the scene's; remove either",
+                               scene_words_show(surface->name).text);
+        if (given->file_count == 0)
+            continue;
+        if (!out->measured && !(out->measured = calloc(results->surface_count, sizeof *out->measured)))
+            return status_memory(status);
+        results->measured = out->measured;
+        if (measured_read(&out->measured[i], given, scene, &out->plan, results_pair(results, i), status) != STATUS_OK)
+            return status->code;
+        if (measured_quantity(&out->measured[i], out->plan.running) != results_measured_quantity(results))
+            return status_fail(status, STATUS_SCENE, "both ECR and TCR are measured; take out one of them");
     }
     return STATUS_OK;
 }
@@ -378,12 +407,7 @@ enum status_code prepare(struct prepared *out, const struct scene *scene, const 
         (curves && !describe_only && run_again(&all, true, status) != STATUS_OK))
         return status->code;
     plan_direct(&out->plan, results);
-    if (!scene->measured.file)
-        return STATUS_OK;
-    if (measured_read(&out->measured, scene, &out->plan, results_pair(results, results->baseline), status) != STATUS_OK)
-        return status->code;
-    results->measured = &out->measured;
-    return STATUS_OK;
+    return read_measured(out, status);
 }
 
 void prepared_free(struct prepared *prepared)
@@ -391,7 +415,9 @@ void prepared_free(struct prepared *prepared)
     for (size_t i = 0; prepared->results.surfaces && i < prepared->results.surface_count; i++)
         surface_record_free(&prepared->results.surfaces[i]);
     free(prepared->results.surfaces);
-    measured_free(&prepared->measured);
+    for (size_t i = 0; prepared->measured && i < prepared->results.surface_count; i++)
+        measured_free(&prepared->measured[i]);
+    free(prepared->measured);
     if (prepared->counterface)
         surface_record_free(prepared->counterface);
     free(prepared->counterface);

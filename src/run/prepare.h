@@ -13,7 +13,7 @@ struct prepared {
     struct plan allowed, plan;          /* effects that the scene allows, and those of them that a surface called for */
     double *loads;                      /* P/(A_n E') */
     struct surface_record *counterface; /* NULL: smooth */
-    struct measured measured;
+    struct measured *measured;          /* one a surface; NULL: none */
     struct results results;
 };
 

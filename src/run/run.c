@@ -4,6 +4,7 @@
 #include "analysis/direct_study.h"
 #include "base/clock.h"
 #include "base/threads.h"
+#include "chart/asked.h"
 #include "chart/figures.h"
 #include "chart/gnuplot.h"
 #include "output/json.h"
@@ -29,7 +30,7 @@ struct run {
     struct prepared prepared;
     struct results *results; /* of `prepared` */
     struct benchmark benchmark;
-    struct measured_answers answers;
+    struct measured_answers *answers; /* one a surface */
     struct comparison comparison;
     struct gnuplot gnuplot;
     struct words words;
@@ -76,22 +77,45 @@ static void add_times(struct run_times *times, const struct results *results)
     }
 }
 
-/** The baseline at the loads that were measured. */
+/** A surface at the loads that were measured on it, and the factor to the leading model, with which its targets may be
+ * solved once more. */
+static enum status_code run_measured_on(struct run *run, size_t surface, struct status *status)
+{
+    struct results *results = run->results;
+    struct surface_record *record = &results->surfaces[surface];
+    const struct measured *measured = &results->measured[surface];
+    struct measured_answers *answers = &run->answers[surface];
+    const struct asked asked = asked_of(results);
+    struct model_task task =
+        surface_model_task(record, results->scene, results->plan, results_loads(results, surface), results->load_count);
+    const struct joint_task joint = surface_joint(record, results->scene, results->plan, &task);
+    uint64_t models = 0;
+    for (size_t m = 0; m < model_count; m++)
+        models |= plan_runs_model(results->plan, m) ? MODEL_BIT(m) : 0;
+    if (measured_answer(answers, measured, models, &task, &joint, &record->ensemble, record->summary.unloading,
+                        status) != STATUS_OK ||
+        measured_fit(answers, measured, asked_leading(results, &asked), status) != STATUS_OK)
+        return status->code;
+    record->summary.carried_model = answers->fitted;
+    record->summary.carried_quantity = measured_quantity(measured, results->plan->running);
+    for (size_t t = 0; measured->given->carry && answers->fit.count > 0 && t < results->scene->target_count; t++)
+        answers->carried |= results->scene->targets[t].row->quantity == record->summary.carried_quantity;
+    record->summary.carried = answers->carried ? estimate_value(&answers->fit) : 0;
+    return answers->carried ? answers_find(record, results->scene, results->plan, &task, status) : STATUS_OK;
+}
+
 static enum status_code run_measured(struct run *run, struct status *status)
 {
     struct results *results = run->results;
-    const struct surface_record *baseline = &results->surfaces[results->baseline];
-    struct model_task task = surface_model_task(baseline, results->scene, results->plan,
-                                                results_loads(results, results->baseline), results->load_count);
-    const struct joint_task joint = surface_joint(baseline, results->scene, results->plan, &task);
-    uint64_t models = 0;
     if (!results->measured)
         return STATUS_OK;
-    for (size_t m = 0; m < model_count; m++)
-        models |= plan_runs_model(results->plan, m) ? MODEL_BIT(m) : 0;
-    results->answers = &run->answers;
-    return measured_answer(&run->answers, results->measured, models, &task, &joint, &baseline->ensemble,
-                           baseline->summary.unloading, status);
+    if (!(run->answers = calloc(results->surface_count, sizeof *run->answers)))
+        return status_memory(status);
+    results->answers = run->answers;
+    for (size_t i = 0; i < results->surface_count; i++)
+        if (results_measured(results, i) && run_measured_on(run, i, status) != STATUS_OK)
+            return status->code;
+    return STATUS_OK;
 }
 
 /** How far one of them is. */
@@ -295,10 +319,12 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     for (size_t k = 0; k < run.prepared.results.direct_count; k++)
         direct_study_free(&run.direct[k]);
     free(run.direct);
+    for (size_t i = 0; run.answers && i < run.prepared.results.surface_count; i++)
+        measured_answers_free(&run.answers[i]);
+    free(run.answers);
     prepared_free(&run.prepared);
     output_abandon(&run.output);
     free(run.sweeps);
-    measured_answers_free(&run.answers);
     comparison_free(&run.comparison);
     (void)gnuplot_end(&run.gnuplot);
     words_free(&run.words);

@@ -380,7 +380,7 @@ void scene_free(struct scene *scene)
         scene_files_free(&scene->surfaces[i]);
     free(scene->surfaces);
     scene_files_free(&scene->counterface_surface);
-    free(scene->measured.file);
+    scene_files_free(&(struct scene_surface){.measured = scene->measured});
     free(scene->targets);
     free(scene->limits);
     free(scene->load.values);

@@ -26,12 +26,28 @@ struct scene_bodies {
     double hardness_exponent;                 /* below 0: hardness_Pa is c1 and this c2 of Vickers's correlation */
 };
 
+enum scene_measured_quantity { SCENE_MEASURED_ECR, SCENE_MEASURED_TCR, SCENE_MEASURED_QUANTITY_COUNT };
+
+/** What, by quantity, a measured resistance may be: enum unit_quantity bits. A load may be any of UNIT_LOADS. */
+extern const unsigned scene_measured_resistances[SCENE_MEASURED_QUANTITY_COUNT];
+
+/** Measured contact resistance to hold the models against. */
+struct scene_measured {
+    char **files;      /* file_count paths as given, each a run of its own */
+    size_t file_count; /* 0: nothing was measured */
+    enum scene_measured_quantity quantity;
+    char load_unit[UNIT_LENGTH];       /* "" when the scene gives none */
+    char resistance_unit[UNIT_LENGTH]; /* the same: total, or times the nominal area */
+    unsigned carry;                    /* targets' loads are solved with the factor that was found */
+};
+
 /** One surface to report: one scan file, or repeated scans of it. */
 struct scene_surface {
     struct scene_bodies bodies; /* once the scene is read completed with the scene's */
     char *name;                 /* as printed; hostile until escaped */
     char **files;               /* file_count paths as given: see scene_file_path() */
     size_t file_count;
+    struct scene_measured measured;
     char **along; /* along_count of scans along the lay, the same */
     size_t along_count;
     bool lay_given;
@@ -70,19 +86,6 @@ enum scene_mean_free_path {
     SCENE_MEAN_FREE_PATH_THESIS,   /* 3k/(density v_s c_p), one of phonons (4.52) */
     SCENE_MEAN_FREE_PATH_ELECTRON, /* of the metal's free electrons */
     SCENE_MEAN_FREE_PATH_COUNT
-};
-
-enum scene_measured_quantity { SCENE_MEASURED_ECR, SCENE_MEASURED_TCR, SCENE_MEASURED_QUANTITY_COUNT };
-
-/** What, by quantity, a measured resistance may be: enum unit_quantity bits. A load may be any of UNIT_LOADS. */
-extern const unsigned scene_measured_resistances[SCENE_MEASURED_QUANTITY_COUNT];
-
-/** Measured contact resistance to hold the models against. */
-struct scene_measured {
-    char *file; /* path as given; NULL: none */
-    enum scene_measured_quantity quantity;
-    char load_unit[UNIT_LENGTH];       /* "" when the scene gives none */
-    char resistance_unit[UNIT_LENGTH]; /* the same: total, or times the nominal area */
 };
 
 enum {
@@ -185,8 +188,8 @@ struct scene {
     bool lay_given;
     double lay;                               /* of surfaces that neither say theirs nor were measured along it */
     struct scene_surface counterface_surface; /* file_count 0: the counterface is smooth */
-    struct scene_measured measured;
-    struct scene_asked *targets, *limits; /* NULL: none */
+    struct scene_measured measured;           /* on the baseline, where that does not say its own */
+    struct scene_asked *targets, *limits;     /* NULL: none */
     size_t target_count, limit_count;
     struct scene_surface *surfaces;
     size_t surface_count;

@@ -107,6 +107,9 @@ void scene_files_free(struct scene_surface *surface)
     for (size_t i = 0; i < surface->along_count; i++)
         free(surface->along[i]);
     free(surface->along);
+    for (size_t i = 0; i < surface->measured.file_count; i++)
+        free(surface->measured.files[i]);
+    free(surface->measured.files);
     free(surface->name);
 }
 
@@ -158,7 +161,10 @@ static bool is_taken(const struct scene *scene, const char *file)
     for (size_t i = 0; i < scene->counterface_surface.file_count; i++)
         if (is_same(scene, scene->counterface_surface.files[i], file))
             return true;
-    return strcmp(file, "scene.yaml") == 0 || (scene->measured.file && is_same(scene, scene->measured.file, file));
+    for (size_t i = 0; i < scene->measured.file_count; i++)
+        if (is_same(scene, scene->measured.files[i], file))
+            return true;
+    return strcmp(file, "scene.yaml") == 0;
 }
 
 /* "passed over: 2 x PNG picture (a.png, b.png)", a line a kind. Each of `others` is its kind, a line end, its name. */

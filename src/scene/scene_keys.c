@@ -257,27 +257,26 @@ static bool read_convergence(struct scene_source *source, const struct scene_key
 static bool read_measured_file(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
                                void *field)
 {
-    struct scene_surface one = {0};
-    char **file = field;
-    bool good = scene_surfaces_files(source, key, value, &one);
-    if (good && one.file_count != 1)
-        good = scene_source_fail_at(source, value, "'%s' names %zu files; name one", key->name, one.file_count);
-    if (good && !(*file = strdup(one.files[0])))
-        good = scene_source_memory(source);
-    scene_files_free(&one);
+    struct scene_surface runs = {0};
+    struct scene_measured *measured = field;
+    bool good = scene_surfaces_files(source, key, value, &runs);
+    measured->files = runs.files;
+    measured->file_count = runs.file_count;
     return good;
 }
 
 #define MEASURED(member) offsetof(struct scene_measured, member)
-static bool read_measured(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
-                          void *field)
+bool scene_keys_measured(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                         void *field)
 {
+    static const char *const carry[] = {"false", "true"};
     static const struct scene_key keys[] = {
-        {"file", NULL, read_measured_file, .at = MEASURED(file)},
+        {"file", NULL, read_measured_file, .at = 0},
         {"quantity", NULL, SCENE_CHOICE(MEASURED(quantity), measured_quantity_names)},
         {"load_unit", NULL, scene_source_unit, .at = MEASURED(load_unit), .quantities = UNIT_LOADS},
         {"resistance_unit", NULL, scene_source_unit, .at = MEASURED(resistance_unit),
          .quantities = UNIT_RESISTANCE | UNIT_RESISTANCE_AREA | UNIT_THERMAL_RESISTANCE | UNIT_THERMAL_RESISTANCE_AREA},
+        {"carry", NULL, SCENE_CHOICE(MEASURED(carry), carry)},
     };
     struct scene_measured *measured = field;
     size_t lines[SCENE_COUNT(keys)];
@@ -289,7 +288,7 @@ static bool read_measured(struct scene_source *source, const struct scene_key *k
     if (*text && unit_read(&unit, text, strlen(text)) && !unit_of(&unit, known))
         return scene_source_fail(source, lines[3], "'resistance_unit' is '%s'; understood: %s", text,
                                  unit_known(known).text);
-    return measured->file ||
+    return measured->file_count > 0 ||
            scene_source_fail_at(source, value, "'measured' has no 'file'; name a CSV of load and resistance");
 }
 
@@ -448,8 +447,9 @@ const struct scene_key scene_keys[] = {
      "its own and is no map; default: no lay",
      SCENE_NUMBER(AT(lay), 0.0, 1.0)},
     {"measured",
-     "{file, quantity: ecr or tcr, load_unit, resistance_unit}: measured resistance to hold the models against",
-     read_measured, .at = AT(measured)},
+     "{file (a list or pattern: each a run), quantity: ecr or tcr, load_unit, resistance_unit, carry: true (into the "
+     "targets' loads)}: resistance measured on the baseline to hold the models against",
+     scene_keys_measured, .at = AT(measured)},
     {"nominal_area", "default: none, and resistances stay per area",
      SCENE_QUANTITY(AT(nominal_area_m2), UNIT_AREA, 1e-18, 1e6), .word = "none", .alias = "nominal_area_m2"},
     {"hardness",
@@ -530,7 +530,8 @@ const struct scene_key scene_keys[] = {
      .at = AT(convergence)},
     {"surfaces",
      "a list of {name, file, along (scans along the lay) or lay, x_unit, z_unit, column, material, "
-     "counterface, hardness}; default: every scan in the directory by its name, a sub-directory a surface of its files",
+     "counterface, hardness, measured}; default: every scan in the directory by its name, a sub-directory a surface of "
+     "its files",
      scene_surfaces_read, .at = 0},
 };
 const size_t scene_key_count = SCENE_COUNT(scene_keys);

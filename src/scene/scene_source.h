@@ -114,6 +114,8 @@ scene_reader scene_surfaces_counterface;
 scene_reader scene_surfaces_hardness;
 /** A built-in name or a mapping of properties, into a struct scene_bodies. */
 scene_reader scene_surfaces_body;
+/** What was measured, into a struct scene_measured. */
+scene_reader scene_keys_measured;
 /** One file or a list of them, each checked to exist, into a struct scene_surface. */
 scene_reader scene_surfaces_files;
 

@@ -235,6 +235,7 @@ static bool read_surface(struct scene_source *source, const yaml_node_t *node, s
         {"x_unit", NULL, SCENE_SHORT_TEXT(AT(x_unit), UNIT_BYTES)},
         {"z_unit", NULL, SCENE_SHORT_TEXT(AT(z_unit), UNIT_BYTES)},
         {"column", NULL, read_columns, .at = 0},
+        {"measured", NULL, scene_keys_measured, .at = AT(measured)},
     };
     size_t lines[SCENE_COUNT(keys)];
     if (!scene_source_mapping(source, node, "surfaces", keys, SCENE_COUNT(keys), lines, surface))

@@ -87,9 +87,6 @@ static size_t ask(struct fixture *f, const char *name, double value)
 static void find(struct fixture *f)
 {
     struct status status = {0};
-    free(f->record.summary.answers);
-    free(f->record.summary.limits);
-    f->record.summary.limits = NULL;
     assert_int_equal(answers_find(&f->record, &f->scene, &f->plan, &f->task, &status), STATUS_OK);
 }
 
@@ -107,6 +104,26 @@ static double value_at(const struct model_task *task, const char *model, double 
     struct status status = {0};
     assert_int_equal(model_run(&curve, model_rows[model_named(model)], &one, &status), STATUS_OK);
     return curve.count > 0 ? points[0].value[quantity] : NAN;
+}
+
+/* A factor that was measured: the load where the model has that times the resistance asked for; of that model, and of
+ * targets in that quantity, alone. */
+TEST_CASE(a_measured_factor_is_carried)
+{
+    struct fixture f;
+    make(&f, 1);
+    size_t asked = ask(&f, "ecr", 1e-11), smaller = ask(&f, "ecr", 0.6e-11), area = ask(&f, "area", 0.01);
+    find(&f);
+    double carried = answer(&f, smaller, "cmy")->load, other = answer(&f, asked, "gw")->load,
+           of_area = answer(&f, area, "cmy")->load;
+    f.record.summary.carried = 0.6;
+    f.record.summary.carried_model = model_named("cmy");
+    f.record.summary.carried_quantity = QUANTITY_ECR;
+    find(&f);
+    assert_near(answer(&f, asked, "cmy")->load, carried, 0);
+    assert_near(answer(&f, asked, "gw")->load, other, 0);
+    assert_near(answer(&f, area, "cmy")->load, of_area, 0);
+    drop(&f);
 }
 
 /* Force, spots and their size that bring tin's resistance, or its conductance, to a value. */

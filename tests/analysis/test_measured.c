@@ -2,6 +2,7 @@
 #include "analysis/measured.h"
 #include "directory.h"
 #include "scene/measured_file.h"
+#include <gsl/gsl_randist.h>
 
 static struct directory place;
 
@@ -15,16 +16,16 @@ struct said {
 /* Reads `csv` under such a scene, E' being 10 GPa. */
 static enum status_code read_csv(struct measured *out, const char *csv, const struct said *said, struct status *status)
 {
-    static char name[] = "ecr.csv";
+    static char name[] = "ecr.csv", *names[] = {name};
     struct plan plan = {.running = EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL)};
     struct scene scene = {.directory = place.path, .nominal_area_m2 = said->area_m2};
-    scene.measured = (struct scene_measured){.file = name, .quantity = said->quantity};
+    scene.measured = (struct scene_measured){.files = names, .file_count = 1, .quantity = said->quantity};
     snprintf(scene.measured.load_unit, UNIT_LENGTH, "%s", said->load_unit);
     snprintf(scene.measured.resistance_unit, UNIT_LENGTH, "%s", said->resistance_unit);
     const struct material_pair pair = {.effective_modulus_Pa = 1e10};
     directory_write(&place, name, csv);
     *status = (struct status){0};
-    return measured_read(out, &scene, &plan, &pair, status);
+    return measured_read(out, &scene.measured, &scene, &plan, &pair, status);
 }
 
 TEST_CASE(units_are_the_models)
@@ -251,19 +252,30 @@ TEST_CASE(any_bytes_are_read_or_refused)
     assert_true(taken > 500); /* not only refused */
 }
 
-TEST_CASE(only_an_effect_that_runs_is_compared)
+/** Each file has its units, its largest load and its way down; only an effect that runs is compared. */
+TEST_CASE(files_are_runs)
 {
-    static char name[] = "ecr.csv";
+    static char *names[] = {"1.csv", "2.csv"};
     struct measured measured;
     struct plan plan = {.running = EFFECT_BIT(EFFECT_ELECTRICAL)};
     struct status status = {0};
-    struct scene scene = {.directory = place.path, .nominal_area_m2 = NAN};
-    scene.measured = (struct scene_measured){.file = name, .quantity = SCENE_MEASURED_TCR};
-    assert_int_equal(
-        measured_read(&measured, &scene, &plan, &(struct material_pair){.effective_modulus_Pa = 1e10}, &status),
-        STATUS_SCENE);
-    assert_non_null(strstr(status.message, "the effect thermal does not run"));
+    struct scene scene = {.directory = place.path, .nominal_area_m2 = 1e-6};
+    struct scene_measured given = {.files = names, .file_count = 2};
+    const struct material_pair pair = {.effective_modulus_Pa = 1e10};
+    directory_write(&place, names[0], "load (N),R (mOhm)\n1,9\n3,5\n2,6\n");
+    directory_write(&place, names[1], "R (Ohm),load (mN)\n4e-3,5000\n5e-3,4000\n7e-3,2000\n");
+    assert_int_equal(measured_read(&measured, &given, &scene, &plan, &pair, &status), STATUS_OK);
+    assert_int_equal(measured.count, 6);
+    const struct measured_run runs[] = {{0, 1, 3}, {3, 3, 6}};
+    assert_int_equal(measured.run_count, 2);
+    assert_memory_equal(measured.runs, runs, sizeof runs);
+    assert_near(measured.load[3], 5e-4, 1e-14);
+    assert_near(measured.resistance[1], 5e-9, 1e-14);
+    assert_near(measured.resistance[3], 4e-9, 1e-14);
     measured_free(&measured);
+    given.quantity = SCENE_MEASURED_TCR;
+    assert_int_equal(measured_read(&measured, &given, &scene, &plan, &pair, &status), STATUS_SCENE);
+    assert_non_null(strstr(status.message, "the effect thermal does not run"));
 }
 
 /** Answers of all models, none yet. */
@@ -294,6 +306,61 @@ TEST_CASE(distance_is_in_decades)
     assert_near(distance.bias_decades, -log10(4), 1e-12);
     assert_true(isnan(measured_compare(&measured, &answers, 0).rms_decades));
     measured_answers_free(&answers);
+}
+
+/** Runs of which the contact carries 0.6 of the conductance of model 1, off by what points and runs scatter; on the way
+ * down twice that. */
+static struct estimate fit_made(size_t runs, double points_sd, double runs_sd, const gsl_rng *random)
+{
+    enum { UP = 6, POINTS = 9, MOST = 8 };
+    struct measured_run parts[MOST];
+    double loads[MOST * POINTS], ohm_m2[MOST * POINTS];
+    struct measured measured = {
+        .count = runs * POINTS, .run_count = runs, .runs = parts, .load = loads, .resistance = ohm_m2};
+    struct measured_answers answers = no_answers(&measured);
+    struct status status = {0};
+    for (size_t r = 0; r < runs; r++) {
+        double off = gsl_ran_gaussian(random, runs_sd);
+        parts[r] = (struct measured_run){r * POINTS, r * POINTS + UP - 1, (r + 1) * POINTS};
+        for (size_t k = 0, i = r * POINTS; k < POINTS; k++, i++) {
+            double model = pow(10, -8.0 - (double)(k < UP ? k : 2 * UP - 2 - k) / 3);
+            ohm_m2[i] = model / (k < UP ? 0.6 : 1.2) * exp(off + gsl_ran_gaussian(random, points_sd));
+            answers.resistance[measured.count + i] = k == 0 ? NAN : model; /* beyond the run's loads */
+        }
+    }
+    assert_int_equal(measured_fit(&answers, &measured, 1, &status), STATUS_OK);
+    const struct estimate fit = answers.fit;
+    measured_answers_free(&answers);
+    return fit;
+}
+
+/** Without scatter the factor itself, without a width; with it an interval that holds it 95 times of 100, also where
+ * runs differ by far more than their points do. */
+TEST_CASE(the_factor_comes_back)
+{
+    enum { SETS = 1000 };
+    static const struct {
+        size_t runs;
+        double points_sd, runs_sd;
+    } cases[] = {{1, 0.1, 0}, {1, 0.4, 0}, {2, 0.1, 0.1}, {5, 0.05, 0.3}};
+    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    for (size_t runs = 1; runs <= 8; runs += 7) {
+        const struct estimate fit = fit_made(runs, 0, 0, random);
+        assert_near(estimate_value(&fit), 0.6, 1e-12);
+        assert_int_equal(fit.count, runs > 1 ? runs : 5); /* points on the way up that the model answers */
+        assert_true(isnan(estimate_end(&fit, 0)));
+    }
+    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
+        double held = 0, sum = 0;
+        for (int set = 0; set < SETS; set++) {
+            const struct estimate fit = fit_made(cases[c].runs, cases[c].points_sd, cases[c].runs_sd, random);
+            held += estimate_end(&fit, 0) <= 0.6 && estimate_end(&fit, 1) >= 0.6;
+            sum += fit.mean;
+        }
+        assert_within(held / SETS, 0.95, 0.021); /* three standard deviations */
+        assert_within(sum / SETS, log(0.6), 0.02);
+    }
+    gsl_rng_free(random);
 }
 
 /** The nearest of the models that answer enough of the points: not the one that happens to meet a single one. */

@@ -242,13 +242,18 @@ TEST_IN_WORKSPACE(test_unloading)
 }
 
 /** Measurements that are GW's curve, doubled, up and down in load: found in their units, in their order, and nearest to
- * GW by that factor. */
+ * GW by that factor. Of two surfaces each has its own: one two runs that carry 0.5 and 0.72, and the mean into the
+ * target, the other the first of them. */
 TEST_IN_WORKSPACE(test_measured)
 {
     static const char scene[] = "material: tin\nnominal_area_m2: 1e-6\neffects: [plasticity, electrical]\n%s";
+    static const char apart[] =
+        "models: gw\ntargets: [{ecr: %.15g ohm}]\nbaseline: a\nsurfaces:\n  - {name: b, file: a.csv}\n"
+        "  - {name: a, file: a.csv, measured: {file: [ecr.csv, .run.csv], carry: true}}\n"
+        "  - {name: c, file: a.csv, measured: {file: ecr.csv}}\n";
     static const size_t order[] = {20, 50, 80, 65, 35, 5};
     enum { POINTS = sizeof order / sizeof *order, TURN = 2 };
-    char text[256];
+    char text[600], surfaces[400];
     workspace_scan(place, "d/a.csv", 300, 1);
     snprintf(text, sizeof text, scene, "");
     workspace_write(place, "d/scene.yaml", text);
@@ -258,19 +263,26 @@ TEST_IN_WORKSPACE(test_measured)
     size_t gw = 0; /* its first row */
     while (strcmp(table_text(&contact, gw, "model"), "gw") != 0)
         gw++;
-    struct text csv = {0};
+    struct text csv = {0}, run = {0};
     text_add(&csv, "Load (mN);ECR (m\xCE\xA9);error (%%)\n");
+    text_add(&run, "P/(A_n E');ECR (Ohm m2)\n");
+    double target_ohm = table_number(&contact, gw + order[1], "ecr_ohm_m2") / sqrt(0.5 * 0.72) / 1e-6;
+    double target_load = table_number(&contact, gw + order[1], "load_over_AnEp");
     double least = INFINITY; /* Ω m² */
     for (size_t i = 0; i < POINTS; i++) {
         double resistance_ohm_m2 = 2 * table_number(&contact, gw + order[i], "ecr_ohm_m2");
         assert_string_equal(table_text(&contact, gw + order[i], "model"), "gw");
         text_add(&csv, "%.15g;%.15g;10\n", table_number(&contact, gw + order[i], "pressure_Pa") * 1e-6 * 1e3,
                  resistance_ohm_m2 / 1e-6 * 1e3);
+        text_add(&run, "%.15g;%.15g\n", table_number(&contact, gw + order[i], "load_over_AnEp"),
+                 resistance_ohm_m2 / 2 / 0.72);
         least = fmin(least, resistance_ohm_m2);
     }
     table_free(&contact);
     workspace_write(place, "d/ecr.csv", text_string(&csv));
+    workspace_write(place, "d/.run.csv", text_string(&run));
     text_free(&csv);
+    text_free(&run);
 
     snprintf(text, sizeof text, scene, "measured: {file: ecr.csv}\n");
     workspace_write(place, "d/scene.yaml", text);
@@ -297,6 +309,22 @@ TEST_IN_WORKSPACE(test_measured)
     assert_true(scale > found);
     free(data);
 
+    snprintf(surfaces, sizeof surfaces, apart, target_ohm);
+    snprintf(text, sizeof text, scene, surfaces);
+    workspace_write(place, "d/scene.yaml", text);
+    run_to_exit(place, 0, "report", "d", "--no-cost");
+    expect_in_file(place, "out/d/report.md", "Your measurement of *a* reaches ", "12 points measured on *a* in 2 runs",
+                   "Your contact carries 0.60 of the predicted conductance, ×÷ 10. Targets' loads on it are ",
+                   "Your contact carries 0.50 of the predicted conductance.\n", "6 points measured on *c*. ");
+    struct table answers = workspace_table(place, "out/d/data/answers.csv");
+    assert_string_equal(table_text(&answers, 1, "surface"), "a");
+    assert_near(table_number(&answers, 1, "load_over_AnEp"), target_load, 1e-5);
+    assert_true(table_number(&answers, 0, "load_over_AnEp") < 0.99 * target_load);
+    table_free(&answers);
+    strcat(text, "measured: {file: .run.csv}\n");
+    workspace_write(place, "d/scene.yaml", text);
+    expect_failure(place, 3, 1, "the baseline, 'a', has 'measured' of its own and the scene's; remove either", "report",
+                   "d");
     snprintf(text, sizeof text, scene, "measured: {file: ecr.csv, load_unit: N}\n");
     workspace_write(place, "d/scene.yaml", text);
     expect_failure(place, 3, 1, "ecr.csv:1: the unit is 'mN' here, but the scene's load_unit says 'N'", "report", "d");
