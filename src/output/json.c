@@ -496,7 +496,7 @@ static json_t *comparison_json(const struct results *results, const struct compa
             json_array_append_new(pairs, json);
         }
     }
-    return json_pack("{s:s,s:o,s:o}", "quantity", quantity_rows[ranking->criterion].name, "ranks", ranks, "pairs",
+    return json_pack("{s:s, s:o, s:o}", "quantity", quantity_rows[ranking->criterion].name, "ranks", ranks, "pairs",
                      pairs);
 }
 

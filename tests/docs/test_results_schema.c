@@ -3,8 +3,6 @@
 #include "cli/process.h"
 #include "contact/quantity.h"
 
-#include <stdio.h>
-
 static const char *const examples[] = {"connector", "chapter6", "thermal-interface"};
 enum { EXAMPLES = 3, TEXT = 256 };
 static json_t *results[EXAMPLES], *schema, *defs;
@@ -98,7 +96,6 @@ TEST_CASE(faults_do_not)
     /* example and path, what is put there, what is found */
     static const char *const faults[][3] = {
         {"0/schema_version", NULL, ": required"},
-        {"0/scene/effects/gap/runs", "1", "/scene/effects/gap/runs: type"},
         {"0/surfaces/0/spread/files", "-1", "/surfaces/0/spread/files: minimum"},
         {"0/comparison/pairs/0/verdict", "\"perhaps\"", "/comparison/pairs/0/verdict: enum"},
         {"0/surfaces/0/measured/joint_ecr_ohm_m2", "[\"7\"]", "/surfaces/0/measured/joint_ecr_ohm_m2/0: type"},
@@ -132,8 +129,7 @@ TEST_CASE(measured_points_and_ratios)
                      0);
     assert_near(load * modulus * area, 0.05, 1e-12);
     assert_near(resistance, 0.0139 * area, 1e-12);
-    assert_near(low * high, ratio * ratio, 1e-9);
-    assert_true(low < 1 && 1 < high && p > 0.05); /* not told apart */
+    assert_true(low < ratio && ratio < 1 && 1 < high && p > 0.05); /* not told apart */
 }
 
 /* Its points are those of the leading model in data/contact.csv, then the measured ones; gnuplot draws them. */
