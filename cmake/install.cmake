@@ -7,7 +7,7 @@ install(CODE "set(folders ${install_folders})
 set(record \"${CMAKE_BINARY_DIR}/install_folders.txt\")
 include(\"${CMAKE_SOURCE_DIR}/cmake/record_folders.cmake\")")
 
-install(TARGETS ${programs} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+install(TARGETS roughcontact RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 install(DIRECTORY templates DESTINATION share/roughcontact COMPONENT program)
 install(FILES src/selftest/selftest.csv DESTINATION share/roughcontact COMPONENT program)
 install(DIRECTORY surfaces DESTINATION share/roughcontact COMPONENT program PATTERN make.sh EXCLUDE)

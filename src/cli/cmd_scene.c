@@ -2,6 +2,7 @@
 /* The commands on a scene, `report` and `plan`. */
 #include "base/clock.h"
 #include "cli/command.h"
+#include "report/export.h"
 #include "run/messages.h"
 #include "run/prepare.h"
 #include "run/run.h"
@@ -337,9 +338,11 @@ int command_plan(int argc, char **argv)
     struct status status = {0};
     struct scene scene = {0};
     struct prepared prepared = {0};
-    struct text messages = {0};
+    struct text messages = {0}, templates = {0};
     command_parse(&command_plan_argp, argc, argv, &arguments);
     enum status_code rc = scene_read(&scene, arguments.directory, &arguments.overrides, &status);
+    if (rc == STATUS_OK && (rc = command_share(&templates, "templates", &status)) == STATUS_OK)
+        rc = export_check(&scene, text_string(&templates), &status);
     if (rc == STATUS_OK)
         rc = prepare(&prepared, &scene, &arguments.run, true, NULL, &status);
     const struct results *results = &prepared.results;
@@ -356,6 +359,7 @@ int command_plan(int argc, char **argv)
         scene_json_print_plan(rc == STATUS_OK ? results : NULL, seconds, arguments.directory, text_string(&messages),
                               exit_status, status.message);
     text_free(&messages);
+    text_free(&templates);
     prepared_free(&prepared);
     scene_free(&scene);
     return command_finish(exit_status, NULL);

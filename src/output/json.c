@@ -4,7 +4,6 @@
 #include "analysis/direct_study.h"
 #include "base/version.h"
 #include "output/cell.h"
-#include "results/comparison.h"
 #include <errno.h>
 #include <jansson.h>
 #include <math.h>
@@ -304,17 +303,34 @@ static json_t *lay_json(const struct surface_summary *s, const struct plan *plan
     return json;
 }
 
-/** What was measured on a surface, and the factor of the predicted conductance that it carries. */
+/** The points measured on a surface, what the models say at their loads, and the factor of the predicted conductance
+ * that it carries. */
 static json_t *measured_json(const struct results *results, size_t index)
 {
+    const struct measured *measured = &results->measured[index];
     const struct measured_answers *answers = &results->answers[index];
-    const struct scene_measured *given = results->measured[index].given;
     const double ends[] = {estimate_end(&answers->fit, 0), estimate_end(&answers->fit, 1)};
-    json_t *json = json_pack("{s:o, s:s, s:b}", "files", files_json(given->files, given->file_count), "model",
-                             model_rows[answers->fitted]->name, "carried", answers->carried);
-    set_count(json, "points", results->measured[index].count);
+    const char *quantity = quantity_rows[measured_quantity(measured, results->plan->running)].name;
+    json_t *models = json_object();
+    json_t *json = json_pack(
+        "{s:o, s:s, s:b, s:s, s:o}", "files", files_json(measured->given->files, measured->given->file_count), "model",
+        model_rows[answers->fitted]->name, "carried", answers->carried, "quantity", quantity, "models", models);
+    json_object_set_new(json, "units_of_file",
+                        json_pack("[o, o]", json_shown(measured->load_unit), json_shown(measured->resistance_unit)));
+    set_count(json, "points", measured->count);
     set(json, "conductance_factor", estimate_value(&answers->fit));
     set_all(json, "conductance_factor_95", ends, 2);
+    set_all(json, "load_over_AnEp", measured->load, measured->count);
+    set_all(json, quantity, measured->resistance, measured->count);
+    set_all(json, "error", measured->error, measured->count);
+    for (size_t m = 0; m < model_count; m++) {
+        struct measured_distance distance = measured_compare(measured, answers, m);
+        json_t *model = distance.points > 0 ? json_object() : NULL; /* of NULL nothing is set */
+        set(model, "rms_decades", distance.rms_decades);
+        set(model, "bias_decades", distance.bias_decades);
+        set_all(model, quantity, answers->resistance + m * measured->count, measured->count);
+        json_object_set_new(models, model_rows[m]->name, model);
+    }
     return json;
 }
 
@@ -440,7 +456,6 @@ static json_t *answer_json(const struct results *results, size_t surface, size_t
     const struct answer *answer = &s->answers[t * model_count + m];
     bool met = answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST;
     double area_m2 = results->scene->nominal_area_m2;
-    const double interval[] = {answer->low, answer->high};
     struct text note = {0}, asked = {0};
     text_add(&asked, "%s %s", target->row->name, target->text);
     answers_note(&note, answer, area_m2, 1, "");
@@ -449,7 +464,10 @@ static json_t *answer_json(const struct results *results, size_t surface, size_t
                   json_shown(text_string(&asked)), "note", json_shown(text_string(&note)));
     set(json, "load_N", met ? answer->load * scene_load_divisor(results->scene, UNIT_FORCE, &s->pair) : NAN);
     set(json, "load_over_AnEp", met ? answer->load : NAN);
-    set_all(json, "load_over_AnEp_95", interval, 2);
+    set_all(json, "load_over_AnEp_95", (const double[]){answer->low, answer->high}, 2);
+    if (target->row->quantity < QUANTITY_COUNT)
+        set_word(json, "quantity", quantity_rows[target->row->quantity].name);
+    set(json, "value", target->value);
     set(json, "spots", answer->spots_per_m2 * area_m2);
     json_object_set_new(json, "spots_by",
                         isnan(answer->spots_per_m2) ? json_null() : json_string(model_rows[answer->counted_by]->name));
@@ -468,6 +486,31 @@ static json_t *answers_json(const struct results *results)
     return answers;
 }
 
+/** The surfaces held against each other in the leading model, the best first. */
+static json_t *comparison_json(const struct results *results, const struct comparison_ranking *ranking)
+{
+    static const char *const verdicts[] = {"not told apart", "told apart", "told apart", "none"};
+    json_t *ranks = json_array(), *pairs = json_array();
+    for (size_t i = 0; i < ranking->count; i++) {
+        const char *name = results->surfaces[ranking->surface[i]].summary.scene->name;
+        char letters[RANKING_LETTERS + 1];
+        ranking_groups_letters(letters, &ranking->groups, i);
+        json_array_append_new(ranks, json_pack("{s:o, s:s}", "surface", json_shown(name), "letters", letters));
+        for (size_t j = i + 1; j < ranking->count; j++) {
+            const struct comparison_pair *pair = comparison_pair_of(ranking, i, j);
+            json_t *json = json_pack("{s:I, s:I, s:s, s:s}", "better", (json_int_t)i, "other", (json_int_t)j, "test",
+                                     pair->test == COMPARISON_WELCH ? "welch" : "place of the scan", "verdict",
+                                     verdicts[pair->verdict]);
+            set(json, "ratio", pair->ratio);
+            set_all(json, "ratio_95", (const double[]){pair->low, pair->high}, 2);
+            set(json, "p", pair->p);
+            json_array_append_new(pairs, json);
+        }
+    }
+    return json_pack("{s:s, s:o, s:o}", "quantity", quantity_rows[ranking->criterion].name, "ranks", ranks, "pairs",
+                     pairs);
+}
+
 /** How every surface stands to every limit, by the leading model. */
 static json_t *limits_json(const struct results *results)
 {
@@ -481,7 +524,6 @@ static json_t *limits_json(const struct results *results)
             const struct surface_summary *s = &results->surfaces[i].summary;
             const struct scene_asked *limit = &results->scene->limits[l];
             const struct limit_check *check = &s->limits[l];
-            const double interval[] = {check->low, check->high};
             struct text asked = {0};
             text_add(&asked, "%s %s %s", limit->row->name, limit->is_most ? "most" : "least", limit->text);
             json_t *json =
@@ -489,7 +531,7 @@ static json_t *limits_json(const struct results *results)
                           model_rows[plan_leading_model(results->plan)]->name, "limit", json_shown(text_string(&asked)),
                           "verdict", verdicts[check->verdict], "quantity", quantity_rows[limit->row->quantity].name);
             set(json, "value", check->value);
-            set_all(json, "interval_95", interval, 2);
+            set_all(json, "interval_95", (const double[]){check->low, check->high}, 2);
             json_array_append_new(limits, json);
             text_free(&asked);
         }
@@ -552,7 +594,8 @@ static json_t *studies_json(const struct results *results)
     return studies;
 }
 
-enum status_code json_write(const struct results *results, const char *directory, struct status *status)
+enum status_code json_write(const struct results *results, const struct comparison *comparison, const char *directory,
+                            struct status *status)
 {
     const struct scene *scene = results->scene;
     struct text path = {0};
@@ -561,11 +604,12 @@ enum status_code json_write(const struct results *results, const char *directory
     text_free(&path);
     if (!file)
         return status_fail(status, STATUS_IO, "cannot write results.json: %s", strerror(errno));
-    bool ok = print(file, "{\"program\": ", json_string("roughcontact")) &&
+    bool ok = print(file, "{\"schema_version\": 1,\n\"program\": ", json_string("roughcontact")) &&
               print(file, ",\n\"version\": ", json_string(version_string())) &&
               print(file, ",\n\"scene\": ", scene_json(results)) &&
               print(file, ",\n\"leading\": ", json_string(model_rows[plan_leading_model(results->plan)]->name)) &&
               print_surfaces(file, results) && print(file, ",\n\"refused\": ", refused_json(results)) &&
+              print(file, ",\n\"comparison\": ", comparison_json(results, &comparison->ranking)) &&
               (!scene->passed_over || print(file, ",\n\"passed_over\": ", json_lines(scene->passed_over))) &&
               (scene->target_count == 0 || print(file, ",\n\"answers\": ", answers_json(results))) &&
               (scene->limit_count == 0 || print(file, ",\n\"limits\": ", limits_json(results))) &&

@@ -3,11 +3,12 @@
 #ifndef OUTPUT_JSON_H
 #define OUTPUT_JSON_H
 
-#include "results/results.h"
+#include "results/comparison.h"
 #include <jansson.h>
 
-/** Writes results.json into `directory`. Errors: STATUS_IO, STATUS_MEMORY. */
-MUST_CHECK enum status_code json_write(const struct results *results, const char *directory, struct status *status);
+/** Writes results.json (docs/results.schema.json) into `directory`. Errors: STATUS_IO, STATUS_MEMORY. */
+MUST_CHECK enum status_code json_write(const struct results *results, const struct comparison *comparison,
+                                       const char *directory, struct status *status);
 
 /** In short, for a script, as in results.json: `refused`, `answers`, `limits`, and the `missed_limits` among them. To
  * be released with json_decref(); NULL: out of memory. */

@@ -323,12 +323,15 @@ static struct comparison_pair compare_pair(const struct estimate *a, double valu
         const struct interval first = {.mean = a->mean, .s = a->s, .degrees = a->degrees},
                               second = {.mean = b->mean, .s = b->s, .degrees = b->degrees};
         struct ranking welch = ranking_welch(&first, &second, estimate_level);
-        return (struct comparison_pair){.test = COMPARISON_WELCH, .ratio = welch.ratio, .p = welch.p};
+        return (struct comparison_pair){COMPARISON_WELCH, RANKING_NOT_TOLD_APART, welch.ratio, welch.low, welch.high,
+                                        welch.p};
     }
     /* of one scan 2.3 s; of several, Student's: two intervals of 95 %, as those of one scan each are */
     double half_width = a->count == 1 && b->count == 1 ? single_scan_half_width(hypot(a->s, b->s))
                                                        : hypot(a->half_width, b->half_width);
     double difference = a->mean - b->mean;
+    out.low = out.ratio * exp(-half_width);
+    out.high = out.ratio * exp(half_width);
     out.verdict = ranking_place(difference, half_width, a->heterogeneous || b->heterogeneous);
     return out;
 }

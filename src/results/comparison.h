@@ -60,8 +60,8 @@ enum comparison_test {
 struct comparison_pair {
     enum comparison_test test;
     enum ranking_verdict verdict;
-    double ratio; /* of the better one's answer to the other's */
-    double p;     /* Welch: after Holm's adjustment over all such pairs */
+    double ratio, low, high; /* of the better one's answer to the other's, and its 95 % interval, of this pair alone */
+    double p;                /* Welch: after Holm's adjustment over all such pairs */
 };
 
 enum { COMPARISON_RANKED_MOST = 100 /* surfaces; more are not ranked */ };

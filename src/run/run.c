@@ -242,8 +242,8 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
         return status->code;
     out->times.figures = lap(&last);
     if (tables_write(run->results, staging, status) != STATUS_OK || stopped(run) ||
-        json_write(run->results, staging, status) != STATUS_OK ||
-        comparison_make(&run->comparison, run->results, status) != STATUS_OK || stopped(run) ||
+        comparison_make(&run->comparison, run->results, status) != STATUS_OK ||
+        json_write(run->results, &run->comparison, staging, status) != STATUS_OK || stopped(run) ||
         view_make(&run->view, run->results, &run->comparison, &figures, &run->words, status) != STATUS_OK)
         return status->code;
     out->times.tables = lap(&last);

@@ -187,6 +187,8 @@ TEST_IN_WORKSPACE(only_what_is_asked_for)
     expect_failure(place, 2, 1, "--export: names no program", "report", "d", "--export", "");
     workspace_write(place, "d/scene.yaml", "export: moose\n");
     expect_failure(place, 3, 1, "d/scene.yaml: export: surface 'a' has no material", "report", "d");
+    workspace_write(place, "d/scene.yaml", "material: copper\nexport: fluent\n");
+    expect_failure(place, 3, 1, "d/scene.yaml: export: unknown program 'fluent'; there are abaqus", "plan", "d");
 }
 
 /* Blocks of 20 mm at 100 W/(m K) and 30 mm at 30 W/(m K), pressed together by 5.5 bar, which lies between two rows. */
