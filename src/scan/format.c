@@ -109,7 +109,7 @@ enum status_code format_fail_foreign(const struct scan_file *file, const struct 
 }
 
 /* The same file, which some Windows program wrote in UTF-16, in UTF-8. */
-static enum status_code read_utf16(struct scan *out, const struct scan_file *file, bool within)
+static enum status_code read_utf16(struct scan *out, const struct scan_file *file)
 {
     iconv_t convert = iconv_open("UTF-8", "UTF-16");
     if (convert == (iconv_t)-1)
@@ -127,23 +127,21 @@ static enum status_code read_utf16(struct scan *out, const struct scan_file *fil
     struct scan_file utf8 = {text_string(&text), text.length, file->path, file->options, file->status};
     enum status_code code = text.failed ? status_memory(file->status)
                             : stopped   ? scan_fail(file, 0, "damaged UTF-16; save it as UTF-8")
-                                        : format_read(out, &utf8, within);
+                                        : format_read(out, &utf8);
     text_free(&text);
     return code;
 }
 
-enum status_code format_read(struct scan *out, const struct scan_file *file, bool within)
+enum status_code format_read(struct scan *out, const struct scan_file *file)
 {
     if (file->length == 0)
         return scan_fail(file, 0, "the file is empty");
     if (is_utf16(file))
-        return read_utf16(out, file, within);
+        return read_utf16(out, file);
     struct format format = format_of(file, false);
-    if (format.kind == FORMAT_PACKED && within)
+    if (format.kind == FORMAT_PACKED)
         return scan_fail(file, 0, "a packed file within a packed file%s", limit_words(LIMIT_PACKED_DEPTH).text);
     out->format = format.name;
-    if (format.kind == FORMAT_PACKED)
-        return strcmp(format.name, "zip") == 0 ? scan_zip_read(out, file) : scan_gz_read(out, file);
     if (format.foreign)
         return format_fail_foreign(file, format.foreign);
     if (!format.reader)

@@ -26,15 +26,14 @@ struct format {
 /** What these bytes, all of the file (`whole`) or its first, are by themselves and by its name. */
 struct format format_of(const struct scan_file *file, bool whole);
 
-/** Reads a file, or what was `within` a packed one, where no packed one may be. */
-MUST_CHECK enum status_code format_read(struct scan *out, const struct scan_file *file, bool within);
+/** Reads a file, or what was within a packed one; packed it may not be. */
+MUST_CHECK enum status_code format_read(struct scan *out, const struct scan_file *file);
 
 /** STATUS_SCAN: what the file is, and how to get a scan out of it. */
 enum status_code format_fail_foreign(const struct scan_file *file, const struct foreign *foreign);
 
-/** Packed files: reads a zip archive with scans of any other format in it, and one scan packed by gzip. */
-enum status_code scan_zip_read(struct scan *out, const struct scan_file *file);
-enum status_code scan_gz_read(struct scan *out, const struct scan_file *file);
+/** Reads a zip archive with scans of any other format in it, one scan packed by gzip, or a file as it is. */
+MUST_CHECK enum status_code scan_packed_read(struct scan *out, const struct scan_file *file);
 
 /* Files of known kinds that no reader reads: what they are, and how a scan comes out of them. */
 

@@ -100,7 +100,7 @@ enum status_code scan_read_bytes(struct scan *out, const struct scan_bytes *byte
 {
     const struct scan_file file = {bytes->bytes, bytes->length, bytes->path, options, status};
     *out = (struct scan){.ny = 1};
-    if (format_read(out, &file, false) != STATUS_OK)
+    if (scan_packed_read(out, &file) != STATUS_OK)
         return status->code;
     if (options->z_column > 0 && out->z_column == 0)
         return scan_fail(&file, 0, "a file of format %s has no columns to choose from; remove `column`", out->format);

@@ -82,7 +82,7 @@ static enum status_code read_archive(struct scan *out, const struct archive *arc
             found = true;
             snprintf(out->part, sizeof out->part, "%.100s", name);
             scan_printable(out->part);
-            code = kind == FORMAT_FOREIGN ? file->status->code : format_read(out, &entry.file, true);
+            code = kind == FORMAT_FOREIGN ? file->status->code : format_read(out, &entry.file);
         } else if (out->next_entry == 0) {
             out->next_entry = i;
         }
@@ -98,7 +98,7 @@ static enum status_code read_archive(struct scan *out, const struct archive *arc
     return code;
 }
 
-enum status_code scan_zip_read(struct scan *out, const struct scan_file *file)
+static enum status_code read_zip(struct scan *out, const struct scan_file *file)
 {
     struct archive archive;
     if (archive_open(&archive, file) == STATUS_OK)
@@ -144,13 +144,22 @@ static enum status_code unpack_gz(struct text *text, const struct scan_file *fil
     return STATUS_OK;
 }
 
-enum status_code scan_gz_read(struct scan *out, const struct scan_file *file)
+static enum status_code read_gz(struct scan *out, const struct scan_file *file)
 {
     struct text text = {0};
     enum status_code code = unpack_gz(&text, file);
     const struct scan_file inner = {text_string(&text), text.length, file->path, file->options, file->status};
     if (code == STATUS_OK)
-        code = format_read(out, &inner, true);
+        code = format_read(out, &inner);
     text_free(&text);
     return code;
+}
+
+enum status_code scan_packed_read(struct scan *out, const struct scan_file *file)
+{
+    struct format format = format_of(file, false);
+    if (format.kind != FORMAT_PACKED)
+        return format_read(out, file);
+    out->format = format.name;
+    return strcmp(format.name, "zip") == 0 ? read_zip(out, file) : read_gz(out, file);
 }

@@ -78,20 +78,6 @@ static enum status_code load_text(struct text *bytes, struct scene *scene, struc
     return text_read_file(bytes, scene->path, status);
 }
 
-bool scene_lack_words(struct scene_lack_words *out, const struct scene_bodies *bodies, const char *owner,
-                      const struct effect_row *effect)
-{
-    const char *body;
-    const struct material_property *property = scene_lack(&body, bodies, effect);
-    bool own = owner && (bodies->material_given || bodies->counterface_given);
-    if (property && isnan(bodies->material.youngs_modulus_Pa))
-        strcpy(out->text, "a material; add 'material'");
-    else if (property)
-        snprintf(out->text, sizeof out->text, own ? "'%s'; add it to '%s' of surface '%s'" : "'%s'; add it to '%s'",
-                 property->name, body, own ? scene_words_show(owner).text : "");
-    return property;
-}
-
 /* Effect `effect`, asked for in the scene or else by the command line, lacks `what`. */
 static bool fail_effect(struct scene_source *source, const struct effect_row *effect, const char *what)
 {
