@@ -3,7 +3,7 @@
 _roughcontact()
 {
     local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
-    local commands='report direct plan init inspect view synth models materials self-test'
+    local commands='report direct plan init inspect compare view synth models materials self-test'
     local scene='--material= -m --effects= -e --tolerance= -t --x-unit= --z-unit='
     local options='' kind=nothing words='' argument='' before=''
     COMPREPLY=()
@@ -29,6 +29,9 @@ _roughcontact()
     init) kind=directories ;;
     view)
         options='--json'
+        kind=directories ;;
+    compare)
+        options='--json --markdown'
         kind=directories ;;
     synth)
         options='--alpha= -a --gamma= -g --rq= -r --length= -l --points= -n --scatter= -c --lambda-s= -s --seed= -d'

@@ -34,6 +34,7 @@
     X(MEASURED_LINES, 100000, "lines", "measured", "lines of a file of measured resistance", "thin it")                \
     X(MEASURED_LINE_BYTES, 1000, "bytes", "measured-line", "a line of it", "shorten it")                               \
     X(NAME_BYTES, 255, "bytes", "name", "the name of a surface, which every row of the tables repeats", "shorten it")  \
+    X(RESULTS_BYTES, 134217728, "bytes", "results", "a results.json that `compare` reads", "report fewer surfaces")    \
     X(DIRECT_POINTS, 1073741824, "points", "direct", "the square of the grid times the seeds of the direct solution",  \
       "take a smaller grid, or fewer seeds")
 

@@ -35,7 +35,7 @@ struct command_row {
     int (*run)(int argc, char **argv); /* argv[0] is "roughcontact NAME" */
     const struct argp *argp;           /* its options */
 };
-enum { COMMANDS = 10 };
+enum { COMMANDS = 11 };
 extern const struct command_row command_rows[COMMANDS];
 
 /** All of the program but main(): picks the command and returns the exit status. */
@@ -44,6 +44,7 @@ int command_main(int argc, char **argv);
 int command_report(int argc, char **argv);
 int command_direct(int argc, char **argv);
 int command_plan(int argc, char **argv);
+int command_compare(int argc, char **argv);
 int command_view(int argc, char **argv);
 int command_inspect(int argc, char **argv);
 int command_init(int argc, char **argv);
@@ -53,8 +54,8 @@ int command_materials(int argc, char **argv);
 int command_self_test(int argc, char **argv);
 
 extern const struct argp command_report_argp, command_direct_argp, command_plan_argp, command_inspect_argp,
-    command_init_argp, command_synth_argp, command_view_argp, command_models_argp, command_materials_argp,
-    command_self_test_argp;
+    command_init_argp, command_compare_argp, command_synth_argp, command_view_argp, command_models_argp,
+    command_materials_argp, command_self_test_argp;
 
 /** Reads the command line, to the end of the program where it is wrong (COMMAND_USAGE) or asks for help. */
 void command_parse(const struct argp *argp, int argc, char **argv, void *input);

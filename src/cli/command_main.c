@@ -19,6 +19,8 @@ const struct command_row command_rows[COMMANDS] = {
     {"init", "DIR", "write a scene for the scans in DIR, to be filled in", command_init, &command_init_argp},
     {"inspect", "FILE|DIR...", "what is in a scan: format, spacing, roughness, power law", command_inspect,
      &command_inspect_argp},
+    {"compare", "OUT OUT...", "finished reports side by side: what differs, is it significant", command_compare,
+     &command_compare_argp},
     {"view", "DIR|OUT", "the worded values that a report's templates are filled from", command_view,
      &command_view_argp},
     {"synth", "[-o FILE]", "write a scan that obeys a given power law", command_synth, &command_synth_argp},

@@ -142,6 +142,7 @@ static json_t *scene_json(const struct results *results)
     if (scene->mean_free_path == SCENE_MEAN_FREE_PATH_ELECTRON)
         set_word(json, "mean_free_path", "electron");
     set(json, "effective_modulus_Pa", pair.unknown ? NAN : pair.effective_modulus_Pa);
+    set(json, "hardness_Pa", pair.unknown ? NAN : pair.hardness_Pa);
     set(json, "tolerance", scene->tolerance);
     set_word(json, "level", level_names[scene->level]);
     set_word(json, "window", spectrum_window_names[scene->window]);
@@ -214,6 +215,8 @@ static void set_estimate(json_t *object, const char *key, const struct estimate 
     const double next_95[] = {estimate_next_end(estimate, 0), estimate_next_end(estimate, 1)};
     set(json, "mean", estimate_value(estimate));
     set(json, "standard_deviation", estimate->sd);
+    set(json, "standard_error", estimate->s);
+    set(json, "degrees_of_freedom", estimate->degrees);
     set(json, "effective", estimate->effective);
     set_all(json, "mean_95", mean_95, 2);
     set_all(json, "next_scan_95", next_95, 2);
@@ -248,6 +251,18 @@ static void set_intervals(json_t *object, const struct curve_summary *model)
     if (json_object_size(json) > 0)
         json_object_set(object, "at_middle_load", json);
     json_decref(json);
+}
+
+/** A model's numbers where the summary stands, as tables show them. */
+static void set_operating(json_t *object, const struct results *results, size_t m, size_t surface)
+{
+    const struct contact_point at = comparison_middle(results, m, surface);
+    double sigma_m = results->surfaces[surface].summary.asperities.sigma_m;
+    json_t *json = json_object();
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        if (results->plan->wanted & QUANTITY_BIT(q))
+            set(json, quantity_shown_name((enum quantity)q), comparison_value(&at, (enum quantity)q, m, sigma_m));
+    json_object_set_new(object, "operating", json);
 }
 
 static json_t *notes_json(const struct note_list *list)
@@ -344,6 +359,7 @@ static json_t *surface_json(const struct results *results, size_t index)
         if (surface_model(s, m)->exists) {
             json_t *model =
                 curve_json(record->curves ? &record->curves[m] : NULL, surface_model(s, m), scene, results->plan);
+            set_operating(model, results, m, index);
             set_intervals(model, surface_model(s, m));
             json_object_set_new(models, model_rows[m]->name, model);
         }
@@ -355,6 +371,8 @@ static json_t *surface_json(const struct results *results, size_t index)
         json_object_set_new(json, "counterface", counterface_json(&s->scene->bodies));
         set(json, "effective_modulus_Pa", s->pair.effective_modulus_Pa);
     }
+    if (s->pair.hardness_Pa > 0 && s->pair.hardness_Pa != scene_pair(&scene->bodies).hardness_Pa)
+        set(json, "hardness_Pa", s->pair.hardness_Pa);
     set_count(json, "points", s->points);
     for (size_t c = 0; c < cell_column_count; c++)
         set(json, cell_columns[c].name, cell_column_of(s, c));

@@ -21,8 +21,18 @@ MUST_CHECK enum status_code report_markdown(struct text *out, json_t *view, cons
 MUST_CHECK enum status_code report_write(json_t *view, const struct report_options *options, const char *directory,
                                          struct status *status);
 
-/** The first page's sentence and table for a terminal of 80 columns. Errors: the same. */
-MUST_CHECK enum status_code report_terminal(struct text *out, const json_t *view, const char *templates,
-                                            struct status *status);
+/** Adds templates/`name`.txt, filled, for a terminal of 80 columns or as Markdown: lines with tabs are rows of a table,
+ * the first its head. Errors: the same. */
+MUST_CHECK enum status_code report_terminal(struct text *out, const char *name, const json_t *view,
+                                            const char *templates, bool markdown, struct status *status);
+
+enum { REPORTS_COMPARED = 20 /* at most */ };
+
+/** Finished reports, by their directories, side by side: what templates/compare.txt is filled from, new
+ * (docs/templates.md). Numbers are those of the first one's leading model at its operating load; a surface is held
+ * against that of its name in the first report that has it. Errors: STATUS_IO where a results.json cannot be read, is
+ * damaged, another program's or larger than LIMIT_RESULTS_BYTES; STATUS_SCAN where no number stands in two reports;
+ * STATUS_MEMORY. */
+MUST_CHECK enum status_code report_compare(json_t **out, char *const *paths, size_t count, struct status *status);
 
 #endif

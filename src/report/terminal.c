@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The first page's table and sentences for a terminal. */
+/* What templates say, for a terminal: lines with tabs as tables in columns, sentences in lines. */
 #include "base/mustache.h"
 #include "chart/words.h"
 #include "report/report.h"
 
+#include <limits.h>
 #include <string.h>
 
 enum { WIDTH = 80, COLUMNS = 8, NAME_LEAST = 10 };
@@ -31,6 +32,8 @@ static const char *put_table(struct text *out, const char *rows)
                 more = *line == '\t';
                 line += more;
             }
+            while (pass == 1 && out->length > 0 && out->data[out->length - 1] == ' ')
+                out->data[--out->length] = '\0';
             if (pass == 1)
                 text_add(out, "\n");
         }
@@ -42,12 +45,39 @@ static const char *put_table(struct text *out, const char *rows)
     return line;
 }
 
-enum status_code report_terminal(struct text *out, const json_t *view, const char *templates, struct status *status)
+/** The same as Markdown; the first line is the head. */
+static const char *put_markdown(struct text *out, const char *line)
+{
+    for (bool head = true; line[strcspn(line, "\t\n")] == '\t'; head = false, line += *line == '\n') {
+        size_t cells = 1;
+        text_add(out, "| ");
+        for (; *line && *line != '\n'; line++) {
+            cells += *line == '\t';
+            text_add_bytes(out, *line == '\t' ? " | " : line, *line == '\t' ? 3 : 1);
+        }
+        text_add(out, " |\n%s", head ? "|" : "");
+        for (; head && cells > 0; cells--)
+            text_add(out, "---|%s", cells == 1 ? "\n" : "");
+    }
+    return line;
+}
+
+enum status_code report_terminal(struct text *out, const char *name, const json_t *view, const char *templates,
+                                 bool markdown, struct status *status)
 {
     struct mustache_folder folder = {templates, ".txt", NULL, status};
-    struct text words = {0};
-    enum status_code rc = mustache_file(&words, &folder, "terminal", view, NULL);
-    text_add_wrapped(out, put_table(out, text_string(&words)), WIDTH, 0);
+    struct text words = {0}, sentence = {0};
+    enum status_code rc = mustache_file(&words, &folder, name, view, markdown ? text_add_markdown_shown : NULL);
+    for (const char *line = text_string(&words); *line; text_free(&sentence)) {
+        if (line[strcspn(line, "\t\n")] == '\t') {
+            line = markdown ? put_markdown(out, line) : put_table(out, line);
+            continue;
+        }
+        size_t length = strcspn(line, "\n");
+        text_add_bytes(&sentence, line, length + (line[length] == '\n'));
+        text_add_wrapped(out, text_string(&sentence), markdown ? INT_MAX : WIDTH, 0);
+        line += sentence.length;
+    }
     text_free(&words);
     mustache_folder_free(&folder);
     return rc;

@@ -314,17 +314,17 @@ static const struct estimate *middle_estimate(const struct results *results, siz
     return curve_summary_estimate(surface_model(&results->surfaces[surface].summary, leading), quantity);
 }
 
-/** Both surfaces' estimates in place i before j, the better first. */
-static struct comparison_pair compare_pair(const struct estimate *a, double value_a, const struct estimate *b,
-                                           double value_b)
+struct comparison_pair comparison_of_two(const struct estimate *a, double value_a, const struct estimate *b,
+                                         double value_b)
 {
     struct comparison_pair out = {.test = COMPARISON_PLACE, .ratio = value_a / value_b, .p = NAN};
     if (a->count > 1 && b->count > 1) {
         const struct interval first = {.mean = a->mean, .s = a->s, .degrees = a->degrees},
                               second = {.mean = b->mean, .s = b->s, .degrees = b->degrees};
         struct ranking welch = ranking_welch(&first, &second, estimate_level);
-        return (struct comparison_pair){COMPARISON_WELCH, RANKING_NOT_TOLD_APART, welch.ratio, welch.low, welch.high,
-                                        welch.p};
+        return (struct comparison_pair){COMPARISON_WELCH, ranking_verdict(welch.difference, welch.p, estimate_level),
+                                        welch.ratio,      welch.low,
+                                        welch.high,       welch.p};
     }
     /* of one scan 2.3 s; of several, Student's: two intervals of 95 %, as those of one scan each are */
     double half_width = a->count == 1 && b->count == 1 ? single_scan_half_width(hypot(a->s, b->s))
@@ -418,8 +418,8 @@ static enum status_code rank(struct comparison *out, const struct results *resul
         for (size_t j = i + 1; j < ranking->count; j++) {
             size_t a = ranking->surface[i], b = ranking->surface[j];
             struct comparison_pair *pair = &ranking->pairs[ranking_pair(i, j, ranking->count)];
-            *pair = compare_pair(middle_estimate(results, out->leading, by, a), leading_value(results, by, a),
-                                 middle_estimate(results, out->leading, by, b), leading_value(results, by, b));
+            *pair = comparison_of_two(middle_estimate(results, out->leading, by, a), leading_value(results, by, a),
+                                      middle_estimate(results, out->leading, by, b), leading_value(results, by, b));
         }
     pairs = ranking->count * (ranking->count - (ranking->count > 0)) / 2;
     if (adjust(ranking, pairs, status) != STATUS_OK)

@@ -90,6 +90,9 @@ MUST_CHECK enum status_code comparison_make(struct comparison *out, const struct
                                             struct status *status);
 void comparison_free(struct comparison *comparison);
 
+/** Two answers held against each other, `a` over `b`, by the estimates of their logarithms; p as it is. */
+struct comparison_pair comparison_of_two(const struct estimate *a, double value_a, const struct estimate *b,
+                                         double value_b);
 /** Places i < j of a ranking. */
 const struct comparison_pair *comparison_pair_of(const struct comparison_ranking *ranking, size_t i, size_t j);
 /** Was a difference between the two found that more scans would show again? */

@@ -254,7 +254,7 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
     const struct report_options how = {options->templates, options->template, options->brief};
     if (report_write(run->view, &how, staging, status) != STATUS_OK ||
         export_write(run->view, run->scene, options->templates, staging, status) != STATUS_OK ||
-        report_terminal(&out->table, run->view, options->templates, status) != STATUS_OK)
+        report_terminal(&out->table, "terminal", run->view, options->templates, false, status) != STATUS_OK)
         return status->code;
     out->missed_count = view_missed_limits(&out->missed, run->results);
     out->times.report = lap(&last);

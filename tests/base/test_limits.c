@@ -3,6 +3,7 @@
  * the first are read, the others refused with the limit and what to do. The table here takes the place of the program's
  * own in this test. */
 #include "base/limits.h"
+#include "report/report.h"
 #include "scan/zip_support.h"
 #include "scene/measured_file.h"
 #include "scene/scene_directory.h"
@@ -29,6 +30,7 @@ enum {
     SMALL_MEASURED_LINES = 5,
     SMALL_MEASURED_LINE_BYTES = 60,
     SMALL_NAME_BYTES = 20,
+    SMALL_RESULTS_BYTES = 400,
     SMALL_DIRECT_POINTS = 4 * 64 * 64
 };
 
@@ -377,6 +379,27 @@ TEST_CASE(test_x3p)
             text_add(&more, "</a>");
         expect_x3p(&more, 0, over, LIMIT_XML_DEPTH);
     }
+}
+
+/* A finished report that is compared. */
+TEST_CASE(test_results)
+{
+    struct directory directory = directory_make();
+    char *const both[] = {directory.path, directory.path};
+    for (int over = 0; over < 2; over++) {
+        json_t *view;
+        char text[SMALL_RESULTS_BYTES + 2];
+        struct status status = {0};
+        snprintf(text, sizeof text, "%-*s", SMALL_RESULTS_BYTES + over,
+                 "{\"program\": \"roughcontact\", \"leading\": \"m\", \"surfaces\": [{\"surface\": \"a\", \"models\": "
+                 "{\"m\": {\"operating\": {\"load_over_AnEp\": 1e-4, \"area_ratio\": 0.1}}}}]}");
+        directory_write(&directory, "results.json", text);
+        assert_int_equal(report_compare(&view, both, 2, &status), over ? STATUS_IO : STATUS_OK);
+        if (over)
+            expect_limit(status.message, LIMIT_RESULTS_BYTES);
+        json_decref(view);
+    }
+    directory_remove(&directory);
 }
 
 TEST_CASE(test_no_row_is_without_its_test)

@@ -375,7 +375,8 @@ TEST_CASE(the_terminal_shows_the_first_pages_table)
     struct status status = {0};
     struct text out = {0};
     made_up_make_of(&made, made_up_models(), PLAIN, NULL);
-    assert_int_equal(report_terminal(&out, made.view, PROJECT_SOURCE "/templates", &status), STATUS_OK);
+    assert_int_equal(report_terminal(&out, "terminal", made.view, PROJECT_SOURCE "/templates", false, &status),
+                     STATUS_OK);
     assert_says(&out, "surface  Rq/µm  contact resistance");
     assert_says(&out, "beta     0.200              150\u00a0µΩ");
     assert_says(&out, "At 10.0\u00a0N the contact resistance is 50.0\u00a0µΩ");

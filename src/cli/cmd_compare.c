@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* `compare`: finished reports side by side. */
+#include "cli/command.h"
+#include "report/report.h"
+
+#include <stdio.h>
+
+struct arguments {
+    char **outs;
+    size_t count;
+    enum { TEXT, JSON = 0x100, MARKDOWN } format;
+};
+
+static const struct argp_option options[] = {
+    {"json", JSON, 0, 0, "print one object, for scripts (default: tables)", 0},
+    {"markdown", MARKDOWN, 0, 0, "print Markdown (default: text of 80 columns)", 0},
+    {0}};
+
+static error_t parse(int key, __attribute__((unused)) char *value, struct argp_state *state)
+{
+    struct arguments *arguments = state->input;
+    if (key == JSON || key == MARKDOWN)
+        arguments->format = key;
+    else if (key == ARGP_KEY_ARGS) {
+        arguments->outs = state->argv + state->next;
+        arguments->count = (size_t)(state->argc - state->next);
+    } else if (key != ARGP_KEY_END)
+        return ARGP_ERR_UNKNOWN;
+    else if (arguments->count < 2 || arguments->count > REPORTS_COMPARED)
+        argp_error(state, "give the OUT of two reports or more, up to %d", REPORTS_COMPARED);
+    return 0;
+}
+
+const struct argp command_compare_argp = {
+    .options = options,
+    .parser = parse,
+    .args_doc = "OUT OUT...",
+    .doc = "Prints finished reports side by side: at the first one's operating load the numbers of its leading model, "
+           "with 95 % intervals, ratios, and a test whether more scans would show the difference again; and what went "
+           "in that differs."};
+
+int command_compare(int argc, char **argv)
+{
+    struct arguments arguments = {0};
+    struct status status = {0};
+    struct text templates = {0}, words = {0};
+    json_t *view = NULL;
+    command_parse(&command_compare_argp, argc, argv, &arguments);
+    enum status_code rc = report_compare(&view, arguments.outs, arguments.count, &status);
+    if (rc == STATUS_OK && arguments.format != JSON &&
+        (rc = command_share(&templates, "templates", &status)) == STATUS_OK)
+        rc = report_terminal(&words, "compare", view, text_string(&templates), arguments.format == MARKDOWN, &status);
+    if (rc != STATUS_OK)
+        json_object_set_new(view, "error", json_shown(status.message));
+    if (arguments.format == JSON)
+        command_json_print(json_incref(view));
+    fputs(text_string(&words), stdout);
+    text_free(&templates);
+    text_free(&words);
+    json_decref(view);
+    return command_finish(rc == STATUS_OK ? COMMAND_DONE : command_fail(&status), NULL);
+}

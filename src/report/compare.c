@@ -1,0 +1,268 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Finished reports side by side, from their results.json. That may be anything: what is not there is NaN or "". */
+#include "base/limits.h"
+#include "chart/asked.h"
+#include "output/json.h"
+#include "report/report.h"
+#include "report/view.h"
+#include "scene/scene_words.h"
+#include "statistics/interval.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct compared {
+    json_t *results[REPORTS_COMPARED], *surfaces[REPORTS_COMPARED]; /* these by name */
+    size_t count;
+    const char *leading;            /* the first one's model */
+    double tie;                     /* relative difference that is none */
+    bool any, differ, loads_differ; /* any: a number is in two reports; differ: anything */
+};
+
+/** What is compared, and what it is shown in. */
+static const struct {
+    enum quantity quantity;
+    double scale;
+    const char *unit;
+} rows[] = {{QUANTITY_AREA, 100, "%"},           {QUANTITY_SEPARATION, 1, "σ"},  {QUANTITY_ECR, 1e9, "mΩ·mm²"},
+            {QUANTITY_JOINT_ECR, 1e9, "mΩ·mm²"}, {QUANTITY_TCR, 1e6, "K·mm²/W"}, {QUANTITY_JOINT, 1, "W/(m²·K)"},
+            {QUANTITY_STIFFNESS, 1e-12, "TPa/m"}};
+enum { NUMBERS = sizeof rows / sizeof *rows, TEXT_MOST = 60, PATH_MOST = 400, MADE = 5 };
+
+static double real(const json_t *value)
+{
+    return json_is_number(value) ? json_number_value(value) : NAN;
+}
+
+static const char *string(const json_t *object, const char *key)
+{
+    const char *value = json_string_value(json_object_get(object, key));
+    return value ? value : "";
+}
+
+static json_t *get(const json_t *object, const char *key, const char *below)
+{
+    return json_object_get(json_object_get(object, key), below);
+}
+
+/** A number of a surface in a report. */
+struct side {
+    const char *scans;     /* their hash */
+    double pressure_Pa;    /* P/A_n of the report's operating load; P/(A_n E') where no material is known */
+    bool elsewhere;        /* the number is not there, but at the other's */
+    double value, ends[2]; /* of its 95 % interval; NaN: not known */
+    struct estimate known; /* of ln value */
+};
+
+/** What a curve has at a load, straight in the logarithms; NaN: nothing. */
+static double on_curve(const json_t *model, const char *name, double load)
+{
+    const json_t *loads = json_object_get(model, "load_over_AnEp"), *values = json_object_get(model, name);
+    for (size_t i = 0; i + 1 < json_array_size(loads); i++) {
+        double from = real(json_array_get(loads, i)), to = real(json_array_get(loads, i + 1));
+        double value = real(json_array_get(values, i)), next = real(json_array_get(values, i + 1));
+        if (from <= load * (1 + 1e-9) && load <= to * (1 + 1e-9))
+            return value * pow(next / value, log(load / from) / log(to / from));
+    }
+    return NAN;
+}
+
+/** At the pressure of `reference`; NULL: at its own operating load. A number of the joint has the errors of the
+ * resistance that it is made of, in the measure in which it follows that. */
+static struct side side_of(const struct compared *all, size_t k, const char *name, enum quantity quantity,
+                           const struct side *reference)
+{
+    enum quantity source = quantity == QUANTITY_JOINT_ECR ? QUANTITY_ECR : quantity;
+    source = quantity == QUANTITY_JOINT ? QUANTITY_TCR : source;
+    const json_t *surface = json_object_get(all->surfaces[k], name), *model = get(surface, "models", all->leading);
+    const json_t *operating = json_object_get(model, "operating");
+    double own_Pa = real(json_object_get(surface, "effective_modulus_Pa"));
+    double all_Pa = real(get(all->results[k], "scene", "effective_modulus_Pa"));
+    double modulus_Pa = own_Pa > 0 ? own_Pa : all_Pa > 0 ? all_Pa : 1;
+    struct contact_point at;
+    struct side out = {.scans = string(surface, "sha256"), .known = estimate_none};
+    out.pressure_Pa = real(json_object_get(operating, quantity_rows[QUANTITY_LOAD].name)) * modulus_Pa;
+    out.elsewhere = reference && !(fabs(out.pressure_Pa / reference->pressure_Pa - 1) < 1e-9);
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        at.value[q] = out.elsewhere ? on_curve(model, quantity_rows[q].name, reference->pressure_Pa / modulus_Pa)
+                                    : real(json_object_get(operating, quantity_shown_name((enum quantity)q)));
+    bool gap = quantity == QUANTITY_SEPARATION, adjusts = gap && isfinite(at.value[QUANTITY_ADJUSTED]);
+    out.value = at.value[adjusts ? QUANTITY_ADJUSTED : quantity];
+    out.value /= gap && out.elsewhere ? sqrt(real(json_object_get(surface, "m0_m2"))) : 1;
+    const json_t *known = out.elsewhere ? NULL : get(model, "at_middle_load", quantity_shown_name(source));
+    double s = real(json_object_get(known, "standard_error")), of[QUANTITY_COUNT][2] = {{0}};
+    double degrees = real(json_object_get(known, "degrees_of_freedom"));
+    for (size_t end = 0; end < 2; end++)
+        of[source][end] = real(json_array_get(json_object_get(known, "mean_95"), end));
+    asked_ends(out.ends, &(struct asked){.quantity = quantity, .scale = 1}, &at, (const double(*)[2])of);
+    if (quantity != source)
+        s *= fabs(log(out.ends[1] / out.ends[0]) / log(of[source][1] / of[source][0]));
+    if (!json_is_true(json_object_get(known, "geometric")) || !(s >= 0) || !(degrees == 0 || degrees >= 1))
+        return out;
+    out.known = (struct estimate){.count = degrees > 0 ? 2 : 1, .mean = log(out.value), .s = s, .degrees = degrees};
+    out.known.half_width = degrees > 0 ? interval_quantile(estimate_level, degrees) * s : single_scan_half_width(s);
+    out.known.heterogeneous = json_is_false(json_object_get(known, "same_along_the_scan"));
+    return out;
+}
+
+/** Adds number `n` of a surface, a line for each report that has it; nothing where only one has. */
+static void add_number(json_t *view, struct compared *all, const char *name, size_t n)
+{
+    const enum quantity quantity = rows[n].quantity;
+    json_t *lines = json_array();
+    struct side first;
+    for (size_t k = 0; k < all->count; k++) {
+        bool begun = json_array_size(lines) > 0;
+        struct side side = side_of(all, k, name, quantity, begun ? &first : NULL);
+        first = begun ? first : side;
+        double ratio = side.value / first.value, apart = fabs(ratio - 1);
+        if (!(side.value > 0) || !isfinite(ratio))
+            continue;
+        json_t *line = view_item(lines), *shown = view_part(line, "shown");
+        view_count(line, "report", k + 1);
+        json_object_set_new(line, "value", json_finite(side.value));
+        json_object_set_new(line, "low_95", json_finite(side.ends[0]));
+        json_object_set_new(line, "high_95", json_finite(side.ends[1]));
+        view_number(shown, "value", side.value * rows[n].scale, 3, "");
+        view_interval(shown, "interval", side.ends[0] * rows[n].scale, side.ends[1] * rows[n].scale, 2);
+        if (!begun)
+            continue;
+        bool same = apart == 0 || apart <= all->tie, same_scans = side.scans[0] && strcmp(side.scans, first.scans) == 0;
+        struct comparison_pair pair = {.verdict = RANKING_NO_VERDICT, .p = NAN};
+        if (!same && !same_scans && side.known.count > 0 && first.known.count > 0)
+            pair = comparison_of_two(&side.known, side.value, &first.known, first.value);
+        json_object_set_new(line, "ratio", json_finite(ratio));
+        if (isfinite(pair.p))
+            json_object_set_new(line, "p", json_real(pair.p));
+        view_number(shown, "ratio", ratio, same ? 3 : (int)fmax(3, 1 - floor(log10(apart))), "");
+        view_number(shown, "p", pair.p, 2, "");
+        const char *tested = comparison_told_apart(&pair) ? "significant" : "not_significant";
+        tested = pair.verdict == RANKING_NO_VERDICT ? "undecided" : tested;
+        view_flag(line, same ? "same" : same_scans ? "same_scans" : tested, true);
+        all->differ = all->differ || !same;
+        all->loads_differ = all->loads_differ || side.elsewhere;
+    }
+    view_separate(lines);
+    if (json_array_size(lines) > 1)
+        json_array_append_new(view_list(view, "numbers"),
+                              json_pack("{s:s, s:s, s:s, s:O}", "quantity", quantity_shown_name(quantity), "symbol",
+                                        quantity_rows[quantity].short_symbol, "unit", rows[n].unit, "lines", lines));
+    all->any = all->any || json_array_size(lines) > 1;
+    json_decref(lines);
+}
+
+/** Lists `key` of `of`, one a report, or what is below it, where it differs; but what is made of the rest. */
+static void add_input(json_t *view, struct compared *all, json_t *const *of, const char *path, const char *key)
+{
+    static const char *const made[MADE] = {"operating_load_over_AnEp", "effective_modulus_Pa", "reason", "source",
+                                           "curves"};
+    json_t *values[REPORTS_COMPARED], *keys = json_object(), *ignored;
+    struct text whole = {0};
+    const char *below;
+    bool same = true, objects = true;
+    text_add(&whole, "%s%s%s", path, path[0] ? "." : "", key);
+    for (size_t k = 0; k < all->count; k++) {
+        values[k] = json_object_get(of[k], key);
+        same = same && (values[k] == values[0] || json_equal(values[k], values[0]));
+        objects = json_object_update_missing(keys, values[k]) == 0 && objects && whole.length < PATH_MOST;
+    }
+    same = same || scene_words_find(key, strlen(key), made, MADE) < MADE;
+    if (!same && objects)
+        json_object_foreach(keys, below, ignored) add_input(view, all, values, text_string(&whole), below);
+    json_t *item = same || objects ? NULL : view_item(view_list(view, "inputs"));
+    for (size_t k = 0; item && k < all->count; k++) {
+        char *dumped = json_dumps(values[k], JSON_ENCODE_ANY | JSON_COMPACT | JSON_REAL_PRECISION(10));
+        json_t *value = view_item(view_list(item, "values"));
+        struct text cut = {0};
+        words_cut(&cut, dumped ? dumped : "", dumped ? strlen(dumped) : 0, TEXT_MOST);
+        view_text(item, "key", text_string(&whole));
+        view_count(value, "report", k + 1);
+        view_text(value, "value", text_string(&cut));
+        view_separate(view_list(item, "values"));
+        text_free(&cut);
+        free(dumped);
+    }
+    all->differ = all->differ || item;
+    text_free(&whole);
+    json_decref(keys);
+}
+
+static void add_surface(json_t *view, struct compared *all, const char *name)
+{
+    static const char *const keys[] = {"files", "sha256", "units", "material", "counterface", "hardness_Pa"};
+    json_t *item = view_item(view_list(view, "surfaces")), *of[REPORTS_COMPARED];
+    bool alone = false;
+    view_text(item, "surface", name);
+    for (size_t k = 0; k < all->count; k++)
+        if (!(of[k] = json_object_get(all->surfaces[k], name))) {
+            view_count(view_item(view_list(item, "not_in")), "report", k + 1);
+            all->differ = alone = true;
+        }
+    for (size_t i = 0; i < sizeof keys / sizeof *keys && !alone; i++)
+        add_input(view, all, of, name, keys[i]);
+    for (size_t n = 0; n < NUMBERS; n++)
+        add_number(item, all, name, n);
+    view_separate(json_object_get(item, "numbers"));
+}
+
+static enum status_code add_report(json_t *view, struct compared *all, const char *path, struct status *status)
+{
+    struct text name = {0}, bytes = {0};
+    json_error_t error = {.line = 1};
+    json_t *surface, *item = view_item(view_list(view, "reports")), *results = NULL, *surfaces = json_object();
+    size_t i, most = limit_most(LIMIT_RESULTS_BYTES);
+    text_add(&name, "%s/results.json", path);
+    enum status_code rc = text_read_file(&bytes, text_string(&name), status);
+    if (rc == STATUS_OK && bytes.length <= most)
+        results = json_loadb(text_string(&bytes), bytes.length, 0, &error);
+    if (rc == STATUS_OK && bytes.length > most)
+        rc = status_fail(status, STATUS_IO, "'%s' has %zu bytes%s", name.data, bytes.length,
+                         limit_words(LIMIT_RESULTS_BYTES).text);
+    else if (rc == STATUS_OK && strcmp(string(results, "program"), "roughcontact") != 0)
+        rc = status_fail(status, STATUS_IO, "'%s' is damaged, or not of roughcontact (line %d); report again",
+                         name.data, results ? 1 : error.line);
+    text_free(&name);
+    text_free(&bytes);
+    json_array_foreach(json_object_get(results, "surfaces"), i, surface)
+        json_object_set(surfaces, string(surface, "surface"), surface);
+    double modulus_Pa = real(get(results, "scene", "effective_modulus_Pa"));
+    double load = real(get(results, "scene", "operating_load_over_AnEp"));
+    all->results[all->count] = results;
+    all->surfaces[all->count++] = surfaces;
+    view_count(item, "report", all->count);
+    view_text(item, "path", path);
+    view_text(item, "leading", string(results, "leading"));
+    view_text(item, "version", string(results, "version"));
+    view_number(item, "load", isnan(modulus_Pa) ? load : load * modulus_Pa / 1e6, 3, isnan(modulus_Pa) ? "" : "MPa");
+    return rc;
+}
+
+enum status_code report_compare(json_t **out, char *const *paths, size_t count, struct status *status)
+{
+    struct compared all = {.count = 0};
+    json_t *view = *out = json_object(), *names = json_object(), *ignored;
+    const char *name;
+    while (all.count < count && add_report(view, &all, paths[all.count], status) == STATUS_OK)
+        json_object_update(names, all.surfaces[all.count - 1]);
+    all.leading = string(all.results[0], "leading");
+    all.tie = real(get(all.results[0], "scene", "tolerance"));
+    if (status->code == STATUS_OK) {
+        add_input(view, &all, all.results, "", "version");
+        add_input(view, &all, all.results, "", "leading");
+        add_input(view, &all, all.results, "", "scene");
+        json_object_foreach(names, name, ignored) add_surface(view, &all, name);
+        view_text(view, "model", all.leading);
+        view_flag(view, "loads_differ", all.loads_differ);
+        view_flag(view, "nothing_differs", !all.differ);
+    }
+    if (status->code == STATUS_OK && !all.any)
+        (void)status_fail(status, STATUS_SCAN, "nothing to compare: no surface has a number of '%s' in two reports",
+                          all.leading);
+    while (all.count > 0) {
+        json_decref(all.results[--all.count]);
+        json_decref(all.surfaces[all.count]);
+    }
+    json_decref(names);
+    return status->code;
+}

@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* `compare`: reports that the program made, and results.json files made up so that tests can be worked out by hand. */
+#include "base/text.h"
+#include "cli/process.h"
+
+/** The number at a path such as "inputs.0.key", where `expected` stands as JSON (NULL: anything). */
+static double at(const json_t *view, const char *path, const char *expected)
+{
+    char copy[128];
+    snprintf(copy, sizeof copy, "%s", path);
+    for (char *part = strtok(copy, "."); part; part = strtok(NULL, "."))
+        view = json_is_array(view) ? json_array_get(view, strtoul(part, NULL, 10)) : json_object_get(view, part);
+    char *dumped = json_dumps(view, JSON_ENCODE_ANY);
+    if (expected && strcmp(dumped ? dumped : "", expected) != 0)
+        fail_msg("%s is %s", path, dumped);
+    free(dumped);
+    return json_number_value(view);
+}
+
+/** The view. Text, in 80 columns, and Markdown have nothing that a terminal acts upon, and hold `part`. */
+static json_t *compare(const char *place, const char *a, const char *b, const char *part)
+{
+    for (int markdown = 0; markdown < 2; markdown++) {
+        struct process process = expect_exit(place, 0, "compare", a, b, markdown ? "--markdown" : NULL);
+        char *rest = process.out;
+        process_expect_clean(process.out, process.out_length, "compare", false);
+        expect_part(process.out, part);
+        for (char *line; (line = strsep(&rest, "\n")) && !markdown;)
+            assert_true(text_characters(line) <= 80);
+        process_free(&process);
+    }
+    return process_json(expect_exit(place, 0, "compare", a, b, "--json"));
+}
+
+/** Makes the report of two surfaces of three scans each, those of a from `seed` on. */
+static void make_report(const char *place, const char *out, unsigned seed, const char *more)
+{
+    char path[64], scene[512];
+    for (unsigned i = 0; i < 6; i++) {
+        snprintf(path, sizeof path, "d/%c%u.csv", i < 3 ? 'a' : 'b', i);
+        workspace_scan(place, path, 200, i < 3 ? seed + i : 100 + i);
+    }
+    snprintf(scene, sizeof scene,
+             "models: [corrected-persson]\nnominal_area: 1 mm2\nload: {from: 1 N, to: 20 N, points: 9}\n"
+             "effects: [plasticity, separation, electrical, uncertainty, film]\nfilm: 1e-12\nbaseline: b\n"
+             "surfaces: [{name: a, file: 'a*.csv'}, {name: b, file: 'b*.csv'}]\n%s\n",
+             more);
+    workspace_write(place, "d/scene.yaml", scene);
+    run_to_exit(place, 0, "report", "d", "-o", out, "--no-cost", "--brief");
+}
+
+TEST_IN_WORKSPACE(finished_reports)
+{
+    make_report(place, "one", 1, "material: tin\noperating_load: 2 N");
+    make_report(place, "hard", 1, "material: tin\noperating_load: 2 N\nhardness: 60 MPa");
+    make_report(place, "scans", 11, "material: tin\noperating_load: 2 N");
+    make_report(place, "load", 1, "material: copper\noperating_load: 5 N");
+    json_t *view = compare(place, "one", "one", "Nothing differs.");
+    at(view, "surfaces.1.numbers.3.lines.1.same", "true");
+    json_decref(view);
+    view = compare(place, "one", "hard", "same scans");
+    at(view, "inputs.0.key", "\"scene.hardness_Pa\"");
+    at(view, "inputs.0.values.1.value", "\"60000000.0\"");
+    at(view, "inputs.1", "");
+    at(view, "surfaces.0.numbers.0.lines.1.same_scans", "true");
+    json_t *results = workspace_json(place, "hard/results.json");
+    assert_near(at(view, "surfaces.0.numbers.0.lines.1.value", NULL),
+                at(results, "surfaces.0.models.corrected-persson-plastic.operating.area_ratio", NULL), 1e-15);
+    json_decref(results);
+    json_decref(view);
+    view = compare(place, "one", "scans", "(p = ");
+    at(view, "inputs.0.key", "\"a.sha256\"");
+    at(view, "inputs.1", "");
+    at(view, "surfaces.1.numbers.2.lines.1.same", "true");
+    json_decref(view);
+    /* another load and E': between rows of contact.csv, at 2 MPa; the last such are those of b, plastic */
+    view = compare(place, "one", "load", "Operating loads differ");
+    struct table table = workspace_table(place, "load/data/contact.csv");
+    double expected = 0;
+    for (size_t row = 2; row < table.rows; row++) {
+        double p = table_number(&table, row - 1, "pressure_Pa"),
+               y = table_number(&table, row - 1, "separation_over_sigma");
+        double share = log(2e6 / p) / log(table_number(&table, row, "pressure_Pa") / p);
+        if (share > 0 && share < 1)
+            expected = y * pow(table_number(&table, row, "separation_over_sigma") / y, share);
+    }
+    assert_near(at(view, "surfaces.1.numbers.1.lines.1.value", NULL), expected, 1e-12);
+    at(view, "surfaces.1.numbers.1.lines.1.low_95", "null");
+    table_free(&table);
+    json_decref(view);
+}
+
+/** A report of one surface: ECR 2e-9 `factor`, from 1e-9 to 4e-9 of it, `known` of that, and a film of 1e-9. */
+static void make_results(const char *place, const char *out, const char *name, double factor, const char *known)
+{
+    char path[64], text[1024];
+    snprintf(path, sizeof path, "%s/results.json", out);
+    snprintf(text, sizeof text,
+             "{'program': 'roughcontact', 'version': '1', 'leading': 'm', 'scene': {'tolerance': 1e-6, 'baseline': "
+             "'%s'}, 'surfaces': [{'surface': '%s', 'sha256': '%s', 'models': {'m': {'operating': {'load_over_AnEp': "
+             "1e-4, 'ecr_ohm_m2': %.17g, 'joint_ecr_ohm_m2': %.17g}, 'at_middle_load': {'ecr_ohm_m2': {'mean_95': "
+             "[%.17g, %.17g], %s}}}}}]}",
+             name, name, out, 2e-9 * factor, 2e-9 * factor + 1e-9, 1e-9 * factor, 4e-9 * factor, known);
+    for (char *quote; (quote = strchr(text, '\''));)
+        *quote = '"';
+    workspace_write(place, path, text);
+}
+
+/* t = ln(ratio)/s, s² = s_a² + s_b², with s⁴/(s_a⁴/f_a + s_b⁴/f_b) degrees of freedom: p by Simpson's rule on Student's
+ * density. One scan: beyond 2.3 s, exp(2.3 sqrt(0.05)) = 1.6725. */
+TEST_IN_WORKSPACE(tests_are_those_of_the_textbook)
+{
+#define KNOWN(s, f) "'geometric': true, 'standard_error': " s ", 'degrees_of_freedom': " f
+    static const struct {
+        const char *verdict, *a, *b;
+        double ratio, p; /* 0: none */
+    } cases[] = {
+        {"significant", KNOWN("0.1", "2"), KNOWN("0.2", "4"), 2, 0.023359912432827},
+        {"significant", KNOWN("0.2", "4"), KNOWN("0.1", "2"), 0.5, 0.023359912432827},
+        {"not_significant", KNOWN("0.3", "1"), KNOWN("0.3", "1"), 3, 0.122358750204021},
+        {"not_significant", KNOWN("0.1", "0"), KNOWN("0.2", "0"), 1.665, 0},
+        {"significant", KNOWN("0.1", "0"), KNOWN("0.2", "0"), 1.68, 0},
+        {"undecided", KNOWN("0.1", "0"), KNOWN("0.2", "0") ", 'same_along_the_scan': false", 3, 0},
+        {"undecided", KNOWN("0.1", "2"), "'geometric': true", 3, 0},
+        {"undecided", KNOWN("0.1", "-1"), KNOWN("0.1", "1e-9"), 3, 0},
+        {"significant", KNOWN("0.2", "1"), KNOWN("0.2", "1"), 4, 0.039196233021664},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char verdict[64] = "surfaces.0.numbers.0.lines.1.";
+        make_results(place, "a", "s", 1, cases[i].a);
+        make_results(place, "b", "s", cases[i].ratio, cases[i].b);
+        json_t *view = compare(place, "a", "b", "ECR");
+        at(view, strcat(verdict, cases[i].verdict), "true");
+        assert_near(at(view, "surfaces.0.numbers.0.lines.1.ratio", NULL), cases[i].ratio, 1e-12);
+        assert_near(at(view, "surfaces.0.numbers.0.lines.1.p", cases[i].p > 0 ? NULL : ""), cases[i].p, 1e-9);
+        if (cases[i].ratio == 4) {
+            /* with the film 2 ... 5, 5 ... 17: errors ln(5/2)/ln 4 and ln(17/5)/ln 4 of those without */
+            assert_near(at(view, "surfaces.0.numbers.1.lines.1.high_95", NULL), 17e-9, 1e-12);
+            assert_near(at(view, "surfaces.0.numbers.1.lines.1.p", NULL), 0.044271854588561, 1e-9);
+        }
+        json_decref(view);
+    }
+}
+
+TEST_IN_WORKSPACE(what_reports_say_is_hostile)
+{
+    static const char *const damaged[][2] = {
+        {"{\n\"program\": \"roughcontact\",\n", "damaged, or not of roughcontact (line 3)"},
+        {"{\"program\": \"\\u001b\"}", "damaged, or not of roughcontact"},
+        {"{\"program\": \"roughcontact\", \"leading\": \"m\", \"scene\": [], \"surfaces\": [1, {\"surface\": \"s\", "
+         "\"models\": "
+         "{\"m\": {\"operating\": {\"load_over_AnEp\": \"1\", \"ecr_ohm_m2\": -1}, \"ecr_ohm_m2\": 1}}}]}",
+         "nothing to compare"},
+    };
+    make_results(place, "a", "\\u001b[31m|\\u202e\\t*x", 1, "'\\u001b]0;x': 1");
+    make_results(place, "b", "\\u001b[31m|\\u202e\\t*x", 2, "'': {'': []}");
+    make_results(place, "c", "s", 2, "'x': 1");
+    free(workspace_shell(place, "sed -i 's/\"1\"/\"\\\\u009b1;|\"/; s/baseline/\\\\n`b\\\\u001b/' b/results.json"));
+    json_decref(compare(place, "a", "b", "x1b"));
+    expect_output(expect_exit(place, 0, "compare", "a", "b", "--markdown"), "[31m\\|");
+    expect_output(expect_exit(place, 0, "compare", "a", "b", "c"), "in 1.\n- s has no partner in 2.\n");
+    for (size_t i = 0; i < sizeof damaged / sizeof *damaged; i++) {
+        workspace_write(place, "b/results.json", damaged[i][0]);
+        expect_failure(place, 4, 1, damaged[i][1], "compare", "b", "c");
+        expect_output(expect_exit(place, 4, "compare", "b", "c", "--json"), "\"error\": ");
+    }
+    free(workspace_shell(place, "rm b/results.json; mkfifo b/results.json"));
+    expect_failure(place, 4, 1, "b/results.json", "compare", "a", "b");
+    expect_errors(expect_exit(place, 2, "compare", "a"), "give the OUT of two reports or more");
+}
