@@ -104,7 +104,7 @@ struct search {
 /** Runs the model at one load. */
 static void run_at(struct search *search, double load)
 {
-    struct contact_point points[2];
+    struct contact_point points[2] = {quantity_nothing(), quantity_nothing()};
     struct model_curve curve = {.points = points};
     const struct model_task one = model_task_at(&search->task, &load, 1);
     search->point = quantity_nothing();
@@ -244,8 +244,9 @@ static enum status_code solve_band(struct answer *out, const struct surface_reco
         struct answer one;
         if (isnan(band_shift(log(out->load), &end)))
             return STATUS_OK;
-        search->end = &end;
-        if (solve(&one, search) != STATUS_OK)
+        struct search on_end = *search;
+        on_end.end = &end;
+        if (solve(&one, &on_end) != STATUS_OK)
             return search->status->code;
         double load = one.kind == ANSWER_LOAD && !one.full ? one.load : NAN;
         if (side == row->rises) /* that end gets there at the lighter load */

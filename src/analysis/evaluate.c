@@ -51,7 +51,7 @@ static enum status_code try_law(struct surface_record *record, const struct mode
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
         double area[2] = {NAN, NAN};
         for (int k = 0; k < 2 && model_rows[m]->stacks_scales && record->curves[m].exists && rc == STATUS_OK; k++) {
-            struct contact_point points[2];
+            struct contact_point points[2] = {quantity_nothing(), quantity_nothing()};
             struct model_curve curve = {.points = points};
             own.spectrum = k == 0 ? &record->spectrum : &law;
             rc = model_run(&curve, model_rows[m], &own, status);

@@ -249,10 +249,11 @@ enum status_code measured_answer(struct measured_answers *out, const struct meas
 enum status_code measured_fit(struct measured_answers *out, const struct measured *measured, size_t m,
                               struct status *status)
 {
-    double *ratio = malloc(2 * measured->count * sizeof *ratio), *mean = ratio + measured->count;
+    double *ratio = malloc(2 * measured->count * sizeof *ratio);
     size_t points = 0, runs = 0;
     if (!ratio)
         return status_memory(status);
+    double *mean = ratio + measured->count;
     for (size_t r = 0; r < measured->run_count; r++) {
         const struct measured_run *run = &measured->runs[r];
         size_t before = points;

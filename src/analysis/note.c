@@ -21,7 +21,8 @@ static void insert(struct note_list *list, size_t at, const char *subject, char 
 {
     struct note *notes = reallocarray(list->notes, list->count + 1, sizeof *notes);
     struct note note = {subject ? strdup(subject) : NULL, what, 0, refused_scan};
-    list->notes = notes ? notes : list->notes;
+    if (notes)
+        list->notes = notes;
     if (!notes || !what || (subject && !note.subject)) {
         free(note.subject);
         free(what);

@@ -91,9 +91,10 @@ static enum status_code take_robust_line(struct levelling *out, const struct rec
                                          struct status *status)
 {
     size_t n = record->points;
-    double *weight = malloc(2 * n * sizeof *weight), *size = weight + n, last = INFINITY, largest = 0;
+    double *weight = malloc(2 * n * sizeof *weight), last = INFINITY, largest = 0;
     if (!weight)
         return status_memory(status);
+    double *size = weight + n;
     for (size_t i = 0; i < n; i++)
         largest = fmax(largest, fabs(z[i]));
     struct polynomial line = fit(record, z, NULL, 1);

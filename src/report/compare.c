@@ -169,7 +169,10 @@ static void add_input(json_t *view, struct compared *all, json_t *const *of, con
     }
     same = same || scene_words_find(key, strlen(key), made, MADE) < MADE;
     if (!same && objects)
-        json_object_foreach(keys, below, ignored) add_input(view, all, values, text_string(&whole), below);
+        json_object_foreach(keys, below, ignored)
+        {
+            add_input(view, all, values, text_string(&whole), below);
+        }
     json_t *item = same || objects ? NULL : view_item(view_list(view, "inputs"));
     for (size_t k = 0; item && k < all->count; k++) {
         char *dumped = json_dumps(values[k], JSON_ENCODE_ANY | JSON_COMPACT | JSON_REAL_PRECISION(10));
@@ -225,7 +228,9 @@ static enum status_code add_report(json_t *view, struct compared *all, const cha
     text_free(&name);
     text_free(&bytes);
     json_array_foreach(json_object_get(results, "surfaces"), i, surface)
+    {
         json_object_set(surfaces, string(surface, "surface"), surface);
+    }
     double modulus_Pa = real(get(results, "scene", "effective_modulus_Pa"));
     double load = real(get(results, "scene", "operating_load_over_AnEp"));
     all->results[all->count] = results;
@@ -251,7 +256,10 @@ enum status_code report_compare(json_t **out, char *const *paths, size_t count, 
         add_input(view, &all, all.results, "", "version");
         add_input(view, &all, all.results, "", "leading");
         add_input(view, &all, all.results, "", "scene");
-        json_object_foreach(names, name, ignored) add_surface(view, &all, name);
+        json_object_foreach(names, name, ignored)
+        {
+            add_surface(view, &all, name);
+        }
         view_text(view, "model", all.leading);
         view_flag(view, "loads_differ", all.loads_differ);
         view_flag(view, "nothing_differs", !all.differ);
