@@ -49,7 +49,7 @@ _roughcontact()
         words+=' beryllium-copper copper-nickel-silicon solder indium' ;;
     *' --effects' | *' -e')
         kind=list
-        words='auto plasticity separation electrical thermal scale-dependent stiffness convergence uncertainty unloading direct gap film'
+        words='auto plasticity separation electrical thermal scale-dependent stiffness last-scale convergence uncertainty unloading direct gap film'
         words+=' plating heating' ;;
     *' --x-unit' | *' --z-unit') kind=words words='m mm um nm angstrom in uin mil' ;;
     *' --jobs' | *' -j' | *' --tolerance' | *' -t' | *' --column' | *' --lambda-'[sc] | 'synth -'[agrlncsd] | \

@@ -61,7 +61,8 @@ static void make_curve(struct surface_record *record, size_t index, size_t m, co
                                                   .value[QUANTITY_ECR] = ecr,
                                                   .value[QUANTITY_TCR] = 2e5 * ecr,
                                                   .value[QUANTITY_TCR_SCALE_DEPENDENT] = 1.02 * 2e5 * ecr,
-                                                  .value[QUANTITY_STIFFNESS] = 1e12 * ratio};
+                                                  .value[QUANTITY_STIFFNESS] = 1e12 * ratio,
+                                                  .value[QUANTITY_ECR_LAST_SCALE] = 0.1 * ecr};
         for (int q = 0; q < QUANTITY_COUNT; q++) /* any number that goes down as the area goes up */
             if (quantity_rows[q].from)
                 curve->points[i].value[q] = 3e12 * ecr;

@@ -63,8 +63,8 @@ static double on_axis(const struct contact_point *point, const struct axis *axis
 /** A resistance, or what goes as its inverse. */
 static bool is_resistance(enum quantity quantity)
 {
-    return quantity == QUANTITY_STIFFNESS || quantity == QUANTITY_JOINT || quantity == QUANTITY_JOINT_ECR ||
-           (QUANTITY_BIT(quantity) & QUANTITY_RESISTANCES);
+    return quantity == QUANTITY_STIFFNESS || quantity == QUANTITY_ECR_LAST_SCALE || quantity == QUANTITY_JOINT ||
+           quantity == QUANTITY_JOINT_ECR || (QUANTITY_BIT(quantity) & QUANTITY_RESISTANCES);
 }
 
 /** Points of a curve as one line. */
@@ -500,7 +500,8 @@ static bool begin_panel(struct chart *chart, const struct source *source, const 
                        quantity_rows[panel->y].logarithmic && panel->y != QUANTITY_TEMPERATURE);
 }
 
-/** A model's curve of a surface in such a panel: a statistical separation adjusted, a scale-dependent TCR dotted. */
+/** A model's curve of a surface in such a panel: a statistical separation adjusted; dotted: TCR scale-dependent,
+ * ECR of the last scale alone. */
 static void put_quantity(struct chart *chart, const struct source *source, const struct quantity_panel *panel,
                          size_t surface, size_t m, struct chart_curve look)
 {
@@ -513,8 +514,9 @@ static void put_quantity(struct chart *chart, const struct source *source, const
     look.dash = 3;
     look.width = 1.4;
     look.legend = "";
-    if (panel->y == QUANTITY_TCR && computes(source, m, QUANTITY_TCR_SCALE_DEPENDENT))
-        put_curve(chart, source, record, m, &x, &(struct axis){QUANTITY_TCR_SCALE_DEPENDENT, false, 1}, &look);
+    enum quantity also = panel->y == QUANTITY_TCR ? QUANTITY_TCR_SCALE_DEPENDENT : QUANTITY_ECR_LAST_SCALE;
+    if ((panel->y == QUANTITY_TCR || panel->y == QUANTITY_ECR) && computes(source, m, also))
+        put_curve(chart, source, record, m, &x, &(struct axis){also, false, 1}, &look);
 }
 
 /** The baseline in every model, a panel a quantity: those of chapter 6, or the joint's. */

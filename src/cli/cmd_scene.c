@@ -28,7 +28,8 @@ enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT, KEY_NO_COST, KEY_CHECK, KEY_BRIEF, KEY_JS
 static const struct argp_option scene_options[] = {
     {"material", 'm', "MATERIAL", 0, "a built-in material (default: the scene's, else none)", 1},
     {"effects", 'e', "EFFECTS", 0,
-     "auto, or some of plasticity, separation, electrical, thermal, scale-dependent, stiffness, convergence, "
+     "auto, or some of plasticity, separation, electrical, thermal, scale-dependent, stiffness, last-scale, "
+     "convergence, "
      "uncertainty, "
      "unloading, "
      "direct, gap, film, plating, heating, with commas "

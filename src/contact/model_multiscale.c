@@ -52,7 +52,7 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
 
 enum {
     COMPUTES = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
-               QUANTITY_BIT(QUANTITY_STIFFNESS) | QUANTITY_RESISTANCES
+               QUANTITY_BIT(QUANTITY_STIFFNESS) | QUANTITY_RESISTANCES | QUANTITY_BIT(QUANTITY_ECR_LAST_SCALE)
 };
 
 const struct model_row model_multiscale_elastic = {

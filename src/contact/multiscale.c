@@ -135,15 +135,19 @@ size_t multiscale_solve(struct contact_point *out, struct multiscale *stack, con
     double nominal_Pa = load * stack->effective_modulus_Pa;
     double area = 1, separation_m = 0;
     size_t clamped = 0;
-    struct constriction_sum sum = {0};
+    struct constriction_sum sum = {0}, last = {0};
     for (size_t i = 0; (i = next_open(stack, i, nominal_Pa / area)) < stack->count; i++) {
         const struct sinusoid_scale *scale = multiscale_scale(stack, i);
         struct sinusoid_cell cell;
         sinusoid_press(&cell, scale, stack->closure, nominal_Pa / area, with_gap); /* p_i = P/A_{i-1} (4.2) */
         if (with_gap)
             separation_m += scale->amplitude_m * cell.gap_ratio; /* (4.11*) */
-        if (conducts && cell.area_complement > 0)
-            constriction_add_scale(&sum, cell.area_ratio, cell.area_complement, scale->frequency_per_m, area);
+        if (conducts && cell.area_complement > 0) {
+            last = (struct constriction_sum){0};
+            constriction_add_scale(&last, cell.area_ratio, cell.area_complement, scale->frequency_per_m, area);
+            sum.by_radius += last.by_radius; /* scales in series (4.42*) */
+            sum.by_radius_squared += last.by_radius_squared;
+        }
         area *= cell.area_ratio; /* A_i = a_i A_{i-1} (4.1) */
         clamped += cell.limited;
         ++*evaluations;
@@ -155,6 +159,8 @@ size_t multiscale_solve(struct contact_point *out, struct multiscale *stack, con
         out->value[QUANTITY_SEPARATION] = separation_m;
     if (wanted & QUANTITY_BIT(QUANTITY_ECR))
         out->value[QUANTITY_ECR] = constriction_electrical(spot, &sum);
+    if (wanted & QUANTITY_BIT(QUANTITY_ECR_LAST_SCALE))
+        out->value[QUANTITY_ECR_LAST_SCALE] = constriction_electrical(spot, &last);
     if (wanted & QUANTITY_BIT(QUANTITY_TCR))
         out->value[QUANTITY_TCR] = constriction_thermal(spot, &sum);
     if (wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT))

@@ -18,6 +18,8 @@ const struct quantity_row quantity_rows[] = {
     {"tcr_K_m2_per_W", "tcr_K_m2_per_W", NULL, "TCR·Aₙ", "TCR", "K·m²/W", EFFECT_BIT(EFFECT_THERMAL), 0, true, false},
     {"tcr_sd_K_m2_per_W", "tcr_sd_K_m2_per_W", NULL, "TCR·Aₙ, scale-dependent", "TCR", "K·m²/W",
      EFFECT_BIT(EFFECT_SCALE_DEPENDENT), 0, true, false},
+    {"ecr_last_scale_ohm_m2", "ecr_last_scale_ohm_m2", NULL, "ECR·Aₙ, last scale", "ECR", "Ω·m²",
+     EFFECT_BIT(EFFECT_LAST_SCALE), 0, true, false},
     {"stiffness_Pa_per_m", "stiffness_Pa_per_m", NULL, "k/Aₙ", "stiffness", "Pa/m", EFFECT_BIT(EFFECT_STIFFNESS), 0,
      true, false},
     {"gap_W_per_m2K", "gap_W_per_m2K", NULL, "h_g", "h_g", "W/(m²·K)", EFFECT_BIT(EFFECT_GAP),

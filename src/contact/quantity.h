@@ -15,6 +15,7 @@ enum quantity {
     QUANTITY_ECR,        /* ECR A_n [ohm m²] */
     QUANTITY_TCR,        /* TCR A_n [K m²/W] */
     QUANTITY_TCR_SCALE_DEPENDENT, /* the same, scale-dependent */
+    QUANTITY_ECR_LAST_SCALE,      /* multiscale: of the finest scale that is not complete, alone [ohm m²] */
     QUANTITY_STIFFNESS,           /* k = -dP/d separation, of the mean planes, per A_n [Pa/m] */
     QUANTITY_GAP,                 /* h_g: of what fills the gaps [W/(m² K)] */
     QUANTITY_JOINT,               /* h_j = 1/(TCR A_n) + h_g [W/(m² K)] */

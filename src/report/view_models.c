@@ -108,6 +108,7 @@ static void put_one_surface(json_t *out, const struct view_source *source)
     view_flag(item, "has_ecr", wants(source, QUANTITY_ECR));
     view_flag(item, "has_tcr", wants(source, QUANTITY_TCR));
     view_flag(item, "has_stiffness", wants(source, QUANTITY_STIFFNESS));
+    view_flag(item, "has_last_scale", wants(source, QUANTITY_ECR_LAST_SCALE));
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(results->plan, m) && surface_model(&source->baseline->summary, m)->exists)
             put_model(item, source, m);

@@ -3,7 +3,7 @@
 #include "contact/multiscale.h"
 #include "model_support.h"
 
-enum { EVERYTHING = QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_RESISTANCES };
+enum { EVERYTHING = QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_RESISTANCES | QUANTITY_BIT(QUANTITY_ECR_LAST_SCALE) };
 
 TEST_CASE(matches_reference)
 {
@@ -68,7 +68,7 @@ static size_t walk(struct contact_point *out, size_t *open, const struct sinusoi
 {
     const struct constriction spot = constriction_make(pair);
     struct constriction_sum sum = {0};
-    double area = 1, separation_m = 0;
+    double area = 1, separation_m = 0, last = 0; /* resistance of the finest scale alone */
     size_t limited = 0;
     *open = 0;
     for (size_t i = 0; i < count; i++) {
@@ -76,8 +76,12 @@ static size_t walk(struct contact_point *out, size_t *open, const struct sinusoi
         sinusoid_press(&cell, &scales[i], closure, load * pair->effective_modulus_Pa / area, true);
         limited += cell.limited;
         separation_m += scales[i].amplitude_m * cell.gap_ratio;
-        if (cell.area_complement > 0)
+        if (cell.area_complement > 0) {
+            struct constriction_sum one = {0};
             constriction_add_scale(&sum, cell.area_ratio, cell.area_complement, scales[i].frequency_per_m, area);
+            constriction_add_scale(&one, cell.area_ratio, cell.area_complement, scales[i].frequency_per_m, area);
+            last = constriction_electrical(&spot, &one);
+        }
         area *= cell.area_ratio;
         *open += cell.area_complement > 0 || cell.gap_ratio > 0;
     }
@@ -86,6 +90,7 @@ static size_t walk(struct contact_point *out, size_t *open, const struct sinusoi
     out->value[QUANTITY_AREA] = area;
     out->value[QUANTITY_SEPARATION] = separation_m;
     out->value[QUANTITY_ECR] = constriction_electrical(&spot, &sum);
+    out->value[QUANTITY_ECR_LAST_SCALE] = last;
     out->value[QUANTITY_TCR] = constriction_thermal(&spot, &sum);
     out->value[QUANTITY_TCR_SCALE_DEPENDENT] = constriction_thermal_scale_dependent(&spot, &sum);
     return limited;

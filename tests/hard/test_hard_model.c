@@ -26,7 +26,8 @@ static void check_number(const struct model_row *row, const struct contact_point
 {
     double value = point->value[q];
     bool computes = row->quantities & QUANTITY_BIT(q),
-         may_lack = (row->may_be_empty | QUANTITY_BIT(QUANTITY_STIFFNESS)) & QUANTITY_BIT(q);
+         may_lack = (row->may_be_empty | QUANTITY_BIT(QUANTITY_STIFFNESS) | QUANTITY_BIT(QUANTITY_ECR_LAST_SCALE)) &
+                    QUANTITY_BIT(q);
     assert_true(computes ? isfinite(value) || (may_lack && isnan(value)) : isnan(value));
 }
 
