@@ -43,6 +43,37 @@ TEST_CASE(matches_reference)
     table_free(&table);
 }
 
+/** The golden gaps fall by load over stiffness: between two of their loads the slope is between the model's at both. */
+TEST_CASE(stiffness_is_the_slope_of_the_reference)
+{
+    struct table table = table_read("golden/strip/corrected_persson.csv");
+    const struct material_pair tin = model_support_tin();
+    size_t compared = 0;
+    for (size_t i = 0; i + 1 < table.rows; i++) {
+        const char *profile = table_text(&table, i, "profile");
+        if (strcmp(profile, table_text(&table, i + 1, "profile")) != 0)
+            continue;
+        struct spectrum spectrum = golden_spectrum(profile);
+        const double load[] = {table_number(&table, i, "load_over_AnEp"),
+                               table_number(&table, i + 1, "load_over_AnEp")};
+        const struct model_task task = {.spectrum = &spectrum,
+                                        .pair = &tin,
+                                        .loads = load,
+                                        .load_count = 2,
+                                        .wanted = MODEL_EVERYTHING | QUANTITY_BIT(QUANTITY_STIFFNESS),
+                                        .tolerance = 1e-8};
+        struct contact_point points[3];
+        double fall_m = table_number(&table, i, "gap_m") - table_number(&table, i + 1, "gap_m");
+        double slope = (load[1] - load[0]) * tin.effective_modulus_Pa / fall_m;
+        assert_int_equal(model_support_run(points, "corrected-persson", &task).count, 2);
+        assert_true(points[0].value[QUANTITY_STIFFNESS] < slope && slope < points[1].value[QUANTITY_STIFFNESS]);
+        spectrum_free(&spectrum);
+        compared++;
+    }
+    assert_true(compared >= 9);
+    table_free(&table);
+}
+
 /** The factors are the table at its knots, continuous between, and straight beyond; load and area are each other's
  * inverse. */
 TEST_CASE(factors)
