@@ -114,12 +114,7 @@ int signals_run(int (*body)(int argc, char **argv), int argc, char **argv);
  * end in order; else there are none. */
 const atomic_bool *signals_stop(int milliseconds);
 
-/** For the end of a body that must not return, as it has something to take down: the exit status that stands for
- * the signal that has come, else `exit_status`. */
-int signals_status(int exit_status);
-
-/** Is it for the caller to say that a signal has come? True once, false from then on. Of several processes, those that
- * are not to speak call it first. */
+/** Is it for the caller to say that a signal has come? True once, false from then on. */
 bool signals_first_word(void);
 
 #endif

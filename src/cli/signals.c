@@ -26,11 +26,6 @@ const atomic_bool *signals_stop(int milliseconds)
     return &stop;
 }
 
-int signals_status(int exit_status)
-{
-    return taken ? 128 + taken : exit_status;
-}
-
 bool signals_first_word(void)
 {
     return !atomic_exchange(&told, true);

@@ -28,14 +28,6 @@ bool sidecar_ending(const char *name, size_t *length)
     return false;
 }
 
-bool sidecar_fits(const char *beside, const char *scan)
-{
-    size_t stem;
-    if (!sidecar_ending(beside, &stem) || strcmp(beside, scan) == 0 || strncmp(beside, scan, stem) != 0)
-        return false;
-    return scan[stem] == '\0' || (scan[stem] == '.' && !strchr(scan + stem + 1, '.'));
-}
-
 /* A number of the JSON object, which may be written as a string; 0 when there is none. */
 static double dabam_number(const json_t *object, const char *key)
 {

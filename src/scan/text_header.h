@@ -57,9 +57,6 @@ struct text_header text_header_read(struct string_view preamble, char delimiter,
  * ... Two kinds are known: the JSON of the DABAM metrology database (X1_FACTOR, Y1_FACTOR, ...: metres or radians per
  * unit of a column), and lines such as `x_unit: mm`, as in the header of a text scan. */
 
-/** Can a file named `beside` be the sidecar of one named `scan`? Both without a directory. */
-bool sidecar_fits(const char *beside, const char *scan);
-
 /** Has `name` the ending of a sidecar? *length gets how much stands before that ending. */
 bool sidecar_ending(const char *name, size_t *length);
 
