@@ -58,7 +58,8 @@ static void write_rows(struct table *table)
     if (threads_wait(table->turn)) {
         if (table->rows.length > 0 && !whole->file && !whole->problem)
             open_table(whole, &table->header);
-        if (whole->file && fwrite(table->rows.data, 1, table->rows.length, whole->file) < table->rows.length)
+        if (table->rows.length > 0 && whole->file &&
+            fwrite(table->rows.data, 1, table->rows.length, whole->file) < table->rows.length)
             whole->problem = errno;
         table->problem = whole->problem;
     }

@@ -289,8 +289,8 @@ static enum status_code find_baseline(size_t *baseline, struct surfaces *all, co
     for (size_t i = 0; i < count; i++)
         surface_record_free(&results->surfaces[i]);
     free(results->by_roughness);
-    results->by_roughness = NULL;
-    results->usable_count = 0;
+    results->by_roughness = results->shown = NULL;
+    results->usable_count = results->shown_count = 0;
     *baseline = results->baseline;
     return rc;
 }
