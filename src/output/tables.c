@@ -18,6 +18,9 @@ enum {
  * the surfaces' order. */
 struct table {
     const char *directory, *name;
+    struct results_infinite *counted; /* infinite numbers of all tables; NULL: not */
+    size_t infinite;                  /* those of the rows held */
+    const char *infinite_column;      /* of the first of them */
     FILE *file;
     int problem;               /* errno of what failed; 0: nothing did */
     struct text header;        /* the columns' names, as the first row goes over them */
@@ -27,9 +30,9 @@ struct table {
     struct threads_turn *turn; /* of a part; NULL: no other thread writes */
 };
 
-static struct table table_make(const char *directory, const char *name)
+static struct table table_make(const struct results *results, const char *directory, const char *name)
 {
-    return (struct table){.directory = directory, .name = name};
+    return (struct table){.directory = directory, .name = name, .counted = results->infinite};
 }
 
 /** What one surface adds to a table. */
@@ -62,7 +65,14 @@ static void write_rows(struct table *table)
             fwrite(table->rows.data, 1, table->rows.length, whole->file) < table->rows.length)
             whole->problem = errno;
         table->problem = whole->problem;
+        if (table->infinite > 0 && whole->counted) {
+            if (whole->counted->count == 0)
+                snprintf(whole->counted->first, sizeof whole->counted->first, "%s in data/%s", table->infinite_column,
+                         whole->name);
+            whole->counted->count += table->infinite;
+        }
     }
+    table->infinite = 0;
     table->rows.length = 0;
 }
 
@@ -92,6 +102,8 @@ static void put(struct table *table, const char *name, const char *end, double v
     text_add_bytes(&table->rows, ",", 1);
     if (isfinite(value))
         text_add(&table->rows, "%.17g", value);
+    if (isinf(value) && table->infinite++ == 0)
+        table->infinite_column = name;
 }
 
 static void put_number(struct table *table, const char *name, double value)
@@ -253,9 +265,9 @@ enum status_code curve_tables_open(struct curve_tables **out, const struct resul
     if (!all)
         return status_memory(status);
     *all = (struct curve_tables){.binned = scene_bins_spectra(results->scene),
-                                 .spectrum = table_make(directory, "spectrum.csv"),
-                                 .contact = table_make(directory, "contact.csv"),
-                                 .bands = table_make(directory, "bands.csv"),
+                                 .spectrum = table_make(results, directory, "spectrum.csv"),
+                                 .contact = table_make(results, directory, "contact.csv"),
+                                 .bands = table_make(results, directory, "bands.csv"),
                                  .quantities = plan_quantities(plan)};
     for (int q = 0; q < QUANTITY_COUNT; q++)
         if (ensemble_band_holds((enum quantity)q) && (plan->wanted & QUANTITY_BIT(q)))
@@ -542,7 +554,7 @@ enum status_code tables_write(const struct results *results, const char *directo
     };
     enum status_code rc = scene_bins_spectra(results->scene) ? STATUS_OK : write_curves(results, directory, status);
     for (size_t f = 0; f < sizeof files / sizeof *files && rc == STATUS_OK; f++) {
-        struct table table = table_make(directory, files[f].name);
+        struct table table = table_make(results, directory, files[f].name);
         if (files[f].wanted)
             files[f].fill(&table, results);
         rc = table_close(&table, status);

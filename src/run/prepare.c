@@ -369,7 +369,8 @@ enum status_code prepare(struct prepared *out, const struct scene *scene, const 
     *out = (struct prepared){.counterface = NULL};
     plan_make(&out->allowed, scene);
     struct results *results = &out->results;
-    *results = (struct results){.scene = scene, .plan = &out->plan, .surface_count = scene->surface_count};
+    *results = (struct results){
+        .scene = scene, .plan = &out->plan, .surface_count = scene->surface_count, .infinite = &out->infinite};
     if (scene->surface_count == 0)
         return status_fail(status, STATUS_SCAN, "no scan in '%s': put the profilometer's files there",
                            scene->directory);

@@ -15,6 +15,7 @@ struct prepared {
     struct surface_record *counterface; /* NULL: smooth */
     struct measured *measured;          /* one a surface; NULL: none */
     struct results results;
+    struct results_infinite infinite; /* of the tables */
 };
 
 /** Runs every surface of the scene, one a thread: describes it and, unless `describe_only`, runs its models. A surface

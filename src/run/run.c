@@ -313,7 +313,12 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
         rc = status_memory(status);
     out->refused = messages_add(&out->messages, &run.prepared.results, rc == STATUS_OK);
     out->surfaces = run.prepared.results.surface_count - out->refused;
-    out->left_out = messages_left_out(&run.prepared);
+    out->left_out = messages_left_out(&run.prepared) + run.prepared.infinite.count;
+    if (run.prepared.infinite.count > 0)
+        text_add(&out->messages,
+                 "%zu number%s came out infinite and %s left empty, the first %s; check units and loads\n",
+                 run.prepared.infinite.count, run.prepared.infinite.count == 1 ? "" : "s",
+                 run.prepared.infinite.count == 1 ? "is" : "are", run.prepared.infinite.first);
     if (options->outline && rc == STATUS_OK)
         out->outline = json_outline(run.results);
     for (size_t k = 0; k < run.prepared.results.direct_count; k++)

@@ -32,7 +32,7 @@ struct run_times {
 
 struct run_outcome {
     size_t surfaces, refused; /* of the scene */
-    size_t left_out;          /* scans refused of surfaces that go on without */
+    size_t left_out;          /* scans refused of surfaces that go on without, and numbers that came out infinite */
     struct text messages;     /* messages_add(): one line a refused surface and a warning */
     struct text table;        /* the first page's table and sentence for a terminal */
     struct text missed;       /* one line a surface and limit that it misses */

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "contact/model.h"
+#include "made_up_results.h"
+#include "output/tables.h"
 #include "results/results.h"
 #include "run/pipeline.h"
 
@@ -306,6 +308,33 @@ TEST_CASE(test_what_does_not_run_leaves_nothing)
         assert_int_equal(directory_has(*state, "out-few/data/convergence.csv"), cases[i].study);
         table_free(&contact);
         table_free(&surfaces);
+    }
+}
+
+static void grow_beyond(struct surface_record *record, size_t index)
+{
+    struct model_curve *curve = &record->curves[made_up_model("gw")];
+    if (index == 1 && curve->exists)
+        curve->points[1].value[QUANTITY_ECR] = INFINITY;
+}
+
+/* A number that is infinite has an empty cell, and is counted, with where the first of them stands. */
+TEST_CASE(test_infinite_numbers_are_counted)
+{
+    directory_write(*state, "infinite/data/x", "");
+    for (int grown = 0; grown < 2; grown++) {
+        struct made_up made;
+        struct results_infinite infinite = {0};
+        struct status status = {0};
+        made_up_make(&made, grown ? grow_beyond : NULL);
+        made.results.infinite = &infinite;
+        assert_int_equal(tables_write(&made.results, directory_path(*state, "infinite"), &status), STATUS_OK);
+        struct text contact = directory_read(*state, "infinite/data/contact.csv");
+        assert_null(strstr(text_string(&contact), "inf"));
+        assert_int_equal(infinite.count, grown);
+        assert_string_equal(infinite.first, grown ? "ecr_ohm_m2 in data/contact.csv" : "");
+        text_free(&contact);
+        made_up_free(&made);
     }
 }
 
