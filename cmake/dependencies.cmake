@@ -6,7 +6,7 @@ pkg_check_modules(fftw REQUIRED IMPORTED_TARGET fftw3)
 pkg_check_modules(gsl REQUIRED IMPORTED_TARGET gsl)
 pkg_check_modules(yaml REQUIRED IMPORTED_TARGET yaml-0.1)
 pkg_check_modules(jansson REQUIRED IMPORTED_TARGET jansson)
-pkg_check_modules(md REQUIRED IMPORTED_TARGET libmd)
+pkg_check_modules(crypto REQUIRED IMPORTED_TARGET libcrypto)
 pkg_check_modules(md4c REQUIRED IMPORTED_TARGET md4c)
 pkg_check_modules(expat REQUIRED IMPORTED_TARGET expat)
 pkg_check_modules(zlib REQUIRED IMPORTED_TARGET zlib)
@@ -18,7 +18,7 @@ set(numerical ${fftw_threads} PkgConfig::fftw PkgConfig::gsl PkgConfig::jansson)
 
 # Their archives, one that needs another before it, for targets of the property TAKES_ARCHIVES: the program, which starts
 # in half the time. Not those of expat, libyaml, zlib and libzip, which Debian wants shared (lintian's embedded-library), nor
-# libmd's, of which only the file tells the version.
+# libcrypto's, which libzip brings along.
 option(ROUGHCONTACT_ARCHIVES "link the program with the archives of FFTW, GSL and jansson, where there are any" ON)
 foreach(name IN ITEMS fftw3_threads fftw3 gsl gslcblas jansson)
     find_library(archive_${name} lib${name}.a)
@@ -32,5 +32,5 @@ set(takes_archives $<BOOL:$<TARGET_PROPERTY:TAKES_ARCHIVES>>)
 
 add_library(roughcontact_dependencies INTERFACE)
 target_link_libraries(roughcontact_dependencies INTERFACE "$<${takes_archives}:${archives}>"
-                      "$<$<NOT:${takes_archives}>:${numerical}>" PkgConfig::yaml PkgConfig::md PkgConfig::md4c
+                      "$<$<NOT:${takes_archives}>:${numerical}>" PkgConfig::yaml PkgConfig::crypto PkgConfig::md4c
                       PkgConfig::expat PkgConfig::zlib PkgConfig::zip Threads::Threads m)

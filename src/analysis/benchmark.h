@@ -13,7 +13,7 @@ struct benchmark_row {
     const char *method;
     double setting;       /* sub-intervals, or a relative tolerance */
     uint64_t evaluations; /* of the law or of scales; the same on every machine */
-    double seconds;       /* least of several runs; of integrals, for 100 separations */
+    double seconds;       /* of one core, least of several runs; of integrals, for 100 separations */
     double error;         /* largest relative error over the study's quantities and points */
 };
 
@@ -23,8 +23,7 @@ enum { BENCHMARK_ROWS = 64 };
 struct benchmark {
     struct benchmark_row rows[BENCHMARK_ROWS];
     size_t count;
-    double seconds; /* that the studies took together */
-    double before;  /* that the run had taken when they began; 0: not known */
+    double before; /* that the run had taken to its curves; 0: not known */
 };
 
 /** What is studied: one surface that has been through its models. */

@@ -15,6 +15,7 @@ void strips_free(struct strips *strips)
 {
     free(strips->height_m);
     free(strips->joined);
+    bearing_free(&strips->bearing);
     *strips = (struct strips){.height_m = NULL};
 }
 
@@ -139,5 +140,5 @@ enum status_code strips_solve(struct strips *strips, struct ensemble *set, size_
         rc = solve(&set->members[p].strip, strips, which + p * strips->pairings, strips->pairings, surrogates, stop,
                    status);
     free(which);
-    return rc;
+    return rc == STATUS_OK && strips->joined ? bearing_make(&strips->bearing, &strips->rows, status) : rc;
 }

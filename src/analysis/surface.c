@@ -53,6 +53,7 @@ struct model_task surface_model_task(const struct surface_record *record, const 
         .hardness_Pa = record->summary.pair.hardness_Pa,
         .rows = record->strips.rows.rows > 0 ? &record->strips.rows : NULL,
         .strip = record->strips.joined,
+        .bearing = record->strips.joined ? &record->strips.bearing : NULL,
     };
 }
 

@@ -724,11 +724,10 @@ enum status_code figures_draw(struct figures *out, const struct results *results
     struct mustache_folder folder = {task->templates, ".gp", NULL, status};
     source.leading = asked_leading(results, &source.asked);
     source.hottest_C = fmin(metal ? metal->melting_K - 273.15 : NAN, 1000);
-    *out = (struct figures){0};
     for (size_t f = 0; f < FIGURE_ROWS + QUANTITY_FIGURES && status->code == STATUS_OK; f++) {
         const struct figure_row *row = f < FIGURE_ROWS ? &figure_rows[f] : NULL;
         const struct quantity_panel *panel = row ? NULL : &quantity_panels[f - FIGURE_ROWS];
-        if (task->brief && !(row && row->first_page))
+        if (task->cost != (row && row->make == make_accuracy) || (task->brief && !(row && row->first_page)))
             continue;
         struct chart chart = chart_make(row ? row->name : panel->file);
         snprintf(chart.numbers, sizeof chart.numbers, "%s", row ? row->numbers : "");

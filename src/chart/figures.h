@@ -27,10 +27,12 @@ struct figures_task {
     const char *terminal_size; /* "columns,rows": the main ones are drawn as text too; NULL: not so */
     bool brief;                /* those of the first page alone */
     struct words *words;
+    bool cost; /* that of what accuracy costs, once that is known, instead of all others */
 };
 
-/** Writes DIRECTORY/figures/NAME.csv and NAME.gp of those that what ran calls for, and has gnuplot draw each as SVG
- * while this goes on: gnuplot_finish() says how that went. Errors: STATUS_IO, STATUS_MEMORY, those of templates. */
+/** Adds to `out`: writes DIRECTORY/figures/NAME.csv and NAME.gp of those that what ran calls for, and has gnuplot draw
+ * each as SVG while this goes on: gnuplot_finish() says how that went. Errors: STATUS_IO, STATUS_MEMORY, those of
+ * templates. */
 MUST_CHECK enum status_code figures_draw(struct figures *out, const struct results *results,
                                          const struct figures_task *task, struct status *status);
 

@@ -81,8 +81,11 @@ static double crossings(const struct strip_rows *rows, double low_m, double high
     size_t steps = rows->points - !rows->periodic; /* of a row */
     for (size_t r = 0; r < rows->rows; r++) {
         const double *z = rows->height_m + r * rows->points;
-        for (size_t i = 0; i < steps; i++)
-            risen_m += fmax(fmin(z[i + 1 < rows->points ? i + 1 : 0], high_m) - fmax(z[i], low_m), 0);
+        for (size_t i = 0; i < steps; i++) {
+            double to_m = z[i + 1 < rows->points ? i + 1 : 0], from_m = z[i] > low_m ? z[i] : low_m;
+            to_m = to_m < high_m ? to_m : high_m; /* inline, as fmin() is not */
+            risen_m += to_m > from_m ? to_m - from_m : 0;
+        }
     }
     return risen_m / (high_m - low_m) / ((double)(rows->rows * steps) * rows->spacing_m);
 }

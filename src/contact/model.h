@@ -5,9 +5,9 @@
 #define CONTACT_MODEL_H
 
 #include "contact/asperity.h"
+#include "contact/bearing.h"
 #include "contact/quantity.h"
 #include "contact/sinusoid.h"
-#include "contact/strip.h"
 #include "spectrum/roughness.h"
 #include "spectrum/spectrum.h"
 #include <stdint.h>
@@ -24,9 +24,9 @@ struct model_task {
     double tolerance;
     enum sinusoid_fit_id sinusoid_fit;
     double hardness_Pa;            /* H_d of the softer body; NaN: not known */
-    const struct strip_rows *rows; /* its profiles, and these solved as a strip, for models that use_strip; NULL: not
-                                      there */
-    const struct strip *strip;
+    const struct strip_rows *rows; /* its profiles; NULL: not there */
+    const struct strip *strip;     /* these solved as a strip, for models that use_strip; NULL: not there */
+    const struct bearing *bearing; /* their heights in order, for those that are plastic too; NULL: not there */
     uint64_t *evaluations; /* what running models takes is added here: visits of scales, laws at quadrature nodes, loads
                               solved for a separation; NULL: it is not counted */
 };
@@ -68,7 +68,7 @@ struct model_row {
                                             heights do; NULL: none */
     bool stacks_scales;                  /* every harmonic is a scale: the convergence study speaks of it */
     const struct asperity_model *asperity_model; /* it sums this over model_task.asperities; NULL: it needs none */
-    bool uses_strip;                             /* works on model_task.strip, and model_task.rows where plastic */
+    bool uses_strip;                             /* works on model_task.strip, and model_task.bearing where plastic */
     unsigned quantities;                         /* QUANTITY_BITs it computes */
     double ln_sd[3]; /* of ln area, separation and resistance beside the scatter of scans, where the model says how far
                         it is from a surface of any heights; 0: it does not */

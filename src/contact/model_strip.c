@@ -47,12 +47,9 @@ static enum status_code elastic(struct bearing_contact *out, size_t *count, cons
 }
 
 /** Yield under the loads; what has too large an area then is left out. */
-static enum status_code harden(struct bearing_contact *contact, size_t *count, const struct persson *persson,
-                               const struct model_row *row, const struct model_task *task, struct status *status)
+static void harden(struct bearing_contact *contact, size_t *count, const struct persson *persson,
+                   const struct model_row *row, const struct model_task *task)
 {
-    struct bearing bearing = {0};
-    if (row->uses_strip && bearing_make(&bearing, task->rows, status) != STATUS_OK)
-        return status->code;
     for (size_t i = 0; i < *count; i++) {
         double ratio = task->loads[i] * task->pair->effective_modulus_Pa / task->hardness_Pa;
         double area = bearing_area(contact[i].area_ratio, ratio);
@@ -60,12 +57,10 @@ static enum status_code harden(struct bearing_contact *contact, size_t *count, c
             *count = i;
             break;
         }
-        struct bearing_at at =
-            row->uses_strip ? bearing_counted(area, &bearing) : bearing_gaussian(area, persson->m0_m2, persson->m2);
+        struct bearing_at at = row->uses_strip ? bearing_counted(area, task->bearing)
+                                               : bearing_gaussian(area, persson->m0_m2, persson->m2);
         contact[i] = bearing_contact(area, ratio, &contact[i], &at);
     }
-    bearing_free(&bearing);
-    return STATUS_OK;
 }
 
 static struct contact_point point_of(const struct bearing_contact *contact, double load, const struct model_row *row,
@@ -90,7 +85,7 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
                             struct status *status)
 {
     struct persson persson;
-    if (row->uses_strip && !(task->strip && task->rows))
+    if (row->uses_strip && !(task->strip && (task->bearing || !row->plastic)))
         return STATUS_OK;
     if (row->plastic && !(task->hardness_Pa > 0))
         return STATUS_OK;
@@ -100,7 +95,7 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     if (persson_make(&persson, task->spectrum, status) == STATUS_OK) {
         size_t count = 0;
         if (persson.m2 > 0 && elastic(contact, &count, &persson, row, task, status) == STATUS_OK && row->plastic)
-            (void)harden(contact, &count, &persson, row, task, status);
+            harden(contact, &count, &persson, row, task);
         for (size_t i = 0; i < count; i++)
             curve->points[i] = point_of(&contact[i], task->loads[i], row, task);
         curve->count = count;

@@ -498,6 +498,7 @@ static enum status_code run(struct roughcontact_curve **out, const struct roughc
     const struct model_row *row = find_model(model);
     double *over_modulus = NULL;
     struct strip *strip = NULL;
+    struct bearing bearing = {0};
     *out = NULL;
     if (!surface)
         return status_fail(status, STATUS_USAGE, "no surface is given");
@@ -511,6 +512,8 @@ static enum status_code run(struct roughcontact_curve **out, const struct roughc
     const struct strip_rows rows = {profile->height_m, 1, profile->points, profile->spacing_m, profile->periodic};
     if (code == STATUS_OK)
         code = solve_strip(&strip, row, &rows, status);
+    if (code == STATUS_OK && strip)
+        code = bearing_make(&bearing, &rows, status);
     if (code == STATUS_OK) {
         const struct model_task task = {.spectrum = &surface->spectrum,
                                         .asperities = surface->has_asperities ? &surface->asperities : NULL,
@@ -522,11 +525,13 @@ static enum status_code run(struct roughcontact_curve **out, const struct roughc
                                         .sinusoid_fit = SINUSOID_FIT_THESIS,
                                         .hardness_Pa = pair.hardness_Pa,
                                         .rows = &rows,
-                                        .strip = strip};
+                                        .strip = strip,
+                                        .bearing = strip ? &bearing : NULL};
         code = solve(made, row, &task, status);
     }
     free(over_modulus);
     free(strip);
+    bearing_free(&bearing);
     if (code == STATUS_OK)
         *out = made;
     else

@@ -209,6 +209,22 @@ static void add_surface(json_t *view, struct compared *all, const char *name)
     view_separate(json_object_get(item, "numbers"));
 }
 
+/** Puts loads that were given as forces or pressures back into newtons: over E' they change with the material. */
+static void give_back_loads(json_t *scene, double modulus_Pa)
+{
+    json_t *loads = json_object_get(scene, "loads_over_AnEp"), *load;
+    double scale_N = modulus_Pa * real(json_object_get(scene, "nominal_area_m2"));
+    char digits[32];
+    size_t i;
+    json_array_foreach(loads, i, load)
+    {
+        snprintf(digits, sizeof digits, "%.12g", real(load) * scale_N); /* without rounding's last digits */
+        json_array_set_new(loads, i, json_finite(strtod(digits, NULL)));
+    }
+    json_object_set(scene, "loads_N", loads);
+    json_object_del(scene, "loads_over_AnEp");
+}
+
 static enum status_code add_report(json_t *view, struct compared *all, const char *path, struct status *status)
 {
     struct text name = {0}, bytes = {0};
@@ -233,6 +249,8 @@ static enum status_code add_report(json_t *view, struct compared *all, const cha
     }
     double modulus_Pa = real(get(results, "scene", "effective_modulus_Pa"));
     double load = real(get(results, "scene", "operating_load_over_AnEp"));
+    if (get(results, "scene", "load_unit"))
+        give_back_loads(json_object_get(results, "scene"), modulus_Pa);
     all->results[all->count] = results;
     all->surfaces[all->count++] = surfaces;
     view_count(item, "report", all->count);

@@ -313,7 +313,7 @@ static void hash_script(struct page *page, const char *skeleton)
     struct hash hash = hash_start();
     if (end)
         hash_add(&hash, start + strlen("<script>"), (size_t)(end - start) - strlen("<script>"));
-    SHA256Final(page->script_hash, &hash.context);
+    SHA256_Final(page->script_hash, &hash.context);
 }
 
 enum status_code html_render(struct text *out, const char *markdown, const char *title, const char *directory,

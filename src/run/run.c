@@ -180,14 +180,11 @@ static enum status_code run_direct(struct run *run, struct status *status)
 /** What accuracy costs, on the baseline surface. */
 static enum status_code measure_cost(struct run *run, struct status *status)
 {
-    double before = clock_seconds() - run->started;
     const struct results *results = run->results;
     const struct benchmark_task task = {&results->surfaces[results->baseline], results->scene, results->plan,
                                         results_loads(results, results->baseline), results->load_count};
-    enum status_code rc = benchmark_measure(&run->benchmark, &task, status);
-    run->benchmark.before = before;
     run->results->benchmark = &run->benchmark;
-    return rc;
+    return benchmark_measure(&run->benchmark, &task, status);
 }
 
 /** A stage's wall time: from the last call to this one. */
@@ -216,9 +213,6 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
     if (plan_runs(results->plan, EFFECT_DIRECT) && run_direct(run, status) != STATUS_OK)
         return status->code;
     out->times.direct = results->studies.contact_seconds = lap(&last);
-    if (!run->options->no_cost && measure_cost(run, status) != STATUS_OK)
-        return status->code;
-    out->times.cost = run->benchmark.seconds;
     out->evaluations = prepare_table(&out->work, results, true);
     add_times(&out->times, results);
     return STATUS_OK;
@@ -229,18 +223,26 @@ static bool stopped(const struct run *run)
     return run->options->stop && *run->options->stop;
 }
 
-/** From the evaluated surfaces to the files of the report. */
+/** From the evaluated surfaces to the files of the report. gnuplot draws while costs are measured and tables written.
+ */
 static enum status_code write_all(struct run *run, struct run_outcome *out, struct status *status)
 {
     const struct run_options *options = run->options;
     const char *staging = run->output.staging;
-    const struct figures_task drawing = {&run->gnuplot,          staging,        options->templates,
-                                         options->terminal_size, options->brief, &run->words};
-    struct figures figures;
-    double last = clock_seconds();
+    struct figures_task drawing = {&run->gnuplot, staging, options->templates, options->terminal_size, options->brief,
+                                   &run->words,   false};
+    struct figures figures = {.count = 0};
+    double last = clock_seconds(), before = last - run->started;
     if (figures_draw(&figures, run->results, &drawing, status) != STATUS_OK || stopped(run))
         return status->code;
     out->times.figures = lap(&last);
+    if (!options->no_cost && measure_cost(run, status) != STATUS_OK)
+        return status->code;
+    run->benchmark.before = before;
+    out->times.cost = lap(&last);
+    drawing.cost = true;
+    if (figures_draw(&figures, run->results, &drawing, status) != STATUS_OK || stopped(run))
+        return status->code;
     if (tables_write(run->results, staging, status) != STATUS_OK || stopped(run) ||
         comparison_make(&run->comparison, run->results, status) != STATUS_OK ||
         json_write(run->results, &run->comparison, staging, status) != STATUS_OK || stopped(run) ||

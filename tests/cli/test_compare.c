@@ -55,6 +55,7 @@ TEST_IN_WORKSPACE(finished_reports)
     make_report(place, "hard", 1, "material: tin\noperating_load: 2 N\nhardness: 60 MPa");
     make_report(place, "scans", 11, "material: tin\noperating_load: 2 N");
     make_report(place, "load", 1, "material: copper\noperating_load: 5 N");
+    make_report(place, "copper", 1, "material: copper\noperating_load: 2 N");
     json_t *view = compare(place, "one", "one", "Nothing differs.");
     at(view, "surfaces.1.numbers.3.lines.1.same", "true");
     json_decref(view);
@@ -68,10 +69,18 @@ TEST_IN_WORKSPACE(finished_reports)
                 at(results, "surfaces.0.models.corrected-persson-plastic.operating.area_ratio", NULL), 1e-15);
     json_decref(results);
     json_decref(view);
+    view = compare(place, "one", "copper", "material"); /* the loads are the same newtons */
+    char *inputs = json_dumps(json_object_get(view, "inputs"), 0);
+    expect_part(inputs, "scene.material.E_Pa");
+    assert_null(strstr(inputs, "loads"));
+    free(inputs);
+    json_decref(view);
     view = compare(place, "one", "scans", "(p = ");
     at(view, "inputs.0.key", "\"a.sha256\"");
     at(view, "inputs.1", "");
     at(view, "surfaces.1.numbers.2.lines.1.same", "true");
+    json_decref(view);
+    view = compare(place, "one", "load", "scene.loads_N");
     json_decref(view);
     /* another load and E': between rows of contact.csv, at 2 MPa; the last such are those of b, plastic */
     view = compare(place, "one", "load", "Operating loads differ");

@@ -313,9 +313,10 @@ TEST_IN_WORKSPACE(test_measured)
     snprintf(text, sizeof text, scene, surfaces);
     workspace_write(place, "d/scene.yaml", text);
     run_to_exit(place, 0, "report", "d", "--no-cost");
-    expect_in_file(place, "out/d/report.md", "Your measurement of *a* reaches ", "12 points measured on *a* in 2 runs",
-                   "Your contact carries 0.60 of the predicted conductance, ×÷ 10. Targets' loads on it are ",
-                   "Your contact carries 0.50 of the predicted conductance.\n", "6 points measured on *c*. ");
+    expect_in_file(
+        place, "out/d/report.md", "Your measurement of *a* reaches ", "12 points measured on *a* in 2 runs",
+        "; your contact carries 0.60 of the predicted conductance, ×÷ 10. Targets' loads on it are solved with that.\n",
+        "unloading; your contact carries 0.50 of the predicted conductance.\n", "6 points measured on *c*. ");
     struct table answers = workspace_table(place, "out/d/data/answers.csv");
     assert_string_equal(table_text(&answers, 1, "surface"), "a");
     assert_near(table_number(&answers, 1, "load_over_AnEp"), target_load, 1e-5);

@@ -175,11 +175,15 @@ TEST_CASE(models)
                               .rows = &rows,
                               .strip = &strip};
     struct model_curve curve[4];
+    struct bearing bearing;
+    struct status status = {0};
+    assert_false(model_support_run(points[3], "strip-plastic", &task).exists); /* not in order */
+    assert_int_equal(bearing_make(&bearing, &rows, &status), STATUS_OK);
+    task.bearing = &bearing;
     for (int m = 0; m < 4; m++)
         curve[m] = model_support_run(points[m], names[m], &task);
     double m2 = spectrum_moment(&spectrum, 1);
     struct persson persson;
-    struct status status = {0};
     assert_int_equal(persson_make(&persson, &spectrum, &status), STATUS_OK);
     double sixth = corrected_persson_area(load[5], m2);
     struct corrected_persson_point at;
@@ -219,5 +223,6 @@ TEST_CASE(models)
     task.strip = NULL;
     curve[1] = model_support_run(points[1], names[1], &task);
     assert_false(curve[1].exists);
+    bearing_free(&bearing);
     spectrum_free(&spectrum);
 }

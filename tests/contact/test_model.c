@@ -108,6 +108,10 @@ TEST_CASE(test_any_task)
                                   .hardness_Pa = pow(10, 6 + 3 * next_share(&seed)),
                                   .rows = points > 1 ? &rows : NULL,
                                   .strip = points > 1 ? &strip : NULL};
+        struct bearing bearing;
+        struct status status = {0};
+        assert_int_equal(bearing_make(&bearing, &rows, &status), STATUS_OK);
+        task.bearing = points > 1 ? &bearing : NULL;
         for (size_t m = 0; m < model_count; m++) {
             struct contact_point out[MODEL_LOADS + 1];
             struct model_curve curve = model_support_run(out, model_rows[m]->name, &task);
@@ -116,6 +120,7 @@ TEST_CASE(test_any_task)
                 assert_nothing(&out[i], model_rows[m]->quantities);
             assert_nothing(&curve.full, model_rows[m]->quantities);
         }
+        bearing_free(&bearing);
         spectrum_free(&spectrum);
     }
     for (size_t m = 0; m < model_count; m++)

@@ -111,7 +111,7 @@ TEST_CASE(the_report_says_them_in_words)
     struct text report = report_of(&made);
     assert_says(&report, "**At 10.0\u00a0N the contact resistance is 50.0\u00a0µΩ**");
     assert_says(&report, "*alpha* is significantly better than all others tested");
-    assert_says(&report, "The model gives 0.67 times the measured resistance.");
+    assert_says(&report, "Your contact carries 0.67 of the predicted conductance");
     assert_says(&report, "**1 refused**");
     assert_says(&report, "| beta | 0.200 |");
     assert_says(&report, "Table 6.2");
