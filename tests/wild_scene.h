@@ -73,8 +73,8 @@ static const struct wild_key {
 };
 enum { WILD_KEYS = sizeof wild_keys / sizeof *wild_keys, WILD_VALUES = sizeof wild_keys->values / sizeof(char *) };
 
-/* Adds the lines of a scene but those of keys in `but`, NULL behind the last; `below` gives a number from 0 to below the
- * one it is given. */
+/* Adds the lines of a scene but those of keys in `but`, NULL behind the last; `below` gives a number from 0 to below
+ * the one it is given. */
 static inline void wild_scene(struct text *out, const char *const *but, size_t (*below)(size_t count))
 {
     text_add(out, "title: wild\n");

@@ -126,7 +126,8 @@ static void expect_reported_or_refused(const char *place, size_t seed)
     write_scene(place);
     struct process run = process_run(place, "report", "in", "-o", "out", once_in(8) ? "-v" : "--no-cost");
     print_message("exit status %d\n", run.status);
-    if (run.status == 3 && !strstr(run.err, "the counterface cannot be read")) /* what the material lacks for what was asked */
+    if (run.status == 3 &&
+        !strstr(run.err, "the counterface cannot be read")) /* what the material lacks for what was asked */
         expect_part(run.err, "in/scene.yaml:");
     else if (run.status != 0 && run.status != 1 && run.status != 3 && run.status != 4)
         fail_msg("exit status %d: ...%s", run.status, run.err + (strlen(run.err) > 400 ? strlen(run.err) - 400 : 0));

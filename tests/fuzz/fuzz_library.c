@@ -36,7 +36,7 @@ static double next_number(void)
     return kind > 28 ? any : pow(10, -(double)kind / 2) * (1 + next(256));
 }
 
-/* A word of a list, now and then NULL or one that is none. */
+/* A word of a list, now and then NULL or one of letters that is none. */
 static const char *next_word(const char *const *words, unsigned count)
 {
     static char none[8];
@@ -44,7 +44,7 @@ static const char *next_word(const char *const *words, unsigned count)
     if (i < count)
         return words[i];
     for (size_t k = 0; k + 1 < sizeof none; k++)
-        none[k] = (char)(next(256) % 95 + 32); // TODO
+        none[k] = (char)(next(256) % 95 + 32);
     return i == count ? NULL : none;
 }
 
