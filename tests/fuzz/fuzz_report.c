@@ -117,7 +117,7 @@ static bool report(const struct scene *scene)
     const struct run_options options = {.output = out,
                                         .templates = PROJECT_SOURCE "/templates",
                                         .no_cost = below(16) > 0,
-                                        .brief = below(4) == 0,
+                                        .brief = below(4) > 0,
                                         .jobs = 1};
     enum status_code code = run_report(&outcome, scene, &options, &status);
     if (code == STATUS_OK) {
