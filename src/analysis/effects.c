@@ -3,6 +3,7 @@
 
 #include "contact/convergence.h"
 #include "contact/corrected_persson.h"
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 
@@ -88,7 +89,7 @@ static void decide_plasticity(struct plan *plan, const struct scene *scene, cons
     snprintf(effect->reason, sizeof effect->reason,
              runs ? "spots might bear up to %.2g times the hardness"
                   : "no spot bears more than %.2g times the hardness",
-             most);
+             fmin(most, DBL_MAX));
     if (!runs)
         plan_switch_off(plan, EFFECT_PLASTICITY);
 }
@@ -100,7 +101,7 @@ static void decide_scale_dependence(struct plan *plan, const struct surface_reco
     double most = 0;
     for (size_t i = 0; i < count; i++)
         most = fmax(most, surfaces[i].summary.scale_dependence);
-    snprintf(effect->reason, sizeof effect->reason, "(8/3π) λmfp/a raises TCR by up to %.2g%s", most,
+    snprintf(effect->reason, sizeof effect->reason, "(8/3π) λmfp/a raises TCR by up to %.2g%s", fmin(most, DBL_MAX),
              most > tolerance ? "" : ", below the tolerance");
     if (!(most > tolerance))
         plan_switch_off(plan, EFFECT_SCALE_DEPENDENT);

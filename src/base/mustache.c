@@ -33,13 +33,20 @@ struct render {
     size_t depth, partials;
 };
 
+/** How much of a tag a message shows, which is one line. */
+static int first_line(const char *tag, size_t length)
+{
+    size_t line = strcspn(tag, "\r\n");
+    return (int)(line < length ? line : length);
+}
+
 static enum status_code fail(struct status *status, const char *name, const char *source, const char *at,
                              const char *what, const char *tag, size_t length)
 {
     int line = 1;
     for (const char *p = source; p < at; p++)
         line += *p == '\n';
-    return status_fail(status, STATUS_USAGE, "%s, line %d: %s '%.*s'", name, line, what, (int)length, tag);
+    return status_fail(status, STATUS_USAGE, "%s, line %d: %s '%.*s'", name, line, what, first_line(tag, length), tag);
 }
 
 /** The tag's name without blanks around it. */
@@ -99,7 +106,7 @@ static enum status_code tokenize(struct tokens *out, const char *source, const c
         snprintf(closing, sizeof closing, "%s%s", sign && *sign == '{' ? "}" : "", delimiters.close);
         const char *close = strstr(inside, closing);
         if (!close)
-            return fail(status, name, source, tag, "tag that is not closed:", tag, strcspn(tag, "\n"));
+            return fail(status, name, source, tag, "tag that is not closed:", tag, strlen(tag));
         const char *start = tag, *end = close + strlen(closing);
         struct token token = {.kind = sign ? kinds[sign - signs] : TOKEN_VARIABLE,
                               .start = inside + (sign != NULL),
@@ -217,7 +224,7 @@ static enum status_code render_section(struct render *render, const struct token
         return render_tokens(render, tokens, at + 1, token->end);
     if (render->depth == DEPTH_MOST)
         return status_fail(render->status, STATUS_USAGE, "too many sections within each other: '%.*s'",
-                           (int)token->length, token->start);
+                           first_line(token->start, token->length), token->start);
     size_t items = json_is_array(value) ? json_array_size(value) : 1;
     enum status_code rc = STATUS_OK;
     for (size_t i = 0; i < items && rc == STATUS_OK; i++) {

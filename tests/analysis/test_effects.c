@@ -119,6 +119,9 @@ PLACED(test_decisions)
     assert_string_equal(plan.effects[EFFECT_SCALE_DEPENDENT].reason,
                         "(8/3π) λmfp/a raises TCR by up to 9.9e-05, below the tolerance");
     assert_false(plan.wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT));
+    decide(INFINITY, INFINITY); /* beyond what can be computed with: no number is written so */
+    assert_string_equal(plan.effects[EFFECT_PLASTICITY].reason, "spots might bear up to 1.8e+308 times the hardness");
+    assert_string_equal(plan.effects[EFFECT_SCALE_DEPENDENT].reason, "(8/3π) λmfp/a raises TCR by up to 1.8e+308");
     scene.effects_auto = false; /* listed: run */
     decide(0, 0);
     assert_true(plan_runs(&plan, EFFECT_PLASTICITY) && plan_runs(&plan, EFFECT_SCALE_DEPENDENT));

@@ -68,6 +68,7 @@ static const struct {
     {"one\ntwo {{/x}}", "{}", "", NULL, "line 2"},
     {"one {{x", "{}", "", NULL, "not closed"},
     {"{{#x}}{{/y}}", "{}", "", NULL, "not open"},
+    {"{{#x}}{{/y\nz}}", "{}", "", NULL, "not open: 'y'"}, /* messages are one line */
     {"{{=x=}}", "{}", "", NULL, "delimiters"},
     {"{{>p}}", "{}", "{{>p}}", NULL, "without end"},
 };

@@ -23,15 +23,30 @@ void fuzz_scan(const uint8_t *bytes, size_t length);
 /** The text of a scene.yaml. */
 void fuzz_scene(const uint8_t *bytes, size_t length);
 /** One letter, then a text: E or T a file of measured resistances, J a sidecar, M the properties of a material, as they
- * stand in a scene. */
+ * stand in a scene, R the results.json of two reports, which are compared, with a form feed between, P a template. */
 void fuzz_measured(const uint8_t *bytes, size_t length);
+
+/** Calls of the library: a byte says which, those behind it with what. */
+void fuzz_library(const uint8_t *bytes, size_t length);
+/** The bytes of a file of scans, as fuzz_scan() takes them, whose last ones choose the scene of a whole report. */
+void fuzz_report(const uint8_t *bytes, size_t length);
+
+/** A file on the heap, so that AddressSanitizer sees every read beyond its end. Inputs that begin with "zip:" or "gz:"
+ * are packed first. To be freed. */
+char *fuzz_file(const char *bytes, size_t *length);
 
 /** How many runs so far were of a good scan of that format. */
 size_t fuzz_scan_good(const char *format);
+/** How many reports were written. */
+size_t fuzz_report_good(void);
+/** How often the call that succeeded least did so. */
+size_t fuzz_library_good(void);
 
-/** Prints how many runs each format, or kind of text, had. */
+/** Prints how many runs each format, kind of text, or call had. */
 void fuzz_scan_counts(void);
 void fuzz_scene_counts(void);
 void fuzz_measured_counts(void);
+void fuzz_library_counts(void);
+void fuzz_report_counts(void);
 
 #endif

@@ -74,9 +74,7 @@ static struct text pack_zip(const char *at, const char *end)
     return text;
 }
 
-/* A file on the heap, so that AddressSanitizer sees every read beyond its end. Inputs that begin with "zip:" or "gz:"
- * are packed first. */
-static char *file_of(const char *bytes, size_t *length)
+char *fuzz_file(const char *bytes, size_t *length)
 {
     struct text packed = {0};
     if (*length > 4 && memcmp(bytes, "zip:", 4) == 0)
@@ -103,7 +101,7 @@ void fuzz_scan(const uint8_t *bytes, size_t length)
         options.z_column = 2;
     }
     const char *only = getenv("ROUGHCONTACT_FUZZ_FORMAT"); /* one reader alone */
-    char *copy = file_of((const char *)bytes, &length);
+    char *copy = fuzz_file((const char *)bytes, &length);
     const struct scan_bytes file = {copy, length, "file.dat"};
     const char *format = format_of(&(struct scan_file){.bytes = copy, .length = length, .path = file.path}, true).name;
     bool any = false;

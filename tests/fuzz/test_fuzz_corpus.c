@@ -11,8 +11,6 @@
 #include <stdio.h>
 #include <sys/stat.h>
 
-enum { CHANGED = 60, CUT = 20 }; /* versions of each file */
-
 typedef void fuzz_target(const uint8_t *bytes, size_t length);
 
 /* xorshift64*: the same changes on every machine. */
@@ -61,15 +59,15 @@ static void change(struct text *text, uint64_t *seed)
     *text = changed;
 }
 
-/* The file as it is, and what becomes of it. */
-static void run(const struct text *bytes, fuzz_target *target)
+/* The file as it is, and what becomes of it: a quarter of `versions` cut off, the rest changed. */
+static void run(const struct text *bytes, fuzz_target *target, size_t versions)
 {
     static uint64_t seed = 20240229;
     const uint8_t *data = (const uint8_t *)text_string(bytes);
     target(data, bytes->length);
-    for (size_t k = 1; k < CUT; k++)
-        target(data, bytes->length * k / CUT);
-    for (int i = 0; i < CHANGED; i++) {
+    for (size_t k = 1; k < versions / 4; k++)
+        target(data, bytes->length * k / (versions / 4));
+    for (size_t i = versions / 4; i < versions; i++) {
         struct text text = {0};
         text_add_bytes(&text, text_string(bytes), bytes->length);
         for (size_t changes = 1 + below(&seed, 3); changes > 0 && text.length > 0; changes--)
@@ -79,7 +77,7 @@ static void run(const struct text *bytes, fuzz_target *target)
     }
 }
 
-static size_t replay(const char *path, fuzz_target *target)
+static size_t replay(const char *path, fuzz_target *target, size_t versions)
 {
     struct dirent **entries = NULL;
     int count = scandir(path, &entries, NULL, alphasort);
@@ -95,14 +93,14 @@ static size_t replay(const char *path, fuzz_target *target)
             continue;
         assert_int_equal(stat(name, &info), 0);
         if (S_ISDIR(info.st_mode)) {
-            files += replay(name, target);
+            files += replay(name, target, versions);
             continue;
         }
         struct text bytes = {0};
         struct status status = {0};
         assert_int_equal(text_read_file(&bytes, name, &status), STATUS_OK);
         fprintf(stderr, "%s\n", strrchr(name, '/') + 1); /* the last of these is the one that aborted */
-        run(&bytes, target);
+        run(&bytes, target, versions);
         files++;
         text_free(&bytes);
     }
@@ -114,7 +112,7 @@ static size_t replay(const char *path, fuzz_target *target)
 
 TEST_CASE(test_scan)
 {
-    assert_true(replay(CORPUS "scan", fuzz_scan) > 150);
+    assert_true(replay(CORPUS "scan", fuzz_scan, 80) > 150);
     static const char *const packed[] = {"zip", "gz"};
     for (size_t i = 0; i < scan_reader_count + 2; i++) {
         const char *format = i < scan_reader_count ? scan_readers[i].name : packed[i - scan_reader_count];
@@ -125,10 +123,22 @@ TEST_CASE(test_scan)
 
 TEST_CASE(test_scene)
 {
-    assert_true(replay(CORPUS "scene", fuzz_scene) > 20);
+    assert_true(replay(CORPUS "scene", fuzz_scene, 80) > 20);
 }
 
 TEST_CASE(test_measured)
 {
-    assert_true(replay(CORPUS "measured", fuzz_measured) > 20);
+    assert_true(replay(CORPUS "measured", fuzz_measured, 80) > 20);
+}
+
+TEST_CASE(test_library)
+{
+    assert_true(replay(CORPUS "library", fuzz_library, 80) > 1);
+    assert_true(fuzz_library_good() > 0);
+}
+
+TEST_CASE(test_report)
+{
+    assert_true(replay(CORPUS "report", fuzz_report, 12) > 15);
+    assert_true(fuzz_report_good() > 20);
 }

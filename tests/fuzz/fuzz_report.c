@@ -1,0 +1,166 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "fuzz/fuzz.h"
+
+#include "chart/gnuplot.h"
+#include "run/pipeline.h"
+#include "wild_scene.h"
+#include <ctype.h>
+
+enum { CHOICES = 8 };
+
+static size_t runs, reports;
+
+void fuzz_report_counts(void)
+{
+    fprintf(stderr, "runs of reports %zu, written %zu\n", runs, reports);
+}
+
+size_t fuzz_report_good(void)
+{
+    return reports;
+}
+
+/* In place of gnuplot (ld --wrap, tests/CMakeLists.txt): every picture is there, and nothing on it. */
+enum status_code __wrap_gnuplot_start(struct gnuplot *out, const char *directory, struct status *status);
+void __wrap_gnuplot_send(struct gnuplot *gnuplot, const char *commands);
+enum status_code __wrap_gnuplot_finish(struct gnuplot *gnuplot, struct status *status);
+
+static char figures[4096];
+
+enum status_code __wrap_gnuplot_start(struct gnuplot *out, const char *directory, struct status *status)
+{
+    (void)status;
+    *out = (struct gnuplot){.input = -1};
+    snprintf(figures, sizeof figures, "%s", directory);
+    return STATUS_OK;
+}
+
+void __wrap_gnuplot_send(struct gnuplot *gnuplot, const char *commands)
+{
+    char name[64];
+    struct text path = {0};
+    struct status status = {0};
+    (void)gnuplot;
+    FUZZ_REQUIRE(sscanf(commands, "load '%63[a-z0-9-].gp'", name) == 1);
+    text_add(&path, "%s/%s.svg", figures, name);
+    FUZZ_REQUIRE(text_write_file(text_string(&path), "<svg/>", 6, &status) == STATUS_OK);
+    text_free(&path);
+}
+
+enum status_code __wrap_gnuplot_finish(struct gnuplot *gnuplot, struct status *status)
+{
+    (void)gnuplot, (void)status;
+    return STATUS_OK;
+}
+
+/* splitmix64 of the input's last bytes, which so choose the scene whatever the rest is */
+static uint64_t chosen;
+
+static size_t below(size_t count)
+{
+    uint64_t z = chosen += 0x9E3779B97F4A7C15u;
+    z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
+    z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
+    return (size_t)((z ^ (z >> 31)) % count);
+}
+
+static struct directory place;
+
+static void remove_place(void)
+{
+    directory_remove(&place);
+}
+
+/* Made once, in memory where there is such a place, with a scan that is good. */
+static void make_place(void)
+{
+    if (place.path[0])
+        return;
+    if (!getenv("TMPDIR") && access("/dev/shm", W_OK) == 0)
+        setenv("TMPDIR", "/dev/shm", 1);
+    place = directory_make();
+    atexit(remove_place);
+    pipeline_rough(&place, "good.csv", 64, 1, 1);
+    directory_write(&place, "s1/scan0.csv", "");
+    pipeline_rough(&place, "s1/scan0.csv", 40, 1, 2);
+}
+
+static void put(const char *name, const char *bytes, size_t length)
+{
+    struct status status = {0};
+    FUZZ_REQUIRE(text_write_file(directory_path(&place, name), bytes, length, &status) == STATUS_OK);
+}
+
+/* What stands in a file of the report is a number, or nothing. */
+static void require_numbers(const char *name)
+{
+    static const char *const words[] = {"nan", "inf", "infinity"};
+    struct text text = directory_read(&place, name);
+    for (const char *at = text_string(&text); *at;) {
+        size_t length = 0;
+        while (isalnum((unsigned char)at[length]) || at[length] == '_')
+            length++;
+        for (size_t w = 0; w < sizeof words / sizeof *words; w++)
+            FUZZ_REQUIRE(strlen(words[w]) != length || strncasecmp(at, words[w], length) != 0);
+        at += length ? length : 1;
+    }
+    FUZZ_REQUIRE(text.length > 0);
+    text_free(&text);
+}
+
+static bool report(const struct scene *scene)
+{
+    struct run_outcome outcome;
+    struct status status = {0};
+    char out[256];
+    snprintf(out, sizeof out, "%s/out", place.path);
+    const struct run_options options = {.output = out,
+                                        .templates = PROJECT_SOURCE "/templates",
+                                        .no_cost = below(16) > 0,
+                                        .brief = below(4) > 0,
+                                        .jobs = 1};
+    enum status_code code = run_report(&outcome, scene, &options, &status);
+    if (code == STATUS_OK) {
+        FUZZ_REQUIRE(outcome.surfaces > 0 && outcome.path);
+        require_numbers("out/data/surfaces.csv");
+        require_numbers("out/data/contact.csv");
+    } else {
+        FUZZ_REQUIRE((code == STATUS_SCAN || code == STATUS_SCENE) && *status.message);
+        FUZZ_REQUIRE(!strchr(status.message, '\n'));
+    }
+    run_outcome_free(&outcome);
+    return code == STATUS_OK;
+}
+
+/* The file twice, as repeated scans of a surface or as two, beside one that is good. */
+void fuzz_report(const uint8_t *bytes, size_t length)
+{
+    static const char *const surfaces[] = {
+        "{name: s1, file: scan.dat, x_unit: um, z_unit: um}",
+        "{name: s1, file: [scan.dat, again.dat], x_unit: um, z_unit: um}",
+        "{name: s1, file: scan.dat, x_unit: mm, z_unit: nm, column: [1, 2]}, {name: s2, file: good.csv}",
+        "{name: s1, file: [good.csv, scan.dat], x_unit: um, z_unit: um}"};
+    static const char *const quick[] = {"load", "tolerance", "direct", "effects", NULL}; /* no seconds for a run */
+    static const char *const effects[] = {"[]", "[separation, convergence]", "[separation, stiffness, last-scale]",
+                                          "auto"};
+    struct scene scene;
+    struct status status = {0};
+    struct text text = {0};
+    make_place();
+    chosen = 0;
+    memcpy(&chosen, bytes + (length > CHOICES ? length - CHOICES : 0), length > CHOICES ? CHOICES : length);
+    char *file = fuzz_file((const char *)bytes, &length);
+    put("scan.dat", file, length);
+    put("again.dat", file, length);
+    wild_scene(&text, quick, below);
+    text_add(&text, "load: {from: 1e-4, to: 0.1, points: 3}\ntolerance: 0.1\neffects: %s\n",
+             effects[below(below(8) > 0 ? 3 : 4)]);
+    text_add(&text, "surfaces: [%s]\n", surfaces[below(sizeof surfaces / sizeof *surfaces)]);
+    enum status_code code = scene_read(&scene, place.path, &(struct scene_overrides){.text = &text}, &status);
+    FUZZ_REQUIRE(code == STATUS_OK || (code == STATUS_SCENE && *status.message));
+    reports += code == STATUS_OK && report(&scene);
+    runs++;
+    scene_free(&scene);
+    text_free(&text);
+    free(file);
+}
