@@ -155,26 +155,23 @@ static double energy_of(fftw_complex *transformed, const double *factor, size_t 
     return part[0] + part[1];
 }
 
-/** `width` columns out, from the first one on; or back. */
-static inline void copy(struct direct_kernel *kernel, size_t first, size_t width, bool back)
-{
-    for (size_t j = 0; j < kernel->ny; j++)
-        for (size_t i = 0; i < width; i++) {
-            double *place = kernel->field + j * kernel->stride + 2 * (first + i);
-            double *out = kernel->columns[i * (kernel->ny + GAP) + j];
-            memcpy(back ? place : out, back ? out : place, sizeof(fftw_complex));
-        }
-}
-
-/** A width that the compiler knows is faster. */
+/** `width` columns out, from the first one on; or back. A width that the compiler knows is faster. */
 static void copy_columns(struct direct_kernel *kernel, size_t first, size_t width, bool back)
 {
-    if (width < BLOCK)
-        copy(kernel, first, width, back);
-    else if (back)
-        copy(kernel, first, BLOCK, true);
-    else
-        copy(kernel, first, BLOCK, false);
+    size_t length = kernel->ny + GAP;
+    for (size_t j = 0; j < kernel->ny; j++) {
+        double *row = kernel->field + j * kernel->stride + 2 * first;
+        fftw_complex *out = kernel->columns + j;
+        if (width == BLOCK && back)
+            for (size_t i = 0; i < BLOCK; i++)
+                memcpy(row + 2 * i, out[i * length], sizeof *out);
+        else if (width == BLOCK)
+            for (size_t i = 0; i < BLOCK; i++)
+                memcpy(out[i * length], row + 2 * i, sizeof *out);
+        else
+            for (size_t i = 0; i < width; i++)
+                memcpy(back ? row + 2 * i : out[i * length], back ? out[i * length] : row + 2 * i, sizeof *out);
+    }
 }
 
 /** All columns, some at a time: forth, times `table`, and back; or (`filter` false) only what is returned,
