@@ -15,10 +15,10 @@ static struct direct_kernel kernel_of(size_t shape)
     return kernel;
 }
 
-/** Some value at each point of every `step`-th row, `rest` in the others. */
+/** Some value, 0 at the first, at each point of every `step`-th row, `rest` in the others. */
 static double value_at(size_t i, size_t j, size_t step, double rest)
 {
-    return j % step == 0 ? sin(1 + 3.7 * (double)i + 1.3 * (double)(i * j)) : rest;
+    return j % step == 0 ? sin(3.7 * (double)i + 1.3 * (double)(i * j)) : rest;
 }
 
 static void lay(struct direct_kernel *kernel, size_t step, double rest)
