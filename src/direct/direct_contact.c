@@ -293,54 +293,38 @@ static double lay_set(struct solver *solver)
     return worst[all ? 0 : 1];
 }
 
-/** Between two points of a strip's set, `wide` apart, values on the line through theirs. */
-static void bridge(double *field, size_t from, size_t to, size_t wide, size_t points)
+/** From one point of a strip's set to the next: values on the line through theirs; or (`back`) adds what lies between
+ * to both by the same weights. Behind the last point comes the first. */
+static void bridge(double *field, const uint32_t *set, size_t k, const struct direct_contact *contact, bool back)
 {
-    double first = field[from], step = (field[to] - first) / (double)wide;
-    size_t here = from + wide <= points ? wide : points - from; /* before the end of the strip */
-    for (size_t i = 1; i < here; i++)
-        field[from + i] = first + step * (double)i;
-    for (size_t i = here; i < wide; i++)
-        field[from + i - points] = first + step * (double)i;
-}
-
-/** Adds what lies between to both by the same weights. */
-static void bridge_back(double *field, size_t from, size_t to, size_t wide, size_t points)
-{
-    double sum = 0, moment = 0;
-    size_t here = from + wide <= points ? wide : points - from;
-    for (size_t i = 1; i < here; i++) {
-        sum += field[from + i];
-        moment += field[from + i] * (double)i;
+    size_t points = contact->kernel.nx, last = k + 1 == contact->set_count;
+    size_t from = set[k], to = set[last ? 0 : k + 1], wide = last ? points + to - from : to - from;
+    size_t end = wide < points - from ? wide : points - from; /* of the strip */
+    double first = field[from], step = (field[to] - first) / (double)wide, sum = 0, moment = 0;
+    for (size_t part = 0; part < 2; part++)
+        for (size_t i = part ? end : 1; i < (part ? wide : end); i++) {
+            double *at = &field[from + i - (part ? points : 0)];
+            if (!back)
+                *at = first + step * (double)i;
+            sum += back ? *at : 0;
+            moment += back ? *at * (double)i : 0;
+        }
+    if (back) {
+        field[from] += sum - moment / (double)wide;
+        field[to] += moment / (double)wide;
     }
-    for (size_t i = here; i < wide; i++) {
-        sum += field[from + i - points];
-        moment += field[from + i - points] * (double)i;
-    }
-    field[from] += sum - moment / (double)wide;
-    field[to] += moment / (double)wide;
-}
-
-/** Of a strip: one of the two from every point of the set to the next; behind the last comes the first. */
-static void bridge_all(struct direct_contact *contact, void (*one)(double *, size_t, size_t, size_t, size_t))
-{
-    const uint32_t *set = contact->set;
-    size_t points = contact->kernel.nx, count = contact->set_count;
-    for (size_t k = 0; k + 1 < count; k++)
-        if (set[k + 1] - set[k] > 1)
-            one(contact->kernel.field, set[k], set[k + 1], set[k + 1] - set[k], points);
-    one(contact->kernel.field, set[count - 1], set[0], points + set[0] - set[count - 1], points);
 }
 
 void direct_contact_stiffen(struct direct_contact *contact)
 {
     struct direct_kernel *kernel = &contact->kernel;
-    bool strip = kernel->ny == 1;
-    if (strip)
-        bridge_all(contact, bridge);
+    const uint32_t *set = contact->set;
+    size_t count = kernel->ny == 1 ? contact->set_count : 0;
+    for (size_t k = 0; k < count; k++)
+        bridge(kernel->field, set, k, contact, false);
     direct_kernel_convolve(kernel, kernel->stiffness, contact->rows);
-    if (strip)
-        bridge_all(contact, bridge_back);
+    for (size_t k = 0; k < count; k++)
+        bridge(kernel->field, set, k, contact, true);
 }
 
 /** The next direction t = z + (G/G of the last) t on the set, of sum zero; z = M g, M = |q| on the set. A strip forgets

@@ -146,32 +146,33 @@ static double square(const fftw_complex value)
 /** <f, factor f> of a transformed column. */
 static double energy_of(fftw_complex *transformed, const double *factor, size_t ny)
 {
-    double part[2] = {factor[0] * square(transformed[0]), 0};
-    if (ny % 2 == 0)
-        part[1] = factor[ny / 2] * square(transformed[ny / 2]);
-    for (size_t j = 1; 2 * j < ny; j += 2)
-        for (size_t i = 0; i < 2 && 2 * (j + i) < ny; i++)
-            part[i] += factor[j + i] * (square(transformed[j + i]) + square(transformed[ny - j - i]));
-    return part[0] + part[1];
+    double part[4] = {0};
+    for (size_t j = 0; j < ny; j += 4)
+        for (size_t i = 0; i < 4 && j + i < ny; i++)
+            part[i] += factor[j + i <= ny / 2 ? j + i : ny - j - i] * square(transformed[j + i]);
+    return (part[0] + part[1]) + (part[2] + part[3]);
 }
 
-/** `width` columns out, from the first one on; or back. A width that the compiler knows is faster. */
+/** `width` columns out, from the first one on; or back. */
+static inline void copy(struct direct_kernel *kernel, size_t first, size_t width, bool back)
+{
+    for (size_t j = 0; j < kernel->ny; j++) {
+        double *row = kernel->field + j * kernel->stride + 2 * first, *out = kernel->columns[j];
+        for (size_t i = 0; i < width; i++)
+            if (back)
+                memcpy(row + 2 * i, out + 2 * i * (kernel->ny + GAP), sizeof(fftw_complex));
+            else
+                memcpy(out + 2 * i * (kernel->ny + GAP), row + 2 * i, sizeof(fftw_complex));
+    }
+}
+
+/** A width that the compiler knows is faster. */
 static void copy_columns(struct direct_kernel *kernel, size_t first, size_t width, bool back)
 {
-    size_t length = kernel->ny + GAP;
-    for (size_t j = 0; j < kernel->ny; j++) {
-        double *row = kernel->field + j * kernel->stride + 2 * first;
-        fftw_complex *out = kernel->columns + j;
-        if (width == BLOCK && back)
-            for (size_t i = 0; i < BLOCK; i++)
-                memcpy(row + 2 * i, out[i * length], sizeof *out);
-        else if (width == BLOCK)
-            for (size_t i = 0; i < BLOCK; i++)
-                memcpy(out[i * length], row + 2 * i, sizeof *out);
-        else
-            for (size_t i = 0; i < width; i++)
-                memcpy(back ? row + 2 * i : out[i * length], back ? out[i * length] : row + 2 * i, sizeof *out);
-    }
+    if (width == BLOCK)
+        copy(kernel, first, BLOCK, back);
+    else
+        copy(kernel, first, width, back);
 }
 
 /** All columns, some at a time: forth, times `table`, and back; or (`filter` false) only what is returned,
@@ -202,19 +203,18 @@ static double pass_columns(struct direct_kernel *kernel, const double *table, bo
 /** The same of a strip, which has no columns, from its field to its field. */
 static double pass_row(struct direct_kernel *kernel, const double *table, bool filter)
 {
-    double part[2] = {0};
+    double energy = 0;
     fftw_execute_dft_r2c(kernel->row_forward, kernel->field, kernel->row);
     kernel->transforms += filter ? 2 : 1;
     for (size_t i = 0; !filter && i <= kernel->nx / 2; i++)
-        part[i % 2] += times(kernel, i) * table[i] *
-                       (kernel->row[i][0] * kernel->row[i][0] + kernel->row[i][1] * kernel->row[i][1]);
+        energy += times(kernel, i) * table[i] * square(kernel->row[i]);
     for (size_t i = 0; filter && i <= kernel->nx / 2; i++) {
         kernel->row[i][0] *= table[i];
         kernel->row[i][1] *= table[i];
     }
     if (filter)
         fftw_execute_dft_c2r(kernel->row_backward, kernel->row, kernel->field);
-    return part[0] + part[1];
+    return energy;
 }
 
 void direct_kernel_convolve(struct direct_kernel *kernel, const double *table, const uint8_t *wanted)
