@@ -483,10 +483,12 @@ static bool follow_coarse(struct solver *solver, bool warm)
         add_coarse(contact, -1);
     if (direct_contact_solve(coarse, &load, &effort, &problem) != STATUS_OK)
         return false;
+    solver->effort->convolutions += effort.convolutions / 4;
+    if (warm && effort.iterations == 0)
+        return true; /* all that has changed is rounding, which would press points that are apart */
     add_coarse(contact, 1);
     for (size_t k = 0; k < places; k++)
         contact->pressure[k] = (warm ? contact->pressure[k] : 0) + contact->direction[k];
-    solver->effort->convolutions += effort.convolutions / 4;
     return true;
 }
 
