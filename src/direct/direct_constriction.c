@@ -8,30 +8,36 @@
 
 enum { MOST_ITERATIONS = 500 };
 
-/** Values on the contact's set, put into the field, 0 elsewhere; convolved with the compliance, or stiffened, and the
- * mean over the set, of `total` points. */
-static double convolve(struct direct_contact *contact, const double *values, bool stiffen, double total)
+/** Values on the contact's set, put into the field, 0 elsewhere; convolved with the compliance, or stiffened. Its mean
+ * over the set, of `total` points, and its product with the values. */
+static double convolve(double *product, struct direct_contact *contact, const double *values, bool stiffen,
+                       double total)
 {
     struct direct_kernel *kernel = &contact->kernel;
     const uint32_t *set = contact->set;
-    double part[4] = {0};
+    double part[2][4] = {{0}};
     memset(kernel->field, 0, kernel->ny * kernel->stride * sizeof(double));
     for (size_t k = 0; k < contact->set_count; k++)
         kernel->field[set[k]] = values[k];
     if (stiffen)
         direct_contact_stiffen(contact);
     else
-        direct_kernel_convolve(kernel, kernel->compliance);
-    for (size_t k = 0; k < contact->set_count; k++)
-        part[k % 4] += kernel->field[set[k]];
-    return ((part[0] + part[1]) + (part[2] + part[3])) / total;
+        direct_kernel_convolve(kernel, kernel->compliance, contact->rows);
+    for (size_t k = 0; k < contact->set_count; k += 4)
+        for (size_t i = 0; i < 4 && k + i < contact->set_count; i++) {
+            part[0][i] += kernel->field[set[k + i]];
+            part[1][i] += kernel->field[set[k + i]] * values[k + i];
+        }
+    *product = (part[1][0] + part[1][1]) + (part[1][2] + part[1][3]);
+    return ((part[0][0] + part[0][1]) + (part[0][2] + part[0][3])) / total;
 }
 
 static double dot(const struct direct_contact *contact, const double *a, const double *b)
 {
     double part[4] = {0};
-    for (size_t k = 0; k < contact->set_count; k++)
-        part[k % 4] += a[k] * b[k];
+    for (size_t k = 0; k < contact->set_count; k += 4)
+        for (size_t i = 0; i < 4 && k + i < contact->set_count; i++)
+            part[i] += a[k + i] * b[k + i];
     return (part[0] + part[1]) + (part[2] + part[3]);
 }
 
@@ -44,12 +50,12 @@ static enum status_code iterate(double *length_m, struct direct_contact *contact
     const uint32_t *set = contact->set;
     size_t count = contact->set_count;
     double *residual = contact->gap_m, *direction = contact->direction, points = (double)kernel->points;
-    double last = INFINITY;
+    double last = INFINITY, product, curvature;
     for (size_t k = 0; k < count; k++) {
         current[k] = points / total;
         direction[k] = 0;
     }
-    double potential = convolve(contact, current, false, total);
+    double potential = convolve(&product, contact, current, false, total);
     for (size_t k = 0; k < count; k++)
         residual[k] = kernel->field[set[k]] - potential;
     for (int iteration = 0;; iteration++) {
@@ -65,15 +71,11 @@ static enum status_code iterate(double *length_m, struct direct_contact *contact
         if (!isfinite(*length_m) || iteration >= MOST_ITERATIONS)
             return status_fail(status, STATUS_MODEL,
                                "the constriction of %.0f contact points does not converge; use a finer grid", total);
-        double mean = convolve(contact, residual, true, total), product = 0, curvature = 0;
-        for (size_t k = 0; k < count; k++)
-            product += residual[k] * (kernel->field[set[k]] - mean);
+        double mean = convolve(&product, contact, residual, true, total);
         for (size_t k = 0; k < count; k++)
             direction[k] = kernel->field[set[k]] - mean + product / last * direction[k];
         last = product;
-        mean = convolve(contact, direction, false, total);
-        for (size_t k = 0; k < count; k++)
-            curvature += direction[k] * kernel->field[set[k]];
+        mean = convolve(&curvature, contact, direction, false, total);
         double tau = dot(contact, residual, direction) / curvature;
         for (size_t k = 0; k < count; k++) {
             current[k] -= tau * direction[k];
@@ -89,7 +91,7 @@ enum status_code direct_constriction_of_contact(double *length_m, struct direct_
                                                 struct status *status)
 {
     const struct direct_kernel *kernel = &contact->kernel;
-    size_t before = kernel->convolutions;
+    size_t before = kernel->transforms;
     *length_m = 0;
     direct_contact_select(contact, false);
     double *current = calloc(contact->set_count + 1, sizeof *current);
@@ -101,6 +103,6 @@ enum status_code direct_constriction_of_contact(double *length_m, struct direct_
     for (size_t k = 0; contact->response && *length_m > 0 && k < contact->set_count; k++)
         contact->response[contact->set[k]] = current[k];
     free(current);
-    effort->convolutions += kernel->convolutions - before;
+    effort->convolutions += (kernel->transforms - before) / 2;
     return status->code;
 }

@@ -7,7 +7,6 @@
 #include <string.h>
 
 enum {
-    REFRESH = 50,   /* iterations after which the gap is computed afresh, rounding having added up */
     PATIENCE = 200, /* iterations in which the violation has to halve */
     COARSEST = 64   /* points a side of a grid to start from */
 };
@@ -24,7 +23,7 @@ struct solver {
     bool preconditioned;
     bool joined; /* some point has come into the set: directions so far are no longer conjugate */
     double last; /* <g, z> of the iteration before */
-    size_t since_refresh;
+    double mean; /* of the gap on the set */
 };
 
 /** Takes the mean off the heights, an offset of which would only cost digits. */
@@ -94,7 +93,8 @@ enum status_code direct_contact_make(struct direct_contact *out, const double *h
     out->response = ny == 1 ? calloc(places, sizeof(double)) : NULL;
     out->set = malloc(places * sizeof(uint32_t));
     out->member = calloc(places, 1);
-    if (!out->height_m || !out->pressure || !out->gap_m || !out->direction || !out->set || !out->member ||
+    out->rows = calloc(ny, 1);
+    if (!out->height_m || !out->pressure || !out->gap_m || !out->direction || !out->set || !out->member || !out->rows ||
         (ny == 1 && !out->response))
         (void)status_memory(status);
     for (size_t j = 0; status->code == STATUS_OK && j < ny; j++)
@@ -119,52 +119,38 @@ void direct_contact_free(struct direct_contact *contact)
     free(contact->response);
     free(contact->set);
     free(contact->member);
+    free(contact->rows);
     *contact = (struct direct_contact){0};
 }
 
-/* Sums over the set run in four parts: faster than one after the other, and the same everywhere. */
+/* Sums over the set run in four parts: faster than one after the other, and the same everywhere. Loops over points
+ * compare: fmax() and fmin() are calls. */
 
-static double sum_on(const struct direct_contact *contact, const double *a)
+static double sum(const double part[4])
 {
-    const uint32_t *set = contact->set;
-    double part[4] = {0};
-    for (size_t k = 0; k < contact->set_count; k++)
-        part[k % 4] += a[set[k]];
     return (part[0] + part[1]) + (part[2] + part[3]);
 }
 
-/** <a - a0, b> over the set. */
-static double dot_on(const struct direct_contact *contact, const double *a, double a0, const double *b)
+/** K p, to the kernel's field: the gap is 2 K p - h - lambda. */
+static void displace(struct solver *solver)
 {
-    const uint32_t *set = contact->set;
-    double part[4] = {0};
-    for (size_t k = 0; k < contact->set_count; k++)
-        part[k % 4] += (a[set[k]] - a0) * b[set[k]];
-    return (part[0] + part[1]) + (part[2] + part[3]);
-}
-
-/** g = K p - h, lambda still to be taken off. */
-static void compute_gap(struct solver *solver)
-{
-    struct direct_contact *contact = solver->contact;
-    struct direct_kernel *kernel = &contact->kernel;
-    size_t places = kernel->ny * kernel->stride;
-    memcpy(kernel->field, contact->pressure, places * sizeof(double));
-    direct_kernel_convolve(kernel, kernel->compliance);
-    for (size_t k = 0; k < places; k++)
-        contact->gap_m[k] = 2 * kernel->field[k] - contact->height_m[k];
-    solver->since_refresh = 0;
+    struct direct_kernel *kernel = &solver->contact->kernel;
+    memcpy(kernel->field, solver->contact->pressure, kernel->ny * kernel->stride * sizeof(double));
+    direct_kernel_convolve(kernel, kernel->compliance, NULL);
 }
 
 void direct_contact_select(struct direct_contact *contact, bool all)
 {
     const struct direct_kernel *kernel = &contact->kernel;
     contact->set_count = 0;
-    for (size_t j = 0; j < kernel->ny; j++)
+    for (size_t j = 0; j < kernel->ny; j++) {
+        size_t before = contact->set_count;
         for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++) {
             contact->set[contact->set_count] = (uint32_t)k;
             contact->set_count += all || contact->pressure[k] != 0;
         }
+        contact->rows[j] = contact->set_count > before;
+    }
 }
 
 /** Shifts the pressure where it is not 0, clipped to 0 ... H, until its mean is p̄ (Newton, kept within a bracket).
@@ -209,87 +195,102 @@ static void fit_mean(struct solver *solver)
         pressure[contact->set[k]] = fmin(fmax(pressure[contact->set[k]] + shift, 0), hardness);
 }
 
-/** Elastic: pulling pressures to 0 and the rest scaled to the mean, over the set. */
-static void scale_mean(struct solver *solver)
+/** Elastic, over the set: pressures less tau times the direction, those that would pull at 0, scaled to the mean. */
+static void move(struct solver *solver, double tau)
 {
     struct direct_contact *contact = solver->contact;
-    double *pressure = contact->pressure;
+    const uint32_t *set = contact->set;
+    double *pressure = contact->pressure, part[4] = {0};
+    for (size_t k = 0; k < contact->set_count; k += 4)
+        for (size_t i = 0; i < 4 && k + i < contact->set_count; i++) {
+            uint32_t at = set[k + i];
+            double p = pressure[at] - tau * contact->direction[at];
+            pressure[at] = p > 0 ? p : 0;
+            part[i] += pressure[at];
+        }
+    double scale = solver->load->mean_pressure * (double)contact->kernel.points / sum(part);
     for (size_t k = 0; k < contact->set_count; k++)
-        pressure[contact->set[k]] = fmax(pressure[contact->set[k]], 0);
-    double scale = solver->load->mean_pressure * (double)contact->kernel.points / sum_on(contact, pressure);
-    for (size_t k = 0; k < contact->set_count; k++)
-        pressure[contact->set[k]] *= scale;
+        pressure[set[k]] *= scale;
 }
 
-/** The constant to take off the gap: its mean where 0 < p < H, all of which is in `set`. With no such point any value
- * between the gaps of the points at H and of those at 0 will do; if the first are larger, the value between puts both
- * wrong. */
+/** The constant to take off 2 u - h, u the field: its mean where 0 < p < H, all of which is in `set`. With no such
+ * point any value between the gaps of the points at H and of those at 0 will do; if the first are larger, the value
+ * between puts both wrong. */
 static double level(const struct solver *solver)
 {
     const struct direct_contact *contact = solver->contact;
     const struct direct_kernel *kernel = &contact->kernel;
-    double parts[2] = {0}, ends[2] = {-INFINITY, -INFINITY}; /* highest, less the lowest */
-    for (size_t k = 0; k < contact->set_count; k++) {
-        double p = contact->pressure[contact->set[k]];
-        bool free = p > 0 && p < solver->hardness;
-        parts[0] += free ? contact->gap_m[contact->set[k]] : 0;
-        parts[1] += free;
-    }
-    if (parts[1] > 0)
-        return parts[0] / parts[1];
+    const double *u = kernel->field, *pressure = contact->pressure, *height_m = contact->height_m;
+    size_t count = contact->set_count, number = 0;
+    double part[4] = {0}, ends[2] = {-INFINITY, -INFINITY}; /* highest, less the lowest */
+    for (size_t k = 0; k < count; k += 4)
+        for (size_t i = 0; i < 4 && k + i < count; i++) {
+            uint32_t at = contact->set[k + i];
+            bool free = pressure[at] > 0 && pressure[at] < solver->hardness;
+            part[i] += free ? 2 * u[at] - height_m[at] : 0;
+            number += free;
+        }
+    if (number > 0)
+        return sum(part) / (double)number;
     for (size_t j = 0; j < kernel->ny; j++)
         for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++) {
-            if (contact->pressure[k] > 0)
-                ends[0] = fmax(ends[0], contact->gap_m[k]);
+            double g = 2 * u[k] - height_m[k];
+            if (pressure[k] > 0)
+                ends[0] = fmax(ends[0], g);
             else
-                ends[1] = fmax(ends[1], -contact->gap_m[k]);
+                ends[1] = fmax(ends[1], -g);
         }
     return (ends[0] - ends[1]) / 2;
 }
 
-/** Takes lambda off the gap and lays the set anew: {0 < p < H}, and where a condition is violated, {p = 0, g < 0} and
- * {p = H, g > 0}. These wait until they are the worst (proportioning: Dostál, SIAM J. Optim. 7 (1997) 871); else points
- * change sides in every iteration and no direction lives. Returns max |g| over all of them. */
+/** Takes the gap from the field, K p, and lays the set anew: {0 < p < H}, and where a condition is violated, {p = 0, g
+ * < 0} and {p = H, g > 0}. These wait until they are the worst (proportioning: Dostál, SIAM J. Optim. 7 (1997) 871);
+ * else points change sides in every iteration and no direction lives. Returns max |g| over all of them. */
 static double lay_set(struct solver *solver)
 {
     struct direct_contact *contact = solver->contact;
     const struct direct_kernel *kernel = &contact->kernel;
-    double lambda = level(solver), hardness = solver->hardness, worst_free = 0, worst_other = 0;
+    const double *pressure = contact->pressure, *u = kernel->field;
+    double lambda = level(solver), hardness = solver->hardness, worst[2] = {0}, gaps = 0; /* violated, free */
+    double *gap_m = contact->gap_m;
+    uint8_t *member = contact->member;
     uint32_t *set = contact->set;
     size_t count = 0, kept = 0;
-    bool joined = false;
+    bool joined[2] = {false};
     if (!isfinite(lambda))
         return NAN; /* comparisons below would pass over it */
-    for (size_t j = 0; j < kernel->ny; j++)
-        for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++) {
-            double p = contact->pressure[k], g = contact->gap_m[k] - lambda;
-            contact->gap_m[k] = g;
-            set[count] = (uint32_t)k;
-            count += !(((p <= 0) & (g >= 0)) | ((p >= hardness) & (g <= 0)));
+    for (size_t j = 0; j < kernel->ny; j++) {
+        size_t first = j * kernel->stride, end = first + kernel->nx, before = count;
+        for (size_t k = first; k < end; k++)
+            gap_m[k] = 2 * u[k] - contact->height_m[k] - lambda;
+        for (size_t k = first; k < end; k++) {
+            double p = pressure[k], g = fabs(gap_m[k]);
+            if (p > 0 && p < hardness) {
+                worst[1] = g > worst[1] ? g : worst[1];
+                joined[1] |= !member[k];
+            } else if (p > 0 ? gap_m[k] > 0 : gap_m[k] < 0) {
+                worst[0] = g > worst[0] ? g : worst[0];
+                joined[0] |= !member[k];
+                gaps += gap_m[k];
+            } else {
+                member[k] = 0;
+                continue;
+            }
+            set[count++] = (uint32_t)k;
+            member[k] = 1;
         }
-    for (size_t k = 0; k < count; k++) {
-        double p = contact->pressure[set[k]], g = fabs(contact->gap_m[set[k]]);
-        if (p > 0 && p < hardness)
-            worst_free = g > worst_free ? g : worst_free;
-        else
-            worst_other = g > worst_other ? g : worst_other;
+        contact->rows[j] = count > before;
     }
-    if (worst_other < worst_free) {
-        for (size_t k = 0; k < count; k++) {
-            double p = contact->pressure[set[k]];
-            set[kept] = set[k];
-            kept += p > 0 && p < hardness;
-        }
-        count = kept;
+    bool all = worst[0] >= worst[1];
+    for (size_t k = 0; k < count && !all && worst[0] > 0; k++) {
+        set[kept] = set[k];
+        member[set[k]] = pressure[set[k]] > 0 && pressure[set[k]] < hardness;
+        kept += member[set[k]];
     }
-    for (size_t k = 0; k < count; k++)
-        joined |= !contact->member[set[k]];
-    memset(contact->member, 0, kernel->ny * kernel->stride);
-    for (size_t k = 0; k < count; k++)
-        contact->member[set[k]] = 1;
-    contact->set_count = count;
-    solver->joined |= joined;
-    return fmax(worst_free, worst_other);
+    contact->set_count = all || worst[0] == 0 ? count : kept;
+    solver->joined |= joined[1] || (all && joined[0]);
+    solver->mean = all ? gaps / (double)count : 0; /* where 0 < p < H it is 0 */
+    return worst[all ? 0 : 1];
 }
 
 /** From one point of a strip's set to the next: values on the line through theirs; or (`back`) adds what lies between
@@ -298,14 +299,16 @@ static void bridge(double *field, const uint32_t *set, size_t k, const struct di
 {
     size_t points = contact->kernel.nx, last = k + 1 == contact->set_count;
     size_t from = set[k], to = set[last ? 0 : k + 1], wide = last ? points + to - from : to - from;
+    size_t end = wide < points - from ? wide : points - from; /* of the strip */
     double first = field[from], step = (field[to] - first) / (double)wide, sum = 0, moment = 0;
-    for (size_t i = 1; i < wide; i++) {
-        double *at = &field[from + i < points ? from + i : from + i - points];
-        if (!back)
-            *at = first + step * (double)i;
-        sum += *at;
-        moment += *at * (double)i;
-    }
+    for (size_t part = 0; part < 2; part++)
+        for (size_t i = part ? end : 1; i < (part ? wide : end); i++) {
+            double *at = &field[from + i - (part ? points : 0)];
+            if (!back)
+                *at = first + step * (double)i;
+            sum += back ? *at : 0;
+            moment += back ? *at * (double)i : 0;
+        }
     if (back) {
         field[from] += sum - moment / (double)wide;
         field[to] += moment / (double)wide;
@@ -319,38 +322,52 @@ void direct_contact_stiffen(struct direct_contact *contact)
     size_t count = kernel->ny == 1 ? contact->set_count : 0;
     for (size_t k = 0; k < count; k++)
         bridge(kernel->field, set, k, contact, false);
-    direct_kernel_convolve(kernel, kernel->stiffness);
+    direct_kernel_convolve(kernel, kernel->stiffness, contact->rows);
     for (size_t k = 0; k < count; k++)
         bridge(kernel->field, set, k, contact, true);
 }
 
 /** The next direction t = z + (G/G of the last) t on the set, of sum zero; z = M g, M = |q| on the set. A strip forgets
- * the last one where G rises, as it does when many points have left. Returns <g, t>. */
-static double turn(struct solver *solver, double gap_mean)
+ * the last one where G rises, as it does when many points have left. Returns <g, t>; the field holds t. */
+static double turn(struct solver *solver)
 {
     struct direct_contact *contact = solver->contact;
     struct direct_kernel *kernel = &contact->kernel;
     const uint32_t *set = contact->set;
-    double *z = contact->gap_m, z_mean = gap_mean, *t = contact->direction, n = (double)contact->set_count;
+    const double *gap_m = contact->gap_m, *z = solver->preconditioned ? kernel->field : gap_m;
+    double *t = contact->direction, sums[4][4] = {{0}};
+    size_t count = contact->set_count, bytes = kernel->ny * kernel->stride * sizeof(double);
     if (solver->preconditioned) {
-        z = kernel->field;
-        memset(z, 0, kernel->ny * kernel->stride * sizeof(double));
-        for (size_t k = 0; k < contact->set_count; k++)
-            z[set[k]] = contact->gap_m[set[k]] - gap_mean;
+        memset(kernel->field, 0, bytes);
+        for (size_t k = 0; k < count; k++)
+            kernel->field[set[k]] = gap_m[set[k]] - solver->mean;
         direct_contact_stiffen(contact);
-        z_mean = sum_on(contact, z) / n;
     }
-    double product = dot_on(contact, z, z_mean, contact->gap_m);
+    for (size_t k = 0; k < count; k += 4)
+        for (size_t i = 0; i < 4 && k + i < count; i++) {
+            sums[0][i] += z[set[k + i]];
+            sums[1][i] += z[set[k + i]] * gap_m[set[k + i]];
+        }
+    double z_mean = sum(sums[0]) / (double)count, product = sum(sums[1]) - sum(sums[0]) * solver->mean;
     bool afresh = solver->joined || (kernel->ny == 1 && product > solver->last);
     double share = afresh ? 0 : product / solver->last;
     solver->last = product;
     solver->joined = false;
-    for (size_t k = 0; k < contact->set_count; k++)
-        t[set[k]] = z[set[k]] - z_mean + (share != 0 ? share * t[set[k]] : 0);
-    double t_mean = sum_on(contact, t) / n;
-    for (size_t k = 0; k < contact->set_count; k++)
-        t[set[k]] -= t_mean;
-    return dot_on(contact, contact->gap_m, gap_mean, t);
+    for (size_t k = 0; k < count; k += 4)
+        for (size_t i = 0; i < 4 && k + i < count; i++) {
+            uint32_t at = set[k + i];
+            t[at] = z[at] - z_mean + (share != 0 ? share * t[at] : 0);
+            sums[2][i] += t[at];
+        }
+    double t_mean = sum(sums[2]) / (double)count;
+    memset(kernel->field, 0, bytes);
+    for (size_t k = 0; k < count; k += 4)
+        for (size_t i = 0; i < 4 && k + i < count; i++) {
+            uint32_t at = set[k + i];
+            kernel->field[at] = t[at] -= t_mean;
+            sums[3][i] += (gap_m[at] - solver->mean) * t[at];
+        }
+    return sum(sums[3]);
 }
 
 /** One step of conjugate gradients along the direction, and back onto the bounds. */
@@ -358,32 +375,15 @@ static void step(struct solver *solver)
 {
     struct direct_contact *contact = solver->contact;
     struct direct_kernel *kernel = &contact->kernel;
-    const uint32_t *set = contact->set;
-    double *pressure = contact->pressure, *t = contact->direction, *field = kernel->field;
-    double slope = turn(solver, sum_on(contact, contact->gap_m) / (double)contact->set_count);
-    size_t places = kernel->ny * kernel->stride;
-    memset(field, 0, places * sizeof(double));
-    for (size_t k = 0; k < contact->set_count; k++)
-        field[set[k]] = t[set[k]];
-    direct_kernel_convolve(kernel, kernel->compliance);
-    double tau = slope / (2 * dot_on(contact, field, 0, t));
-    bool inside = true;
-    for (size_t k = 0; k < contact->set_count; k++) {
-        double p = pressure[set[k]] - tau * t[set[k]];
-        inside &= (p >= 0) & (p <= solver->hardness);
-        pressure[set[k]] = p;
+    double slope = turn(solver), tau = slope / (2 * direct_kernel_energy(kernel, kernel->compliance));
+    if (isinf(solver->hardness)) {
+        move(solver, tau);
+    } else {
+        for (size_t k = 0; k < contact->set_count; k++)
+            contact->pressure[contact->set[k]] -= tau * contact->direction[contact->set[k]];
+        fit_mean(solver);
     }
-    if (!inside) {
-        if (isinf(solver->hardness))
-            scale_mean(solver);
-        else
-            fit_mean(solver);
-    }
-    if (!inside || ++solver->since_refresh >= REFRESH)
-        compute_gap(solver);
-    else
-        for (size_t k = 0; k < places; k++)
-            contact->gap_m[k] -= tau * 2 * field[k];
+    displace(solver);
 }
 
 /** Iterates to `tolerance`. */
@@ -483,10 +483,12 @@ static bool follow_coarse(struct solver *solver, bool warm)
         add_coarse(contact, -1);
     if (direct_contact_solve(coarse, &load, &effort, &problem) != STATUS_OK)
         return false;
+    solver->effort->convolutions += effort.convolutions / 4;
+    if (warm && effort.iterations == 0)
+        return true; /* all that has changed is rounding, which would press points that are apart */
     add_coarse(contact, 1);
     for (size_t k = 0; k < places; k++)
         contact->pressure[k] = (warm ? contact->pressure[k] : 0) + contact->direction[k];
-    solver->effort->convolutions += effort.convolutions / 4;
     return true;
 }
 
@@ -501,7 +503,7 @@ static void start(struct solver *solver, bool warm, bool begun)
         warm = follow_coarse(solver, warm);
     direct_contact_select(contact, true);
     if (warm)
-        scale_mean(solver);
+        move(solver, 0);
     for (size_t k = 0; !warm && k < contact->set_count; k++)
         contact->pressure[contact->set[k]] = solver->load->mean_pressure;
 }
@@ -524,7 +526,7 @@ static enum status_code solve(struct solver *solver, struct status *status)
     solver->preconditioned = true;
     start(solver, warm, begun);
     if (!begun) {
-        compute_gap(solver);
+        displace(solver);
         if (iterate(solver, capped ? fmax(START, load->tolerance) : load->tolerance, status) != STATUS_OK || !capped)
             return status->code;
         if (!exceeds(contact, load->hardness) && iterate(solver, load->tolerance, status) != STATUS_OK)
@@ -535,7 +537,7 @@ static enum status_code solve(struct solver *solver, struct status *status)
     solver->hardness = load->hardness;
     solver->preconditioned = false; /* with it points chatter between 0 and H */
     fit_mean(solver);
-    compute_gap(solver);
+    displace(solver);
     return iterate(solver, load->tolerance, status);
 }
 
@@ -550,10 +552,10 @@ enum status_code direct_contact_solve(struct direct_contact *contact, const stru
         return status_fail(status, STATUS_MODEL,
                            "complete contact: a hardness of %g E' is not defined for a mean pressure of %g E'",
                            load->hardness, load->mean_pressure);
-    size_t before = contact->kernel.convolutions;
+    size_t before = contact->kernel.transforms;
     struct solver solver = {.contact = contact, .load = load, .effort = effort};
     enum status_code rc = solve(&solver, status);
-    effort->convolutions += contact->kernel.convolutions - before;
+    effort->convolutions += (contact->kernel.transforms - before) / 2;
     contact->solved = rc == STATUS_OK;
     contact->capped = isfinite(load->hardness);
     return rc;
@@ -562,7 +564,8 @@ enum status_code direct_contact_solve(struct direct_contact *contact, const stru
 const uint8_t *direct_contact_touching(struct direct_contact *contact)
 {
     const struct direct_kernel *kernel = &contact->kernel;
-    for (size_t k = 0; k < kernel->points; k++)
-        contact->member[k] = contact->pressure[k / kernel->nx * kernel->stride + k % kernel->nx] > 0;
+    for (size_t j = 0; j < kernel->ny; j++)
+        for (size_t i = 0; i < kernel->nx; i++)
+            contact->member[j * kernel->nx + i] = contact->pressure[j * kernel->stride + i] > 0;
     return contact->member;
 }

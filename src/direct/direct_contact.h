@@ -30,6 +30,7 @@ struct direct_contact {
     double *response;              /* of a strip: d(pressure)/d(mean pressure) when last found; else NULL */
     uint32_t *set;                 /* the solver's points at work: their places in a field, ascending */
     uint8_t *member;               /* whether a point is in it; between solutions, what is in contact */
+    uint8_t *rows;                 /* whether a row has points of the set */
     struct direct_contact *coarse; /* every second point of every second row; NULL: too few of them */
     size_t set_count;
     double rms_m; /* root mean square of the height about its mean */

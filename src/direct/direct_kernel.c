@@ -2,6 +2,7 @@
 #include "direct/direct_kernel.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -94,77 +95,143 @@ void direct_kernel_free(struct direct_kernel *kernel)
 /** Transforms the rows to where they are. */
 static void transform_rows(struct direct_kernel *kernel)
 {
+    size_t stride = kernel->stride;
     for (size_t j = 0; j < kernel->ny; j++) {
-        double *row = kernel->field + j * kernel->stride;
+        double *row = kernel->field + j * stride;
+        if (row[0] == 0 && memcmp(row, row + 1, (stride - 1) * sizeof *row) == 0)
+            continue; /* all of it is 0, and so is its transform */
         fftw_execute_dft_r2c(kernel->row_forward, row, kernel->row);
-        memcpy(row, kernel->row, kernel->stride * sizeof *row);
+        memcpy(row, kernel->row, stride * sizeof *row);
     }
+    kernel->transforms++;
 }
 
-static void transform_rows_back(struct direct_kernel *kernel)
+/** Those wanted; NULL: all. */
+static void transform_rows_back(struct direct_kernel *kernel, const uint8_t *wanted)
 {
     for (size_t j = 0; j < kernel->ny; j++) {
         double *row = kernel->field + j * kernel->stride;
+        if (wanted && !wanted[j])
+            continue;
         memcpy(kernel->row, row, kernel->stride * sizeof *row);
         fftw_execute_dft_c2r(kernel->row_backward, kernel->row, row);
     }
+    kernel->transforms++;
 }
 
-/** One column forth, times `factor` of |j|, and back. */
-static void filter_column(struct direct_kernel *kernel, fftw_complex *column, const double *factor)
+/** How often a column of the transform, which has but half of them, stands in the whole one. */
+static double times(const struct direct_kernel *kernel, size_t i)
 {
-    fftw_complex *transformed = kernel->transformed;
-    size_t ny = kernel->ny;
-    fftw_execute_dft(kernel->column_forward, column, transformed);
-    for (size_t j = 0; j < ny; j++) {
-        double f = factor[j <= ny / 2 ? j : ny - j];
-        transformed[j][0] *= f;
-        transformed[j][1] *= f;
-    }
-    fftw_execute_dft(kernel->column_backward, transformed, column);
+    return i == 0 || 2 * i == kernel->nx ? 1 : 2;
 }
 
-/** All columns, some at a time. */
-static void filter_columns(struct direct_kernel *kernel, const double *table)
+/** A transformed column times `factor` of |j|. */
+static void multiply(fftw_complex *transformed, const double *factor, size_t ny)
+{
+    for (size_t j = 0; j <= ny / 2; j++) {
+        transformed[j][0] *= factor[j];
+        transformed[j][1] *= factor[j];
+    }
+    for (size_t j = ny / 2 + 1; j < ny; j++) {
+        transformed[j][0] *= factor[ny - j];
+        transformed[j][1] *= factor[ny - j];
+    }
+}
+
+static double square(const fftw_complex value)
+{
+    return value[0] * value[0] + value[1] * value[1];
+}
+
+/** <f, factor f> of a transformed column. */
+static double energy_of(fftw_complex *transformed, const double *factor, size_t ny)
+{
+    double part[4] = {0};
+    for (size_t j = 0; j < ny; j += 4)
+        for (size_t i = 0; i < 4 && j + i < ny; i++)
+            part[i] += factor[j + i <= ny / 2 ? j + i : ny - j - i] * square(transformed[j + i]);
+    return (part[0] + part[1]) + (part[2] + part[3]);
+}
+
+/** `width` columns out, from the first one on; or back. */
+static inline void copy(struct direct_kernel *kernel, size_t first, size_t width, bool back)
+{
+    for (size_t j = 0; j < kernel->ny; j++) {
+        double *row = kernel->field + j * kernel->stride + 2 * first, *out = kernel->columns[j];
+        for (size_t i = 0; i < width; i++)
+            if (back)
+                memcpy(row + 2 * i, out + 2 * i * (kernel->ny + GAP), sizeof(fftw_complex));
+            else
+                memcpy(out + 2 * i * (kernel->ny + GAP), row + 2 * i, sizeof(fftw_complex));
+    }
+}
+
+/** A width that the compiler knows is faster. */
+static void copy_columns(struct direct_kernel *kernel, size_t first, size_t width, bool back)
+{
+    if (width == BLOCK)
+        copy(kernel, first, BLOCK, back);
+    else
+        copy(kernel, first, width, back);
+}
+
+/** All columns, some at a time: forth, times `table`, and back; or (`filter` false) only what is returned,
+ * their energy. */
+static double pass_columns(struct direct_kernel *kernel, const double *table, bool filter)
 {
     size_t count = kernel->nx / 2 + 1, length = kernel->ny + GAP, rows = kernel->ny / 2 + 1;
+    fftw_complex *columns = kernel->columns, *transformed = kernel->transformed;
+    double energy = 0;
     for (size_t first = 0; first < count; first += BLOCK) {
         size_t width = count - first < BLOCK ? count - first : BLOCK;
-        fftw_complex *columns = kernel->columns;
-        for (size_t j = 0; j < kernel->ny; j++) {
-            const double *from = kernel->field + j * kernel->stride + 2 * first;
-            for (size_t i = 0; i < width; i++)
-                memcpy(columns[i * length + j], from + 2 * i, sizeof *columns);
+        copy_columns(kernel, first, width, false);
+        for (size_t i = 0; i < width; i++) {
+            const double *factor = table + (first + i) * rows;
+            fftw_execute_dft(kernel->column_forward, columns + i * length, transformed);
+            if (filter) {
+                multiply(transformed, factor, kernel->ny);
+                fftw_execute_dft(kernel->column_backward, transformed, columns + i * length);
+            } else
+                energy += times(kernel, first + i) * energy_of(transformed, factor, kernel->ny);
         }
-        for (size_t i = 0; i < width; i++)
-            filter_column(kernel, columns + i * length, table + (first + i) * rows);
-        for (size_t j = 0; j < kernel->ny; j++) {
-            double *to = kernel->field + j * kernel->stride + 2 * first;
-            for (size_t i = 0; i < width; i++)
-                memcpy(to + 2 * i, columns[i * length + j], sizeof *columns);
-        }
+        if (filter)
+            copy_columns(kernel, first, width, true);
     }
+    return energy;
 }
 
-/** Of a strip: no columns. */
-static void filter_row(struct direct_kernel *kernel, const double *table)
+/** The same of a strip, which has no columns, from its field to its field. */
+static double pass_row(struct direct_kernel *kernel, const double *table, bool filter)
 {
+    double energy = 0;
     fftw_execute_dft_r2c(kernel->row_forward, kernel->field, kernel->row);
-    for (size_t i = 0; i <= kernel->nx / 2; i++) {
+    kernel->transforms += filter ? 2 : 1;
+    for (size_t i = 0; !filter && i <= kernel->nx / 2; i++)
+        energy += times(kernel, i) * table[i] * square(kernel->row[i]);
+    for (size_t i = 0; filter && i <= kernel->nx / 2; i++) {
         kernel->row[i][0] *= table[i];
         kernel->row[i][1] *= table[i];
     }
-    fftw_execute_dft_c2r(kernel->row_backward, kernel->row, kernel->field);
+    if (filter)
+        fftw_execute_dft_c2r(kernel->row_backward, kernel->row, kernel->field);
+    return energy;
 }
 
-void direct_kernel_convolve(struct direct_kernel *kernel, const double *table)
+void direct_kernel_convolve(struct direct_kernel *kernel, const double *table, const uint8_t *wanted)
 {
-    kernel->convolutions++;
     if (kernel->ny == 1) {
-        filter_row(kernel, table);
+        (void)pass_row(kernel, table, true);
         return;
     }
     transform_rows(kernel);
-    filter_columns(kernel, table);
-    transform_rows_back(kernel);
+    (void)pass_columns(kernel, table, true);
+    transform_rows_back(kernel, wanted);
+}
+
+double direct_kernel_energy(struct direct_kernel *kernel, const double *table)
+{
+    if (kernel->ny == 1)
+        return pass_row(kernel, table, false);
+    transform_rows(kernel);
+    return pass_columns(kernel, table, false);
 }

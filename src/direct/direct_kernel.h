@@ -13,6 +13,7 @@
 #include "base/status.h"
 #include <fftw3.h>
 #include <stddef.h>
+#include <stdint.h>
 
 /** Points a side of a square: the places of a process fit 31 bits. */
 enum { DIRECT_KERNEL_MOST = 32768 };
@@ -29,7 +30,7 @@ struct direct_kernel {
     fftw_complex *row;                   /* one row's transform */
     fftw_complex *columns, *transformed; /* some columns and one's transform */
     fftw_plan row_forward, row_backward, column_forward, column_backward;
-    size_t convolutions; /* done so far */
+    size_t transforms; /* of the field, forth or back, done so far: two a convolution */
 };
 
 /** nx >= 2, ny >= 1; with ny = 1 it is a strip, without strain across. A transform is made of transforms of rows and
@@ -43,7 +44,11 @@ MUST_CHECK enum status_code direct_kernel_make(struct direct_kernel *out, size_t
 void direct_kernel_free(struct direct_kernel *kernel);
 
 /** Replaces `field` f by the field with the transform f̂ times `table`: compliance, stiffness (its inverse, for a field
- * of mean 0), or another of their shape. */
-void direct_kernel_convolve(struct direct_kernel *kernel, const double *table);
+ * of mean 0), or another of their shape. `wanted`, one a row: whether; others then hold nothing of use. NULL: all. Rows
+ * of zeros, and those not wanted, cost nothing. */
+void direct_kernel_convolve(struct direct_kernel *kernel, const double *table, const uint8_t *wanted);
+
+/** <f, table f>, by Parseval's theorem half a convolution; `field` f is used up. */
+double direct_kernel_energy(struct direct_kernel *kernel, const double *table);
 
 #endif

@@ -12,15 +12,10 @@ double direct_area_corrected(const struct direct_quantities *quantities, size_t 
     return fmax(0, ((double)quantities->contact_points - kappa * (double)quantities->perimeter_faces) / (double)points);
 }
 
-/** The points one further along x and along y of point k, periodic. */
-static size_t right_of(size_t k, size_t nx)
+/** The first point of the row above row j, periodic. */
+static size_t row_above(const struct direct_kernel *kernel, size_t j)
 {
-    return (k + 1) % nx ? k + 1 : k + 1 - nx;
-}
-
-static size_t above(size_t k, size_t nx, size_t points)
-{
-    return k + nx < points ? k + nx : k + nx - points;
+    return j + 1 < kernel->ny ? (j + 1) * kernel->nx : 0;
 }
 
 struct direct_quantities direct_quantities_of(struct direct_contact *contact, const struct direct_contact_load *load)
@@ -29,16 +24,17 @@ struct direct_quantities direct_quantities_of(struct direct_contact *contact, co
     const uint8_t *touching = direct_contact_touching(contact);
     struct direct_quantities out = {0};
     double open = 0;
+    size_t nx = kernel->nx;
     for (size_t j = 0; j < kernel->ny; j++) {
-        double row = 0;
-        for (size_t k = j * kernel->stride; k < j * kernel->stride + kernel->nx; k++)
-            row += fmax(contact->gap_m[k], 0);
-        open += row;
-    }
-    for (size_t k = 0; k < kernel->points; k++) {
-        out.contact_points += touching[k];
-        out.perimeter_faces += touching[k] != touching[right_of(k, kernel->nx)];
-        out.perimeter_faces += touching[k] != touching[above(k, kernel->nx, kernel->points)];
+        const double *gap_m = contact->gap_m + j * kernel->stride;
+        const uint8_t *row = touching + j * nx, *above = touching + row_above(kernel, j);
+        double sum = 0;
+        for (size_t i = 0; i < nx; i++) {
+            sum += gap_m[i] > 0 ? gap_m[i] : 0;
+            out.contact_points += row[i];
+            out.perimeter_faces += (row[i] ^ row[i + 1 < nx ? i + 1 : 0]) + (row[i] ^ above[i]);
+        }
+        open += sum;
     }
     out.area_ratio =
         fmax(direct_area_corrected(&out, kernel->points, direct_kappa), load->mean_pressure / load->hardness);
@@ -74,12 +70,13 @@ enum status_code direct_patches(size_t *count, struct direct_contact *contact, s
         return status_memory(status);
     for (size_t k = 0; k < points; k++)
         parent[k] = (uint32_t)k;
-    for (size_t k = 0; k < points; k++) { /* each point is one until it is joined */
-        size_t right = right_of(k, nx), next = above(k, nx, points);
-        *count += touching[k];
-        *count -= touching[k] && touching[right] && join(parent, k, right);
-        *count -= touching[k] && touching[next] && join(parent, k, next);
-    }
+    for (size_t j = 0; j < kernel->ny; j++)
+        for (size_t i = 0; i < nx; i++) { /* each point is one until it is joined */
+            size_t k = j * nx + i, right = i + 1 < nx ? k + 1 : k - i, above = row_above(kernel, j) + i;
+            *count += touching[k];
+            *count -= touching[k] && touching[right] && join(parent, k, right);
+            *count -= touching[k] && touching[above] && join(parent, k, above);
+        }
     free(parent);
     return STATUS_OK;
 }

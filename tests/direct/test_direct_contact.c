@@ -417,3 +417,22 @@ TEST_CASE(starts_from_coarse_grids)
     }
     free(height);
 }
+
+/** An iteration takes two convolutions and a half: the residual stiffened, the step's energy, and the displacement. A
+ * grid too small for a coarse one takes one more to begin with. */
+TEST_CASE(convolutions_of_an_iteration)
+{
+    enum { N = 64 };
+    double *height = recipe_surface(N);
+    for (double p = 1e-3; p < 1; p *= 9) {
+        struct direct_contact contact = contact_of(height, N, N);
+        struct direct_contact_load load = load_of(p, INFINITY, 1e-6);
+        struct direct_contact_effort effort = {0};
+        struct status status = {0};
+        assert_int_equal(direct_contact_solve(&contact, &load, &effort, &status), STATUS_OK);
+        assert_true(effort.iterations > 5);
+        assert_int_equal(effort.convolutions, 1 + 5 * effort.iterations / 2);
+        direct_contact_free(&contact);
+    }
+    free(height);
+}

@@ -94,7 +94,7 @@ TEST_CASE(complete_contact_from_both_sides)
     struct direct_contact contact = contact_of(height, N);
     struct direct_kernel *kernel = &contact.kernel;
     memcpy(kernel->field, contact.height_m, N * kernel->stride * sizeof(double));
-    direct_kernel_convolve(kernel, kernel->stiffness);
+    direct_kernel_convolve(kernel, kernel->stiffness, NULL);
     for (size_t j = 0; j < N; j++)
         for (size_t i = 0; i < N; i++)
             least = fmin(least, kernel->field[j * kernel->stride + i] / 2);

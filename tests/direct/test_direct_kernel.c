@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "direct_support.h"
+
+static const struct {
+    size_t nx, ny;
+} shapes[] = {{64, 64}, {20, 18}, {15, 9}, {17, 40}, {2, 2}, {96, 1}, {35, 1}};
+
+enum { SHAPES = sizeof shapes / sizeof *shapes };
+
+static struct direct_kernel kernel_of(size_t shape)
+{
+    struct direct_kernel kernel;
+    struct status status = {0};
+    assert_int_equal(direct_kernel_make(&kernel, shapes[shape].nx, shapes[shape].ny, 0.1, &status), STATUS_OK);
+    return kernel;
+}
+
+/** Some value, 0 at the first, at each point of every `step`-th row, `rest` in the others. */
+static double value_at(size_t i, size_t j, size_t step, double rest)
+{
+    return j % step == 0 ? sin(3.7 * (double)i + 1.3 * (double)(i * j)) : rest;
+}
+
+static void lay(struct direct_kernel *kernel, size_t step, double rest)
+{
+    memset(kernel->field, 0, kernel->ny * kernel->stride * sizeof(double));
+    for (size_t j = 0; j < kernel->ny; j++)
+        for (size_t i = 0; i < kernel->nx; i++)
+            kernel->field[j * kernel->stride + i] = value_at(i, j, step, rest);
+}
+
+/** <f, K f> is what the field times its convolution sums up to, for one transform instead of two. */
+TEST_CASE(energy_by_parseval)
+{
+    for (size_t shape = 0; shape < SHAPES; shape++)
+        for (size_t step = 1; step < 4; step++) {
+            struct direct_kernel kernel = kernel_of(shape);
+            const double *tables[] = {kernel.compliance, kernel.stiffness};
+            for (size_t table = 0; table < 2; table++) {
+                size_t before = kernel.transforms;
+                double product = 0;
+                lay(&kernel, step, 0);
+                double energy = direct_kernel_energy(&kernel, tables[table]);
+                assert_int_equal(kernel.transforms - before, 1);
+                lay(&kernel, step, 0);
+                direct_kernel_convolve(&kernel, tables[table], NULL);
+                assert_int_equal(kernel.transforms - before, 3);
+                for (size_t j = 0; j < kernel.ny; j++)
+                    for (size_t i = 0; i < kernel.nx; i++)
+                        product += kernel.field[j * kernel.stride + i] * value_at(i, j, step, 0);
+                assert_near(energy, product, 1e-12);
+                assert_true(energy > 0);
+            }
+            direct_kernel_free(&kernel);
+        }
+}
+
+/** Rows of zeros are passed over: what comes out is what next to nothing there gives. Rows that are not wanted do not
+ * change those that are. */
+TEST_CASE(rows_left_out)
+{
+    for (size_t shape = 0; shape < SHAPES; shape++) {
+        struct direct_kernel kernels[3] = {kernel_of(shape), kernel_of(shape), kernel_of(shape)};
+        size_t nx = kernels[0].nx, ny = kernels[0].ny, stride = kernels[0].stride;
+        uint8_t wanted[64];
+        for (size_t j = 0; j < ny; j++)
+            wanted[j] = j % 3 == 0;
+        lay(&kernels[0], 3, 0);
+        lay(&kernels[1], 3, 0);
+        lay(&kernels[2], 3, 1e-200);
+        direct_kernel_convolve(&kernels[0], kernels[0].compliance, NULL);
+        direct_kernel_convolve(&kernels[1], kernels[1].compliance, wanted);
+        direct_kernel_convolve(&kernels[2], kernels[2].compliance, NULL);
+        for (size_t j = 0; j < ny; j++)
+            for (size_t i = 0; i < nx; i++) {
+                double found = kernels[0].field[j * stride + i];
+                assert_within(found, kernels[2].field[j * stride + i], 1e-14);
+                assert_true(!wanted[j] || found == kernels[1].field[j * stride + i]);
+            }
+        for (size_t k = 0; k < 3; k++)
+            direct_kernel_free(&kernels[k]);
+    }
+}
