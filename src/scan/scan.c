@@ -139,7 +139,9 @@ enum status_code scan_read(struct scan *out, const char *path, const struct scan
     enum status_code code = text_read_file(&text, path, status);
     if (code == STATUS_OK) {
         struct scan_bytes file = {text_string(&text), text.length, path};
-        code = scan_read_beside(out, &file, path, options, status);
+        struct scan_options how = *options;
+        how.spent = &text;
+        code = scan_read_beside(out, &file, path, &how, status);
     }
     text_free(&text);
     return code;
@@ -166,10 +168,16 @@ enum status_code scan_transpose(struct scan *scan, struct status *status)
     return STATUS_OK;
 }
 
-void scan_free(struct scan *scan)
+void scan_free_points(struct scan *scan)
 {
     free(scan->x_m);
     free(scan->z_m);
+    scan->x_m = scan->z_m = NULL;
+}
+
+void scan_free(struct scan *scan)
+{
+    scan_free_points(scan);
     free(scan->sidecar);
     *scan = (struct scan){0};
 }
