@@ -56,14 +56,16 @@ static enum status_code check_length(double length_m, const char *what, char axi
 /* Squares of what lies beyond would overflow or vanish. */
 static enum status_code check_lengths(const struct scan *scan, const struct scan_file *file)
 {
-    double step_m = scan->dx_m, largest_m = 0, highest_m = -INFINITY, lowest_m = INFINITY;
-    for (size_t i = 1; scan->x_m && i < scan->nx; i++)
-        step_m = fmin(step_m, scan->x_m[i] - scan->x_m[i - 1]);
-    for (size_t i = 0; i < scan->nx * scan->ny; i++) { /* missing points are passed over */
-        largest_m = fmax(largest_m, fabs(scan->z_m[i]));
-        highest_m = fmax(highest_m, scan->z_m[i]);
-        lowest_m = fmin(lowest_m, scan->z_m[i]);
+    double step_m = scan->dx_m, highest_m = -INFINITY, lowest_m = INFINITY;
+    for (size_t i = 1; scan->x_m && i < scan->nx; i++) {
+        double step = scan->x_m[i] - scan->x_m[i - 1];
+        step_m = step < step_m ? step : step_m;
     }
+    for (size_t i = 0; i < scan->nx * scan->ny; i++) { /* missing points are passed over */
+        highest_m = scan->z_m[i] > highest_m ? scan->z_m[i] : highest_m;
+        lowest_m = scan->z_m[i] < lowest_m ? scan->z_m[i] : lowest_m;
+    }
+    double largest_m = fmax(-lowest_m, highest_m);
     if (check_length(step_m, "a spacing", 'x', file) != STATUS_OK ||
         check_length((double)scan->nx * scan->dx_m, "a length", 'x', file) != STATUS_OK)
         return file->status->code;

@@ -167,8 +167,9 @@ static enum status_code fail_row(const struct table *table, const struct row *ro
 /* Is `content`, trimmed and not empty, a comment below the first row? */
 static bool is_comment(const struct table *table, struct string_view content)
 {
-    return *content.start == '#' || *content.start == '%' || string_view_starts(content, "//") ||
-           (*content.start == ';' && table->delimiter != ';');
+    const char *start = content.start;
+    return *start == '#' || *start == '%' || (*start == '/' && start[1] == '/') ||
+           (*start == ';' && table->delimiter != ';');
 }
 
 /* Is there nothing in `content`, which is trimmed, or nothing but delimiters? */
@@ -353,10 +354,15 @@ static bool is_mark(double height, double mark)
 
 static void mark_sentinels(struct scan *out)
 {
-    double z_m = scan_unit_m(out->z_unit);
+    double z_m = scan_unit_m(out->z_unit), lowest_m = 0;
+    size_t points = out->nx * out->ny;
+    for (size_t i = 0; i < points; i++)
+        lowest_m = out->z_m[i] < lowest_m ? out->z_m[i] : lowest_m;
     for (size_t k = 0; k < sizeof sentinels / sizeof *sentinels; k++) {
         double mark = sentinels[k] * z_m;
-        size_t found = 0, near = 0, points = out->nx * out->ny;
+        size_t found = 0, near = 0;
+        if (lowest_m > mark / 2)
+            continue;
         for (size_t i = 0; i < points; i++) {
             found += is_mark(out->z_m[i], mark) ? 1 : 0;
             near += !is_mark(out->z_m[i], mark) && fabs(out->z_m[i]) * sentinel_distance > fabs(mark) ? 1 : 0;
