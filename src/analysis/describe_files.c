@@ -50,19 +50,21 @@ static enum status_code add_scan(const struct describe_task *task, const struct 
 
 /** Adds the scans of a file, of which an archive may hold several: one that cannot be used costs itself alone. */
 static enum status_code add_scans(const struct describe_task *task, const struct scene_surface *surface,
-                                  const struct scan_bytes *bytes, const char *path, struct hash *hash,
+                                  struct text *text, const char *file, const char *path, struct hash *hash,
                                   struct status *status)
 {
     struct scan_options options = {.x_unit = surface->x_unit,
                                    .z_unit = surface->z_unit,
                                    .x_column = surface->x_column,
-                                   .z_column = surface->z_column};
+                                   .z_column = surface->z_column,
+                                   .spent = text};
+    const struct scan_bytes bytes = {text->data, text->length, file};
     struct surface_summary *summary = &task->record->summary;
     struct status refused = {0};
     size_t added = 0, of_archive = 0;
     do {
         struct status problem = {0};
-        enum status_code rc = add_scan(task, bytes, path, &options, hash, &problem);
+        enum status_code rc = add_scan(task, &bytes, path, &options, hash, &problem);
         of_archive += options.entry > 0;
         if (rc == STATUS_OK)
             added++;
@@ -87,9 +89,8 @@ enum status_code describe_file(const struct describe_task *task, const struct sc
     enum status_code rc = text_read_file(&bytes, path, status);
     task->record->summary.times.read += clock_seconds() - started;
     if (rc == STATUS_OK) {
-        const struct scan_bytes content = {bytes.data, bytes.length, file};
         hash_add(hash, bytes.data, bytes.length); /* of a file that is refused, too */
-        rc = add_scans(task, surface, &content, path, hash, status);
+        rc = add_scans(task, surface, &bytes, file, path, hash, status);
     }
     text_free(&bytes);
     free(path);

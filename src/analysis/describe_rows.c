@@ -198,6 +198,8 @@ static enum status_code take_row(struct profile *out, struct scan *scan, size_t 
                                  struct status *status)
 {
     enum status_code rc = profile_make(out, scan, row, how, status);
+    if (scan->kind == SCAN_PROFILE)
+        scan_free_points(scan);
     if (rc != STATUS_OK || out->points >= LEAST_POINTS)
         return rc;
     return status_fail(status, STATUS_SCAN,

@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/** A record and its transform. */
+/** A record and its transform, of which one holds at a time: those of a large record share their place. */
 struct fft_room {
     double *record;          /* n heights */
     fftw_complex *transform; /* n/2 + 1 */
@@ -18,8 +18,8 @@ struct fft_room {
 bool fft_room_make(struct fft_room *out, size_t n);
 void fft_room_free(struct fft_room *room);
 
-/** out[k] = sum in[j] exp(-2 pi i jk/n), k = 0 ... n/2. Both arrays from fftw_alloc or fft_room_make();
- * `in` may be overwritten. */
+/** out[k] = sum in[j] exp(-2 pi i jk/n), k = 0 ... n/2. Both arrays from fftw_alloc or fft_room_make(), those of
+ * n > 32768 perhaps the same; `in` may be overwritten. */
 void fft_forward(fftw_complex *out, double *in, size_t n);
 /** The inverse times n. `in` may be overwritten. */
 void fft_backward(double *out, fftw_complex *in, size_t n);

@@ -178,6 +178,7 @@ static void inspect_file(struct outcome *outcome, const struct arguments *argume
     enum status_code code =
         strcmp(path, "-") == 0 ? text_read_stream(&text, stdin, "-", &status) : text_read_file(&text, path, &status);
     const struct scan_bytes file = {text_string(&text), text.length, path};
+    how.spent = &text;
     if (code != STATUS_OK)
         refuse(outcome, arguments, path, status.message);
     while (code == STATUS_OK) {

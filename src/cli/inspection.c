@@ -74,7 +74,9 @@ static enum status_code look_at_profile(struct inspection *out, struct status *s
                          : roughness_of_heights(profile->height_m, profile->points, profile->spacing_m);
     out->spacing_m = profile->spacing_m;
     out->length_m = (double)(profile->points - 1) * profile->spacing_m;
-    return compute_parameters(out, status);
+    enum status_code code = compute_parameters(out, status);
+    scan_free_points(&out->scan);
+    return code;
 }
 
 enum status_code inspection_make(struct inspection *out, const struct scan_bytes *file,

@@ -27,12 +27,17 @@ static double steepness(const struct multiscale *stack, size_t i)
 
 static const double rounding = 1e-9; /* of a pressure by its steepness */
 
+static struct sinusoid_scale make_scale(const struct multiscale *stack, size_t i)
+{
+    return sinusoid_scale(stack->spectrum->amplitude_m[i], spectrum_frequency(stack->spectrum, i), &stack->pair,
+                          stack->plastic);
+}
+
 const struct sinusoid_scale *multiscale_scale(struct multiscale *stack, size_t i)
 {
     struct sinusoid_scale *scale = &stack->scales[i];
     if (!(scale->frequency_per_m > 0))
-        *scale = sinusoid_scale(stack->spectrum->amplitude_m[i], spectrum_frequency(stack->spectrum, i), &stack->pair,
-                                stack->plastic);
+        *scale = make_scale(stack, i);
     return scale;
 }
 
@@ -62,10 +67,10 @@ static double find_blocks(struct multiscale *stack)
         for (size_t i = first; i < stack->count && i < first + MULTISCALE_BLOCK; i++)
             if (steepness(stack, i) > steepness(stack, steepest))
                 steepest = i;
-        const struct sinusoid_scale *scale = multiscale_scale(stack, steepest);
-        double closed_Pa = sinusoid_closed_pressure(scale);
+        const struct sinusoid_scale scale = make_scale(stack, steepest); /* not kept: a page of memory a block */
+        double closed_Pa = sinusoid_closed_pressure(&scale);
         stack->block_closed_Pa[first / MULTISCALE_BLOCK] =
-            fmin(scale->full_pressure_Pa, fmax(closed_Pa, ordered_Pa)) * (1 + rounding);
+            fmin(scale.full_pressure_Pa, fmax(closed_Pa, ordered_Pa)) * (1 + rounding);
         most_Pa = fmax(most_Pa, closed_Pa);
     }
     return most_Pa;

@@ -63,18 +63,20 @@ double persson_integral(double x)
     return gsl_cheb_eval(&panel[(int)(PANELS * sqrt(x / integral_end))], x) * exp(-x * x) / x;
 }
 
-/** Distance of the nodes in ln y. */
-static const double distance = 0.1;
+/** Distance of the nodes in ln y, and by how much rings that are shared out together may differ in y². */
+static const double distance = 0.1, together = 1e-5;
 
 /** Lagrange's polynomials through so many nodes: their barycentric weights. */
 enum { SHARES = 12 };
 static const double barycentric[SHARES] = {1, -11, 55, -165, 330, -462, 462, -330, 165, -55, 11, -1};
 
-/** Shares a ring at `place` out to nodes 0 ... SHARES-1, so that it stands for what it is in every polynomial of degree
- * SHARES-1. */
-static void share_out(struct persson_node *node, double place, double weight_m)
+/** Shares a ring of Y² = `square` out to SHARES nodes about it, so that it stands for what it is in every polynomial of
+ * degree SHARES-1. `bottom` is the least Y. */
+static void share_out(const struct persson *out, double bottom, double square, double weight_m)
 {
-    double share[SHARES], sum = 0;
+    double share[SHARES], sum = 0, among_all = fmax(0, log(sqrt(square) / bottom) / distance);
+    double place = among_all - floor(among_all) + SHARES / 2 - 1;
+    struct persson_node *node = out->node + (size_t)among_all + 1;
     for (int k = 0; k < SHARES; k++) {
         if (place == k) {
             node[k].weight_m += weight_m;
@@ -111,13 +113,21 @@ enum status_code persson_make(struct persson *out, const struct spectrum *spectr
     }
     for (size_t k = 0; k < out->count; k++)
         out->node[k].slope = bottom * exp(distance * ((double)k - SHARES / 2));
+    double start = 0, beyond = 0,
+           weight_m = 0; /* of the rings not shared out yet: the first one's Y², and what is more */
     for (size_t i = first; i < last; i++) {
         double q = wave_number(spectrum, i), omega = q / M_SQRT2;
+        double next = i + 1 < last ? 1 / wave_number(spectrum, i + 1) : 0, own_m = (1 / q - next) / sqrt(M_PI);
         square += omega * omega * spectrum_power(spectrum, i);
-        double next = i + 1 < last ? 1 / wave_number(spectrum, i + 1) : 0;
-        double place = fmax(0, log(sqrt(square) / bottom) / distance);
-        share_out(out->node + (size_t)place + 1, place - floor(place) + SHARES / 2 - 1, (1 / q - next) / sqrt(M_PI));
+        if (weight_m > 0 && square > (1 + together) * start) {
+            share_out(out, bottom, start + beyond / weight_m, weight_m);
+            weight_m = beyond = 0;
+        }
+        start = weight_m > 0 ? start : square;
+        weight_m += own_m;
+        beyond += own_m * (square - start);
     }
+    share_out(out, bottom, start + beyond / weight_m, weight_m);
     return STATUS_OK;
 }
 

@@ -101,7 +101,7 @@ static void put(struct table *table, const char *name, const char *end, double v
     name_column(table, name, end);
     text_add_bytes(&table->rows, ",", 1);
     if (isfinite(value))
-        text_add(&table->rows, "%.17g", value);
+        text_add_number(&table->rows, value);
     if (isinf(value) && table->infinite++ == 0)
         table->infinite_column = name;
 }
@@ -184,9 +184,12 @@ static void fill_surfaces(struct table *table, const struct results *results)
 static void put_spectrum(struct table *table, const struct surface_record *record, bool binned)
 {
     const struct spectrum *spectrum = &record->spectrum;
+    struct text name = {0};
+    text_add_csv(&name, record->summary.scene->name);
     for (size_t i = 0; i < spectrum->count;) {
         const struct spectrum_bin bin = binned ? spectrum_bin_from(spectrum, i) : spectrum_bin_of(spectrum, i);
-        put_surface(table, &record->summary);
+        name_column(table, "surface", "");
+        text_add_bytes(&table->rows, text_string(&name), name.length);
         double wavelength_m = bin.wavelength_m * surface_kappa(&record->summary); /* as the scans have it */
         put_number(table, "wavelength_m", wavelength_m);
         put_number(table, "amplitude_m", bin.amplitude_m);
@@ -196,6 +199,8 @@ static void put_spectrum(struct table *table, const struct surface_record *recor
         end_row(table);
         i += bin.count;
     }
+    table->rows.failed = table->rows.failed || name.failed;
+    text_free(&name);
 }
 
 struct curve_tables {

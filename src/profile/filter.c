@@ -7,6 +7,7 @@
 
 static const double filter_alpha = 0.46971863934982566; /* sqrt(ln 2/pi), ISO 16610-21 */
 static const double filter_smallest = 1e-9;             /* weight at which the tail is cut, of the largest */
+enum { NEAR = 24 }; /* neighbours on either side up to which a sum is quicker than transforms */
 
 /** How many neighbours on either side have a weight; never more than there are. */
 static size_t reach_of(size_t points, double spacing_m, double cutoff_m)
@@ -15,48 +16,77 @@ static size_t reach_of(size_t points, double spacing_m, double cutoff_m)
     return reach < (double)(points - 1) ? (size_t)reach : points - 1;
 }
 
-/** Adds up the neighbours of each of the first `points` values of `record`, weighted, by transforms: n log n whatever
- * the reach. `weights` is the transform of the weights, which are even; `length` values go around the ends. */
-static void add_up(double *record, fftw_complex *bins, const fftw_complex *weights, size_t points, size_t length)
+static double weight_of(size_t apart, double spacing_m, double cutoff_m)
 {
-    memset(record + points, 0, (length - points) * sizeof *record);
-    fft_forward(bins, record, length);
-    for (size_t k = 0; k <= length / 2; k++) {
-        bins[k][0] *= weights[k][0] / (double)length;
-        bins[k][1] *= weights[k][0] / (double)length;
+    double x = (double)apart * spacing_m / (filter_alpha * cutoff_m);
+    return exp(-M_PI * x * x);
+}
+
+/** The sum itself over `reach` neighbours. */
+static void add_near(double *smooth_m, const double *height_m, size_t points, const double *weight, long reach,
+                     bool periodic)
+{
+    long end = (long)points;
+    for (long i = 0; i < end; i++) {
+        double sum = weight[0] * height_m[i], whole = weight[0];
+        for (long k = 1; k <= reach; k++) {
+            long before = i - k, after = i + k;
+            if (periodic)
+                before += before < 0 ? end : 0, after -= after >= end ? end : 0;
+            sum += weight[k] * ((before >= 0 ? height_m[before] : 0) + (after < end ? height_m[after] : 0));
+            whole += weight[k] * ((before >= 0) + (after < end));
+        }
+        smooth_m[i] = sum / whole;
     }
-    fft_backward(record, bins, length);
+}
+
+/** Adds up the neighbours of each of the first `points` values of room->record, weighted, by transforms: n log n
+ * whatever the reach. `weights` is the transform of the weights, which are even; `length` values go around the ends. */
+static void add_up(struct fft_room *room, const fftw_complex *weights, size_t points, size_t length)
+{
+    memset(room->record + points, 0, (length - points) * sizeof *room->record);
+    fft_forward(room->transform, room->record, length);
+    for (size_t k = 0; k <= length / 2; k++) {
+        room->transform[k][0] *= weights[k][0] / (double)length;
+        room->transform[k][1] *= weights[k][0] / (double)length;
+    }
+    fft_backward(room->record, room->transform, length);
 }
 
 enum status_code filter_gaussian(double *smooth_m, const double *height_m, size_t points, double spacing_m,
                                  double cutoff_m, bool periodic, struct status *status)
 {
     size_t reach = reach_of(points, spacing_m, cutoff_m), length = 1;
+    if (reach <= NEAR) {
+        double weight[NEAR + 1];
+        for (size_t k = 0; k <= reach; k++)
+            weight[k] = weight_of(k, spacing_m, cutoff_m);
+        add_near(smooth_m, height_m, points, weight, (long)reach, periodic);
+        return STATUS_OK;
+    }
     while (length < points + reach)
         length *= 2;
     length = periodic ? points : length;
-    double *record = fftw_alloc_real(length);
-    fftw_complex *weights = fftw_alloc_complex(length / 2 + 1), *bins = fftw_alloc_complex(length / 2 + 1);
-    bool good = record && weights && bins;
+    struct fft_room room = {0}, weights = {0};
+    bool good = fft_room_make(&room, length) && fft_room_make(&weights, length);
     if (good) {
-        memset(record, 0, length * sizeof *record);
+        memset(weights.record, 0, length * sizeof *weights.record);
         for (size_t k = 0; k <= reach; k++) {
-            double x = (double)k * spacing_m / (filter_alpha * cutoff_m), weight = exp(-M_PI * x * x);
-            record[k] += weight;
-            record[(length - k) % length] += k > 0 ? weight : 0;
+            double weight = weight_of(k, spacing_m, cutoff_m);
+            weights.record[k] += weight;
+            weights.record[(length - k) % length] += k > 0 ? weight : 0;
         }
-        fft_forward(weights, record, length);
-        memcpy(record, height_m, points * sizeof *record);
-        add_up(record, bins, weights, points, length);
-        memcpy(smooth_m, record, points * sizeof *smooth_m);
+        fft_forward(weights.transform, weights.record, length);
+        memcpy(room.record, height_m, points * sizeof *height_m);
+        add_up(&room, weights.transform, points, length);
+        memcpy(smooth_m, room.record, points * sizeof *smooth_m);
         for (size_t i = 0; i < points; i++)
-            record[i] = 1;
-        add_up(record, bins, weights, points, length);
+            room.record[i] = 1;
+        add_up(&room, weights.transform, points, length);
         for (size_t i = 0; i < points; i++) /* by the weights that lie within the record */
-            smooth_m[i] /= record[i];
+            smooth_m[i] /= room.record[i];
     }
-    fftw_free(bins);
-    fftw_free(weights);
-    fftw_free(record);
+    fft_room_free(&weights);
+    fft_room_free(&room);
     return good ? STATUS_OK : status_memory(status);
 }

@@ -48,7 +48,7 @@ double profile_digitiser_step(const double *height_m, size_t points)
 {
     double largest = 0, least = INFINITY, sum = 0, tilt = rounded_tilt(height_m, points);
     for (size_t i = 0; i < points; i++)
-        largest = fmax(largest, fabs(height_m[i]));
+        largest = fabs(height_m[i]) > largest ? fabs(height_m[i]) : largest;
     double nothing = 1e-13 * largest; /* equal heights may differ by what conversion of units rounds */
     for (size_t i = 1; i < points; i++) {
         double d = fabs(height_m[i] - height_m[i - 1] - tilt);
@@ -90,8 +90,11 @@ static double curvature(const struct profile *profile, size_t lag)
 static void check_units(struct profile *profile, double rq_m)
 {
     double length_m = (double)profile->points * profile->spacing_m, steepest = 0;
-    for (size_t i = 1; i < profile->points; i++)
-        steepest = fmax(steepest, fabs(profile->height_m[i] - profile->height_m[i - 1]) / profile->spacing_m);
+    for (size_t i = 1; i < profile->points; i++) {
+        double rise_m = fabs(profile->height_m[i] - profile->height_m[i - 1]);
+        steepest = rise_m > steepest ? rise_m : steepest;
+    }
+    steepest /= profile->spacing_m;
     if (rq_m > length_m)
         profile_note(profile, "Rq %.3g m is above the length of the scan, %.3g m: check x_unit and z_unit", rq_m,
                      length_m);
@@ -133,8 +136,12 @@ static void check_curvature(struct profile *profile, double digit_m, const struc
  *  ends that differ by over 3 Rq; under 64 points. */
 static void check_sanity(struct profile *profile, double digit_m, const struct profile_options *options)
 {
-    double mean_m = gsl_stats_mean(profile->height_m, 1, profile->points);
-    double rq_m = gsl_stats_sd_with_fixed_mean(profile->height_m, 1, profile->points, mean_m);
+    double sum_m = 0, square_m2 = 0;
+    for (size_t i = 0; i < profile->points; i++)
+        sum_m += profile->height_m[i];
+    for (size_t i = 0; i < profile->points; i++)
+        square_m2 += pow(profile->height_m[i] - sum_m / (double)profile->points, 2);
+    double rq_m = sqrt(square_m2 / (double)profile->points);
     double jump_m = fabs(profile->height_m[profile->points - 1] - profile->height_m[0]);
     check_units(profile, rq_m);
     check_curvature(profile, digit_m, options);
@@ -231,9 +238,10 @@ static enum profile_spacing judge_spacing(const double *x_m, size_t points, doub
     size_t kind_count = 0; /* distinct steps, up to SPACING_KINDS */
     for (size_t i = 1; i < points; i++) {
         double step = x_m[i] - x_m[i - 1];
-        shortest = fmin(shortest, step);
-        longest = fmax(longest, step);
-        deviation = fmax(deviation, fabs(x_m[i] - x_m[0] - (double)i * spacing_m));
+        double off = fabs(x_m[i] - x_m[0] - (double)i * spacing_m);
+        shortest = step < shortest ? step : shortest;
+        longest = step > longest ? step : longest;
+        deviation = off > deviation ? off : deviation;
         size_t k = 0;
         while (k < kind_count && fabs(step - kinds[k]) > spacing_same * spacing_m)
             k++;
@@ -287,16 +295,16 @@ static enum status_code even_out(struct profile *profile, const double *x_m, str
 
 /** What a step makes of heights with nothing but form or waves in them is rounding: up to some units of the last place
  * of the heights as measured. */
-static double rounding(const struct profile *profile)
+static double rounding(const struct profile *profile, double peak_to_valley_m)
 {
-    return 32 * DBL_EPSILON * (fabs(profile->height_m[0]) + peak_to_valley(profile));
+    return 32 * DBL_EPSILON * (fabs(profile->height_m[0]) + peak_to_valley_m);
 }
 
 static enum status_code take_level(struct profile *profile, const struct profile_options *options,
                                    struct status *status)
 {
     struct levelling levelling, ignored;
-    double before_m = peak_to_valley(profile), rounding_m = rounding(profile);
+    double before_m = peak_to_valley(profile), rounding_m = rounding(profile, before_m);
     if (before_m == 0)
         return status_fail(status, STATUS_SCAN, "the scan is flat: every height is %.9g m; check the column",
                            profile->height_m[0]);
@@ -348,10 +356,11 @@ static enum status_code pass(struct profile *profile, double cutoff_m, bool high
 static enum status_code take_filters(struct profile *profile, const struct profile_options *options,
                                      struct status *status)
 {
-    double rounding_m = rounding(profile), length_m = (double)profile->points * profile->spacing_m;
+    double length_m = (double)profile->points * profile->spacing_m;
     double lambda_s_m = options->lambda_s_m, lambda_c_m = options->lambda_c_m;
     if (!(lambda_s_m > 0 || lambda_c_m > 0))
         return STATUS_OK;
+    double rounding_m = rounding(profile, peak_to_valley(profile));
     if (lambda_s_m > 0 && lambda_s_m < 2 * profile->spacing_m)
         profile_note(profile, "lambda_s %.4g um is below twice the spacing: the filter takes little away",
                      lambda_s_m * 1e6);

@@ -33,6 +33,10 @@ bool record_window_is_periodic(const double *raw_height_m, size_t points)
 
 void record_window_hann(double *height_m, size_t points)
 {
-    for (size_t t = 0; t < points; t++)
-        height_m[t] *= record_window_hann_factor * (1 - cos(2 * M_PI * ((double)t + 0.5) / (double)points)) / 2;
+    for (size_t t = 0; 2 * t < points; t++) { /* the same from either end */
+        double weight = record_window_hann_factor * (1 - cos(2 * M_PI * ((double)t + 0.5) / (double)points)) / 2;
+        height_m[t] *= weight;
+        if (points - 1 - t != t)
+            height_m[points - 1 - t] *= weight;
+    }
 }

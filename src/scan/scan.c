@@ -56,14 +56,16 @@ static enum status_code check_length(double length_m, const char *what, char axi
 /* Squares of what lies beyond would overflow or vanish. */
 static enum status_code check_lengths(const struct scan *scan, const struct scan_file *file)
 {
-    double step_m = scan->dx_m, largest_m = 0, highest_m = -INFINITY, lowest_m = INFINITY;
-    for (size_t i = 1; scan->x_m && i < scan->nx; i++)
-        step_m = fmin(step_m, scan->x_m[i] - scan->x_m[i - 1]);
-    for (size_t i = 0; i < scan->nx * scan->ny; i++) { /* missing points are passed over */
-        largest_m = fmax(largest_m, fabs(scan->z_m[i]));
-        highest_m = fmax(highest_m, scan->z_m[i]);
-        lowest_m = fmin(lowest_m, scan->z_m[i]);
+    double step_m = scan->dx_m, highest_m = -INFINITY, lowest_m = INFINITY;
+    for (size_t i = 1; scan->x_m && i < scan->nx; i++) {
+        double step = scan->x_m[i] - scan->x_m[i - 1];
+        step_m = step < step_m ? step : step_m;
     }
+    for (size_t i = 0; i < scan->nx * scan->ny; i++) { /* missing points are passed over */
+        highest_m = scan->z_m[i] > highest_m ? scan->z_m[i] : highest_m;
+        lowest_m = scan->z_m[i] < lowest_m ? scan->z_m[i] : lowest_m;
+    }
+    double largest_m = fmax(-lowest_m, highest_m);
     if (check_length(step_m, "a spacing", 'x', file) != STATUS_OK ||
         check_length((double)scan->nx * scan->dx_m, "a length", 'x', file) != STATUS_OK)
         return file->status->code;
@@ -139,7 +141,9 @@ enum status_code scan_read(struct scan *out, const char *path, const struct scan
     enum status_code code = text_read_file(&text, path, status);
     if (code == STATUS_OK) {
         struct scan_bytes file = {text_string(&text), text.length, path};
-        code = scan_read_beside(out, &file, path, options, status);
+        struct scan_options how = *options;
+        how.spent = &text;
+        code = scan_read_beside(out, &file, path, &how, status);
     }
     text_free(&text);
     return code;
@@ -166,10 +170,16 @@ enum status_code scan_transpose(struct scan *scan, struct status *status)
     return STATUS_OK;
 }
 
-void scan_free(struct scan *scan)
+void scan_free_points(struct scan *scan)
 {
     free(scan->x_m);
     free(scan->z_m);
+    scan->x_m = scan->z_m = NULL;
+}
+
+void scan_free(struct scan *scan)
+{
+    scan_free_points(scan);
     free(scan->sidecar);
     *scan = (struct scan){0};
 }

@@ -38,6 +38,7 @@ struct scan {
 };
 
 struct sidecar;
+struct text;
 
 /** What the scene says about a file; "" or NULL where it says nothing. Its units are used only where neither the file
  * itself nor a sidecar names any. */
@@ -46,6 +47,7 @@ struct scan_options {
     size_t x_column, z_column;     /* of a table of text, from 1; 0: the header decides */
     size_t entry;                  /* of an archive of several scans: 0 the first, then next_entry of the one before */
     const struct sidecar *sidecar; /* set by scan_read_beside() */
+    struct text *spent; /* what holds the file's bytes, freed once numbers are made of them; NULL: they stay */
 };
 
 /** The bytes of a file in memory; `bytes[length]` is readable and 0. */
@@ -79,6 +81,8 @@ const char *scan_is_other(const struct scan_bytes *file, bool whole);
 /** Do the first bytes not tell what the file is, but the last ones (zip)? */
 bool scan_tells_at_end(const char *bytes, size_t length);
 void scan_free(struct scan *scan);
+/** Frees heights and positions, of which a profile was made. */
+void scan_free_points(struct scan *scan);
 /** Exchanges rows and columns of a map, so that its columns can be taken as profiles. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code scan_transpose(struct scan *scan, struct status *status);
 /** Notes a warning; beyond SCAN_WARNINGS it is dropped. */

@@ -167,8 +167,9 @@ static enum status_code fail_row(const struct table *table, const struct row *ro
 /* Is `content`, trimmed and not empty, a comment below the first row? */
 static bool is_comment(const struct table *table, struct string_view content)
 {
-    return *content.start == '#' || *content.start == '%' || string_view_starts(content, "//") ||
-           (*content.start == ';' && table->delimiter != ';');
+    const char *start = content.start;
+    return *start == '#' || *start == '%' || (*start == '/' && start[1] == '/') ||
+           (*start == ';' && table->delimiter != ';');
 }
 
 /* Is there nothing in `content`, which is trimmed, or nothing but delimiters? */
@@ -353,10 +354,15 @@ static bool is_mark(double height, double mark)
 
 static void mark_sentinels(struct scan *out)
 {
-    double z_m = scan_unit_m(out->z_unit);
+    double z_m = scan_unit_m(out->z_unit), lowest_m = 0;
+    size_t points = out->nx * out->ny;
+    for (size_t i = 0; i < points; i++)
+        lowest_m = out->z_m[i] < lowest_m ? out->z_m[i] : lowest_m;
     for (size_t k = 0; k < sizeof sentinels / sizeof *sentinels; k++) {
         double mark = sentinels[k] * z_m;
-        size_t found = 0, near = 0, points = out->nx * out->ny;
+        size_t found = 0, near = 0;
+        if (lowest_m > mark / 2)
+            continue;
         for (size_t i = 0; i < points; i++) {
             found += is_mark(out->z_m[i], mark) ? 1 : 0;
             near += !is_mark(out->z_m[i], mark) && fabs(out->z_m[i]) * sentinel_distance > fabs(mark) ? 1 : 0;
@@ -369,20 +375,27 @@ static void mark_sentinels(struct scan *out)
     }
 }
 
-/* Column `z` from row `first` on, and with it the positions in column `x` (SIZE_MAX: none). A point that the header's
- * column `valid` marks by 0 is missing. */
-static enum status_code take_columns(struct scan *out, const struct table *table, size_t first, size_t x, double x_m,
+/* Column `z` from row `first` on, in the table's place, and with it the positions in column `x` (SIZE_MAX: none). A
+ * point that the header's column `valid` marks by 0 is missing. */
+static enum status_code take_columns(struct scan *out, struct table *table, size_t first, size_t x, double x_m,
                                      size_t z, double z_m)
 {
-    size_t n = table->rows - first, valid = table->header.valid;
-    if ((x < SIZE_MAX ? scan_reserve_x(out, n, n, table->file) : scan_reserve(out, n, 1, n, table->file)) != STATUS_OK)
-        return table->file->status->code;
+    size_t n = table->rows - first, columns = table->columns, valid = table->header.valid;
+    struct text *spent = table->file->options->spent;
+    if (spent && spent->data == table->file->bytes && !out->units_lacking) /* else a sidecar's may be read with them */
+        text_free(spent);
+    if (x < SIZE_MAX && !(out->x_m = malloc(n * sizeof *out->x_m)))
+        return status_memory(table->file->status);
     for (size_t i = 0; i < n; i++) {
-        bool measured = valid >= table->columns || at(table, first + i, valid) != 0;
-        out->z_m[i] = measured ? at(table, first + i, z) * z_m : NAN;
+        const double *row = table->cell + (first + i) * columns;
         if (out->x_m)
-            out->x_m[i] = at(table, first + i, x) * x_m;
+            out->x_m[i] = row[x] * x_m;
+        table->cell[i] = valid >= columns || row[valid] != 0 ? row[z] * z_m : NAN;
     }
+    double *fitted = realloc(table->cell, n * sizeof *fitted);
+    out->z_m = fitted ? fitted : table->cell;
+    out->nx = n;
+    table->cell = NULL;
     return STATUS_OK;
 }
 
@@ -397,7 +410,7 @@ static bool is_given(const char *text)
     return text && *text;
 }
 
-static enum status_code take_accretech(struct scan *out, const struct table *table)
+static enum status_code take_accretech(struct scan *out, struct table *table)
 {
     double x_m, z_m;
     bool x_given = is_given(table->file->options->x_unit), z_given = is_given(table->file->options->z_unit);
@@ -433,7 +446,7 @@ static bool begins_with_count(const struct table *table)
 }
 
 /* Column `z` alone, at the spacing that the header names. */
-static enum status_code take_heights(struct scan *out, const struct table *table, size_t z)
+static enum status_code take_heights(struct scan *out, struct table *table, size_t z)
 {
     double x_m, z_m;
     out->z_column = z + 1;
@@ -452,9 +465,9 @@ static enum status_code take_heights(struct scan *out, const struct table *table
     return take_columns(out, table, first, SIZE_MAX, x_m, z, z_m);
 }
 
-static enum status_code fail_disorder(const struct table *table, const double *x, size_t bad)
+static enum status_code fail_disorder(const struct table *table, size_t x, size_t bad)
 {
-    bool repeated = bad > 0 && x[bad] == x[bad - 1];
+    bool repeated = bad > 0 && at(table, bad, x) == at(table, bad - 1, x);
     return scan_fail(table->file, line_of_row(table, bad), "x %s; x has to go one way: sort or remove points%s",
                      repeated ? "is that of the point before" : "turns back",
                      table->delimiter == ',' ? ", or separate the columns by semicolons if the commas are decimal signs"
@@ -462,7 +475,7 @@ static enum status_code fail_disorder(const struct table *table, const double *x
 }
 
 /* The scan in columns `x` and `z`. */
-static enum status_code take_points(struct scan *out, const struct table *table, size_t x, size_t z)
+static enum status_code take_points(struct scan *out, struct table *table, size_t x, size_t z)
 {
     const struct text_header *header = &table->header;
     double x_m, z_m;
@@ -471,14 +484,15 @@ static enum status_code take_points(struct scan *out, const struct table *table,
         return scan_fail(table->file, table->first_line, "no column of heights beside x");
     out->x_column = x + 1;
     out->z_column = z + 1;
-    if (take_units(out, table, NULL, &x_m, &z_m) != STATUS_OK ||
-        take_columns(out, table, 0, x, x_m, z, z_m) != STATUS_OK)
+    if (take_units(out, table, NULL, &x_m, &z_m) != STATUS_OK)
         return table->file->status->code;
-    size_t bad = scan_disorder(out->x_m, 1, rows);
-    if (bad < rows && isnan(out->x_m[bad]))
+    size_t bad = scan_disorder(table->cell + x, columns, rows);
+    if (bad < rows && isnan(at(table, bad, x)))
         return scan_fail(table->file, line_of_row(table, bad), "no x here; fill it in or remove this line");
     if (bad < rows)
-        return fail_disorder(table, out->x_m, bad);
+        return fail_disorder(table, x, bad);
+    if (take_columns(out, table, 0, x, x_m, z, z_m) != STATUS_OK)
+        return table->file->status->code;
     const char *unit = header->spacing.unit ? header->spacing.unit : out->x_unit;
     if (header->spacing.value > 0)
         out->nominal_dx_m = header->spacing.value * scan_unit_m(unit);
@@ -546,7 +560,7 @@ static enum status_code choose_column(size_t *column, size_t number, const struc
 
 /* The columns that the scene chooses: z, and perhaps x. Where the header's x is z itself or no x at all, its spacing
  * will do. */
-static enum status_code take_chosen(struct scan *out, const struct table *table)
+static enum status_code take_chosen(struct scan *out, struct table *table)
 {
     size_t z = 0, x = table->columns > 1 ? find_x(table) : 0;
     bool x_given = table->file->options->x_column > 0;
@@ -675,7 +689,7 @@ static enum status_code take_matrix(struct scan *out, const struct table *table)
     return STATUS_OK;
 }
 
-static enum status_code take_table(struct scan *out, const struct table *table)
+static enum status_code take_table(struct scan *out, struct table *table)
 {
     if (table->file->options->z_column > 0 && table->rows >= TEXT_POINTS)
         return take_chosen(out, table);

@@ -31,24 +31,24 @@ static void measure(double value[PARAMETERS_COUNT], const double *z, size_t poin
 {
     double size = 0, square = 0, cube = 0, fourth = 0, highest = z[0], lowest = z[0], n = (double)points;
     for (size_t i = 0; i < points; i++) {
-        size += fabs(z[i]) / n;
-        square += z[i] * z[i] / n;
-        highest = fmax(highest, z[i]);
-        lowest = fmin(lowest, z[i]);
+        size += fabs(z[i]);
+        square += z[i] * z[i];
+        highest = z[i] > highest ? z[i] : highest;
+        lowest = z[i] < lowest ? z[i] : lowest;
     }
-    double q = sqrt(square);
+    double q = sqrt(square / n);
     for (size_t i = 0; i < points; i++) {
-        double of_q = z[i] / q;
-        cube += of_q * of_q * of_q / n;
-        fourth += of_q * of_q * of_q * of_q / n;
+        double of_q = z[i] / q, of_square = of_q * of_q;
+        cube += of_square * of_q;
+        fourth += of_square * of_square;
     }
-    value[A] = size;
+    value[A] = size / n;
     value[Q] = q;
     value[P] = highest;
     value[V] = -lowest;
     value[Z] = highest - lowest;
-    value[SK] = cube;
-    value[KU] = fourth;
+    value[SK] = cube / n;
+    value[KU] = fourth / n;
     value[DQ] = slope_7_point(z, points);
 }
 
@@ -103,13 +103,15 @@ struct parameters parameters_compute(char letter, const double *height_m, size_t
     struct parameters out = {
         .letter = letter, .sampling_lengths = sampling_lengths, .evaluation_length_m = (double)points * spacing_m};
     double whole[PARAMETERS_COUNT] = {0}, part[PARAMETERS_COUNT] = {0};
-    for (size_t s = 0; s < sampling_lengths; s++) {
+    measure(whole, height_m, points);
+    for (size_t s = 0; s < sampling_lengths && sampling_lengths > 1; s++) {
         size_t first = s * points / sampling_lengths, end = (s + 1) * points / sampling_lengths;
         measure(part, height_m + first, end - first);
         for (size_t p = 0; p < PARAMETERS_COUNT; p++)
             out.value[p] += part[p] / (double)sampling_lengths;
     }
-    measure(whole, height_m, points);
+    if (sampling_lengths == 1)
+        memcpy(out.value, whole, sizeof whole);
     out.value[DQ] /= spacing_m;
     out.value[T] = whole[Z];
     out.value[SM] = element_width(height_m, points, whole[P], whole[V]) * spacing_m;

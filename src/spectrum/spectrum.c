@@ -35,8 +35,10 @@ enum status_code spectrum_of_record(struct spectrum *out, struct fft_room *room,
     if (window == SPECTRUM_WINDOW_HANN)
         record_window_hann(room->record, points);
     fft_forward(room->transform, room->record, points);
-    for (size_t n = 1; n <= count; n++)
-        out->amplitude_m[n - 1] = 2 * hypot(room->transform[n][0], room->transform[n][1]) / (double)points;
+    for (size_t n = 1; n <= count; n++) {
+        const double *harmonic = room->transform[n];
+        out->amplitude_m[n - 1] = 2 * sqrt(harmonic[0] * harmonic[0] + harmonic[1] * harmonic[1]) / (double)points;
+    }
     if (out->has_nyquist)
         out->amplitude_m[count - 1] /= 2;
     return STATUS_OK;

@@ -15,8 +15,10 @@ static double value(size_t j, size_t n)
 /* There and back; what it is on the way is the defining sum, or of `periods` > 0 the one harmonic of that cosine. */
 static void check(size_t n, size_t periods)
 {
-    double *record = fftw_alloc_real(n), *before = malloc(n * sizeof *before);
-    fftw_complex *transform = fftw_alloc_complex(n / 2 + 1);
+    struct fft_room room;
+    assert_true(fft_room_make(&room, n));
+    double *record = room.record, *before = malloc(n * sizeof *before);
+    fftw_complex *transform = room.transform;
     for (size_t j = 0; j < n; j++)
         record[j] = before[j] = periods ? cos(2 * M_PI * (double)periods * (double)j / (double)n + 0.3) : value(j, n);
     fft_forward(transform, record, n);
@@ -35,8 +37,7 @@ static void check(size_t n, size_t periods)
     for (size_t j = 0; j < n; j++)
         assert_true(fabs(record[j] / (double)n - before[j]) < 1e-13);
     free(before);
-    fftw_free(record);
-    fftw_free(transform);
+    fft_room_free(&room);
 }
 
 /* Odd, even, prime and one. */
@@ -48,9 +49,11 @@ TEST_CASE(test_sizes)
     check(1009, 0);
 }
 
-/* A cosine of 7 periods. */
+/* A cosine of 7 periods, about the size from which a record is transformed in its place. */
 TEST_CASE(test_large_sizes)
 {
+    check(32768, 7);
+    check(32769, 7);
     check(65536, 7);
     check(65537, 7);
     check(131072, 7);
