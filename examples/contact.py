@@ -2,6 +2,7 @@
 """What a scan says of its surface, as contact.c does: python3 contact.py scan.csv [um]"""
 import ctypes
 import itertools
+import os
 import sys
 from ctypes import byref, c_char_p, c_double, c_int, c_size_t, c_void_p
 
@@ -50,10 +51,10 @@ def make(function, *arguments):
 units, how = ScanOptions(), RunOptions()
 library.roughcontact_scan_options_init(byref(units))
 library.roughcontact_run_options_init(byref(how))
-units.x_unit = units.z_unit = sys.argv[2].encode() if len(sys.argv) > 2 else None  # where the file names none
+units.x_unit = units.z_unit = os.fsencode(sys.argv[2]) if len(sys.argv) > 2 else None  # where the file names none
 loads = (c_double * 5)(1e-6, 1e-5, 1e-4, 1e-3, 1e-2)  # P/(A_n E')
 
-scan = make("scan_read_file", sys.argv[1].encode(), byref(units))
+scan = make("scan_read_file", os.fsencode(sys.argv[1]), byref(units))
 surface = make("surface_make", scan, None)
 how.material = make("material_new", b"tin")
 curve = make("run", surface, b"strip-plastic", loads, c_size_t(len(loads)), byref(how))

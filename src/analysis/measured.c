@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/measured.h"
 
+#include "base/limits.h"
 #include "joint/joint.h"
 
 #include "scene/measured_file.h"
@@ -66,6 +67,9 @@ static enum status_code add_run(struct measured *out, const struct measured_file
     struct measured_run *run = &out->runs[out->run_count++];
     double **const columns[] = {&out->load, &out->resistance, &out->error};
     double load, resistance, error = error_unit->unit.factor;
+    if (out->before + out->count + file->count > limit_most(LIMIT_MEASURED_LINES))
+        return status_fail(status, STATUS_SCENE, "%s: too many rows of all that was measured%s", name,
+                           limit_words(LIMIT_MEASURED_LINES).text);
     *run = (struct measured_run){out->count, out->count, out->count + file->count};
     if (unit_factor(&load, name, &units[MEASURED_LOAD], scene, pair, status) != STATUS_OK ||
         unit_factor(&resistance, name, &units[MEASURED_RESISTANCE], scene, pair, status) != STATUS_OK ||
@@ -118,10 +122,11 @@ static enum status_code read_run(struct measured *out, const char *name, const s
     return rc;
 }
 
-enum status_code measured_read(struct measured *out, const struct scene_measured *given, const struct scene *scene,
-                               const struct plan *plan, const struct material_pair *pair, struct status *status)
+enum status_code measured_read(struct measured *out, const struct scene_measured *given, size_t before,
+                               const struct scene *scene, const struct plan *plan, const struct material_pair *pair,
+                               struct status *status)
 {
-    *out = (struct measured){.given = given, .thermal = given->quantity == SCENE_MEASURED_TCR};
+    *out = (struct measured){.given = given, .before = before, .thermal = given->quantity == SCENE_MEASURED_TCR};
     enum effect needed = out->thermal ? EFFECT_THERMAL : EFFECT_ELECTRICAL;
     if (!plan_runs(plan, needed))
         return status_fail(status, STATUS_SCENE,

@@ -18,6 +18,7 @@ struct measured_run {
  * after run. Owned: measured_free(). */
 struct measured {
     const struct scene_measured *given;
+    size_t before;           /* points of the surfaces that were read before it */
     size_t count, run_count; /* 0: none */
     struct measured_run *runs;
     double *load;       /* P/(A_n E') */
@@ -62,12 +63,12 @@ struct measured_distance {
     double bias_decades; /* mean of the same */
 };
 
-/** Reads the files of `given` (see measured_file.h), measured on these bodies. Units are those that a file names, else
- * the scene's load_unit and resistance_unit. N are divided by the nominal area, Ω and K/W multiplied by it; an error in
- * the unit 1 or % is relative, one without unit is in the resistance's. Errors: STATUS_SCENE with file, line and remedy
- * (as measured_file_read(); no unit anywhere, file and scene of two minds, N, Ω or K/W without nominal_area_m2, nothing
- * to compare with); STATUS_IO, STATUS_MEMORY. */
-MUST_CHECK enum status_code measured_read(struct measured *out, const struct scene_measured *given,
+/** Reads the files of `given` (see measured_file.h), measured on these bodies; `before` points are of other surfaces.
+ * Units are those that a file names, else the scene's load_unit and resistance_unit. N are divided by the nominal area,
+ * Ω and K/W multiplied by it; an error in the unit 1 or % is relative, one without unit is in the resistance's. Errors:
+ * STATUS_SCENE with file, line and remedy (as measured_file_read(); no unit anywhere, file and scene of two minds, N, Ω
+ * or K/W without nominal_area_m2, nothing to compare with); STATUS_IO, STATUS_MEMORY. */
+MUST_CHECK enum status_code measured_read(struct measured *out, const struct scene_measured *given, size_t before,
                                           const struct scene *scene, const struct plan *plan,
                                           const struct material_pair *pair, struct status *status);
 void measured_free(struct measured *measured);

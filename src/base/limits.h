@@ -16,8 +16,8 @@
     X(FILE_BYTES, 2147483648, "bytes", "file", "a file, or standard input", "cut it down")                             \
     X(UNPACKED_BYTES, 2147483648, "bytes", "unpacked", "all that one file on disk unpacks to",                         \
       "unpack it, or split it")                                                                                        \
-    X(UNPACKED_RATIO, 1040, "times", "ratio", "what is packed against its packed size; deflate itself reaches 1032",   \
-      "copy the file again")                                                                                           \
+    X(UNPACKED_RATIO, 100, "times", "ratio", "what unpacks to more than 4 MiB against its packed size",                \
+      "unpack it, or export it again")                                                                                 \
     X(MEMBERS, 1000, "files", "members", "files in an archive (zip, X3P)", "unpack it, or split it")                   \
     X(PACKED_DEPTH, 1, "level", "packed", "files packed within files", "unpack it")                                    \
     X(POINTS, 100000000, "points", "points", "points of a profile or a map", "cut it into parts, or thin it")          \
@@ -31,7 +31,7 @@
       "store the points in a binary file")                                                                             \
     X(XML_TAG_BYTES, 1048576, "bytes", "tag", "a tag or comment of main.xml", "export the scan again")                 \
     X(XML_DEPTH, 64, "elements", "depth", "elements of main.xml within one another", "export the scan again")          \
-    X(MEASURED_LINES, 100000, "lines", "measured", "lines of a file of measured resistance", "thin it")                \
+    X(MEASURED_LINES, 100000, "lines", "measured", "lines of a file of measured resistance, rows of all", "thin it")   \
     X(MEASURED_LINE_BYTES, 1000, "bytes", "measured-line", "a line of it", "shorten it")                               \
     X(NAME_BYTES, 255, "bytes", "name", "the name of a surface, which every row of the tables repeats", "shorten it")  \
     X(RESULTS_BYTES, 134217728, "bytes", "results", "a results.json that `compare` reads", "report fewer surfaces")    \
@@ -59,6 +59,12 @@ extern const struct limit_row limit_rows[LIMIT_COUNT];
 static inline size_t limit_most(enum limit limit)
 {
     return limit_rows[limit].most;
+}
+
+/** Bytes that so many may unpack to, by LIMIT_UNPACKED_RATIO: what makes more of them is no measurement. */
+static inline size_t limit_unpacked(size_t packed)
+{
+    return (4 << 20) + packed * limit_most(LIMIT_UNPACKED_RATIO);
 }
 
 /** How a message ends that said how much there is: "; at most 1000 files: unpack it, or split it". */

@@ -289,12 +289,14 @@ void text_add_csv(struct text *text, const char *string)
     text_add_shown(&shown, string);
     const char *all = text_string(&shown), *before = is_formula(all) ? "'" : "";
     text->failed = text->failed || shown.failed;
-    if (!strpbrk(all, ",\""))
+    if (!strpbrk(all, ",;\""))
         text_add(text, "%s%s", before, all);
     else {
         text_add(text, "\"%s", before);
-        for (; *all; all++)
-            text_add_bytes(text, *all == '"' ? "\"\"" : all, *all == '"' ? 2 : 1);
+        for (; *all; all++) { /* where semicolons delimit, no quote within a line holds a cell together */
+            text_add_bytes(text, all, 1);
+            text_add(text, "%s", *all == '"' ? "\"" : *all == ';' && is_formula(all + 1) ? "'" : "");
+        }
         text_add_bytes(text, "\"", 1);
     }
     text_free(&shown);

@@ -43,7 +43,7 @@ void text_add_markdown_shown(struct text *text, const char *string);
  * before. `bytes` ends with a whole character or before a NUL. */
 void text_add_html(struct text *out, const char *bytes, size_t size);
 /** Adds `string` as one CSV field, as it may be shown, an apostrophe before what a spreadsheet would take for a
- * formula; quoted, with quotes doubled, when it holds a comma or a quote. */
+ * formula, also behind a semicolon; quoted, with quotes doubled, when it holds a comma, a semicolon or a quote. */
 void text_add_csv(struct text *text, const char *string);
 /** How many characters `string` has, in UTF-8. */
 int text_characters(const char *string);

@@ -79,6 +79,16 @@ void command_parse(const struct argp *argp, int argc, char **argv, void *input)
     char help[] = "--help";
     if (argc > 1 && strcmp(argv[1], "-h") == 0) /* of which argp knows the long one */
         argv[1] = help;
+    for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; i++) {
+        struct text shown = {0}; /* getopt repeats what it does not know as it is */
+        text_add_shown(&shown, argv[i]);
+        bool plain = strcmp(text_string(&shown), argv[i]) == 0;
+        if (*argv[i] == '-' && !plain) {
+            command_complain("an option of characters that cannot be shown, write its value apart: ", argv[i]);
+            exit(COMMAND_USAGE);
+        }
+        text_free(&shown);
+    }
     argp_parse(argp, argc, argv, 0, NULL, input);
 }
 

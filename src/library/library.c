@@ -48,7 +48,12 @@ static int end(const struct host *host, const struct status *problem, struct rou
     host_give_back(host);
     if (status) {
         status->code = codes[problem->code];
-        snprintf(status->message, sizeof status->message, "%s", problem->message);
+        struct text shown = {0}; /* names of files and surfaces are in it */
+        text_add_shown(&shown, problem->message);
+        const char *message = shown.failed ? "out of memory" : text_string(&shown);
+        snprintf(status->message, sizeof status->message, "%.*s", (int)text_fit(message, sizeof status->message - 1),
+                 message);
+        text_free(&shown);
     }
     return codes[problem->code];
 }

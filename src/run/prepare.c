@@ -341,6 +341,7 @@ static enum status_code read_measured(struct prepared *out, struct status *statu
 {
     struct results *results = &out->results;
     const struct scene *scene = results->scene;
+    size_t before = 0;
     for (size_t k = 0; k < results->usable_count; k++) {
         size_t i = results->by_roughness[k];
         const struct scene_surface *surface = &scene->surfaces[i];
@@ -355,8 +356,10 @@ static enum status_code read_measured(struct prepared *out, struct status *statu
         if (!out->measured && !(out->measured = calloc(results->surface_count, sizeof *out->measured)))
             return status_memory(status);
         results->measured = out->measured;
-        if (measured_read(&out->measured[i], given, scene, &out->plan, results_pair(results, i), status) != STATUS_OK)
+        if (measured_read(&out->measured[i], given, before, scene, &out->plan, results_pair(results, i), status) !=
+            STATUS_OK)
             return status->code;
+        before += out->measured[i].count;
         if (measured_quantity(&out->measured[i], out->plan.running) != results_measured_quantity(results))
             return status_fail(status, STATUS_SCENE, "both ECR and TCR are measured; take out one of them");
     }

@@ -6,8 +6,6 @@
 #include <string.h>
 #include <strings.h>
 
-enum { ARCHIVE_SLACK = 64 /* bytes: an empty entry takes a few, too */ };
-
 bool archive_sniff(const struct scan_file *file)
 {
     return file->length > 4 && memcmp(file->bytes, "PK\3\4", 4) == 0;
@@ -25,16 +23,16 @@ static enum status_code fail_open(const struct scan_file *file, zip_error_t *err
 static enum status_code check_entries(struct archive *archive)
 {
     const struct scan_file *file = archive->file;
-    size_t total = 0, packed = 0, most = limit_most(LIMIT_UNPACKED_BYTES), ratio = limit_most(LIMIT_UNPACKED_RATIO);
+    size_t total = 0, packed = 0, most = limit_most(LIMIT_UNPACKED_BYTES);
     for (size_t i = 0; i < archive->count; i++) {
         zip_stat_t *entry = &archive->entries[i];
         if (zip_stat_index(archive->zip, i, 0, entry) != 0)
             return fail_open(file, zip_get_error(archive->zip));
         if (entry->comp_size > file->length - packed)
             return scan_fail(file, 0, "entries of the archive share their bytes: damaged, or made to fill a memory");
-        if (entry->size / ratio > entry->comp_size + ARCHIVE_SLACK)
-            return scan_fail(file, 0, "'%.80s' in the archive claims %zu bytes: damaged", entry->name,
-                             (size_t)entry->size);
+        if (entry->size > limit_unpacked(entry->comp_size))
+            return scan_fail(file, 0, "'%.80s' in the archive claims %zu bytes, packed in %zu%s", entry->name,
+                             (size_t)entry->size, (size_t)entry->comp_size, limit_words(LIMIT_UNPACKED_RATIO).text);
         if (entry->size > most - total)
             return scan_fail(file, 0, "the archive unpacks to more than %zu bytes%s", most,
                              limit_words(LIMIT_UNPACKED_BYTES).text);

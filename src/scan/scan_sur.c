@@ -58,7 +58,7 @@ static enum status_code inflate_streams(char **data, size_t *size, struct bytes 
                                         const struct scan_file *file)
 {
     uint32_t streams = bytes_u32(bytes), length[SUR_STREAMS][2] = {{0}};
-    size_t total = 0, room = bytes_left(bytes) * limit_most(LIMIT_UNPACKED_RATIO);
+    size_t total = 0, room = limit_unpacked(bytes_left(bytes));
     if (streams == 0 || streams > SUR_STREAMS)
         return scan_fail(file, 0, "%u compressed streams: the file is damaged", streams);
     for (uint32_t i = 0; i < streams; i++) {

@@ -114,7 +114,9 @@ static enum status_code unpack_gz(struct text *text, const struct scan_file *fil
     const char *end = file->bytes + file->length;
     int code = inflateInit2(&stream, 16 + MAX_WBITS); /* gzip's header */
     bool ended = false;
-    size_t most = limit_most(LIMIT_UNPACKED_BYTES);
+    size_t most = limit_most(LIMIT_UNPACKED_BYTES), room = limit_unpacked(file->length);
+    enum limit limit = room < most ? LIMIT_UNPACKED_RATIO : LIMIT_UNPACKED_BYTES;
+    most = room < most ? room : most;
     if (code != Z_OK)
         return status_memory(file->status);
     enum { PIECE = 65536 };
@@ -138,7 +140,7 @@ static enum status_code unpack_gz(struct text *text, const struct scan_file *fil
     if (text->failed || code == Z_MEM_ERROR)
         return status_memory(file->status);
     if (text->length > most)
-        return scan_fail(file, 0, "it unpacks to more than %zu bytes%s", most, limit_words(LIMIT_UNPACKED_BYTES).text);
+        return scan_fail(file, 0, "it unpacks to more than %zu bytes%s", most, limit_words(limit).text);
     if (!ended)
         return scan_fail(file, 0, "damaged or cut off within the gzip data; copy the file again");
     return STATUS_OK;
@@ -157,7 +159,8 @@ static enum status_code read_gz(struct scan *out, const struct scan_file *file)
 
 enum status_code scan_packed_read(struct scan *out, const struct scan_file *file)
 {
-    struct format format = format_of(file, false);
+    bool goes_on = file->options->entry > 0; /* through an archive, which is not looked through again */
+    struct format format = goes_on ? (struct format){FORMAT_PACKED, "zip", NULL, NULL} : format_of(file, false);
     if (format.kind != FORMAT_PACKED)
         return format_read(out, file);
     out->format = format.name;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/measured.h"
+#include "base/limits.h"
 #include "directory.h"
 #include "scene/measured_file.h"
 #include <gsl/gsl_randist.h>
@@ -25,7 +26,7 @@ static enum status_code read_csv(struct measured *out, const char *csv, const st
     const struct material_pair pair = {.effective_modulus_Pa = 1e10};
     directory_write(&place, name, csv);
     *status = (struct status){0};
-    return measured_read(out, &scene.measured, &scene, &plan, &pair, status);
+    return measured_read(out, &scene.measured, 0, &scene, &plan, &pair, status);
 }
 
 TEST_CASE(units_are_the_models)
@@ -264,7 +265,7 @@ TEST_CASE(files_are_runs)
     const struct material_pair pair = {.effective_modulus_Pa = 1e10};
     directory_write(&place, names[0], "load (N),R (mOhm)\n1,9\n3,5\n2,6\n");
     directory_write(&place, names[1], "R (Ohm),load (mN)\n4e-3,5000\n5e-3,4000\n7e-3,2000\n");
-    assert_int_equal(measured_read(&measured, &given, &scene, &plan, &pair, &status), STATUS_OK);
+    assert_int_equal(measured_read(&measured, &given, 0, &scene, &plan, &pair, &status), STATUS_OK);
     assert_int_equal(measured.count, 6);
     const struct measured_run runs[] = {{0, 1, 3}, {3, 3, 6}};
     assert_int_equal(measured.run_count, 2);
@@ -273,8 +274,16 @@ TEST_CASE(files_are_runs)
     assert_near(measured.resistance[1], 5e-9, 1e-14);
     assert_near(measured.resistance[3], 4e-9, 1e-14);
     measured_free(&measured);
+    for (size_t over = 0; over < 2; over++) { /* rows of all files of all surfaces */
+        size_t before = limit_most(LIMIT_MEASURED_LINES) - 6 + over;
+        assert_int_equal(measured_read(&measured, &given, before, &scene, &plan, &pair, &status),
+                         over ? STATUS_SCENE : STATUS_OK);
+        measured_free(&measured);
+    }
+    assert_non_null(strstr(status.message, "2.csv: too many rows of all that was measured; at most 100000 lines"));
+    status = (struct status){0};
     given.quantity = SCENE_MEASURED_TCR;
-    assert_int_equal(measured_read(&measured, &given, &scene, &plan, &pair, &status), STATUS_SCENE);
+    assert_int_equal(measured_read(&measured, &given, 0, &scene, &plan, &pair, &status), STATUS_SCENE);
     assert_non_null(strstr(status.message, "the effect thermal does not run"));
 }
 

@@ -153,14 +153,13 @@ static void unquote(char *out, const char *field)
 TEST_CASE(test_csv)
 {
     static const char *const fields[][2] = {
-        {"", ""},
-        {"plain text", "plain text"},
-        {"a;b", "a;b"},
-        {"a,b", "\"a,b\""},
-        {"say \"x\"", "\"say \"\"x\"\"\""},
-        {"\"", "\"\"\"\""},
-        {",\",\"", "\",\"\",\"\"\""},
+        {"", ""},           {"plain text", "plain text"},       {"a;b", "\"a;b\""}, {"a;-1", "\"a;-1\""},
+        {"a,b", "\"a,b\""}, {"say \"x\"", "\"say \"\"x\"\"\""}, {"\"", "\"\"\"\""}, {",\",\"", "\",\"\",\"\"\""},
     };
+    struct text behind = {0}; /* where semicolons delimit, the cell is cut there, whatever is around it */
+    text_add_csv(&behind, "a;=HYPERLINK(1)");
+    assert_string_equal(text_string(&behind), "\"a;'=HYPERLINK(1)\"");
+    text_free(&behind);
     for (size_t i = 0; i < sizeof fields / sizeof *fields; i++) {
         struct text text = {0};
         char back[64];

@@ -354,6 +354,10 @@ TEST_IN_WORKSPACE(test_commands)
     workspace_write(place, "d/scene.yaml", "title: x\n");
     assert_process(expect_exit(place, 2, "plan", "d", "-e", "\x1b\u202E\xFF"), "plan -e");
     assert_process(expect_exit(place, 2, "plan", "d", "-m", "\x1b\u202E\xFF"), "plan -m");
+    static const char *const options[] = {"-\x1b", "--\x1b]0;x\a", "--load=\x1b\u202E\xFF", "--no-cost=\n", "-o\x1b"};
+    for (size_t i = 0; i < sizeof options / sizeof *options; i++)
+        assert_process(expect_exit(place, 2, "report", "d", options[i]), options[i]);
+    assert_process(expect_exit(place, 4, "inspect", "--", "-\x1b"), "inspect --");
 }
 
 TEST_IN_WORKSPACE(test_title_and_names_of_the_scene)

@@ -366,6 +366,8 @@ TEST_IN_WORKSPACE(units_are_not_guessed)
 
     assert_int_equal(roughcontact_scan_read_file(&scan, "/nowhere/at all", NULL, &status), ROUGHCONTACT_IO);
     expect_part(status.message, "/nowhere/at all");
+    assert_int_equal(roughcontact_scan_read_file(&scan, "/no\n\033]0;x\a\xff", NULL, &status), ROUGHCONTACT_IO);
+    expect_part(status.message, "'/no\\x0a\\x1b]0;x\\x07\\xff'");
     assert_int_equal(roughcontact_scan_read_file(&scan, place, NULL, &status), ROUGHCONTACT_IO);
     assert_int_equal(roughcontact_scan_read_file(&scan, NULL, NULL, &status), ROUGHCONTACT_USAGE);
     assert_int_equal(roughcontact_scan_read_bytes(&scan, "", 0, NULL, NULL, NULL), ROUGHCONTACT_SCAN);

@@ -145,7 +145,7 @@ TEST_CASE(test_columns_are_those_promised)
 TEST_CASE(test_the_surfaces)
 {
     struct table table = directory_table(*state, "out/data/surfaces.csv");
-    static const char *const files[] = {"smooth.csv", "bowl.csv", "rough-1.csv;rough-2.csv"};
+    static const char *const files[] = {"smooth.csv", "bowl.csv", "\"rough-1.csv;rough-2.csv\""};
     assert_int_equal(table.rows, 3);
     for (size_t row = 0; row < 3; row++) {
         assert_string_equal(table_text(&table, row, "files"), files[row]);

@@ -142,7 +142,7 @@ TEST_CASE(test_bomb)
     for (size_t i = 0; i + 4 < text.length; i++)
         if (memcmp(text.data + i, size, 4) == 0)
             text.data[i + 3] = 0x7f;
-    assert_refused_bytes(text_string(&text), text.length, &no_units, "claims 2130712432 bytes: damaged");
+    assert_refused_bytes(text_string(&text), text.length, &no_units, "claims 2130712432 bytes, packed in");
     text_free(&text);
     free(zeros);
 }

@@ -40,6 +40,36 @@ static void assert_parts(const struct text *text, const char *const *parts, cons
     assert_null(parts[count]);
 }
 
+static size_t searched; /* bytes, by the whole program */
+
+/* In place of memmem() where any file calls it (ld --wrap, tests/CMakeLists.txt). */
+void *__real_memmem(const void *bytes, size_t length, const void *part, size_t part_length);
+void *__wrap_memmem(const void *bytes, size_t length, const void *part, size_t part_length);
+void *__wrap_memmem(const void *bytes, size_t length, const void *part, size_t part_length)
+{
+    searched += length;
+    return __real_memmem(bytes, length, part, part_length);
+}
+
+/* An archive is looked through once, not for each scan in it. */
+TEST_CASE(test_many_beside_a_large_one)
+{
+    enum { SCANS = 20, LARGE = 1 << 20 };
+    static char large[LARGE], names[SCANS][8];
+    struct member members[SCANS + 2] = {[SCANS] = {"photo.jpg", large, LARGE}};
+    const char *parts[SCANS + 1] = {NULL};
+    memcpy(large, "\xff\xd8\xff\xe0", 4);
+    for (size_t i = 0; i < SCANS; i++) {
+        snprintf(names[i], sizeof names[i], "%zu.csv", i);
+        members[i] = (struct member){parts[i] = names[i], csv, sizeof csv - 1};
+    }
+    struct text text = zip(members, false);
+    searched = 0;
+    assert_parts(&text, parts, "passed over in the archive, no scan: photo.jpg");
+    assert_true(searched > 0 && searched < 10 * text.length);
+    text_free(&text);
+}
+
 TEST_CASE(test_several)
 {
     const struct member texts[] = {{"README.md", "1 2\n3 4\n", 8},           {"folder/", "", 0},
