@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "direct/direct_kernel.h"
 
+#include "base/fft.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,13 +10,6 @@ enum {
     BLOCK = 8, /* columns copied out together: two lines of cache a row */
     GAP = 4    /* values between them, lest all begin at the same place of the cache */
 };
-
-/** FFTW's planner is shared by all of the process, and base/fft has a lock of its own. So FFTW is told to take turns by
- * itself, which has to come before any thread plans. */
-__attribute__((constructor)) static void let_threads_plan(void)
-{
-    fftw_make_planner_thread_safe();
-}
 
 /** Both tables, the 1/points of an unnormalised pair of transforms included. */
 static void fill_tables(struct direct_kernel *kernel)
@@ -31,8 +25,9 @@ static void fill_tables(struct direct_kernel *kernel)
         }
 }
 
-static void make_plans(struct direct_kernel *kernel)
+static void make_plans(void *context)
 {
+    struct direct_kernel *kernel = context;
     int nx = (int)kernel->nx, ny = (int)kernel->ny;
     kernel->row_forward = fftw_plan_dft_r2c_1d(nx, kernel->field, kernel->row, FFTW_ESTIMATE);
     kernel->row_backward = fftw_plan_dft_c2r_1d(nx, kernel->row, kernel->field, FFTW_ESTIMATE);
@@ -50,9 +45,8 @@ static enum status_code make(struct direct_kernel *out, struct status *status)
     out->transformed = fftw_alloc_complex(out->ny);
     out->compliance = malloc(quarter * sizeof(double));
     out->stiffness = malloc(quarter * sizeof(double));
-    if (out->field && out->row && out->columns && out->transformed && out->compliance && out->stiffness)
-        make_plans(out);
-    if (!out->row_forward || !out->row_backward || !out->column_forward || !out->column_backward)
+    if (!out->field || !out->row || !out->columns || !out->transformed || !out->compliance || !out->stiffness ||
+        !fft_plan(make_plans, out))
         (void)status_memory(status);
     if (status->code != STATUS_OK)
         direct_kernel_free(out);
@@ -78,10 +72,10 @@ enum status_code direct_kernel_make(struct direct_kernel *out, size_t nx, size_t
 
 void direct_kernel_free(struct direct_kernel *kernel)
 {
-    fftw_destroy_plan(kernel->row_forward);
-    fftw_destroy_plan(kernel->row_backward);
-    fftw_destroy_plan(kernel->column_forward);
-    fftw_destroy_plan(kernel->column_backward);
+    fft_plan_free(kernel->row_forward);
+    fft_plan_free(kernel->row_backward);
+    fft_plan_free(kernel->column_forward);
+    fft_plan_free(kernel->column_backward);
     fftw_free(kernel->field);
     fftw_free(kernel->row);
     fftw_free(kernel->columns);
@@ -157,14 +151,21 @@ static void filter_row(struct direct_kernel *kernel, const double *table)
     fftw_execute_dft_c2r(kernel->row_backward, kernel->row, kernel->field);
 }
 
-void direct_kernel_convolve(struct direct_kernel *kernel, const double *table)
+static void filter(void *context)
 {
-    kernel->convolutions++;
+    struct direct_kernel *kernel = context;
     if (kernel->ny == 1) {
-        filter_row(kernel, table);
+        filter_row(kernel, kernel->table);
         return;
     }
     transform_rows(kernel);
-    filter_columns(kernel, table);
+    filter_columns(kernel, kernel->table);
     transform_rows_back(kernel);
+}
+
+void direct_kernel_convolve(struct direct_kernel *kernel, const double *table)
+{
+    kernel->convolutions++;
+    kernel->table = table;
+    kernel->exhausted |= !fft_try(filter, kernel);
 }

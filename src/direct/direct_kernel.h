@@ -12,6 +12,7 @@
 
 #include "base/status.h"
 #include <fftw3.h>
+#include <stdbool.h>
 #include <stddef.h>
 
 /** Points a side of a square: the places of a process fit 31 bits. */
@@ -30,6 +31,8 @@ struct direct_kernel {
     fftw_complex *columns, *transformed; /* some columns and one's transform */
     fftw_plan row_forward, row_backward, column_forward, column_backward;
     size_t convolutions; /* done so far */
+    const double *table; /* of the one under way */
+    bool exhausted;      /* one of them found no memory: the field is of no use, nor what is made of it */
 };
 
 /** nx >= 2, ny >= 1; with ny = 1 it is a strip, without strain across. A transform is made of transforms of rows and
@@ -43,7 +46,7 @@ MUST_CHECK enum status_code direct_kernel_make(struct direct_kernel *out, size_t
 void direct_kernel_free(struct direct_kernel *kernel);
 
 /** Replaces `field` f by the field with the transform f̂ times `table`: compliance, stiffness (its inverse, for a field
- * of mean 0), or another of their shape. */
+ * of mean 0), or another of their shape. Where FFTW finds no memory for it, kernel->exhausted says so. */
 void direct_kernel_convolve(struct direct_kernel *kernel, const double *table);
 
 #endif

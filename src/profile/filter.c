@@ -16,16 +16,18 @@ static size_t reach_of(size_t points, double spacing_m, double cutoff_m)
 }
 
 /** Adds up the neighbours of each of the first `points` values of `record`, weighted, by transforms: n log n whatever
- * the reach. `weights` is the transform of the weights, which are even; `length` values go around the ends. */
-static void add_up(double *record, fftw_complex *bins, const fftw_complex *weights, size_t points, size_t length)
+ * the reach. `weights` is the transform of the weights, which are even; `length` values go around the ends.
+ * False: out of memory. */
+static bool add_up(double *record, fftw_complex *bins, const fftw_complex *weights, size_t points, size_t length)
 {
     memset(record + points, 0, (length - points) * sizeof *record);
-    fft_forward(bins, record, length);
+    if (!fft_forward(bins, record, length))
+        return false;
     for (size_t k = 0; k <= length / 2; k++) {
         bins[k][0] *= weights[k][0] / (double)length;
         bins[k][1] *= weights[k][0] / (double)length;
     }
-    fft_backward(record, bins, length);
+    return fft_backward(record, bins, length);
 }
 
 enum status_code filter_gaussian(double *smooth_m, const double *height_m, size_t points, double spacing_m,
@@ -45,13 +47,13 @@ enum status_code filter_gaussian(double *smooth_m, const double *height_m, size_
             record[k] += weight;
             record[(length - k) % length] += k > 0 ? weight : 0;
         }
-        fft_forward(weights, record, length);
+        good = fft_forward(weights, record, length);
         memcpy(record, height_m, points * sizeof *record);
-        add_up(record, bins, weights, points, length);
+        good = good && add_up(record, bins, weights, points, length);
         memcpy(smooth_m, record, points * sizeof *smooth_m);
         for (size_t i = 0; i < points; i++)
             record[i] = 1;
-        add_up(record, bins, weights, points, length);
+        good = good && add_up(record, bins, weights, points, length);
         for (size_t i = 0; i < points; i++) /* by the weights that lie within the record */
             smooth_m[i] /= record[i];
     }
