@@ -58,6 +58,7 @@ void text_add(struct text *text, const char *format, ...)
         vsnprintf(text->data + text->length, (size_t)length + 1, format, again);
         text->length += (size_t)length;
     }
+    status_lost |= text->failed;
     va_end(again);
 }
 
@@ -277,6 +278,8 @@ void text_add_wrapped(struct text *text, const char *string, int width, int inde
 
 const char *text_string(const struct text *text)
 {
+    if (text->failed) /* and whoever takes it does not ask */
+        status_lost = true;
     return text->data ? text->data : "";
 }
 
