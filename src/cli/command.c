@@ -20,7 +20,7 @@ void command_complain(const char *what, const char *message)
 {
     struct text line = {0};
     text_add_shown(&line, message);
-    fprintf(stderr, "roughcontact: %s%s\n", what, text_string(&line));
+    fprintf(stderr, "roughcontact: %s%s\n", what, line.failed ? "out of memory" : text_string(&line));
     text_free(&line);
 }
 
