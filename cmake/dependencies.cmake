@@ -12,15 +12,13 @@ pkg_check_modules(expat REQUIRED IMPORTED_TARGET expat)
 pkg_check_modules(zlib REQUIRED IMPORTED_TARGET zlib)
 pkg_check_modules(zip REQUIRED IMPORTED_TARGET libzip)
 
-find_library(fftw_threads fftw3_threads REQUIRED) # Debian has no .pc file for it
-
-set(numerical ${fftw_threads} PkgConfig::fftw PkgConfig::gsl PkgConfig::jansson)
+set(numerical PkgConfig::fftw PkgConfig::gsl PkgConfig::jansson)
 
 # Their archives, one that needs another before it, for targets of the property TAKES_ARCHIVES: the program, which starts
 # in half the time. Not those of expat, libyaml, zlib and libzip, which Debian wants shared (lintian's embedded-library), nor
 # libcrypto's, which libzip brings along.
 option(ROUGHCONTACT_ARCHIVES "link the program with the archives of FFTW, GSL and jansson, where there are any" ON)
-foreach(name IN ITEMS fftw3_threads fftw3 gsl gslcblas jansson)
+foreach(name IN ITEMS fftw3 gsl gslcblas jansson)
     find_library(archive_${name} lib${name}.a)
     mark_as_advanced(archive_${name})
     list(APPEND archives ${archive_${name}})

@@ -7,7 +7,10 @@ add_library(libroughcontact SHARED ${library_sources})
 set_target_properties(libroughcontact PROPERTIES
                       OUTPUT_NAME roughcontact VERSION 1.${PROJECT_VERSION_MINOR}.${PROJECT_VERSION_PATCH} SOVERSION 1 C_VISIBILITY_PRESET hidden
                       LINK_DEPENDS ${library_exports} LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
-target_link_libraries(libroughcontact PRIVATE roughcontact_core)
+# FFTW is its own, so that a lack of memory within FFTW does not end the host (base/fft.h): before the shared one, of which
+# nothing is needed then.
+set(own_fftw $<$<AND:$<BOOL:${ROUGHCONTACT_ARCHIVES}>,$<BOOL:${archive_fftw3}>>:${archive_fftw3}>)
+target_link_libraries(libroughcontact PRIVATE roughcontact_core ${own_fftw})
 target_compile_options(libroughcontact PRIVATE ${roughcontact_frames})
 target_link_options(libroughcontact PRIVATE LINKER:--version-script=${library_exports} LINKER:--exclude-libs,ALL
                     LINKER:--as-needed)

@@ -361,8 +361,8 @@ enum status_code describe_surface(struct surface_record *out, const struct scene
     if (rc == STATUS_OK)
         rc = conclude(out, &scans, scene, counterface, &problem);
     power_law_scans_free(&scans);
-    if (rc == STATUS_MEMORY)
-        return status_memory(status);
+    if (rc == STATUS_MEMORY && status_memory(status))
+        return surface_put_aside(out, scene, status);
     if (rc == STATUS_OK && surface != &scene->counterface_surface)
         find_hardness(out, scene);
     summary->usable = rc == STATUS_OK;

@@ -365,7 +365,7 @@ static enum status_code run_unloading(struct surface_record *record, const struc
     return STATUS_OK;
 }
 
-enum status_code evaluate_surface(struct surface_record *out, const struct evaluate_task *task, struct status *status)
+static enum status_code evaluate(struct surface_record *out, const struct evaluate_task *task, struct status *status)
 {
     const struct scene *scene = task->scene;
     struct plan plan = *task->plan;
@@ -389,4 +389,10 @@ enum status_code evaluate_surface(struct surface_record *out, const struct evalu
     if (!task->keep_scans)
         surface_drop_scans(out);
     return rc;
+}
+
+enum status_code evaluate_surface(struct surface_record *out, const struct evaluate_task *task, struct status *status)
+{
+    enum status_code rc = evaluate(out, task, status);
+    return rc == STATUS_MEMORY ? surface_put_aside(out, task->scene, status) : rc;
 }

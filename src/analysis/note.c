@@ -26,6 +26,7 @@ static void insert(struct note_list *list, size_t at, const char *subject, char 
     if (!notes || !what || (subject && !note.subject)) {
         free(note.subject);
         free(what);
+        status_lost = true;
         return;
     }
     memmove(notes + at + 1, notes + at, (list->count - at) * sizeof *notes);

@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 double surface_short_gamma(const struct power_law *law)
 {
@@ -128,4 +129,17 @@ void surface_record_free(struct surface_record *record)
     free(summary->limits);
     free(summary->unloading);
     *summary = (struct surface_summary){0};
+}
+
+enum status_code surface_put_aside(struct surface_record *record, const struct scene *scene, struct status *status)
+{
+    struct surface_summary kept = {.scene = record->summary.scene, .pair = record->summary.pair};
+    if (scene->surface_count == 1 || kept.scene == &scene->counterface_surface ||
+        !(kept.refusal = strdup("out of memory; thin its scans, or report it alone")))
+        return status->code;
+    memcpy(kept.hash, record->summary.hash, sizeof kept.hash);
+    surface_record_free(record);
+    record->summary = kept;
+    *status = (struct status){0};
+    return STATUS_OK;
 }

@@ -144,5 +144,9 @@ void surface_drop_scans(struct surface_record *record);
 /** Frees all arrays; the summary stays. */
 void surface_drop_arrays(struct surface_record *record);
 void surface_record_free(struct surface_record *record);
+/** Of a surface that memory was short for, of which `status` tells: it goes aside like one that is refused, and the
+ * others go on. The error stays where it is the only one, or the counterface. */
+MUST_CHECK enum status_code surface_put_aside(struct surface_record *record, const struct scene *scene,
+                                              struct status *status);
 
 #endif

@@ -2,6 +2,7 @@
 #include "base/fft.h"
 
 #include <pthread.h>
+#include <setjmp.h>
 
 enum {
     SMALL = 1 << 15, /* records up to it: planning a complex transform takes a quarter of `inspect` */
@@ -13,11 +14,66 @@ static struct {
     size_t n;
     fftw_plan plan;
 } kept[KEPT];
+static bool ready, left; /* it has all its solvers, and plans may live; it was left at work */
+/* Of the call of FFTW under way; of initial-exec, as glibc else may allocate at its first use, and aborts when it
+ * cannot. */
+static __attribute__((tls_model("initial-exec"))) _Thread_local jmp_buf *way_out;
 
-/** Runs a plan once. */
-static void run(fftw_plan plan)
+/** FFTW calls this where malloc() gives it nothing, and wants it not to return. Its own prints a line and aborts; this
+ * one stands in its place, as what is linked finds it before FFTW's archive. */
+__attribute__((noreturn, visibility("default"))) void fftw_assertion_failed(void)
+{
+    if (way_out)
+        longjmp(*way_out, 1);
+    __builtin_trap();
+}
+
+bool fft_try(void (*work)(void *context), void *context)
+{
+    jmp_buf here;
+    if (setjmp(here) != 0) {
+        way_out = NULL;
+        return false;
+    }
+    way_out = &here;
+    work(context);
+    way_out = NULL;
+    return true;
+}
+
+/** Of a planner that was left at work: a table that it forgets may be gone; with a part of its solvers only, it would
+ * plan otherwise from here on. */
+static void mend(void *unused)
+{
+    (void)unused;
+    if (ready)
+        fftw_forget_wisdom();
+    else
+        fftw_cleanup();
+}
+
+bool fft_plan(void (*work)(void *context), void *context)
+{
+    pthread_mutex_lock(&planner);
+    bool done = (!left || fft_try(mend, NULL)) && fft_try(work, context);
+    left = !done;
+    ready = ready || done;
+    pthread_mutex_unlock(&planner);
+    return done;
+}
+
+static void execute(void *plan)
 {
     fftw_execute(plan);
+}
+
+bool fft_run(fftw_plan plan)
+{
+    return fft_try(execute, plan);
+}
+
+void fft_plan_free(fftw_plan plan)
+{
     pthread_mutex_lock(&planner);
     fftw_destroy_plan(plan);
     pthread_mutex_unlock(&planner);
@@ -41,46 +97,67 @@ void fft_room_free(struct fft_room *room)
     *room = (struct fft_room){0};
 }
 
-/** In its place, to the real parts of harmonics 0 ... n/2 and, backwards, the imaginary ones. */
-static void forward_small(double *record, size_t n)
+/** One transform, and its plan; without `transform` in its place, to the real parts of harmonics 0 ... n/2 and,
+ * backwards, the imaginary ones. */
+struct once {
+    double *record;
+    fftw_complex *transform;
+    size_t n;
+    bool back, kept;
+    fftw_plan plan;
+};
+
+static void make_plan(void *context)
 {
+    struct once *once = context;
+    once->plan = once->back ? fftw_plan_dft_c2r_1d((int)once->n, once->transform, once->record, FFTW_ESTIMATE)
+                            : fftw_plan_dft_r2c_1d((int)once->n, once->record, once->transform, FFTW_ESTIMATE);
+}
+
+static void make_small_plan(void *context)
+{
+    struct once *once = context;
     size_t k = 0;
-    pthread_mutex_lock(&planner);
-    while (k < KEPT && kept[k].plan && kept[k].n != n)
+    while (k < KEPT && kept[k].plan && kept[k].n != once->n)
         k++;
-    fftw_plan plan = k < KEPT ? kept[k].plan : NULL;
-    if (!plan)
-        plan = fftw_plan_r2r_1d((int)n, record, record, FFTW_R2HC, FFTW_ESTIMATE);
-    if (k < KEPT)
-        kept[k].n = n, kept[k].plan = plan;
-    pthread_mutex_unlock(&planner);
-    if (k == KEPT) {
-        run(plan);
-        return;
-    }
-    fftw_execute_r2r(plan, record, record);
+    once->kept = k < KEPT;
+    once->plan = once->kept ? kept[k].plan : NULL;
+    if (!once->plan)
+        once->plan = fftw_plan_r2r_1d((int)once->n, once->record, once->record, FFTW_R2HC, FFTW_ESTIMATE);
+    if (once->kept)
+        kept[k].n = once->n, kept[k].plan = once->plan;
 }
 
-void fft_forward(fftw_complex *out, double *in, size_t n)
+static void run_once(void *context)
 {
-    if (n <= SMALL) {
-        forward_small(in, n);
-        for (size_t k = 0; k <= n / 2; k++) {
-            out[k][0] = in[k];
-            out[k][1] = k > 0 && 2 * k < n ? in[n - k] : 0;
-        }
-        return;
-    }
-    pthread_mutex_lock(&planner);
-    fftw_plan plan = fftw_plan_dft_r2c_1d((int)n, in, out, FFTW_ESTIMATE);
-    pthread_mutex_unlock(&planner);
-    run(plan);
+    struct once *once = context;
+    if (once->transform)
+        fftw_execute(once->plan);
+    else
+        fftw_execute_r2r(once->plan, once->record, once->record);
 }
 
-void fft_backward(double *out, fftw_complex *in, size_t n)
+static bool transform(struct once once)
 {
-    pthread_mutex_lock(&planner);
-    fftw_plan plan = fftw_plan_dft_c2r_1d((int)n, in, out, FFTW_ESTIMATE);
-    pthread_mutex_unlock(&planner);
-    run(plan);
+    bool done = fft_plan(once.transform ? make_plan : make_small_plan, &once) && fft_try(run_once, &once);
+    if (!once.kept)
+        fft_plan_free(once.plan);
+    return done;
+}
+
+bool fft_forward(fftw_complex *out, double *in, size_t n)
+{
+    if (n > SMALL)
+        return transform((struct once){.record = in, .transform = out, .n = n});
+    bool done = transform((struct once){.record = in, .n = n});
+    for (size_t k = 0; k <= n / 2; k++) {
+        out[k][0] = in[k];
+        out[k][1] = k > 0 && 2 * k < n ? in[n - k] : 0;
+    }
+    return done;
+}
+
+bool fft_backward(double *out, fftw_complex *in, size_t n)
+{
+    return transform((struct once){.record = out, .transform = in, .n = n, .back = true});
 }

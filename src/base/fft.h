@@ -1,12 +1,25 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Fourier transforms of real records by FFTW, whose planner is the one part of it that threads have to take turns at.
- */
+/* Fourier transforms by FFTW, whose planner is the one part of it that threads have to take turns at. Where FFTW finds
+ * no memory, in its planner or in a transform, it would end the process; called through here it is left instead, and
+ * what it had got by then is lost. */
 #ifndef BASE_FFT_H
 #define BASE_FFT_H
+
+#include "base/status.h"
 
 #include <fftw3.h>
 #include <stdbool.h>
 #include <stddef.h>
+
+/** Does work(context), of which nothing but FFTW allocates, and which frees nothing. False: out of memory, and
+ * the work is undone in part. For any thread, and each for itself. */
+MUST_CHECK bool fft_try(void (*work)(void *context), void *context);
+/** The same of what makes plans, with no other thread at it. */
+MUST_CHECK bool fft_plan(void (*work)(void *context), void *context);
+/** Runs a plan on the arrays it was made for. False: out of memory. */
+MUST_CHECK bool fft_run(fftw_plan plan);
+/** NULL does nothing. */
+void fft_plan_free(fftw_plan plan);
 
 /** A record and its transform, of which one holds at a time: those of a large record share their place. */
 struct fft_room {
@@ -15,13 +28,13 @@ struct fft_room {
 };
 
 /** Room for records of n; false: out of memory. Owned: fft_room_free(). */
-bool fft_room_make(struct fft_room *out, size_t n);
+MUST_CHECK bool fft_room_make(struct fft_room *out, size_t n);
 void fft_room_free(struct fft_room *room);
 
 /** out[k] = sum in[j] exp(-2 pi i jk/n), k = 0 ... n/2. Both arrays from fftw_alloc or fft_room_make(), those of
- * n > 32768 perhaps the same; `in` may be overwritten. */
-void fft_forward(fftw_complex *out, double *in, size_t n);
-/** The inverse times n. `in` may be overwritten. */
-void fft_backward(double *out, fftw_complex *in, size_t n);
+ * n > 32768 perhaps the same; `in` may be overwritten. False: out of memory. */
+MUST_CHECK bool fft_forward(fftw_complex *out, double *in, size_t n);
+/** The inverse times n. `in` may be overwritten. False: out of memory. */
+MUST_CHECK bool fft_backward(double *out, fftw_complex *in, size_t n);
 
 #endif

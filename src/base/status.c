@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+atomic_bool status_lost;
+
 enum status_code status_fail(struct status *status, enum status_code code, const char *format, ...)
 {
     if (status->code != STATUS_OK)

@@ -3,6 +3,9 @@
 #ifndef BASE_STATUS_H
 #define BASE_STATUS_H
 
+#include <stdatomic.h>
+#include <stdbool.h>
+
 #define MUST_CHECK        __attribute__((warn_unused_result))
 #define PRINTF_LIKE(f, a) __attribute__((format(printf, f, a)))
 
@@ -38,5 +41,9 @@ const char *status_reason(int error);
 
 /** Shorthand for an allocation that failed. */
 enum status_code status_memory(struct status *status);
+
+/** Memory was short where nobody asks at every step, in a text or a tree of JSON: what is made of these in this process
+ * may lack a part, and is not to be handed out. */
+extern atomic_bool status_lost;
 
 #endif

@@ -64,6 +64,7 @@ void text_add(struct text *text, const char *format, ...)
     } else if (room) {
         text->data[text->length] = '\0';
     }
+    status_lost |= text->failed;
     va_end(again);
 }
 
@@ -341,6 +342,8 @@ void text_add_wrapped(struct text *text, const char *string, int width, int inde
 
 const char *text_string(const struct text *text)
 {
+    if (text->failed) /* and whoever takes it does not ask */
+        status_lost = true;
     return text->data ? text->data : "";
 }
 

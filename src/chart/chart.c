@@ -26,7 +26,7 @@ struct chart chart_make(const char *name)
     struct chart out = {.legend = json_array()};
     snprintf(out.name, sizeof out.name, "%s", name);
     out.panel = calloc(CHART_PANELS, sizeof *out.panel);
-    out.failed = !out.panel || !out.legend;
+    status_lost |= !out.panel;
     return out;
 }
 
@@ -75,7 +75,7 @@ struct chart_panel *chart_panel(struct chart *chart, const char *title, const ch
                                 bool log_x, bool log_y)
 {
     drop_empty(chart);
-    if (chart->failed || chart->panels == CHART_PANELS)
+    if (!chart->panel || chart->panels == CHART_PANELS)
         return NULL;
     struct chart_panel *panel = &chart->panel[chart->panels++];
     *panel = (struct chart_panel){.log_x = log_x,
@@ -155,7 +155,6 @@ void chart_end(struct chart *chart)
                              curve->colour, "dash", curve->dash ? curve->dash : 1, "width",
                              curve->width > 0 ? curve->width : 2.0, "marker", curve->marker ? curve->marker : 7,
                              "drawn_lines", kind == CHART_LINE || kind == CHART_BAND, "title", shown(curve->legend));
-    chart->failed = chart->failed || !item;
     if (item && curve->legend[0])
         add_legend(chart, item);
     json_array_append_new(panel->curves, item);
@@ -395,9 +394,8 @@ enum status_code chart_script(struct text *out, struct chart *chart, struct must
     json_object_set_new(view, "panels", panels);
     json_object_set_new(view, "size", json_string(terminal_size ? terminal_size : ""));
     enum status_code rc =
-        !view || chart->failed
-            ? status_memory(templates->status)
-            : mustache_file(out, templates, terminal_size ? "charts/letters" : "charts/panels", view, escape_gnuplot);
+        !view ? status_memory(templates->status)
+              : mustache_file(out, templates, terminal_size ? "charts/letters" : "charts/panels", view, escape_gnuplot);
     json_decref(view);
     return rc;
 }

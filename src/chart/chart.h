@@ -54,7 +54,6 @@ struct chart {
     size_t blocks, rows; /* curves with anything to see; rows of the one begun last */
     struct chart_curve curve;
     struct chart_extent own_x, own_y; /* of the curve begun last */
-    bool failed;
 };
 
 /** Starts a chart. Owned: chart_free(). */

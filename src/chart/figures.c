@@ -309,7 +309,7 @@ static void make_models(struct chart *chart, const struct source *source)
         asked_shown(asked, comparison_middle(results, source->leading, results->baseline).value[asked->quantity]);
     if (!rows || !chart_panel(chart, "", asked_label(source, "axis.asked_operating"), "", true, false)) {
         free(rows);
-        chart->failed = true;
+        status_lost |= !rows;
         return;
     }
     if (known)
@@ -701,7 +701,7 @@ static enum status_code draw_one(struct chart *chart, bool terminal, struct must
     struct text directory = {0}, commands = {0};
     text_add(&directory, "%s/figures", task->directory);
     text_add(&commands, "load '%s.gp'\n", chart->name);
-    enum status_code rc = chart->failed ? status_memory(status) : status->code;
+    enum status_code rc = status->code;
     if (rc == STATUS_OK)
         rc = chart_write(chart, templates, text_string(&directory));
     if (rc == STATUS_OK && terminal)
@@ -737,7 +737,7 @@ enum status_code figures_draw(struct figures *out, const struct results *results
             make_all_surfaces(&chart, &source, panel);
         chart_end(&chart);
         bool terminal = row && row->terminal && task->terminal_size;
-        if ((chart.blocks > 0 || chart.failed) && draw_one(&chart, terminal, &folder, task, status) == STATUS_OK) {
+        if (chart.blocks > 0 && draw_one(&chart, terminal, &folder, task, status) == STATUS_OK) {
             out->figure[out->count].name = row ? row->name : panel->file;
             out->figure[out->count].terminal = terminal;
             snprintf(out->figure[out->count++].numbers, sizeof out->figure->numbers, "%s", chart.numbers);

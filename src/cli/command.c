@@ -20,7 +20,7 @@ void command_complain(const char *what, const char *message)
 {
     struct text line = {0};
     text_add_shown(&line, message);
-    fprintf(stderr, "roughcontact: %s%s\n", what, text_string(&line));
+    fprintf(stderr, "roughcontact: %s%s\n", what, line.failed ? "out of memory" : text_string(&line));
     text_free(&line);
 }
 
@@ -89,7 +89,8 @@ void command_parse(const struct argp *argp, int argc, char **argv, void *input)
         }
         text_free(&shown);
     }
-    argp_parse(argp, argc, argv, 0, NULL, input);
+    if (argp_parse(argp, argc, argv, 0, NULL, input) == ENOMEM)
+        exit(command_fail(&(struct status){STATUS_MEMORY, "out of memory"}));
 }
 
 error_t command_directory(const char **directory, int key, const char *value, struct argp_state *state)
@@ -132,10 +133,11 @@ void command_terminal_size(int *columns, int *rows)
 
 int command_finish(int exit_status, const char *written)
 {
-    if (fflush(stdout) == 0 && !ferror(stdout))
+    bool lost = status_lost && exit_status != COMMAND_NOTHING;
+    if (fflush(stdout) == 0 && !ferror(stdout) && !lost)
         return exit_status;
     struct text message = {0};
-    text_add(&message, "cannot write to standard output: %s", status_reason(errno));
+    text_add(&message, "cannot write to standard output: %s", lost ? "out of memory" : status_reason(errno));
     if (written)
         text_add(&message, "; the report is written, in '%s'", written);
     command_complain("", text_string(&message));

@@ -7,7 +7,9 @@
 #include <fftw3.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_version.h>
+#include <jansson.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 const struct command_row command_rows[COMMANDS] = {
@@ -74,9 +76,18 @@ static int run(int argc, char **argv)
     return command_rows[which].run(argc, argv);
 }
 
+/** For jansson, of whose trees not every branch is asked whether it came about. */
+static void *allocate(size_t size)
+{
+    void *made = malloc(size);
+    status_lost |= !made;
+    return made;
+}
+
 int command_main(int argc, char **argv)
 {
     gsl_set_error_handler_off();
+    json_set_alloc_funcs(allocate, free);
     argp_err_exit_status = COMMAND_USAGE;
     const char *name = argc > 1 ? argv[1] : "";
     if (argc <= 1) {

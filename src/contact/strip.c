@@ -58,7 +58,8 @@ static enum status_code phases_of(struct phases *out, const double *strip_m, siz
         return status_memory(status);
     for (size_t r = 0; r < count; r++) {
         memcpy(out->room.record, strip_m + r * length, length * sizeof(double));
-        fft_forward(out->room.transform, out->room.record, length);
+        if (!fft_forward(out->room.transform, out->room.record, length))
+            return status_memory(status);
         for (size_t k = 0; k <= length / 2; k++)
             out->amplitude[k] +=
                 (pow(out->room.transform[k][0] / n, 2) + pow(out->room.transform[k][1] / n, 2)) / (double)count;
@@ -78,7 +79,8 @@ static void phases_free(struct phases *phases)
 }
 
 /** A Gaussian row. */
-static void draw_row(double *out, struct phases *phases, size_t length, size_t row, uint64_t seed)
+static void draw_row(double *out, struct phases *phases, size_t length, size_t row, uint64_t seed,
+                     struct status *status)
 {
     uint64_t first = (uint64_t)row << 32;
     double normal = gsl_cdf_ugaussian_Pinv(direct_random(seed, first) + ldexp(1, -54));
@@ -90,7 +92,8 @@ static void draw_row(double *out, struct phases *phases, size_t length, size_t r
         phases->room.transform[k][0] = phases->amplitude[k] * (nyquist ? copysign(1, cos(angle)) : cos(angle));
         phases->room.transform[k][1] = nyquist ? 0 : phases->amplitude[k] * sin(angle);
     }
-    fft_backward(phases->room.record, phases->room.transform, length);
+    if (!fft_backward(phases->room.record, phases->room.transform, length))
+        (void)status_memory(status);
     memcpy(out, phases->room.record, length * sizeof *out);
 }
 
@@ -193,8 +196,9 @@ enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, c
         (void)solve_strip(&out->own, strip_m, points, rows->spacing_m, &out->transforms, stop, status);
     for (size_t s = 0; s < surrogates && status->code == STATUS_OK; s++) {
         for (size_t r = 0; r < count; r++)
-            draw_row(strip_m + r * length, &phases, length, which[r], s + 1);
-        (void)solve_strip(&out->surrogate[s], strip_m, points, rows->spacing_m, &out->transforms, stop, status);
+            draw_row(strip_m + r * length, &phases, length, which[r], s + 1, status);
+        if (status->code == STATUS_OK)
+            (void)solve_strip(&out->surrogate[s], strip_m, points, rows->spacing_m, &out->transforms, stop, status);
     }
     phases_free(&phases);
     free(strip_m);

@@ -394,6 +394,8 @@ static enum status_code iterate(struct solver *solver, double tolerance, struct 
     size_t waited = 0;
     solver->joined = true;
     for (;;) {
+        if (contact->kernel.exhausted)
+            return status_memory(status);
         double violation = lay_set(solver) / contact->rms_m;
         solver->effort->violation = violation;
         if (violation < tolerance)
@@ -481,8 +483,10 @@ static bool follow_coarse(struct solver *solver, bool warm)
     memset(contact->direction, 0, places * sizeof(double));
     if (warm)
         add_coarse(contact, -1);
-    if (direct_contact_solve(coarse, &load, &effort, &problem) != STATUS_OK)
+    if (direct_contact_solve(coarse, &load, &effort, &problem) != STATUS_OK) {
+        contact->kernel.exhausted = problem.code == STATUS_MEMORY;
         return false;
+    }
     solver->effort->convolutions += effort.convolutions / 4;
     if (warm && effort.iterations == 0)
         return true; /* all that has changed is rounding, which would press points that are apart */

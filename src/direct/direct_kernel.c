@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "direct/direct_kernel.h"
 
+#include "base/fft.h"
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -10,13 +11,6 @@ enum {
     BLOCK = 8, /* columns copied out together: two lines of cache a row */
     GAP = 4    /* values between them, lest all begin at the same place of the cache */
 };
-
-/** FFTW's planner is shared by all of the process, and base/fft has a lock of its own. So FFTW is told to take turns by
- * itself, which has to come before any thread plans. */
-__attribute__((constructor)) static void let_threads_plan(void)
-{
-    fftw_make_planner_thread_safe();
-}
 
 /** Both tables, the 1/points of an unnormalised pair of transforms included. */
 static void fill_tables(struct direct_kernel *kernel)
@@ -32,8 +26,9 @@ static void fill_tables(struct direct_kernel *kernel)
         }
 }
 
-static void make_plans(struct direct_kernel *kernel)
+static void make_plans(void *context)
 {
+    struct direct_kernel *kernel = context;
     int nx = (int)kernel->nx, ny = (int)kernel->ny;
     kernel->row_forward = fftw_plan_dft_r2c_1d(nx, kernel->field, kernel->row, FFTW_ESTIMATE);
     kernel->row_backward = fftw_plan_dft_c2r_1d(nx, kernel->row, kernel->field, FFTW_ESTIMATE);
@@ -51,9 +46,8 @@ static enum status_code make(struct direct_kernel *out, struct status *status)
     out->transformed = fftw_alloc_complex(out->ny);
     out->compliance = malloc(quarter * sizeof(double));
     out->stiffness = malloc(quarter * sizeof(double));
-    if (out->field && out->row && out->columns && out->transformed && out->compliance && out->stiffness)
-        make_plans(out);
-    if (!out->row_forward || !out->row_backward || !out->column_forward || !out->column_backward)
+    if (!out->field || !out->row || !out->columns || !out->transformed || !out->compliance || !out->stiffness ||
+        !fft_plan(make_plans, out))
         (void)status_memory(status);
     if (status->code != STATUS_OK)
         direct_kernel_free(out);
@@ -79,10 +73,10 @@ enum status_code direct_kernel_make(struct direct_kernel *out, size_t nx, size_t
 
 void direct_kernel_free(struct direct_kernel *kernel)
 {
-    fftw_destroy_plan(kernel->row_forward);
-    fftw_destroy_plan(kernel->row_backward);
-    fftw_destroy_plan(kernel->column_forward);
-    fftw_destroy_plan(kernel->column_backward);
+    fft_plan_free(kernel->row_forward);
+    fft_plan_free(kernel->row_backward);
+    fft_plan_free(kernel->column_forward);
+    fft_plan_free(kernel->column_backward);
     fftw_free(kernel->field);
     fftw_free(kernel->row);
     fftw_free(kernel->columns);
@@ -217,21 +211,37 @@ static double pass_row(struct direct_kernel *kernel, const double *table, bool f
     return energy;
 }
 
-void direct_kernel_convolve(struct direct_kernel *kernel, const double *table, const uint8_t *wanted)
+/** A convolution, or half of one for its energy. */
+struct pass {
+    struct direct_kernel *kernel;
+    const double *table;
+    const uint8_t *wanted;
+    bool filter;
+    double energy;
+};
+
+static void make_pass(void *context)
 {
+    struct pass *pass = context;
+    struct direct_kernel *kernel = pass->kernel;
     if (kernel->ny == 1) {
-        (void)pass_row(kernel, table, true);
+        pass->energy = pass_row(kernel, pass->table, pass->filter);
         return;
     }
     transform_rows(kernel);
-    (void)pass_columns(kernel, table, true);
-    transform_rows_back(kernel, wanted);
+    pass->energy = pass_columns(kernel, pass->table, pass->filter);
+    if (pass->filter)
+        transform_rows_back(kernel, pass->wanted);
+}
+
+void direct_kernel_convolve(struct direct_kernel *kernel, const double *table, const uint8_t *wanted)
+{
+    kernel->exhausted |= !fft_try(make_pass, &(struct pass){kernel, table, wanted, true, NAN});
 }
 
 double direct_kernel_energy(struct direct_kernel *kernel, const double *table)
 {
-    if (kernel->ny == 1)
-        return pass_row(kernel, table, false);
-    transform_rows(kernel);
-    return pass_columns(kernel, table, false);
+    struct pass pass = {kernel, table, NULL, false, NAN};
+    kernel->exhausted |= !fft_try(make_pass, &pass);
+    return pass.energy;
 }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "direct/direct_surface.h"
 
+#include "base/fft.h"
 #include <assert.h>
-#include <fftw3.h>
 #include <gsl/gsl_sort.h>
 #include <math.h>
 #include <stdlib.h>
@@ -172,30 +172,35 @@ struct modes {
     double *field;     /* n x stride */
     double *amplitude; /* sqrt(v) of |i|, |j| = 0 ... n/2, square; NULL where not asked for */
     fftw_plan forward, backward;
+    bool exhausted; /* a transform found no memory */
 };
 
 static void modes_free(struct modes *modes)
 {
-    fftw_destroy_plan(modes->forward);
-    fftw_destroy_plan(modes->backward);
+    fft_plan_free(modes->forward);
+    fft_plan_free(modes->backward);
     fftw_free(modes->field);
     free(modes->amplitude);
+}
+
+static void plan_modes(void *context)
+{
+    struct modes *modes = context;
+    int n = (int)modes->n;
+    fftw_complex *spectrum = (fftw_complex *)modes->field;
+    modes->forward = fftw_plan_dft_r2c_2d(n, n, modes->field, spectrum, FFTW_ESTIMATE);
+    modes->backward = fftw_plan_dft_c2r_2d(n, n, spectrum, modes->field, FFTW_ESTIMATE);
 }
 
 static enum status_code modes_make(struct modes *out, size_t n, struct status *status)
 {
     assert(n >= 4 && n % 2 == 0);
     *out = (struct modes){.n = n, .stride = n + 2, .field = fftw_alloc_real(n * (n + 2))};
-    if (out->field) {
-        fftw_complex *spectrum = (fftw_complex *)out->field;
-        out->forward = fftw_plan_dft_r2c_2d((int)n, (int)n, out->field, spectrum, FFTW_ESTIMATE);
-        out->backward = fftw_plan_dft_c2r_2d((int)n, (int)n, spectrum, out->field, FFTW_ESTIMATE);
-        memset(out->field, 0, n * out->stride * sizeof(double));
-    }
-    if (!out->forward || !out->backward) {
+    if (!out->field || !fft_plan(plan_modes, out)) {
         modes_free(out);
         return status_memory(status);
     }
+    memset(out->field, 0, n * out->stride * sizeof(double));
     return STATUS_OK;
 }
 
@@ -247,7 +252,7 @@ static void realise(double *height_m, struct modes *modes, uint64_t seed)
             mode[0] = amplitude_at(modes, i, j) * cos(angle);
             mode[1] = amplitude_at(modes, i, j) * sin(angle);
         }
-    fftw_execute(modes->backward);
+    modes->exhausted |= !fft_run(modes->backward);
     store(height_m, modes);
 }
 
@@ -260,14 +265,16 @@ enum status_code direct_surface_refine(double *fine_m, size_t times, const doubl
     if (modes_make(&fine, times * n, status) == STATUS_OK) {
         for (size_t j = 0; j < n; j++)
             memcpy(coarse.field + j * coarse.stride, height_m + j * n, n * sizeof(double));
-        fftw_execute(coarse.forward);
+        coarse.exhausted |= !fft_run(coarse.forward);
         for (size_t j = 0; j < n; j++)
             for (size_t i = 0; i < n / 2 && j != n / 2; i++)
                 for (int part = 0; part < 2; part++)
                     mode_at(&fine, i, j < n / 2 ? j : times * n - (n - j))[part] =
                         mode_at(&coarse, i, j)[part] / (double)(n * n);
-        fftw_execute(fine.backward);
+        fine.exhausted |= !fft_run(fine.backward);
         store(fine_m, &fine);
+        if (coarse.exhausted || fine.exhausted)
+            (void)status_memory(status);
         modes_free(&fine);
     }
     modes_free(&coarse);
@@ -312,14 +319,14 @@ static enum status_code quantiles(double *out, size_t count, const double *given
 /** Gives every mode its amplitude and leaves its phase. A mode that is 0 gets the phase 0. */
 static void impose_amplitudes(struct modes *modes)
 {
-    fftw_execute(modes->forward);
+    modes->exhausted |= !fft_run(modes->forward);
     for (size_t j = 0; j < modes->n; j++)
         for (size_t i = 0; i <= modes->n / 2; i++) {
             double *mode = mode_at(modes, i, j), size = hypot(mode[0], mode[1]), amplitude = amplitude_at(modes, i, j);
             mode[0] = size > 0 ? mode[0] * (amplitude / size) : amplitude;
             mode[1] = size > 0 ? mode[1] * (amplitude / size) : 0;
         }
-    fftw_execute(modes->backward);
+    modes->exhausted |= !fft_run(modes->backward);
 }
 
 static int by_value(const void *left, const void *right, void *values)
@@ -381,6 +388,8 @@ enum status_code direct_surface_make(double *height_m, size_t n, direct_variance
             (void)give_heights(height_m, &modes, given_m, given_count, seed, status);
         else
             realise(height_m, &modes, seed);
+        if (modes.exhausted)
+            (void)status_memory(status);
     }
     modes_free(&modes);
     return status->code;

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "library/host.h"
 
-#include <fftw3.h>
 #include <gsl/gsl_errno.h>
 #include <pthread.h>
 
@@ -16,7 +15,6 @@ static gsl_error_handler_t *hosts;
 static void prepare(void)
 {
     plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    fftw_make_planner_thread_safe();
 }
 
 void host_put_aside(struct host *out)

@@ -3,7 +3,7 @@
  *
  * From a scan (a file, or bytes in memory) to a surface made ready (levelled, gaps bridged, filtered), its roughness,
  * spectrum and power law, and to what a model says of it at a list of loads. The numbers are those of the program
- * `roughcontact`, to the bit (unless FFTW has been given wisdom, by which it may round differently).
+ * `roughcontact`, to the bit.
  *
  * Everything is SI. What is not known, not computed, or does not exist is NaN.
  *
@@ -20,8 +20,8 @@
  * The host: the library prints nothing, ends nothing, starts no program, sets no signal handler and keeps no state that
  * shows. Locale, rounding mode and floating-point traps of the calling thread are put aside for the time of a call, so
  * they change no number and no message. GSL's error handler, one for the process, is off while any call lasts: GSL's
- * functions then return their errors, in all threads; do not set it at such a time. FFTW's planner is made safe for
- * threads (fftw_make_planner_thread_safe()) at the first call.
+ * functions then return their errors, in all threads; do not set it at such a time. FFTW is one of its own, which the
+ * host's never meets. An allocation that fails, in FFTW too, is the error MEMORY (or IO, of a file).
  *
  * Binary interface: structures that the library fills (roughness, ...) are its own and may grow at their end. Options
  * are the caller's, and stay as they are within a soname. */

@@ -41,16 +41,18 @@ static void add_near(double *smooth_m, const double *height_m, size_t points, co
 }
 
 /** Adds up the neighbours of each of the first `points` values of room->record, weighted, by transforms: n log n
- * whatever the reach. `weights` is the transform of the weights, which are even; `length` values go around the ends. */
-static void add_up(struct fft_room *room, const fftw_complex *weights, size_t points, size_t length)
+ * whatever the reach. `weights` is the transform of the weights, which are even; `length` values go around the ends.
+ * False: out of memory. */
+static bool add_up(struct fft_room *room, const fftw_complex *weights, size_t points, size_t length)
 {
     memset(room->record + points, 0, (length - points) * sizeof *room->record);
-    fft_forward(room->transform, room->record, length);
+    if (!fft_forward(room->transform, room->record, length))
+        return false;
     for (size_t k = 0; k <= length / 2; k++) {
         room->transform[k][0] *= weights[k][0] / (double)length;
         room->transform[k][1] *= weights[k][0] / (double)length;
     }
-    fft_backward(room->record, room->transform, length);
+    return fft_backward(room->record, room->transform, length);
 }
 
 enum status_code filter_gaussian(double *smooth_m, const double *height_m, size_t points, double spacing_m,
@@ -76,13 +78,13 @@ enum status_code filter_gaussian(double *smooth_m, const double *height_m, size_
             weights.record[k] += weight;
             weights.record[(length - k) % length] += k > 0 ? weight : 0;
         }
-        fft_forward(weights.transform, weights.record, length);
+        good = fft_forward(weights.transform, weights.record, length);
         memcpy(room.record, height_m, points * sizeof *height_m);
-        add_up(&room, weights.transform, points, length);
+        good = good && add_up(&room, weights.transform, points, length);
         memcpy(smooth_m, room.record, points * sizeof *smooth_m);
         for (size_t i = 0; i < points; i++)
             room.record[i] = 1;
-        add_up(&room, weights.transform, points, length);
+        good = good && add_up(&room, weights.transform, points, length);
         for (size_t i = 0; i < points; i++) /* by the weights that lie within the record */
             smooth_m[i] /= room.record[i];
     }

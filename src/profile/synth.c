@@ -182,11 +182,11 @@ static enum status_code transform(double *height_m, const struct synth *synth, s
         bins[n][0] = has ? size * cos(synth->phase[n - 1]) : 0;
         bins[n][1] = has ? size * sin(synth->phase[n - 1]) : 0;
     }
-    fft_backward(record, bins, points);
+    bool done = fft_backward(record, bins, points);
     memcpy(height_m, record, points * sizeof *height_m);
     fftw_free(bins);
     fftw_free(record);
-    return STATUS_OK;
+    return done ? STATUS_OK : status_memory(status);
 }
 
 static enum status_code fill(struct synth *synth, double *height_m, struct status *status)

@@ -330,8 +330,8 @@ static enum status_code run_again(struct surfaces *all, bool shown_only, struct 
             continue;
         const struct evaluate_task task = task_of(all, i);
         surface_record_free(record);
-        if (evaluate_surface(record, &task, status) != STATUS_OK)
-            return status->code;
+        if (evaluate_surface(record, &task, status) != STATUS_OK || (shown_only && !record->summary.usable))
+            return status_memory(status); /* it is ranked by now, and cannot go aside */
     }
     return STATUS_OK;
 }

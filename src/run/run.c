@@ -37,6 +37,7 @@ struct run {
     json_t *view;
     double *sweeps;
     struct direct_study *direct; /* results->direct_count of them */
+    size_t direct_lost;          /* surfaces whose direct solution memory was short for */
 };
 
 /** The convergence study: every sweep by every model that stacks scales. */
@@ -145,7 +146,7 @@ static enum status_code run_direct(struct run *run, struct status *status)
     for (size_t i = 0; i < results->surface_count; i++) {
         if (!prepare_solves(results, i))
             continue;
-        const struct surface_record *record = &results->surfaces[i];
+        struct surface_record *record = &results->surfaces[i];
         struct direct_progress progress = {run->options, record->summary.scene->name, 0, PTHREAD_MUTEX_INITIALIZER};
         if (run->options->progress)
             run->options->progress("direct solution of", progress.surface, 0, 1);
@@ -162,7 +163,14 @@ static enum status_code run_direct(struct run *run, struct status *status)
         enum status_code rc = direct_study_run(study, &task, &problem);
         if (run->options->progress)
             run->options->progress("direct solution of", progress.surface, 1, 1);
-        if (rc == STATUS_MODEL || rc == STATUS_SCAN) { /* no number then; the models' curves stand */
+        if (rc == STATUS_MEMORY) {
+            snprintf(problem.message, sizeof problem.message,
+                     "out of memory on %zu x %zu points; take a smaller grid, or fewer threads (--jobs)",
+                     record->summary.direct->grid, record->summary.direct->grid);
+            note_add(&record->summary.notes, NULL, "no direct solution: %s", problem.message);
+            run->direct_lost++;
+        }
+        if (rc == STATUS_MEMORY || rc == STATUS_MODEL || rc == STATUS_SCAN) { /* no number then; the curves stand */
             direct_study_free(study);
             direct_plan_give_up(record->summary.direct, problem.message);
         } else if (rc != STATUS_OK) {
@@ -260,7 +268,7 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
         return status->code;
     out->missed_count = view_missed_limits(&out->missed, run->results);
     out->times.report = lap(&last);
-    return stopped(run) ? status->code : output_commit(&run->output, status);
+    return stopped(run) ? status->code : status_lost ? status_memory(status) : output_commit(&run->output, status);
 }
 
 /** OUT as given, else out/<name of DIR>. */
@@ -311,11 +319,13 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
         rc =
             status_fail(status, STATUS_INTERRUPTED, "stopped by a signal; '%s' is as it was before", run.output.target);
     }
+    if (rc != STATUS_OK && rc != STATUS_INTERRUPTED && status_lost) /* whatever went wrong then comes of it */
+        rc = (*status = (struct status){0}, status_memory(status));
     if (rc == STATUS_OK && asprintf(&out->path, "%s/report.html", run.output.target) < 0)
         rc = status_memory(status);
     out->refused = messages_add(&out->messages, &run.prepared.results, rc == STATUS_OK);
     out->surfaces = run.prepared.results.surface_count - out->refused;
-    out->left_out = messages_left_out(&run.prepared) + run.prepared.infinite.count;
+    out->left_out = messages_left_out(&run.prepared) + run.prepared.infinite.count + run.direct_lost;
     if (run.prepared.infinite.count > 0)
         text_add(&out->messages,
                  "%zu number%s came out infinite and %s left empty, the first %s; check units and loads\n",

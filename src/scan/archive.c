@@ -2,6 +2,7 @@
 #include "base/limits.h"
 #include "scan/format.h"
 
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -11,9 +12,10 @@ bool archive_sniff(const struct scan_file *file)
     return file->length > 4 && memcmp(file->bytes, "PK\3\4", 4) == 0;
 }
 
+/** libzip does not always say that it was memory; malloc() does. */
 static enum status_code fail_open(const struct scan_file *file, zip_error_t *error)
 {
-    return zip_error_code_zip(error) == ZIP_ER_MEMORY
+    return errno == ENOMEM
                ? status_memory(file->status)
                : scan_fail(file, 0, "damaged zip archive (%s); copy the file again", zip_error_strerror(error));
 }
@@ -45,6 +47,7 @@ static enum status_code check_entries(struct archive *archive)
 enum status_code archive_open(struct archive *out, const struct scan_file *file)
 {
     zip_error_t error;
+    errno = 0;
     zip_error_init(&error);
     *out = (struct archive){.file = file};
     zip_source_t *source = zip_source_buffer_create(file->bytes, file->length, 0, &error);
@@ -95,6 +98,7 @@ enum status_code archive_read(struct text *text, const struct archive *archive, 
     if (!text->data)
         return *text = (struct text){0}, status_memory(file->status);
     text->data[size] = '\0';
+    errno = 0;
     zip_file_t *opened = zip_fopen_index(archive->zip, index, 0);
     char beyond; /* reading on behind the last byte compares size and checksum */
     bool good = opened && zip_fread(opened, text->data, size) == (zip_int64_t)size &&
@@ -102,6 +106,8 @@ enum status_code archive_read(struct text *text, const struct archive *archive, 
     if (opened)
         zip_fclose(opened);
     if (!good)
-        return scan_fail(file, 0, "'%.80s' in the archive is damaged; copy the file again", entry->name);
+        return errno == ENOMEM
+                   ? status_memory(file->status)
+                   : scan_fail(file, 0, "'%.80s' in the archive is damaged; copy the file again", entry->name);
     return STATUS_OK;
 }

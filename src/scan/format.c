@@ -124,7 +124,8 @@ static enum status_code read_utf16(struct scan *out, const struct scan_file *fil
         text_add_bytes(&text, piece, sizeof piece - room);
     }
     iconv_close(convert);
-    struct scan_file utf8 = {text_string(&text), text.length, file->path, file->options, file->status};
+    struct scan_file utf8 = {text.failed ? "" : text_string(&text), text.length, file->path, file->options,
+                             file->status};
     enum status_code code = text.failed ? status_memory(file->status)
                             : stopped   ? scan_fail(file, 0, "damaged UTF-16; save it as UTF-8")
                                         : format_read(out, &utf8);

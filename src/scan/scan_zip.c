@@ -150,7 +150,8 @@ static enum status_code read_gz(struct scan *out, const struct scan_file *file)
 {
     struct text text = {0};
     enum status_code code = unpack_gz(&text, file);
-    const struct scan_file inner = {text_string(&text), text.length, file->path, file->options, file->status};
+    const struct scan_file inner = {text.failed ? "" : text_string(&text), text.length, file->path, file->options,
+                                    file->status};
     if (code == STATUS_OK)
         code = format_read(out, &inner);
     text_free(&text);

@@ -33,8 +33,10 @@ enum status_code scene_files_add(struct scene_surface *surface, const char *file
     if (!files)
         return status_memory(status);
     surface->files = files;
-    files[surface->file_count] = strdup(file);
-    return files[surface->file_count++] ? STATUS_OK : status_memory(status);
+    if (!(files[surface->file_count] = strdup(file)))
+        return status_memory(status);
+    surface->file_count++;
+    return STATUS_OK;
 }
 
 /* 2 before 10. */

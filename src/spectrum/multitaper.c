@@ -61,14 +61,15 @@ enum status_code multitaper_square(double *square_m2, const double *height_m, si
     if (!fft_room_make(&room, 2 * points))
         return status_memory(status);
     whiten(room.record, height_m, points);
-    fft_forward(room.transform, room.record, 2 * points);
-    bool finite = true;
-    for (size_t n = 1; n <= multitaper_count(points); n++) {
+    bool done = fft_forward(room.transform, room.record, 2 * points), finite = true;
+    for (size_t n = 1; done && n <= multitaper_count(points); n++) {
         double whitening = 2 * sin(M_PI * (double)n / (double)points);
         square_m2[n - 1] = 4 * tapers_mean(room.transform, points, n) / ((double)points * whitening * whitening);
         finite = finite && isfinite(square_m2[n - 1]);
     }
     fft_room_free(&room);
+    if (!done)
+        return status_memory(status);
     if (!finite)
         return status_fail(status, STATUS_SCAN, "the heights are too large for a spectrum; check their unit");
     return STATUS_OK;

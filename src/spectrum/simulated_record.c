@@ -71,7 +71,8 @@ enum status_code simulated_record_draw(double *height_m, const struct simulated_
     wave[0][0] = wave[0][1] = 0;
     wave[waves][0] *= M_SQRT2; /* the Nyquist wave has half a band, no sine and no mirror image */
     wave[waves][1] = 0;
-    fft_backward(spectrum->record, wave, longer);
+    if (!fft_backward(spectrum->record, wave, longer))
+        return status_memory(status);
     for (size_t i = 0; i < spectrum->points; i++)
         height_m[i] = spectrum->record[i];
     return STATUS_OK;

@@ -34,7 +34,8 @@ enum status_code spectrum_of_record(struct spectrum *out, struct fft_room *room,
         room->record[i] -= sum / (double)points;
     if (window == SPECTRUM_WINDOW_HANN)
         record_window_hann(room->record, points);
-    fft_forward(room->transform, room->record, points);
+    if (!fft_forward(room->transform, room->record, points))
+        return status_memory(status);
     for (size_t n = 1; n <= count; n++) {
         const double *harmonic = room->transform[n];
         out->amplitude_m[n - 1] = 2 * sqrt(harmonic[0] * harmonic[0] + harmonic[1] * harmonic[1]) / (double)points;

@@ -182,7 +182,7 @@ static void draw_marked(double *height_m, double gamma, struct fft_room *room, g
     for (size_t n = 1; n < LONG / 2; n++)
         for (int part = 0; part < 2; part++)
             room->transform[n][part] = gsl_ran_gaussian(random, 1e-6 * pow(LONG / 10.0 / (double)n, gamma) / sqrt(8));
-    fft_backward(room->record, room->transform, LONG);
+    assert_true(fft_backward(room->record, room->transform, LONG));
     memcpy(height_m, room->record, LONG * sizeof *height_m);
     for (int line = 1; line <= 3; line++) {
         double phase = 2 * M_PI * gsl_rng_uniform(random);

@@ -46,7 +46,8 @@ void coverage_draw(double *height, size_t points, size_t longer, const struct co
         for (int part = 0; part < 2; part++)
             wave[n][part] = gsl_ran_gaussian_ziggurat(random, deviation) / 2;
     }
-    fft_backward(record, wave, all);
+    if (!fft_backward(record, wave, all))
+        coverage_must(STATUS_MEMORY, NULL);
     memcpy(height, record, points * sizeof *height);
     fftw_free(record);
     fftw_free(wave);
