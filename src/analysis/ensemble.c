@@ -215,11 +215,11 @@ static enum status_code mean_point(struct contact_point *out, struct estimate *e
         if (row->from) /* of the mean curve: joint_apply() */
             continue;
         for (size_t r = 0; r < curves->count; r++)
-            curves->value[r] = point_of(curves, r, at)->value[q] / (row->over_sigma ? curves->sigma_m[r] : 1);
+            curves->value[r] = point_of(curves, r, at)->value[q] / (row->sigma_column ? curves->sigma_m[r] : 1);
         if (mean_of(&mean, estimate, curves, set, logarithmic, status) != STATUS_OK)
             return status->code;
         estimate->share = q == QUANTITY_AREA;
-        out->value[q] = mean * (row->over_sigma ? set->sigma_m : 1);
+        out->value[q] = mean * (row->sigma_column ? set->sigma_m : 1);
     }
     for (size_t r = 0; r < curves->count; r++)
         curves->value[r] = point_of(curves, r, at)->beyond_fit;

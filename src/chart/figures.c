@@ -74,7 +74,7 @@ static void put_part(struct chart *chart, const struct source *source, const str
     for (size_t i = 0; i < count; i++) {
         double value = on_axis(&points[i], y, sigma_m);
         if ((is_resistance(y->quantity) && points[i].value[QUANTITY_AREA] > nearly_full_area) ||
-            (quantity_rows[y->quantity].over_sigma && value < lowest_separation) ||
+            (quantity_rows[y->quantity].sigma_column && value < lowest_separation) ||
             (y->quantity == QUANTITY_TEMPERATURE && value > source->hottest_C))
             continue;
         chart_row(chart, on_axis(&points[i], x, sigma_m), value, 0, 0);

@@ -8,40 +8,40 @@
 
 /* In the order of enum quantity. */
 const struct quantity_row quantity_rows[] = {
-    {"load_over_AnEp", "load_over_AnEp", NULL, "P/(Aₙ E′)", "load", "", 0, 0, true, false},
-    {"area_ratio", "area_ratio", NULL, "A/Aₙ", "area", "", 0, 0, true, false},
+    {"load_over_AnEp", "load_over_AnEp", NULL, "P/(Aₙ E′)", "load", "", 0, 0, true},
+    {"area_ratio", "area_ratio", NULL, "A/Aₙ", "area", "", 0, 0, true},
     {"separation_m", "separation_m", "separation_over_sigma", "separation/σ", "separation", "σ",
-     EFFECT_BIT(EFFECT_SEPARATION), 0, false, true},
+     EFFECT_BIT(EFFECT_SEPARATION), 0, false},
     {"adjusted_separation_m", NULL, "adjusted_separation_over_sigma", "adjusted", "separation", "σ",
-     EFFECT_BIT(EFFECT_SEPARATION), 0, false, true},
-    {"ecr_ohm_m2", "ecr_ohm_m2", NULL, "ECR·Aₙ", "ECR", "Ω·m²", EFFECT_BIT(EFFECT_ELECTRICAL), 0, true, false},
-    {"tcr_K_m2_per_W", "tcr_K_m2_per_W", NULL, "TCR·Aₙ", "TCR", "K·m²/W", EFFECT_BIT(EFFECT_THERMAL), 0, true, false},
+     EFFECT_BIT(EFFECT_SEPARATION), 0, false},
+    {"ecr_ohm_m2", "ecr_ohm_m2", NULL, "ECR·Aₙ", "ECR", "Ω·m²", EFFECT_BIT(EFFECT_ELECTRICAL), 0, true},
+    {"tcr_K_m2_per_W", "tcr_K_m2_per_W", NULL, "TCR·Aₙ", "TCR", "K·m²/W", EFFECT_BIT(EFFECT_THERMAL), 0, true},
     {"tcr_sd_K_m2_per_W", "tcr_sd_K_m2_per_W", NULL, "TCR·Aₙ, scale-dependent", "TCR", "K·m²/W",
-     EFFECT_BIT(EFFECT_SCALE_DEPENDENT), 0, true, false},
+     EFFECT_BIT(EFFECT_SCALE_DEPENDENT), 0, true},
     {"ecr_last_scale_ohm_m2", "ecr_last_scale_ohm_m2", NULL, "ECR·Aₙ, last scale", "ECR", "Ω·m²",
-     EFFECT_BIT(EFFECT_LAST_SCALE), 0, true, false},
+     EFFECT_BIT(EFFECT_LAST_SCALE), 0, true},
     {"stiffness_Pa_per_m", "stiffness_Pa_per_m", NULL, "k/Aₙ", "stiffness", "Pa/m", EFFECT_BIT(EFFECT_STIFFNESS), 0,
-     true, false},
+     true},
     {"gap_W_per_m2K", "gap_W_per_m2K", NULL, "h_g", "h_g", "W/(m²·K)", EFFECT_BIT(EFFECT_GAP),
-     QUANTITY_BIT(QUANTITY_SEPARATION), true, false},
+     QUANTITY_BIT(QUANTITY_SEPARATION), true},
     {"joint_W_per_m2K", "joint_W_per_m2K", NULL, "h_j", "h_j", "W/(m²·K)", EFFECT_BIT(EFFECT_GAP),
-     QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_BIT(QUANTITY_TCR), true, false},
-    {"spots_per_m2", "spots_per_m2", NULL, "n", "n", "1/m²", ON_SPOTS, SPOTS, true, false},
-    {"spot_radius_m", "spot_radius_m", NULL, "a", "a", "m", ON_SPOTS, SPOTS, true, false},
+     QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_BIT(QUANTITY_TCR), true},
+    {"spots_per_m2", "spots_per_m2", NULL, "n", "n", "1/m²", ON_SPOTS, SPOTS, true},
+    {"spot_radius_m", "spot_radius_m", NULL, "a", "a", "m", ON_SPOTS, SPOTS, true},
     {"plating_factor", "plating_factor", NULL, "plating factor", "plating factor", "", EFFECT_BIT(EFFECT_PLATING),
-     SPOTS, true, false},
+     SPOTS, true},
     {"joint_ecr_ohm_m2", "joint_ecr_ohm_m2", NULL, "ECR·Aₙ with film and plating", "joint ECR", "Ω·m²",
-     EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING), SPOTS, true, false},
-    {"contact_voltage_V", "contact_voltage_V", NULL, "V", "V", "V", EFFECT_BIT(EFFECT_HEATING), SPOTS, true, false},
+     EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING), SPOTS, true},
+    {"contact_voltage_V", "contact_voltage_V", NULL, "V", "V", "V", EFFECT_BIT(EFFECT_HEATING), SPOTS, true},
     {"contact_temperature_K", "contact_temperature_K", NULL, "T_max", "T_max", "K", EFFECT_BIT(EFFECT_HEATING), SPOTS,
-     true, false},
+     true},
 };
 _Static_assert(sizeof quantity_rows / sizeof *quantity_rows == QUANTITY_COUNT, "a quantity has its row");
 
 double quantity_shown(const struct contact_point *point, enum quantity quantity, double sigma_m)
 {
     double value = point->value[quantity];
-    return quantity_rows[quantity].over_sigma ? value / sigma_m : value;
+    return quantity_rows[quantity].sigma_column ? value / sigma_m : value;
 }
 
 const char *quantity_shown_name(enum quantity quantity)

@@ -54,14 +54,13 @@ enum {
 struct quantity_row {
     const char *name;         /* in results.json, with its SI unit */
     const char *column;       /* in data/; NULL: only as a multiple of sigma */
-    const char *sigma_column; /* the same in data/ as a multiple of sigma; NULL: none */
+    const char *sigma_column; /* of a length that is shown as a multiple of sigma, in data/; NULL: none */
     const char *symbol;       /* as tables and captions print it: "ECR·Aₙ" */
     const char *short_symbol; /* in running text: "ECR" */
     const char *unit;         /* as printed, "" for a ratio; lengths are printed as multiples of sigma */
     unsigned effect;          /* EFFECT_BITs that it belongs to, any of them; 0: every run has it */
     unsigned from;            /* QUANTITY_BITs that it is made of once a model has run; 0: the model computes it */
     bool logarithmic;         /* axis */
-    bool over_sigma;          /* a length that is shown divided by sigma */
 };
 
 extern const struct quantity_row quantity_rows[]; /* QUANTITY_COUNT */

@@ -60,7 +60,7 @@ static void count_points(struct comparison_tally tallies[QUANTITY_COUNT], const 
             continue;
         double x = comparison_value(p, (enum quantity)k, m, p_sigma_m);
         double y = comparison_value(q, (enum quantity)k, m, q_sigma_m);
-        double scale = quantity_rows[k].over_sigma ? 1 : 0;
+        double scale = quantity_rows[k].sigma_column ? 1 : 0;
         bool larger = k == QUANTITY_AREA || k == QUANTITY_STIFFNESS;
         count_case(&tallies[k], larger ? y : x, larger ? x : y, how->tolerance, scale);
     }
