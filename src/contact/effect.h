@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The effects a scene can call for. One row each: what it adds and which material properties it needs. */
+/* The effects a scene can call for. One row each: which material properties and effects it needs. */
 #ifndef CONTACT_EFFECT_H
 #define CONTACT_EFFECT_H
 
@@ -30,7 +30,6 @@ enum effect {
 
 struct effect_row {
     const char *name;          /* scene spelling */
-    const char *adds;          /* what the report gains */
     const char *properties[5]; /* material keys it needs besides E_Pa and nu, NULL-terminated */
     unsigned needs_effects;    /* effects it builds on (bits) */
     const char *key;           /* of the scene, that calls for it, and without which it does not run; NULL: none */
