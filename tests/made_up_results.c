@@ -201,7 +201,7 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
             curve_summary_make(model, &record->curves[m], model_rows[m], rq_m, made->loads[MADE_UP_LOADS / 2]);
             model->extended = model_rows[m]->stacks_scales;
             if (model_rows[m]->stacks_scales)
-                model->extension = (struct convergence_extension){0.4, 0.3, NAN, 100};
+                model->extension = (struct convergence_extension){0.4, 0.3, 100};
             else
                 model->beta_multiscale = 7;
             model->sensitivity = (struct sensitivity_factors){{1.05, 0.8, 0.92}, {0.95, 1.3, 1.08}};

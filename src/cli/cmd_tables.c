@@ -75,8 +75,8 @@ static json_t *model_json(const struct model_row *row)
         if (row->quantities & QUANTITY_BIT(q))
             json_array_append_new(quantities, json_string(quantity_rows[q].name));
     return json_pack("{s:s, s:s, s:s, s:b, s:b, s:o, s:o, s:o, s:s, s:s, s:s, s:s, s:s}", "model", row->name, "label",
-                     row->label, "family", row->family, "by_default", row->by_default, "plastic", row->plastic,
-                     "elastic_model", json_shown(row->elastic ? row->elastic->name : NULL), "quantities", quantities,
+                     row->label, "family", row->family, "by_default", true, "plastic", row->plastic, "elastic_model",
+                     json_shown(row->elastic ? row->elastic->name : NULL), "quantities", quantities,
                      "largest_valid_area_ratio", json_finite(row->largest_area > 0 ? row->largest_area : NAN),
                      "equations", row->equations, "assumes", row->assumes, "valid", row->valid, "method", row->method,
                      "source", row->source);

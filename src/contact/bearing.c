@@ -6,7 +6,6 @@
 #include <gsl/gsl_sort.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 struct bearing_at bearing_gaussian(double area_ratio, double m0_m2, double m2)
 {

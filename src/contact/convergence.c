@@ -83,7 +83,7 @@ double convergence_tail_amplitude(const struct convergence_tail *tail, double wa
 struct convergence_extension convergence_extend(const struct spectrum *spectrum, const struct convergence_tail *tail,
                                                 const struct material_pair *pair, bool plastic, double load)
 {
-    struct convergence_extension out = {1, 1, NAN, 0};
+    struct convergence_extension out = {1, 1, 0};
     double nominal_Pa = load * pair->effective_modulus_Pa;
     bool rising = tail->gamma < 1; /* p* ~ lambda^(gamma-1) (4.55) */
     for (double n = 1; spectrum->length_m / n >= convergence_atom_m; n++) {
@@ -99,10 +99,8 @@ struct convergence_extension convergence_extend(const struct spectrum *spectrum,
             out.area_measured = out.area_extended;
             continue;
         }
-        if (cell.area_complement == 0 && !rising) {
-            out.settled_m = wavelength_m;
+        if (cell.area_complement == 0 && !rising)
             break;
-        }
         /* On a rising law every scale is soon just short of complete: d ln p/dn = (3/2pi)(1 - p/p*) keeps p within
          * (2pi/3)(1-gamma)/n of p*, so the last scale's complete pressure gives the area without visiting the rest. */
         if (rising && n > 1000 && cell.area_complement < 1e-3) {

@@ -56,7 +56,6 @@ double convergence_tail_amplitude(const struct convergence_tail *tail, double wa
 struct convergence_extension {
     double area_measured; /* A/A_n of the known harmonics */
     double area_extended; /* the same with its tail carried on to atomic size */
-    double settled_m;     /* wavelength from which every shorter scale is complete; NaN: none */
     uint64_t scales;      /* visited */
 };
 

@@ -26,8 +26,7 @@ uint64_t model_defaults(void)
 {
     uint64_t models = 0;
     for (size_t m = 0; m < model_count; m++)
-        if (model_rows[m]->by_default)
-            models |= MODEL_BIT(m);
+        models |= MODEL_BIT(m);
     return models;
 }
 

@@ -49,8 +49,7 @@ struct model_curve {
     double closed_load;        /* at which the (adjusted) separation is 0; NaN: the model does not say */
     double beta;               /* of the adjusted separation, else NaN */
     struct contact_point full; /* at full_load itself; all NaN where that is */
-    size_t yielding_scales;    /* plastic, stacked scales: those that can yield; else 0 */
-    uint64_t clamped;          /* the same: visits in which the published area was limited: see multiscale_solve() */
+    uint64_t clamped;          /* stacked scales: visits in which the published area was limited: multiscale_solve() */
     struct model_kink kink;    /* the same: the first of them, by load; load 0: none, as a mean of curves */
     uint64_t evaluations;      /* that it took */
 };
@@ -59,7 +58,6 @@ struct model_row {
     const char *name;                    /* as in contact.csv and scenes */
     const char *label;                   /* as in charts, tables and lists of names: no comma */
     const char *family;                  /* asked for together in scenes */
-    bool by_default;                     /* runs when the scene names no models */
     bool plastic;                        /* needs the effect plasticity */
     const struct model_row *elastic;     /* of a plastic model: the one it adds yield to; NULL: none */
     const struct model_row *counterpart; /* multiscale model of the same material law, which the thesis holds this one
@@ -76,7 +74,6 @@ struct model_row {
     double largest_area;   /* A/A_n up to which it is valid; 0: any */
     double stiffness_step; /* in ln P to either side, over which model_run() takes the slope of its separation; 0: it
                               computes its stiffness itself, or none */
-    const char *fitted_to; /* end of its fitted range, which contact_point.beyond_fit is the share beyond; NULL: none */
     int precedence;        /* the summary speaks of the running model with the greatest */
     int thesis_place;      /* among the four charts of each quantity in chapter 6, 1...4; 0: not in the thesis */
     bool in_findings;      /* the findings of chapter 6 are checked on it */
@@ -107,7 +104,7 @@ extern const size_t model_count; /* at most 64: sets of models are bits of a uin
 size_t model_index(const struct model_row *row);
 /** Models of that name or family, as bits; 0: no such name. */
 uint64_t model_find(const char *name);
-/** Those that run when a scene names none; the ones that use heights only where a surface is not Gaussian. */
+/** Those that run when a scene names none, all; the ones that use heights only where a surface is not Gaussian. */
 uint64_t model_defaults(void);
 /** May model `m` of the set `models` run with these EFFECT_BITs: a plastic one needs plasticity. */
 bool model_runs(size_t m, uint64_t models, unsigned effects);

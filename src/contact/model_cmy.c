@@ -73,7 +73,6 @@ const struct model_row model_cmy = {
     .name = "cmy",
     .label = "CMY",
     .family = "cmy",
-    .by_default = true,
     .plastic = true,
     .quantities = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
                   QUANTITY_BIT(QUANTITY_STIFFNESS) | QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR),

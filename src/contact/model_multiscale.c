@@ -3,8 +3,6 @@
 #include "contact/multiscale.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 /** Finds the first drop of |d ln R/d ln P|, by at least a quarter before it rises again; other curves get ever steeper.
  */
@@ -42,7 +40,6 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     curve->count = task->load_count;
     curve->full_load = stack.full_load;
     curve->closed_load = stack.closed_load;
-    curve->yielding_scales = stack.critical_scales;
     curve->exists = true;
     if (task->wanted & (QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR)))
         find_kink(curve, &stack, task->wanted & QUANTITY_BIT(QUANTITY_ECR) ? QUANTITY_ECR : QUANTITY_TCR);
@@ -59,7 +56,6 @@ const struct model_row model_multiscale_elastic = {
     .name = "multiscale-elastic",
     .label = "multiscale elastic",
     .family = "multiscale",
-    .by_default = true,
     .stacks_scales = true,
     .quantities = COMPUTES,
     .stiffness_step = MODEL_STIFFNESS_STEP,
@@ -84,7 +80,6 @@ const struct model_row model_multiscale_plastic = {
     .name = "multiscale-plastic",
     .label = "multiscale elastic-plastic",
     .family = "multiscale",
-    .by_default = true,
     .plastic = true,
     .elastic = &model_multiscale_elastic,
     .stacks_scales = true,

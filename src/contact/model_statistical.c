@@ -5,7 +5,6 @@
 #include "contact/statistical.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 static enum asperity_model_id asperity_model_of(const struct model_row *row)
 {
@@ -69,7 +68,6 @@ const struct model_row model_gw = {
     .name = "gw",
     .label = "GW",
     .family = "statistical",
-    .by_default = true,
     .counterpart = &model_multiscale_elastic,
     .asperity_model = &asperity_models[ASPERITY_HERTZ],
     .quantities = COMPUTES,
@@ -93,7 +91,6 @@ const struct model_row model_jg = {
     .name = "jg",
     .label = "JG",
     .family = "statistical",
-    .by_default = true,
     .plastic = true,
     .elastic = &model_gw,
     .counterpart = &model_multiscale_plastic,
@@ -101,7 +98,6 @@ const struct model_row model_jg = {
     .quantities = COMPUTES,
     .stiffness_step = MODEL_STIFFNESS_STEP,
     .largest_area = TOUCHING_AREA,
-    .fitted_to = "a/R = 0.41",
     .precedence = 2,
     .thesis_place = 3,
     .in_findings = true,

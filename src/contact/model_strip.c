@@ -6,7 +6,6 @@
 #include "contact/model.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 enum {
@@ -118,7 +117,6 @@ const struct model_row model_corrected_persson = {
     .name = "corrected-persson",
     .label = "Gaussian heights",
     .family = "corrected-persson",
-    .by_default = true,
     .precedence = 5,
     .quantities = COMPUTES,
     .largest_area = 0.97, /* that of corrected_persson.h */
@@ -137,7 +135,6 @@ const struct model_row model_corrected_persson_plastic = {
     .name = "corrected-persson-plastic",
     .label = "Gaussian heights with hardness",
     .family = "corrected-persson",
-    .by_default = true,
     .precedence = 6,
     .plastic = true,
     .elastic = &model_corrected_persson,
@@ -159,7 +156,6 @@ const struct model_row model_strip = {
     .name = "strip",
     .label = "strip transfer",
     .family = "strip",
-    .by_default = true,
     .precedence = 7,
     .gaussian = &model_corrected_persson,
     .uses_strip = true,
@@ -182,7 +178,6 @@ const struct model_row model_strip_plastic = {
     .name = "strip-plastic",
     .label = "strip transfer with hardness",
     .family = "strip",
-    .by_default = true,
     .precedence = 8,
     .plastic = true,
     .elastic = &model_strip,

@@ -14,11 +14,6 @@ static double load_reaching(double pressure_Pa, double effective_modulus_Pa)
     return load;
 }
 
-static size_t blocks(size_t scales)
-{
-    return (scales + MULTISCALE_BLOCK - 1) / MULTISCALE_BLOCK;
-}
-
 /** Delta (i+1), in proportion to p* = sqrt2 pi E' Delta f. */
 static double steepness(const struct multiscale *stack, size_t i)
 {
@@ -33,7 +28,8 @@ static struct sinusoid_scale make_scale(const struct multiscale *stack, size_t i
                           stack->plastic);
 }
 
-const struct sinusoid_scale *multiscale_scale(struct multiscale *stack, size_t i)
+/** The scale of index i < count. */
+static const struct sinusoid_scale *scale_at(struct multiscale *stack, size_t i)
 {
     struct sinusoid_scale *scale = &stack->scales[i];
     if (!(scale->frequency_per_m > 0))
@@ -45,8 +41,6 @@ const struct sinusoid_scale *multiscale_scale(struct multiscale *stack, size_t i
  * block which closes below this one is passed over. */
 static size_t next_open(const struct multiscale *stack, size_t i, double pressure_Pa)
 {
-    if (!stack->spectrum)
-        return i;
     double closed = pressure_Pa * stack->closed_steepness_per_Pa;
     while (i < stack->count && steepness(stack, i) <= closed) {
         i++;
@@ -81,21 +75,21 @@ static void find_loads(struct multiscale *stack, double closed_Pa)
 {
     size_t last = 0;
     for (size_t i = 0; (i = next_open(stack, i, closed_Pa)) < stack->count; i++) {
-        double own_Pa = sinusoid_closed_pressure(multiscale_scale(stack, i));
+        double own_Pa = sinusoid_closed_pressure(scale_at(stack, i));
         if (own_Pa >= closed_Pa) {
             closed_Pa = own_Pa;
             last = i;
         }
     }
-    double full_Pa = stack->count > 0 ? sinusoid_full_area_pressure(multiscale_scale(stack, last)) : 0;
+    double full_Pa = stack->count > 0 ? sinusoid_full_area_pressure(scale_at(stack, last)) : 0;
     for (size_t i = 0; (i = next_open(stack, i, full_Pa)) < stack->count; i++) {
         struct sinusoid_cell cell;
-        sinusoid_press(&cell, multiscale_scale(stack, i), &sinusoid_fits[SINUSOID_FIT_THESIS], full_Pa, false);
+        sinusoid_press(&cell, scale_at(stack, i), &sinusoid_fits[SINUSOID_FIT_THESIS], full_Pa, false);
         if (cell.area_complement > 0)
-            full_Pa = sinusoid_full_area_pressure(multiscale_scale(stack, i));
+            full_Pa = sinusoid_full_area_pressure(scale_at(stack, i));
     }
-    stack->full_load = load_reaching(full_Pa, stack->effective_modulus_Pa);
-    stack->closed_load = load_reaching(closed_Pa, stack->effective_modulus_Pa);
+    stack->full_load = load_reaching(full_Pa, stack->pair.effective_modulus_Pa);
+    stack->closed_load = load_reaching(closed_Pa, stack->pair.effective_modulus_Pa);
 }
 
 enum status_code multiscale_make(struct multiscale *out, const struct spectrum *spectrum,
@@ -104,13 +98,12 @@ enum status_code multiscale_make(struct multiscale *out, const struct spectrum *
 {
     *out = (struct multiscale){
         .scales = calloc(spectrum->count + 1, sizeof *out->scales),
-        .block_closed_Pa = malloc((blocks(spectrum->count) + 1) * sizeof *out->block_closed_Pa),
+        .block_closed_Pa = malloc((spectrum->count / MULTISCALE_BLOCK + 1) * sizeof *out->block_closed_Pa),
         .count = spectrum->count,
         .spectrum = spectrum,
         .pair = *pair,
         .plastic = plastic,
         .closure = &sinusoid_fits[closure],
-        .effective_modulus_Pa = pair->effective_modulus_Pa,
     };
     if (!out->scales || !out->block_closed_Pa) {
         multiscale_free(out);
@@ -118,9 +111,6 @@ enum status_code multiscale_make(struct multiscale *out, const struct spectrum *
     }
     out->closed_steepness_per_Pa =
         (1 - rounding) / sinusoid_full_pressure(1, 1 / spectrum->length_m, pair->effective_modulus_Pa);
-    double critical = sinusoid_critical_amplitude(1 / spectrum->length_m, pair);
-    for (size_t i = 0; plastic && i < out->count; i++)
-        out->critical_scales += steepness(out, i) > critical;
     find_loads(out, find_blocks(out));
     return STATUS_OK;
 }
@@ -137,12 +127,12 @@ size_t multiscale_solve(struct contact_point *out, struct multiscale *stack, con
 {
     bool with_gap = wanted & QUANTITY_BIT(QUANTITY_SEPARATION);
     bool conducts = wanted & (QUANTITY_RESISTANCES);
-    double nominal_Pa = load * stack->effective_modulus_Pa;
+    double nominal_Pa = load * stack->pair.effective_modulus_Pa;
     double area = 1, separation_m = 0;
     size_t clamped = 0;
     struct constriction_sum sum = {0}, last = {0};
     for (size_t i = 0; (i = next_open(stack, i, nominal_Pa / area)) < stack->count; i++) {
-        const struct sinusoid_scale *scale = multiscale_scale(stack, i);
+        const struct sinusoid_scale *scale = scale_at(stack, i);
         struct sinusoid_cell cell;
         sinusoid_press(&cell, scale, stack->closure, nominal_Pa / area, with_gap); /* p_i = P/A_{i-1} (4.2) */
         if (with_gap)
@@ -176,13 +166,13 @@ size_t multiscale_solve(struct contact_point *out, struct multiscale *stack, con
 /** The first of the scales `first` to `end` - 1 that is open at the load `low` and complete at `high`; `end`: none. */
 static size_t closing_scale(struct multiscale *stack, double low, double high, size_t first, size_t end)
 {
-    const double nominal_Pa[] = {low * stack->effective_modulus_Pa, high * stack->effective_modulus_Pa};
+    const double nominal_Pa[] = {low * stack->pair.effective_modulus_Pa, high * stack->pair.effective_modulus_Pa};
     double area[] = {1, 1};
     for (size_t i = 0; (i = next_open(stack, i, fmin(nominal_Pa[0] / area[0], nominal_Pa[1] / area[1]))) < end; i++) {
         bool complete[2];
         for (int at = 0; at < 2; at++) {
             struct sinusoid_cell cell;
-            sinusoid_press(&cell, multiscale_scale(stack, i), stack->closure, nominal_Pa[at] / area[at], false);
+            sinusoid_press(&cell, scale_at(stack, i), stack->closure, nominal_Pa[at] / area[at], false);
             complete[at] = !(cell.area_complement > 0);
             area[at] *= cell.area_ratio;
         }
@@ -202,6 +192,6 @@ bool multiscale_closing(struct model_kink *out, struct multiscale *stack, double
         double middle = sqrt(open * high);
         *(closing_scale(stack, low, middle, k, k + 1) == k ? &high : &open) = middle;
     }
-    *out = (struct model_kink){high, 1 / multiscale_scale(stack, k)->frequency_per_m};
+    *out = (struct model_kink){high, 1 / scale_at(stack, k)->frequency_per_m};
     return true;
 }

@@ -17,14 +17,12 @@ enum { MULTISCALE_BLOCK = 128 };
 struct multiscale {
     struct sinusoid_scale *scales; /* longest wavelength first; made when first visited: most are closed by then */
     size_t count;
-    const struct spectrum *spectrum; /* that scales are made of: the caller's; NULL: they are all made */
+    const struct spectrum *spectrum; /* that scales are made of: the caller's */
     struct material_pair pair;
     bool plastic;
     const struct sinusoid_fit *closure;
-    double effective_modulus_Pa;
     double full_load;               /* P/(A_n E') from which A = A_n: the largest over the scales */
     double closed_load;             /* the same for no separation left */
-    size_t critical_scales;         /* scales with Delta > Delta_c: those that can yield */
     double closed_steepness_per_Pa; /* times a mean pressure: scales that steep, or less, are closed under it */
     double *block_closed_Pa;        /* of every MULTISCALE_BLOCK scales: a mean pressure above which all are closed */
 };
@@ -35,9 +33,6 @@ MUST_CHECK enum status_code multiscale_make(struct multiscale *out, const struct
                                             const struct material_pair *pair, bool plastic,
                                             enum sinusoid_fit_id closure, struct status *status);
 void multiscale_free(struct multiscale *stack);
-
-/** The scale of index i < count. */
-const struct sinusoid_scale *multiscale_scale(struct multiscale *stack, size_t i);
 
 /** Contact at P/(A_n E') = load > 0: A_i = a_i A_{i-1} (4.1) under p_i = P/A_{i-1} (4.2); H = sum Delta_i G_i
  * (4.11*); the resistances of `spot`, only the quantities in `wanted` (others stay NaN). Passes over

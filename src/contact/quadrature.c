@@ -52,17 +52,6 @@ static size_t borders(double *border, const struct asperity *asperity, double si
     return count;
 }
 
-static enum status_code allocate(struct quadrature *panels, struct status *status)
-{
-    double **arrays[] = {&panels->node, &panels->area, &panels->load, &panels->radius, &panels->radius_scale_dependent};
-    for (size_t i = 0; i < sizeof arrays / sizeof arrays[0]; i++) {
-        *arrays[i] = malloc(panels->count * sizeof **arrays[i]);
-        if (!*arrays[i])
-            return status_memory(status);
-    }
-    return STATUS_OK;
-}
-
 enum status_code quadrature_make(struct quadrature *out, const struct asperity *asperity, enum asperity_model_id law,
                                  double sigma_s_m, double knudsen_length_m, double lowest_d, double tolerance,
                                  uint64_t *evaluations, struct status *status)
@@ -80,10 +69,16 @@ enum status_code quadrature_make(struct quadrature *out, const struct asperity *
     out->beyond_fit = asperity_interference_at(asperity, asperity_fitted_radius_ratio) / sigma_s_m;
     out->radius_clamped = asperity_interference_at(asperity, 1) / sigma_s_m;
     gsl_integration_glfixed_table *rule = gsl_integration_glfixed_table_alloc(order);
-    if (!rule)
+    out->node = malloc(5 * out->count * sizeof *out->node);
+    if (!rule || !out->node) {
+        gsl_integration_glfixed_table_free(rule);
         return status_memory(status);
-    enum status_code rc = allocate(out, status);
-    for (size_t p = 0, k = 0; rc == STATUS_OK && p < panel_count; p++)
+    }
+    out->area = out->node + out->count;
+    out->load = out->area + out->count;
+    out->radius = out->load + out->count;
+    out->radius_scale_dependent = out->radius + out->count;
+    for (size_t p = 0, k = 0; p < panel_count; p++)
         for (size_t i = 0; i < order; i++, k++) {
             double t, weight;
             gsl_integration_glfixed_point(border[p], border[p + 1], i, &t, &weight, rule);
@@ -99,16 +94,12 @@ enum status_code quadrature_make(struct quadrature *out, const struct asperity *
         }
     gsl_integration_glfixed_table_free(rule);
     *evaluations += out->count;
-    return rc;
+    return STATUS_OK;
 }
 
 void quadrature_free(struct quadrature *panels)
 {
-    free(panels->node);
-    free(panels->area);
-    free(panels->load);
-    free(panels->radius);
-    free(panels->radius_scale_dependent);
+    free(panels->node); /* and what lies behind it */
     *panels = (struct quadrature){0};
 }
 

@@ -6,7 +6,6 @@
 
 #include "base/status.h"
 #include "contact/asperity.h"
-#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 

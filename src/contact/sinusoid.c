@@ -45,11 +45,6 @@ static void link_areas(struct sinusoid_cell *cell, double low, double x, double 
     }
 }
 
-static void complete_contact(struct sinusoid_cell *cell)
-{
-    *cell = (struct sinusoid_cell){.area_ratio = 1, .area_complement = 0, .gap_ratio = 0};
-}
-
 /** Elastic area ratio, thesis (4.5), (4.6). */
 static void thesis_area(struct sinusoid_cell *cell, double x)
 {
@@ -78,11 +73,11 @@ const struct sinusoid_fit sinusoid_fits[SINUSOID_FIT_COUNT] = {
     [SINUSOID_FIT_THESIS] = {"thesis",
                              "W. E. Wilson, Auburn University 2008, eq. 4.3-4.10; after Johnson, Greenwood "
                              "and Higginson 1985, Jackson and Streator 2006",
-                             false, 0.12, 0.10, thesis_area, thesis_gap},
+                             false, thesis_area, thesis_gap},
     [SINUSOID_FIT_NUMERIC] = {"numeric",
                               "direct numerical solution of the elastic cell on a 1024 x 1024 grid, "
                               "interpolated",
-                              true, 0.004, 0.002, sinusoid_numeric_area, sinusoid_numeric_gap},
+                              true, sinusoid_numeric_area, sinusoid_numeric_gap},
 };
 
 double sinusoid_full_pressure(double amplitude_m, double frequency_per_m, double effective_modulus_Pa)
@@ -94,12 +89,6 @@ double sinusoid_critical_amplitude(double frequency_per_m, const struct material
 {
     return M_SQRT2 * pair->yield_strength_Pa * exp(critical_strain * pair->poisson_ratio) /
            (3 * M_PI * pair->effective_modulus_Pa * frequency_per_m);
-}
-
-/** p_p (4.18) over p*, of Delta/Delta_c. */
-static double plastic_full_ratio(double over_critical)
-{
-    return pow(11 / (4 * over_critical + 7), 3.0 / 5);
 }
 
 struct sinusoid_scale sinusoid_scale(double amplitude_m, double frequency_per_m, const struct material_pair *pair,
@@ -119,7 +108,8 @@ struct sinusoid_scale sinusoid_scale(double amplitude_m, double frequency_per_m,
     double flow_Pa = pair->yield_coefficient * pair->yield_strength_Pa; /* C S_y */
     double slope = amplitude_m * frequency_per_m;                       /* Delta f */
     scale.critical_pressure_Pa = flow_Pa * flow_Pa * flow_Pa / (48 * M_PI * slope * modulus * slope * modulus);
-    scale.plastic_full_pressure_Pa = scale.full_pressure_Pa * plastic_full_ratio(amplitude_m / critical_amplitude_m);
+    scale.plastic_full_pressure_Pa =
+        scale.full_pressure_Pa * pow(11 / (4 * (amplitude_m / critical_amplitude_m) + 7), 3.0 / 5);
     /* a_p = 2 f² A_c^(1/(1+q)) (3p/(4 C S_y f²))^(q/(1+q)), with f² A_c = (C S_y/(8 Delta f E'))²/pi: the f² cancel. */
     double q = 3.8 * pow(modulus * slope / pair->yield_strength_Pa, 0.11);
     double cell_critical_area = pow(flow_Pa / (8 * slope * modulus), 2) / M_PI;
@@ -162,7 +152,7 @@ bool sinusoid_press(struct sinusoid_cell *cell, const struct sinusoid_scale *sca
     bool plastic = pressure_Pa > scale->critical_pressure_Pa;
     double complete_Pa = plastic ? scale->plastic_full_pressure_Pa : scale->full_pressure_Pa;
     if (pressure_Pa >= complete_Pa) { /* also a scale of no amplitude, before anything is divided by its pressure */
-        complete_contact(cell);
+        *cell = (struct sinusoid_cell){.area_ratio = 1};
         return plastic;
     }
     double x = pressure_Pa / complete_Pa;

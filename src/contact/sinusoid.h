@@ -22,8 +22,6 @@ struct sinusoid_fit {
     const char *name;    /* scene spelling */
     const char *source;  /* where the formula or table is from */
     bool floors_plastic; /* (4.17) was made to meet closure thesis; it can fall short of this closure's elastic area */
-    double area_error, gap_error; /* largest relative difference from the direct numerical solution: area at any x, gap
-                                     at x <= 0.55 (beyond, less than 4 % of the gap is left) */
     /** Area ratio and its complement at x > 0 (gap_ratio is left alone). */
     void (*area)(struct sinusoid_cell *cell, double x);
     /** Gap ratio at x > 0. */

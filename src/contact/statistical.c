@@ -76,13 +76,6 @@ static double solve(const struct statistical *model, bool area, double log_targe
     return d;
 }
 
-/** Where the elastic model fills the nominal area: below it no law has anything to say. */
-static double hertz_full_d(const struct statistical *model)
-{
-    struct statistical elastic = {.surface = model->surface, .asperity = model->asperity, .law = ASPERITY_HERTZ};
-    return solve(&elastic, true, 0, 0);
-}
-
 enum status_code statistical_make(struct statistical *out, const struct asperities *surface,
                                   const struct material_pair *pair, enum asperity_model_id law, unsigned wanted,
                                   double tolerance, double lowest_d, uint64_t *evaluations, struct status *status)
@@ -94,9 +87,10 @@ enum status_code statistical_make(struct statistical *out, const struct asperiti
         .law = law,
         .spot = constriction_make(pair),
         .wanted = wanted,
-        .tolerance = tolerance,
     };
-    out->full_d = hertz_full_d(out);
+    struct statistical elastic = *out;
+    elastic.law = ASPERITY_HERTZ;
+    out->full_d = solve(&elastic, true, 0, 0);         /* below it no law has anything to say */
     if ((law != ASPERITY_HERTZ || scale_dependence) && /* else closed forms serve */
         quadrature_make(&out->panels, &out->asperity, law, surface->sigma_s_m,
                         scale_dependence ? out->spot.knudsen_length_m : 0, fmin(lowest_d, out->full_d), tolerance,

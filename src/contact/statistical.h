@@ -20,7 +20,6 @@ struct statistical {
     enum asperity_model_id law;
     struct constriction spot;
     unsigned wanted;          /* QUANTITY_BITs to compute */
-    double tolerance;         /* relative, of every integral */
     struct quadrature panels; /* the law at the quadrature nodes; empty where closed forms do */
     double full_d;            /* d/sigma_s at which A = A_n */
     double full_load;         /* P/(A_n E') there */

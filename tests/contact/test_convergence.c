@@ -109,7 +109,6 @@ TEST_CASE(extension_matches_every_scale)
             struct convergence_extension found = convergence_extend(&spectrum, &tail, &pair, plastic, load);
             assert_near(found.area_measured, measured, 1e-12);
             assert_near(found.area_extended, area, 3e-3);
-            assert_true(isfinite(found.settled_m) == (gamma >= 1));
             spectrum_free(&spectrum);
         }
 }

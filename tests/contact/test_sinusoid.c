@@ -38,12 +38,14 @@ TEST_CASE(plastic_matches_reference)
     table_free(&table);
 }
 
-/** Both closures against the direct solution, within the errors their rows claim, and no tighter claim than needed. */
+/** Both closures against the direct solution: largest relative difference of the area at any x, and of the gap at x <=
+ * 0.55 (beyond, less than 4 % of it is left); the thesis's is no smaller. */
 TEST_CASE(closures_keep_their_stated_error)
 {
     struct table table = table_read("golden/sinusoid_bem.csv");
     for (int c = 0; c < SINUSOID_FIT_COUNT; c++) {
         const struct sinusoid_fit *closure = &sinusoid_fits[c];
+        static const double most[SINUSOID_FIT_COUNT][2] = {{0.12, 0.10}, {0.004, 0.002}};
         double area_error = 0, gap_error = 0;
         for (size_t i = 0; i < table.rows; i++) {
             double x = table_number(&table, i, "p_over_pstar");
@@ -54,11 +56,11 @@ TEST_CASE(closures_keep_their_stated_error)
             if (x <= 0.55)
                 gap_error = fmax(gap_error, fabs(closure->gap(x) / gap - 1));
         }
-        assert_true(area_error <= closure->area_error);
-        assert_true(gap_error <= closure->gap_error);
+        assert_true(area_error <= most[c][0]);
+        assert_true(gap_error <= most[c][1]);
         if (c == SINUSOID_FIT_THESIS) {
-            assert_true(area_error > 0.9 * closure->area_error);
-            assert_true(gap_error > 0.9 * closure->gap_error);
+            assert_true(area_error > 0.9 * most[c][0]);
+            assert_true(gap_error > 0.9 * most[c][1]);
         }
     }
     table_free(&table);

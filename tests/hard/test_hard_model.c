@@ -95,7 +95,7 @@ static void check_curve(const struct model_curve *curve, const struct model_row 
             assert_true(!isless(point->value[QUANTITY_SEPARATION], 0));
     }
     check_ends(curve, row);
-    assert_true(row->plastic || (curve->clamped == 0 && curve->yielding_scales == 0));
+    assert_true(row->plastic || curve->clamped == 0);
 }
 
 /** Loads by decades from 1e-30 to 1e6, every model, rough and smooth spectra, both closures. */
