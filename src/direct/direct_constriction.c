@@ -65,7 +65,6 @@ static enum status_code iterate(double *length_m, struct direct_contact *contact
         for (size_t k = 0; k < count; k++)
             most = fabs(residual[k]) > most ? fabs(residual[k]) : most;
         *length_m = potential + dot(contact, current, residual) / points;
-        effort->violation = most / fabs(*length_m);
         if (most <= tolerance * fabs(*length_m))
             return STATUS_OK;
         if (stop && *stop)

@@ -397,7 +397,6 @@ static enum status_code iterate(struct solver *solver, double tolerance, struct 
         if (contact->kernel.exhausted)
             return status_memory(status);
         double violation = lay_set(solver) / contact->rms_m;
-        solver->effort->violation = violation;
         if (violation < tolerance)
             return STATUS_OK;
         if (solver->load->stop && *solver->load->stop)

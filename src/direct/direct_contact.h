@@ -50,7 +50,6 @@ struct direct_contact_load {
 /** What it took. */
 struct direct_contact_effort {
     size_t iterations, convolutions;
-    double violation; /* reached: max |g| on the set / rms_m */
 };
 
 /** Takes a copy of ny rows of nx heights. Errors: those of direct_kernel_make(); STATUS_MODEL: a height that is not

@@ -13,6 +13,20 @@ struct tasks {
     struct direct_point *fine; /* loads; NULL: none */
 };
 
+/** The ladder of n x n heights, which are freed as soon as they are taken. */
+static enum status_code solve_heights(struct direct_point *out, double *height_m, size_t n, double spacing_m,
+                                      const struct direct_ladder_def *def, struct status *status)
+{
+    struct direct_contact contact;
+    enum status_code rc = direct_contact_make(&contact, height_m, n, n, spacing_m, status);
+    free(height_m);
+    if (rc != STATUS_OK)
+        return rc;
+    rc = direct_ladder_run(out, &contact, def, status);
+    direct_contact_free(&contact);
+    return rc;
+}
+
 /** One surface's ladder; times > 1: on the finer grid. */
 static enum status_code solve_surface(struct direct_point *out, const struct direct_ensemble_def *def, size_t seed,
                                       size_t times, struct status *status)
@@ -29,7 +43,7 @@ static enum status_code solve_surface(struct direct_point *out, const struct dir
         height_m = fine_m;
     }
     if (rc == STATUS_OK)
-        return direct_ladder_of_heights(out, height_m, fine_n, def->length_m / (double)fine_n, &def->ladder, status);
+        return solve_heights(out, height_m, fine_n, def->length_m / (double)fine_n, &def->ladder, status);
     free(height_m);
     return rc;
 }
@@ -43,18 +57,7 @@ static enum status_code solve_part(struct direct_point *out, const struct direct
         return STATUS_OK;
     if (direct_map_take(&taken, def->map, part, status) != STATUS_OK)
         return status->code;
-    return direct_ladder_of_heights(out, taken.height_m, taken.n, taken.spacing_m, &def->ladder, status);
-}
-
-static enum status_code solve_one(const struct tasks *tasks, size_t index, struct status *status)
-{
-    struct direct_ensemble *ensemble = tasks->ensemble;
-    if (tasks->fine && index == 0)
-        return solve_surface(tasks->fine, tasks->def, 0, tasks->def->fine_times, status);
-    size_t seed = tasks->fine ? index - 1 : index;
-    struct direct_point *out = ensemble->seed_point + seed * ensemble->loads;
-    return tasks->def->map ? solve_part(out, tasks->def, (enum direct_map_part)seed, status)
-                           : solve_surface(out, tasks->def, seed, 1, status);
+    return solve_heights(out, taken.height_m, taken.n, taken.spacing_m, &def->ladder, status);
 }
 
 /** Work that a task is, in points; of a map's parts each as much as the whole. */
@@ -74,10 +77,14 @@ static enum status_code solve_task(void *context, size_t index, struct threads_t
 {
     const struct tasks *tasks = context;
     const struct direct_ensemble_def *def = tasks->def;
+    bool fine = tasks->fine && index == 0;
+    size_t seed = tasks->fine && !fine ? index - 1 : index;
+    struct direct_point *out = fine ? tasks->fine : tasks->ensemble->seed_point + seed * tasks->ensemble->loads;
     (void)turn;
-    enum status_code rc = solve_one(tasks, index, status);
+    enum status_code rc = def->map ? solve_part(out, def, (enum direct_map_part)seed, status)
+                                   : solve_surface(out, def, seed, fine ? def->fine_times : 1, status);
     if (def->solved)
-        def->solved(def->solved_context, work_of(def, tasks->fine && index == 0));
+        def->solved(def->solved_context, work_of(def, fine));
     return rc;
 }
 

@@ -122,13 +122,10 @@ static double times(const struct direct_kernel *kernel, size_t i)
 /** A transformed column times `factor` of |j|. */
 static void multiply(fftw_complex *transformed, const double *factor, size_t ny)
 {
-    for (size_t j = 0; j <= ny / 2; j++) {
-        transformed[j][0] *= factor[j];
-        transformed[j][1] *= factor[j];
-    }
-    for (size_t j = ny / 2 + 1; j < ny; j++) {
-        transformed[j][0] *= factor[ny - j];
-        transformed[j][1] *= factor[ny - j];
+    for (size_t j = 0; j < ny; j++) {
+        double f = factor[j <= ny / 2 ? j : ny - j];
+        transformed[j][0] *= f;
+        transformed[j][1] *= f;
     }
 }
 
@@ -169,49 +166,7 @@ static void copy_columns(struct direct_kernel *kernel, size_t first, size_t widt
         copy(kernel, first, width, back);
 }
 
-/** All columns, some at a time: forth, times `table`, and back; or (`filter` false) only what is returned,
- * their energy. */
-static double pass_columns(struct direct_kernel *kernel, const double *table, bool filter)
-{
-    size_t count = kernel->nx / 2 + 1, length = kernel->ny + GAP, rows = kernel->ny / 2 + 1;
-    fftw_complex *columns = kernel->columns, *transformed = kernel->transformed;
-    double energy = 0;
-    for (size_t first = 0; first < count; first += BLOCK) {
-        size_t width = count - first < BLOCK ? count - first : BLOCK;
-        copy_columns(kernel, first, width, false);
-        for (size_t i = 0; i < width; i++) {
-            const double *factor = table + (first + i) * rows;
-            fftw_execute_dft(kernel->column_forward, columns + i * length, transformed);
-            if (filter) {
-                multiply(transformed, factor, kernel->ny);
-                fftw_execute_dft(kernel->column_backward, transformed, columns + i * length);
-            } else
-                energy += times(kernel, first + i) * energy_of(transformed, factor, kernel->ny);
-        }
-        if (filter)
-            copy_columns(kernel, first, width, true);
-    }
-    return energy;
-}
-
-/** The same of a strip, which has no columns, from its field to its field. */
-static double pass_row(struct direct_kernel *kernel, const double *table, bool filter)
-{
-    double energy = 0;
-    fftw_execute_dft_r2c(kernel->row_forward, kernel->field, kernel->row);
-    kernel->transforms += filter ? 2 : 1;
-    for (size_t i = 0; !filter && i <= kernel->nx / 2; i++)
-        energy += times(kernel, i) * table[i] * square(kernel->row[i]);
-    for (size_t i = 0; filter && i <= kernel->nx / 2; i++) {
-        kernel->row[i][0] *= table[i];
-        kernel->row[i][1] *= table[i];
-    }
-    if (filter)
-        fftw_execute_dft_c2r(kernel->row_backward, kernel->row, kernel->field);
-    return energy;
-}
-
-/** A convolution, or half of one for its energy. */
+/** A convolution, or (`filter` false) half of one for its energy. */
 struct pass {
     struct direct_kernel *kernel;
     const double *table;
@@ -220,28 +175,66 @@ struct pass {
     double energy;
 };
 
+/** All columns, some at a time: forth, times the table, and back; or only their energy. */
+static void pass_columns(struct pass *pass)
+{
+    struct direct_kernel *kernel = pass->kernel;
+    size_t count = kernel->nx / 2 + 1, length = kernel->ny + GAP, rows = kernel->ny / 2 + 1;
+    fftw_complex *columns = kernel->columns, *transformed = kernel->transformed;
+    for (size_t first = 0; first < count; first += BLOCK) {
+        size_t width = count - first < BLOCK ? count - first : BLOCK;
+        copy_columns(kernel, first, width, false);
+        for (size_t i = 0; i < width; i++) {
+            const double *factor = pass->table + (first + i) * rows;
+            fftw_execute_dft(kernel->column_forward, columns + i * length, transformed);
+            if (pass->filter) {
+                multiply(transformed, factor, kernel->ny);
+                fftw_execute_dft(kernel->column_backward, transformed, columns + i * length);
+            } else
+                pass->energy += times(kernel, first + i) * energy_of(transformed, factor, kernel->ny);
+        }
+        if (pass->filter)
+            copy_columns(kernel, first, width, true);
+    }
+}
+
+/** The same of a strip, which has no columns, from its field to its field. */
+static void pass_row(struct pass *pass)
+{
+    struct direct_kernel *kernel = pass->kernel;
+    fftw_execute_dft_r2c(kernel->row_forward, kernel->field, kernel->row);
+    kernel->transforms += pass->filter ? 2 : 1;
+    for (size_t i = 0; i <= kernel->nx / 2; i++)
+        if (pass->filter) {
+            kernel->row[i][0] *= pass->table[i];
+            kernel->row[i][1] *= pass->table[i];
+        } else
+            pass->energy += times(kernel, i) * pass->table[i] * square(kernel->row[i]);
+    if (pass->filter)
+        fftw_execute_dft_c2r(kernel->row_backward, kernel->row, kernel->field);
+}
+
 static void make_pass(void *context)
 {
     struct pass *pass = context;
-    struct direct_kernel *kernel = pass->kernel;
-    if (kernel->ny == 1) {
-        pass->energy = pass_row(kernel, pass->table, pass->filter);
+    if (pass->kernel->ny == 1) {
+        pass_row(pass);
         return;
     }
-    transform_rows(kernel);
-    pass->energy = pass_columns(kernel, pass->table, pass->filter);
+    transform_rows(pass->kernel);
+    pass_columns(pass);
     if (pass->filter)
-        transform_rows_back(kernel, pass->wanted);
+        transform_rows_back(pass->kernel, pass->wanted);
 }
 
 void direct_kernel_convolve(struct direct_kernel *kernel, const double *table, const uint8_t *wanted)
 {
-    kernel->exhausted |= !fft_try(make_pass, &(struct pass){kernel, table, wanted, true, NAN});
+    kernel->exhausted |= !fft_try(make_pass, &(struct pass){kernel, table, wanted, true, 0});
 }
 
 double direct_kernel_energy(struct direct_kernel *kernel, const double *table)
 {
-    struct pass pass = {kernel, table, NULL, false, NAN};
+    struct pass pass = {kernel, table, NULL, false, 0};
     kernel->exhausted |= !fft_try(make_pass, &pass);
     return pass.energy;
 }

@@ -50,7 +50,7 @@ void direct_kernel_free(struct direct_kernel *kernel);
  * of zeros, and those not wanted, cost nothing. Where FFTW finds no memory for it, kernel->exhausted says so. */
 void direct_kernel_convolve(struct direct_kernel *kernel, const double *table, const uint8_t *wanted);
 
-/** <f, table f>, by Parseval's theorem half a convolution; `field` f is used up. NAN without memory, as above. */
+/** <f, table f>, by Parseval's theorem half a convolution; `field` f is used up. Without memory as above. */
 double direct_kernel_energy(struct direct_kernel *kernel, const double *table);
 
 #endif

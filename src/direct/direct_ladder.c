@@ -84,16 +84,3 @@ enum status_code direct_ladder_loop(struct direct_point *up, struct direct_point
     free(flowed_m);
     return rc;
 }
-
-enum status_code direct_ladder_of_heights(struct direct_point *out, double *height_m, size_t n, double spacing_m,
-                                          const struct direct_ladder_def *def, struct status *status)
-{
-    struct direct_contact contact;
-    enum status_code rc = direct_contact_make(&contact, height_m, n, n, spacing_m, status);
-    free(height_m);
-    if (rc != STATUS_OK)
-        return rc;
-    rc = direct_ladder_run(out, &contact, def, status);
-    direct_contact_free(&contact);
-    return rc;
-}

@@ -40,10 +40,4 @@ MUST_CHECK enum status_code direct_ladder_loop(struct direct_point *up, struct d
                                                const struct direct_ladder_def *def, size_t least_patches,
                                                struct status *status);
 
-/** direct_ladder_run() of n x n heights, which are freed as soon as they are taken. Errors: those of the surface and
- * the solutions. */
-MUST_CHECK enum status_code direct_ladder_of_heights(struct direct_point *out, double *height_m, size_t n,
-                                                     double spacing_m, const struct direct_ladder_def *def,
-                                                     struct status *status);
-
 #endif

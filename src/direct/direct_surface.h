@@ -10,7 +10,6 @@
 #define DIRECT_SURFACE_H
 
 #include "base/status.h"
-#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 

@@ -66,13 +66,13 @@ enum { SIDE = 64, DIRECT_LOADS = 4 };
 
 static void solve(struct direct_point *out, const double *height_m, const double *load, double hardness)
 {
-    double *copy = malloc(SIDE * SIDE * sizeof *copy);
+    struct direct_contact contact;
     struct status status = {0};
-    assert_non_null(copy);
-    memcpy(copy, height_m, SIDE * SIDE * sizeof *copy); /* which are freed */
     const struct direct_ladder_def def = {
         .load = load, .loads = DIRECT_LOADS, .hardness = hardness, .tolerance = 1e-6, .resistance = true};
-    assert_int_equal(direct_ladder_of_heights(out, copy, SIDE, 1e-6, &def, &status), STATUS_OK);
+    assert_int_equal(direct_contact_make(&contact, height_m, SIDE, SIDE, 1e-6, &status), STATUS_OK);
+    assert_int_equal(direct_ladder_run(out, &contact, &def, &status), STATUS_OK);
+    direct_contact_free(&contact);
 }
 
 /** What follows from the elastic solution of a surface with plateaus, against solutions under three hardnesses. */
