@@ -22,19 +22,17 @@ static double weight_of(size_t apart, double spacing_m, double cutoff_m)
     return exp(-M_PI * x * x);
 }
 
-/** The sum itself over `reach` neighbours. */
-static void add_near(double *smooth_m, const double *height_m, size_t points, const double *weight, long reach,
+/** The sum itself; reach < points: around an end of a periodic record it goes on at the other. */
+static void add_near(double *smooth_m, const double *height_m, size_t points, const double *weight, size_t reach,
                      bool periodic)
 {
-    long end = (long)points;
-    for (long i = 0; i < end; i++) {
+    for (size_t i = 0; i < points; i++) {
         double sum = weight[0] * height_m[i], whole = weight[0];
-        for (long k = 1; k <= reach; k++) {
-            long before = i - k, after = i + k;
-            if (periodic)
-                before += before < 0 ? end : 0, after -= after >= end ? end : 0;
-            sum += weight[k] * ((before >= 0 ? height_m[before] : 0) + (after < end ? height_m[after] : 0));
-            whole += weight[k] * ((before >= 0) + (after < end));
+        for (size_t k = 1; k <= reach; k++) {
+            bool before = periodic || i >= k, after = periodic || i + k < points;
+            sum += weight[k] * ((before ? height_m[i >= k ? i - k : i + points - k] : 0) +
+                                (after ? height_m[i + k < points ? i + k : i + k - points] : 0));
+            whole += weight[k] * (before + after);
         }
         smooth_m[i] = sum / whole;
     }
@@ -63,7 +61,7 @@ enum status_code filter_gaussian(double *smooth_m, const double *height_m, size_
         double weight[NEAR + 1];
         for (size_t k = 0; k <= reach; k++)
             weight[k] = weight_of(k, spacing_m, cutoff_m);
-        add_near(smooth_m, height_m, points, weight, (long)reach, periodic);
+        add_near(smooth_m, height_m, points, weight, reach, periodic);
         return STATUS_OK;
     }
     while (length < points + reach)

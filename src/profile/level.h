@@ -4,7 +4,6 @@
 #define PROFILE_LEVEL_H
 
 #include "base/status.h"
-#include <stdbool.h>
 #include <stddef.h>
 
 /** What is taken out of the heights. */

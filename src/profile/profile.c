@@ -90,11 +90,8 @@ static double curvature(const struct profile *profile, size_t lag)
 static void check_units(struct profile *profile, double rq_m)
 {
     double length_m = (double)profile->points * profile->spacing_m, steepest = 0;
-    for (size_t i = 1; i < profile->points; i++) {
-        double rise_m = fabs(profile->height_m[i] - profile->height_m[i - 1]);
-        steepest = rise_m > steepest ? rise_m : steepest;
-    }
-    steepest /= profile->spacing_m;
+    for (size_t i = 1; i < profile->points; i++)
+        steepest = fmax(steepest, fabs(profile->height_m[i] - profile->height_m[i - 1]) / profile->spacing_m);
     if (rq_m > length_m)
         profile_note(profile, "Rq %.3g m is above the length of the scan, %.3g m: check x_unit and z_unit", rq_m,
                      length_m);
@@ -238,10 +235,9 @@ static enum profile_spacing judge_spacing(const double *x_m, size_t points, doub
     size_t kind_count = 0; /* distinct steps, up to SPACING_KINDS */
     for (size_t i = 1; i < points; i++) {
         double step = x_m[i] - x_m[i - 1];
-        double off = fabs(x_m[i] - x_m[0] - (double)i * spacing_m);
-        shortest = step < shortest ? step : shortest;
-        longest = step > longest ? step : longest;
-        deviation = off > deviation ? off : deviation;
+        shortest = fmin(shortest, step);
+        longest = fmax(longest, step);
+        deviation = fmax(deviation, fabs(x_m[i] - x_m[0] - (double)i * spacing_m));
         size_t k = 0;
         while (k < kind_count && fabs(step - kinds[k]) > spacing_same * spacing_m)
             k++;
@@ -416,9 +412,7 @@ enum status_code profile_make(struct profile *out, const struct scan *scan, size
     if (take_level(out, &how, status) != STATUS_OK)
         return status->code;
     check_sanity(out, out->digit_m, &how);
-    if (take_filters(out, &how, status) != STATUS_OK)
-        return status->code;
-    return STATUS_OK;
+    return take_filters(out, &how, status);
 }
 
 void profile_free(struct profile *profile)

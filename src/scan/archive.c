@@ -7,11 +7,6 @@
 #include <string.h>
 #include <strings.h>
 
-bool archive_sniff(const struct scan_file *file)
-{
-    return file->length > 4 && memcmp(file->bytes, "PK\3\4", 4) == 0;
-}
-
 /** libzip does not always say that it was memory; malloc() does. */
 static enum status_code fail_open(const struct scan_file *file, zip_error_t *error)
 {

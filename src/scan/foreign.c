@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/status.h"
 #include "scan/format.h"
 #include "scan/reader.h"
 
@@ -90,7 +89,7 @@ bool foreign_has_ending(const char *path, const char *endings)
 
 const struct foreign *foreign_find(const struct scan_file *file)
 {
-    bool binary = foreign_is_binary(file), archive = archive_sniff(file);
+    bool binary = foreign_is_binary(file), archive = scan_tells_at_end(file->bytes, file->length);
     for (const struct foreign *row = rows; row < rows + sizeof rows / sizeof *rows; row++) {
         bool begins = file->length >= row->offset + row->magic_length &&
                       memcmp(file->bytes + row->offset, row->magic ? row->magic : "", row->magic_length) == 0;

@@ -81,7 +81,7 @@ struct format format_of(const struct scan_file *file, bool whole)
     if (foreign)
         return (struct format){foreign->kind == FOREIGN_SCAN ? FORMAT_FOREIGN : FORMAT_OTHER, foreign->name, NULL,
                                foreign};
-    if (!reader && archive_sniff(file))
+    if (!reader && scan_tells_at_end(file->bytes, file->length))
         return (struct format){FORMAT_PACKED, "zip", NULL, NULL};
     if (!reader)
         return (struct format){.kind = FORMAT_UNKNOWN};

@@ -77,9 +77,6 @@ struct archive {
     size_t count;
 };
 
-/** Does the file begin as an archive does? */
-bool archive_sniff(const struct scan_file *file);
-
 /** Opens `file`, which has to outlive the archive; archive_close() ends it whatever comes back. Error: STATUS_SCAN,
  * also where entries share bytes or more is claimed than LIMIT_MEMBERS, LIMIT_UNPACKED_BYTES and LIMIT_UNPACKED_RATIO
  * allow. */

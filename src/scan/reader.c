@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scan/reader.h"
 #include "base/limits.h"
-#include "base/unit.h"
 #include "scan/scan.h"
 #include "scan/string_view.h"
 #include "scan/text_header.h"

@@ -5,9 +5,7 @@
 #include "scan/text_header.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 const char *const scan_direction_names[SCAN_DIRECTION_COUNT] = {"x", "y"};
 const double scan_least_m = 1e-30, scan_most_m = 1e30;
@@ -57,10 +55,8 @@ static enum status_code check_length(double length_m, const char *what, char axi
 static enum status_code check_lengths(const struct scan *scan, const struct scan_file *file)
 {
     double step_m = scan->dx_m, highest_m = -INFINITY, lowest_m = INFINITY;
-    for (size_t i = 1; scan->x_m && i < scan->nx; i++) {
-        double step = scan->x_m[i] - scan->x_m[i - 1];
-        step_m = step < step_m ? step : step_m;
-    }
+    for (size_t i = 1; scan->x_m && i < scan->nx; i++)
+        step_m = fmin(step_m, scan->x_m[i] - scan->x_m[i - 1]);
     for (size_t i = 0; i < scan->nx * scan->ny; i++) { /* missing points are passed over */
         highest_m = scan->z_m[i] > highest_m ? scan->z_m[i] : highest_m;
         lowest_m = scan->z_m[i] < lowest_m ? scan->z_m[i] : lowest_m;

@@ -4,7 +4,6 @@
 #include "scan/reader.h"
 #include "scan/string_view.h"
 
-#include <math.h>
 #include <string.h>
 
 static const double mahr_unit_m = 1e-3; /* of both */

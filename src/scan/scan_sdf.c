@@ -5,7 +5,6 @@
 #include "scan/string_view.h"
 
 #include <math.h>
-#include <string.h>
 
 static const char *const sdf_versions[] = {"ISO-", "BCR-", "BCR - ", "NPL-"};
 enum { SDF_BINARY_HEADER = 81, SDF_OLYMPUS_EXTRA = 8 };

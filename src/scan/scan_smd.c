@@ -4,7 +4,6 @@
 #include "scan/reader.h"
 #include "scan/string_view.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 static const char etx = 3;

@@ -5,7 +5,6 @@
 #include "scan/string_view.h"
 
 #include <math.h>
-#include <string.h>
 
 static const double surfer_blank = 1.70141e38;
 

@@ -134,12 +134,6 @@ static struct string_view text_of(const struct scan_file *file)
     return text;
 }
 
-static size_t most_rows(const struct table *table)
-{
-    size_t cells = limit_most(LIMIT_CELLS) / table->columns, points = limit_most(LIMIT_POINTS);
-    return cells < points ? cells : points;
-}
-
 /* Room for one row more, `most` in all; the first guess is as many rows as fit when all are as long as the first. */
 static bool reserve(struct table *table, size_t *capacity, size_t most, size_t line_length)
 {
@@ -190,7 +184,8 @@ static enum status_code fail_line(const struct table *table, size_t number, stru
 /* The rows from `lines` on; the first is there already known to be one. */
 static enum status_code read_rows(struct table *table, struct lines lines)
 {
-    size_t capacity = 0, blank = 0, most = most_rows(table);
+    size_t cells = limit_most(LIMIT_CELLS) / table->columns, points = limit_most(LIMIT_POINTS);
+    size_t capacity = 0, blank = 0, most = cells < points ? cells : points;
     unsigned decimal = 0;
     for (struct string_view line; lines_next(&lines, &line);) {
         if (string_view_length(line) > limit_most(LIMIT_LINE_BYTES))
@@ -206,7 +201,7 @@ static enum status_code read_rows(struct table *table, struct lines lines)
             return scan_fail(table->file, blank, "a blank line among the heights; remove it, or fill in the height");
         if (table->rows >= most)
             return scan_fail(table->file, lines.number, "too many rows%s",
-                             limit_words(most == limit_most(LIMIT_POINTS) ? LIMIT_POINTS : LIMIT_CELLS).text);
+                             limit_words(most == points ? LIMIT_POINTS : LIMIT_CELLS).text);
         if (!reserve(table, &capacity, most, string_view_length(line)))
             return status_memory(table->file->status);
         struct row row = {.cell = table->cell + table->rows * table->columns, .room = table->columns};

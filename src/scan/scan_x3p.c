@@ -11,9 +11,7 @@
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 /* What main.xml says. */
 struct x3p_axis {
@@ -49,7 +47,7 @@ bool scan_x3p_sniff(const struct scan_file *file)
     struct status ignored = {0};
     struct scan_file quiet = *file;
     quiet.status = &ignored;
-    if (!archive_sniff(file) || !memmem(file->bytes, file->length, "main.xml", 8))
+    if (!scan_tells_at_end(file->bytes, file->length) || !memmem(file->bytes, file->length, "main.xml", 8))
         return false;
     bool found =
         archive_open(&archive, &quiet) != STATUS_OK || archive_find(&archive, "main.xml", true) < archive.count;

@@ -111,12 +111,6 @@ static void take_number(struct text_header *header, const struct key *key, doubl
     }
 }
 
-/* The unit that `word` is, as the program prints it; NULL when it is none. */
-static const char *unit_of(struct string_view word)
-{
-    return scan_unit_find(word).name;
-}
-
 static bool is_unit_word(struct string_view word)
 {
     for (size_t i = 0; i < COUNT(axis_words); i++)
@@ -156,7 +150,7 @@ static bool add_line(struct text_header *header, struct string_view line)
     bool any = false, all = false;
     for (char before; next_word(&line, &word, &before);) {
         double value;
-        const char *end = number_scan(word, NUMBER_POINT, NULL, &value), *name = unit_of(word);
+        const char *end = number_scan(word, NUMBER_POINT, NULL, &value), *name = scan_unit_find(word).name;
         if (end) { /* its unit stands right behind it, or is the next word */
             bool sign = before && strchr("=:,;\t", before);
             struct string_view behind = {end, word.end}, rest = line;
@@ -234,7 +228,7 @@ static const char *cell_unit(struct string_view cell, bool with_numbers)
     const char *unit = NULL;
     struct string_view word;
     for (char before; next_word(&cell, &word, &before);) {
-        const char *name = unit_of(word);
+        const char *name = scan_unit_find(word).name;
         bool is_word = with_numbers || string_view_is_one_of(word, "a in u");
         if (name && (!is_word || (before && strchr("[({/", before))))
             unit = name;
@@ -245,7 +239,8 @@ static const char *cell_unit(struct string_view cell, bool with_numbers)
 /* Nothing but a unit, or something in brackets, as in a line of units below the titles. */
 static bool is_bare(struct string_view cell)
 {
-    return unit_of(cell) || (string_view_length(cell) > 2 && strchr("[({", *cell.start) && strchr("])}", cell.end[-1]));
+    return scan_unit_find(cell).name ||
+           (string_view_length(cell) > 2 && strchr("[({", *cell.start) && strchr("])}", cell.end[-1]));
 }
 
 static bool has_numbers(struct string_view line)
