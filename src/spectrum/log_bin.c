@@ -18,11 +18,6 @@ static long bin_number(size_t n)
     return (long)floor(LOG_BIN_PER_DECADE * log10((double)n / MULTITAPER_FIRST) + 1e-9);
 }
 
-static bool in_split(size_t n, const size_t split[2])
-{
-    return split && n >= split[0] && n <= split[1];
-}
-
 /** Last harmonic of the bin that begins at `first`: where the next one begins is known within a harmonic or two. */
 static size_t bin_last(size_t first, size_t count, const size_t split[2])
 {
@@ -32,7 +27,7 @@ static size_t bin_last(size_t first, size_t count, const size_t split[2])
         last--;
     if (split && first < split[0] && last >= split[0])
         last = split[0] - 1;
-    if (in_split(first, split) && last > split[1])
+    if (split && first >= split[0] && first <= split[1] && last > split[1])
         last = split[1];
     return last < count ? last : count;
 }

@@ -103,15 +103,13 @@ struct parameters parameters_compute(char letter, const double *height_m, size_t
     struct parameters out = {
         .letter = letter, .sampling_lengths = sampling_lengths, .evaluation_length_m = (double)points * spacing_m};
     double whole[PARAMETERS_COUNT] = {0}, part[PARAMETERS_COUNT] = {0};
-    measure(whole, height_m, points);
-    for (size_t s = 0; s < sampling_lengths && sampling_lengths > 1; s++) {
+    for (size_t s = 0; s < sampling_lengths; s++) {
         size_t first = s * points / sampling_lengths, end = (s + 1) * points / sampling_lengths;
         measure(part, height_m + first, end - first);
         for (size_t p = 0; p < PARAMETERS_COUNT; p++)
             out.value[p] += part[p] / (double)sampling_lengths;
     }
-    if (sampling_lengths == 1)
-        memcpy(out.value, whole, sizeof whole);
+    measure(whole, height_m, points);
     out.value[DQ] /= spacing_m;
     out.value[T] = whole[Z];
     out.value[SM] = element_width(height_m, points, whole[P], whole[V]) * spacing_m;

@@ -42,12 +42,6 @@ static struct selection part_of(const struct selection *selection, size_t first,
     return part;
 }
 
-/** log10 of last over first harmonic of bins first ... last. */
-static double width_decades(const struct selection *selection, size_t first, size_t last)
-{
-    return log10((double)bin_at(selection, last)->last / (double)bin_at(selection, first)->first);
-}
-
 /** Weighted straight line y = y_mean + slope (x - x_mean), w = 1/(v + misfit²). */
 struct line {
     double slope, x_mean, y_mean;
@@ -145,11 +139,6 @@ static struct power_law_band_fit fit_of(const struct selection *selection, doubl
         .last_harmonic = last,
         .bins = selection->count,
     };
-}
-
-static double log10_law(const struct power_law_band_fit *fit, double log10_wavelength)
-{
-    return fit->log10_amplitude + fit->gamma * (log10_wavelength - log10(fit->wavelength_m));
 }
 
 /** Does bin j stand out of its neighbours' middle? */
@@ -322,7 +311,8 @@ static bool candidate_of(struct candidate *out, const struct selection *selectio
             continue;
         out->first = first;
         out->last = end - 1;
-        out->width_decades = width_decades(selection, out->first, out->last);
+        out->width_decades =
+            log10((double)bin_at(selection, out->last)->last / (double)bin_at(selection, first)->first);
         if (out->width_decades >= least_width_decades) {
             out->gamma = line_through(selection, out->first, out->last, misfit_square).slope;
             return out->gamma >= least_gamma && out->gamma <= most_gamma;
@@ -343,9 +333,9 @@ static void add_knee_errors(struct power_law_band_fit *fit, const struct selecti
             continue;
         struct selection part = part_of(selection, candidate->first + (side == 0 ? KNEE_BINS : 0), bins - KNEE_BINS);
         struct power_law_band_fit shorter = fit_of(&part, spectrum->length_m, spectrum->scans);
-        double amplitude_change = log10_law(&shorter, log10(whole.wavelength_m)) - whole.log10_amplitude;
+        double away = log10(whole.wavelength_m) - log10(shorter.wavelength_m);
         gamma_s = hypot(gamma_s, shorter.gamma - whole.gamma);
-        amplitude_s = hypot(amplitude_s, amplitude_change);
+        amplitude_s = hypot(amplitude_s, shorter.log10_amplitude + shorter.gamma * away - whole.log10_amplitude);
     }
     if (candidate->knee[0] || candidate->knee[1]) {
         gamma_s = hypot(gamma_s, knee_gamma_s);

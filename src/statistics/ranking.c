@@ -40,9 +40,7 @@ enum ranking_verdict ranking_place(double difference, double half_width, bool he
 {
     if (heterogeneous)
         return RANKING_NO_VERDICT;
-    if (!(fabs(difference) > half_width))
-        return RANKING_NOT_TOLD_APART;
-    return difference < 0 ? RANKING_FIRST_LOWER : RANKING_FIRST_HIGHER;
+    return ranking_verdict(fabs(difference) > half_width ? difference : 0, 0, 1);
 }
 
 enum status_code ranking_holm(double *adjusted, const double *p, size_t count, struct status *status)
@@ -108,13 +106,6 @@ static bool needed(const struct ranking_groups *groups, size_t group)
     return false;
 }
 
-static void remove_group(struct ranking_groups *groups, size_t group)
-{
-    size_t row = groups->surfaces;
-    memmove(groups->member + group * row, groups->member + (group + 1) * row, (groups->groups - group - 1) * row);
-    groups->groups--;
-}
-
 /** The group with the first surface that only one of them has comes first. */
 static int first_surface_first(const void *a, const void *b, void *surfaces)
 {
@@ -137,8 +128,8 @@ enum status_code ranking_groups_make(struct ranking_groups *out, const bool *apa
         if (!covered(out, i, i, out->groups))
             add_group(out, apart, i, i);
     for (size_t g = out->groups; g-- > 0;)
-        if (!needed(out, g))
-            remove_group(out, g);
+        if (!needed(out, g)) /* the next ones move up */
+            memmove(out->member + g * surfaces, out->member + (g + 1) * surfaces, (--out->groups - g) * surfaces);
     if (out->groups > 1)
         qsort_r(out->member, out->groups, surfaces * sizeof(bool), first_surface_first, &out->surfaces);
     return STATUS_OK;
