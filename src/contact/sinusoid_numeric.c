@@ -6,7 +6,6 @@
 #include "contact/sinusoid.h"
 
 #include <math.h>
-#include <stddef.h>
 
 /* 1024 x 1024 grid, area within 3e-4, gap within 2e-6 */
 /** The direct numerical solution: x = p/p*, area ratio, gap/amplitude. */

@@ -5,7 +5,6 @@
 #include <assert.h>
 #include <gsl/gsl_sf_psi.h>
 #include <math.h>
-#include <stdbool.h>
 #include <stdlib.h>
 
 double log_bin_bias(double squares)
