@@ -15,6 +15,12 @@ static void press_hertz(struct asperity_contact *out, const struct asperity *asp
     out->load_N = 4.0 / 3 * asperity->effective_modulus_Pa * out->radius_m * interference_m;
 }
 
+/** H_G/S_y = 2.84 - 0.92 (1 - cos(pi a/R)) (4.37), a/R clamped to 1. */
+static double hardness_ratio(double radius_ratio)
+{
+    return 2.84 - 0.92 * (1 - cos(M_PI * fmin(1, radius_ratio)));
+}
+
 /** Jackson and Green 2005, 2006: Hertz below 1.9 omega_c; else (4.32*), (4.33*), with a/R of (4.38*). */
 static void press_jg(struct asperity_contact *out, const struct asperity *asperity, double interference_m)
 {
@@ -29,9 +35,7 @@ static void press_jg(struct asperity_contact *out, const struct asperity *asperi
     out->area_m2 = M_PI * square;
     out->radius_m = sqrt(square);
     double elastic = exp(-0.25 * exp(5.0 / 12 * ln_ratio)) * ratio * sqrt(ratio);
-    /* H_G/S_y = 2.84 - 0.92 (1 - cos(pi a/R)) (4.37), a/R clamped to 1 */
-    double hardness_ratio = 2.84 - 0.92 * (1 - cos(M_PI * fmin(1, out->radius_m / asperity->radius_m)));
-    double flow = 4 * hardness_ratio / asperity->yield_coefficient;
+    double flow = 4 * hardness_ratio(out->radius_m / asperity->radius_m) / asperity->yield_coefficient;
     double plastic = -flow * expm1(-exp(5.0 / 9 * ln_ratio) / 25) * ratio;
     out->load_N = asperity->critical_load_N * (elastic + plastic);
 }
