@@ -103,14 +103,13 @@ PLACED(test_the_baseline_and_the_order_do_not_depend_on_file_names)
     expect_in_file(*state, "out/report.md", "*c* at ");
 }
 
-/* In place of direct_ladder_of_heights() (ld --wrap, tests/CMakeLists.txt): none converges. */
-enum status_code __wrap_direct_ladder_of_heights(struct direct_point *out, double *height_m, size_t n, double spacing_m,
-                                                 const struct direct_ladder_def *def, struct status *status);
-enum status_code __wrap_direct_ladder_of_heights(struct direct_point *out, double *height_m, size_t n, double spacing_m,
-                                                 const struct direct_ladder_def *def, struct status *status)
+/* In place of direct_ladder_run() (ld --wrap, tests/CMakeLists.txt): none converges. */
+enum status_code __wrap_direct_ladder_run(struct direct_point *out, struct direct_contact *contact,
+                                          const struct direct_ladder_def *def, struct status *status);
+enum status_code __wrap_direct_ladder_run(struct direct_point *out, struct direct_contact *contact,
+                                          const struct direct_ladder_def *def, struct status *status)
 {
-    (void)out, (void)n, (void)spacing_m, (void)def;
-    free(height_m);
+    (void)out, (void)contact, (void)def;
     return status_fail(status, STATUS_MODEL, "the direct solution does not converge at p/E' = 0.01");
 }
 
