@@ -140,14 +140,16 @@ static double *make_surface(size_t law, double hurst, double roll_off, uint64_t 
 /** Solutions at `loads`, for a hardness over E' g; INFINITY: elastic. */
 static void solve(struct direct_point *out, const double *height_m, double hardness)
 {
-    double own[LOADS], *copy = coverage_allocate((size_t)SIDE * SIDE, sizeof *copy);
+    double own[LOADS];
+    struct direct_contact contact;
     struct status status = {0};
-    memcpy(copy, height_m, (size_t)SIDE * SIDE * sizeof *copy);
     for (size_t i = 0; i < LOADS; i++)
         own[i] = loads[i] * gradient;
     const struct direct_ladder_def def = {
         .load = own, .loads = LOADS, .hardness = hardness * gradient, .tolerance = 1e-6, .resistance = true};
-    coverage_must(direct_ladder_of_heights(out, copy, SIDE, spacing_m, &def, &status), &status);
+    coverage_must(direct_contact_make(&contact, height_m, SIDE, SIDE, spacing_m, &status), &status);
+    coverage_must(direct_ladder_run(out, &contact, &def, &status), &status);
+    direct_contact_free(&contact);
 }
 
 /** Writes rows and a scene into the directory. */
