@@ -11,13 +11,8 @@
 #include <string.h>
 #include <unistd.h>
 
-static error_t parse(int key, char *value, struct argp_state *state)
-{
-    return command_directory(state->input, key, value, state);
-}
-
 const struct argp command_init_argp = {
-    .parser = parse,
+    .parser = command_directory,
     .args_doc = "DIR",
     .doc =
         "Writes DIR/scene.yaml, whole or not at all and never over another: the surfaces that the names of the files "

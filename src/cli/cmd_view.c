@@ -15,7 +15,7 @@ static const struct argp_option options[] = {
 
 static error_t parse(int key, char *value, struct argp_state *state)
 {
-    return key == KEY_JSON ? 0 : command_directory(state->input, key, value, state);
+    return key == KEY_JSON ? 0 : command_directory(key, value, state);
 }
 
 const struct argp command_view_argp = {
