@@ -3,7 +3,6 @@
 #include "base/limits.h"
 #include "base/mustache.h"
 #include "cli/command.h"
-#include "scan/scan.h"
 #include "scene/scene.h"
 
 #include <stdio.h>

@@ -8,9 +8,6 @@
 #include "scan/string_view.h"
 #include "scene/scene.h"
 
-#include <argp.h>
-#include <jansson.h>
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

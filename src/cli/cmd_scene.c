@@ -4,10 +4,7 @@
 #include "cli/command.h"
 #include "report/export.h"
 #include "run/messages.h"
-#include "run/prepare.h"
-#include "run/run.h"
 
-#include <argp.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>

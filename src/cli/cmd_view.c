@@ -2,10 +2,8 @@
 /* `view`: the tree of worded values that the report's templates are filled from. */
 #include "base/temporary.h"
 #include "cli/command.h"
-#include "run/run.h"
 
 #include <stdio.h>
-#include <string.h>
 #include <sys/stat.h>
 
 enum { KEY_JSON = 0x100 };

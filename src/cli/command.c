@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/command.h"
 #include "base/temporary.h"
-#include "base/text.h"
 #include "output/output.h"
 #include "scene/scene_words.h"
 

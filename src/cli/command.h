@@ -3,16 +3,11 @@
 #ifndef CLI_COMMAND_H
 #define CLI_COMMAND_H
 
-#include "base/status.h"
 #include "base/text.h"
 #include "output/json.h"
 #include "run/prepare.h"
-#include "run/run.h"
 
 #include <argp.h>
-#include <jansson.h>
-#include <stdatomic.h>
-#include <stdbool.h>
 
 /** Exit statuses of every command (documented in the README; command_statuses says them). */
 enum command_exit {

@@ -3,11 +3,9 @@
 #include "cli/command.h"
 #include "scene/scene_words.h"
 
-#include <argp.h>
 #include <fftw3.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_version.h>
-#include <jansson.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -4,7 +4,6 @@
 #define CLI_INSPECTION_H
 
 #include "profile/profile.h"
-#include "scan/scan.h"
 #include "spectrum/areal.h"
 #include "spectrum/parameters.h"
 #include "spectrum/power_law_scans.h"

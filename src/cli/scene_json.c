@@ -2,10 +2,7 @@
 #include "base/version.h"
 #include "cli/command.h"
 
-#include <math.h>
-#include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 /** What every object begins with. */
 static json_t *begin(const char *directory, const char *messages, int exit_status, const char *error)

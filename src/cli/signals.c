@@ -3,7 +3,6 @@
 
 #include "base/program.h"
 #include "base/temporary.h"
-#include "base/text.h"
 #include "base/threads.h"
 
 #include <errno.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "selftest/selftest_table.h"
+#include "selftest/selftest.h"
 
 #include <math.h>
 #include <stdlib.h>
