@@ -6,8 +6,6 @@
 #include "profile/profile.h"
 #include "spectrum/areal.h"
 #include "spectrum/parameters.h"
-#include "spectrum/power_law_scans.h"
-#include "spectrum/roughness.h"
 
 #include <jansson.h>
 

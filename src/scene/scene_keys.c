@@ -443,8 +443,7 @@ const struct scene_key scene_keys[] = {
      SCENE_CHOICE(AT(direction), scan_direction_names)},
     {"lay",
      "rms slope along over across the lay, of scans taken across it (0: perfect, 1: none), where a surface does not "
-     "say "
-     "its own and is no map; default: no lay",
+     "say its own and is no map; default: no lay",
      SCENE_NUMBER(AT(lay), 0.0, 1.0)},
     {"measured",
      "{file (a list or pattern: each a run), quantity: ecr or tcr, load_unit, resistance_unit, carry: true (into the "
