@@ -8,7 +8,6 @@
 #include "base/status.h"
 
 #include <fftw3.h>
-#include <stdbool.h>
 #include <stddef.h>
 
 /** Does work(context), of which nothing but FFTW allocates, and which frees nothing. False: out of memory, and

@@ -190,8 +190,18 @@ static bool holds(const json_t *value)
              (json_is_string(value) && json_string_length(value) == 0));
 }
 
-static enum status_code render_text(struct render *render, const char *source, const char *name);
 static enum status_code render_tokens(struct render *render, const struct tokens *tokens, size_t from, size_t to);
+
+static enum status_code render_text(struct render *render, const char *source, const char *name)
+{
+    struct tokens tokens = {calloc(strlen(source) + 2, sizeof *tokens.token), 0};
+    enum status_code rc =
+        tokens.token ? tokenize(&tokens, source, name, render->status) : status_memory(render->status);
+    if (rc == STATUS_OK)
+        rc = render_tokens(render, &tokens, 0, tokens.count);
+    free(tokens.token);
+    return rc;
+}
 
 static enum status_code render_partial(struct render *render, const struct token *token)
 {
@@ -251,17 +261,6 @@ static enum status_code render_tokens(struct render *render, const struct tokens
             i = token->end;
         }
     }
-    return rc;
-}
-
-static enum status_code render_text(struct render *render, const char *source, const char *name)
-{
-    struct tokens tokens = {calloc(strlen(source) + 2, sizeof *tokens.token), 0};
-    enum status_code rc =
-        tokens.token ? tokenize(&tokens, source, name, render->status) : status_memory(render->status);
-    if (rc == STATUS_OK)
-        rc = render_tokens(render, &tokens, 0, tokens.count);
-    free(tokens.token);
     return rc;
 }
 

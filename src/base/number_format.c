@@ -32,29 +32,20 @@ static int exponent_of(double value, int digits)
     return (int)strtol(strchr(buffer, 'e') + 1, NULL, 10);
 }
 
-static int most(int a, int b)
-{
-    return a > b ? a : b;
-}
-
-static void add_power(struct text *out, double value, int digits)
+void number_format(struct text *out, double value, int digits)
 {
     if (!isfinite(value) || value == 0) {
         text_add(out, value == 0 ? "0" : "–");
         return;
     }
     char buffer[64];
-    snprintf(buffer, sizeof buffer, "%.*e", digits - 1, fabs(value));
+    int exponent = exponent_of(value, digits);
+    bool plain = reads_plain(exponent);
+    snprintf(buffer, sizeof buffer, plain ? "%.*f" : "%.*e", plain ? (int)fmax(0, digits - 1 - exponent) : digits - 1,
+             fabs(value));
     text_add(out, "%s%.*s", value < 0 ? minus : "", (int)strcspn(buffer, "e"), buffer);
-    add_power_of_ten(out, exponent_of(value, digits));
-}
-
-void number_format(struct text *out, double value, int digits)
-{
-    if (!isfinite(value) || value == 0 || !reads_plain(exponent_of(value, digits)))
-        add_power(out, value, digits);
-    else
-        text_add(out, "%s%.*f", value < 0 ? minus : "", most(0, digits - 1 - exponent_of(value, digits)), fabs(value));
+    if (!plain)
+        add_power_of_ten(out, exponent);
 }
 
 void number_format_uncertain(struct text *out, double value, double error)
@@ -64,7 +55,7 @@ void number_format_uncertain(struct text *out, double value, double error)
         return;
     }
     int exponent = exponent_of(value, 2), power = reads_plain(exponent) ? 0 : exponent;
-    int decimals = most(0, most(1 - exponent_of(error, 2), 1 - exponent) + power);
+    int decimals = (int)fmax(0, fmax(1 - exponent_of(error, 2), 1 - exponent) + power);
     double scale = pow(10, power);
     text_add(out, "%s%s%.*f ± %.*f", power ? "(" : "", value < 0 ? minus : "", decimals, fabs(value) / scale, decimals,
              error / scale);

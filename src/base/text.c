@@ -17,26 +17,17 @@
 
 static bool text_reserve(struct text *text, size_t extra)
 {
-    if (text->failed)
-        return false;
-    if (extra >= SIZE_MAX / 2 - text->length) { /* doubling the capacity would overflow */
-        text->failed = true;
-        return false;
-    }
-    size_t need = text->length + extra + 1;
-    if (need <= text->capacity)
-        return true;
-    size_t capacity = text->capacity ? text->capacity : 256;
+    size_t need = text->length + extra + 1, capacity = text->capacity ? text->capacity : 256;
+    text->failed = text->failed || extra >= SIZE_MAX / 2 - text->length; /* doubling the capacity would overflow */
+    if (text->failed || need <= text->capacity)
+        return !text->failed;
     while (capacity < need)
         capacity *= 2;
     char *data = realloc(text->data, capacity);
-    if (!data) {
-        text->failed = true;
-        return false;
-    }
-    text->data = data;
-    text->capacity = capacity;
-    return true;
+    text->failed = !data;
+    text->data = data ? data : text->data;
+    text->capacity = data ? capacity : text->capacity;
+    return data;
 }
 
 void text_add_bytes(struct text *text, const char *bytes, size_t length)
@@ -381,22 +372,21 @@ enum status_code text_read_file(struct text *text, const char *path, struct stat
 {
     struct stat info = {0};
     int descriptor = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC); /* a pipe would keep it waiting */
-    if (descriptor < 0 && !(errno == ENXIO && stat(path, &info) == 0))
-        return status_fail(status, STATUS_IO, "cannot open '%s': %s", path, strerror(errno));
-    if (descriptor < 0 || fstat(descriptor, &info) != 0 || !S_ISREG(info.st_mode)) {
-        if (descriptor >= 0)
-            close(descriptor);
-        return status_fail(status, STATUS_IO, "'%.440s' is %s", path,
+    FILE *file = descriptor < 0 ? NULL : fdopen(descriptor, "rb");
+    enum status_code code;
+    if (!file && !(errno == ENXIO && stat(path, &info) == 0))
+        code = status_fail(status, STATUS_IO, "cannot open '%s': %s", path, strerror(errno));
+    else if (!file || fstat(descriptor, &info) != 0 || !S_ISREG(info.st_mode))
+        code = status_fail(status, STATUS_IO, "'%.440s' is %s", path,
                            S_ISDIR(info.st_mode) ? "a directory, no file" : "no regular file");
+    else {
+        setvbuf(file, NULL, _IONBF, 0); /* into `text` at once */
+        code = text_read_stream(text, file, path, status);
     }
-    FILE *file = fdopen(descriptor, "rb");
-    if (!file) {
+    if (file)
+        fclose(file);
+    else if (descriptor >= 0)
         close(descriptor);
-        return status_fail(status, STATUS_IO, "cannot open '%s': %s", path, strerror(errno));
-    }
-    setvbuf(file, NULL, _IONBF, 0); /* into `text` at once */
-    enum status_code code = text_read_stream(text, file, path, status);
-    fclose(file);
     return code;
 }
 

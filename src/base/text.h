@@ -4,7 +4,6 @@
 #define BASE_TEXT_H
 
 #include "base/status.h"
-#include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
 

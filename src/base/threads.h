@@ -6,8 +6,6 @@
 #include "base/status.h"
 
 #include <pthread.h>
-#include <stdatomic.h>
-#include <stdbool.h>
 #include <stddef.h>
 
 /** How many threads, and what ends them. */

@@ -3,7 +3,6 @@
 #include "base/limits.h"
 #include "base/mustache.h"
 #include "cli/command.h"
-#include "scan/scan.h"
 #include "scene/scene.h"
 
 #include <stdio.h>
@@ -11,13 +10,8 @@
 #include <string.h>
 #include <unistd.h>
 
-static error_t parse(int key, char *value, struct argp_state *state)
-{
-    return command_directory(state->input, key, value, state);
-}
-
 const struct argp command_init_argp = {
-    .parser = parse,
+    .parser = command_directory,
     .args_doc = "DIR",
     .doc =
         "Writes DIR/scene.yaml, whole or not at all and never over another: the surfaces that the names of the files "
@@ -105,32 +99,27 @@ static enum status_code make_text(struct text *out, struct scene *scene, const c
     return rc;
 }
 
-static enum status_code init(const char *directory, struct status *status)
-{
-    struct scene scene = {0};
-    struct text templates = {0}, text = {0};
-    const struct scene_overrides empty = {.text = &(struct text){0}}; /* whatever scene there is */
-    enum status_code rc = scene_read(&scene, directory, &empty, status);
-    if (rc == STATUS_OK && scene.surface_count == 0)
-        rc = status_fail(status, STATUS_SCAN, "no scan in '%s': put the profilometer's files there", scene.directory);
-    if (rc == STATUS_OK && access(scene.path, F_OK) == 0) /* before all the scans are read */
-        rc = status_fail(status, STATUS_IO, "'%s' is there already; move it away", scene.path);
-    if (rc == STATUS_OK)
-        rc = command_share(&templates, "templates", status);
-    if (rc == STATUS_OK)
-        rc = make_text(&text, &scene, text_string(&templates), status);
-    if (rc == STATUS_OK)
-        rc = command_write(scene.path, &text, true, status);
-    scene_free(&scene);
-    text_free(&templates);
-    text_free(&text);
-    return rc;
-}
-
 int command_init(int argc, char **argv)
 {
     const char *directory = NULL;
     struct status status = {0};
+    struct scene scene = {0};
+    struct text templates = {0}, text = {0};
+    const struct scene_overrides empty = {.text = &(struct text){0}}; /* whatever scene there is */
     command_parse(&command_init_argp, argc, argv, &directory);
-    return command_finish(init(directory, &status) == STATUS_OK ? COMMAND_DONE : command_fail(&status), NULL);
+    enum status_code rc = scene_read(&scene, directory, &empty, &status);
+    if (rc == STATUS_OK && scene.surface_count == 0)
+        rc = status_fail(&status, STATUS_SCAN, "no scan in '%s': put the profilometer's files there", scene.directory);
+    if (rc == STATUS_OK && access(scene.path, F_OK) == 0) /* before all the scans are read */
+        rc = status_fail(&status, STATUS_IO, "'%s' is there already; move it away", scene.path);
+    if (rc == STATUS_OK)
+        rc = command_share(&templates, "templates", &status);
+    if (rc == STATUS_OK)
+        rc = make_text(&text, &scene, text_string(&templates), &status);
+    if (rc == STATUS_OK)
+        rc = command_write(scene.path, &text, true, &status);
+    scene_free(&scene);
+    text_free(&templates);
+    text_free(&text);
+    return command_finish(rc == STATUS_OK ? COMMAND_DONE : command_fail(&status), NULL);
 }

@@ -8,9 +8,6 @@
 #include "scan/string_view.h"
 #include "scene/scene.h"
 
-#include <argp.h>
-#include <jansson.h>
-#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -51,42 +48,30 @@ static void parse_column(struct arguments *arguments, const char *text, struct a
 static error_t parse(int key, char *value, struct argp_state *state)
 {
     struct arguments *arguments = state->input;
-    switch (key) {
-    case KEY_JSON:
+    if (key == KEY_JSON)
         arguments->json = true;
-        return 0;
-    case KEY_CHART:
+    else if (key == KEY_CHART)
         arguments->chart = true;
-        return 0;
-    case KEY_X_UNIT:
+    else if (key == KEY_X_UNIT)
         arguments->scan.x_unit = value;
-        return 0;
-    case KEY_Z_UNIT:
+    else if (key == KEY_Z_UNIT)
         arguments->scan.z_unit = value;
-        return 0;
-    case KEY_COLUMN:
+    else if (key == KEY_COLUMN)
         parse_column(arguments, value, state);
-        return 0;
-    case KEY_LAMBDA_S:
+    else if (key == KEY_LAMBDA_S)
         arguments->how.lambda_s_m = command_length("lambda-s", value, state);
-        return 0;
-    case KEY_LAMBDA_C:
+    else if (key == KEY_LAMBDA_C)
         arguments->how.lambda_c_m = command_length("lambda-c", value, state);
-        return 0;
-    case ARGP_KEY_END:
-        if (arguments->how.lambda_c_m > 0 && arguments->how.lambda_c_m <= arguments->how.lambda_s_m)
-            argp_error(state, "--lambda-c is not above --lambda-s; nothing would be left between them");
-        return 0;
-    case ARGP_KEY_ARGS:
+    else if (key == ARGP_KEY_NO_ARGS)
+        argp_error(state, "which file?");
+    else if (key == ARGP_KEY_ARGS) {
         arguments->files = state->argv + state->next;
         arguments->file_count = state->argc - state->next;
-        return 0;
-    case ARGP_KEY_NO_ARGS:
-        argp_error(state, "which file?");
-        return 0;
-    default:
+    } else if (key != ARGP_KEY_END)
         return ARGP_ERR_UNKNOWN;
-    }
+    else if (arguments->how.lambda_c_m > 0 && arguments->how.lambda_c_m <= arguments->how.lambda_s_m)
+        argp_error(state, "--lambda-c is not above --lambda-s; nothing would be left between them");
+    return 0;
 }
 
 /** Prints the profile as a chart of text, sized to the terminal. */

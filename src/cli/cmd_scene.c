@@ -4,10 +4,7 @@
 #include "cli/command.h"
 #include "report/export.h"
 #include "run/messages.h"
-#include "run/prepare.h"
-#include "run/run.h"
 
-#include <argp.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,7 +13,7 @@
 #include <unistd.h>
 
 struct arguments {
-    const char *directory;
+    const char *directory; /* first, for command_directory() */
     struct scene_overrides overrides;
     struct run_options run;
     bool show, verbose, check, json;
@@ -29,11 +26,8 @@ static const struct argp_option scene_options[] = {
     {"material", 'm', "MATERIAL", 0, "a built-in material (default: the scene's, else none)", 1},
     {"effects", 'e', "EFFECTS", 0,
      "auto, or some of plasticity, separation, electrical, thermal, scale-dependent, stiffness, last-scale, "
-     "convergence, "
-     "uncertainty, "
-     "unloading, "
-     "direct, gap, film, plating, heating, with commas "
-     "(default: the scene's, else auto)",
+     "convergence, uncertainty, unloading, direct, gap, film, plating, heating, with commas (default: the scene's, "
+     "else auto)",
      1},
     {"tolerance", 't', "REL", 0, "relative tolerance of every number, 1e-14 to 0.1 (default: the scene's, else 1e-6)",
      1},
@@ -53,25 +47,19 @@ static error_t parse_scene(int key, char *value, struct argp_state *state)
 {
     struct arguments *arguments = state->input;
     struct scene_overrides *overrides = &arguments->overrides;
-    switch (key) {
-    case 'm':
+    if (key == 'm')
         overrides->material = value;
-        return 0;
-    case 'e':
+    else if (key == 'e')
         overrides->effects = value;
-        return 0;
-    case 't':
+    else if (key == 't')
         overrides->tolerance = value;
-        return 0;
-    case KEY_X_UNIT:
+    else if (key == KEY_X_UNIT)
         overrides->x_unit = unit(value, "x-unit", state);
-        return 0;
-    case KEY_Z_UNIT:
+    else if (key == KEY_Z_UNIT)
         overrides->z_unit = unit(value, "z-unit", state);
-        return 0;
-    default:
-        return command_directory(&arguments->directory, key, value, state);
-    }
+    else
+        return command_directory(key, value, state);
+    return 0;
 }
 
 static const struct argp scene_argp = {.options = scene_options, .parser = parse_scene};
@@ -105,49 +93,35 @@ static error_t parse_report(int key, char *value, struct argp_state *state)
 {
     struct arguments *arguments = state->input;
     char *end;
-    switch (key) {
-    case ARGP_KEY_INIT:
+    if (key == ARGP_KEY_INIT)
         state->child_inputs[0] = arguments;
-        return 0;
-    case 'o':
+    else if (key == 'o')
         arguments->run.output = value;
-        return 0;
-    case 'j':
+    else if (key == 'j') {
         arguments->run.jobs = (unsigned)strtoul(value, &end, 10);
         if (*end != '\0' || arguments->run.jobs < 1 || arguments->run.jobs > 64)
             argp_error(state, "--jobs must be 1 to 64, not '%s'", value);
-        return 0;
-    case 's':
+    } else if (key == 's')
         arguments->show = true;
-        return 0;
-    case KEY_NO_COST:
+    else if (key == KEY_NO_COST)
         arguments->run.no_cost = true;
-        return 0;
-    case KEY_CHECK:
+    else if (key == KEY_CHECK)
         arguments->check = true;
-        return 0;
-    case KEY_BRIEF:
+    else if (key == KEY_BRIEF)
         arguments->run.brief = true;
-        return 0;
-    case KEY_TEMPLATE:
+    else if (key == KEY_TEMPLATE)
         arguments->run.template = value;
-        return 0;
-    case KEY_EXPORT:
+    else if (key == KEY_EXPORT)
         arguments->overrides.exports = value;
-        return 0;
-    case KEY_JSON:
+    else if (key == KEY_JSON)
         arguments->json = true;
-        return 0;
-    case ARGP_KEY_END:
-        if (arguments->json && arguments->show)
-            argp_error(state, "--show draws where --json prints; give one of them");
-        return 0;
-    case 'v':
+    else if (key == 'v')
         arguments->verbose = true;
-        return 0;
-    default:
+    else if (key != ARGP_KEY_END)
         return ARGP_ERR_UNKNOWN;
-    }
+    else if (arguments->json && arguments->show)
+        argp_error(state, "--show draws where --json prints; give one of them");
+    return 0;
 }
 
 /** A line that overwrites itself: the stage, and from its first step on how long it still takes. */
@@ -211,17 +185,11 @@ static int fail(const struct arguments *arguments, const struct run_outcome *out
 /** *written: the path of the report, owned; NULL: there is none. */
 static int report(char **written, struct arguments *arguments, struct scene *scene, struct status *status)
 {
-    struct text templates = {0};
     struct run_outcome outcome = {0};
     char size[32];
     int columns, rows, exit_status = COMMAND_DONE;
     command_terminal_size(&columns, &rows);
     snprintf(size, sizeof size, "%d,%d", columns, rows > 34 ? 34 : rows - 1);
-    if (command_share(&templates, "templates", status) != STATUS_OK) {
-        text_free(&templates);
-        return fail(arguments, NULL, status);
-    }
-    arguments->run.templates = text_string(&templates);
     arguments->run.terminal_size = arguments->show ? size : NULL;
     arguments->run.outline = arguments->json;
     arguments->run.stop = signals_stop(STOP_MS);
@@ -252,7 +220,6 @@ static int report(char **written, struct arguments *arguments, struct scene *sce
     *written = outcome.path;
     outcome.path = NULL;
     run_outcome_free(&outcome);
-    text_free(&templates);
     return exit_status;
 }
 
@@ -261,14 +228,19 @@ static int run(int argc, char **argv, const struct argp *argp, bool direct)
     struct arguments arguments = {.overrides.direct = direct};
     struct status status = {0};
     struct scene scene = {0};
-    command_parse(argp, argc, argv, &arguments);
+    struct text templates = {0};
     char *written = NULL;
+    command_parse(argp, argc, argv, &arguments);
     enum status_code rc = scene_read(&scene, arguments.directory, &arguments.overrides, &status);
     if (rc == STATUS_OK && arguments.check && scene.limit_count == 0) /* a check of nothing must not pass */
         rc = status_fail(&status, STATUS_USAGE,
                          "--check: the scene has no 'limits' to check; add them, or leave --check out");
+    if (rc == STATUS_OK)
+        rc = command_share(&templates, "templates", &status);
+    arguments.run.templates = text_string(&templates);
     int exit_status = rc == STATUS_OK ? report(&written, &arguments, &scene, &status) : fail(&arguments, NULL, &status);
     scene_free(&scene);
+    text_free(&templates);
     exit_status = command_finish(exit_status, written);
     free(written);
     return exit_status;

@@ -12,16 +12,10 @@ static const struct argp_option options[] = {
     {0},
 };
 
-static error_t parse(int key, char *value, struct argp_state *state)
+static error_t parse(int key, __attribute__((unused)) char *value, struct argp_state *state)
 {
-    (void)value;
-    switch (key) {
-    case 'v':
-        *(bool *)state->input = true;
-        return 0;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
+    *(bool *)state->input |= key == 'v';
+    return key == 'v' ? 0 : ARGP_ERR_UNKNOWN;
 }
 
 const struct argp command_self_test_argp = {

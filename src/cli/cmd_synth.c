@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/text.h"
 #include "cli/command.h"
 #include "profile/synth.h"
-#include "scan/scan.h"
 
-#include <argp.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -46,38 +43,28 @@ static error_t parse(int key, char *value, struct argp_state *state)
 {
     struct arguments *arguments = state->input;
     struct synth_def *def = &arguments->def;
-    switch (key) {
-    case 'a':
+    if (key == 'a') {
         def->alpha = number("alpha", value, 0, 1e300, false, state);
         def->scaled = false;
-        return 0;
-    case 'g':
+    } else if (key == 'g')
         def->gamma = number("gamma", value, -1e3, 1e3, false, state);
-        return 0;
-    case 'r':
+    else if (key == 'r')
         def->rq_m = command_length("rq", value, state);
-        return 0;
-    case 'l':
+    else if (key == 'l')
         def->length_m = command_length("length", value, state);
-        return 0;
-    case 'n':
+    else if (key == 'n')
         def->points = (size_t)number("points", value, 8, 1e8, true, state);
-        return 0;
-    case 'c':
+    else if (key == 'c')
         def->scatter_decades = number("scatter", value, 0, 100, false, state);
-        return 0;
-    case 's':
+    else if (key == 's')
         def->lambda_s_m = command_length("lambda-s", value, state);
-        return 0;
-    case 'd':
+    else if (key == 'd')
         def->seed = (unsigned long)number("seed", value, 0, 4294967295.0, true, state);
-        return 0;
-    case 'o':
+    else if (key == 'o')
         arguments->output = value;
-        return 0;
-    default:
+    else
         return ARGP_ERR_UNKNOWN;
-    }
+    return 0;
 }
 
 static enum status_code write_scan(const struct arguments *arguments, const double *height_m, struct status *status)

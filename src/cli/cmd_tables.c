@@ -15,14 +15,10 @@ static const struct argp_option options[] = {
     {0},
 };
 
-static error_t parse(int key, char *value, struct argp_state *state)
+static error_t parse(int key, __attribute__((unused)) char *value, struct argp_state *state)
 {
-    bool *json = state->input;
-    (void)value;
-    if (key != KEY_JSON)
-        return ARGP_ERR_UNKNOWN;
-    *json = true;
-    return 0;
+    *(bool *)state->input |= key == KEY_JSON;
+    return key == KEY_JSON ? 0 : ARGP_ERR_UNKNOWN;
 }
 
 const struct argp command_models_argp = {

@@ -2,10 +2,8 @@
 /* `view`: the tree of worded values that the report's templates are filled from. */
 #include "base/temporary.h"
 #include "cli/command.h"
-#include "run/run.h"
 
 #include <stdio.h>
-#include <string.h>
 #include <sys/stat.h>
 
 enum { KEY_JSON = 0x100 };
@@ -15,7 +13,7 @@ static const struct argp_option options[] = {
 
 static error_t parse(int key, char *value, struct argp_state *state)
 {
-    return key == KEY_JSON ? 0 : command_directory(state->input, key, value, state);
+    return key == KEY_JSON ? 0 : command_directory(key, value, state);
 }
 
 const struct argp command_view_argp = {
@@ -25,15 +23,13 @@ const struct argp command_view_argp = {
     .doc = "Prints the tree of worded values that templates/report.md is filled from (docs/templates.md): of the "
            "report in OUT, or of the one that `report DIR --no-cost` would write."};
 
-/** Prints OUT/view.json, if there is one. */
-static enum status_code print_view(const char *directory, struct status *status)
+/** Prints OUT/view.json. */
+static enum status_code print_view(const char *path, struct status *status)
 {
-    struct text path = {0}, tree = {0};
-    text_add(&path, "%s/view.json", directory);
-    enum status_code rc = path.failed ? status_memory(status) : text_read_file(&tree, text_string(&path), status);
+    struct text tree = {0};
+    enum status_code rc = text_read_file(&tree, path, status);
     if (rc == STATUS_OK)
         fputs(text_string(&tree), stdout);
-    text_free(&path);
     text_free(&tree);
     return rc;
 }
@@ -56,8 +52,9 @@ static enum status_code run_view(const char *directory, struct status *status)
         rc = run_report(&outcome, &scene, &how, status);
         fputs(text_string(&outcome.messages), stderr);
         run_outcome_free(&outcome);
+        text_add(&out, "/view.json");
         if (rc == STATUS_OK)
-            rc = print_view(text_string(&out), status);
+            rc = out.failed ? status_memory(status) : print_view(text_string(&out), status);
         temporary_remove(&temporary);
     }
     scene_free(&scene);
@@ -75,6 +72,6 @@ int command_view(int argc, char **argv)
     command_parse(&command_view_argp, argc, argv, &directory);
     snprintf(path, sizeof path, "%s/view.json", directory);
     bool made = stat(path, &found) == 0;
-    enum status_code rc = made ? print_view(directory, &status) : run_view(directory, &status);
+    enum status_code rc = made ? print_view(path, &status) : run_view(directory, &status);
     return command_finish(rc == STATUS_OK ? COMMAND_DONE : command_fail(&status), NULL);
 }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/command.h"
 #include "base/temporary.h"
-#include "base/text.h"
 #include "output/output.h"
 #include "scene/scene_words.h"
 
@@ -93,8 +92,9 @@ void command_parse(const struct argp *argp, int argc, char **argv, void *input)
         exit(command_fail(&(struct status){STATUS_MEMORY, "out of memory"}));
 }
 
-error_t command_directory(const char **directory, int key, const char *value, struct argp_state *state)
+error_t command_directory(int key, char *value, struct argp_state *state)
 {
+    const char **directory = state->input;
     if (key == ARGP_KEY_NO_ARGS)
         argp_error(state, "which directory of scans?");
     if (key != ARGP_KEY_ARG || *directory)

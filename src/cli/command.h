@@ -3,16 +3,11 @@
 #ifndef CLI_COMMAND_H
 #define CLI_COMMAND_H
 
-#include "base/status.h"
 #include "base/text.h"
 #include "output/json.h"
 #include "run/prepare.h"
-#include "run/run.h"
 
 #include <argp.h>
-#include <jansson.h>
-#include <stdatomic.h>
-#include <stdbool.h>
 
 /** Exit statuses of every command (documented in the README; command_statuses says them). */
 enum command_exit {
@@ -28,30 +23,24 @@ enum command_exit {
 /** What each of them means. */
 extern const char *const command_statuses[COMMAND_STATUSES];
 
+/** Of one command, argv[0] being "roughcontact NAME", or of all: returns the exit status. */
+typedef int command_run(int argc, char **argv);
+
 struct command_row {
     const char *name;
     const char *arguments;
     const char *summary;
-    int (*run)(int argc, char **argv); /* argv[0] is "roughcontact NAME" */
-    const struct argp *argp;           /* its options */
+    command_run *run;
+    const struct argp *argp; /* its options */
 };
 enum { COMMANDS = 11 };
 extern const struct command_row command_rows[COMMANDS];
 
-/** All of the program but main(): picks the command and returns the exit status. */
-int command_main(int argc, char **argv);
+/** All of the program but main(): picks the command. */
+command_run command_main;
 
-int command_report(int argc, char **argv);
-int command_direct(int argc, char **argv);
-int command_plan(int argc, char **argv);
-int command_compare(int argc, char **argv);
-int command_view(int argc, char **argv);
-int command_inspect(int argc, char **argv);
-int command_init(int argc, char **argv);
-int command_synth(int argc, char **argv);
-int command_models(int argc, char **argv);
-int command_materials(int argc, char **argv);
-int command_self_test(int argc, char **argv);
+command_run command_report, command_direct, command_plan, command_compare, command_view, command_inspect, command_init,
+    command_synth, command_models, command_materials, command_self_test;
 
 extern const struct argp command_report_argp, command_direct_argp, command_plan_argp, command_inspect_argp,
     command_init_argp, command_compare_argp, command_synth_argp, command_view_argp, command_models_argp,
@@ -59,8 +48,9 @@ extern const struct argp command_report_argp, command_direct_argp, command_plan_
 
 /** Reads the command line, to the end of the program where it is wrong (COMMAND_USAGE) or asks for help. */
 void command_parse(const struct argp *argp, int argc, char **argv, void *input);
-/** Of a parser: takes the one directory that a command is about. */
-error_t command_directory(const char **directory, int key, const char *value, struct argp_state *state);
+/** A parser, or the end of one: takes the one directory that a command is about, a const char * with which the input
+ * begins. */
+error_t command_directory(int key, char *value, struct argp_state *state);
 
 /** Prints "roughcontact: `what``message`" as one line on stderr; what a terminal might act upon comes out as '?'. */
 void command_complain(const char *what, const char *message);
@@ -108,7 +98,7 @@ void scene_json_print_plan(const struct results *results, double rough_seconds, 
  * everything of base/temporary.h is removed, one line says so, and the program ends by that signal; so it does as well
  * where the body returns after one. Before: standard streams that are closed become ones that cannot be used, so that
  * no file takes their numbers, and files too large for the limits become errors. */
-int signals_run(int (*body)(int argc, char **argv), int argc, char **argv);
+int signals_run(command_run *body, int argc, char **argv);
 
 /** Becomes true when a signal has come. Whoever asks for it looks at it, and gets `milliseconds` from then on to
  * end in order; else there are none. */

@@ -3,11 +3,9 @@
 #include "cli/command.h"
 #include "scene/scene_words.h"
 
-#include <argp.h>
 #include <fftw3.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_version.h>
-#include <jansson.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -89,13 +87,12 @@ int command_main(int argc, char **argv)
     gsl_set_error_handler_off();
     json_set_alloc_funcs(allocate, free);
     argp_err_exit_status = COMMAND_USAGE;
-    const char *name = argc > 1 ? argv[1] : "";
     if (argc <= 1) {
         list_commands(stderr);
         return COMMAND_USAGE;
     }
-    bool help = strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0;
-    if (!help && strcmp(name, "--version") != 0)
+    bool help = strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0;
+    if (!help && strcmp(argv[1], "--version") != 0)
         return run(argc - 1, argv + 1);
     if (help)
         list_commands(stdout);

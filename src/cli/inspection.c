@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/inspection.h"
-#include "base/text.h"
 #include "cli/command.h"
 
 #include <math.h>

@@ -4,11 +4,8 @@
 #define CLI_INSPECTION_H
 
 #include "profile/profile.h"
-#include "scan/scan.h"
 #include "spectrum/areal.h"
 #include "spectrum/parameters.h"
-#include "spectrum/power_law_scans.h"
-#include "spectrum/roughness.h"
 
 #include <jansson.h>
 

@@ -2,10 +2,7 @@
 #include "base/version.h"
 #include "cli/command.h"
 
-#include <math.h>
-#include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 /** What every object begins with. */
 static json_t *begin(const char *directory, const char *messages, int exit_status, const char *error)
@@ -50,9 +47,8 @@ static json_t *surfaces_json(const struct results *results)
     json_t *surfaces = json_array();
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = &results->surfaces[i].summary;
-        json_t *json = json_pack("{s:o, s:b, s:o}", "surface", json_shown(s->scene->name), "usable", s->usable,
-                                 "refused", json_shown(s->refusal));
-        json_array_append_new(surfaces, json);
+        json_array_append_new(surfaces, json_pack("{s:o, s:b, s:o}", "surface", json_shown(s->scene->name), "usable",
+                                                  s->usable, "refused", json_shown(s->refusal)));
     }
     return surfaces;
 }

@@ -3,7 +3,6 @@
 
 #include "base/program.h"
 #include "base/temporary.h"
-#include "base/text.h"
 #include "base/threads.h"
 
 #include <errno.h>
@@ -59,7 +58,7 @@ _Noreturn static void end_by_signal(void)
 }
 
 struct program {
-    int (*body)(int argc, char **argv);
+    command_run *body;
     int argc;
     char **argv;
 };
@@ -81,7 +80,7 @@ static void open_standard_streams(void)
             (void)!open("/dev/null", fd == STDOUT_FILENO ? O_RDONLY : O_WRONLY); /* the wrong way: use is an error */
 }
 
-int signals_run(int (*body)(int argc, char **argv), int argc, char **argv)
+int signals_run(command_run *body, int argc, char **argv)
 {
     static const int ending[] = {SIGINT, SIGTERM, SIGHUP};
     struct program program = {body, argc, argv};

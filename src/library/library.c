@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/curve_summary.h"
-#include "base/text.h"
-#include "contact/model.h"
 #include "library/host.h"
 #include "library/roughcontact.h"
 #include "profile/profile.h"

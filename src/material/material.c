@@ -2,7 +2,6 @@
 #include "material/material.h"
 
 #include <math.h>
-#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
@@ -73,8 +72,7 @@ const struct material material_table[] = {
      NAN, NAN, NULL},
     {"hard-gold", 78e9, 0.44, 587e6, NAN, NAN, NAN, NAN, NAN,
      "cobalt-hardened gold plate, type I code C of ASTM B488, 130...200 HK25: hardness of its middle, 170 HK = 1.67 "
-     "GPa; "
-     "S_y computed as H/2.84; E, nu of bulk gold; what it conducts depends on its cobalt and carbon: give it",
+     "GPa; S_y computed as H/2.84; E, nu of bulk gold; what it conducts depends on its cobalt and carbon: give it",
      1.667e9, NAN, "gold"},
     {"beryllium-copper", 131e9, 0.30, 965e6, 7.68e-8, 107, 8350, 419, 4590,
      "CuBe2 (C17200), solution treated and aged (TF00): S_y minimum of ASTM B194; E, nu, c_p ASM Handbook vol. 2; "
@@ -88,8 +86,7 @@ const struct material material_table[] = {
     {"solder", 30e9, 0.40, NAN, 14.5e-8, 50, 8400, 191, 2770,
      "Sn63Pb37, Indalloy 106: resistivity, k, density, 17 HB: tables of solder alloys (alasir.com); E: Topline; nu of "
      "tin-lead: makeitfrom.com; c_p of its metals by mass; longitudinal v_s computed; it creeps, so S_y depends on "
-     "time: "
-     "give it",
+     "time: give it",
      167e6, NAN, NULL},
     {"indium", 12.7e9, 0.45, 1.88e6, 8.37e-8, 81.8, 7310, 233, 2570,
      "pure indium, bulk: E, 0.9 HB: AZoM 9093; nu: Kim and Ledbetter 1998, Mater. Sci. Eng. A; S_y as its tensile "
@@ -98,8 +95,7 @@ const struct material material_table[] = {
      8.8e6, NAN, "indium"},
     {"galinstan", NAN, NAN, NAN, 2.89e-7, 16.5, 6440, 296, NAN,
      "liquid Ga-In-Sn between the bodies, which bears no load: resistivity of 3.46 MS/m, k, density: Geratherm's data "
-     "as "
-     "quoted by Wikipedia; c_p: Hodes et al. 2014, IEEE Trans. Compon. Packag. Manuf. Technol. 4",
+     "as quoted by Wikipedia; c_p: Hodes et al. 2014, IEEE Trans. Compon. Packag. Manuf. Technol. 4",
      NAN, NAN, NULL},
 };
 const size_t material_table_count = sizeof material_table / sizeof *material_table;
@@ -156,17 +152,10 @@ const struct material_property *material_property_find(const char *key)
 
 struct material material_unknown(const char *name)
 {
-    struct material material = {.source = "",
-                                .youngs_modulus_Pa = NAN,
-                                .poisson_ratio = NAN,
-                                .yield_strength_Pa = NAN,
-                                .resistivity_ohm_m = NAN,
-                                .conductivity_W_per_mK = NAN,
-                                .density_kg_per_m3 = NAN,
-                                .specific_heat_J_per_kgK = NAN,
-                                .sound_speed_m_per_s = NAN,
-                                .hardness_Pa = NAN,
-                                .mean_free_path_m = NAN};
+    struct material material = {.source = ""};
+    const double none = NAN;
+    for (size_t p = 0; p < material_property_count; p++)
+        memcpy((char *)&material + material_properties[p].offset, &none, sizeof none);
     snprintf(material.name, sizeof material.name, "%s", name);
     return material;
 }

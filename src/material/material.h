@@ -5,8 +5,6 @@
 
 #include "base/status.h"
 #include "base/unit.h"
-#include <stdbool.h>
-#include <stddef.h>
 
 /** One metal, or what fills a gap and bears no load: then E is not known. A property that is not known is NaN. */
 struct material {

@@ -41,24 +41,6 @@ bool scene_bins_spectra(const struct scene *scene)
     return scene->data == SCENE_DATA_AUTO && !scene->exports && scene->surface_count > SCENE_DATA_SURFACES;
 }
 
-/* The directory's own name, however it is given. */
-static char *directory_title(const char *directory)
-{
-    char *path = realpath(directory, NULL), *title = strdup(path ? basename(path) : directory);
-    free(path);
-    return title;
-}
-
-static enum status_code check_directory(const char *directory, struct status *status)
-{
-    struct stat info;
-    if (stat(directory, &info) != 0)
-        return status_fail(status, STATUS_IO, "cannot open directory '%s': %s", directory, strerror(errno));
-    if (!S_ISDIR(info.st_mode))
-        return status_fail(status, STATUS_IO, "'%s' is no directory; name the one that holds the scans", directory);
-    return STATUS_OK;
-}
-
 /* Reads scene.yaml; without one, scene->path goes. A dangling link of that name is an error, not an absence. */
 static enum status_code load_text(struct text *bytes, struct scene *scene, struct status *status)
 {
@@ -318,10 +300,9 @@ static bool check_baseline(const struct scene *scene, struct scene_source *sourc
     for (size_t i = 0; i < scene->surface_count; i++)
         if (strcmp(scene->surfaces[i].name, scene->baseline) == 0)
             return true;
-    const char *first = scene->surfaces[0].name;
     return scene_source_fail(source, scene_keys_line(source, "baseline"),
                              "'baseline' is '%s', no surface's name; the first is '%s'",
-                             scene_words_show(scene->baseline).text, scene_words_show(first).text);
+                             scene_words_show(scene->baseline).text, scene_words_show(scene->surfaces[0].name).text);
 }
 
 static enum status_code complete(struct scene *scene, struct scene_source *source,
@@ -333,8 +314,10 @@ static enum status_code complete(struct scene *scene, struct scene_source *sourc
         !complete_all_bodies(scene, source) || !check_loads(scene, source) || !scene_asked_complete(scene, source) ||
         !override_units(scene, source, overrides) || !check_baseline(scene, source))
         return status->code;
+    char *path = realpath(scene->directory, NULL); /* the directory's own name, however it is given */
     if (!scene->title)
-        scene->title = directory_title(scene->directory);
+        scene->title = strdup(path ? basename(path) : scene->directory);
+    free(path);
     return scene->title ? STATUS_OK : status_memory(status);
 }
 
@@ -345,9 +328,12 @@ enum status_code scene_read(struct scene *out, const char *directory, const stru
     const struct scene_overrides *over = overrides ? overrides : &nothing;
     struct scene_source source = {.scene = out, .status = status};
     struct text loaded = {0};
+    struct stat info;
     *out = default_scene();
-    if (check_directory(directory, status) != STATUS_OK)
-        return status->code;
+    if (stat(directory, &info) != 0)
+        return status_fail(status, STATUS_IO, "cannot open directory '%s': %s", directory, strerror(errno));
+    if (!S_ISDIR(info.st_mode))
+        return status_fail(status, STATUS_IO, "'%s' is no directory; name the one that holds the scans", directory);
     out->directory = strdup(directory);
     out->path = out->directory ? scene_file_path(out, "scene.yaml") : NULL;
     if (!out->path)

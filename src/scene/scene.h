@@ -4,15 +4,10 @@
 #define SCENE_SCENE_H
 
 #include "base/text.h"
-#include "base/unit.h"
-#include "contact/model.h"
 #include "joint/joint.h"
-#include "material/material.h"
 #include "profile/level.h"
 #include "scan/scan.h"
 #include "spectrum/power_law.h"
-#include <stdbool.h>
-#include <stddef.h>
 
 /** The bodies of a contact, as given; scene_read() completes those of a surface with the scene's. */
 struct scene_bodies {

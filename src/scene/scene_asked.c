@@ -84,9 +84,12 @@ static bool read_ends(struct scene_source *source, const struct scene_key *key, 
            scene_source_fail_at(source, value, "'%s' has no limit; give 'most' or 'least'", key->name);
 }
 
-static bool read_asked(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
-                       struct scene_asked **items, size_t *count, bool limits)
+bool scene_asked_read(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
 {
+    struct scene *scene = field;
+    bool limits = strcmp(key->name, "limits") == 0;
+    struct scene_asked **items = limits ? &scene->limits : &scene->targets;
+    size_t *count = limits ? &scene->limit_count : &scene->target_count;
     struct list list = {.items = *items = calloc(ASKED_MOST, sizeof **items), .count = count};
     struct scene_key keys[ROWS];
     size_t lines[ROWS];
@@ -107,19 +110,6 @@ static bool read_asked(struct scene_source *source, const struct scene_key *key,
             return false;
     return *count > 0 || scene_source_fail_at(source, value, "'%s' names none; remove the line, or give one such as %s",
                                               key->name, limits ? "ecr: {most: 2 mohm}" : "{ecr: 1 mohm}");
-}
-
-bool scene_asked_targets(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
-                         void *scene)
-{
-    struct scene *out = scene;
-    return read_asked(source, key, value, &out->targets, &out->target_count, false);
-}
-
-bool scene_asked_limits(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *scene)
-{
-    struct scene *out = scene;
-    return read_asked(source, key, value, &out->limits, &out->limit_count, true);
 }
 
 /* Will the models compute it on every surface? */
@@ -167,13 +157,12 @@ static bool complete(const struct scene *scene, struct scene_source *source, str
 
 bool scene_asked_complete(struct scene *scene, struct scene_source *source)
 {
-    for (size_t t = 0; t < scene->target_count; t++)
-        if (!complete(scene, source, &scene->targets[t]))
-            return false;
-    for (size_t l = 0; l < scene->limit_count; l++)
-        if (!complete(scene, source, &scene->limits[l]))
-            return false;
-    return true;
+    bool good = true;
+    for (size_t t = 0; t < scene->target_count && good; t++)
+        good = complete(scene, source, &scene->targets[t]);
+    for (size_t l = 0; l < scene->limit_count && good; l++)
+        good = complete(scene, source, &scene->limits[l]);
+    return good;
 }
 
 double scene_asked_shown(const struct scene_asked *asked, double value)

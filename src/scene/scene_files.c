@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/limits.h"
-#include "base/text.h"
 #include "scan/text_header.h"
 #include "scene/scene_source.h"
 

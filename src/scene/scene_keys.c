@@ -443,8 +443,7 @@ const struct scene_key scene_keys[] = {
      SCENE_CHOICE(AT(direction), scan_direction_names)},
     {"lay",
      "rms slope along over across the lay, of scans taken across it (0: perfect, 1: none), where a surface does not "
-     "say "
-     "its own and is no map; default: no lay",
+     "say its own and is no map; default: no lay",
      SCENE_NUMBER(AT(lay), 0.0, 1.0)},
     {"measured",
      "{file (a list or pattern: each a run), quantity: ecr or tcr, load_unit, resistance_unit, carry: true (into the "
@@ -470,11 +469,11 @@ const struct scene_key scene_keys[] = {
     {"unload_from", "with the effect unloading: the largest load that the contact has seen", read_one_load,
      .at = AT(unload_from), LOADS},
     {"targets", "a list of {ecr, tcr, conductance, area or temperature: value}: the load that each takes",
-     scene_asked_targets, .at = 0},
+     scene_asked_read, .at = 0},
     {"limits",
      "a mapping of such quantities, each {most: value} or {least: value}, at the operating load; `report --check` ends "
      "with 5 where one is missed",
-     scene_asked_limits, .at = 0},
+     scene_asked_read, .at = 0},
     {"tolerance", "relative, of every reported number; default: 1e-6", SCENE_NUMBER(AT(tolerance), 1e-14, 0.1)},
     {"level", "what is taken out of a scan; default: line, of a periodic record the mean alone",
      SCENE_CHOICE(AT(level), level_names)},

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/scene_source.h"
-#include "scene/scene_words.h"
 
 #include <assert.h>
 #include <math.h>
@@ -245,16 +244,6 @@ bool scene_source_option(struct scene_source *source, const struct scene_key *ke
     bool good = key->read(source, key, &node, (char *)into + key->at);
     source->option = NULL;
     return good;
-}
-
-bool scene_source_has(struct scene_source *source, const yaml_node_t *node, const char *name)
-{
-    if (node->type != YAML_MAPPING_NODE)
-        return false;
-    for (const yaml_node_pair_t *pair = node->data.mapping.pairs.start; pair < node->data.mapping.pairs.top; pair++)
-        if (scene_source_is(yaml_document_get_node(&source->document, pair->key), name))
-            return true;
-    return false;
 }
 
 bool scene_source_quantity_of(struct scene_quantity *out, struct scene_source *source, const struct scene_key *key,

@@ -56,8 +56,6 @@ MUST_CHECK bool scene_source_mapping(struct scene_source *source, const yaml_nod
 MUST_CHECK bool scene_source_option(struct scene_source *source, const struct scene_key *key, const char *option,
                                     const char *text, void *into);
 
-/** Is it a mapping with the key `name`? */
-bool scene_source_has(struct scene_source *source, const yaml_node_t *node, const char *name);
 /** Items of a node that is a list or stands for a list of one. */
 size_t scene_source_item_count(const yaml_node_t *node);
 const yaml_node_t *scene_source_item(struct scene_source *source, const yaml_node_t *node, size_t i);
@@ -149,9 +147,9 @@ char *scene_files_name(const char *file, bool ending);
 /** Frees what one surface holds. */
 void scene_files_free(struct scene_surface *surface);
 
-/* What a scene asks of the contact: a list of `key: value` pairs, each a quantity, whose load is sought; limits to be
- * kept, `key: {most: value, least: value}`. */
-scene_reader scene_asked_targets, scene_asked_limits;
+/* What a scene asks of the contact, into a struct scene: `targets`, a list of `key: value` pairs, each a quantity,
+ * whose load is sought; `limits` to be kept, `key: {most: value, least: value}`. */
+scene_reader scene_asked_read;
 /** Turns what was read into the models' quantities, now that the nominal area is known. */
 MUST_CHECK bool scene_asked_complete(struct scene *scene, struct scene_source *source);
 

@@ -186,7 +186,11 @@ bool scene_surfaces_counterface(struct scene_source *source, const struct scene_
     struct scene_surface *surface = &source->scene->counterface_surface;
     struct scene_bodies *bodies = field;
     size_t lines[SCENE_COUNT(keys)];
-    if (!scene_source_has(source, value, "surface"))
+    bool rough = false;
+    if (value->type == YAML_MAPPING_NODE)
+        for (const yaml_node_pair_t *p = value->data.mapping.pairs.start; p < value->data.mapping.pairs.top; p++)
+            rough = rough || scene_source_is(yaml_document_get_node(&source->document, p->key), "surface");
+    if (!rough)
         return read_body(source, key, value, field);
     if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys), lines, surface))
         return false;

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/scene_words.h"
-#include "scan/string_view.h"
 
 #include <ctype.h>
 #include <math.h>

@@ -2,7 +2,7 @@
 /* The direct solution of a wave and of a sphere on small grids, and of a profile. */
 #include "direct/direct_constriction.h"
 #include "direct/direct_quantities.h"
-#include "selftest/selftest_table.h"
+#include "selftest/selftest.h"
 
 #include <math.h>
 #include <string.h>

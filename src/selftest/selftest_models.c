@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Contact models, as a run calls them, on the surface that the golden numbers of each are of. */
 #include "contact/model.h"
-#include "selftest/selftest_table.h"
+#include "selftest/selftest.h"
 
 #include <math.h>
 #include <string.h>

@@ -2,12 +2,10 @@
 /* Numbers that one call gives: integrals, intervals, one sinusoidal scale, what lies in and around the spots. */
 #include "contact/gaussian.h"
 #include "contact/sinusoid.h"
-#include "joint/gas.h"
 #include "joint/heating.h"
 #include "joint/joint.h"
 #include "joint/plating.h"
-#include "material/material.h"
-#include "selftest/selftest_table.h"
+#include "selftest/selftest.h"
 #include "statistics/interval.h"
 
 #include <math.h>

@@ -1,12 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A profile made of the 255 waves of a power law gives them back; the band of a law is found in a rough spectrum. */
 #include "profile/profile.h"
-#include "scan/scan.h"
-#include "selftest/selftest_table.h"
+#include "selftest/selftest.h"
 #include "spectrum/parameters.h"
 #include "spectrum/power_law.h"
-#include "spectrum/power_law_band.h"
-#include "spectrum/spectrum.h"
 
 #include <math.h>
 #include <string.h>
