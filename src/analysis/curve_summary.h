@@ -50,9 +50,6 @@ MUST_CHECK enum status_code curve_summary_put_estimates(struct curve_summary *mo
 /** Is the model inside its range of validity there, as far as the curve's summary tells? */
 bool curve_summary_is_valid(const struct curve_summary *model, double load);
 
-/** The elbow as a share of the load to full contact; NaN: none, or at the first load or below. */
-double curve_summary_elbow_share(const struct curve_summary *model);
-
 /** Condenses one model's curve on a surface of rms height sigma_m; sensitivity, seconds and evaluations are kept. Loads
  * that are not the model's own answer are points of the curve. */
 void curve_summary_make(struct curve_summary *out, const struct model_curve *curve, const struct model_row *row,
