@@ -9,7 +9,7 @@
 /** Notes a scan that its surface goes on without. */
 static void note_refused_scan(struct surface_summary *summary, const char *why, const char *others)
 {
-    note_add_refused(&summary->notes, "%s%s", why, others);
+    note_add_refused(&summary->notes, why, others);
     summary->refused_scans++;
 }
 
