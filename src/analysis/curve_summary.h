@@ -4,7 +4,6 @@
 #ifndef ANALYSIS_CURVE_SUMMARY_H
 #define ANALYSIS_CURVE_SUMMARY_H
 
-#include "analysis/ensemble.h"
 #include "analysis/sensitivity.h"
 #include "contact/convergence.h"
 

@@ -3,7 +3,6 @@
 #ifndef ANALYSIS_PLAN_H
 #define ANALYSIS_PLAN_H
 
-#include "contact/model.h"
 #include "scene/scene.h"
 
 struct plan_effect {
