@@ -3,7 +3,7 @@
 
 #include "analysis/direct_study.h"
 #include "base/version.h"
-#include "output/cell.h"
+#include "output/tables.h"
 #include <errno.h>
 #include <jansson.h>
 #include <math.h>
