@@ -29,13 +29,6 @@ static double full_value(enum quantity quantity, const struct joint_task *joint)
     return point.value[quantity];
 }
 
-/** Does an elastic contact bear more than the hardness? */
-static bool is_above_hardness(const struct contact_point *point, double load, const struct model_row *row,
-                              const struct model_task *task)
-{
-    return !row->plastic && material_pair_pressure(task->pair, load) > task->hardness_Pa * point->value[QUANTITY_AREA];
-}
-
 /** One end of the band about a curve. */
 struct band_end {
     const struct model_curve *curve;
@@ -47,18 +40,8 @@ struct band_end {
     int resistance_side;            /* of the band of the resistances that it is made of */
 };
 
-/** A number of the joint with these ECR and TCR (NaN: the model's), area and gap as they are. */
-static double made_with(const struct contact_point *point, const double resistance[2], enum quantity quantity,
-                        const struct joint_task *joint)
-{
-    struct contact_point at = *point;
-    at.value[QUANTITY_ECR] = isnan(resistance[0]) ? at.value[QUANTITY_ECR] : resistance[0];
-    at.value[QUANTITY_TCR] = isnan(resistance[1]) ? at.value[QUANTITY_TCR] : resistance[1];
-    joint_apply(&at, NULL, 1, joint);
-    return at.value[quantity];
-}
-
-/** The number at one end of the band at load i. */
+/** The number at one end of the band at load i; one of the joint is made of the ends of ECR and TCR (NaN: the model's),
+ * with area and gap as they are. */
 static double at_end(const struct band_end *end, size_t i)
 {
     const struct ensemble_band *band = &end->band[i];
@@ -67,7 +50,11 @@ static double at_end(const struct band_end *end, size_t i)
     const double resistance[2] = {band->mean[QUANTITY_ECR][end->resistance_side],
                                   band->mean[QUANTITY_TCR][end->resistance_side]};
     bool known = !isnan(resistance[quantity_rows[end->quantity].from & QUANTITY_BIT(QUANTITY_ECR) ? 0 : 1]);
-    return known ? made_with(&end->curve->points[i], resistance, end->quantity, end->joint) : NAN;
+    struct contact_point at = end->curve->points[i];
+    at.value[QUANTITY_ECR] = isnan(resistance[0]) ? at.value[QUANTITY_ECR] : resistance[0];
+    at.value[QUANTITY_TCR] = isnan(resistance[1]) ? at.value[QUANTITY_TCR] : resistance[1];
+    joint_apply(&at, NULL, 1, end->joint);
+    return known ? at.value[end->quantity] : NAN;
 }
 
 /** ln of the end over the curve, straight in ln P between the loads that have it; at the ends that of the last one. */
@@ -185,7 +172,8 @@ static enum status_code solve(struct answer *out, struct search *search)
     if (search->full_load <= out->load)
         search->point = (struct contact_point){.value[QUANTITY_AREA] = 1};
     out->invalid = !curve_summary_point_is_valid(&search->point, search->row);
-    out->above_hardness = is_above_hardness(&search->point, out->load, search->row, &search->task);
+    out->above_hardness = !search->row->plastic && material_pair_pressure(search->task.pair, out->load) >
+                                                       search->task.hardness_Pa * search->point.value[QUANTITY_AREA];
     return search->status->code;
 }
 

@@ -22,11 +22,6 @@ static const double farthest = 4;
 
 _Static_assert(ASPERITY_MODEL_COUNT * 2 * SETTINGS + 4 <= BENCHMARK_ROWS, "room for all rows");
 
-static struct benchmark_row *new_row(struct benchmark *out)
-{
-    return &out->rows[out->count++];
-}
-
 /** Seconds that this thread has worked, whatever others do meanwhile. */
 static double own_seconds(void)
 {
@@ -154,7 +149,7 @@ static enum status_code add_methods(struct benchmark *out, const struct model_ro
     for (size_t m = 0; m < sizeof methods / sizeof *methods && !better.failed; m++)
         for (int i = 0; i < SETTINGS && methods[m].settings[i] > 0; i++) {
             struct attempt attempt = {.problem = problem, .setting = methods[m].settings[i]};
-            struct benchmark_row *row = new_row(out);
+            struct benchmark_row *row = &out->rows[out->count++];
             *row = (struct benchmark_row){.model = model, .method = methods[m].method, .setting = attempt.setting};
             snprintf(row->study, sizeof row->study, "%s-integrals", model->name);
             row->seconds = methods[m].times * time_of(methods[m].work, &attempt);
@@ -228,8 +223,7 @@ static enum status_code tolerances(struct benchmark *out, const struct benchmark
         attempt.spectrum.count = HARMONICS_MOST;
         attempt.spectrum.has_nyquist = false;
     }
-    for (int t = 0; t < STEPS; t++)
-        (void)new_row(out);
+    out->count += STEPS;
     for (int t = 0; t < STEPS && !attempt.failed; t++) {
         struct benchmark_row *row = &out->rows[out->count - 1 - (size_t)t];
         attempt.tolerance = tolerance[t];

@@ -65,11 +65,6 @@ bool curve_summary_is_valid(const struct curve_summary *model, double load)
     return !(model->invalid_load <= load);
 }
 
-double curve_summary_elbow_share(const struct curve_summary *model)
-{
-    return model->elbow_load > model->first_load ? model->elbow_load / model->full_load : NAN;
-}
-
 void curve_summary_make(struct curve_summary *model, const struct model_curve *curve, const struct model_row *row,
                         double sigma_m, double operating_load)
 {

@@ -4,7 +4,6 @@
 #ifndef ANALYSIS_CURVE_SUMMARY_H
 #define ANALYSIS_CURVE_SUMMARY_H
 
-#include "analysis/ensemble.h"
 #include "analysis/sensitivity.h"
 #include "contact/convergence.h"
 
@@ -49,9 +48,6 @@ MUST_CHECK enum status_code curve_summary_put_estimates(struct curve_summary *mo
                                                         struct status *status);
 /** Is the model inside its range of validity there, as far as the curve's summary tells? */
 bool curve_summary_is_valid(const struct curve_summary *model, double load);
-
-/** The elbow as a share of the load to full contact; NaN: none, or at the first load or below. */
-double curve_summary_elbow_share(const struct curve_summary *model);
 
 /** Condenses one model's curve on a surface of rms height sigma_m; sensitivity, seconds and evaluations are kept. Loads
  * that are not the model's own answer are points of the curve. */

@@ -9,7 +9,7 @@
 /** Notes a scan that its surface goes on without. */
 static void note_refused_scan(struct surface_summary *summary, const char *why, const char *others)
 {
-    note_add_refused(&summary->notes, "%s%s", why, others);
+    note_add_refused(&summary->notes, why, others);
     summary->refused_scans++;
 }
 
@@ -102,18 +102,6 @@ static int by_name(const void *a, const void *b)
     return strcmp(*(const char *const *)a, *(const char *const *)b);
 }
 
-/** The files by name: what comes out does not depend on the order in which a scene lists them. malloc'ed; NULL: out of
- * memory. */
-static const char **sorted_files(const struct scene_surface *surface)
-{
-    const char **files = malloc((surface->file_count + 1) * sizeof *files);
-    if (!files)
-        return NULL;
-    for (size_t f = 0; f < surface->file_count; f++)
-        files[f] = surface->files[f];
-    qsort(files, surface->file_count, sizeof *files, by_name);
-    return files;
-}
 /** Notes which scans were refused, where others are used. */
 static void note_refused(struct surface_summary *summary, char *const *refusal, size_t count, size_t used)
 {
@@ -133,9 +121,13 @@ enum status_code describe_files(const struct describe_task *task, const struct s
 {
     size_t count = surface->file_count, used = 0;
     struct status refused = {0};
-    const char **file = sorted_files(surface);
+    const char **file = malloc((count + 1) * sizeof *file);
     char **refusal = calloc(count + 1, sizeof *refusal);
     enum status_code rc = file && refusal ? STATUS_OK : status_memory(status);
+    for (size_t f = 0; f < count && rc == STATUS_OK; f++)
+        file[f] = surface->files[f];
+    if (rc == STATUS_OK) /* what comes out does not depend on the order in which a scene lists them */
+        qsort(file, count, sizeof *file, by_name);
     for (size_t f = 0; f < count && rc == STATUS_OK; f++) {
         struct status problem = {0};
         enum status_code own = describe_file(task, surface, file[f], hash, &problem);

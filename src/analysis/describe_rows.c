@@ -138,17 +138,6 @@ static enum status_code add_profile(const struct describe_task *task, const stru
     return rc;
 }
 
-/** How the scene wants scans to be made ready. */
-static struct profile_options profile_options_of(const struct scene *scene)
-{
-    return (struct profile_options){.level = scene->level,
-                                    .max_missing = scene->max_missing,
-                                    .lambda_s_m = scene->lambda_s_m,
-                                    .lambda_c_m = scene->lambda_c_m,
-                                    .tip_radius_m = scene->tip_radius_m,
-                                    .periodic_mean = !scene->level_given};
-}
-
 /* The first harmonic whose estimate by five sine tapers keeps off the ends of the spectrum is the fifth
  * (docs/equations.md, power_law_band.h); a record has it below its Nyquist frequency from 11 points on. */
 enum { LEAST_POINTS = 11 };
@@ -241,7 +230,14 @@ enum status_code describe_rows(const struct describe_task *task, struct scan *sc
     char file[512];
     struct surface_summary *summary = &task->record->summary;
     struct ensemble *set = &task->record->ensemble;
-    struct profile_options how = profile_options_of(task->scene), had = how; /* what its heights have been through */
+    const struct scene *scene = task->scene;
+    const struct profile_options how = {.level = scene->level,
+                                        .max_missing = scene->max_missing,
+                                        .lambda_s_m = scene->lambda_s_m,
+                                        .lambda_c_m = scene->lambda_c_m,
+                                        .tip_radius_m = scene->tip_radius_m,
+                                        .periodic_mean = !scene->level_given};
+    struct profile_options had = how; /* what its heights have been through */
     struct direct_map_def map = {0};
     size_t unusable = 0, run_before = set->count;
     bool areal = scan->kind == SCAN_AREAL, first_file = summary->scans == 0;
@@ -250,7 +246,7 @@ enum status_code describe_rows(const struct describe_task *task, struct scan *sc
         repeats_add_scan(set, scene_file, status) != STATUS_OK)
         return status->code;
     double cutoff_m = fmax(summary->cutoff_m, map.cutoff * map.dx_m);
-    had.lambda_s_m = fmax(task->scene->lambda_s_m, cutoff_m);
+    had.lambda_s_m = fmax(scene->lambda_s_m, cutoff_m);
     snprintf(file, sizeof file, *scan->part ? "%.400s(%s)" : "%.400s%s", scene_file, scan->part);
     for (size_t row = 0; row < scan->ny; row++) {
         struct profile profile;
@@ -279,7 +275,6 @@ enum status_code describe_rows(const struct describe_task *task, struct scan *sc
         note_map(summary, task, file, scan, &map, unusable, set->count - run_before);
     if (unusable > 0)
         note_add(&summary->notes, file, "%zu %s%s left out, the first because %s", unusable,
-                 task->scene->direction == SCAN_DIRECTION_X ? "row" : "column", unusable == 1 ? "" : "s",
-                 first.message);
+                 scene->direction == SCAN_DIRECTION_X ? "row" : "column", unusable == 1 ? "" : "s", first.message);
     return power_law_scans_end_file(task->scans, scan->ny - unusable, areal, status);
 }

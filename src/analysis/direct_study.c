@@ -3,7 +3,6 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 const enum quantity direct_study_quantities[DIRECT_STUDY_QUANTITIES] = {QUANTITY_AREA, QUANTITY_SEPARATION,
                                                                         QUANTITY_ECR, QUANTITY_STIFFNESS};

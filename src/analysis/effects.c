@@ -33,20 +33,24 @@ static double bound_pressure(const struct surface_record *record)
     return fmax(most, pressure_over_hardness(&end, &summary->pair));
 }
 
-/** TCR_sd/TCR - 1 at the first and the last load, the most of the models that have it, of which an elastic one stands
- * for its plastic partner. */
-static enum status_code bound_scale_dependence(double *most, const struct surface_record *record,
-                                               const struct plan *plan, const struct model_task *task,
-                                               struct status *status)
+enum status_code effects_bound(struct surface_record *record, const struct scene *scene, const struct plan *plan,
+                               const double *loads, size_t load_count, struct status *status)
 {
-    const double loads[2] = {task->loads[0], task->loads[task->load_count - 1]};
-    struct model_task ends = model_task_at(task, loads, loads[1] > loads[0] ? 2 : 1);
+    const double at[2] = {loads[0], loads[load_count - 1]};
+    const struct model_task task = surface_model_task(record, scene, plan, loads, load_count);
+    struct model_task ends = model_task_at(&task, at, at[1] > at[0] ? 2 : 1);
+    double *most = &record->summary.scale_dependence;
+    if (scene->effects_auto && plan_runs(plan, EFFECT_PLASTICITY))
+        record->summary.pressure_over_hardness = bound_pressure(record);
+    if (!scene->effects_auto || !plan_runs(plan, EFFECT_SCALE_DEPENDENT))
+        return STATUS_OK;
     ends.wanted = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_TCR) |
                   QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
     for (size_t m = 0; m < model_count; m++) {
         struct contact_point points[3];
         struct model_curve curve = {.points = points};
         const struct model_row *row = model_rows[m];
+        /* an elastic one stands for its plastic partner */
         bool stands_for_it = row->elastic && plan_runs_model(plan, model_index(row->elastic));
         if (!plan_runs_model(plan, m) || stands_for_it ||
             !(row->quantities & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT)))
@@ -58,18 +62,6 @@ static enum status_code bound_scale_dependence(double *most, const struct surfac
                 *most = fmax(*most, points[i].value[QUANTITY_TCR_SCALE_DEPENDENT] / points[i].value[QUANTITY_TCR] - 1);
     }
     return STATUS_OK;
-}
-
-enum status_code effects_bound(struct surface_record *record, const struct scene *scene, const struct plan *plan,
-                               const double *loads, size_t load_count, struct status *status)
-{
-    struct surface_summary *summary = &record->summary;
-    const struct model_task task = surface_model_task(record, scene, plan, loads, load_count);
-    if (scene->effects_auto && plan_runs(plan, EFFECT_PLASTICITY))
-        summary->pressure_over_hardness = bound_pressure(record);
-    if (!scene->effects_auto || !plan_runs(plan, EFFECT_SCALE_DEPENDENT))
-        return STATUS_OK;
-    return bound_scale_dependence(&summary->scale_dependence, record, plan, &task, status);
 }
 
 /** Yield changes the area by (1 + r^4)^(1/4) - 1 at most, r the pressure in contact over the hardness. A named model

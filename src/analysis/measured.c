@@ -182,20 +182,6 @@ static size_t loads_within(double *loads, const struct measured *measured, const
     return kept;
 }
 
-/** What the models are asked: one quantity, at these loads. */
-static struct model_task task_at(const struct measured *measured, const struct model_task *task, const double *loads,
-                                 size_t load_count)
-{
-    struct model_task asked = model_task_at(task, loads, load_count);
-    asked.wanted = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(quantity_of(measured));
-    return asked;
-}
-
-static bool answers(const struct measured *measured, size_t m, size_t load_count)
-{
-    return load_count > 0 && (model_rows[m]->quantities & QUANTITY_BIT(quantity_of(measured)));
-}
-
 /** The resistance at a load, NaN where the curve has none above 0. */
 static double resistance_at(const struct model_curve *curve, double load, enum quantity quantity)
 {
@@ -233,11 +219,13 @@ enum status_code measured_answer(struct measured_answers *out, const struct meas
         (struct measured_answers){.resistance = calloc((model_count + 2) * measured->count, sizeof *out->resistance)};
     bool stored = loads && points && out->resistance;
     size_t count = stored ? loads_within(loads, measured, task) : 0;
-    struct model_task asked = task_at(measured, task, loads, count);
+    struct model_task asked = model_task_at(task, loads, count);
+    const unsigned own = QUANTITY_BIT(quantity_of(measured)); /* all that the models are asked */
+    asked.wanted = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | own;
     enum status_code rc = stored ? STATUS_OK : status_memory(status);
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
         struct model_curve curve = {.points = points};
-        if ((models & MODEL_BIT(m)) && answers(measured, m, count))
+        if ((models & MODEL_BIT(m)) && count > 0 && (model_rows[m]->quantities & own))
             rc = ensemble_curve(&curve, NULL, set, model_rows[m], &asked, status);
         if (rc == STATUS_OK && quantity_rows[quantity].from)
             rc = joint_curve(&curve, model_rows[m], &asked, joint, status);

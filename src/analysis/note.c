@@ -16,24 +16,6 @@ void note_list_free(struct note_list *list)
     *list = (struct note_list){0};
 }
 
-/** Adds a note, whose line is malloc'ed and taken over (NULL: out of memory). */
-static void insert(struct note_list *list, size_t at, const char *subject, char *what, bool refused_scan)
-{
-    struct note *notes = reallocarray(list->notes, list->count + 1, sizeof *notes);
-    struct note note = {subject ? strdup(subject) : NULL, what, 0, refused_scan};
-    if (notes)
-        list->notes = notes;
-    if (!notes || !what || (subject && !note.subject)) {
-        free(note.subject);
-        free(what);
-        status_lost = true;
-        return;
-    }
-    memmove(notes + at + 1, notes + at, (list->count - at) * sizeof *notes);
-    notes[at] = note;
-    list->count++;
-}
-
 void note_add(struct note_list *list, const char *subject, const char *format, ...)
 {
     char *what = NULL;
@@ -47,20 +29,31 @@ void note_add(struct note_list *list, const char *subject, const char *format, .
             free(what);
             return;
         }
-    insert(list, list->count, subject, what, false);
+    struct note *notes = reallocarray(list->notes, list->count + 1, sizeof *notes);
+    struct note note = {.subject = subject ? strdup(subject) : NULL, .what = what};
+    if (notes)
+        list->notes = notes;
+    if (!notes || !what || (subject && !note.subject)) {
+        free(note.subject);
+        free(what);
+        status_lost = true;
+        return;
+    }
+    notes[list->count++] = note;
 }
 
-void note_add_refused(struct note_list *list, const char *format, ...)
+void note_add_refused(struct note_list *list, const char *why, const char *others)
 {
-    char *what = NULL;
-    va_list args;
-    va_start(args, format);
-    what = vasprintf(&what, format, args) < 0 ? NULL : what;
-    va_end(args);
-    size_t at = 0;
-    while (at < list->count && list->notes[at].refused_scan)
+    size_t at = 0, before = list->count;
+    note_add(list, NULL, "%s%s", why, others);
+    if (list->count == before)
+        return;
+    struct note note = list->notes[before];
+    note.refused_scan = true;
+    while (at < before && list->notes[at].refused_scan)
         at++;
-    insert(list, at, NULL, what, true);
+    memmove(list->notes + at + 1, list->notes + at, (before - at) * sizeof note);
+    list->notes[at] = note;
 }
 
 void note_line(struct text *out, const struct note *note)

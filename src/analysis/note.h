@@ -21,8 +21,8 @@ void note_list_free(struct note_list *list);
 
 /** Adds a note on a scan (NULL: the surface); what was said of another scan in the same words is counted there. */
 void note_add(struct note_list *list, const char *subject, const char *format, ...) PRINTF_LIKE(3, 4);
-/** Adds one of a refused scan, behind the others of that kind and before all else. */
-void note_add_refused(struct note_list *list, const char *format, ...) PRINTF_LIKE(2, 3);
+/** Adds one of a refused scan, `why` and what of the others, behind the others of that kind and before all else. */
+void note_add_refused(struct note_list *list, const char *why, const char *others);
 
 /** "scan.csv: what it is (and of 2 more scans)". */
 void note_line(struct text *out, const struct note *note);

@@ -3,7 +3,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 /** The bodies of surface `i`; the scene's where it has no surface. */
 static const struct scene_bodies *bodies_of(const struct scene *scene, size_t i)
@@ -47,7 +46,10 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
     const struct effect_row *row = &effect_rows[effect];
     struct plan_effect *out = &plan->effects[effect];
     unsigned lacking = row->needs_effects & ~plan->running;
-    if (effect == EFFECT_CONVERGENCE && !plan_stacks_scales(plan)) {
+    bool stacks_scales = false;
+    for (size_t m = 0; m < model_count; m++)
+        stacks_scales = stacks_scales || (plan_runs_model(plan, m) && model_rows[m]->stacks_scales);
+    if (effect == EFFECT_CONVERGENCE && !stacks_scales) {
         snprintf(out->reason, sizeof out->reason, "a question to the multiscale models, which do not run");
     } else if (effect == EFFECT_DIRECT) { /* seconds where the rest takes milliseconds: never unasked */
         out->runs = scene->direct.called;
@@ -120,14 +122,6 @@ unsigned plan_quantities(const struct plan *plan)
         if (plan_runs_model(plan, m))
             computed |= quantity_with_made(model_rows[m]->quantities);
     return computed & plan->wanted;
-}
-
-bool plan_stacks_scales(const struct plan *plan)
-{
-    for (size_t m = 0; m < model_count; m++)
-        if (plan_runs_model(plan, m) && model_rows[m]->stacks_scales)
-            return true;
-    return false;
 }
 
 bool plan_uses_asperities(const struct plan *plan)

@@ -3,7 +3,6 @@
 #ifndef ANALYSIS_PLAN_H
 #define ANALYSIS_PLAN_H
 
-#include "contact/model.h"
 #include "scene/scene.h"
 
 struct plan_effect {
@@ -36,8 +35,7 @@ bool plan_runs_model(const struct plan *plan, size_t m);
 size_t plan_leading_model(const struct plan *plan);
 /** QUANTITY_BITs that the effects call for and some running model computes. */
 unsigned plan_quantities(const struct plan *plan);
-/** Does a model run that stacks scales, or one that works on asperities? */
-bool plan_stacks_scales(const struct plan *plan);
+/** Does a model run that works on asperities? */
 bool plan_uses_asperities(const struct plan *plan);
 
 #endif

@@ -4,7 +4,6 @@
 #include "profile/filter.h"
 #include "spectrum/grid.h"
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 const struct sensitivity_change_row sensitivity_changes[SENSITIVITY_CHANGES] = {
@@ -18,17 +17,11 @@ static const double sensitivity_hardness_factor = 1.1;
 
 enum { LEAST_POINTS = 16 };
 
-/** The cut-off of a scan: lambda_s where one is stated, else twice the spacing. */
-static double sensitivity_cutoff(double spacing_m, double lambda_s_m)
-{
-    return lambda_s_m > 0 ? lambda_s_m : 2 * spacing_m;
-}
-
 /** Half of the profile, or the whole of it, smoothed or not, in room->record. */
 static enum status_code take_variant(struct fft_room *room, size_t points, enum sensitivity_variant variant,
                                      const struct profile *profile, double lambda_s_m, struct status *status)
 {
-    double cutoff_m = 2 * sensitivity_cutoff(profile->spacing_m, lambda_s_m);
+    double cutoff_m = 2 * (lambda_s_m > 0 ? lambda_s_m : 2 * profile->spacing_m);
     if (variant == SENSITIVITY_CUTOFF)
         return filter_gaussian(room->record, profile->height_m, points, profile->spacing_m, cutoff_m, profile->periodic,
                                status);

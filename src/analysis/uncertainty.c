@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/uncertainty.h"
 
+#include "analysis/surface.h"
 #include "spectrum/multitaper.h"
 #include "spectrum/simulated_record.h"
 #include <math.h>
@@ -27,31 +28,17 @@ struct loads {
     size_t count, middle; /* `middle`: which of them is the one where the summary stands */
 };
 
-/** First, middle (where the summary stands) and last of the task's loads, each once, and the middle one alone. */
+/** First, middle (where the summary stands) and last of the task's loads, each once. */
 static struct loads record_loads(const struct model_task *task)
 {
     size_t last = task->load_count - 1, at[UNCERTAINTY_LOADS] = {0, model_task_operating(task), last};
     struct loads out = {.count = 0};
     for (int i = 0; i < UNCERTAINTY_LOADS; i++) {
-        if (i == 0 || at[i] != at[i - 1]) {
-            out.load[out.count] = task->loads ? task->loads[at[i]] : NAN;
-            out.count++;
-        }
+        if (i == 0 || at[i] != at[i - 1])
+            out.load[out.count++] = task->loads[at[i]];
         out.middle = i == 1 ? out.count - 1 : out.middle;
     }
     return out;
-}
-
-static struct loads middle_load(const struct model_task *task)
-{
-    return (struct loads){{task->loads ? task->loads[model_task_operating(task)] : NAN}, 1, 0};
-}
-
-static struct model_task record_task(const struct model_task *task, const struct loads *loads)
-{
-    struct model_task own = model_task_at(task, loads->load, loads->count);
-    own.wanted &= ~QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
-    return own;
 }
 
 /** ln answer of a record of rms height sigma_m; NaN: none. */
@@ -81,13 +68,6 @@ static bool answers_of(double *out, const struct ensemble_curves *records, size_
 struct simulated {
     struct ensemble records, quarters, own;
 };
-
-static void simulated_free(struct simulated *simulated)
-{
-    ensemble_free(&simulated->records);
-    ensemble_free(&simulated->quarters);
-    ensemble_free(&simulated->own);
-}
 
 static enum status_code add_quarters(struct ensemble *set, const double *height_m, const struct uncertainty_scan *scan,
                                      struct status *status)
@@ -148,11 +128,12 @@ static enum status_code run_one(struct uncertainty *out, const struct simulated 
                                 const struct model_row *model, const struct model_task *task, struct status *status)
 {
     const struct ensemble *const sets[] = {&simulated->records, &simulated->quarters, &simulated->own};
-    struct loads all = record_loads(task), middle = middle_load(task);
+    struct loads all = record_loads(task);
     struct ensemble_curves curves[3] = {{.count = 0}};
     enum status_code rc = STATUS_OK;
     for (int k = 0; k < 3 && rc == STATUS_OK; k++) {
-        struct model_task own = record_task(task, k == 0 ? &all : &middle);
+        struct model_task own = k == 0 ? model_task_at(task, all.load, all.count) : surface_middle_task(task);
+        own.wanted &= ~QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
         rc = sets[k]->count > 0 ? ensemble_run(&curves[k], sets[k], model, &own, status) : STATUS_OK;
     }
     if (rc == STATUS_OK)
@@ -193,7 +174,9 @@ enum status_code uncertainty_run(struct uncertainty *out, const struct uncertain
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++)
         if (uncertainty_holds(plan, m))
             rc = run_one(&out[m], &simulated, model_rows[m], scan->task, status);
-    simulated_free(&simulated);
+    ensemble_free(&simulated.records);
+    ensemble_free(&simulated.quarters);
+    ensemble_free(&simulated.own);
     return rc;
 }
 

@@ -4,7 +4,6 @@
 #ifndef ANALYSIS_UNCERTAINTY_H
 #define ANALYSIS_UNCERTAINTY_H
 
-#include "analysis/curve_summary.h"
 #include "analysis/ensemble.h"
 #include "analysis/plan.h"
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "chart/chart.h"
 
+#include "output/json.h"
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -41,16 +42,6 @@ void chart_free(struct chart *chart)
     free(chart->panel);
     text_free(&chart->data);
     *chart = (struct chart){0};
-}
-
-/** Text that may come from outside, as it may be shown. */
-static json_t *shown(const char *string)
-{
-    struct text text = {0};
-    text_add_shown(&text, string);
-    json_t *out = json_string(text_string(&text));
-    text_free(&text);
-    return out;
 }
 
 static struct chart_panel *last(struct chart *chart)
@@ -151,10 +142,11 @@ void chart_end(struct chart *chart)
     if (chart->rows == 0 || !panel)
         return;
     enum chart_kind kind = curve->kind == CHART_LINE && chart->rows == 1 ? CHART_POINTS : curve->kind;
-    json_t *item = json_pack("{si sb ss si sf si sb so}", "index", (int)chart->blocks++, kinds[kind].name, 1, "colour",
-                             curve->colour, "dash", curve->dash ? curve->dash : 1, "width",
-                             curve->width > 0 ? curve->width : 2.0, "marker", curve->marker ? curve->marker : 7,
-                             "drawn_lines", kind == CHART_LINE || kind == CHART_BAND, "title", shown(curve->legend));
+    json_t *item =
+        json_pack("{si sb ss si sf si sb so}", "index", (int)chart->blocks++, kinds[kind].name, 1, "colour",
+                  curve->colour, "dash", curve->dash ? curve->dash : 1, "width", curve->width > 0 ? curve->width : 2.0,
+                  "marker", curve->marker ? curve->marker : 7, "drawn_lines", kind == CHART_LINE || kind == CHART_BAND,
+                  "title", json_shown(curve->legend));
     if (item && curve->legend[0])
         add_legend(chart, item);
     json_array_append_new(panel->curves, item);
@@ -169,8 +161,8 @@ void chart_mark(struct chart *chart, bool vertical, double at, const char *name)
     chart_end(chart);
     if (!panel || !isfinite(at) || (at <= 0 && (vertical ? panel->log_x : panel->log_y)))
         return;
-    json_array_append_new(
-        panel->marks, json_pack("{sb sf so}", vertical ? "vertical" : "horizontal", 1, "at", at, "name", shown(name)));
+    json_array_append_new(panel->marks, json_pack("{sb sf so}", vertical ? "vertical" : "horizontal", 1, "at", at,
+                                                  "name", json_shown(name)));
     reach(vertical ? &panel->x : &panel->y, at);
 }
 
@@ -179,7 +171,7 @@ void chart_name_row(struct chart *chart, double y, const char *name)
     struct chart_panel *panel = last(chart);
     chart_end(chart);
     if (panel)
-        json_array_append_new(panel->names, json_pack("{sf so}", "at", y, "label", shown(name)));
+        json_array_append_new(panel->names, json_pack("{sf so}", "at", y, "label", json_shown(name)));
     if (panel) { /* room above for what is marked */
         reach(&panel->y, y - 0.4);
         reach(&panel->y, y + 0.9);
@@ -355,9 +347,9 @@ static json_t *panel_view(const struct chart *chart, const struct layout *layout
                                                      : 8);
     mark_more(ticks, "more");
     mark_more(x_ticks, "more");
-    return json_pack("{so so so sb sb sb sf sf sf sf sf sf sf sf so so sO sO sf}", "title", shown(panel->title),
-                     "x_label", shown(x_label_of(chart, layout->columns, p)), "y_label",
-                     shown(bare ? "" : panel->y_label), "log_x", panel->log_x, "log_y", panel->log_y, "bare", bare,
+    return json_pack("{so so so sb sb sb sf sf sf sf sf sf sf sf so so sO sO sf}", "title", json_shown(panel->title),
+                     "x_label", json_shown(x_label_of(chart, layout->columns, p)), "y_label",
+                     json_shown(bare ? "" : panel->y_label), "log_x", panel->log_x, "log_y", panel->log_y, "bare", bare,
                      "x_low", x.low, "x_high", x.high, "y_low", y.low, "y_high", y.high, "left", (left + names) / WIDTH,
                      "right", (left + layout->wide) / WIDTH, "top", 1 - top / layout->height, "bottom",
                      1 - (top + layout->panel) / layout->height, "y_ticks", ticks, "x_ticks", x_ticks, "curves",

@@ -3,11 +3,10 @@
 
 #include "analysis/direct_study.h"
 #include "base/version.h"
-#include "output/cell.h"
+#include "output/tables.h"
 #include <errno.h>
 #include <jansson.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 json_t *json_shown(const char *hostile)

@@ -2,12 +2,50 @@
 #include "output/tables.h"
 
 #include "analysis/direct_study.h"
-#include "output/cell.h"
 #include "results/comparison.h"
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+const struct cell_column cell_columns[] = {
+#define COLUMN(name, member, in_table)                                                                                 \
+    {                                                                                                                  \
+        name, offsetof(struct surface_summary, member), in_table                                                       \
+    }
+    COLUMN("spacing_m", spacing_m, CELL_ALWAYS),
+    COLUMN("scan_length_m", length_m, CELL_ALWAYS),
+    COLUMN("rq_m", roughness.rq_m, CELL_ALWAYS),
+    COLUMN("ra_m", roughness.ra_m, CELL_ALWAYS),
+    COLUMN("pv_m", roughness.pv_m, CELL_JSON),
+    COLUMN("m0_m2", roughness.m0_m2, CELL_ALWAYS),
+    COLUMN("m2", roughness.m2, CELL_ALWAYS),
+    COLUMN("m4_per_m2", roughness.m4_per_m2, CELL_ALWAYS),
+    COLUMN("nayak", asperities.nayak, CELL_ALWAYS),
+    COLUMN("asperity_density_per_m2", asperities.density_per_m2, CELL_OF_ASPERITIES),
+    COLUMN("asperity_radius_m", asperities.radius_m, CELL_OF_ASPERITIES),
+    COLUMN("asperity_sigma_m", asperities.sigma_s_m, CELL_OF_ASPERITIES),
+    COLUMN("asperity_offset_m", asperities.offset_m, CELL_OF_ASPERITIES),
+    COLUMN("alpha_SI", power_law.alpha, CELL_ALWAYS),
+    COLUMN("gamma", power_law.gamma, CELL_ALWAYS),
+    COLUMN("gamma_stderr", power_law.gamma_error, CELL_ALWAYS),
+    COLUMN("fit_amplitude_m", power_law.amplitude_m, CELL_ALWAYS),
+    COLUMN("fit_amplitude_stderr_decades", power_law.amplitude_error_decades, CELL_ALWAYS),
+    COLUMN("fit_wavelength_m", power_law.wavelength_m, CELL_ALWAYS),
+    COLUMN("fit_low_m", power_law.band_m[0], CELL_ALWAYS),
+    COLUMN("fit_high_m", power_law.band_m[1], CELL_ALWAYS),
+    COLUMN("fit_misfit_decades", power_law.misfit_decades, CELL_ALWAYS),
+    COLUMN("fit_psd_m3", power_law.psd_m3, CELL_JSON),
+#undef COLUMN
+};
+const size_t cell_column_count = sizeof cell_columns / sizeof *cell_columns;
+
+double cell_column_of(const struct surface_summary *surface, size_t column)
+{
+    double value;
+    memcpy(&value, (const char *)surface + cell_columns[column].offset, sizeof value);
+    return value;
+}
 
 enum {
     SWEEP_ROWS = 200,
@@ -25,6 +63,7 @@ struct table {
     int problem;               /* errno of what failed; 0: nothing did */
     struct text header;        /* the columns' names, as the first row goes over them */
     bool named;                /* it has */
+    size_t cells;              /* of the row begun */
     struct text rows;          /* not written yet */
     struct table *whole;       /* of a part: the table that other threads write too; NULL: this is it */
     struct threads_turn *turn; /* of a part; NULL: no other thread writes */
@@ -82,6 +121,7 @@ static void end_row(struct table *table)
     if (!table->named)
         text_add_bytes(&table->header, "\n", 1);
     table->named = true;
+    table->cells = 0;
     text_add_bytes(&table->rows, "\n", 1);
     if (table->rows.length >= HELD_BYTES)
         write_rows(table);
@@ -89,17 +129,18 @@ static void end_row(struct table *table)
 
 /* Each of these adds a cell, in the column of that name. */
 
-static void name_column(struct table *table, const char *name, const char *end)
+static void begin_cell(struct table *table, const char *name, const char *end)
 {
+    const char *before = table->cells++ > 0 ? "," : "";
     if (!table->named)
-        text_add(&table->header, "%s%s%s", table->header.length > 0 ? "," : "", name, end);
+        text_add(&table->header, "%s%s%s", before, name, end);
+    text_add_bytes(&table->rows, before, strlen(before));
 }
 
 /** A number (%.17g, SI), nothing where it is not finite; the column's name has two parts. */
 static void put(struct table *table, const char *name, const char *end, double value)
 {
-    name_column(table, name, end);
-    text_add_bytes(&table->rows, ",", 1);
+    begin_cell(table, name, end);
     if (isfinite(value))
         text_add_number(&table->rows, value);
     if (isinf(value) && table->infinite++ == 0)
@@ -113,30 +154,21 @@ static void put_number(struct table *table, const char *name, double value)
 
 static void put_word(struct table *table, const char *name, const char *word)
 {
-    name_column(table, name, "");
-    text_add_bytes(&table->rows, ",", 1);
+    begin_cell(table, name, "");
     text_add_bytes(&table->rows, word, strlen(word));
 }
 
 static void put_count(struct table *table, const char *name, size_t count)
 {
-    name_column(table, name, "");
-    text_add(&table->rows, ",%zu", count);
+    begin_cell(table, name, "");
+    text_add(&table->rows, "%zu", count);
 }
 
 /** Text that may hold anything. */
 static void put_text(struct table *table, const char *name, const char *text)
 {
-    name_column(table, name, "");
-    text_add_bytes(&table->rows, ",", 1);
+    begin_cell(table, name, "");
     text_add_csv(&table->rows, text);
-}
-
-/** Starts a row with the surface's name. */
-static void put_surface(struct table *table, const struct surface_summary *surface)
-{
-    name_column(table, "surface", "");
-    text_add_csv(&table->rows, surface->scene->name);
 }
 
 /** Writes what is held; of a surface's part the file stays open. */
@@ -162,7 +194,7 @@ static void fill_surfaces(struct table *table, const struct results *results)
         const struct surface_summary *s = &results->surfaces[i].summary;
         if (!s->usable)
             continue;
-        put_surface(table, s);
+        put_text(table, "surface", s->scene->name);
         struct text files = {0};
         for (size_t f = 0; f < s->scene->file_count; f++)
             text_add(&files, "%s%s", f > 0 ? ";" : "", s->scene->files[f]);
@@ -184,12 +216,11 @@ static void fill_surfaces(struct table *table, const struct results *results)
 static void put_spectrum(struct table *table, const struct surface_record *record, bool binned)
 {
     const struct spectrum *spectrum = &record->spectrum;
-    struct text name = {0};
+    struct text name = {0}; /* worded once: half of the time of 200 000 rows otherwise */
     text_add_csv(&name, record->summary.scene->name);
     for (size_t i = 0; i < spectrum->count;) {
         const struct spectrum_bin bin = binned ? spectrum_bin_from(spectrum, i) : spectrum_bin_of(spectrum, i);
-        name_column(table, "surface", "");
-        text_add_bytes(&table->rows, text_string(&name), name.length);
+        put_word(table, "surface", text_string(&name));
         double wavelength_m = bin.wavelength_m * surface_kappa(&record->summary); /* as the scans have it */
         put_number(table, "wavelength_m", wavelength_m);
         put_number(table, "amplitude_m", bin.amplitude_m);
@@ -215,7 +246,7 @@ static void put_contact(struct table *table, const struct surface_record *record
     for (size_t m = 0; m < model_count; m++)
         for (size_t i = 0; i < record->curves[m].count; i++) {
             const struct contact_point *point = &record->curves[m].points[i];
-            put_surface(table, &record->summary);
+            put_text(table, "surface", record->summary.scene->name);
             put_word(table, "model", model_rows[m]->name);
             for (int q = 0; q < QUANTITY_COUNT; q++) {
                 const struct quantity_row *row = &quantity_rows[q];
@@ -239,7 +270,7 @@ static void put_bands(struct table *table, const struct surface_record *record, 
     for (size_t m = 0; m < model_count; m++)
         for (size_t i = 0; record->bands && record->bands[m] && i < record->band_count; i++) {
             const struct ensemble_band *band = &record->bands[m][i];
-            put_surface(table, &record->summary);
+            put_text(table, "surface", record->summary.scene->name);
             put_word(table, "model", model_rows[m]->name);
             put_number(table, quantity_rows[QUANTITY_LOAD].column, band->load);
             for (int q = 0; q < QUANTITY_COUNT; q++)
@@ -313,8 +344,7 @@ static void fill_convergence(struct table *table, const struct results *results)
                     continue;
                 const double *area = results_sweep(results, (enum convergence_sweep)s, m, v);
                 for (size_t k = 0; k < count; k++) {
-                    name_column(table, "sweep", "");
-                    text_add(&table->rows, "%s", convergence_sweeps[s].name);
+                    put_word(table, "sweep", convergence_sweeps[s].name);
                     put_number(table, "value", convergence_sweeps[s].values[v]);
                     put_word(table, "model", model_rows[m]->name);
                     put_number(table, "wavelength_m", study->scan_length_m / (double)(index[k] + 1));
@@ -329,11 +359,10 @@ static void fill_cost(struct table *table, const struct results *results)
     const struct benchmark *benchmark = results->benchmark;
     for (size_t i = 0; i < benchmark->count; i++) {
         const struct benchmark_row *row = &benchmark->rows[i];
-        name_column(table, "study", "");
-        text_add(&table->rows, "%s", row->study);
+        put_word(table, "study", row->study);
         put_word(table, "method", row->method);
-        name_column(table, "setting", "");
-        text_add(&table->rows, ",%g", row->setting);
+        begin_cell(table, "setting", "");
+        text_add(&table->rows, "%g", row->setting);
         put_count(table, "evaluations", row->evaluations);
         put_number(table, "seconds", row->seconds);
         put_number(table, "max_relative_error", row->error);
@@ -348,7 +377,7 @@ static void put_spread_number(struct table *table, const struct surface_summary 
 {
     if (estimate->count == 0)
         return;
-    put_surface(table, surface);
+    put_text(table, "surface", surface->scene->name);
     put_word(table, "quantity", quantity);
     put_count(table, "scans", estimate->count);
     put_number(table, "effective", estimate->effective);
@@ -400,7 +429,7 @@ static void fill_sensitivity(struct table *table, const struct results *results)
             for (int c = 0; c < SENSITIVITY_CHANGES; c++) {
                 if (sensitivity_changes[c].plastic && !model_rows[m]->plastic)
                     continue;
-                put_surface(table, s);
+                put_text(table, "surface", s->scene->name);
                 put_word(table, "model", model_rows[m]->name);
                 put_word(table, "change", sensitivity_changes[c].name);
                 put_number(table, "area_factor", surface_model(s, m)->sensitivity.area[c]);
@@ -420,7 +449,7 @@ static void put_answer(struct table *table, const struct results *results, size_
     double force_N = scene_load_divisor(results->scene, UNIT_FORCE, &s->pair),
            area_m2 = results->scene->nominal_area_m2;
     struct text asked = {0}, note = {0};
-    put_surface(table, s);
+    put_text(table, "surface", s->scene->name);
     text_add(&asked, "%s %s", target->row->name, target->text);
     answers_note(&note, answer, area_m2, 1, "");
     put_word(table, "model", model_rows[m]->name);
@@ -451,7 +480,7 @@ static void fill_unloading(struct table *table, const struct results *results)
         for (size_t i = 0; unloading && i < unloading->ratio.count; i++) {
             const struct contact_point *point = &unloading->points[i];
             double load = point->value[QUANTITY_LOAD];
-            put_surface(table, summary);
+            put_text(table, "surface", summary->scene->name);
             put_word(table, "model", model_rows[unloading->model]->name);
             put_number(table, "load_over_AnEp", load);
             put_number(table, "largest_load_over_AnEp", unloading->largest_load);
@@ -490,7 +519,7 @@ static void put_direct(struct table *table, const struct results *results, const
 {
     const struct direct_study_curve *curve = &study->curves[kind];
     for (size_t i = 0; curve->points && i < curve->loads; i++) {
-        put_surface(table, &results->surfaces[study->surface].summary);
+        put_text(table, "surface", results->surfaces[study->surface].summary.scene->name);
         put_word(table, "source", study->plan.side > 0 ? "map" : "law");
         put_number(table, "load_over_AnEp", study->plan.load[i]);
         for (int c = 0; c < DIRECT_COLUMNS; c++) {
@@ -527,7 +556,7 @@ static void fill_direct_ratio(struct table *table, const struct results *results
             const struct direct_study *study = &results->direct[k];
             size_t loads = study->curves[direct_study_kind_of(study, m)].loads;
             for (size_t i = 0; study->models[m].exists && i < loads; i++) {
-                put_surface(table, &results->surfaces[study->surface].summary);
+                put_text(table, "surface", results->surfaces[study->surface].summary.scene->name);
                 put_word(table, "model", model_rows[m]->name);
                 put_number(table, "load_over_AnEp", study->plan.load[i]);
                 for (int c = 0; c < DIRECT_COLUMNS; c++)

@@ -3,6 +3,7 @@
 
 #include "base/hash.h"
 #include "base/mustache.h"
+#include "output/json.h"
 
 #include <limits.h>
 #include <md4c.h>
@@ -299,10 +300,7 @@ static json_t *page_view(const struct page *page)
     add_base64(&hash, page->script_hash, sizeof page->script_hash);
     json_t *view = json_pack("{ss# ss# ss}", "contents", text_string(&page->contents), page->contents.length, "body",
                              text_string(&page->body), page->body.length, "script_hash", text_string(&hash));
-    struct text title = {0};
-    text_add_shown(&title, page->title);
-    json_object_set_new(view, "title", json_string(text_string(&title)));
-    text_free(&title);
+    json_object_set_new(view, "title", json_shown(page->title));
     text_free(&hash);
     return view;
 }

@@ -4,7 +4,6 @@
 #include "base/mustache.h"
 #include "report/html.h"
 #include <stdlib.h>
-#include <string.h>
 
 /** Leaves one empty line where parts that are absent left several, and no blanks at the ends of lines. */
 static void squeeze(struct text *markdown)

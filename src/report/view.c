@@ -3,15 +3,13 @@
 
 #include "base/number_format.h"
 #include "base/version.h"
+#include "output/json.h"
 #include <math.h>
 #include <string.h>
 
 void view_text(json_t *out, const char *name, const char *string)
 {
-    struct text text = {0};
-    text_add_shown(&text, string);
-    json_object_set_new(out, name, json_string(text_string(&text)));
-    text_free(&text);
+    json_object_set_new(out, name, json_shown(string));
 }
 
 static void set_text(json_t *out, const char *name, struct text *text)

@@ -2,7 +2,6 @@
 /* What accuracy costs, which effects ran and why, how hard cases were kept stable: the user's three questions. */
 #include "report/view.h"
 
-#include "base/number_format.h"
 #include <math.h>
 #include <string.h>
 
@@ -27,6 +26,8 @@ static void put_tolerances(json_t *out, const struct view_source *source)
         if (strcmp(cost->rows[i].study, "tolerance") == 0 &&
             fabs(log(cost->rows[i].setting / source->results->scene->tolerance)) < 0.01)
             own = &cost->rows[i];
+    const char *first = NULL;
+    bool alike = true;
     double rest = own && cost->before > own->seconds ? cost->before - own->seconds : 0;
     for (size_t i = cost->count; i-- > 0;)
         if (strcmp(cost->rows[i].study, "tolerance") == 0) {
@@ -35,19 +36,14 @@ static void put_tolerances(json_t *out, const struct view_source *source)
             put_seconds(item, "curves", cost->rows[i].seconds);
             put_seconds(item, "report", rest + cost->rows[i].seconds);
             view_flag(item, "used", &cost->rows[i] == own);
+            const char *report = json_string_value(json_object_get(item, "report"));
+            first = first ? first : report;
+            alike = alike && strcmp(first, report) == 0;
         }
-    const char *first = json_string_value(json_object_get(json_array_get(list, 0), "report"));
-    bool alike = first != NULL;
-    size_t i;
-    json_t *item;
-    json_array_foreach(list, i, item)
-    {
-        alike = alike && strcmp(first, json_string_value(json_object_get(item, "report"))) == 0;
-    }
-    if (alike)
+    if (first && alike)
         view_text(out, "report_alike", first);
     view_separate(list);
-    for (i = 0; i < cost->count; i++)
+    for (size_t i = 0; i < cost->count; i++)
         if (strcmp(cost->rows[i].method, "Simpson") == 0 && cost->rows[i].setting == 1000)
             view_number(out, "simpson_error", cost->rows[i].error, 2, "");
 }
@@ -117,10 +113,8 @@ static void put_stability(json_t *out, const struct view_source *source)
 void view_accuracy(json_t *out, const struct view_source *source)
 {
     view_number(out, "tolerance", source->results->scene->tolerance, 1, "");
-    if (source->results->benchmark) {
-        json_t *item = view_part(out, "accuracy");
-        put_tolerances(item, source);
-    }
+    if (source->results->benchmark)
+        put_tolerances(view_part(out, "accuracy"), source);
     put_effects(out, source);
     put_stability(out, source);
 }

@@ -5,11 +5,15 @@
 
 #include <math.h>
 
-/** What a check found: cases that bear the finding out, all cases, those that are alike and speak for neither; and a
- * number a model. */
+/** A check at work on a model, and what it found of all: cases that bear the finding out, all cases, those that are
+ * alike and speak for neither; and the range of a number of the model's. */
 struct finding {
+    const struct view_source *source;
+    const struct check *row;
+    size_t m;
+    const char *label;  /* of the number: whose it is */
+    double least, most; /* least > most: none */
     size_t good, all, ties;
-    json_t *numbers;
 };
 
 /** What a check needs besides surfaces: models of the thesis that run. */
@@ -20,7 +24,7 @@ enum number {
     AREA_SLOPE,
     GAP_AT_FULL,
     STATISTICAL_GAP,
-    ELBOW_SHARE,
+    ELBOW_SHARE, /* of the load to full contact; none at the first load or below */
     SCALE_DEPENDENCE,
     LAW_FACTOR,
     BETA,
@@ -33,11 +37,12 @@ struct check {
     const char *name; /* a flag, for the template's words */
     unsigned effects; /* EFFECT_BITs it needs */
     enum need needs;
-    size_t surfaces; /* that it takes at least */
-    void (*check)(struct finding *out, const struct view_source *source, const struct check *row);
-    enum quantity quantity;  /* that check_yield(), check_rank(), check_distances() look at */
-    enum number number;      /* that check_numbers() and check_laws() look at; of the former: */
-    double scale, low, high; /* shown times the scale; the finding is that it lies from low to high */
+    size_t surfaces;                    /* that it takes at least */
+    void (*check)(struct finding *out); /* called for every model that speaks; or: */
+    bool once;                          /* it is about the surfaces alone */
+    enum quantity quantity;             /* that check_yield(), check_rank(), check_distances() look at */
+    enum number number;                 /* that check_numbers() and check_laws() look at; of the former: */
+    double scale, low, high;            /* shown times the scale (0: 1); the finding is that it lies from low to high */
 };
 
 static bool speaks(const struct view_source *source, size_t m)
@@ -45,16 +50,21 @@ static bool speaks(const struct view_source *source, size_t m)
     return model_rows[m]->in_findings && plan_runs_model(source->results->plan, m);
 }
 
-static const struct surface_summary *smoothest(const struct view_source *source, size_t k)
+static const struct surface_summary *smoothest(const struct finding *f, size_t k)
 {
-    return view_summary(source, source->results->by_roughness[k]);
+    return view_summary(f->source, f->source->results->by_roughness[k]);
 }
 
-/** What is known of model `m` on the k-th smoothest surface; NULL: nothing, or it has no part in this. */
-static const struct curve_summary *curve_of(const struct view_source *source, size_t k, size_t m)
+/** What is known of the model on the k-th smoothest surface; NULL: nothing. */
+static const struct curve_summary *curve_of(const struct finding *f, size_t k)
 {
-    const struct curve_summary *curve = surface_model(smoothest(source, k), m);
-    return speaks(source, m) && curve->exists ? curve : NULL;
+    const struct curve_summary *curve = surface_model(smoothest(f, k), f->m);
+    return curve->exists ? curve : NULL;
+}
+
+static const struct comparison_model *compared(const struct finding *f)
+{
+    return &f->source->comparison->models[f->m];
 }
 
 static void add_tally(struct finding *out, const struct comparison_tally *tally)
@@ -75,11 +85,10 @@ static void add_case(struct finding *out, double x, double y, double slack)
     out->good += !tie && x < y;
 }
 
-static void add_number(struct finding *out, const char *label, double least, double most)
+static void widen(struct finding *out, double value)
 {
-    json_t *item = view_item(out->numbers);
-    view_text(item, "label", label);
-    view_range(item, "range", least, most, 2, "");
+    out->least = fmin(out->least, value);
+    out->most = fmax(out->most, value);
 }
 
 static double number_of(const struct curve_summary *curve, enum number number)
@@ -94,7 +103,7 @@ static double number_of(const struct curve_summary *curve, enum number number)
     case LAW_FACTOR:
         return fmax(curve->law_factor, 1 / curve->law_factor);
     case ELBOW_SHARE:
-        return curve_summary_elbow_share(curve);
+        return curve->elbow_load > curve->first_load ? curve->elbow_load / curve->full_load : NAN;
     case SCALE_DEPENDENCE:
         return curve->sd_most;
     default:
@@ -102,117 +111,94 @@ static double number_of(const struct curve_summary *curve, enum number number)
     }
 }
 
-/** A number of each model over the surfaces. */
-static void check_numbers(struct finding *out, const struct view_source *source, const struct check *row)
+/** A number of the model over the surfaces. */
+static void check_numbers(struct finding *f)
 {
-    for (size_t m = 0; m < model_count; m++) {
-        double least = INFINITY, most = -INFINITY;
-        for (size_t k = 0; k < source->results->usable_count; k++) {
-            const struct curve_summary *curve = curve_of(source, k, m);
-            double value = curve ? number_of(curve, row->number) : NAN;
-            if (!isfinite(value))
-                continue;
-            least = fmin(least, value);
-            most = fmax(most, value);
-            out->all++;
-            out->good += value >= row->low && value <= row->high;
-        }
-        if (least <= most)
-            add_number(out, model_rows[m]->label, least * row->scale, most * row->scale);
+    for (size_t k = 0; k < f->source->results->usable_count; k++) {
+        const struct curve_summary *curve = curve_of(f, k);
+        double value = curve ? number_of(curve, f->row->number) : NAN;
+        if (!isfinite(value))
+            continue;
+        widen(f, value);
+        f->all++;
+        f->good += value >= f->row->low && value <= f->row->high;
     }
 }
 
 /** What yielding does to a quantity; of the load: is contact full sooner? */
-static void check_yield(struct finding *out, const struct view_source *source, const struct check *row)
+static void check_yield(struct finding *f)
 {
-    for (size_t m = 0; m < model_count; m++) {
-        const struct comparison_plastic *plastic = &source->comparison->models[m].plastic;
-        if (!speaks(source, m))
-            continue;
-        add_tally(out, row->quantity == QUANTITY_LOAD ? &plastic->sooner : &plastic->changes[row->quantity]);
-        if (row->quantity == QUANTITY_AREA && plastic->most > 0)
-            add_number(out, model_rows[m]->label, plastic->least, plastic->most);
+    const struct comparison_plastic *plastic = &compared(f)->plastic;
+    const enum quantity quantity = f->row->quantity;
+    add_tally(f, quantity == QUANTITY_LOAD ? &plastic->sooner : &plastic->changes[quantity]);
+    if (quantity == QUANTITY_AREA && plastic->most > 0) {
+        f->least = plastic->least;
+        f->most = plastic->most;
     }
 }
 
 /** Of the multiscale and the statistical model of one law on every surface: does the adjustment bring the gaps closer,
  * is ECR closer than the area, is it within half a decade, so that both round to the same order of magnitude? */
-static void check_distances(struct finding *out, const struct view_source *source, const struct check *row)
+static void check_distances(struct finding *f)
 {
-    for (size_t m = 0; m < model_count; m++)
-        for (size_t k = 0; speaks(source, m) && k < source->results->usable_count; k++) {
-            const struct comparison_gap *gap = &source->comparison->models[m].gaps[source->results->by_roughness[k]];
-            double x = row->quantity == QUANTITY_SEPARATION ? gap->adjusted : gap->ecr;
-            double y = row->quantity == QUANTITY_SEPARATION ? gap->plain
-                       : row->quantity == QUANTITY_AREA     ? gap->area
-                                                            : 0.5;
-            add_case(out, x, y, source->results->scene->tolerance * fmax(x, y));
-        }
+    const enum quantity quantity = f->row->quantity;
+    for (size_t k = 0; k < f->source->results->usable_count; k++) {
+        const struct comparison_gap *gap = &compared(f)->gaps[f->source->results->by_roughness[k]];
+        double x = quantity == QUANTITY_SEPARATION ? gap->adjusted : gap->ecr;
+        double y = quantity == QUANTITY_SEPARATION ? gap->plain : quantity == QUANTITY_AREA ? gap->area : 0.5;
+        add_case(f, x, y, f->source->results->scene->tolerance * fmax(x, y));
+    }
 }
 
 /** The multiscale model over the statistical one of its law on every surface: is it stiffer, are their gaps of one
  * order of magnitude, in the mean over the loads? */
-static void check_factors(struct finding *out, const struct view_source *source, const struct check *row)
+static void check_factors(struct finding *f)
 {
-    const bool stiffness = row->quantity == QUANTITY_STIFFNESS;
-    for (size_t m = 0; m < model_count; m++) {
-        double least = INFINITY, most = -INFINITY;
-        for (size_t k = 0; speaks(source, m) && k < source->results->usable_count; k++) {
-            const struct comparison_gap *gap = &source->comparison->models[m].gaps[source->results->by_roughness[k]];
-            double decades = stiffness ? gap->stiffness : gap->separation;
-            if (!isfinite(decades))
-                continue;
-            out->all++;
-            out->good += stiffness ? decades > 0 : decades < 1;
-            least = fmin(least, pow(10, decades));
-            most = fmax(most, pow(10, decades));
-        }
-        if (least <= most)
-            add_number(out, model_rows[m]->label, least, most);
+    const bool stiffness = f->row->quantity == QUANTITY_STIFFNESS;
+    for (size_t k = 0; k < f->source->results->usable_count; k++) {
+        const struct comparison_gap *gap = &compared(f)->gaps[f->source->results->by_roughness[k]];
+        double decades = stiffness ? gap->stiffness : gap->separation;
+        if (!isfinite(decades))
+            continue;
+        f->all++;
+        f->good += stiffness ? decades > 0 : decades < 1;
+        widen(f, pow(10, decades));
     }
 }
 
 /** Does the resistance of an elastic stack bend where contact of the plastic one is full, within half a decade? */
-static void check_shoulder(struct finding *out, const struct view_source *source, const struct check *row)
+static void check_shoulder(struct finding *f)
 {
-    (void)row;
-    for (size_t m = 0; m < model_count; m++) {
-        size_t elastic = model_index(model_rows[m]->elastic);
-        double least = INFINITY, most = -INFINITY;
-        for (size_t k = 0; elastic < model_count && k < source->results->usable_count; k++) {
-            const struct model_curve *curves = source->results->surfaces[source->results->by_roughness[k]].curves;
-            const struct curve_summary *plastic = curve_of(source, k, m);
-            if (!curves || !plastic || !(curves[elastic].kink.load > 0))
-                continue;
-            double ratio = curves[elastic].kink.load / plastic->full_load;
-            least = fmin(least, ratio);
-            most = fmax(most, ratio);
-            add_case(out, fabs(log10(ratio)), 0.5, 0);
+    const struct results *results = f->source->results;
+    size_t elastic = model_index(model_rows[f->m]->elastic);
+    for (size_t k = 0; elastic < model_count && k < results->usable_count; k++) {
+        const struct model_curve *curves = results->surfaces[results->by_roughness[k]].curves;
+        const struct curve_summary *plastic = curve_of(f, k);
+        if (!curves || !plastic || !(curves[elastic].kink.load > 0))
+            continue;
+        double ratio = curves[elastic].kink.load / plastic->full_load;
+        f->label = model_rows[elastic]->label;
+        widen(f, ratio);
+        add_case(f, fabs(log10(ratio)), 0.5, 0);
+    }
+}
+
+static void check_gamma(struct finding *f)
+{
+    for (size_t k = 0; k < f->source->results->usable_count; k++) {
+        f->all += surface_tells_gamma(smoothest(f, k));
+        f->good += surface_tells_gamma(smoothest(f, k)) && !surface_diverges(smoothest(f, k));
+    }
+}
+
+static void check_convergence(struct finding *f)
+{
+    for (int s = 0; s < CONVERGENCE_SWEEP_COUNT && model_rows[f->m]->stacks_scales; s++)
+        for (size_t v = 0; v < convergence_sweeps[s].count; v++) {
+            bool should = s == CONVERGENCE_ALPHA || convergence_sweeps[s].values[v] >= 1;
+            f->good += comparison_converges(f->source->results, (enum convergence_sweep)s, f->m, v) == should;
+            f->all++;
         }
-        if (least <= most)
-            add_number(out, model_rows[elastic]->label, least, most);
-    }
-}
-
-static void check_gamma(struct finding *out, const struct view_source *source, const struct check *row)
-{
-    (void)row;
-    for (size_t k = 0; k < source->results->usable_count; k++) {
-        out->all += surface_tells_gamma(smoothest(source, k));
-        out->good += surface_tells_gamma(smoothest(source, k)) && !surface_diverges(smoothest(source, k));
-    }
-}
-
-static void check_convergence(struct finding *out, const struct view_source *source, const struct check *row)
-{
-    (void)row;
-    for (size_t m = 0; m < model_count; m++)
-        for (int s = 0; s < CONVERGENCE_SWEEP_COUNT && speaks(source, m) && model_rows[m]->stacks_scales; s++)
-            for (size_t v = 0; v < convergence_sweeps[s].count; v++) {
-                bool should = s == CONVERGENCE_ALPHA || convergence_sweeps[s].values[v] >= 1;
-                out->good += comparison_converges(source->results, (enum convergence_sweep)s, m, v) == should;
-                out->all++;
-            }
 }
 
 /** No order is found where neighbours go both ways. */
@@ -223,145 +209,116 @@ static void add_no_order(struct finding *out, size_t one_way, size_t other_way)
 }
 
 /** Neighbours in roughness, load by load: of the separation the finding is that they go both ways. */
-static void check_rank(struct finding *out, const struct view_source *source, const struct check *row)
+static void check_rank(struct finding *f)
 {
-    for (size_t m = 0; m < model_count; m++) {
-        const struct comparison_tally *tally = &source->comparison->models[m].rank[row->quantity];
-        if (speaks(source, m) && row->quantity == QUANTITY_SEPARATION)
-            add_no_order(out, tally->agreeing, tally->opposed);
-        else if (speaks(source, m))
-            add_tally(out, tally);
-    }
+    const struct comparison_tally *tally = &compared(f)->rank[f->row->quantity];
+    if (f->row->quantity == QUANTITY_SEPARATION)
+        add_no_order(f, tally->agreeing, tally->opposed);
+    else
+        add_tally(f, tally);
 }
 
 /** The gaps of neighbours in the last decade of load before one of them is full. */
-static void check_high_rank(struct finding *out, const struct view_source *source, const struct check *row)
+static void check_high_rank(struct finding *f)
 {
-    for (size_t m = 0; m < model_count; m++)
-        if (speaks(source, m))
-            add_tally(out, &source->comparison->models[m].high_rank[row->quantity]);
+    add_tally(f, &compared(f)->high_rank[f->row->quantity]);
 }
 
 /** Do statistical gaps follow roughness but for that of the smoothest surface? The number: at how many of its loads
  * not, in %. */
-static void check_smoothest(struct finding *out, const struct view_source *source, const struct check *row)
+static void check_smoothest(struct finding *f)
 {
-    for (size_t m = 0; m < model_count; m++) {
-        const struct comparison_tally *all = &source->comparison->models[m].rank[row->quantity],
-                                      *first = &source->comparison->models[m].smoothest[row->quantity];
-        size_t agreeing = all->agreeing - first->agreeing, opposed = all->opposed - first->opposed,
-               cases = first->agreeing + first->opposed;
-        if (!speaks(source, m) || !model_rows[m]->asperity_model || cases == 0 || agreeing + opposed == 0)
-            continue;
-        double percent = 100 * (double)first->opposed / (double)cases;
-        out->all++;
-        out->good += first->opposed > first->agreeing && agreeing > opposed;
-        add_number(out, model_rows[m]->label, percent, percent);
-    }
+    const struct comparison_tally *all = &compared(f)->rank[f->row->quantity],
+                                  *first = &compared(f)->smoothest[f->row->quantity];
+    size_t agreeing = all->agreeing - first->agreeing, opposed = all->opposed - first->opposed,
+           cases = first->agreeing + first->opposed;
+    if (!model_rows[f->m]->asperity_model || cases == 0 || agreeing + opposed == 0)
+        return;
+    f->all++;
+    f->good += first->opposed > first->agreeing && agreeing > opposed;
+    widen(f, 100 * (double)first->opposed / (double)cases);
 }
 
 /** Statistical resistances of the two smoothest surfaces lie less than half as far apart as other neighbours' do. */
-static void check_together(struct finding *out, const struct view_source *source, const struct check *row)
+static void check_together(struct finding *f)
 {
-    (void)row;
-    for (size_t m = 0; m < model_count; m++) {
-        const double *steps = source->comparison->models[m].steps;
-        if (!speaks(source, m) || !model_rows[m]->asperity_model || !isfinite(steps[0]))
-            continue;
-        for (size_t k = 1; k + 1 < source->results->usable_count; k++)
-            add_case(out, 2 * fabs(steps[0]), fabs(steps[k]), 0);
-        add_number(out, model_rows[m]->label, steps[0], steps[0]);
-    }
+    const double *steps = compared(f)->steps;
+    if (!model_rows[f->m]->asperity_model || !isfinite(steps[0]))
+        return;
+    for (size_t k = 1; k + 1 < f->source->results->usable_count; k++)
+        add_case(f, 2 * fabs(steps[0]), fabs(steps[k]), 0);
+    widen(f, steps[0]);
 }
 
-static void check_beta_rank(struct finding *out, const struct view_source *source, const struct check *row)
+static void check_beta_rank(struct finding *f)
 {
-    (void)row;
-    for (size_t m = 0; m < model_count; m++) {
-        struct finding own = {0};
-        for (size_t k = 1; k < source->results->usable_count; k++) {
-            const struct curve_summary *smooth = curve_of(source, k - 1, m), *rough = curve_of(source, k, m);
-            if (smooth && rough)
-                add_case(&own, rough->beta, smooth->beta, source->results->scene->tolerance * fabs(smooth->beta));
-        }
-        add_no_order(out, own.good, own.all - own.good);
+    struct finding own = {0};
+    for (size_t k = 1; k < f->source->results->usable_count; k++) {
+        const struct curve_summary *smooth = curve_of(f, k - 1), *rough = curve_of(f, k);
+        if (smooth && rough)
+            add_case(&own, rough->beta, smooth->beta, f->source->results->scene->tolerance * fabs(smooth->beta));
     }
+    add_no_order(f, own.good, own.all - own.good);
 }
 
 /** From the smoother to the rougher neighbour, beyond the errors of both: falls γ; has Δ no order? */
-static void check_laws(struct finding *out, const struct view_source *source, const struct check *row)
+static void check_laws(struct finding *f)
 {
-    const double at_m = results_law_wavelength_m(source->results);
+    const double at_m = results_law_wavelength_m(f->source->results);
     struct finding own = {0};
-    for (size_t k = 1; k < source->results->usable_count; k++) {
-        const struct power_law *smooth = &smoothest(source, k - 1)->power_law,
-                               *rough = &smoothest(source, k)->power_law;
+    for (size_t k = 1; k < f->source->results->usable_count; k++) {
+        const struct power_law *smooth = &smoothest(f, k - 1)->power_law, *rough = &smoothest(f, k)->power_law;
         if (!power_law_holds(smooth) || !power_law_holds(rough))
             continue;
-        if (row->number == LAW_AMPLITUDE)
+        if (f->row->number == LAW_AMPLITUDE)
             add_case(&own, log10(power_law_amplitude(rough, at_m)), log10(power_law_amplitude(smooth, at_m)),
                      hypot(power_law_error_decades(rough, at_m), power_law_error_decades(smooth, at_m)));
         else
-            add_case(out, rough->gamma, smooth->gamma, hypot(rough->gamma_error, smooth->gamma_error));
+            add_case(f, rough->gamma, smooth->gamma, hypot(rough->gamma_error, smooth->gamma_error));
     }
-    add_no_order(out, own.good, own.all - own.good);
+    add_no_order(f, own.good, own.all - own.good);
 }
 
 /** The spread between the surfaces: of areas, each plastic model's against its elastic partner's; of resistances, each
  * statistical model's against the multiscale one's of its law. */
-static void check_spread(struct finding *out, const struct view_source *source, const struct check *row)
+static void check_spread(struct finding *f)
 {
-    bool areas = row->quantity == QUANTITY_AREA;
+    const struct results *results = f->source->results;
+    bool areas = f->row->quantity == QUANTITY_AREA;
     enum comparison_spread of = areas ? COMPARISON_AREAS : COMPARISON_RESISTANCES;
-    for (size_t m = 0; m < model_count; m++) {
-        size_t partner = model_index(areas ? model_rows[m]->elastic : model_rows[m]->counterpart);
-        if (!speaks(source, m) || partner == model_count)
-            continue;
-        const struct comparison_model *own = &source->comparison->models[m],
-                                      *other = &source->comparison->models[partner];
-        double x = comparison_mean_spread(source->results, own, other, of),
-               y = comparison_mean_spread(source->results, other, own, of);
-        add_case(out, areas ? x : y, areas ? y : x, source->results->scene->tolerance);
-    }
+    size_t partner = model_index(areas ? model_rows[f->m]->elastic : model_rows[f->m]->counterpart);
+    if (partner == model_count)
+        return;
+    const struct comparison_model *own = compared(f), *other = &f->source->comparison->models[partner];
+    double x = comparison_mean_spread(results, own, other, of), y = comparison_mean_spread(results, other, own, of);
+    add_case(f, areas ? x : y, areas ? y : x, results->scene->tolerance);
 }
 
 /** The same order of magnitude: within a factor of 10, at the load where it is largest. */
-static void check_magnitude(struct finding *out, const struct view_source *source, const struct check *row)
+static void check_magnitude(struct finding *f)
 {
-    (void)row;
-    for (size_t m = 0; m < model_count; m++) {
-        double most = speaks(source, m)
-                          ? comparison_largest_spread(source->results, &source->comparison->models[m], COMPARISON_AREAS)
-                          : NAN;
-        if (isnan(most))
-            continue;
-        out->all++;
-        out->good += most < 10;
-        add_number(out, model_rows[m]->label, most, most);
-    }
+    double most = comparison_largest_spread(f->source->results, compared(f), COMPARISON_AREAS);
+    f->all += isnan(most) ? 0 : 1;
+    f->good += most < 10;
+    widen(f, most);
 }
 
 /** Neighbouring resistance curves keep nearly the same distance when the widest is at most twice the narrowest. */
-static void check_equal_steps(struct finding *out, const struct view_source *source, const struct check *row)
+static void check_equal_steps(struct finding *f)
 {
-    (void)row;
-    for (size_t m = 0; m < model_count; m++) {
-        const double *steps = source->comparison->models[m].steps;
-        double least = INFINITY, most = -INFINITY;
-        size_t count = 0;
-        for (size_t k = 0; speaks(source, m) && model_rows[m]->stacks_scales && k + 1 < source->results->usable_count;
-             k++)
-            if (isfinite(steps[k])) {
-                least = fmin(least, steps[k]);
-                most = fmax(most, steps[k]);
-                count++;
-            }
-        if (count < 2)
-            continue;
-        out->all++;
-        out->good += least > 0 && most <= 2 * least;
-        add_number(out, model_rows[m]->label, least, most);
-    }
+    const double *steps = compared(f)->steps;
+    struct finding own = {.least = INFINITY, .most = -INFINITY};
+    for (size_t k = 0; model_rows[f->m]->stacks_scales && k + 1 < f->source->results->usable_count; k++)
+        if (isfinite(steps[k])) {
+            widen(&own, steps[k]);
+            own.all++;
+        }
+    if (own.all < 2)
+        return;
+    f->least = own.least;
+    f->most = own.most;
+    f->all++;
+    f->good += own.least > 0 && own.most <= 2 * own.least;
 }
 
 static bool has(const struct view_source *source, enum need need)
@@ -390,15 +347,15 @@ enum {
 
 static const struct check checks[] = {
     {"6.2", "convergence_by_gamma", CONVERGENCE, NEEDS_SCALES, 1, .check = check_convergence},
-    {"6.2", "gamma", 0, NEEDS_SCALES, 1, .check = check_gamma},
-    {"6.3.1", "linear", 0, NEEDS_ANY, 1, check_numbers, .number = AREA_SLOPE, .scale = 1, .low = 0.9, .high = 1.1},
+    {"6.2", "gamma", 0, NEEDS_SCALES, 1, .check = check_gamma, .once = true},
+    {"6.3.1", "linear", 0, NEEDS_ANY, 1, check_numbers, .number = AREA_SLOPE, .low = 0.9, .high = 1.1},
     {"6.3.1", "plastic_area", PLASTIC, NEEDS_ANY, 1, check_yield, .quantity = QUANTITY_AREA},
-    {"6.3.2", "closed", SEPARATION, NEEDS_SCALES, 1, check_numbers, .number = GAP_AT_FULL, .scale = 1, .low = -INFINITY,
+    {"6.3.2", "closed", SEPARATION, NEEDS_SCALES, 1, check_numbers, .number = GAP_AT_FULL, .low = -INFINITY,
      .high = 0.01},
     {"6.3.2", "plastic_gap", PLASTIC | SEPARATION, NEEDS_ANY, 1, check_yield, .quantity = QUANTITY_SEPARATION},
     {"6.3.2", "adjustment", SEPARATION, NEEDS_FAMILIES, 1, check_distances, .quantity = QUANTITY_SEPARATION},
-    {"6.3.2", "statistical_gap", SEPARATION, NEEDS_ADJUSTED, 1, check_numbers, .number = STATISTICAL_GAP, .scale = 1,
-     .low = 0, .high = INFINITY},
+    {"6.3.2", "statistical_gap", SEPARATION, NEEDS_ADJUSTED, 1, check_numbers, .number = STATISTICAL_GAP, .low = 0,
+     .high = INFINITY},
     {"6.3.2", "same_order", SEPARATION, NEEDS_FAMILIES, 1, check_factors, .quantity = QUANTITY_SEPARATION},
     {"6.3.2", "stiffer", STIFFNESS, NEEDS_FAMILIES, 1, check_factors, .quantity = QUANTITY_STIFFNESS},
     {"6.3.3", "elbow", ELECTRICAL, NEEDS_ANY, 1, check_numbers, .number = ELBOW_SHARE, .scale = 100, .low = 0.1,
@@ -407,9 +364,9 @@ static const struct check checks[] = {
     {"6.3.3", "families", ELECTRICAL, NEEDS_FAMILIES, 1, check_distances, .quantity = QUANTITY_AREA},
     {"6.3.4", "scale_dependence", SCALE_DEPENDENT, NEEDS_ANY, 1, check_numbers, .number = SCALE_DEPENDENCE,
      .scale = 100, .low = -INFINITY, .high = 0.05},
-    {"6.4", "gamma_rank", 0, NEEDS_ANY, 2, check_laws, .number = LAW_GAMMA},
-    {"6.4", "amplitude_rank", 0, NEEDS_ANY, 3, check_laws, .number = LAW_AMPLITUDE},
-    {"6.4", "law", 0, NEEDS_SCALES, 1, check_numbers, .number = LAW_FACTOR, .scale = 1, .low = 2, .high = INFINITY},
+    {"6.4", "gamma_rank", 0, NEEDS_ANY, 2, check_laws, true, .number = LAW_GAMMA},
+    {"6.4", "amplitude_rank", 0, NEEDS_ANY, 3, check_laws, true, .number = LAW_AMPLITUDE},
+    {"6.4", "law", 0, NEEDS_SCALES, 1, check_numbers, .number = LAW_FACTOR, .low = 2, .high = INFINITY},
     {"6.4.1", "area_rank", 0, NEEDS_ANY, 2, check_rank, .quantity = QUANTITY_AREA},
     {"6.4.1", "magnitude", 0, NEEDS_ANY, 2, .check = check_magnitude},
     {"6.4.1", "spread", PLASTIC, NEEDS_ANY, 2, check_spread, .quantity = QUANTITY_AREA},
@@ -417,7 +374,7 @@ static const struct check checks[] = {
     {"6.4.2", "separation_rank", SEPARATION, NEEDS_ANY, 2, check_rank, .quantity = QUANTITY_SEPARATION},
     {"6.4.2", "high_rank", SEPARATION, NEEDS_ANY, 2, check_high_rank, .quantity = QUANTITY_SEPARATION},
     {"6.4.2", "smoothest", SEPARATION, NEEDS_ADJUSTED, 3, check_smoothest, .quantity = QUANTITY_SEPARATION},
-    {"6.4.2", "beta", SEPARATION, NEEDS_ADJUSTED, 1, check_numbers, .number = BETA, .scale = 1, .low = 4, .high = 12},
+    {"6.4.2", "beta", SEPARATION, NEEDS_ADJUSTED, 1, check_numbers, .number = BETA, .low = 4, .high = 12},
     {"6.4.2", "beta_rank", SEPARATION, NEEDS_ADJUSTED, 3, .check = check_beta_rank},
     {"6.4.3", "ecr_rank", ELECTRICAL, NEEDS_ANY, 2, check_rank, .quantity = QUANTITY_ECR},
     {"6.4.3", "equal_steps", ELECTRICAL, NEEDS_SCALES, 3, .check = check_equal_steps},
@@ -428,6 +385,21 @@ static const struct check checks[] = {
     {"6.4.4", "family_ecr", ELECTRICAL, NEEDS_FAMILIES, 2, check_distances, .quantity = QUANTITY_ECR},
 };
 
+static void check_model(struct finding *out, json_t *numbers, size_t m)
+{
+    double scale = out->row->scale > 0 ? out->row->scale : 1;
+    out->m = m;
+    out->label = model_rows[m]->label;
+    out->least = INFINITY;
+    out->most = -INFINITY;
+    out->row->check(out);
+    if (!(out->least <= out->most))
+        return;
+    json_t *item = view_item(numbers);
+    view_text(item, "label", out->label);
+    view_range(item, "range", out->least * scale, out->most * scale, 2, "");
+}
+
 void view_findings(json_t *out, const struct view_source *source)
 {
     if (!source->results->convergence || !has(source, NEEDS_ANY))
@@ -436,14 +408,15 @@ void view_findings(json_t *out, const struct view_source *source)
     view_flag(out, "has_findings", true);
     for (size_t i = 0; i < sizeof checks / sizeof *checks; i++) {
         const struct check *row = &checks[i];
-        struct finding finding = {0};
+        struct finding finding = {.source = source, .row = row};
         if ((row->effects & ~source->results->plan->running) || !has(source, row->needs) ||
             source->results->usable_count < row->surfaces)
             continue;
-        json_t *item = view_item(list);
-        finding.numbers = view_list(item, "numbers");
-        row->check(&finding, source, row);
-        view_separate(finding.numbers);
+        json_t *item = view_item(list), *numbers = view_list(item, "numbers");
+        for (size_t m = 0, called = 0; m < model_count && !(row->once && called > 0); m++)
+            if (speaks(source, m) && ++called)
+                check_model(&finding, numbers, m);
+        view_separate(numbers);
         view_text(item, "part", row->part);
         view_flag(item, row->name, true);
         view_count(item, "good", finding.good);

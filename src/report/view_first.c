@@ -5,7 +5,6 @@
 #include "analysis/direct_study.h"
 #include "base/number_format.h"
 #include <math.h>
-#include <string.h>
 
 enum { DIGITS = 2, NAMED_MOST = 3 };
 
@@ -126,9 +125,8 @@ static void put_ranking(json_t *out, const struct view_source *source)
     const struct comparison_extent *extremes =
         &source->comparison->models[source->leading].extremes[ranking->criterion];
     size_t told = 0, like = 0, first = 0;
-    if (source->results->usable_count < 2 || extremes->count < 2) {
+    if (source->results->usable_count < 2 || extremes->count < 2)
         return;
-    }
     json_t *item = view_part(out, "ranking");
     bool alike = extremes->most / extremes->least - 1 <= 2 * source->results->scene->tolerance;
     view_flag(item, "alike", alike);
@@ -151,13 +149,10 @@ static void put_ranking(json_t *out, const struct view_source *source)
     view_text(item, "next", view_name(source, ranking->surface[against]));
     if (like > 1)
         view_count(item, "others", like - 1);
-    if (pair->test == COMPARISON_WELCH && pair->p < 1e-4)
-        view_text(item, "p", "p < 0.0001");
-    else if (pair->test == COMPARISON_WELCH) {
-        char p[40];
-        snprintf(p, sizeof p, "p = %.2g", pair->p);
+    char p[40];
+    snprintf(p, sizeof p, pair->p < 1e-4 ? "p < 0.0001" : "p = %.2g", pair->p);
+    if (pair->test == COMPARISON_WELCH)
         view_text(item, "p", p);
-    }
 }
 
 /** "half", "twice", "0.7 times". */
@@ -395,18 +390,15 @@ static void put_table(json_t *out, const struct view_source *source)
     const struct results *results = source->results;
     json_t *rows = view_list(out, "rows");
     bool lettered = source->comparison->ranking.count > 1;
-    size_t unknown = 0;
     for (size_t i = 0; i < results->surface_count; i++)
         if (results->surfaces[i].summary.usable && json_array_size(rows) < VIEW_ROWS)
             put_row(view_item(rows), source, i, lettered);
-    for (size_t i = 0; i < results->surface_count; i++)
-        unknown += !results->surfaces[i].summary.usable;
     view_flag(out, "has_limits", results->scene->limit_count > 0);
     view_flag(out, "has_letters", lettered);
     if (results->usable_count > VIEW_ROWS)
         view_count(out, "rows_left_out", results->usable_count - VIEW_ROWS);
-    if (unknown > 0)
-        view_count(out, "refused_count", unknown);
+    if (results->usable_count < results->surface_count)
+        view_count(out, "refused_count", results->surface_count - results->usable_count);
 }
 
 /** A limit's sentence: how many surfaces meet it. */

@@ -4,7 +4,6 @@
 
 #include "analysis/direct_study.h"
 #include "base/constants.h"
-#include "base/number_format.h"
 #include "joint/heating.h"
 #include <math.h>
 

@@ -37,32 +37,22 @@ static void count_case(struct comparison_tally *tally, double x, double y, doubl
     tally->opposed += !tie && x > y;
 }
 
-/** What the cases of a run are counted by. */
-struct counting {
-    unsigned quantities; /* QUANTITY_BITs that it may have; the others are NaN throughout */
-    double tolerance;
-};
-
-static struct counting counting_of(const struct results *results)
-{
-    return (struct counting){quantity_with_made(results->plan->wanted), results->scene->tolerance};
-}
-
 /** The same for two points, quantity by quantity: has `p` the larger area and stiffness, the smaller of the others? */
 static void count_points(struct comparison_tally tallies[QUANTITY_COUNT], const struct contact_point *p,
                          double p_sigma_m, const struct contact_point *q, double q_sigma_m, size_t m,
-                         const struct counting *how)
+                         const struct results *results)
 {
+    const unsigned computed = quantity_with_made(results->plan->wanted); /* the others are NaN throughout */
     if (p->value[QUANTITY_AREA] == 1 && q->value[QUANTITY_AREA] == 1)
         return; /* both full: nothing to compare */
     for (int k = QUANTITY_AREA; k < QUANTITY_COUNT; k++) {
-        if (!(how->quantities & QUANTITY_BIT(k)))
+        if (!(computed & QUANTITY_BIT(k)))
             continue;
         double x = comparison_value(p, (enum quantity)k, m, p_sigma_m);
         double y = comparison_value(q, (enum quantity)k, m, q_sigma_m);
         double scale = quantity_rows[k].sigma_column ? 1 : 0;
         bool larger = k == QUANTITY_AREA || k == QUANTITY_STIFFNESS;
-        count_case(&tallies[k], larger ? y : x, larger ? x : y, how->tolerance, scale);
+        count_case(&tallies[k], larger ? y : x, larger ? x : y, results->scene->tolerance, scale);
     }
 }
 
@@ -90,7 +80,6 @@ static void compare_neighbours(struct comparison *out, const struct surface_reco
 {
     const double *smooth_loads = results_loads(results, results->by_roughness[pair]);
     const double *rough_loads = results_loads(results, results->by_roughness[pair + 1]);
-    const struct counting how = counting_of(results);
     for (size_t m = 0; m < model_count; m++) {
         if (!plan_runs_model(results->plan, m))
             continue;
@@ -101,13 +90,13 @@ static void compare_neighbours(struct comparison *out, const struct surface_reco
         for (size_t i = 0; i < count; i++) {
             const struct contact_point *p = &a->points[i], *q = &b->points[i];
             count_points(out->models[m].rank, p, smooth->summary.asperities.sigma_m, q,
-                         rough->summary.asperities.sigma_m, m, &how);
+                         rough->summary.asperities.sigma_m, m, results);
             if (pair == 0)
                 count_points(out->models[m].smoothest, p, smooth->summary.asperities.sigma_m, q,
-                             rough->summary.asperities.sigma_m, m, &how);
+                             rough->summary.asperities.sigma_m, m, results);
             if (p->value[QUANTITY_LOAD] >= 0.1 * a->full_load || q->value[QUANTITY_LOAD] >= 0.1 * b->full_load)
                 count_points(out->models[m].high_rank, p, smooth->summary.asperities.sigma_m, q,
-                             rough->summary.asperities.sigma_m, m, &how);
+                             rough->summary.asperities.sigma_m, m, results);
             double step = log10(resistance(q) / resistance(p));
             if (isfinite(step)) {
                 sum += step;
@@ -120,7 +109,7 @@ static void compare_neighbours(struct comparison *out, const struct surface_reco
 
 /** Plastic model `m` against its elastic partner. */
 static void compare_laws(struct comparison_plastic *out, const struct model_curve *elastic,
-                         const struct model_curve *plastic, size_t m, double sigma_m, const struct counting *how)
+                         const struct model_curve *plastic, size_t m, double sigma_m, const struct results *results)
 {
     if (!elastic->exists || !plastic->exists)
         return;
@@ -128,13 +117,13 @@ static void compare_laws(struct comparison_plastic *out, const struct model_curv
     for (size_t i = 0; i < count; i++) {
         const struct contact_point *p = &plastic->points[i], *q = &elastic->points[i];
         double ratio = p->value[QUANTITY_AREA] / q->value[QUANTITY_AREA];
-        count_points(out->changes, p, sigma_m, q, sigma_m, m, how);
+        count_points(out->changes, p, sigma_m, q, sigma_m, m, results);
         if (p->value[QUANTITY_AREA] == 1 && q->value[QUANTITY_AREA] == 1)
             continue;
         out->least = out->most > 0 ? fmin(out->least, ratio) : ratio;
         out->most = fmax(out->most, ratio);
     }
-    count_case(&out->sooner, plastic->full_load, elastic->full_load, how->tolerance, 0);
+    count_case(&out->sooner, plastic->full_load, elastic->full_load, results->scene->tolerance, 0);
 }
 
 /** Mean log10 of quantity `p` of one curve over `q` of another, without its sign where `plain`, where both are above 0.
@@ -268,7 +257,6 @@ static void take_in(struct comparison *out, const struct results *results, const
                     size_t k, const struct surface_record *previous)
 {
     const struct model_curve *curves = record->curves;
-    const struct counting how = counting_of(results);
     double sigma_m = record->summary.asperities.sigma_m;
     size_t index = results->by_roughness[k];
     note_middle(out, results, index);
@@ -279,7 +267,7 @@ static void take_in(struct comparison *out, const struct results *results, const
     for (size_t m = 0; m < model_count; m++) {
         size_t elastic = model_index(model_rows[m]->elastic), counterpart = model_index(model_rows[m]->counterpart);
         if (elastic < model_count)
-            compare_laws(&out->models[m].plastic, &curves[elastic], &curves[m], m, sigma_m, &how);
+            compare_laws(&out->models[m].plastic, &curves[elastic], &curves[m], m, sigma_m, results);
         if (plan_runs_model(results->plan, m) && counterpart < model_count)
             out->models[m].gaps[index] = gap_between(&curves[counterpart], &curves[m], sigma_m);
     }

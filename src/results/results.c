@@ -67,16 +67,10 @@ const double *results_loads(const struct results *results, size_t surface)
     return results->loads + (results->loads_apart ? surface * results->load_count : 0);
 }
 
-/** The place among them of the one where summary and tables stand, and that load of a surface. */
-static size_t results_operating(const struct results *results)
-{
-    size_t place = results->plan->operating_place;
-    return place > 0 ? place - 1 : results->load_count / 2;
-}
-
 double results_operating_load(const struct results *results, size_t surface)
 {
-    return results_loads(results, surface)[results_operating(results)];
+    size_t place = results->plan->operating_place;
+    return results_loads(results, surface)[place > 0 ? place - 1 : results->load_count / 2];
 }
 
 double results_law_wavelength_m(const struct results *results)

@@ -16,7 +16,6 @@
 #include "run/messages.h"
 #include "run/prepare.h"
 #include <jansson.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -185,16 +184,6 @@ static enum status_code run_direct(struct run *run, struct status *status)
     return STATUS_OK;
 }
 
-/** What accuracy costs, on the baseline surface. */
-static enum status_code measure_cost(struct run *run, struct status *status)
-{
-    const struct results *results = run->results;
-    const struct benchmark_task task = {&results->surfaces[results->baseline], results->scene, results->plan,
-                                        results_loads(results, results->baseline), results->load_count};
-    run->results->benchmark = &run->benchmark;
-    return benchmark_measure(&run->benchmark, &task, status);
-}
-
 /** A stage's wall time: from the last call to this one. */
 static double lap(double *last)
 {
@@ -244,7 +233,11 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
     if (figures_draw(&figures, run->results, &drawing, status) != STATUS_OK || stopped(run))
         return status->code;
     out->times.figures = lap(&last);
-    if (!options->no_cost && measure_cost(run, status) != STATUS_OK)
+    const struct results *results = run->results;
+    const struct benchmark_task cost = {&results->surfaces[results->baseline], results->scene, results->plan,
+                                        results_loads(results, results->baseline), results->load_count};
+    run->results->benchmark = options->no_cost ? NULL : &run->benchmark;
+    if (!options->no_cost && benchmark_measure(&run->benchmark, &cost, status) != STATUS_OK)
         return status->code;
     run->benchmark.before = before;
     out->times.cost = lap(&last);
@@ -303,17 +296,14 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
 {
     struct run run = {.scene = scene, .options = options, .started = clock_seconds(), .gnuplot.input = -1};
     *out = (struct run_outcome){.times.models = calloc(model_count, sizeof *out->times.models)};
-    enum status_code rc = out->times.models ? export_check(scene, options->templates, status) : status_memory(status);
-    if (rc == STATUS_OK)
-        rc = words_read(&run.words, options->templates, status);
-    if (rc == STATUS_OK)
-        rc = begin_output(&run, status);
-    if (rc == STATUS_OK)
-        rc = begin_charts(&run, status);
-    if (rc == STATUS_OK)
-        rc = evaluate(&run, out, status);
-    if (rc == STATUS_OK && !stopped(&run))
-        rc = write_all(&run, out, status);
+    if (!out->times.models)
+        (void)status_memory(status);
+    else if (export_check(scene, options->templates, status) == STATUS_OK &&
+             words_read(&run.words, options->templates, status) == STATUS_OK &&
+             begin_output(&run, status) == STATUS_OK && begin_charts(&run, status) == STATUS_OK &&
+             evaluate(&run, out, status) == STATUS_OK && !stopped(&run))
+        (void)write_all(&run, out, status);
+    enum status_code rc = status->code;
     if (run.output.staging[0] && (stopped(&run) || rc == STATUS_INTERRUPTED)) {
         *status = (struct status){0}; /* whatever else went wrong: Ctrl-C stops gnuplot too, perhaps first */
         rc =
