@@ -43,8 +43,9 @@ struct sensitivity_factors {
     double area[SENSITIVITY_CHANGES], ecr[SENSITIVITY_CHANGES];
 };
 
-/** Adds a profile's variants: low-passed (ISO 16610-21) at twice sensitivity_cutoff(), levelled and windowed as the
- * profile is; its halves; and the whole as one that does not close on itself. Error: STATUS_MEMORY. */
+/** Adds a profile's variants: low-passed (ISO 16610-21) at twice lambda_s, or four spacings where none is stated,
+ * levelled and windowed as the profile is; its halves; and the whole as one that does not close on itself. Error:
+ * STATUS_MEMORY. */
 MUST_CHECK enum status_code sensitivity_add(struct sensitivity *out, const struct profile *profile,
                                             const struct profile_options *how, enum spectrum_window window,
                                             enum roughness_moments moments, struct status *status);

@@ -19,10 +19,10 @@ static struct process run_within(const char *place, int megabytes, const char *l
     return process_end(process_start_list(place, arguments, NULL));
 }
 
-/** A scan that takes more than 100 MB to be read. */
+/** A scan that takes more than 130 MB to be read. */
 static void write_large(const char *place, const char *path)
 {
-    run_to_exit(place, 0, "synth", "-n", "1000000", "-l", "100mm", "-o", path);
+    run_to_exit(place, 0, "synth", "-n", "2000000", "-l", "200mm", "-o", path);
 }
 
 /** However little there is, it is said in one line; 64 MB and less do not even hold gnuplot. */
@@ -40,7 +40,7 @@ TEST_IN_WORKSPACE(a_surface_goes_aside)
     NEEDS_LIMIT();
     workspace_scan(place, "d/small.csv", 300, 1);
     write_large(place, "d/large.csv");
-    struct process process = run_within(place, 100, "report d -o out --no-cost --brief -j2");
+    struct process process = run_within(place, 100, "report d -o out --no-cost --brief -j1");
     assert_int_equal(process.status, 1);
     assert_string_equal(process.err, "surface 'large' refused: out of memory; thin its scans, or report it alone\n");
     process_free(&process);
