@@ -160,6 +160,7 @@ FREED(solved)
     assert_memory_equal(strips.joined, &expected, sizeof expected);
     assert_null(set.members[0].strip); /* rows of a map */
     assert_int_equal(strips.transforms, strips.joined->transforms);
+    bearing_free(&strips.bearing);
     free(strips.joined);
     strips.joined = NULL;
     set.members[1].scan = 1;

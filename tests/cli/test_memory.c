@@ -19,7 +19,7 @@ static struct process run_within(const char *place, int megabytes, const char *l
     return process_end(process_start_list(place, arguments, NULL));
 }
 
-/** A scan that takes more than 130 MB to be read. */
+/** A scan that takes some 130 MB to be read. */
 static void write_large(const char *place, const char *path)
 {
     run_to_exit(place, 0, "synth", "-n", "2000000", "-l", "200mm", "-o", path);
@@ -30,7 +30,7 @@ TEST_IN_WORKSPACE(what_is_too_large_is_said)
 {
     NEEDS_LIMIT();
     write_large(place, "a.csv");
-    for (int megabytes = 30; megabytes <= 110; megabytes += 20)
+    for (int megabytes = 30; megabytes <= 100; megabytes += 35)
         process_expect_failure(run_within(place, megabytes, "inspect a.csv"), 4, 1, "out of memory", __FILE__,
                                __LINE__);
 }

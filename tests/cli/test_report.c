@@ -130,6 +130,19 @@ TEST_IN_WORKSPACE(test_terminal)
     process_free(&process);
 }
 
+/** Each figure drawn once more, as its first line says: the same but for an empty group, which carries the colour that
+ * the figure before ended with. */
+TEST_IN_WORKSPACE(test_figures_drawn_by_hand)
+{
+    workspace_scan(place, "d/a.csv", 300, 1);
+    workspace_scan(place, "d/b.csv", 300, 2);
+    run_to_exit(place, 0, "report", "d", "-m", "tin", "-o", "out", "--no-cost");
+    free(workspace_shell(place,
+                         "cp -r out/figures again && cd again && for f in *.gp; do gnuplot \"$f\" || exit 1; done && "
+                         "sed -i '/^<g fill=\"none\" color=\"#FFFFFF\"/d' *.svg ../out/figures/*.svg && "
+                         "ls area.svg models.svg && diff -r . ../out/figures"));
+}
+
 /** On a terminal, one that `script` makes, a line says how far a long stage is; it is gone at the end. */
 TEST_IN_WORKSPACE(test_progress)
 {
