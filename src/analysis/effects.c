@@ -154,7 +154,7 @@ static void decide_strips(struct plan *plan, const struct surface_record *surfac
                  cost * strip_seconds);
     else
         snprintf(plan->area_reason, sizeof plan->area_reason,
-                 "every report has it; no strip transfer, as no surface has strips");
+                 "every report has it; no strip transfer, as no surface has one");
 }
 
 void effects_decide(struct plan *plan, const struct scene *scene, const struct surface_record *surfaces, size_t count)

@@ -238,7 +238,7 @@ static enum status_code solve_strips(struct surface_record *record, const struct
     record->summary.has_strips = record->strips.joined != NULL;
     if (rc == STATUS_OK && !record->strips.joined) {
         record->summary.strip_cost = 0; /* more of it would not help */
-        note_add(&record->summary.notes, NULL, "no strip transfer: under no load do enough points of its scans touch");
+        note_add(&record->summary.notes, NULL, "no strip transfer: %s", record->strips.problem.message);
     }
     record->summary.strip_transforms = record->strips.transforms;
     record->summary.times.strips = clock_seconds() - started;

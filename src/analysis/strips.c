@@ -124,6 +124,8 @@ static enum status_code solve(struct strip **out, struct strips *strips, const s
         return STATUS_OK;
     free(*out);
     *out = NULL;
+    if (strips->problem.code == STATUS_OK)
+        strips->problem = problem;
     return rc == STATUS_MODEL ? STATUS_OK : status_fail(status, rc, "%s", problem.message);
 }
 

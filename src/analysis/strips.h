@@ -14,7 +14,8 @@ struct strips {
                              1: it is smooth */
     double *height_m;     /* theirs */
     struct strip *joined; /* all rows in one strip; NULL: not solved */
-    struct bearing bearing; /* where that is */
+    struct status problem;  /* why it is not */
+    struct bearing bearing; /* where it is */
     uint64_t transforms;    /* pairs of transforms times points that solving took */
 };
 void strips_free(struct strips *strips);

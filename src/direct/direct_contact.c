@@ -410,7 +410,7 @@ static enum status_code iterate(struct solver *solver, double tolerance, struct 
             if (!solver->preconditioned || !isfinite(violation))
                 return status_fail(status, STATUS_MODEL,
                                    "the direct solution does not converge at p/E' = %g (violation %.1e of the "
-                                   "roughness after %zu iterations); use a finer grid or another load",
+                                   "roughness after %zu iterations); use a finer grid, denser scans or another load",
                                    solver->load->mean_pressure, violation, solver->effort->iterations);
             solver->preconditioned = false; /* once more, without */
             solver->joined = true;
