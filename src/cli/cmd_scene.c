@@ -145,20 +145,22 @@ static void progress(const char *stage, const char *name, double done, double al
 
 static void print_time(const char *stage, double seconds)
 {
-    fprintf(stderr, "%-28s %10.4f\n", stage, seconds);
+    fprintf(stderr, "%-30s %10.4f\n", stage, seconds);
 }
 
 static void print_times(const struct run_times *times)
 {
     struct rusage usage;
-    fprintf(stderr, "\n%-28s %10s\n", "stage", "seconds");
+    fprintf(stderr, "\n%-30s %10s\n", "stage", "seconds");
     print_time("read scans", times->read);
     print_time("level", times->prepare);
     print_time("spectra", times->spectrum);
+    print_time("strips", times->strips);
     for (size_t m = 0; m < model_count; m++)
         print_time(model_rows[m]->label, times->models[m]);
     print_time("convergence", times->convergence);
     print_time("uncertainty", times->uncertainty);
+    print_time("unloading", times->unloading);
     print_time("direct solution", times->direct);
     print_time("what accuracy costs", times->cost);
     print_time("tables and json", times->tables);
@@ -168,7 +170,7 @@ static void print_times(const struct run_times *times)
     print_time("total", times->total);
     print_time("total without gnuplot", times->total - times->gnuplot);
     if (getrusage(RUSAGE_SELF, &usage) == 0)
-        fprintf(stderr, "%-28s %7.1f MB\n", "largest memory", (double)usage.ru_maxrss / 1024);
+        fprintf(stderr, "%-30s %7.1f MB\n", "largest memory", (double)usage.ru_maxrss / 1024);
 }
 
 enum { STOP_MS = 300 }; /* for a run that a signal stops to end in order */

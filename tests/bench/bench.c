@@ -190,7 +190,8 @@ static void direct_cases(void)
 
 /* ---------------------------------------------------------------- growth */
 
-/** A scan of 0.3 mm of a law so flat that a stack is visited far down, and so kinked that captions speak of it. */
+/** A scan, of one spacing whatever its length, of a law so flat that a stack is visited far down, and so kinked that
+ * captions speak of it. */
 static void write_scan(const char *path, size_t points, unsigned long seed)
 {
     struct synth_def def = synth_def_default();
@@ -199,6 +200,7 @@ static void write_scan(const char *path, size_t points, unsigned long seed)
     FILE *file = fopen(path, "w");
     if (!height_m || !file)
         exit(1);
+    def.length_m *= (double)points / (double)def.points;
     def.points = points;
     def.gamma = 1.2;
     def.seed = seed;
@@ -219,9 +221,9 @@ static int remove_entry(const char *path, const struct stat *info, int type, str
 }
 
 /** The whole, and its stages; gnuplot's charts are always as many. */
-enum { WHOLE, READ, LEVEL, SPECTRA, MODELS, CONVERGENCE, COST, TABLES, CHARTS, PAGE, STAGES };
+enum { WHOLE, READ, LEVEL, SPECTRA, STRIPS, MODELS, CONVERGENCE, COST, TABLES, CHARTS, PAGE, STAGES };
 static const char *const stage_names[STAGES] = {
-    "whole",    "  read scans",          "  level",           "  spectra",    "  models",
+    "whole",    "  read scans",          "  level",           "  spectra",    "  strips", "  models",
     "  sweeps", "  what accuracy costs", "  tables and json", "  chart data", "  page"};
 
 /** Lowers `seconds` to those of one run. */
@@ -231,6 +233,7 @@ static void take_stages(double seconds[STAGES], double cpu, const struct run_tim
                           [READ] = times->read,
                           [LEVEL] = times->prepare,
                           [SPECTRA] = times->spectrum,
+                          [STRIPS] = times->strips,
                           [CONVERGENCE] = times->convergence,
                           [COST] = times->cost,
                           [TABLES] = times->tables,

@@ -115,13 +115,14 @@ TEST_IN_WORKSPACE(test_terminal)
     static const char path[] = "\nout/d/report.html\n";
     assert_true(process.out_length > sizeof path);
     assert_string_equal(process.out + process.out_length - (sizeof path - 1), path);
-    static const char *const stages[] = {"stage ",   "read scans ", "multiscale elastic ", "GW ",
-                                         "gnuplot ", "total ",      "largest memory "};
+    static const char *const stages[] = {"stage ", "read scans ", "strips ", "multiscale elastic ",
+                                         "GW ",    "gnuplot ",    "total ",  "largest memory "};
     for (size_t i = 0; i < sizeof stages / sizeof *stages; i++) {
         char start[64];
         snprintf(start, sizeof start, "\n%s", stages[i]);
         expect_part(process.err, start);
     }
+    assert_true(strtod(strstr(process.err, "\nstrips ") + strlen("\nstrips "), NULL) > 0);
     assert_null(strchr(process.err, '\r')); /* progress is for terminals only */
     process_free(&process);
     process = expect_exit(place, 0, "report", "d");
