@@ -72,6 +72,7 @@ struct model_row {
                         it is from a surface of any heights; 0: it does not */
     unsigned may_be_empty; /* those of them that it leaves empty (NaN) where it should not be trusted */
     double largest_area;   /* A/A_n up to which it is valid; 0: any */
+    bool ends;             /* it has no numbers beyond that */
     double stiffness_step; /* in ln P to either side, over which model_run() takes the slope of its separation; 0: it
                               computes its stiffness itself, or none */
     int precedence;        /* the summary speaks of the running model with the greatest */

@@ -59,6 +59,9 @@ static void put_value(json_t *out, const struct view_source *source, size_t surf
     asked_interval(ends, &source->asked, source->results, source->leading, surface);
     view_number(out, "value", value, 3, source->asked.unit);
     view_flag(out, "no_number", !isfinite(value));
+    const struct model_row *row = model_rows[source->leading];
+    if (!isfinite(value) && row->ends && (!row->uses_strip || view_summary(source, surface)->has_strips))
+        view_number(out, "ends_at_percent", 100 * row->largest_area, 2, "");
     view_interval(out, "interval", ends[0], ends[1], DIGITS);
 }
 

@@ -99,8 +99,14 @@ static void put_unloading(json_t *out, const struct view_source *source)
 
 static void put_one_surface(json_t *out, const struct view_source *source)
 {
-    json_t *item = view_part(out, "one_surface");
     const struct results *results = source->results;
+    size_t first = 0;
+    while (first < model_count &&
+           !(plan_runs_model(results->plan, first) && surface_model(&source->baseline->summary, first)->exists))
+        first++;
+    if (first == model_count)
+        return;
+    json_t *item = view_part(out, "one_surface");
     view_text(item, "surface", view_name(source, results->baseline));
     view_load(item, "load", source, results->baseline, results_operating_load(results, results->baseline));
     view_flag(item, "has_separation", wants(source, QUANTITY_SEPARATION));
@@ -108,7 +114,7 @@ static void put_one_surface(json_t *out, const struct view_source *source)
     view_flag(item, "has_tcr", wants(source, QUANTITY_TCR));
     view_flag(item, "has_stiffness", wants(source, QUANTITY_STIFFNESS));
     view_flag(item, "has_last_scale", wants(source, QUANTITY_ECR_LAST_SCALE));
-    for (size_t m = 0; m < model_count; m++)
+    for (size_t m = first; m < model_count; m++)
         if (plan_runs_model(results->plan, m) && surface_model(&source->baseline->summary, m)->exists)
             put_model(item, source, m);
     const struct material_pair *pair = results_pair(results, results->baseline);

@@ -305,6 +305,15 @@ static bool check_baseline(const struct scene *scene, struct scene_source *sourc
                              scene_words_show(scene->baseline).text, scene_words_show(scene->surfaces[0].name).text);
 }
 
+static bool check_left(const struct scene *scene, struct scene_source *source)
+{
+    const char *key = scene->counterface_surface.file_count > 0 ? "counterface" : "measured";
+    if (scene->surface_count > 0 || scene->counterface_surface.file_count + scene->measured.file_count == 0)
+        return true;
+    return scene_source_fail(source, scene_keys_line(source, key),
+                             "no scan is left for the surfaces beside the files of '%s'", key);
+}
+
 static enum status_code complete(struct scene *scene, struct scene_source *source,
                                  const struct scene_overrides *overrides)
 {
@@ -312,7 +321,7 @@ static enum status_code complete(struct scene *scene, struct scene_source *sourc
     if (!complete_keys(scene, source) || !override_values(scene, source, overrides) ||
         (scene->surface_count == 0 && scene_files_list(scene, status) != STATUS_OK) ||
         !complete_all_bodies(scene, source) || !check_loads(scene, source) || !scene_asked_complete(scene, source) ||
-        !override_units(scene, source, overrides) || !check_baseline(scene, source))
+        !override_units(scene, source, overrides) || !check_left(scene, source) || !check_baseline(scene, source))
         return status->code;
     char *path = realpath(scene->directory, NULL); /* the directory's own name, however it is given */
     if (!scene->title)

