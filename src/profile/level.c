@@ -159,6 +159,8 @@ static int arc_misfits(const gsl_vector *x, void *context, gsl_vector *misfits)
 
 static enum status_code take_arc(struct levelling *out, const struct record *record, double *z, struct status *status)
 {
+    if (record->points < ARC_PARAMETERS)
+        return status_fail(status, STATUS_SCAN, "no arc fits %zu points; take a longer scan", record->points);
     double first = z[0]; /* 3 mm of offset would cost digits */
     for (size_t i = 0; i < record->points; i++)
         z[i] -= first;

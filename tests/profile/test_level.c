@@ -110,6 +110,16 @@ TEST_CASE(test_an_arc_is_taken_out_whole)
         }
 }
 
+/* Two points have no arc: the record's own error, as one of a map is left out with others that go on. */
+TEST_CASE(test_too_few_points_for_an_arc)
+{
+    struct levelling levelling;
+    struct status status = {0};
+    double z[] = {1e-6, 2e-6};
+    assert_int_equal(level_remove(&levelling, z, NULL, 2, 1e-6, LEVEL_CIRCLE, &status), STATUS_SCAN);
+    assert_string_equal(status.message, "no arc fits 2 points; take a longer scan");
+}
+
 /* What is left of any record is orthogonal to the arc's derivatives; for a flat one these are 1, x, x². */
 TEST_CASE(test_an_arc_is_a_least_squares_fit)
 {
