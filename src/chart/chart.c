@@ -209,12 +209,18 @@ static void add_tick(json_t *ticks, double at, bool logarithmic, bool letters)
     json_array_append_new(ticks, json_pack("{sf so}", "at", at, "label", tick_label(at, logarithmic, letters)));
 }
 
+/** Of a logarithmic axis, whose ends may be too far apart for a quotient. */
+static double decades_of(const struct chart_extent *extent)
+{
+    return fmin(log10(extent->high / extent->low), DBL_MAX_10_EXP - DBL_MIN_10_EXP);
+}
+
 /** Few tics: of a logarithmic axis 1, 2, 5 within two decades, then decades, or every so many of them. */
 static json_t *ticks_of(const struct chart_extent *extent, bool logarithmic, bool letters, double most)
 {
     json_t *ticks = json_array();
     if (logarithmic) {
-        double decades = log10(extent->high / extent->low);
+        double decades = decades_of(extent);
         int step = (int)fmax(1, ceil(decades / most)), first = (int)floor(log10(extent->low));
         for (int power = first; power <= log10(extent->high); power++)
             for (int digit = 1; digit <= 5; digit += digit == 2 ? 3 : 1) {
@@ -241,7 +247,7 @@ static struct chart_extent range_of(struct chart_extent data, bool logarithmic)
     if (!(data.low <= data.high))
         data = (struct chart_extent){logarithmic ? 0.1 : 0, 1};
     if (logarithmic) {
-        double room = fmax(0.03 * log10(data.high / data.low), data.high / data.low < 1.2 ? 0.15 : 0.02);
+        double room = fmax(0.03 * decades_of(&data), data.high / data.low < 1.2 ? 0.15 : 0.02);
         return (struct chart_extent){fmax(data.low / pow(10, room), DBL_MIN), fmin(data.high * pow(10, room), DBL_MAX)};
     }
     double room = data.high > data.low ? 0.04 * (data.high - data.low) : fmax(0.1 * fabs(data.high), 1e-9);
