@@ -405,7 +405,7 @@ enum status_code profile_make(struct profile *out, const struct scan *scan, size
         if (even_out(out, x_m, status) != STATUS_OK)
             return status->code;
     }
-    out->periodic = record_window_is_periodic(out->height_m, out->points);
+    out->periodic = out->points >= 3 && record_window_is_periodic(out->height_m, out->points);
     struct profile_options how = *options;
     if (out->periodic && how.periodic_mean && how.level == LEVEL_LINE)
         how.level = LEVEL_MEAN;
