@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Everything the program stands on, all of it from Debian's packages (listed in packages.txt).
+# Everything the program stands on, all of it from Debian's packages (listed in .ci/packages).
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 pkg_check_modules(fftw REQUIRED IMPORTED_TARGET fftw3)
@@ -7,7 +7,7 @@ pkg_check_modules(gsl REQUIRED IMPORTED_TARGET gsl)
 pkg_check_modules(yaml REQUIRED IMPORTED_TARGET yaml-0.1)
 pkg_check_modules(jansson REQUIRED IMPORTED_TARGET jansson)
 pkg_check_modules(crypto REQUIRED IMPORTED_TARGET libcrypto)
-pkg_check_modules(md4c REQUIRED IMPORTED_TARGET md4c)
+pkg_check_modules(md4c REQUIRED IMPORTED_TARGET md4c-html)
 pkg_check_modules(expat REQUIRED IMPORTED_TARGET expat)
 pkg_check_modules(zlib REQUIRED IMPORTED_TARGET zlib)
 pkg_check_modules(zip REQUIRED IMPORTED_TARGET libzip)

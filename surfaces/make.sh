@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes every scan below this directory, and the picture of README.md, again. ROUGHCONTACT names the program (default: the one in PATH).
+# Makes every scan below this directory, and the picture of README.md, again. ROUGHCONTACT names the program, by its whole
+# path (default: the one in PATH).
 set -eu
 cd "$(dirname "$0")"
 synth() { "${ROUGHCONTACT:-roughcontact}" synth "$@"; }

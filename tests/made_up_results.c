@@ -79,14 +79,8 @@ static struct estimate about(double value, double deviation, bool logarithmic)
     double step = deviation / M_SQRT2;
     const double scans[2] = {logarithmic ? value * exp(-step) : value - step,
                              logarithmic ? value * exp(step) : value + step};
-    assert_int_equal(estimate_make(&estimate, scans, NULL, 2, false, logarithmic, &status), STATUS_OK);
+    assert_int_equal(estimate_make(&estimate, scans, NULL, 2, logarithmic, &status), STATUS_OK);
     return estimate;
-}
-
-struct estimate made_up_single(double value, double s, bool logarithmic)
-{
-    const struct single_scan single = {.s = s, .half_width = single_scan_half_width(s)};
-    return estimate_single(value, &single, logarithmic);
 }
 
 /** What is known of a model's answers: by two scans of the first surface, else by simulated records if they run. */
@@ -103,7 +97,7 @@ static void make_estimates(struct made_up *made, struct surface_record *record, 
         enum quantity shown = model_shown(model_rows[m], (enum quantity)q);
         double value = quantity_shown(middle, shown, record->summary.asperities.sigma_m);
         bool held = known && ensemble_band_holds((enum quantity)q) && isfinite(value);
-        all[q] = !held ? estimate_none : several ? about(value, 0.05, true) : made_up_single(value, 0.05, true);
+        all[q] = !held ? estimate_none : several ? about(value, 0.05, true) : estimate_of_error(value, 0.05, 4);
     }
     assert_int_equal(curve_summary_put_estimates(model, all, &status), STATUS_OK);
 }

@@ -36,25 +36,15 @@ struct band_end {
     size_t count;
     enum quantity quantity;
     int side;
-    const struct joint_task *joint; /* NULL: the quantity is the model's own */
-    int resistance_side;            /* of the band of the resistances that it is made of */
+    const struct joint_task *joint;
 };
 
-/** The number at one end of the band at load i; one of the joint is made of the ends of ECR and TCR (NaN: the model's),
- * with area and gap as they are. */
+/** The number at one end of the band at load i. A temperature is that of the voltage. */
 static double at_end(const struct band_end *end, size_t i)
 {
-    const struct ensemble_band *band = &end->band[i];
-    if (!end->joint)
-        return band->mean[end->quantity][end->side];
-    const double resistance[2] = {band->mean[QUANTITY_ECR][end->resistance_side],
-                                  band->mean[QUANTITY_TCR][end->resistance_side]};
-    bool known = !isnan(resistance[quantity_rows[end->quantity].from & QUANTITY_BIT(QUANTITY_ECR) ? 0 : 1]);
-    struct contact_point at = end->curve->points[i];
-    at.value[QUANTITY_ECR] = isnan(resistance[0]) ? at.value[QUANTITY_ECR] : resistance[0];
-    at.value[QUANTITY_TCR] = isnan(resistance[1]) ? at.value[QUANTITY_TCR] : resistance[1];
-    joint_apply(&at, NULL, 1, end->joint);
-    return known ? at.value[end->quantity] : NAN;
+    const double(*mean)[2] = (const double(*)[2])end->band[i].mean;
+    return end->quantity == QUANTITY_TEMPERATURE ? joint_temperature(end->joint, mean[QUANTITY_VOLTAGE][end->side])
+                                                 : mean[end->quantity][end->side];
 }
 
 /** ln of the end over the curve, straight in ln P between the loads that have it; at the ends that of the last one. */
@@ -222,13 +212,8 @@ static enum status_code solve_band(struct answer *out, const struct surface_reco
     const struct scene_asked_row *row = search->target->row;
     size_t m = model_index(search->row);
     for (int side = 0; side < 2; side++) {
-        const struct band_end end = {&record->curves[m],
-                                     record->bands[m],
-                                     record->band_count,
-                                     row->quantity,
-                                     side,
-                                     quantity_rows[row->quantity].from ? &search->joint : NULL,
-                                     row->rises ? !side : side};
+        const struct band_end end = {&record->curves[m], record->bands[m], record->band_count, row->quantity, side,
+                                     &search->joint};
         struct answer one;
         if (isnan(band_shift(log(out->load), &end)))
             return STATUS_OK;
@@ -285,14 +270,8 @@ static struct limit_check check_point(const struct surface_record *record, size_
     enum quantity quantity = limit->row->quantity;
     struct limit_check out = {.value = curve->points[i].value[quantity], .low = NAN, .high = NAN};
     if (band && i < record->band_count && band[i].load == curve->points[i].value[QUANTITY_LOAD]) {
-        double ends[2];
-        for (int side = 0; side < 2; side++) {
-            const struct band_end end = {
-                curve, band, record->band_count, quantity, side, quantity_rows[quantity].from ? joint : NULL, side};
-            ends[side] = at_end(&end, i);
-        }
-        out.low = fmin(ends[0], ends[1]);
-        out.high = fmax(ends[0], ends[1]);
+        out.low = at_end(&(struct band_end){curve, band, record->band_count, quantity, 0, joint}, i);
+        out.high = at_end(&(struct band_end){curve, band, record->band_count, quantity, 1, joint}, i);
     }
     out.verdict = answers_judge(&out, limit);
     return out;
@@ -355,10 +334,17 @@ enum status_code answers_find(struct surface_record *record, const struct scene 
         }
         model->seconds += clock_seconds() - started;
     }
-    for (size_t l = 0; l < scene->limit_count; l++)
-        summary->limits[l] = check_limit(record, plan_leading_model(plan), &scene->limits[l], &joint,
-                                         task->loads[model_task_operating(task)]);
+    answers_check_limits(record, scene, plan, task);
     return STATUS_OK;
+}
+
+void answers_check_limits(struct surface_record *record, const struct scene *scene, const struct plan *plan,
+                          const struct model_task *task)
+{
+    const struct joint_task joint = surface_joint(record, scene, plan, task);
+    for (size_t l = 0; l < scene->limit_count; l++)
+        record->summary.limits[l] = check_limit(record, plan_leading_model(plan), &scene->limits[l], &joint,
+                                                task->loads[model_task_operating(task)]);
 }
 
 void answers_note(struct text *out, const struct answer *answer, double nominal_area_m2, double load_scale,

@@ -44,6 +44,10 @@ struct limit_check {
 MUST_CHECK enum status_code answers_find(struct surface_record *record, const struct scene *scene,
                                          const struct plan *plan, const struct model_task *task, struct status *status);
 
+/** Fills record->summary.limits by the model that leads the plan. */
+void answers_check_limits(struct surface_record *record, const struct scene *scene, const struct plan *plan,
+                          const struct model_task *task);
+
 /** Spots below which a contact is no matter for statistics. */
 extern const double answers_least_spots;
 /** "not reached up to 0.1 N; beyond the model's validity; too few spots for statistics (9.1)": nothing, or what goes

@@ -44,17 +44,10 @@ enum status_code describe_counterface(struct surface_record *record, struct powe
              "pressed against a rough counterface: Rq %.4g um and %.4g um give %.4g um together", own_rq_m * 1e6,
              counterface->summary.roughness.rq_m * 1e6, own->rq_m * 1e6);
     note_counterface(&record->summary, &counterface->summary);
-    struct ensemble *set = &record->ensemble;
-    set->no_intervals = true;
-    for (size_t p = 0; p < set->count; p++) {
-        roughness_add(&set->members[p].roughness, &counterface->summary.roughness);
-        if (grid_add(&set->members[p].spectrum, &counterface->spectrum, status) != STATUS_OK)
-            return status->code;
-    }
-    if (set->count > 0)
-        note_add(&record->summary.notes, NULL,
-                 "no intervals: how far the rough counterface's own scans scatter is not told by "
-                 "those of the surface");
+    if (ensemble_pair(&record->ensemble, &counterface->ensemble, status) != STATUS_OK)
+        return status->code;
+    if (record->ensemble.count < 2)
+        ensemble_free(&record->ensemble);
     for (size_t i = 0; i < scans->scan_count && counterface->tapered.count > 0; i++)
         if (grid_add(&scans->scan[i], &counterface->tapered, status) != STATUS_OK)
             return status->code;
@@ -79,22 +72,17 @@ enum status_code describe_repeats(struct surface_record *record, struct status *
     return repeats_rq(&repeats->rq_m, set, status);
 }
 
-/** One scan: the surface itself, of which others may be simulated. */
-static void keep_single(struct surface_record *record, const struct power_law_scans *scans, const struct scene *scene)
+/** Keeps the heights of the first scan where records like it may be simulated. */
+static void keep_first(struct surface_record *record, const struct power_law_scans *scans, const struct scene *scene)
 {
     struct member *part = &record->ensemble.members[0];
-    bool listed = scene->effects & EFFECT_BIT(EFFECT_UNCERTAINTY);
-    if (part->height_m && scene->counterface_surface.file_count == 0 && (scene->effects_auto || listed) &&
-        part->points >= SIMULATED_RECORD_LEAST_POINTS &&
-        (scans->scan_count == 0 || simulated_record_possible(scans->scan[0].amplitude_m, part->points))) {
-        record->summary.single_points = part->points;
-        record->summary.simulates = listed || uncertainty_affordable(part->points, scene->surface_count);
-        if (record->summary.simulates) {
-            record->height_m = part->height_m;
-            part->height_m = NULL;
-        }
-    }
-    ensemble_free(&record->ensemble);
+    if (!part->height_m || part->points < SIMULATED_RECORD_LEAST_POINTS ||
+        !(scene->effects_auto || (scene->effects & EFFECT_BIT(EFFECT_UNCERTAINTY))) ||
+        (scans->scan_count > 0 && !simulated_record_possible(scans->scan[0].amplitude_m, part->points)))
+        return;
+    record->summary.single_points = part->points;
+    record->height_m = part->height_m;
+    part->height_m = NULL;
 }
 
 enum status_code describe_conclude(struct surface_record *record, struct power_law_scans *scans,
@@ -114,12 +102,15 @@ enum status_code describe_conclude(struct surface_record *record, struct power_l
     if (set->count > 1 && profiles &&
         repeats_cut_to_shortest(set, &record->summary.repeats.cut, scene, status) != STATUS_OK)
         return status->code;
-    if (set->keeps_heights && strips_gather(&record->strips, set, status) != STATUS_OK)
+    bool paired = scene->counterface_surface.file_count > 0;
+    if (set->keeps_heights && strips_gather(&record->strips, set, paired, status) != STATUS_OK)
         return status->code;
     if (set->keeps_heights && record->strips.rows.rows == 0)
         note_add(&record->summary.notes, NULL, "no strip transfer: its scans differ in spacing or points");
-    if (set->count == 1) {
-        keep_single(record, scans, scene);
+    if (set->count == 1 || paired)
+        keep_first(record, scans, scene);
+    if (set->count == 1) { /* the surface itself */
+        ensemble_free(set);
         return STATUS_OK;
     }
     for (size_t p = 0; p < set->count; p++) {
@@ -178,7 +169,7 @@ static enum status_code fit_alone(struct surface_record *record, const struct po
     const struct power_law_scans_def def = fit_def(&record->summary, scene);
     struct repeats *repeats = &record->summary.repeats;
     size_t count = scans->scan_count;
-    if (repeats->count == 0)
+    if (repeats->scans < 2)
         return STATUS_OK;
     double *gamma = malloc(2 * count * sizeof *gamma);
     if (!gamma)
@@ -301,27 +292,67 @@ static enum status_code conclude(struct surface_record *record, struct power_law
                                  const struct scene *scene, const struct surface_record *counterface,
                                  struct status *status)
 {
-    if (counterface && (describe_counterface(record, scans, counterface, status) != STATUS_OK ||
-                        strips_pair(&record->strips, &counterface->strips, status) != STATUS_OK))
+    if (counterface && (strips_pair(&record->strips, &record->ensemble, &counterface->strips, &counterface->ensemble,
+                                    status) != STATUS_OK ||
+                        describe_counterface(record, scans, counterface, status) != STATUS_OK))
         return status->code;
+    if (record->summary.scene != &scene->counterface_surface &&
+        (record->ensemble.count > 1 || (counterface && !counterface->height_m))) {
+        free(record->height_m); /* scans, or pairs of them, speak for themselves */
+        record->height_m = NULL;
+        record->summary.single_points = 0;
+    }
     if (counterface && wants_strips(scene) && counterface->strips.rows.rows == 0)
         note_add(&record->summary.notes, NULL,
                  "no strip transfer: the counterface's scans differ in spacing or points");
-    record->summary.strip_cost = (double)strips_cost(&record->strips, STRIP_SURROGATES);
-    record->summary.has_strips = strips_surrogates(&record->strips, scene) > 0;
+    record->summary.has_strips = record->strips.rows.rows > 0;
+    record->summary.strips_in_part = record->strips.in_part;
+    record->summary.strip_cost = record->summary.has_strips ? (double)strips_cost(&record->strips) : 0;
+    if (counterface)
+        tiles_pair(&record->tiles, &counterface->tiles);
+    bool capped = record->summary.pair.hardness_Pa > 0;
+    double most = scene->models_named ? INFINITY : tiles_budget / (double)scene->surface_count;
+    record->summary.has_tiles = tiles_fit(&record->tiles, capped, most);
+    record->summary.tile_cost = tiles_cost(&record->tiles, capped);
+    record->summary.squares = record->tiles.columns * record->tiles.rows;
+    record->summary.all_squares = record->tiles.all;
     if (describe(record, scans, scene, status) != STATUS_OK)
         return status->code;
     if (describe_repeats(record, status) != STATUS_OK)
         return status->code;
     bool found = scene->fit == POWER_LAW_AUTO && record->band->law != POWER_LAW_BAND_NONE;
-    if (found && fit_alone(record, scans, scene, status) != STATUS_OK)
+    if (found && !counterface && fit_alone(record, scans, scene, status) != STATUS_OK)
         return status->code;
     stretch(record, surface_kappa(&record->summary));
     return STATUS_OK;
 }
 
-/** Where it falls with size, the hardness of all but cmy: that of cmy's spots at the operating load or, where the scene
- * gives none, at an area of 1 %. */
+static const double usual_area = 0.01; /* at which spots are looked at where the scene has no operating load */
+
+/** A plating that is thicker than its indents are deep has its own hardness, and with it the contact, but where the
+ * other body is bare and softer still; one that the scene gives stands above it. */
+static void find_plating_hardness(struct surface_summary *summary, const struct cmy *surface, double load,
+                                  const struct scene *scene)
+{
+    const struct scene_bodies *bodies = &summary->scene->bodies;
+    const struct joint *joint = &scene->joint;
+    double own_Pa = joint_platings[joint->plating].hardness_Pa, other_Pa = INFINITY,
+           pressure_Pa = material_pair_pressure(&summary->pair, load);
+    summary->hardness = bodies->hardness_Pa > 0 ? SURFACE_HARDNESS_SCENE : SURFACE_HARDNESS_BODIES;
+    summary->indent_m = NAN;
+    if (!joint->plating || bodies->hardness_Pa > 0)
+        return;
+    summary->indent_m = cmy_indent_m(surface, load > 0 ? pressure_Pa / own_Pa : usual_area);
+    if (bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC && !joint->both_plated)
+        other_Pa = material_hardness(&bodies->counterface);
+    if (!(joint->plating_thickness_m > summary->indent_m) || isnan(other_Pa))
+        return;
+    summary->hardness = own_Pa < other_Pa ? SURFACE_HARDNESS_PLATING : SURFACE_HARDNESS_BODIES;
+    summary->pair.hardness_Pa = fmin(own_Pa, other_Pa);
+}
+
+/** That of a plating; and where it falls with size, the hardness of all but cmy: that of cmy's spots at the operating
+ * load or, where the scene gives none, at an area of 1 %. */
 static void find_hardness(struct surface_record *record, const struct scene *scene)
 {
     struct material_pair *pair = &record->summary.pair;
@@ -329,11 +360,13 @@ static void find_hardness(struct surface_record *record, const struct scene *sce
     const struct cmy surface = {sqrt(spectrum_moment(&record->spectrum, 0)),
                                 cmy_slope(spectrum_moment(&record->spectrum, 1))};
     double load = scene_load_of(&scene->operating, scene, pair), own_Pa = NAN;
+    if (!pair->unknown)
+        find_plating_hardness(&record->summary, &surface, load, scene);
     if (!(c1 > 0 && surface.sigma_m > 0))
         return;
     if (load > 0)
         own_Pa = cmy_microhardness(&surface, material_pair_pressure(pair, load), c1, c2);
-    pair->hardness_Pa = own_Pa > 0 ? own_Pa : cmy_spot_hardness(&surface, 0.01, c1, c2);
+    pair->hardness_Pa = own_Pa > 0 ? own_Pa : cmy_spot_hardness(&surface, usual_area, c1, c2);
     note_add(&record->summary.notes, NULL,
              "its hardness falls with size: CMY has its spots' own, all else %.4g MPa, theirs at %s",
              pair->hardness_Pa * 1e-6, own_Pa > 0 ? "the operating load" : "an area of 1 %");
@@ -348,6 +381,7 @@ enum status_code describe_surface(struct surface_record *out, const struct scene
     struct hash hash = hash_start();
     struct power_law_scans scans = {0};
     const struct describe_task task = {out, &scans, scene};
+    out->counterface = counterface;
     summary->scene = surface;
     summary->pair = scene_pair(&surface->bodies);
     out->ensemble.keeps_heights = wants_strips(scene);

@@ -15,8 +15,8 @@ MUST_CHECK enum status_code describe_surface(struct surface_record *out, const s
 /* Its steps, in their order. */
 
 /** Two rough bodies: amplitudes and moments of the surface and of its counterface add as squares (docs/equations.md,
- * From scan to spectrum); those
- * the law is fitted to are added to `scans`. Error: STATUS_MEMORY. */
+ * From scan to spectrum), scan by scan as many as both have; those the law is fitted to are added to `scans`. Error:
+ * STATUS_MEMORY. */
 MUST_CHECK enum status_code describe_counterface(struct surface_record *record, struct power_law_scans *scans,
                                                  const struct surface_record *counterface, struct status *status);
 

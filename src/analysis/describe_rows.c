@@ -212,7 +212,7 @@ static void note_map(struct surface_summary *summary, const struct describe_task
              used, rows, models);
 }
 
-/** The first map of a surface speaks for all: of its lay, and of the square that a direct solution takes. */
+/** The first map of a surface speaks for all: of its lay, and of the square that a direct study takes. */
 static enum status_code keep_map(const struct describe_task *task, const struct scan *scan,
                                  const struct direct_map_def *map, struct status *status)
 {
@@ -222,6 +222,15 @@ static enum status_code keep_map(const struct describe_task *task, const struct 
         return STATUS_OK;
     record->summary.map = *map;
     return keeps_direct(record, task->scene) ? keep_direct(record, scan, NULL, status) : STATUS_OK;
+}
+
+/** Does a model that may run use maps? */
+static bool wants_tiles(const struct scene *scene)
+{
+    for (size_t m = 0; m < model_count; m++)
+        if ((scene->models & MODEL_BIT(m)) && model_rows[m]->uses_map)
+            return true;
+    return false;
 }
 
 enum status_code describe_rows(const struct describe_task *task, struct scan *scan, const char *scene_file,
@@ -273,6 +282,9 @@ enum status_code describe_rows(const struct describe_task *task, struct scan *sc
         return status->code;
     if (areal)
         note_map(summary, task, file, scan, &map, unusable, set->count - run_before);
+    tiles_free(&task->record->tiles); /* a surface of several scans is no one map */
+    if (areal && first_file && wants_tiles(scene))
+        tiles_take(&task->record->tiles, scan, &map);
     if (unusable > 0)
         note_add(&summary->notes, file, "%zu %s%s left out, the first because %s", unusable,
                  scene->direction == SCAN_DIRECTION_X ? "row" : "column", unusable == 1 ? "" : "s", first.message);

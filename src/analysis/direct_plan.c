@@ -80,17 +80,21 @@ static void choose_loads(struct direct_plan *plan, const struct direct_plan_task
         plan->capped_loads++;
 }
 
-/** Of one core, from counts: a contact and its constriction take 0.04 s at 256 points a side, and as the power 2.5 of
- * these (64 ... 1024; measured in 2026); a surface with a scan's heights takes four contacts to make. A finer grid is
- * twice as fine; a map's parts, which tell its error, have half its points a side. */
+/** Of one core, from counts: a load and its constriction take 0.016 s at 256 points a side, and as the power 2.15 of
+ * these (0.009 to 0.022 on three surfaces, 64 ... 1024; measured in 2026), and surfaces with a scan's heights have to
+ * be made first. A finer grid is twice as fine; a map's parts, which tell its error, have half its points a side. */
 static double likely_seconds(const struct direct_plan *plan)
 {
-    double made = plan->side > 0 || plan->gaussian ? 0 : 4, one = 0.04 * pow((double)plan->grid / 256, 2.5);
+    const double power = 2.15, one = 0.016 * pow((double)plan->grid / 256, power);
+    double making = plan->side > 0 || plan->gaussian ? 0 : direct_ensemble_making, fine = plan->fine_times > 0;
     double parts = plan->side > 0 ? (plan->mirrored ? 5 : 1) + (plan->lambda_s_m > 0) : 0;
-    double leading = (double)plan->loads + made,
-           capped = plan->capped_loads > 0 ? (double)plan->capped_loads + made : 0;
-    double fine = plan->fine_times > 0 ? pow(2, 2.5) : 0, half = pow(2, -2.5) * parts;
-    return one * (leading * ((double)plan->seeds + fine + half) + capped * ((double)plan->fewer + fine + half));
+    double other = fine * pow(2, power) + parts * pow(2, -power), sum = 0;
+    for (int capped = 0; capped < 2; capped++) {
+        double loads = (double)(capped ? plan->capped_loads : plan->loads);
+        double surfaces = (double)(capped ? plan->fewer : plan->seeds);
+        sum += loads > 0 ? loads * (surfaces + other) + making * (surfaces + fine) : 0;
+    }
+    return one * sum;
 }
 
 /** One way to do it; `seeds` of a profile. */

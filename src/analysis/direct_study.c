@@ -150,8 +150,10 @@ static enum status_code run_models(struct maker *maker, struct status *status)
     if (!study->models)
         return status_memory(status);
     struct model_task ask = surface_model_task(task->surface, task->scene, task->plan, plan->load, plan->loads);
-    ask.spectrum = &study->rows;
+    ask.spectrum = &study->rows; /* of a surface whose waves all are known */
+    ask.levelled = false;
     ask.asperities = has_asperities ? &asperities : NULL;
+    ask.transfer = NULL; /* the map's own solution: what models are held against here */
     enum status_code rc = STATUS_OK;
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
         struct model_curve *curve = &study->models[m];

@@ -111,64 +111,88 @@ static void decide_convergence(struct plan *plan, const struct surface_record *s
              "sweeps, and the spectra of %zu of %zu surfaces carried on below what is known", carried_on, usable);
 }
 
-/** Runs where a surface has one scan, and records like it take little. */
+/** Runs where a surface has one scan. */
 static void decide_uncertainty(struct plan *plan, const struct surface_record *surfaces, size_t count)
 {
     struct plan_effect *effect = &plan->effects[EFFECT_UNCERTAINTY];
-    size_t single = 0, simulated = 0;
-    for (size_t i = 0; i < count; i++) {
+    size_t single = 0;
+    for (size_t i = 0; i < count; i++)
         single += surfaces[i].summary.usable && surfaces[i].summary.single_points > 0;
-        simulated += surfaces[i].summary.usable && surfaces[i].summary.simulates;
-    }
-    snprintf(effect->reason, sizeof effect->reason, "%zu surface%s with one scan that records can be simulated of%s",
-             single, single == 1 ? "" : "s",
-             single > simulated ? ", which would take over ten seconds: list the effect to have them" : "");
-    if (simulated == 0)
+    snprintf(effect->reason, sizeof effect->reason, "%zu surface%s with one scan that records can be simulated of",
+             single, single == 1 ? "" : "s");
+    if (single == 0)
         plan_switch_off(plan, EFFECT_UNCERTAINTY);
 }
 
 /** Of a point of a transform there and back, on one core of 2020. */
-static const double strip_seconds = 12e-9;
+static const double transform_seconds = 12e-9;
 
-/** Strips run where none of the surfaces that can have them is beyond its share of their budget. */
+/** Strips run where a surface has them. */
 static void decide_strips(struct plan *plan, const struct surface_record *surfaces, size_t count)
 {
-    double cost = 0;
-    size_t lacking = 0, dear = 0;
+    size_t has = 0, lacking = 0;
     uint64_t users = 0;
     for (size_t m = 0; m < model_count; m++)
         users |= model_rows[m]->uses_strip ? MODEL_BIT(m) : 0;
     for (size_t i = 0; i < count; i++) {
-        const struct surface_summary *summary = &surfaces[i].summary;
-        bool lacks = summary->usable && !summary->has_strips;
-        cost += summary->usable ? summary->strip_cost : 0;
-        dear += lacks && summary->strip_cost > 0;
-        lacking += lacks;
+        has += surfaces[i].summary.has_strips;
+        lacking += surfaces[i].summary.usable && !surfaces[i].summary.has_strips;
     }
-    if ((dear == 0 && lacking < count) || !(plan->models & users))
+    if (has > 0 || lacking == 0 || !(plan->models & users))
         return;
     plan->models &= ~users;
+    snprintf(plan->area_reason, sizeof plan->area_reason,
+             "every report has it; no strip transfer, as no surface has one");
+}
+
+/** The direct solution of maps leads where every surface has one; where some have it stands beside the model that all
+ * have. */
+static void decide_tiles(struct plan *plan, const struct surface_record *surfaces, size_t count)
+{
+    double cost = 0;
+    size_t maps = 0, dear = 0, lacking = 0;
+    uint64_t users = 0;
+    for (size_t m = 0; m < model_count; m++)
+        users |= model_rows[m]->uses_map ? MODEL_BIT(m) : 0;
+    for (size_t i = 0; i < count; i++) {
+        const struct surface_summary *summary = &surfaces[i].summary;
+        maps += summary->usable && summary->has_tiles;
+        lacking += summary->usable && !summary->has_tiles;
+        dear += summary->usable && !summary->has_tiles && summary->tile_cost > 0;
+        cost += summary->usable ? summary->tile_cost : 0;
+    }
+    users &= plan->models;
+    if (users == 0 || lacking == 0)
+        return;
+    if (maps > 0 && dear == 0)
+        plan->beside |= users;
+    else
+        plan->models &= ~users;
     if (dear > 0)
         snprintf(plan->area_reason, sizeof plan->area_reason,
-                 "every report has it; strips of the scans would take about %.2g s: name the model strip to have them",
-                 cost * strip_seconds);
-    else
+                 "every report has it; direct solutions of the maps would take about %.2g s: name the model direct to "
+                 "have them",
+                 cost * transform_seconds);
+    else if (maps > 0)
         snprintf(plan->area_reason, sizeof plan->area_reason,
-                 "every report has it; no strip transfer, as no surface has one");
+                 "every report has it; as %zu of the surfaces %s no map, direct solutions of the maps do not lead",
+                 lacking, lacking == 1 ? "is" : "are");
 }
 
 void effects_decide(struct plan *plan, const struct scene *scene, const struct surface_record *surfaces, size_t count)
 {
     decide_strips(plan, surfaces, count);
+    decide_tiles(plan, surfaces, count);
     if (!scene->effects_auto || plan->decided)
         return;
-    if (plan_runs(plan, EFFECT_PLASTICITY))
+    unsigned open = plan->running & ~scene->effects; /* what is listed runs whatever it changes */
+    if (open & EFFECT_BIT(EFFECT_PLASTICITY))
         decide_plasticity(plan, scene, surfaces, count);
-    if (plan_runs(plan, EFFECT_SCALE_DEPENDENT))
+    if (open & EFFECT_BIT(EFFECT_SCALE_DEPENDENT))
         decide_scale_dependence(plan, surfaces, count, scene->tolerance);
-    if (plan_runs(plan, EFFECT_CONVERGENCE))
+    if (open & EFFECT_BIT(EFFECT_CONVERGENCE))
         decide_convergence(plan, surfaces, count);
-    if (plan_runs(plan, EFFECT_UNCERTAINTY))
+    if (open & EFFECT_BIT(EFFECT_UNCERTAINTY))
         decide_uncertainty(plan, surfaces, count);
 }
 
@@ -199,8 +223,8 @@ void effects_account(struct effects_row rows[EFFECTS_ROWS], const struct plan *p
     for (size_t i = 0; i < count; i++) {
         const struct surface_summary *summary = &surfaces[i].summary;
         add_models(&rows[0], &rows[1 + EFFECT_PLASTICITY], summary);
-        rows[0].evaluations += summary->strip_transforms;
-        rows[0].seconds += summary->times.strips;
+        rows[0].evaluations += summary->strip_transforms + summary->tile_transforms;
+        rows[0].seconds += summary->times.strips + summary->times.tiles;
         convergence->seconds += summary->times.convergence;
         uncertainty->evaluations += summary->simulated_evaluations;
         uncertainty->seconds += summary->times.uncertainty;
@@ -215,7 +239,7 @@ static const double report_seconds = 0.25, surface_seconds = 1e-3, point_seconds
 double effects_rough_seconds(const struct plan *plan, const struct surface_record *surfaces, size_t count,
                              size_t load_count, double direct_seconds, size_t threads)
 {
-    double sum = direct_seconds, longest = 0; /* a surface's strips are solved one after the other */
+    double sum = direct_seconds, longest = 0; /* what a surface is solved by is one after the other */
     size_t models = 0;
     for (size_t m = 0; m < model_count; m++)
         models += plan_runs_model(plan, m);
@@ -224,13 +248,15 @@ double effects_rough_seconds(const struct plan *plan, const struct surface_recor
         double points = (double)summary->points * (double)summary->scans;
         sum += surface_seconds + points * point_seconds +
                (double)(models * load_count) * fmax(1, (double)summary->scans) * load_seconds;
-        double strips = summary->has_strips ? summary->strip_cost * strip_seconds : 0;
+        double strips = (summary->has_strips ? summary->strip_cost : 0) + (summary->has_tiles ? summary->tile_cost : 0);
+        strips *= transform_seconds;
         sum += strips;
         if (plan_runs(plan, EFFECT_UNLOADING)) /* two branches of its shares in one strip */
-            sum += summary->strip_cost * strip_seconds * 2 * UNLOADING_SHARES / (STRIP_LOADS * (1 + STRIP_SURROGATES));
+            sum +=
+                summary->strip_cost * transform_seconds * 2 * UNLOADING_SHARES / (STRIP_LOADS * (1 + STRIP_SURROGATES));
         longest = fmax(longest, strips);
-        if (summary->simulates)
-            sum += uncertainty_seconds(summary->points);
+        if (plan_runs(plan, EFFECT_UNCERTAINTY) && summary->single_points > 0)
+            sum += uncertainty_seconds(summary->single_points);
     }
     return report_seconds + fmax(sum / (double)threads, longest);
 }

@@ -2,19 +2,32 @@
 #include "analysis/ensemble.h"
 
 #include "profile/record_window.h"
+#include "spectrum/grid.h"
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
+void solved_strip_free(struct solved_strip *solved)
+{
+    if (solved)
+        bearing_free(&solved->bearing);
+    free(solved);
+}
+
+static void member_free(struct member *member)
+{
+    spectrum_free(&member->spectrum);
+    free(member->height_m);
+    solved_strip_free(member->strip);
+    *member = (struct member){.strip = NULL};
+}
+
 void ensemble_free(struct ensemble *set)
 {
-    for (size_t p = 0; p < set->count; p++) {
-        spectrum_free(&set->members[p].spectrum);
-        free(set->members[p].height_m);
-        free(set->members[p].strip);
-    }
+    for (size_t p = 0; p < set->count; p++)
+        member_free(&set->members[p]);
     free(set->members);
     free(set->scans);
     *set = (struct ensemble){0};
@@ -32,6 +45,19 @@ struct member *ensemble_room(struct ensemble *set)
     }
     set->members[set->count] = (struct member){0};
     return &set->members[set->count++];
+}
+
+static size_t place_of(const struct ensemble *set, size_t p)
+{
+    return set->members[p].is_row ? p : set->members[p].scan;
+}
+
+size_t ensemble_partner(const struct ensemble *set, size_t p, const struct ensemble *other)
+{
+    size_t q = 0;
+    while (q < other->count && place_of(other, q) != place_of(set, p))
+        q++;
+    return q;
 }
 
 struct record_conditioning record_conditioning_of(const struct scene *scene, bool periodic)
@@ -78,12 +104,36 @@ enum status_code ensemble_add(struct ensemble *set, size_t scan, const double *h
     return rc;
 }
 
+enum status_code ensemble_pair(struct ensemble *set, const struct ensemble *other, struct status *status)
+{
+    size_t kept = 0;
+    for (size_t p = 0; p < set->count; p++) {
+        size_t q = ensemble_partner(set, p, other);
+        struct member member = set->members[p];
+        if (q == other->count) {
+            member_free(&set->members[p]);
+            continue;
+        }
+        set->members[p] = (struct member){.strip = NULL};
+        roughness_add(&member.roughness, &other->members[q].roughness);
+        set->members[kept] = member;
+        if (grid_add(&set->members[kept++].spectrum, &other->members[q].spectrum, status) != STATUS_OK)
+            return status->code;
+    }
+    set->count = kept;
+    return STATUS_OK;
+}
+
 struct model_task member_task(struct asperities *asperities, const struct member *member, const struct model_task *task)
 {
     struct model_task own = *task;
     struct status none = {0};
     own.spectrum = &member->spectrum;
-    own.strip = member->strip ? member->strip : task->strip;
+    if (member->strip) {
+        own.rows = &member->strip->rows;
+        own.strip = &member->strip->strip;
+        own.bearing = &member->strip->bearing;
+    }
     own.asperities = roughness_asperities(asperities, &member->roughness, &none) == STATUS_OK ? asperities : NULL;
     return own;
 }
@@ -91,28 +141,21 @@ struct model_task member_task(struct asperities *asperities, const struct member
 enum status_code ensemble_estimate(struct estimate *out, const struct ensemble *set, const double *value,
                                    const size_t *scan, size_t count, bool logarithmic, struct status *status)
 {
-    enum status_code rc;
-    if (count > 1 && set->scan_count == 1) {
-        rc = estimate_make(out, value, NULL, count, true, logarithmic, status);
-    } else {
-        double *mean = malloc(2 * (count + 1) * sizeof *mean);
-        size_t scans = 0;
-        if (!mean)
-            return status_memory(status);
-        double *weight = mean + count;
-        for (size_t i = 0, end; i < count; i = end, scans++) {
-            double sum = 0, first = logarithmic ? log(value[i]) : value[i];
-            for (end = i; end < count && scan[end] == scan[i]; end++)
-                sum += (logarithmic ? log(value[end]) : value[end]) - first;
-            double own = first + sum / (double)(end - i); /* equal values have this very mean */
-            mean[scans] = end == i + 1 ? value[i] : logarithmic ? exp(own) : own;
-            weight[scans] = set->scans[scan[i]].weight;
-        }
-        rc = estimate_make(out, mean, weight, scans, false, logarithmic, status);
-        free(mean);
+    double *mean = malloc(2 * (count + 1) * sizeof *mean);
+    size_t scans = 0;
+    if (!mean)
+        return status_memory(status);
+    double *weight = mean + count;
+    for (size_t i = 0, end; i < count; i = end, scans++) {
+        double sum = 0, first = logarithmic ? log(value[i]) : value[i];
+        for (end = i; end < count && scan[end] == scan[i]; end++)
+            sum += (logarithmic ? log(value[end]) : value[end]) - first;
+        double own = first + sum / (double)(end - i); /* equal values have this very mean */
+        mean[scans] = end == i + 1 ? value[i] : logarithmic ? exp(own) : own;
+        weight[scans] = set->scans[scan[i]].weight;
     }
-    if (set->no_intervals)
-        out->s = out->sd = out->half_width = out->next_half_width = NAN;
+    enum status_code rc = estimate_make(out, mean, weight, scans, logarithmic, status);
+    free(mean);
     return rc;
 }
 
@@ -126,9 +169,10 @@ void ensemble_curves_free(struct ensemble_curves *curves)
 }
 
 enum status_code ensemble_run(struct ensemble_curves *out, const struct ensemble *set, const struct model_row *model,
-                              const struct model_task *task, struct status *status)
+                              const struct model_task *task, const struct joint_task *joint, struct status *status)
 {
     size_t all = set->count, room = task->load_count + 1;
+    struct joint_task between = joint ? *joint : (struct joint_task){.pair = task->pair};
     *out = (struct ensemble_curves){.curves = calloc(all, sizeof *out->curves),
                                     .points = calloc(all * room, sizeof *out->points),
                                     .scan = calloc(all, sizeof *out->scan),
@@ -139,15 +183,20 @@ enum status_code ensemble_run(struct ensemble_curves *out, const struct ensemble
     for (size_t p = 0; p < all; p++) {
         struct asperities asperities;
         struct model_task alone = member_task(&asperities, &set->members[p], task);
+        if (set->solved_alone && model->uses_strip && !set->members[p].strip)
+            continue;
         struct model_curve *own = &out->curves[out->count];
         *own = (struct model_curve){.points = out->points + out->count * room};
         out->scan[out->count] = set->members[p].scan;
         out->sigma_m[out->count] = sqrt(set->members[p].roughness.m0_m2);
-        if (model_run(own, model, &alone, status) != STATUS_OK)
+        between.sigma_m = out->sigma_m[out->count];
+        if (model_run(own, model, &alone, status) != STATUS_OK ||
+            joint_curve(own, model, &alone, &between, status) != STATUS_OK)
             return status->code;
         out->evaluations += own->evaluations;
         out->overflows = out->overflows || own->overflows;
         out->count += own->exists;
+        out->left_out += !own->exists;
     }
     return STATUS_OK;
 }
@@ -167,7 +216,7 @@ struct ensemble_band *ensemble_band_make(const double *loads, size_t count)
 bool ensemble_band_holds(enum quantity quantity)
 {
     return quantity == QUANTITY_AREA || quantity == QUANTITY_SEPARATION || quantity == QUANTITY_ECR ||
-           quantity == QUANTITY_TCR;
+           quantity == QUANTITY_TCR || (quantity_rows[quantity].from && quantity != QUANTITY_TEMPERATURE);
 }
 
 /** The mean of what is in curves->value. Where nothing is left of a positive quantity in any of them, that is it. */
@@ -212,14 +261,14 @@ static enum status_code mean_point(struct contact_point *out, struct estimate *e
         bool logarithmic = row->logarithmic || q == (int)model_shown(model, QUANTITY_SEPARATION);
         double mean = NAN;
         *estimate = estimate_none;
-        if (row->from) /* of the mean curve: joint_apply() */
-            continue;
+        if (row->from && isnan(point_of(curves, 0, at)->value[q]))
+            continue; /* not asked, or not known */
         for (size_t r = 0; r < curves->count; r++)
             curves->value[r] = point_of(curves, r, at)->value[q] / (row->sigma_column ? curves->sigma_m[r] : 1);
         if (mean_of(&mean, estimate, curves, set, logarithmic, status) != STATUS_OK)
             return status->code;
         estimate->share = q == QUANTITY_AREA;
-        out->value[q] = mean * (row->sigma_column ? set->sigma_m : 1);
+        out->value[q] = row->from ? NAN : mean * (row->sigma_column ? set->sigma_m : 1); /* joint_apply() fills it */
     }
     for (size_t r = 0; r < curves->count; r++)
         curves->value[r] = point_of(curves, r, at)->beyond_fit;
@@ -274,6 +323,22 @@ static void join(struct contact_point *point, struct estimate *estimates, const 
     }
 }
 
+void ensemble_settle(struct estimate estimates[QUANTITY_COUNT], const struct contact_point *point,
+                     const struct model_row *model, const struct joint_task *joint, double longest_waves)
+{
+    double sd[QUANTITY_COUNT], pressure_Pa = material_pair_pressure(joint->pair, point->value[QUANTITY_LOAD]);
+    joint_model_sd(sd, point, model, joint, longest_waves);
+    for (int q = 0; q < QUANTITY_COUNT; q++) {
+        estimates[q].model_sd = sd[q];
+        if (quantity_rows[q].from && point->value[q] > 0)
+            estimates[q].mean = log(point->value[q]);
+        else if (quantity_rows[q].from)
+            estimates[q] = estimate_none;
+    }
+    if (model_area_is_pressed(model, point, pressure_Pa / joint->pair->hardness_Pa))
+        estimates[QUANTITY_AREA].half_width = estimates[QUANTITY_AREA].next_half_width = NAN;
+}
+
 /** joined: the curve of all rows in one strip, NULL for a model that uses none. */
 static enum status_code mean_curve(struct model_curve *curve, struct ensemble_result *result,
                                    const struct ensemble_curves *curves, const struct ensemble *set,
@@ -281,6 +346,7 @@ static enum status_code mean_curve(struct model_curve *curve, struct ensemble_re
                                    const struct model_curve *joined, struct status *status)
 {
     struct estimate estimates[QUANTITY_COUNT];
+    const struct joint_task bare = {.pair = task->pair}, *joint = result->joint ? result->joint : &bare;
     double share = set->scan_count > 1 ? 0.5 : 1, waves = model_task_longest_waves(task);
     size_t full = offsetof(struct model_curve, full_load), beta = offsetof(struct model_curve, beta);
     estimates[QUANTITY_LOAD] = estimate_none;
@@ -299,8 +365,11 @@ static enum status_code mean_curve(struct model_curve *curve, struct ensemble_re
         point->value[QUANTITY_LOAD] = task->loads[i];
         if (joined)
             join(point, estimates, &joined->points[i], share);
-        for (int q = 0; q < QUANTITY_COUNT; q++)
-            estimates[q].model_sd = model_surface_sd(model, (enum quantity)q, waves);
+        const struct model_task here = model_task_at(task, &task->loads[i], 1);
+        struct model_curve alone = {.exists = true, .points = point, .count = 1};
+        if (joint_curve(&alone, model, &here, joint, status) != STATUS_OK)
+            return status->code;
+        ensemble_settle(estimates, point, model, joint, waves);
         if (result->band)
             fill_band(&result->band[i], estimates, model);
         for (int q = 0; q < QUANTITY_COUNT && i == model_task_operating(task); q++)
@@ -316,17 +385,18 @@ enum status_code ensemble_curve(struct model_curve *curve, struct ensemble_resul
 {
     struct ensemble_result unused = {.band = NULL};
     struct ensemble_curves curves;
-    if (set->count <= 1)
+    if (set->count <= 1 || model->uses_map)
         return model_run(curve, model, task, status);
     result = result ? result : &unused;
     for (int q = 0; q < CURVE_ESTIMATES; q++)
         result->estimates[q] = estimate_none;
-    enum status_code rc = ensemble_run(&curves, set, model, task, status);
+    enum status_code rc = ensemble_run(&curves, set, model, task, result->joint, status);
     curve->evaluations = curves.evaluations;
     curve->overflows = curves.overflows;
     for (size_t r = 0; rc == STATUS_OK && r < curves.count; r++)
         curve->clamped += curves.curves[r].clamped;
-    result->left_out = set->count - curves.count;
+    result->scans = curves.count;
+    result->left_out = curves.left_out;
     struct model_curve joined = {.points = malloc((task->load_count + 1) * sizeof *joined.points)};
     if (rc == STATUS_OK && !joined.points)
         rc = status_memory(status);

@@ -6,7 +6,6 @@
 #include <stdlib.h>
 
 const double estimate_level = 0.95;
-static const double normal_95 = 1.96; /* standard deviations of a normal error */
 const struct estimate estimate_none = ESTIMATE_NONE;
 
 /** The value, or its logarithm; NaN where there is none. */
@@ -50,7 +49,7 @@ static struct estimate alone(double value, bool logarithmic)
     return out;
 }
 
-enum status_code estimate_make(struct estimate *out, const double *value, const double *weight, size_t count, bool rows,
+enum status_code estimate_make(struct estimate *out, const double *value, const double *weight, size_t count,
                                bool logarithmic, struct status *status)
 {
     struct interval interval;
@@ -64,37 +63,25 @@ enum status_code estimate_make(struct estimate *out, const double *value, const 
         own[i] = scaled(value[i], logarithmic);
         known = known && !isnan(own[i]);
     }
-    size_t parts = rows && count > ESTIMATE_BLOCKS ? ESTIMATE_BLOCKS : count;
-    for (size_t b = 0; b < parts && parts < count; b++) {
-        size_t first = b * count / parts, end = (b + 1) * count / parts;
-        double base = own[first], mean = 0;
-        for (size_t i = first; i < end; i++)
-            mean += (own[i] - base) / (double)(end - first);
-        own[b] = mean + base; /* equal rows have this very mean */
-    }
     enum status_code rc = STATUS_OK;
-    if (known && parts == 1) {
+    if (known && count == 1) {
         *out = alone(own[0], logarithmic);
     } else if (known) {
-        rc = rows ? interval_rows(&interval, own, parts, estimate_level, status)
-                  : interval_scans(&interval, own, weight, parts, estimate_level, status);
+        rc = interval_scans(&interval, own, weight, count, estimate_level, status);
         *out = rc == STATUS_OK ? from_interval(&interval, logarithmic) : *out;
     }
-    if (rows)
-        out->next_half_width = NAN; /* another row is no other scan */
     free(own);
     return rc;
 }
 
-struct estimate estimate_single(double value, const struct single_scan *single, bool logarithmic)
+struct estimate estimate_of_error(double value, double s, double degrees)
 {
-    struct estimate out = alone(scaled(value, logarithmic), logarithmic);
+    struct estimate out = alone(scaled(value, true), true);
     if (isnan(out.mean))
         return estimate_none;
-    out.sd = out.s = single->s;
-    out.degrees = 0;
-    out.half_width = bounded(out.mean, single->half_width, logarithmic);
-    out.heterogeneous = single->heterogeneous;
+    out.sd = out.s = s;
+    out.degrees = degrees;
+    out.half_width = bounded(out.mean, interval_quantile(estimate_level, degrees) * s, true);
     return out;
 }
 
@@ -113,7 +100,10 @@ static double end(const struct estimate *estimate, double half_width, int side)
 {
     if (!estimate_has_width(estimate, half_width))
         return NAN;
-    half_width = hypot(half_width, normal_95 * estimate->model_sd);
+    if (estimate->model_sd > 0) {
+        double s = estimate->s * (half_width / estimate->half_width), both = hypot(s, estimate->model_sd);
+        half_width = interval_quantile(estimate_level, estimate->degrees * pow(both / s, 4)) * both;
+    }
     double value = estimate->mean + (side ? half_width : -half_width);
     value = estimate->logarithmic ? exp(value) : value;
     return estimate->share ? fmin(value, 1) : value;

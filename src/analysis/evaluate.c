@@ -66,22 +66,27 @@ static enum status_code try_law(struct surface_record *record, const struct mode
 
 /** What simulated records say of how far another place of a surface with one scan may answer. */
 static enum status_code run_uncertainty(struct surface_record *record, const struct scene *scene,
-                                        const struct plan *plan, const struct model_task *task, struct status *status)
+                                        const struct plan *plan, const struct model_task *task, const atomic_bool *stop,
+                                        struct status *status)
 {
     struct surface_summary *summary = &record->summary;
     struct model_task counted = *task;
     counted.evaluations = &summary->simulated_evaluations;
-    double started = clock_seconds();
-    const struct uncertainty_scan scan = {record->height_m, summary->single_points,
-                                          summary->spacing_m / surface_kappa(summary),
-                                          record_conditioning_of(scene, false), &counted};
+    double started = clock_seconds(), waves = model_task_longest_waves(task);
+    const struct joint_task joint = surface_joint(record, scene, plan, task);
+    const struct surface_record *const bodies[] = {record, record->counterface};
+    struct uncertainty_scan scan = {
+        .how = record_conditioning_of(scene, false), .task = &counted, .joint = &joint, .stop = stop};
+    for (size_t k = 0; k < 2 && bodies[k]; k++)
+        scan.body[k] = (struct uncertainty_body){bodies[k]->height_m, bodies[k]->summary.single_points,
+                                                 bodies[k]->summary.spacing_m / surface_kappa(summary)};
     struct uncertainty *all = calloc(model_count, sizeof *all);
     if (!all)
         return status_memory(status);
     struct status problem = {0};
     enum status_code rc = uncertainty_run(all, &scan, plan, &problem);
-    if (rc == STATUS_MEMORY)
-        (void)status_memory(status);
+    if (rc != STATUS_OK && rc != STATUS_SCAN)
+        (void)status_fail(status, rc, "%s", problem.message);
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
         const struct model_curve *curve = &record->curves[m];
         if (!curve->exists || !uncertainty_holds(plan, m))
@@ -97,14 +102,16 @@ static enum status_code run_uncertainty(struct surface_record *record, const str
             const struct contact_point *point = &curve->points[i];
             if (point->value[QUANTITY_LOAD] != record->bands[m][i].load)
                 break; /* a statistical curve closes at a load of its own */
-            for (int q = 0; q < QUANTITY_COUNT; q++) {
-                struct estimate own =
+            struct estimate own[QUANTITY_COUNT];
+            for (int q = 0; q < QUANTITY_COUNT; q++)
+                own[q] =
                     uncertainty_estimate(&all[m], model_rows[m], (enum quantity)q, point, summary->asperities.sigma_m);
+            ensemble_settle(own, point, model_rows[m], &joint, waves);
+            for (int q = 0; q < QUANTITY_COUNT; q++)
                 for (int side = 0; side < 2; side++)
-                    record->bands[m][i].mean[q][side] = estimate_end(&own, side);
-                if (i == model_task_operating(task))
-                    estimates[q] = own;
-            }
+                    record->bands[m][i].mean[q][side] = estimate_end(&own[q], side);
+            if (i == model_task_operating(task))
+                memcpy(estimates, own, sizeof own);
         }
         rc = curve_summary_put_estimates(summary->models[m], estimates, status);
     }
@@ -145,6 +152,37 @@ static void note_model(struct surface_record *record, size_t m, size_t left_out)
                  model_rows[m]->label);
 }
 
+enum { MAP_DEGREES = 4 /* of freedom of its standard errors: they are of four quarters, about */ };
+
+/** The interval of a map's direct solution, by its standard errors. */
+static enum status_code put_map_errors(struct surface_record *record, size_t m, const struct model_task *task,
+                                       struct status *status)
+{
+    static const int which[QUANTITY_COUNT] = {
+        [QUANTITY_AREA] = 1, [QUANTITY_SEPARATION] = 2, [QUANTITY_ECR] = 3, [QUANTITY_TCR] = 3};
+    static const double carried[] = {0.02, 0.015, 0.033}; /* rms of ln between the loads solved: eight synthetic maps */
+    struct estimate estimates[CURVE_ESTIMATES];
+    const struct model_curve *curve = &record->curves[m];
+    for (int k = 0; k < CURVE_ESTIMATES; k++)
+        estimates[k] = estimate_none;
+    if (!(record->bands[m] = ensemble_band_make(task->loads, task->load_count)))
+        return status_memory(status);
+    for (size_t i = 0; i < curve->count; i++)
+        for (int q = 0; q < QUANTITY_COUNT; q++) {
+            if (which[q] == 0)
+                continue;
+            double value = quantity_shown(&curve->points[i], (enum quantity)q, record->summary.asperities.sigma_m);
+            double s = transfer_error(task->transfer, model_rows[m]->plastic, which[q] - 1, task->loads[i]);
+            struct estimate own = estimate_of_error(value, hypot(s, carried[which[q] - 1]), MAP_DEGREES);
+            own.share = q == QUANTITY_AREA;
+            for (int side = 0; side < 2; side++)
+                record->bands[m][i].mean[q][side] = estimate_end(&own, side);
+            if (i == model_task_operating(task))
+                estimates[q] = own;
+        }
+    return curve_summary_put_estimates(record->summary.models[m], estimates, status);
+}
+
 /** One model: its curve, or the mean of its scans' curves; what lies in the joint; where it bends; what it hangs on. */
 static enum status_code run_model(struct surface_record *record, size_t m, const struct scene *scene,
                                   const struct plan *plan, const struct model_task *task, struct status *status)
@@ -155,14 +193,14 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     if (!curve->points)
         return status_memory(status);
     double started = clock_seconds();
-    bool several = record->ensemble.count > 1;
+    bool several = record->ensemble.scan_count > 1 && !model_rows[m]->uses_map;
     if (several && !(record->bands[m] = ensemble_band_make(task->loads, task->load_count)))
         return status_memory(status);
-    struct ensemble_result result = {.band = record->bands[m]};
+    const struct joint_task joint = surface_joint(record, scene, plan, task);
+    struct ensemble_result result = {.joint = &joint, .band = record->bands[m]};
     if (ensemble_curve(curve, &result, &record->ensemble, model_rows[m], task, status) != STATUS_OK)
         return status->code;
-    curve->kink.wavelength_m *= surface_kappa(&record->summary); /* as the scans have it */
-    const struct joint_task joint = surface_joint(record, scene, plan, task);
+    curve->kink.wavelength_m *= surface_kappa(&record->summary);              /* as the scans have it */
     if (joint_curve(curve, model_rows[m], task, &joint, status) != STATUS_OK) /* of several scans, the mean curve's */
         return status->code;
     if (curve->exists)
@@ -173,11 +211,13 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
         sensitivity_run(&model->sensitivity, &record->sensitivity, model_rows[m], &middle, status) != STATUS_OK)
         return status->code;
     model->seconds = clock_seconds() - started;
-    if (several && record->ensemble.count - result.left_out < 2) { /* one scan alone says nothing of others */
+    if (several && result.scans < 2) { /* one scan alone says nothing of others */
         free(record->bands[m]);
         record->bands[m] = NULL;
     }
     note_model(record, m, result.left_out);
+    if (model_rows[m]->uses_map && curve->exists)
+        return put_map_errors(record, m, task, status);
     return STATUS_OK;
 }
 
@@ -223,26 +263,60 @@ static enum status_code make_model_room(struct surface_record *record, const str
     return STATUS_OK;
 }
 
-/** Solves the strips that running models use, as far as the report's budget for them goes. */
-static enum status_code solve_strips(struct surface_record *record, const struct scene *scene, const struct plan *plan,
-                                     const atomic_bool *stop, struct status *status)
+/** Solves the strips that running models use. */
+static enum status_code solve_strips(struct surface_record *record, const struct plan *plan, const atomic_bool *stop,
+                                     struct status *status)
 {
+    struct surface_summary *summary = &record->summary;
+    struct ensemble *set = &record->ensemble;
+    struct strips *strips = &record->strips;
     double started = clock_seconds();
     bool used = false;
     for (size_t m = 0; m < model_count; m++)
         used = used || (plan_runs_model(plan, m) && model_rows[m]->uses_strip);
-    size_t surrogates = used ? strips_surrogates(&record->strips, scene) : 0;
-    if (surrogates == 0)
+    if (!used || strips->rows.rows == 0)
         return STATUS_OK;
-    enum status_code rc = strips_solve(&record->strips, &record->ensemble, surrogates, stop, status);
-    record->summary.has_strips = record->strips.joined != NULL;
-    if (rc == STATUS_OK && !record->strips.joined) {
-        record->summary.strip_cost = 0; /* more of it would not help */
-        note_add(&record->summary.notes, NULL, "no strip transfer: %s", record->strips.problem.message);
+    enum status_code rc = strips_solve(strips, stop, status);
+    if (rc == STATUS_OK && set->scan_count > 1)
+        rc = strips_solve_members(strips, set, stop, status);
+    summary->has_strips = strips->joined;
+    for (size_t p = 0; p < set->count; p++) {
+        summary->has_strips = summary->has_strips || set->members[p].strip;
+        summary->strip_unsolved[1] += set->solved_alone && set->members[p].pieces > 0 && !set->members[p].strip;
     }
-    record->summary.strip_transforms = record->strips.transforms;
-    record->summary.times.strips = clock_seconds() - started;
+    if (rc == STATUS_OK && !summary->has_strips)
+        note_add(&summary->notes, NULL, "no strip transfer: %s", strips->problem.message);
+    summary->strip_unsolved[0] = strips->unsolved;
+    summary->strip_transforms = strips->transforms;
+    summary->times.strips = clock_seconds() - started;
     return rc;
+}
+
+/** Solves the map that running models use. Where it has no answer the effects are decided once more. */
+static enum status_code solve_tiles(struct surface_record *record, const struct scene *scene, struct plan *plan,
+                                    const atomic_bool *stop, struct status *status)
+{
+    struct surface_summary *summary = &record->summary;
+    struct tiles *tiles = &record->tiles;
+    double started = clock_seconds(), hardness = INFINITY;
+    bool used = false;
+    for (size_t m = 0; m < model_count; m++)
+        used = used || (plan_runs_model(plan, m) && model_rows[m]->uses_map);
+    if (!used || !summary->has_tiles)
+        return STATUS_OK;
+    if (plan_runs(plan, EFFECT_PLASTICITY) && summary->pair.hardness_Pa > 0)
+        hardness = summary->pair.hardness_Pa / summary->pair.effective_modulus_Pa;
+    if (tiles_solve(tiles, hardness, stop, status) != STATUS_OK)
+        return status->code;
+    summary->has_tiles = tiles->transfer != NULL;
+    summary->tile_transforms = tiles->transforms;
+    summary->times.tiles = clock_seconds() - started;
+    if (summary->has_tiles)
+        return STATUS_OK;
+    summary->tile_cost = 0; /* more of it would not help */
+    note_add(&summary->notes, NULL, "no direct solution of the map: %s", tiles->problem.message);
+    effects_decide(plan, scene, record, 1);
+    return STATUS_OK;
 }
 
 /** What is to be known of the joint beside its numbers. */
@@ -270,7 +344,7 @@ static void note_joint(struct surface_record *record, const struct scene *scene,
 }
 
 enum status_code evaluate_models(struct surface_record *record, const struct scene *scene, const struct plan *plan,
-                                 const double *loads, size_t load_count, struct status *status)
+                                 const double *loads, size_t load_count, const atomic_bool *stop, struct status *status)
 {
     struct model_task task = surface_model_task(record, scene, plan, loads, load_count);
     if (make_model_room(record, plan, load_count, status) != STATUS_OK)
@@ -288,7 +362,7 @@ enum status_code evaluate_models(struct surface_record *record, const struct sce
         run_perfect_lay(record, leading, &task, status) != STATUS_OK)
         return status->code;
     if (plan_runs(plan, EFFECT_UNCERTAINTY) && record->height_m &&
-        run_uncertainty(record, scene, plan, &task, status) != STATUS_OK)
+        run_uncertainty(record, scene, plan, &task, stop, status) != STATUS_OK)
         return status->code;
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs(plan, EFFECT_SEPARATION) && plan_runs_model(plan, m) &&
@@ -319,11 +393,16 @@ static enum status_code unload(struct surface_unloading *out, const struct surfa
     if (curve.count < count)
         return status_fail(status, STATUS_MODEL, "the curve of %s ends below unload_from",
                            model_rows[out->model]->label);
+    for (int q = QUANTITY_AREA; q < QUANTITY_COUNT; q++) {
+        double up[UNLOADING_SHARES];
+        for (size_t i = 0; i < count; i++)
+            up[i] = points[count - 1 - i].value[q];
+        unloading_bound(&out->ratio, (enum quantity)q, up);
+    }
     for (size_t i = 0; i < count; i++) {
         out->points[i] = points[i];
         for (int q = QUANTITY_AREA; q < QUANTITY_COUNT; q++)
             out->points[i].value[q] *= unloading_factor(&out->ratio, (enum quantity)q, loads[i] / out->largest_load);
-        out->points[i].value[QUANTITY_AREA] = fmin(out->points[i].value[QUANTITY_AREA], 1);
     }
     return STATUS_OK;
 }
@@ -376,14 +455,16 @@ static enum status_code evaluate(struct surface_record *out, const struct evalua
         return status->code;
     effects_decide(&plan, scene, out, 1);
     out->summary.running = plan.running;
-    if (plan_runs(&plan, EFFECT_DIRECT) &&
+    if ((task->describe_only || plan_runs(&plan, EFFECT_DIRECT)) &&
         direct_study_plan(out, scene, &plan, task->loads, task->load_count, status) != STATUS_OK)
         return status->code;
     if (task->describe_only)
         return STATUS_OK;
-    enum status_code rc = solve_strips(out, scene, &plan, task->stop, status);
+    enum status_code rc = solve_tiles(out, scene, &plan, task->stop, status);
     if (rc == STATUS_OK)
-        rc = evaluate_models(out, scene, &plan, task->loads, task->load_count, status);
+        rc = solve_strips(out, &plan, task->stop, status);
+    if (rc == STATUS_OK)
+        rc = evaluate_models(out, scene, &plan, task->loads, task->load_count, task->stop, status);
     if (rc == STATUS_OK && plan_runs(&plan, EFFECT_UNLOADING))
         rc = run_unloading(out, task, &plan, status);
     if (!task->keep_scans)

@@ -26,8 +26,9 @@ struct evaluate_task {
 MUST_CHECK enum status_code evaluate_surface(struct surface_record *out, const struct evaluate_task *task,
                                              struct status *status);
 
-/** Runs the models that `plan` calls for on a described surface, one after another. Error: STATUS_MEMORY. */
+/** Runs the models that `plan` calls for on a described surface, one after another. Errors: STATUS_INTERRUPTED,
+ * STATUS_MEMORY. */
 MUST_CHECK enum status_code evaluate_models(struct surface_record *record, const struct scene *scene,
                                             const struct plan *plan, const double *loads, size_t load_count,
-                                            struct status *status);
+                                            const atomic_bool *stop, struct status *status);
 #endif

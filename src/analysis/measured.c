@@ -263,7 +263,7 @@ enum status_code measured_fit(struct measured_answers *out, const struct measure
     }
     out->fitted = m;
     enum status_code rc =
-        estimate_make(&out->fit, runs > 1 ? mean : ratio, NULL, runs > 1 ? runs : points, false, true, status);
+        estimate_make(&out->fit, runs > 1 ? mean : ratio, NULL, runs > 1 ? runs : points, true, status);
     free(ratio);
     return rc;
 }

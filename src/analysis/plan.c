@@ -90,7 +90,7 @@ void plan_make(struct plan *out, const struct scene *scene)
 {
     *out = (struct plan){
         .models = scene->models,
-        .all_uncertain = !scene->effects_auto,
+        .all_uncertain = scene->effects & EFFECT_BIT(EFFECT_UNCERTAINTY),
         .area_reason = "every report has it",
     };
     for (int e = 0; e < EFFECT_COUNT; e++)
@@ -132,12 +132,17 @@ bool plan_uses_asperities(const struct plan *plan)
     return false;
 }
 
+bool plan_may_lead(const struct plan *plan, size_t m)
+{
+    return plan_runs_model(plan, m) && !(plan->beside & MODEL_BIT(m));
+}
+
 size_t plan_leading_model(const struct plan *plan)
 {
     size_t leading = 0;
     int most = -1;
     for (size_t m = 0; m < model_count; m++)
-        if (plan_runs_model(plan, m) && model_rows[m]->precedence > most) {
+        if (plan_may_lead(plan, m) && model_rows[m]->precedence > most) {
             most = model_rows[m]->precedence;
             leading = m;
         }

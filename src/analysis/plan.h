@@ -15,6 +15,7 @@ struct plan {
     unsigned running;       /* EFFECT_BITs of those that run */
     unsigned wanted;        /* QUANTITY_BITs that follow */
     uint64_t models;        /* MODEL_BITs asked for; a plastic one runs only with plasticity */
+    uint64_t beside;        /* those that some surfaces alone have an answer by: they do not lead */
     bool decided;           /* nothing is left to `auto`: effects run on every surface */
     bool all_uncertain;     /* the effect uncertainty was listed: of all models; else of the leading one alone */
     size_t operating_place; /* as in struct model_task */
@@ -31,7 +32,9 @@ void plan_switch_off(struct plan *plan, enum effect effect);
 
 /** Does model `m` of the table run? */
 bool plan_runs_model(const struct plan *plan, size_t m);
-/** The model that the summary speaks of: the running one of the greatest precedence. */
+/** Does it, and may the summary speak of it? */
+bool plan_may_lead(const struct plan *plan, size_t m);
+/** The model that the summary speaks of: of those that may lead the one of the greatest precedence. */
 size_t plan_leading_model(const struct plan *plan);
 /** QUANTITY_BITs that the effects call for and some running model computes. */
 unsigned plan_quantities(const struct plan *plan);

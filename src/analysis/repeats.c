@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/repeats.h"
 
+#include "analysis/strips.h"
 #include "spectrum/grid.h"
 #include "statistics/interval.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum { ROWS_MOST = 128, BLOCK_ROWS = ROWS_MOST / ESTIMATE_BLOCKS };
 
 enum status_code repeats_add_scan(struct ensemble *set, const char *file, struct status *status)
 {
@@ -19,17 +18,10 @@ enum status_code repeats_add_scan(struct ensemble *set, const char *file, struct
     return STATUS_OK;
 }
 
+/** Evenly: STRIPS_PIECES of the rows, or all where they are no more. */
 static bool row_is_member(size_t row, size_t rows)
 {
-    if (rows <= ROWS_MOST)
-        return true;
-    size_t block = row * ESTIMATE_BLOCKS / rows;
-    size_t first = (block * rows + ESTIMATE_BLOCKS - 1) / ESTIMATE_BLOCKS;
-    size_t end = ((block + 1) * rows + ESTIMATE_BLOCKS - 1) / ESTIMATE_BLOCKS;
-    for (size_t k = 0; k < BLOCK_ROWS; k++)
-        if (row == first + (2 * k + 1) * (end - first) / (2 * BLOCK_ROWS))
-            return true;
-    return false;
+    return (STRIPS_PIECES * (row + 1) + rows / 2) / rows > (STRIPS_PIECES * row + rows / 2) / rows;
 }
 
 enum status_code repeats_add(struct ensemble *set, size_t row, size_t rows, struct profile *profile,

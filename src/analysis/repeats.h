@@ -9,7 +9,7 @@
 /** What the scans of a surface say apart. */
 struct repeats {
     size_t count; /* members: 0 or at least 2 */
-    size_t scans; /* files; 1: a map, whose rows they are */
+    size_t scans; /* files; 1: a map, whose rows they are: these are not independent, and tell no interval */
     size_t cut;   /* subrecords that scans longer than the shortest were cut to; 0: all of one length */
     struct estimate rq_m, gamma, psd_m3; /* the latter two by `fit: auto`, where there is a law */
 };
@@ -17,9 +17,8 @@ struct repeats {
 /** Adds a file, of which nothing is known yet. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code repeats_add_scan(struct ensemble *set, const char *file, struct status *status);
 
-/** Adds a profile of the last file: row `row` of `rows`. All rows are members where there are at most 128; of more, 8
- * of each of ESTIMATE_BLOCKS blocks, evenly spaced. Takes the spectrum over, and the heights of a scan of one row.
- * Error: STATUS_MEMORY. */
+/** Adds a profile of the last file: row `row` of `rows`. STRIPS_PIECES of them, evenly spaced, are members. Takes the
+ * spectrum over, and the heights of a scan of one row. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code repeats_add(struct ensemble *set, size_t row, size_t rows, struct profile *profile,
                                         struct spectrum *spectrum, const struct roughness *roughness,
                                         struct status *status);

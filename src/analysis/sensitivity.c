@@ -70,6 +70,8 @@ enum status_code sensitivity_add(struct sensitivity *out, const struct profile *
         return STATUS_OK;
     for (int variant = 0; variant < SENSITIVITY_VARIANTS; variant++) {
         record.periodic = profile->periodic && variant == SENSITIVITY_CUTOFF;
+        out->levelled[variant] =
+            how->level >= LEVEL_LINE && !(record.periodic && how->periodic_mean) && !(how->lambda_c_m > 0);
         if (add_variant(&out->variants[variant], out->scans, (enum sensitivity_variant)variant, profile, how, &record,
                         status) != STATUS_OK)
             return status->code;
@@ -117,13 +119,14 @@ enum status_code sensitivity_run(struct sensitivity_factors *out, const struct s
     struct model_task raised = *task;
     for (int c = 0; c < SENSITIVITY_CHANGES; c++)
         out->area[c] = out->ecr[c] = NAN;
-    if (sensitivity->scans == 0)
+    if (sensitivity->scans == 0 || model->uses_map) /* the map stays as it is */
         return STATUS_OK;
     if (solve_one(&as_is, model, task, status) != STATUS_OK)
         return status->code;
     for (int v = 0; v < SENSITIVITY_VARIANTS; v++) {
         struct asperities asperities;
         struct model_task own = member_task(&asperities, &sensitivity->variants[v], task);
+        own.levelled = sensitivity->levelled[v];
         if (solve_one(&points[v], model, &own, status) != STATUS_OK)
             return status->code;
     }

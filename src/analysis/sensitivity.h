@@ -35,6 +35,7 @@ extern const struct sensitivity_change_row sensitivity_changes[SENSITIVITY_CHANG
 struct sensitivity {
     size_t scans; /* 0: too short to be halved (fewer than 16 points), or not looked at */
     struct member variants[SENSITIVITY_VARIANTS];
+    bool levelled[SENSITIVITY_VARIANTS]; /* as model_task.levelled */
 };
 
 /** Answer changed / answer as it is, at the middle load; NaN where either is empty, or the change is none for the

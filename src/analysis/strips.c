@@ -7,15 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-const double strips_budget = 5e9;
-
-enum { ROWS_MOST = 8 }; /* of a map */
-
 void strips_free(struct strips *strips)
 {
     free(strips->height_m);
-    free(strips->joined);
-    bearing_free(&strips->bearing);
+    solved_strip_free(strips->joined);
     *strips = (struct strips){.height_m = NULL};
 }
 
@@ -25,7 +20,18 @@ static bool is_whole(const struct member *member, size_t points, double spacing_
     return member->height_m && member->points == points && fabs(member->spacing_m / spacing_m - 1) <= 1e-6;
 }
 
-enum status_code strips_gather(struct strips *out, const struct ensemble *set, struct status *status)
+static size_t least(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
+/** Times that each of so many rows is paired. */
+static size_t pairings_of(size_t rows)
+{
+    return (STRIPS_PAIRINGS + rows - 1) / rows;
+}
+
+enum status_code strips_gather(struct strips *out, struct ensemble *set, bool paired, struct status *status)
 {
     bool map = set->scan_count == 1, periodic = true;
     double spacing_m = set->count > 0 ? set->members[0].spacing_m : 0;
@@ -37,19 +43,30 @@ enum status_code strips_gather(struct strips *out, const struct ensemble *set, s
             periodic = periodic && set->members[p].periodic;
             whole++;
         }
-    size_t rows = map && whole > ROWS_MOST ? ROWS_MOST : whole;
-    if (rows == 0 || (!map && whole < set->count))
+    if (whole == 0 || (!map && whole < set->count))
         return STATUS_OK;
-    if (!(out->height_m = malloc(rows * points * sizeof *out->height_m)))
+    size_t rows = paired ? whole * pairings_of(whole) : whole;
+    bool fits = rows <= STRIPS_PIECES && rows * points <= STRIPS_POINTS;
+    size_t length = fits ? points : least(points, STRIPS_PIECE_POINTS);
+    size_t pieces = fits ? whole : least(STRIPS_PIECES, STRIPS_POINTS / length);
+    size_t scans = least(whole, pieces), each = pieces / scans, spread = each > 1 ? each : scans;
+    if (!(out->height_m = malloc(scans * each * length * sizeof *out->height_m)))
         return status_memory(status);
     for (size_t p = 0, k = 0; p < set->count; p++) {
-        if (!is_whole(&set->members[p], points, spacing_m) || k++ != (2 * taken + 1) * whole / (2 * rows))
+        struct member *member = &set->members[p];
+        if (!is_whole(member, points, spacing_m) || k++ != (2 * taken + 1) * whole / (2 * scans))
             continue;
-        memcpy(out->height_m + taken * points, set->members[p].height_m, points * sizeof *out->height_m);
+        member->first_piece = taken * each;
+        member->pieces = each;
+        for (size_t i = 0; i < each; i++) {
+            size_t place = each > 1 ? i : taken, first = spread > 1 ? place * (points - length) / (spread - 1) : 0;
+            memcpy(out->height_m + (taken * each + i) * length, member->height_m + first,
+                   length * sizeof *out->height_m);
+        }
         taken++;
     }
-    out->rows = (struct strip_rows){out->height_m, rows, points, spacing_m, periodic};
-    out->pairings = 1;
+    out->in_part = !map && (length < points || scans < whole);
+    out->rows = (struct strip_rows){out->height_m, scans * each, length, spacing_m, periodic && length == points};
     return STATUS_OK;
 }
 
@@ -65,30 +82,50 @@ static double height_at(const struct strip_rows *rows, size_t row, double place)
     return share > 0 ? (1 - share) * height_m[at[0]] + share * height_m[at[1]] : height_m[at[0]];
 }
 
+/** First and number of the rows that a row may be paired with. */
+static void partner_rows(size_t range[2], const struct ensemble *set, size_t row, const struct strips *other,
+                         const struct ensemble *other_set)
+{
+    size_t p = 0, q = other_set->count;
+    while (p < set->count && row - set->members[p].first_piece >= set->members[p].pieces)
+        p++;
+    if (p < set->count)
+        q = ensemble_partner(set, p, other_set);
+    bool partner = q < other_set->count && other_set->members[q].pieces > 0;
+    range[0] = partner ? other_set->members[q].first_piece : 0;
+    range[1] = partner ? other_set->members[q].pieces : other->rows.rows;
+}
+
 enum { PAIRING_SEED = 0x70616972 };
 
-enum status_code strips_pair(struct strips *strips, const struct strips *other, struct status *status)
+enum status_code strips_pair(struct strips *strips, struct ensemble *set, const struct strips *other,
+                             const struct ensemble *other_set, struct status *status)
 {
     const struct strip_rows own = strips->rows, *theirs = &other->rows;
     if (own.rows == 0 || theirs->rows == 0) {
         strips_free(strips);
         return STATUS_OK;
     }
-    size_t pairings = (STRIPS_PAIRINGS + own.rows - 1) / own.rows, rows = own.rows * pairings;
+    size_t pairings = pairings_of(own.rows), rows = own.rows * pairings;
     double *height_m = malloc(rows * own.points * sizeof *height_m), step = own.spacing_m / theirs->spacing_m;
     if (!height_m)
         return status_memory(status);
     step = fabs(step - 1) < 1e-6 ? 1 : step;
     for (size_t r = 0; r < rows; r++) {
-        size_t row = (size_t)(direct_random(PAIRING_SEED, 2 * r) * (double)theirs->rows);
+        size_t range[2];
+        partner_rows(range, set, r / pairings, other, other_set);
+        size_t row = range[0] + (size_t)(direct_random(PAIRING_SEED, 2 * r) * (double)range[1]);
         double first = floor(direct_random(PAIRING_SEED, 2 * r + 1) * 2 * (double)theirs->points);
         for (size_t i = 0; i < own.points; i++)
             height_m[r * own.points + i] =
                 own.height_m[r / pairings * own.points + i] + height_at(theirs, row, first + (double)i * step);
     }
+    for (size_t p = 0; p < set->count; p++) {
+        set->members[p].first_piece *= pairings;
+        set->members[p].pieces *= pairings;
+    }
     free(strips->height_m);
     strips->height_m = height_m;
-    strips->pairings = pairings;
     strips->rows.height_m = height_m;
     strips->rows.rows = rows;
     strips->rows.periodic =
@@ -96,51 +133,54 @@ enum status_code strips_pair(struct strips *strips, const struct strips *other, 
     return STATUS_OK;
 }
 
-uint64_t strips_cost(const struct strips *strips, size_t surrogates)
+uint64_t strips_cost(const struct strips *strips)
 {
-    size_t rows = strips->rows.rows, alone = rows > strips->pairings ? rows : 0;
-    return strip_cost(&strips->rows, rows, surrogates) + alone * strip_cost(&strips->rows, 1, surrogates);
-}
-
-size_t strips_surrogates(const struct strips *strips, const struct scene *scene)
-{
-    size_t surrogates = strips->rows.rows > 0 ? STRIP_SURROGATES : 0;
-    while (surrogates > 0 && !scene->models_named &&
-           (double)scene->surface_count * (double)strips_cost(strips, surrogates) > strips_budget)
-        surrogates /= 2;
-    return surrogates;
+    return 2 * strip_cost(&strips->rows, strips->rows.rows, STRIP_SURROGATES);
 }
 
 /** A strip of these rows, malloc'ed; NULL where it has no answer. */
-static enum status_code solve(struct strip **out, struct strips *strips, const size_t *which, size_t count,
-                              size_t surrogates, const atomic_bool *stop, struct status *status)
+static enum status_code solve(struct solved_strip **out, struct strips *strips, size_t first, size_t count,
+                              const atomic_bool *stop, struct status *status)
 {
     struct status problem = {0};
-    if (!(*out = malloc(sizeof **out)))
+    struct solved_strip *solved = calloc(1, sizeof *solved);
+    size_t which[STRIPS_PIECES];
+    if (!solved)
         return status_memory(status);
-    enum status_code rc = strip_solve(*out, &strips->rows, which, count, surrogates, stop, &problem);
-    strips->transforms += (*out)->transforms;
+    for (size_t r = 0; r < count; r++)
+        which[r] = first + r;
+    solved->rows = strips->rows;
+    solved->rows.height_m += first * strips->rows.points;
+    solved->rows.rows = count;
+    enum status_code rc = strip_solve(&solved->strip, &strips->rows, which, count, STRIP_SURROGATES, stop, &problem);
+    strips->transforms += solved->strip.transforms;
+    strips->unsolved += solved->strip.unsolved;
     if (rc == STATUS_OK)
+        rc = bearing_make(&solved->bearing, &solved->rows, &problem);
+    if (rc == STATUS_OK) {
+        *out = solved;
         return STATUS_OK;
-    free(*out);
-    *out = NULL;
+    }
+    solved_strip_free(solved);
     if (strips->problem.code == STATUS_OK)
         strips->problem = problem;
     return rc == STATUS_MODEL ? STATUS_OK : status_fail(status, rc, "%s", problem.message);
 }
 
-enum status_code strips_solve(struct strips *strips, struct ensemble *set, size_t surrogates, const atomic_bool *stop,
-                              struct status *status)
+enum status_code strips_solve(struct strips *strips, const atomic_bool *stop, struct status *status)
 {
-    size_t rows = strips->rows.rows, *which = malloc((rows + 1) * sizeof *which);
-    if (!which)
-        return status_memory(status);
-    for (size_t r = 0; r < rows; r++)
-        which[r] = r;
-    enum status_code rc = solve(&strips->joined, strips, which, rows, surrogates, stop, status);
-    for (size_t p = 0; p < set->count && set->scan_count > 1 && rc == STATUS_OK; p++)
-        rc = solve(&set->members[p].strip, strips, which + p * strips->pairings, strips->pairings, surrogates, stop,
-                   status);
-    free(which);
-    return rc == STATUS_OK && strips->joined ? bearing_make(&strips->bearing, &strips->rows, status) : rc;
+    return solve(&strips->joined, strips, 0, strips->rows.rows, stop, status);
+}
+
+enum status_code strips_solve_members(struct strips *strips, struct ensemble *set, const atomic_bool *stop,
+                                      struct status *status)
+{
+    set->solved_alone = true;
+    for (size_t p = 0; p < set->count; p++) {
+        struct member *member = &set->members[p];
+        if (member->pieces > 0 &&
+            solve(&member->strip, strips, member->first_piece, member->pieces, stop, status) != STATUS_OK)
+            return status->code;
+    }
+    return STATUS_OK;
 }

@@ -52,9 +52,12 @@ struct model_task surface_model_task(const struct surface_record *record, const 
         .tolerance = scene->tolerance,
         .sinusoid_fit = scene->closure,
         .hardness_Pa = record->summary.pair.hardness_Pa,
+        .levelled = scene->level >= LEVEL_LINE && (scene->level_given || record->summary.periodic == 0) &&
+                    !(scene->lambda_c_m > 0),
         .rows = record->strips.rows.rows > 0 ? &record->strips.rows : NULL,
-        .strip = record->strips.joined,
-        .bearing = record->strips.joined ? &record->strips.bearing : NULL,
+        .strip = record->strips.joined ? &record->strips.joined->strip : NULL,
+        .bearing = record->strips.joined ? &record->strips.joined->bearing : NULL,
+        .transfer = record->tiles.transfer,
     };
 }
 
@@ -103,6 +106,7 @@ void surface_drop_arrays(struct surface_record *record)
     spectrum_free(&record->tapered);
     sensitivity_free(&record->sensitivity);
     strips_free(&record->strips);
+    tiles_free(&record->tiles);
     free(record->curves);
     free(record->bands);
     free(record->direct_m);

@@ -11,6 +11,7 @@
 #include "analysis/repeats.h"
 #include "analysis/sensitivity.h"
 #include "analysis/strips.h"
+#include "analysis/tiles.h"
 #include "analysis/uncertainty.h"
 #include "base/text.h"
 #include "contact/model.h"
@@ -25,7 +26,7 @@ enum {
 
 /** Where a run's time goes, by stage [s]. */
 struct surface_times {
-    double read, prepare, spectrum, convergence, uncertainty, strips, unloading;
+    double read, prepare, spectrum, convergence, uncertainty, strips, tiles, unloading;
 };
 
 /** The curve of falling load. */
@@ -36,11 +37,16 @@ struct surface_unloading {
     struct contact_point points[UNLOADING_SHARES]; /* at its shares of the largest load: ratio.count, rising */
 };
 
+/** Whose hardness the models have. */
+enum surface_hardness { SURFACE_HARDNESS_BODIES, SURFACE_HARDNESS_SCENE, SURFACE_HARDNESS_PLATING };
+
 struct surface_summary {
     const struct scene_surface *scene; /* name, files, bodies */
     struct material_pair pair;         /* what the models need of the bodies */
-    bool usable;                       /* false: refused, see `refusal` */
-    char *refusal;                     /* one line; owned */
+    enum surface_hardness hardness;
+    double indent_m;    /* depth of the indents in a plating of its own hardness; NaN: no such */
+    bool usable;        /* false: refused, see `refusal` */
+    char *refusal;      /* one line; owned */
     double flatness[2]; /* where the scene gives it: share that touches, constriction [m²K/W] at the operating load */
     struct note_list notes; /* warnings; owned */
     size_t refused_scans;   /* of several; the notes begin with them */
@@ -50,11 +56,16 @@ struct surface_summary {
     size_t scans;                   /* averaged: files, or rows of a map */
     struct repeats repeats;         /* what they say apart */
     size_t single_points;           /* of a surface with one scan, which records can be simulated of; else 0 */
-    bool simulates;                 /* they will be, or have been, simulated */
     uint64_t simulated_evaluations; /* of the models, on those */
     double strip_cost;              /* strips_cost() of its rows, 0: no model uses strips */
     uint64_t strip_transforms;      /* that solving its strips took */
     bool has_strips;                /* they are, or will be, solved */
+    bool strips_in_part;            /* of scans, not all, or not whole */
+    size_t strip_unsolved[2];       /* loads of them that did not converge, scans that have no answer: left out */
+    double tile_cost;               /* tiles_cost() of its map, 0: there is none, or no model uses it */
+    uint64_t tile_transforms;       /* that solving it took */
+    bool has_tiles;                 /* it is, or will be, solved */
+    size_t squares, all_squares;    /* of it that are solved; that it holds */
     size_t points;                  /* of the first */
     double spacing_m, length_m;
     struct roughness roughness;
@@ -95,9 +106,11 @@ struct surface_record {
     struct power_law_band *band; /* the same law with its bins, knees and lines; NULL: fit: thesis, or dropped */
     struct ensemble ensemble;    /* scans to be run alone, until they have been; count 0: there is one */
     struct strips strips;        /* of its scans, where a model uses them; rows 0: none */
+    struct tiles tiles;          /* of its one map, where a model uses it */
     double *height_m; /* of the one scan, summary.single_points long, until the models have run; NULL: not kept */
-    struct model_curve *curves;   /* model_count of them, NULL before any model ran */
-    struct ensemble_band **bands; /* the same, each band_count long; NULL: none */
+    const struct surface_record *counterface; /* the rough one; NULL: smooth. Not owned */
+    struct model_curve *curves;               /* model_count of them, NULL before any model ran */
+    struct ensemble_band **bands;             /* the same, each band_count long; NULL: none */
     size_t band_count;
     struct sensitivity sensitivity; /* scans 0 where there is a rough counterface */
     double *direct_m;               /* where a direct solution is called for: heights of the profiles, or the square of

@@ -4,6 +4,7 @@
 #include "analysis/surface.h"
 #include "spectrum/multitaper.h"
 #include "spectrum/simulated_record.h"
+#include "statistics/single_scan.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -14,133 +15,124 @@ enum {
     FIRST_SEED = 1
 };
 
-/* On one core of 2020: what is allowed, a height of a record, and the leading model at a record's loads. */
-static const double most_seconds = 10, height_seconds = 0.25e-6, record_seconds = 1.3e-3;
+/* On one core of 2020: a height of a record, and the leading model at a record's loads. */
+static const double height_seconds = 0.25e-6, record_seconds = 1.3e-3;
 
 bool uncertainty_holds(const struct plan *plan, size_t model)
 {
     return plan_runs_model(plan, model) && (plan->all_uncertain || model == plan_leading_model(plan));
 }
 
-/** One set of loads that records are taken through the models at. */
-struct loads {
-    double load[UNCERTAINTY_LOADS];
-    size_t count, middle; /* `middle`: which of them is the one where the summary stands */
-};
-
-/** First, middle (where the summary stands) and last of the task's loads, each once. */
-static struct loads record_loads(const struct model_task *task)
+/** First, middle (where the summary stands) and last of the task's loads, each once; how many. */
+static size_t record_loads(double load[UNCERTAINTY_LOADS], const struct model_task *task)
 {
-    size_t last = task->load_count - 1, at[UNCERTAINTY_LOADS] = {0, model_task_operating(task), last};
-    struct loads out = {.count = 0};
-    for (int i = 0; i < UNCERTAINTY_LOADS; i++) {
+    size_t at[UNCERTAINTY_LOADS] = {0, model_task_operating(task), task->load_count - 1}, count = 0;
+    for (int i = 0; i < UNCERTAINTY_LOADS; i++)
         if (i == 0 || at[i] != at[i - 1])
-            out.load[out.count++] = task->loads[at[i]];
-        out.middle = i == 1 ? out.count - 1 : out.middle;
-    }
-    return out;
+            load[count++] = task->loads[at[i]];
+    return count;
 }
 
-/** ln answer of a record of rms height sigma_m; NaN: none. */
-static double answer(const struct contact_point *point, enum quantity quantity, const struct model_row *model,
-                     double sigma_m)
-{
-    double value = quantity_shown(point, model_shown(model, quantity), sigma_m);
-    return value > 0 ? log(value) : NAN;
-}
-
-/** ln answer of every record at one load of a list, in `out`; false: one has none. */
-static bool answers_of(double *out, const struct ensemble_curves *records, size_t all, const struct model_row *model,
+/** ln answers of all members at load i of a list, NaN of those that have none. */
+static void answers_of(double *out, size_t all, const struct ensemble_curves *curves, const struct model_row *model,
                        enum quantity quantity, size_t i, double load)
 {
-    bool complete = records->count == all;
-    for (size_t r = 0; r < records->count && complete; r++) {
-        const struct model_curve *curve = &records->curves[r];
-        out[r] = i < curve->count && curve->points[i].value[QUANTITY_LOAD] == load
-                     ? answer(&curve->points[i], quantity, model, records->sigma_m[r])
-                     : NAN;
-        complete = isfinite(out[r]);
+    for (size_t r = 0; r < all; r++) {
+        out[r] = NAN;
+        if (r < curves->count && i < curves->curves[r].count &&
+            curves->curves[r].points[i].value[QUANTITY_LOAD] == load)
+            out[r] =
+                log(quantity_shown(&curves->curves[r].points[i], model_shown(model, quantity), curves->sigma_m[r]));
     }
-    return complete;
 }
 
-/** The records of a scan, their quarters (of each in turn), and the scan's own; the latter two from LEAST_POINTS on. */
+/** Records of a scan, and its quarters. */
 struct simulated {
-    struct ensemble records, quarters, own;
+    struct ensemble records, quarters;
+    struct strips strips; /* of the quarters */
 };
 
-static enum status_code add_quarters(struct ensemble *set, const double *height_m, const struct uncertainty_scan *scan,
-                                     struct status *status)
+static void simulated_free(struct simulated *simulated)
 {
-    size_t quarter = scan->points / QUARTERS;
-    for (size_t k = 0; k < QUARTERS && scan->points >= LEAST_POINTS; k++)
-        if (ensemble_add(set, 0, height_m + k * (scan->points - quarter) / (QUARTERS - 1), quarter, scan->spacing_m,
-                         &scan->how, status) != STATUS_OK)
-            return status->code;
-    return STATUS_OK;
+    ensemble_free(&simulated->records);
+    ensemble_free(&simulated->quarters);
+    strips_free(&simulated->strips);
 }
 
-static enum status_code simulate(struct simulated *out, const struct simulated_record *spectrum, double *height_m,
-                                 const struct uncertainty_scan *scan, struct status *status)
+static enum status_code add_quarters(struct simulated *out, const struct uncertainty_body *body,
+                                     const struct uncertainty_scan *scan, struct status *status)
 {
-    for (size_t b = 0; b < RECORDS; b++)
-        if (simulated_record_draw(height_m, spectrum, FIRST_SEED + b, status) != STATUS_OK ||
-            ensemble_add(&out->records, 0, height_m, scan->points, scan->spacing_m, &scan->how, status) != STATUS_OK ||
-            add_quarters(&out->quarters, height_m, scan, status) != STATUS_OK)
+    size_t quarter = body->points / QUARTERS;
+    for (size_t k = 0; k < QUARTERS && body->points >= LEAST_POINTS; k++)
+        if (ensemble_add(&out->quarters, k, body->height_m + k * (body->points - quarter) / (QUARTERS - 1), quarter,
+                         body->spacing_m, &scan->how, status) != STATUS_OK)
             return status->code;
-    return add_quarters(&out->own, scan->height_m, scan, status);
+    return out->quarters.keeps_heights ? strips_gather(&out->strips, &out->quarters, scan->body[1].points > 0, status)
+                                       : STATUS_OK;
 }
 
-/** What the curves say of one model. */
-static struct uncertainty conclude(const struct ensemble_curves *records, const struct ensemble_curves *quarters,
-                                   const struct ensemble_curves *own, const struct model_row *model,
-                                   const struct loads *loads)
+static enum status_code add_records(struct simulated *out, const struct uncertainty_body *body, unsigned long seed,
+                                    const struct uncertainty_scan *scan, struct status *status)
 {
-    struct uncertainty out = {.loads = loads->count};
-    for (size_t i = 0; i < loads->count; i++)
-        out.ln_load[i] = log(loads->load[i]);
-    for (int q = 0; q < QUANTITY_COUNT; q++) {
-        out.middle[q] = (struct single_scan){.s = NAN, .half_width = NAN};
-        for (size_t i = 0; i < loads->count; i++) {
-            double record[RECORDS], record_quarter[RECORDS * QUARTERS], quarter[QUARTERS],
-                load = loads->load[loads->middle];
-            struct single_scan single;
-            struct status none = {0};
-            enum quantity quantity = (enum quantity)q;
-            out.s[q][i] = NAN;
-            if (!ensemble_band_holds(quantity) ||
-                !answers_of(record, records, RECORDS, model, quantity, i, loads->load[i]))
-                continue; /* a record has no answer there: neither has the interval */
-            bool quartered = i == loads->middle && answers_of(quarter, own, QUARTERS, model, quantity, 0, load) &&
-                             answers_of(record_quarter, quarters, RECORDS * QUARTERS, model, quantity, 0, load);
-            if (single_scan_uncertainty(&single, record, RECORDS, quartered ? quarter : NULL, record_quarter, &none) !=
-                STATUS_OK)
-                continue;
-            out.s[q][i] = single.s;
-            if (i == loads->middle)
-                out.middle[q] = single;
-        }
+    struct simulated_record spectrum = {0};
+    double *height_m = malloc(2 * body->points * sizeof *height_m), *square_m2 = height_m + body->points;
+    enum status_code rc = height_m ? STATUS_OK : status_memory(status);
+    if (rc == STATUS_OK && body->points < SIMULATED_RECORD_LEAST_POINTS)
+        rc = status_fail(status, STATUS_SCAN, "%zu points are too few to simulate records of", body->points);
+    if (rc == STATUS_OK)
+        rc = multitaper_square(square_m2, body->height_m, body->points, status);
+    if (rc == STATUS_OK)
+        rc = simulated_record_prepare(&spectrum, square_m2, body->points, status);
+    for (size_t b = 0; b < RECORDS && rc == STATUS_OK; b++) {
+        rc = simulated_record_draw(height_m, &spectrum, seed + b, status);
+        if (rc == STATUS_OK)
+            rc = ensemble_add(&out->records, b, height_m, body->points, body->spacing_m, &scan->how, status);
     }
-    return out;
+    simulated_record_free(&spectrum);
+    free(height_m);
+    return rc;
+}
+
+/** Both bodies, the first pressed against the second. */
+static enum status_code simulate(struct simulated out[2], const struct uncertainty_scan *scan, struct status *status)
+{
+    size_t bodies = scan->body[1].points > 0 ? 2 : 1;
+    for (size_t k = 0; k < bodies; k++)
+        if (add_records(&out[k], &scan->body[k], FIRST_SEED + k * RECORDS, scan, status) != STATUS_OK ||
+            add_quarters(&out[k], &scan->body[k], scan, status) != STATUS_OK)
+            return status->code;
+    if (bodies > 1 &&
+        (strips_pair(&out->strips, &out->quarters, &out[1].strips, &out[1].quarters, status) != STATUS_OK ||
+         ensemble_pair(&out->quarters, &out[1].quarters, status) != STATUS_OK ||
+         ensemble_pair(&out->records, &out[1].records, status) != STATUS_OK))
+        return status->code;
+    return out->quarters.keeps_heights ? strips_solve_members(&out->strips, &out->quarters, scan->stop, status)
+                                       : STATUS_OK;
 }
 
 static enum status_code run_one(struct uncertainty *out, const struct simulated *simulated,
-                                const struct model_row *model, const struct model_task *task, struct status *status)
+                                const struct model_row *model, const struct uncertainty_scan *scan,
+                                struct status *status)
 {
-    const struct ensemble *const sets[] = {&simulated->records, &simulated->quarters, &simulated->own};
-    struct loads all = record_loads(task);
-    struct ensemble_curves curves[3] = {{.count = 0}};
-    enum status_code rc = STATUS_OK;
-    for (int k = 0; k < 3 && rc == STATUS_OK; k++) {
-        struct model_task own = k == 0 ? model_task_at(task, all.load, all.count) : surface_middle_task(task);
-        own.wanted &= ~QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
-        rc = sets[k]->count > 0 ? ensemble_run(&curves[k], sets[k], model, &own, status) : STATUS_OK;
-    }
-    if (rc == STATUS_OK)
-        *out = conclude(&curves[0], &curves[1], &curves[2], model, &all);
-    out->longest_waves = model_task_longest_waves(task);
-    for (int k = 0; k < 3; k++)
-        ensemble_curves_free(&curves[k]);
+    double load[UNCERTAINTY_LOADS], record[RECORDS], quarter[QUARTERS];
+    size_t loads = record_loads(load, scan->task);
+    struct model_task own = model_task_at(scan->task, load, loads);
+    struct ensemble_curves records = {.count = 0}, quarters = {.count = 0};
+    own.wanted &= ~QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
+    enum status_code rc = ensemble_run(&records, &simulated->records, model, &own, scan->joint, status);
+    if (rc == STATUS_OK && simulated->quarters.count > 0)
+        rc = ensemble_run(&quarters, &simulated->quarters, model, &own, scan->joint, status);
+    out->loads = loads;
+    for (size_t i = 0; i < loads && rc == STATUS_OK; i++)
+        for (int q = 0; q < QUANTITY_COUNT; q++) {
+            answers_of(record, RECORDS, &records, model, (enum quantity)q, i, load[i]);
+            answers_of(quarter, QUARTERS, &quarters, model, (enum quantity)q, i, load[i]);
+            out->ln_load[i] = log(load[i]);
+            out->s[q][i] =
+                ensemble_band_holds((enum quantity)q) ? single_scan_s(record, RECORDS, quarter, QUARTERS) : NAN;
+        }
+    ensemble_curves_free(&records);
+    ensemble_curves_free(&quarters);
     return rc;
 }
 
@@ -149,41 +141,25 @@ double uncertainty_seconds(size_t points)
     return RECORDS * (2 * (double)points * height_seconds + record_seconds);
 }
 
-bool uncertainty_affordable(size_t points, size_t surfaces)
-{
-    return (double)surfaces * uncertainty_seconds(points) < most_seconds;
-}
-
 enum status_code uncertainty_run(struct uncertainty *out, const struct uncertainty_scan *scan, const struct plan *plan,
                                  struct status *status)
 {
-    struct simulated_record spectrum = {0};
-    struct simulated simulated = {.records = {.count = 0}};
-    double *height_m = malloc(2 * scan->points * sizeof *height_m), *square_m2 = height_m + scan->points;
-    enum status_code rc = height_m ? STATUS_OK : status_memory(status);
-    if (rc == STATUS_OK && scan->points < SIMULATED_RECORD_LEAST_POINTS)
-        rc = status_fail(status, STATUS_SCAN, "%zu points are too few to simulate records of", scan->points);
-    if (rc == STATUS_OK)
-        rc = multitaper_square(square_m2, scan->height_m, scan->points, status);
-    if (rc == STATUS_OK)
-        rc = simulated_record_prepare(&spectrum, square_m2, scan->points, status);
-    if (rc == STATUS_OK)
-        rc = simulate(&simulated, &spectrum, height_m, scan, status);
-    simulated_record_free(&spectrum);
-    free(height_m);
+    struct simulated simulated[2] = {{.records = {.count = 0}}};
+    for (size_t m = 0; m < model_count; m++)
+        if (uncertainty_holds(plan, m) && model_rows[m]->uses_strip)
+            simulated[0].quarters.keeps_heights = simulated[1].quarters.keeps_heights = true;
+    enum status_code rc = simulate(simulated, scan, status);
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++)
         if (uncertainty_holds(plan, m))
-            rc = run_one(&out[m], &simulated, model_rows[m], scan->task, status);
-    ensemble_free(&simulated.records);
-    ensemble_free(&simulated.quarters);
-    ensemble_free(&simulated.own);
+            rc = run_one(&out[m], simulated, model_rows[m], scan, status);
+    for (size_t k = 0; k < 2; k++)
+        simulated_free(&simulated[k]);
     return rc;
 }
 
-/** Half-width at a load; where the scan is not the same along its length, at least the one its quarters give. */
-static double half_width_at(const struct uncertainty *uncertainty, enum quantity quantity, double ln_load)
+struct estimate uncertainty_estimate(const struct uncertainty *uncertainty, const struct model_row *model,
+                                     enum quantity quantity, const struct contact_point *point, double sigma_m)
 {
-    const struct single_scan *middle = &uncertainty->middle[quantity];
     double ln_known[UNCERTAINTY_LOADS], s[UNCERTAINTY_LOADS];
     size_t count = 0;
     for (size_t i = 0; i < uncertainty->loads; i++)
@@ -191,21 +167,11 @@ static double half_width_at(const struct uncertainty *uncertainty, enum quantity
             ln_known[count] = uncertainty->ln_load[i];
             s[count++] = uncertainty->s[quantity][i];
         }
-    if (count == 0 || !(middle->s > 0))
-        return NAN;
-    double half_width = single_scan_half_width(single_scan_s_at(ln_load, ln_known, s, count));
-    return middle->heterogeneous ? fmax(half_width, middle->half_width) : half_width;
-}
-
-struct estimate uncertainty_estimate(const struct uncertainty *uncertainty, const struct model_row *model,
-                                     enum quantity quantity, const struct contact_point *point, double sigma_m)
-{
-    struct single_scan single = uncertainty->middle[quantity];
-    if (isnan(single.s))
+    if (count == 0)
         return estimate_none;
-    single.half_width = half_width_at(uncertainty, quantity, log(point->value[QUANTITY_LOAD]));
-    struct estimate out = estimate_single(quantity_shown(point, model_shown(model, quantity), sigma_m), &single, true);
+    struct estimate out =
+        estimate_of_error(quantity_shown(point, model_shown(model, quantity), sigma_m),
+                          single_scan_s_at(log(point->value[QUANTITY_LOAD]), ln_known, s, count), SINGLE_SCAN_DEGREES);
     out.share = quantity == QUANTITY_AREA;
-    out.model_sd = model_surface_sd(model, quantity, uncertainty->longest_waves);
     return out;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a file may ask of the program at most, so that nothing from outside exhausts memory or time: one table, used by
- * the code, printed by `inspect --limits`, stated in docs/limits.md. */
+ * the code, stated in docs/limits.md. */
 #ifndef BASE_LIMITS_H
 #define BASE_LIMITS_H
 
@@ -35,6 +35,16 @@
     X(MEASURED_LINE_BYTES, 1000, "bytes", "measured-line", "a line of it", "shorten it")                               \
     X(NAME_BYTES, 255, "bytes", "name", "the name of a surface, which every row of the tables repeats", "shorten it")  \
     X(RESULTS_BYTES, 134217728, "bytes", "results", "a results.json that `compare` reads", "report fewer surfaces")    \
+    X(RESULTS_VALUES, 10000000, "values", "values",                                                                    \
+      "values of all that `compare` reads, an array as two, an object as four, a text or name one more",               \
+      "compare fewer reports at once")                                                                                 \
+    X(COMPARED, 200000, "items", "compared", "numbers and inputs that `compare` prints, each of every report",         \
+      "compare fewer reports at once")                                                                                 \
+    X(TEMPLATE_BYTES, 1048576, "bytes", "template", "a template, with its partials within one another", "cut it down") \
+    X(TEMPLATE_STEPS, 100000000, "steps", "steps",                                                                     \
+      "tokens that are filled in, parts of the view that are looked into, and bytes of partials",                      \
+      "put fewer sections within each other")                                                                          \
+    X(PAGE_BYTES, 536870912, "bytes", "page", "what a template makes", "print less of each item")                      \
     X(DIRECT_POINTS, 1073741824, "points", "direct", "the square of the grid times the seeds of the direct solution",  \
       "take a smaller grid, or fewer seeds")
 

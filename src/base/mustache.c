@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/mustache.h"
+#include "base/limits.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -29,8 +30,11 @@ struct render {
     const struct mustache *how;
     struct text *out;
     struct status *status;
+    const char *name;                /* of the whole */
     const json_t *stack[DEPTH_MOST]; /* what names are looked up in, the last first */
     size_t depth, partials;
+    size_t begun, steps; /* how long `out` was; and how much was done since: tokens, objects that were looked into */
+    size_t open;         /* bytes of the templates that are open within one another */
 };
 
 /** How much of a tag a message shows, which is one line. */
@@ -47,6 +51,11 @@ static enum status_code fail(struct status *status, const char *name, const char
     for (const char *p = source; p < at; p++)
         line += *p == '\n';
     return status_fail(status, STATUS_USAGE, "%s, line %d: %s '%.*s'", name, line, what, first_line(tag, length), tag);
+}
+
+static enum status_code refuse(struct status *status, const char *name, const char *what, enum limit limit)
+{
+    return status_fail(status, STATUS_USAGE, "template '%.400s' %s%s", name, what, limit_words(limit).text);
 }
 
 /** The tag's name without blanks around it. */
@@ -102,15 +111,15 @@ static enum status_code tokenize(struct tokens *out, const char *source, const c
     const char *p = source;
     for (const char *tag; (tag = strstr(p, delimiters.open));) {
         const char *inside = tag + strlen(delimiters.open), *sign = *inside ? strchr(signs, *inside) : NULL;
+        inside += sign != NULL; /* with which a closing delimiter may begin, too */
         char closing[24];
         snprintf(closing, sizeof closing, "%s%s", sign && *sign == '{' ? "}" : "", delimiters.close);
         const char *close = strstr(inside, closing);
         if (!close)
             return fail(status, name, source, tag, "tag that is not closed:", tag, strlen(tag));
         const char *start = tag, *end = close + strlen(closing);
-        struct token token = {.kind = sign ? kinds[sign - signs] : TOKEN_VARIABLE,
-                              .start = inside + (sign != NULL),
-                              .length = (size_t)(close - inside) - (sign != NULL)};
+        struct token token = {
+            .kind = sign ? kinds[sign - signs] : TOKEN_VARIABLE, .start = inside, .length = (size_t)(close - inside)};
         bool line = sign && *sign != '{' && *sign != '&' && alone(source, &start, &end);
         if (start < p)
             start = p; /* two tags on one line: blanks before the second belong to the first */
@@ -147,13 +156,13 @@ static enum status_code tokenize(struct tokens *out, const char *source, const c
 }
 
 /** What a name stands for; NULL: nothing. The first part of a.b.c is looked up in all that is open, the rest in it. */
-static const json_t *look_up(const struct render *render, const char *start, size_t length)
+static const json_t *look_up(struct render *render, const char *start, size_t length)
 {
     const char *dot = memchr(start, '.', length), *end = start + length;
     const json_t *found = NULL;
     if (length == 1 && dot)
         return render->stack[render->depth - 1];
-    for (size_t d = render->depth; d-- > 0 && !found;)
+    for (size_t d = render->depth; d-- > 0 && !found; render->steps += 1 + length / NAME_MOST)
         found = json_object_getn(render->stack[d], start, (size_t)((dot ? dot : end) - start));
     while (found && dot) {
         start = dot + 1;
@@ -194,12 +203,18 @@ static enum status_code render_tokens(struct render *render, const struct tokens
 
 static enum status_code render_text(struct render *render, const char *source, const char *name)
 {
-    struct tokens tokens = {calloc(strlen(source) + 2, sizeof *tokens.token), 0};
+    const size_t length = strlen(source);
+    render->open += length;
+    render->steps += length;
+    if (render->open > limit_most(LIMIT_TEMPLATE_BYTES))
+        return refuse(render->status, name, "is too long", LIMIT_TEMPLATE_BYTES);
+    struct tokens tokens = {calloc(length + 2, sizeof *tokens.token), 0};
     enum status_code rc =
         tokens.token ? tokenize(&tokens, source, name, render->status) : status_memory(render->status);
     if (rc == STATUS_OK)
         rc = render_tokens(render, &tokens, 0, tokens.count);
     free(tokens.token);
+    render->open -= length;
     return rc;
 }
 
@@ -207,16 +222,18 @@ static enum status_code render_partial(struct render *render, const struct token
 {
     char name[NAME_MOST];
     struct text indented = {0};
-    snprintf(name, sizeof name, "%.*s", (int)token->length, token->start);
+    snprintf(name, sizeof name, "%.*s", first_line(token->start, token->length), token->start);
     const char *source = render->how->partial ? render->how->partial(render->how->context, name) : NULL;
     if (!source)
         return render->status->code;
     if (++render->partials > DEPTH_MOST)
         return status_fail(render->status, STATUS_USAGE, "template '%s' holds itself without end", name);
-    for (const char *line = source; *line; line += strcspn(line, "\n"), line += *line == '\n') {
+    for (const char *line = source; *line && indented.length <= limit_most(LIMIT_TEMPLATE_BYTES);) {
         size_t length = strcspn(line, "\n");
+        length += line[length] == '\n';
         text_add_bytes(&indented, token->indent_length ? token->indent : "", token->indent_length);
-        text_add_bytes(&indented, line, length + (line[length] == '\n'));
+        text_add_bytes(&indented, line, length);
+        line += length;
     }
     enum status_code rc = render_text(render, text_string(&indented), name);
     text_free(&indented);
@@ -250,6 +267,10 @@ static enum status_code render_tokens(struct render *render, const struct tokens
     enum status_code rc = STATUS_OK;
     for (size_t i = from; i < to && rc == STATUS_OK; i++) {
         const struct token *token = &tokens->token[i];
+        if (render->steps++ > limit_most(LIMIT_TEMPLATE_STEPS))
+            return refuse(render->status, render->name, "takes too many steps", LIMIT_TEMPLATE_STEPS);
+        if (render->out->length - render->begun > limit_most(LIMIT_PAGE_BYTES))
+            return refuse(render->status, render->name, "makes too long a page", LIMIT_PAGE_BYTES);
         if (token->kind == TOKEN_TEXT)
             text_add_bytes(render->out, token->start, token->length);
         else if (token->kind == TOKEN_VARIABLE || token->kind == TOKEN_RAW)
@@ -267,7 +288,8 @@ static enum status_code render_tokens(struct render *render, const struct tokens
 enum status_code mustache_render(struct text *out, const char *source, const char *name, const struct mustache *how,
                                  struct status *status)
 {
-    struct render render = {.how = how, .out = out, .status = status, .stack = {how->view}, .depth = 1};
+    struct render render = {
+        .how = how, .out = out, .status = status, .name = name, .stack = {how->view}, .depth = 1, .begun = out->length};
     enum status_code rc = render_text(&render, source, name);
     return rc == STATUS_OK && out->failed ? status_memory(status) : rc;
 }
@@ -282,9 +304,12 @@ const char *mustache_folder_partial(void *context, const char *name)
     if (!folder->read)
         folder->read = json_object();
     text_add(&path, "%s/%s%s", folder->path, name, folder->ending);
-    if (text_read_file(&content, text_string(&path), folder->status) == STATUS_OK &&
-        json_object_set_new(folder->read, name, json_string(text_string(&content))) != 0)
-        (void)status_fail(folder->status, STATUS_USAGE, "%s: no text in UTF-8", text_string(&path));
+    if (strncmp(name, "../", 3) == 0 || strstr(name, "/../")) /* it would lead out of the folder */
+        (void)status_fail(folder->status, STATUS_USAGE, "'%.400s' is no name for a part of a template", name);
+    else if (text_read_file(&content, text_string(&path), folder->status) == STATUS_OK &&
+             (strlen(text_string(&content)) < content.length ||
+              json_object_set_new(folder->read, name, json_string(text_string(&content))) != 0))
+        (void)status_fail(folder->status, STATUS_USAGE, "%.400s: no text in UTF-8", text_string(&path));
     text_free(&path);
     text_free(&content);
     return json_string_value(json_object_get(folder->read, name));

@@ -18,7 +18,7 @@ struct mustache {
 
 /** Adds `source`, which messages call `name`, filled. An empty text counts as false, besides what the specification
  * says. Errors: STATUS_USAGE with name and line (a tag that is not closed, a section that does not end, partials
- * without end), STATUS_MEMORY. */
+ * without end), with name what passes LIMIT_TEMPLATE_BYTES, LIMIT_TEMPLATE_STEPS or LIMIT_PAGE_BYTES; STATUS_MEMORY. */
 MUST_CHECK enum status_code mustache_render(struct text *out, const char *source, const char *name,
                                             const struct mustache *how, struct status *status);
 
@@ -29,7 +29,8 @@ struct mustache_folder {
     json_t *read;       /* name: text */
     struct status *status;
 };
-/** As mustache.partial, of a `struct mustache_folder`; a file that is not there is an error in its status. */
+/** As mustache.partial, of a `struct mustache_folder`. Errors, in its status: STATUS_IO where the file is not there,
+ * STATUS_USAGE where it is no text in UTF-8 or the name leads out of the folder. */
 const char *mustache_folder_partial(void *folder, const char *name);
 void mustache_folder_free(struct mustache_folder *folder);
 /** Adds the template `name` of a folder, filled, with the folder's files as partials. Errors: as mustache_render(),

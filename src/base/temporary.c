@@ -121,7 +121,9 @@ enum status_code temporary_make(struct temporary *out, const char *parent, void 
     if (made)
         return STATUS_OK;
     temporary_close(out);
-    return status_fail(status, STATUS_IO, "cannot make a directory in '%s': %s", parent, strerror(reason));
+    (void)status_fail(status, STATUS_IO, "cannot make a directory in '%s': %s", parent, strerror(reason));
+    errno = reason;
+    return STATUS_IO;
 }
 
 void temporary_close(struct temporary *temporary)

@@ -16,7 +16,7 @@ struct temporary {
 
 /** Makes one of mode 0700 in TMPDIR or, with a dot before its name, in `parent`; it is not to be moved in memory.
  * Before, clear() takes out what processes of this user that are no more have left in theirs (NULL: all goes), which
- * then go if they are empty, else lose the dot that hides them. Error: STATUS_IO. */
+ * then go if they are empty, else lose the dot that hides them. Error: STATUS_IO, with errno. */
 MUST_CHECK enum status_code temporary_make(struct temporary *out, const char *parent, void (*clear)(int directory),
                                            struct status *status);
 /** Removes it if nothing is in it; else it stays, also when the program is made to end. */

@@ -304,7 +304,7 @@ int text_characters(const char *string)
 
 void text_add_wrapped(struct text *text, const char *string, int width, int indent)
 {
-    const char *line = strrchr(text_string(text), '\n');
+    const char *line = memrchr(text_string(text), '\n', text->length); /* from its end: the text may be long */
     int at = text_characters(line ? line + 1 : text_string(text));
     bool begun = false; /* a word stands on this line, which the next is told from by a blank */
     while (*string) {
@@ -329,6 +329,23 @@ void text_add_wrapped(struct text *text, const char *string, int width, int inde
         }
         string += *string != '\0';
     }
+}
+
+void text_squeeze(struct text *text)
+{
+    size_t kept = 0, run = 2;
+    for (size_t i = 0; i < text->length; i++) {
+        char c = text->data[i];
+        if (c == '\n')
+            while (kept > 0 && text->data[kept - 1] == ' ')
+                kept--;
+        run = c == '\n' ? run + 1 : 0;
+        if (run <= 2)
+            text->data[kept++] = c;
+    }
+    if (text->data)
+        text->data[kept] = '\0';
+    text->length = kept;
 }
 
 const char *text_string(const struct text *text)

@@ -48,6 +48,8 @@ void text_add_csv(struct text *text, const char *string);
 int text_characters(const char *string);
 /** Adds `string`, broken at blanks into lines of at most `width` characters; all but the first begin `indent` in. */
 void text_add_wrapped(struct text *text, const char *string, int width, int indent);
+/** Leaves one empty line where several stand, none at the beginning, and no blanks at the ends of lines. */
+void text_squeeze(struct text *text);
 /** The text so far, never NULL. */
 const char *text_string(const struct text *text);
 void text_free(struct text *text);

@@ -49,23 +49,6 @@ double asked_shown(const struct asked *asked, double value)
     return asked->reciprocal ? asked->scale / value : asked->scale * value;
 }
 
-size_t asked_leading(const struct results *results, const struct asked *asked)
-{
-    size_t leading = plan_leading_model(results->plan), found = model_count;
-    for (size_t m = 0; m < model_count; m++) {
-        bool any = false;
-        for (size_t k = 0; k < results->usable_count; k++)
-            any = any || isfinite(comparison_middle(results, m, results->by_roughness[k]).value[asked->quantity]);
-        if (!plan_runs_model(results->plan, m) || !any)
-            continue;
-        if (m == leading)
-            return leading;
-        if (found == model_count || model_rows[m]->precedence > model_rows[found]->precedence)
-            found = m;
-    }
-    return found < model_count ? found : leading;
-}
-
 size_t asked_textbook(const struct results *results)
 {
     for (size_t m = 0; m < model_count; m++)
@@ -140,37 +123,18 @@ struct asked asked_of(const struct results *results)
     return out;
 }
 
-void asked_ends(double out[2], const struct asked *asked, const struct contact_point *point, const double (*of)[2])
+void asked_ends(double out[2], const struct asked *asked, const double of[2])
 {
-    for (int side = 0; side < 2; side++) {
-        const double *value = point->value;
-        double end = of[asked->quantity][side];
-        if (asked->quantity == QUANTITY_JOINT)
-            end = 1 / of[QUANTITY_TCR][side] + value[QUANTITY_GAP];
-        else if (asked->quantity == QUANTITY_JOINT_ECR) {
-            double factor = value[QUANTITY_PLATING_FACTOR];
-            end = value[QUANTITY_JOINT_ECR] +
-                  (isfinite(factor) ? factor : 1) * (of[QUANTITY_ECR][side] - value[QUANTITY_ECR]);
-        }
-        out[side] = asked_shown(asked, end);
-    }
-    if (out[0] > out[1]) {
-        double low = out[1];
-        out[1] = out[0];
-        out[0] = low;
-    }
+    for (int side = 0; side < 2; side++) /* the inverse has them the other way round */
+        out[side] = asked_shown(asked, of[asked->reciprocal ? !side : side]);
 }
 
 void asked_interval(double out[2], const struct asked *asked, const struct results *results, size_t model,
                     size_t surface)
 {
-    const struct contact_point at = comparison_middle(results, model, surface);
     const struct curve_summary *curve = surface_model(&results->surfaces[surface].summary, model);
-    double of[QUANTITY_COUNT][2];
-    for (int q = 0; q < QUANTITY_COUNT; q++)
-        for (int side = 0; side < 2; side++)
-            of[q][side] = estimate_end(curve_summary_estimate(curve, q), side);
-    asked_ends(out, asked, &at, (const double(*)[2])of);
+    const struct estimate *estimate = curve_summary_estimate(curve, asked->quantity);
+    asked_ends(out, asked, (const double[]){estimate_end(estimate, 0), estimate_end(estimate, 1)});
 }
 
 struct asked_load asked_load_of(const struct results *results, size_t surface)

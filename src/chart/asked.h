@@ -21,9 +21,8 @@ struct asked asked_of(const struct results *results);
 /** A value of its quantity as it is shown. */
 double asked_shown(const struct asked *asked, double value);
 
-/** An interval's ends at a point of a curve, as shown, low first: of a number of the joint, those of the resistance it
- * is made of, with area and gap as they are. NaN: not known. `resistance`: ends of ECR, TCR and area at the point. */
-void asked_ends(double out[2], const struct asked *asked, const struct contact_point *point, const double (*of)[2]);
+/** Ends of an interval of its quantity, low first, as shown, low first. */
+void asked_ends(double out[2], const struct asked *asked, const double of[2]);
 /** The same where the summary stands, of a model on a surface. */
 void asked_interval(double out[2], const struct asked *asked, const struct results *results, size_t model,
                     size_t surface);
@@ -36,9 +35,6 @@ struct asked_load {
 };
 struct asked_load asked_load_of(const struct results *results, size_t surface);
 
-/** The model that the first page speaks of: the leading one, or, where that has no number of the asked quantity on any
- * surface, the next in precedence that has. */
-size_t asked_leading(const struct results *results, const struct asked *asked);
 /** The model that handbooks print: plastic, of no elastic partner and not the thesis's; model_count: none runs. */
 size_t asked_textbook(const struct results *results);
 /** The direct solution of the baseline, of the leading model's material law. */

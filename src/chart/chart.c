@@ -9,9 +9,14 @@
 
 static const struct chart_extent nothing = {INFINITY, -INFINITY};
 
-/* The canvas, in the unit of the drawing: 17 cm of a page are 720 of it, so that 14 are 9 pt. */
-enum { WIDTH = 720, FONT = 14, LEFT = 90, RIGHT = 14, BELOW = 50, BETWEEN = 20, LEGEND_ROW = 20, NUMBERS = 26 };
-static const double LETTER = 6.7, SAMPLE = 44; /* of a legend: a letter, and what stands before the name */
+/* The canvas, in the unit of the drawing, nearly a pixel of a page on a screen: of two panels side by side each is 300
+ * wide. */
+enum { WIDTH = 800, FONT = 15, LEFT = 90, LABEL = 76, RIGHT = 14, BELOW = 50, NUMBERS = 26, BETWEEN = 20 };
+enum { LEGEND_ROW = 21 };
+static const double LETTER = 7.2, SAMPLE = 47; /* a letter, and what stands before a legend's name */
+
+/* Of its value: of a narrower range, tics would have the same number in six digits. */
+static const double narrowest = 1e-4;
 
 static const struct {
     const char *name;
@@ -31,13 +36,19 @@ struct chart chart_make(const char *name)
     return out;
 }
 
+/** Takes the panel begun last away. */
+static void drop_panel(struct chart *chart)
+{
+    const struct chart_panel *panel = &chart->panel[--chart->panels];
+    json_decref(panel->curves);
+    json_decref(panel->marks);
+    json_decref(panel->names);
+}
+
 void chart_free(struct chart *chart)
 {
-    for (size_t p = 0; p < chart->panels; p++) {
-        json_decref(chart->panel[p].curves);
-        json_decref(chart->panel[p].marks);
-        json_decref(chart->panel[p].names);
-    }
+    while (chart->panels > 0)
+        drop_panel(chart);
     json_decref(chart->legend);
     free(chart->panel);
     text_free(&chart->data);
@@ -52,14 +63,9 @@ static struct chart_panel *last(struct chart *chart)
 /** A panel without curves goes. */
 static void drop_empty(struct chart *chart)
 {
-    struct chart_panel *panel = last(chart);
     chart_end(chart);
-    if (!panel || json_array_size(panel->curves) > 0)
-        return;
-    json_decref(panel->curves);
-    json_decref(panel->marks);
-    json_decref(panel->names);
-    chart->panels--;
+    if (last(chart) && json_array_size(last(chart)->curves) == 0)
+        drop_panel(chart);
 }
 
 struct chart_panel *chart_panel(struct chart *chart, const char *title, const char *x_label, const char *y_label,
@@ -69,7 +75,8 @@ struct chart_panel *chart_panel(struct chart *chart, const char *title, const ch
     if (!chart->panel || chart->panels == CHART_PANELS)
         return NULL;
     struct chart_panel *panel = &chart->panel[chart->panels++];
-    *panel = (struct chart_panel){.log_x = log_x,
+    *panel = (struct chart_panel){.number = chart->number,
+                                  .log_x = log_x,
                                   .log_y = log_y,
                                   .x = nothing,
                                   .y = nothing,
@@ -152,6 +159,7 @@ void chart_end(struct chart *chart)
     json_array_append_new(panel->curves, item);
     join(&panel->x, &chart->own_x);
     join(&panel->y, &chart->own_y);
+    chart->notes |= curve->notes;
     chart->rows = 0;
 }
 
@@ -236,8 +244,9 @@ static json_t *ticks_of(const struct chart_extent *extent, bool logarithmic, boo
     double range = extent->high - extent->low, step = pow(10, floor(log10(range / most)));
     while (range / step > most)
         step *= range / step > 2.5 * most ? (range / step > 5 * most ? 10 : 5) : 2;
-    for (double k = ceil(extent->low / step - 1e-9); k <= extent->high / step + 1e-9; k++)
-        add_tick(ticks, k * step + 0.0, false, letters); /* no -0 */
+    double first = ceil(extent->low / step - 1e-9); /* beyond 2^53 itself plus 1 is itself */
+    for (int i = 0; i <= most && first + i <= extent->high / step + 1e-9; i++)
+        add_tick(ticks, (first + i) * step + 0.0, false, letters); /* no -0 */
     return ticks;
 }
 
@@ -250,7 +259,8 @@ static struct chart_extent range_of(struct chart_extent data, bool logarithmic)
         double room = fmax(0.03 * decades_of(&data), data.high / data.low < 1.2 ? 0.15 : 0.02);
         return (struct chart_extent){fmax(data.low / pow(10, room), DBL_MIN), fmin(data.high * pow(10, room), DBL_MAX)};
     }
-    double room = data.high > data.low ? 0.04 * (data.high - data.low) : fmax(0.1 * fabs(data.high), 1e-9);
+    double range = data.high - data.low, size = fmax(fabs(data.low), fabs(data.high));
+    double room = range > narrowest * size ? 0.04 * range : fmax(0.1 * size, 1e-9);
     return (struct chart_extent){data.low - room, data.high + room};
 }
 
@@ -273,12 +283,9 @@ static const char *x_label_of(const struct chart *chart, size_t columns, size_t 
 
 static struct layout layout_of(const struct chart *chart)
 {
-    struct layout out = {.columns = chart->columns                            ? chart->columns
-                                    : chart->panels > 4 || chart->panels == 3 ? 3
-                                    : chart->panels > 1                       ? 2
-                                                                              : 1};
+    struct layout out = {.columns = chart->panels > 1 ? 2 : 1};
     size_t entries = json_array_size(chart->legend), i;
-    int longest = 8;
+    int longest = 8, label = 0;
     bool own = !chart->shares; /* axes of its own take each panel their room; shared ones are numbered at the first */
     double title = 10, y = 0;
     json_t *entry;
@@ -290,14 +297,16 @@ static struct layout layout_of(const struct chart *chart)
     for (size_t p = 0; p < chart->panels; p++) {
         own = own || chart->panel[p].alone;
         title = chart->panel[p].title[0] ? 26 : title;
+        label = (int)fmax(label, text_characters(chart->panel[p].y_label));
     }
     out.rows = (chart->panels + out.columns - 1) / out.columns;
-    out.panel = chart->panel_height > 0 ? chart->panel_height : out.columns == 1 ? 240 : 110;
+    out.panel = chart->panel_height > 0 ? chart->panel_height : out.columns == 1 ? 260 : 110;
+    out.panel = fmax(out.panel, LETTER * label); /* which is written upwards beside it */
     out.gap = own ? LEFT + 4 : BETWEEN;
     out.wide = (WIDTH - LEFT - RIGHT - (double)(out.columns - 1) * out.gap) / (double)out.columns;
     for (size_t row = 0; row < out.rows; row++) {
-        bool labelled = row + 1 == out.rows;
-        for (size_t p = row * out.columns; p < (row + 1) * out.columns && p + out.columns < chart->panels; p++)
+        bool labelled = false;
+        for (size_t p = row * out.columns; p < (row + 1) * out.columns && p < chart->panels; p++)
             labelled = labelled || x_label_of(chart, out.columns, p)[0];
         out.top[row] = y + title;
         y += title + out.panel + (labelled ? BELOW : NUMBERS);
@@ -306,7 +315,7 @@ static struct layout layout_of(const struct chart *chart)
     double beside = LEFT + (double)last_row * (out.wide + out.gap) - (own ? 50 : 0); /* no numbers stand there */
     out.legend_beside = entries > 0 && free > 0 && LETTER * longest + SAMPLE <= WIDTH - beside &&
                         LEGEND_ROW * (double)entries <= out.panel + BELOW + 10;
-    out.legend_columns = out.legend_beside ? 1 : (size_t)fmax(1, (WIDTH - 20) / (9.0 * longest + 64));
+    out.legend_columns = out.legend_beside ? 1 : (size_t)fmax(1, (WIDTH - 20) / (9.6 * longest + 68));
     out.legend_x = out.legend_beside ? beside : WIDTH / 2.0;
     out.legend_y = out.legend_beside ? out.top[out.rows - 1] - 10 : y + 4;
     size_t legend_rows = (entries + out.legend_columns - 1) / out.legend_columns;
@@ -341,25 +350,23 @@ static json_t *panel_view(const struct chart *chart, const struct layout *layout
     y = range_of(y, panel->log_y);
     size_t row = p / layout->columns, column = p % layout->columns;
     bool bare = chart->shares && column > 0 && !panel->alone && !chart->panel[p - 1].alone; /* numbered before */
-    double names = json_array_size(panel->names) > 0 ? 150 : 0;
+    double names = json_array_size(panel->names) > 0 ? 165 : 0;
     double left = LEFT + (double)column * (layout->wide + layout->gap), top = layout->top[row];
     mark_more(panel->curves, "more");
     json_t *ticks = json_array_size(panel->names) > 0
                         ? json_incref(panel->names)
                         : ticks_of(&y, panel->log_y, layout->letters, layout->panel < 150 ? 4 : 6);
-    json_t *x_ticks = ticks_of(&x, panel->log_x, layout->letters,
-                               layout->columns > 2   ? 3
-                               : layout->columns > 1 ? 5
-                                                     : 8);
+    json_t *x_ticks = ticks_of(&x, panel->log_x, layout->letters, layout->columns > 1 ? 5 : 8);
     mark_more(ticks, "more");
     mark_more(x_ticks, "more");
-    return json_pack("{so so so sb sb sb sf sf sf sf sf sf sf sf so so sO sO sf}", "title", json_shown(panel->title),
+    return json_pack("{so so so sb sb sb sf sf sf sf sf sf sf sf so so sO sO sf sf}", "title", json_shown(panel->title),
                      "x_label", json_shown(x_label_of(chart, layout->columns, p)), "y_label",
                      json_shown(bare ? "" : panel->y_label), "log_x", panel->log_x, "log_y", panel->log_y, "bare", bare,
                      "x_low", x.low, "x_high", x.high, "y_low", y.low, "y_high", y.high, "left", (left + names) / WIDTH,
                      "right", (left + layout->wide) / WIDTH, "top", 1 - top / layout->height, "bottom",
                      1 - (top + layout->panel) / layout->height, "y_ticks", ticks, "x_ticks", x_ticks, "curves",
-                     panel->curves, "marks", panel->marks, "title_y", 1 - (top - 12) / layout->height);
+                     panel->curves, "marks", panel->marks, "title_y", 1 - (top - 12) / layout->height, "y_label_x",
+                     (left - LABEL) / WIDTH);
 }
 
 static void escape_gnuplot(struct text *out, const char *string)

@@ -23,6 +23,7 @@ struct chart_curve {
     int dash;           /* gnuplot's dash type; 0: solid */
     int marker;         /* gnuplot's point type; 0: 7 */
     double width;       /* of a line; 0: 2 */
+    unsigned notes;     /* for the caption, once it is drawn: bits of the caller's */
 };
 
 /** Least and largest value; low > high: none. */
@@ -36,6 +37,7 @@ struct chart_panel {
     char title[CHART_TEXT], x_label[CHART_TEXT], y_label[CHART_TEXT];
     bool log_x, log_y;
     bool alone;                     /* its axes are its own where the others share theirs */
+    int number;                     /* as the chart's, when it was begun */
     struct chart_extent x, y;       /* of the data; grown by curves */
     struct chart_extent y_most;     /* what is beyond is cut off; low > high: nothing */
     json_t *curves, *marks, *names; /* owned */
@@ -43,12 +45,12 @@ struct chart_panel {
 
 struct chart {
     char name[CHART_NAME]; /* of its files */
-    char numbers[64];      /* in chapter 6: "6-11 to 6-14"; "": none */
+    int number;            /* of panels begun from here on, in chapter 6: 11 of figure 6-11; 0: none */
     bool shares;           /* all panels but those `alone` have one x and one y axis */
-    size_t columns;        /* of panels; 0: as their number asks for */
-    double panel_height;   /* 0: as is usual */
+    double panel_height;   /* 0: as is usual; never less than a y axis's label takes */
     struct chart_panel *panel;
     size_t panels;
+    unsigned notes; /* of all curves drawn */
     json_t *legend; /* owned */
     struct text data;
     size_t blocks, rows; /* curves with anything to see; rows of the one begun last */

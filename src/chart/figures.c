@@ -17,13 +17,20 @@ static const char *const surface_colours[] = {"#1257d0", "#cc5500", "#1fb380", "
                                               "#ee9400", "#4fa6f0", "#85858f", "#734ca4"};
 static const char *const sweep_colours[] = {"#431575", "#2b338f", "#025185", "#04657a", "#017775",
                                             "#058a64", "#4f9737", "#939803", "#c79608"};
-static const char ink[] = "#222222", quiet[] = "#8a8a8a", direct_colour[] = "#c2185b";
+static const char ink[] = "#222222", quiet[] = "#8a8a8a";
 enum {
     COLOURS = sizeof surface_colours / sizeof *surface_colours,
     DASH_OUTSIDE = 2,
     DASH_OTHER = 4,
     DASH_UNLOADING = 5
 };
+
+#define NOTE(note) (1u << (note))
+
+const char *const figure_notes[] = {
+    "band",       "outside", "adjusted", "scale_dependent", "last_scale", "cut",  "direct",
+    "few_points", "law",     "bins",     "open_bins",       "knees",      "rules"};
+_Static_assert(sizeof figure_notes / sizeof *figure_notes == FIGURE_NOTES, "every note has its name");
 
 /* Beyond this A/A_n a resistance goes to 0 over as many decades as a load happens to come close to full contact. */
 static const double nearly_full_area = 0.99;
@@ -73,8 +80,9 @@ static void put_part(struct chart *chart, const struct source *source, const str
 {
     for (size_t i = 0; i < count; i++) {
         double value = on_axis(&points[i], y, sigma_m);
-        if ((is_resistance(y->quantity) && points[i].value[QUANTITY_AREA] > nearly_full_area) ||
-            (quantity_rows[y->quantity].sigma_column && value < lowest_separation) ||
+        bool full = is_resistance(y->quantity) && points[i].value[QUANTITY_AREA] > nearly_full_area;
+        chart->curve.notes |= full ? NOTE(FIGURE_CUT) : 0;
+        if (full || (quantity_rows[y->quantity].sigma_column && value < lowest_separation) ||
             (y->quantity == QUANTITY_TEMPERATURE && value > source->hottest_C))
             continue;
         chart_row(chart, on_axis(&points[i], x, sigma_m), value, 0, 0);
@@ -83,7 +91,7 @@ static void put_part(struct chart *chart, const struct source *source, const str
 
 /** A model's curve of a surface, dashed outside its range of validity, and that of falling load, named once. */
 static void put_curve(struct chart *chart, const struct source *source, const struct surface_record *record, size_t m,
-                      const struct axis *x, const struct axis *y, const struct chart_curve *look)
+                      const struct axis *x, const struct axis *y, struct chart_curve look)
 {
     const struct model_curve *curve = &record->curves[m];
     const struct surface_unloading *unloading = record->summary.unloading;
@@ -91,11 +99,16 @@ static void put_curve(struct chart *chart, const struct source *source, const st
     if (!curve->exists)
         return;
     struct curve_validity valid = curve_summary_validity(curve, model_rows[m]);
-    struct chart_curve outside = *look, falling = *look;
+    look.notes |= y->quantity == QUANTITY_ADJUSTED              ? NOTE(FIGURE_ADJUSTED)
+                  : y->quantity == QUANTITY_TCR_SCALE_DEPENDENT ? NOTE(FIGURE_SCALE_DEPENDENT)
+                  : y->quantity == QUANTITY_ECR_LAST_SCALE      ? NOTE(FIGURE_LAST_SCALE)
+                                                                : 0;
+    struct chart_curve outside = look, falling = look;
     outside.dash = DASH_OUTSIDE;
     outside.width = 1.2;
-    outside.legend = valid.end > valid.first ? "" : look->legend;
-    chart_curve(chart, look);
+    outside.legend = valid.end > valid.first ? "" : look.legend;
+    outside.notes |= NOTE(FIGURE_OUTSIDE);
+    chart_curve(chart, &look);
     put_part(chart, source, curve->points + valid.first, valid.end - valid.first, x, y, sigma_m);
     if (valid.first > 0) {
         chart_curve(chart, &outside);
@@ -147,6 +160,15 @@ static struct chart_curve surface_look(const struct source *source, size_t k)
         .width = 2};
 }
 
+/** That of the baseline, which is always shown; ink where there is no other. */
+static const char *baseline_colour(const struct source *source)
+{
+    size_t k = 0;
+    while (k + 1 < source->results->shown_count && source->results->shown[k] != source->results->baseline)
+        k++;
+    return source->results->usable_count > 1 ? surface_look(source, k).colour : ink;
+}
+
 /** Loads as the user has them, or, behind the first page where the scene gives them no unit, as the thesis has them. */
 static struct asked_load load_of(const struct source *source, size_t surface, bool asked)
 {
@@ -190,13 +212,14 @@ static void put_band(struct chart *chart, const struct surface_record *record, s
     const struct model_curve *curve = &record->curves[m];
     if (!record->bands || !record->bands[m])
         return;
-    chart_curve(chart, &(struct chart_curve){.kind = CHART_BAND, .legend = "", .colour = colour});
+    chart_curve(chart,
+                &(struct chart_curve){.kind = CHART_BAND, .legend = "", .colour = colour, .notes = NOTE(FIGURE_BAND)});
     for (size_t i = 0; i < record->band_count && i < curve->count; i++) {
         double ends[2];
         if (record->bands[m][i].load != curve->points[i].value[QUANTITY_LOAD] ||
             (is_resistance(asked->quantity) && curve->points[i].value[QUANTITY_AREA] > nearly_full_area))
             continue;
-        asked_ends(ends, asked, &curve->points[i], (const double(*)[2])record->bands[m][i].mean);
+        asked_ends(ends, asked, record->bands[m][i].mean[asked->quantity]);
         chart_row(chart, load_scale * record->bands[m][i].load, ends[0], ends[1], 0);
     }
 }
@@ -229,6 +252,14 @@ static void put_measured(struct chart *chart, const struct source *source, const
     }
 }
 
+/** Do few points of the grid touch at load `i`? By the area. */
+static bool few_touch(const struct direct_study *study, const struct material_pair *pair, enum direct_study_kind kind,
+                      size_t i)
+{
+    double grid = (double)study->plan.grid;
+    return direct_study_value(study, pair, kind, QUANTITY_AREA, i, NULL) * grid * grid < FIGURE_FEW_POINTS;
+}
+
 /** The direct solutions in the asked quantity: with what lies in the joint where it is made of that. */
 static void put_direct(struct chart *chart, const struct source *source, double scale)
 {
@@ -237,14 +268,20 @@ static void put_direct(struct chart *chart, const struct source *source, double 
         return;
     const struct material_pair *pair = results_pair(source->results, study->surface);
     enum direct_study_kind kind = direct_study_kind_of(study, source->leading);
-    chart_curve(chart, &(struct chart_curve){.kind = CHART_BARS,
-                                             .legend = words_say(source->words, "direct", NULL),
-                                             .colour = direct_colour,
-                                             .marker = 5});
-    for (size_t i = 0; i < study->curves[kind].loads; i++) {
-        double error, value = direct_study_value(study, pair, kind, source->asked.quantity, i, &error);
-        if (value > 0)
-            put_bar(chart, &source->asked, scale * study->plan.load[i], value, error);
+    const char *name = short_name(source, source->baseline->summary.scene->name);
+    struct chart_curve look = {
+        .kind = CHART_BARS,
+        .legend = words_say(source->words, "direct", "surface", source->results->usable_count > 1 ? name : "", NULL),
+        .colour = baseline_colour(source)};
+    for (int few = 0; few < 2; few++) {
+        look.marker = few ? 4 : 5;
+        look.notes = NOTE(FIGURE_DIRECT) | (few ? NOTE(FIGURE_FEW) : 0);
+        chart_curve(chart, &look);
+        for (size_t i = 0; i < study->curves[kind].loads; i++) {
+            double error, value = direct_study_value(study, pair, kind, source->asked.quantity, i, &error);
+            if (value > 0 && few_touch(study, pair, kind, i) == few)
+                put_bar(chart, &source->asked, scale * study->plan.load[i], value, error);
+        }
     }
 }
 
@@ -262,7 +299,7 @@ static void make_answer(struct chart *chart, const struct source *source)
                  asked_load_of(results, results->shown[k]).scale, surface_colour(k));
     if (textbook < model_count && textbook != source->leading)
         put_curve(chart, source, source->baseline, textbook, &x, &y,
-                  &(struct chart_curve){
+                  (struct chart_curve){
                       .legend = words_say(source->words, "textbook", "model", model_rows[textbook]->label, NULL),
                       .colour = quiet,
                       .dash = DASH_OTHER});
@@ -270,7 +307,7 @@ static void make_answer(struct chart *chart, const struct source *source)
         const struct axis own = {QUANTITY_LOAD, false, asked_load_of(results, results->shown[k]).scale};
         struct chart_curve look = surface_look(source, k);
         look.width = look.width < 2 ? look.width : 2.6;
-        put_curve(chart, source, &results->surfaces[results->shown[k]], source->leading, &own, &y, &look);
+        put_curve(chart, source, &results->surfaces[results->shown[k]], source->leading, &own, &y, look);
     }
     put_direct(chart, source, x.scale);
     for (size_t k = 0; k < results->shown_count && asked->quantity == results_measured_quantity(results); k++)
@@ -315,8 +352,8 @@ static void make_models(struct chart *chart, const struct source *source)
     if (known)
         rows[count++] = (struct row){direct,
                                      {direct / (1 + error), direct * (1 + error)},
-                                     words_say(source->words, "direct", NULL),
-                                     direct_colour,
+                                     words_say(source->words, "direct", "surface", "", NULL),
+                                     ink,
                                      -1};
     for (size_t m = 0; m < model_count; m++) {
         const struct contact_point at = comparison_middle(results, m, results->baseline);
@@ -336,13 +373,16 @@ static void make_models(struct chart *chart, const struct source *source)
         double y = (double)(count - r);
         bool ends = rows[r].ends[0] > 0 && isfinite(rows[r].ends[1]);
         chart_name_row(chart, y, rows[r].label);
-        chart_curve(chart, &(struct chart_curve){.kind = CHART_DOTS, .legend = "", .colour = rows[r].colour});
+        chart_curve(chart, &(struct chart_curve){.kind = CHART_DOTS,
+                                                 .legend = "",
+                                                 .colour = rows[r].colour,
+                                                 .notes = rows[r].colour == ink ? NOTE(FIGURE_DIRECT) : 0});
         chart_row(chart, rows[r].value, y, ends ? rows[r].ends[0] : rows[r].value,
                   ends ? rows[r].ends[1] : rows[r].value);
     }
     if (asked->target)
         chart_mark(chart, true, asked_shown(asked, asked->target->value), words_say(source->words, "target", NULL));
-    chart->panel_height = 40 + 24 * (double)count;
+    chart->panel_height = 42 + 26 * (double)count;
     free(rows);
 }
 
@@ -351,8 +391,11 @@ static void make_models(struct chart *chart, const struct source *source)
 /** Bins of the spectrum that the law was, or was not, fitted to. */
 static void put_bins(struct chart *chart, const struct power_law_band *band, bool used)
 {
-    chart_curve(chart, &(struct chart_curve){
-                           .kind = CHART_BARS, .legend = "", .colour = used ? ink : "#a0a0a8", .marker = used ? 7 : 6});
+    chart_curve(chart, &(struct chart_curve){.kind = CHART_BARS,
+                                             .legend = "",
+                                             .colour = used ? ink : "#a0a0a8",
+                                             .marker = used ? 7 : 6,
+                                             .notes = NOTE(used ? FIGURE_BINS : FIGURE_OPEN_BINS)});
     for (size_t j = 0; j < band->bins; j++) {
         double s = sqrt(band->bin[j].variance), y = band->bin[j].y;
         if ((band->use[j] == POWER_LAW_BAND_USED) == used)
@@ -401,11 +444,13 @@ static void put_spectrum(struct chart *chart, const struct source *source, const
         put_bins(chart, record->band, true);
         put_bins(chart, record->band, false);
     }
-    chart_curve(chart, &(struct chart_curve){.legend = "", .colour = ink, .width = 2.4});
+    chart_curve(chart, &(struct chart_curve){.legend = "", .colour = ink, .width = 2.4, .notes = NOTE(FIGURE_LAW)});
     for (int i = 0; i < 2; i++)
         chart_row(chart, law->band_m[i] * 1e6, power_law_amplitude(law, law->band_m[i]) * 1e6, 0, 0);
-    for (size_t i = 0; record->band && i + 1 < record->band->pieces; i++)
+    for (size_t i = 0; record->band && i + 1 < record->band->pieces; i++) {
         chart_mark(chart, true, record->band->knee_m[i] * 1e6, "");
+        chart->notes |= NOTE(FIGURE_KNEES);
+    }
 }
 
 /** A row a surface: its profile, and its spectrum on the axes of all. */
@@ -413,8 +458,8 @@ static void make_surfaces(struct chart *chart, const struct source *source)
 {
     const struct results *results = source->results;
     chart->shares = true;
-    chart->columns = 2;
-    chart->panel_height = 76;
+    chart->panel_height = 90;
+    chart->number = 10;
     for (size_t k = 0; k < results->shown_count; k++) {
         const struct surface_record *record = &results->surfaces[results->shown[k]];
         put_profile(chart, source, record, record->summary.scene->name, surface_colour(k));
@@ -434,16 +479,16 @@ static void make_convergence(struct chart *chart, const struct source *source)
     static const char *const parameter[][2] = {
         [CONVERGENCE_ALPHA] = {"alpha", "panel.alpha"}, [CONVERGENCE_GAMMA] = {"gamma", "panel.gamma"}};
     size_t index[MOST], count = results_sweep_scales(index, MOST, study->scales);
-    int place = 1;
     chart->shares = true;
-    chart->panel_height = 80;
+    chart->panel_height = 90;
     for (int s = 0; s < CONVERGENCE_SWEEP_COUNT && results->convergence; s++)
         for (size_t m = 0; m < model_count; m++) {
             const struct convergence_sweep_row *sweep = &convergence_sweeps[s];
             char number[20], value[40];
             if (!plan_runs_model(results->plan, m) || !model_rows[m]->stacks_scales)
                 continue;
-            snprintf(number, sizeof number, "6-%02d", place++);
+            chart->number = 1 + 2 * s + model_rows[m]->plastic;
+            snprintf(number, sizeof number, "6-%02d", chart->number);
             if (!chart_panel(
                     chart,
                     words_say(source->words, parameter[s][1], "number", number, "model", model_rows[m]->label, NULL),
@@ -479,8 +524,8 @@ struct quantity_panel {
 };
 static const struct quantity_panel quantity_panels[] = {
     {QUANTITY_LOAD, QUANTITY_AREA, 5, 11, "area"},
-    {QUANTITY_LOAD, QUANTITY_SEPARATION, 7, 15, "separation-load"},
     {QUANTITY_AREA, QUANTITY_SEPARATION, 6, 19, "separation-area"},
+    {QUANTITY_LOAD, QUANTITY_SEPARATION, 7, 15, "separation-load"},
     {QUANTITY_LOAD, QUANTITY_ECR, 8, 23, "ecr"},
     {QUANTITY_LOAD, QUANTITY_TCR, 9, 27, "tcr"},
     {QUANTITY_LOAD, QUANTITY_STIFFNESS, 0, 0, "stiffness"},
@@ -510,13 +555,13 @@ static void put_quantity(struct chart *chart, const struct source *source, const
     const struct axis y = {model_shown(model_rows[m], panel->y), false, 1};
     if (!computes(source, m, panel->y))
         return;
-    put_curve(chart, source, record, m, &x, &y, &look);
+    put_curve(chart, source, record, m, &x, &y, look);
     look.dash = 3;
     look.width = 1.4;
     look.legend = "";
     enum quantity also = panel->y == QUANTITY_TCR ? QUANTITY_TCR_SCALE_DEPENDENT : QUANTITY_ECR_LAST_SCALE;
     if ((panel->y == QUANTITY_TCR || panel->y == QUANTITY_ECR) && computes(source, m, also))
-        put_curve(chart, source, record, m, &x, &(struct axis){also, false, 1}, &look);
+        put_curve(chart, source, record, m, &x, &(struct axis){also, false, 1}, look);
 }
 
 /** The baseline in every model, a panel a quantity: those of chapter 6, or the joint's. */
@@ -525,6 +570,7 @@ static void put_baseline(struct chart *chart, const struct source *source, bool 
     for (size_t p = 0; p < QUANTITY_PANELS; p++) {
         const struct quantity_panel *panel = &quantity_panels[p];
         char number[20];
+        chart->number = panel->number;
         snprintf(number, sizeof number, "6-%02d", panel->number);
         if (!panel->file != joint || !(plan_quantities(source->results->plan) & QUANTITY_BIT(panel->y)) ||
             !begin_panel(chart, source, panel,
@@ -538,7 +584,7 @@ static void put_baseline(struct chart *chart, const struct source *source, bool 
 
 static void make_one_surface(struct chart *chart, const struct source *source)
 {
-    chart->panel_height = 88;
+    chart->panel_height = 150;
     put_baseline(chart, source, false);
 }
 
@@ -551,17 +597,17 @@ static void make_joint(struct chart *chart, const struct source *source)
 static void make_all_surfaces(struct chart *chart, const struct source *source, const struct quantity_panel *panel)
 {
     const struct results *results = source->results;
-    int thesis = 0;
     chart->shares = true;
     for (int place = 1; place <= 5 && results->usable_count > 1; place++)
         for (size_t m = 0; m < model_count; m++) {
             char number[20] = "";
+
             bool leads = m == source->leading && model_rows[m]->thesis_place == 0;
             if (!computes(source, m, panel->y) || (place < 5 ? model_rows[m]->thesis_place != place : !leads))
                 continue;
-            if (place < 5 && panel->first > 0)
-                snprintf(number, sizeof number, "6-%02d", panel->first + place - 1);
-            thesis += place < 5;
+            chart->number = place < 5 && panel->first > 0 ? panel->first + place - 1 : 0;
+            if (chart->number > 0)
+                snprintf(number, sizeof number, "6-%02d", chart->number);
             if (!begin_panel(
                     chart, source, panel,
                     words_say(source->words, "panel.model", "number", number, "model", model_rows[m]->label, NULL)))
@@ -569,8 +615,6 @@ static void make_all_surfaces(struct chart *chart, const struct source *source, 
             for (size_t k = 0; k < results->shown_count; k++)
                 put_quantity(chart, source, panel, results->shown[k], m, surface_look(source, k));
         }
-    if (thesis == 4 && panel->first > 0)
-        snprintf(chart->numbers, sizeof chart->numbers, "6-%02d to 6-%02d", panel->first, panel->first + 3);
 }
 
 /* ---- What is called for ---- */
@@ -596,11 +640,9 @@ static void make_measured(struct chart *chart, const struct source *source)
                          true))
             return;
         chart->shares = panels++ > 0;
-        for (size_t m = 0; m < model_count; m++) {
-            const struct chart_curve look = model_look(m);
+        for (size_t m = 0; m < model_count; m++)
             if (computes(source, m, quantity))
-                put_curve(chart, source, record, m, &x, &y, &look);
-        }
+                put_curve(chart, source, record, m, &x, &y, model_look(m));
         put_measured(chart, source, &asked, k);
     }
 }
@@ -613,7 +655,7 @@ static void make_direct(struct chart *chart, const struct source *source)
     const struct material_pair *pair = results_pair(results, results->baseline);
     const double scale = load_of(source, results->baseline, false).scale;
     chart->shares = true;
-    chart->panel_height = 160;
+    chart->panel_height = 150;
     for (int q = 0; study && q < DIRECT_STUDY_QUANTITIES; q++) {
         const enum quantity quantity = direct_study_quantities[q];
         struct chart_panel *panel =
@@ -634,12 +676,19 @@ static void make_direct(struct chart *chart, const struct source *source)
             if (value > 0)
                 chart_row(chart, scale * study->plan.load[i], 1 / (1 + share), 1 + share, 0);
         }
-        for (size_t m = 0; m < model_count; m++) {
-            const struct chart_curve look = model_look(m);
-            chart_curve(chart, &look);
-            for (size_t i = 0; i < study->plan.loads && computes(source, m, quantity); i++)
-                chart_row(chart, scale * study->plan.load[i], direct_study_ratio(study, pair, m, quantity, i), 0, 0);
-        }
+        for (size_t m = 0; m < model_count; m++)
+            for (int few = 0; few < 2 && computes(source, m, quantity); few++) {
+                const enum direct_study_kind kind = direct_study_kind_of(study, m);
+                struct chart_curve look = model_look(m);
+                look.kind = few ? CHART_POINTS : CHART_LINE;
+                look.marker = few ? 6 : 7;
+                look.notes = NOTE(FIGURE_DIRECT) | (few ? NOTE(FIGURE_FEW) : 0);
+                chart_curve(chart, &look);
+                for (size_t i = 0; i < study->plan.loads; i++)
+                    if (few_touch(study, pair, kind, i) == few)
+                        chart_row(chart, scale * study->plan.load[i], direct_study_ratio(study, pair, m, quantity, i),
+                                  0, 0);
+            }
         chart_mark(chart, false, 1, "");
     }
 }
@@ -650,7 +699,7 @@ static void make_accuracy(struct chart *chart, const struct source *source)
     const struct benchmark *cost = source->results->benchmark;
     const struct benchmark_row *before = NULL, *first = NULL; /* the first integral stands for all */
     size_t methods = 0;
-    chart->panel_height = 170;
+    chart->panel_height = 180;
     if (!cost || !chart_panel(chart, "", words_say(source->words, "axis.time", NULL),
                               words_say(source->words, "axis.error", NULL), true, true))
         return;
@@ -666,7 +715,8 @@ static void make_accuracy(struct chart *chart, const struct source *source)
                                                                                row->model ? row->model->label : "",
                                                                                "rule", row->method, NULL),
                                                      .width = own ? 3 : 1.4,
-                                                     .colour = own ? "#1257d0" : surface_colour(++methods)});
+                                                     .colour = own ? "#1257d0" : surface_colour(++methods),
+                                                     .notes = own ? 0 : NOTE(FIGURE_RULES)});
         if (row->error >= 1e-16)
             chart_row(chart, row->seconds * 1e3, row->error, 0, 0);
     }
@@ -677,19 +727,19 @@ static void make_accuracy(struct chart *chart, const struct source *source)
 
 /* In the report's order; those of all surfaces come behind. */
 static const struct figure_row {
-    const char *name, *numbers;
+    const char *name;
     bool first_page, terminal;
     void (*make)(struct chart *chart, const struct source *source); /* nothing: it is not called for */
 } figure_rows[] = {
-    {"answer", "", true, true, make_answer},
-    {"models", "", true, false, make_models},
-    {"surfaces", "6-10", false, false, make_surfaces},
-    {"convergence", "6-01 to 6-04", false, false, make_convergence},
-    {"one-surface", "6-05 to 6-09", false, false, make_one_surface},
-    {"joint", "", false, false, make_joint},
-    {"measured", "", false, false, make_measured},
-    {"direct", "", false, true, make_direct},
-    {"accuracy", "", false, false, make_accuracy},
+    {"answer", true, true, make_answer},
+    {"models", true, false, make_models},
+    {"surfaces", false, false, make_surfaces},
+    {"convergence", false, false, make_convergence},
+    {"one-surface", false, false, make_one_surface},
+    {"joint", false, false, make_joint},
+    {"measured", false, false, make_measured},
+    {"direct", false, true, make_direct},
+    {"accuracy", false, false, make_accuracy},
 };
 enum { FIGURE_ROWS = sizeof figure_rows / sizeof *figure_rows };
 _Static_assert(FIGURE_ROWS + QUANTITY_FIGURES <= FIGURES_MOST, "all figures have a place");
@@ -713,6 +763,22 @@ static enum status_code draw_one(struct chart *chart, bool terminal, struct must
     return rc;
 }
 
+/** The numbers of a chart's panels in chapter 6, which ascend; three or more in a row as from ... to. */
+static void put_numbers(char *out, size_t size, const struct chart *chart)
+{
+    size_t used = 0;
+    int before = 0, row = 0;
+    for (size_t p = 0; p < chart->panels && used < size; p++) {
+        int number = chart->panel[p].number;
+        if (number == 0 || number == before)
+            continue;
+        row = number == before + 1 ? row + 1 : 1;
+        used -= row > 2 ? strlen(row > 3 ? " to 6-00" : ", 6-00") : 0; /* the one before gives way */
+        used += (size_t)snprintf(out + used, size - used, "%s6-%02d", row > 2 ? " to " : used > 0 ? ", " : "", number);
+        before = number;
+    }
+}
+
 enum status_code figures_draw(struct figures *out, const struct results *results, const struct figures_task *task,
                               struct status *status)
 {
@@ -722,7 +788,7 @@ enum status_code figures_draw(struct figures *out, const struct results *results
                             .words = task->words};
     const struct heating_metal *metal = heating_metal_find(source.baseline->summary.scene->bodies.material.name);
     struct mustache_folder folder = {task->templates, ".gp", NULL, status};
-    source.leading = asked_leading(results, &source.asked);
+    source.leading = plan_leading_model(results->plan);
     source.hottest_C = fmin(metal ? metal->melting_K - 273.15 : NAN, 1000);
     for (size_t f = 0; f < FIGURE_ROWS + QUANTITY_FIGURES && status->code == STATUS_OK; f++) {
         const struct figure_row *row = f < FIGURE_ROWS ? &figure_rows[f] : NULL;
@@ -730,7 +796,6 @@ enum status_code figures_draw(struct figures *out, const struct results *results
         if (task->cost != (row && row->make == make_accuracy) || (task->brief && !(row && row->first_page)))
             continue;
         struct chart chart = chart_make(row ? row->name : panel->file);
-        snprintf(chart.numbers, sizeof chart.numbers, "%s", row ? row->numbers : "");
         if (row)
             row->make(&chart, &source);
         else
@@ -740,7 +805,9 @@ enum status_code figures_draw(struct figures *out, const struct results *results
         if (chart.blocks > 0 && draw_one(&chart, terminal, &folder, task, status) == STATUS_OK) {
             out->figure[out->count].name = row ? row->name : panel->file;
             out->figure[out->count].terminal = terminal;
-            snprintf(out->figure[out->count++].numbers, sizeof out->figure->numbers, "%s", chart.numbers);
+            out->figure[out->count].notes = chart.notes;
+            put_numbers(out->figure[out->count].numbers, sizeof out->figure->numbers, &chart);
+            out->count++;
         }
         chart_free(&chart);
     }

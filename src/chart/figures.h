@@ -7,13 +7,33 @@
 #include "chart/words.h"
 #include "results/results.h"
 
-enum { FIGURES_MOST = 16 };
+enum { FIGURES_MOST = 16, FIGURE_FEW_POINTS = 200 };
+
+/** What a chart's caption has to say of what is drawn in it. */
+enum figure_note {
+    FIGURE_BAND,            /* 95 % about a curve */
+    FIGURE_OUTSIDE,         /* dashed, outside a model's range of validity */
+    FIGURE_ADJUSTED,        /* a gap that is adjusted */
+    FIGURE_SCALE_DEPENDENT, /* dotted */
+    FIGURE_LAST_SCALE,      /* dotted, of the finest scale alone */
+    FIGURE_CUT,             /* not drawn near full contact */
+    FIGURE_DIRECT,          /* the direct solution, a model over it */
+    FIGURE_FEW,             /* open: of fewer than FIGURE_FEW_POINTS points of the grid in contact */
+    FIGURE_LAW,
+    FIGURE_BINS,
+    FIGURE_OPEN_BINS, /* which the law is not fitted to */
+    FIGURE_KNEES,
+    FIGURE_RULES, /* other integration rules */
+    FIGURE_NOTES
+};
+extern const char *const figure_notes[]; /* as the view names them */
 
 /** Those that were drawn. */
 struct figures {
     struct {
         const char *name; /* of its files */
-        char numbers[64]; /* in chapter 6: "6-11 to 6-14"; "": none */
+        char numbers[64]; /* of its panels in chapter 6: "6-11 to 6-14"; "": none */
+        unsigned notes;   /* bits of enum figure_note */
         bool terminal;    /* drawn with letters too */
     } figure[FIGURES_MOST];
     size_t count;

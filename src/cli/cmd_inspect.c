@@ -247,8 +247,8 @@ int command_inspect(int argc, char **argv)
     }
     if (!arguments.json)
         json_decref(outcome.all);
-    else if (!command_json_print(outcome.all))
-        outcome.refused = outcome.scans;
+    else
+        command_json_print(outcome.all);
     return command_finish(outcome.refused == 0               ? COMMAND_DONE
                           : outcome.refused == outcome.scans ? COMMAND_NOTHING
                                                              : COMMAND_REFUSED,

@@ -19,17 +19,31 @@ struct arguments {
     bool show, verbose, check, json;
 };
 
-enum { KEY_X_UNIT = 0x100, KEY_Z_UNIT, KEY_NO_COST, KEY_CHECK, KEY_BRIEF, KEY_JSON, KEY_TEMPLATE, KEY_EXPORT };
+enum {
+    KEY_X_UNIT = 0x100,
+    KEY_Z_UNIT,
+    KEY_NO_COST,
+    KEY_CHECK,
+    KEY_BRIEF,
+    KEY_JSON,
+    KEY_TEMPLATE,
+    KEY_EXPORT,
+    KEY_BUDGET
+};
 
 /* What both take: the directory, and what overrides its scene. */
 static const struct argp_option scene_options[] = {
     {"material", 'm', "MATERIAL", 0, "a built-in material (default: the scene's, else none)", 1},
     {"effects", 'e', "EFFECTS", 0,
-     "auto, or some of plasticity, separation, electrical, thermal, scale-dependent, stiffness, last-scale, "
-     "convergence, uncertainty, unloading, direct, gap, film, plating, heating, with commas (default: the scene's, "
-     "else auto)",
+     "auto, some of plasticity, separation, electrical, thermal, scale-dependent, stiffness, last-scale, "
+     "convergence, uncertainty, unloading, direct, gap, film, plating, heating, or both, with commas (default: the "
+     "scene's, else auto)",
      1},
     {"tolerance", 't', "REL", 0, "relative tolerance of every number, 1e-14 to 0.1 (default: the scene's, else 1e-6)",
+     1},
+    {"budget", KEY_BUDGET, "TIME", 0,
+     "solve directly too, on the grid and as many surfaces as take so long on one core, by count, not by the clock "
+     "(default: the scene's)",
      1},
     {"x-unit", KEY_X_UNIT, "UNIT", 0, "unit of x where a file names none (default: the scene's)", 1},
     {"z-unit", KEY_Z_UNIT, "UNIT", 0, "unit of z where a file names none (default: the scene's)", 1},
@@ -53,6 +67,8 @@ static error_t parse_scene(int key, char *value, struct argp_state *state)
         overrides->effects = value;
     else if (key == 't')
         overrides->tolerance = value;
+    else if (key == KEY_BUDGET)
+        overrides->budget = value;
     else if (key == KEY_X_UNIT)
         overrides->x_unit = unit(value, "x-unit", state);
     else if (key == KEY_Z_UNIT)
@@ -156,6 +172,7 @@ static void print_times(const struct run_times *times)
     print_time("level", times->prepare);
     print_time("spectra", times->spectrum);
     print_time("strips", times->strips);
+    print_time("direct of maps", times->tiles);
     for (size_t m = 0; m < model_count; m++)
         print_time(model_rows[m]->label, times->models[m]);
     print_time("convergence", times->convergence);

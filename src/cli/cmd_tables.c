@@ -30,14 +30,13 @@ const struct argp command_materials_argp = {
  * exit status. */
 static int print(json_t *rows, bool as_json)
 {
-    struct status status = {0};
     struct text text = {0};
     const char *key;
     json_t *row, *value;
     size_t i;
     if (as_json) {
-        bool printed = command_json_print(rows) || status_memory(&status) == STATUS_OK;
-        return printed ? command_finish(COMMAND_DONE, NULL) : command_fail(&status);
+        command_json_print(rows);
+        return command_finish(COMMAND_DONE, NULL);
     }
     json_array_foreach(rows, i, row)
     {
@@ -109,11 +108,13 @@ int command_materials(int argc, char **argv)
         size_t f = i < JOINT_PLATINGS ? 0 : i - JOINT_PLATINGS;
         const struct joint_layer *layer = f ? &joint_fillers[f] : &joint_platings[i % JOINT_PLATINGS];
         if (layer->source)
-            json_array_append_new(rows, json_pack("{s:s, s:f, s:f, s:f, s:s}", f ? "filler" : "plating",
+            json_array_append_new(rows, json_pack("{s:s, s:f, s:f, s:f, s:o*, s:s}", f ? "filler" : "plating",
                                                   f ? joint_filler_names[f] : joint_plating_names[i],
                                                   f ? "conductivity_W_per_mK" : "resistivity_ohm_m", layer->value,
                                                   "least_thickness_m", layer->least_m, "most_thickness_m",
-                                                  layer->most_m, "source", layer->source));
+                                                  layer->most_m, "hardness_Pa",
+                                                  layer->hardness_Pa > 0 ? json_real(layer->hardness_Pa) : NULL,
+                                                  "source", layer->source));
     }
     return print(rows, json);
 }

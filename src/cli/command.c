@@ -145,10 +145,10 @@ int command_finish(int exit_status, const char *written)
     return COMMAND_NOTHING;
 }
 
-bool command_json_print(json_t *json)
+void command_json_print(json_t *json)
 {
     bool printed = json && json_dumpf(json, stdout, JSON_INDENT(1) | JSON_REAL_PRECISION(17)) == 0;
+    status_lost |= !printed && !ferror(stdout); /* what could not be written command_finish() sees */
     printf("\n");
     json_decref(json);
-    return printed;
 }

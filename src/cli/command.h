@@ -77,8 +77,9 @@ void command_terminal_size(int *columns, int *rows);
  * file the report is. */
 int command_finish(int exit_status, const char *written);
 
-/** Prints a value (docs/commands.md) to stdout, numbers with 17 digits; takes it over. False: out of memory. */
-bool command_json_print(json_t *json);
+/** Prints a value (docs/commands.md) to stdout, numbers with 17 digits; takes it over. command_finish() says whether
+ * that went well. */
+void command_json_print(json_t *json);
 
 /* What `report`, `direct` and `plan` print with --json (docs/commands.md). */
 

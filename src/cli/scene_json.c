@@ -12,12 +12,6 @@ static json_t *begin(const char *directory, const char *messages, int exit_statu
                      command_statuses[exit_status], "error", json_shown(error), "messages", json_lines(messages));
 }
 
-static void print(json_t *json)
-{
-    if (!command_json_print(json))
-        command_complain("", "out of memory"); /* what is printed is no JSON then, and the reader says so */
-}
-
 /** The path of results.json, beside the page. */
 static json_t *results_json(const char *page)
 {
@@ -39,7 +33,7 @@ void scene_json_print_report(const struct run_outcome *outcome, const char *dire
         json_object_update(json, outcome->outline);
     if (outcome && !error)
         json_object_set_new(json, "work", json_pack("{s:I}", "evaluations", (json_int_t)outcome->evaluations));
-    print(json);
+    command_json_print(json);
 }
 
 static json_t *surfaces_json(const struct results *results)
@@ -86,5 +80,5 @@ void scene_json_print_plan(const struct results *results, double rough_seconds, 
         json_object_set_new(json, "closure", json_string(sinusoid_fits[scene->closure].name));
     }
     json_decref(models);
-    print(json);
+    command_json_print(json);
 }

@@ -6,57 +6,36 @@
 #include <gsl/gsl_sort.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
+
+/** l_b of a surface whose profiles rise through its height `crossings_per_m` times; where never, one of no end. */
+static double length_of(double area_ratio, double crossings_per_m)
+{
+    return crossings_per_m > 0 ? pow(1 - sqrt(area_ratio), 1.5) / (2 * crossings_per_m) : INFINITY;
+}
 
 struct bearing_at bearing_gaussian(double area_ratio, double m0_m2, double m2)
 {
     double t = gsl_cdf_ugaussian_Qinv(area_ratio);
     return (struct bearing_at){sqrt(m0_m2) * (t * (1 - area_ratio) + gsl_ran_ugaussian_pdf(t)),
-                               sqrt(m2 / m0_m2) / (2 * M_PI) * exp(-t * t / 2)};
+                               length_of(area_ratio, sqrt(m2 / m0_m2) / (2 * M_PI) * exp(-t * t / 2))};
 }
 
-enum { LEAST_CROSSINGS = 6 };
+enum {
+    LEAST_CROSSINGS = 6,
+    TURN = 8 /* nodes to where the odds A/(1-A) are twice as large */
+};
 
-static double crossings_at(double area_ratio, const struct bearing *bearing);
-
-/** The share nearest to none (side 0) or to all of the surface (1) at which the profiles rise through its height
- * LEAST_CROSSINGS times; a half where at none nearer. */
-static double last_area(const struct bearing *bearing, int side)
+/** Odds at node k of `nodes`, even about 1. */
+static double odds_at(size_t k, size_t nodes)
 {
-    double length_m = (double)(bearing->rows->rows * bearing->rows->points) * bearing->rows->spacing_m, share;
-    for (share = 1.5 / (double)bearing->count; share < 0.5; share *= 1.25)
-        if (crossings_at(side ? 1 - share : share, bearing) * length_m >= LEAST_CROSSINGS)
-            break;
-    share = fmin(share, 0.5);
-    return side ? 1 - share : share;
+    return exp2(((double)k - (double)(nodes / 2)) / TURN);
 }
 
-enum status_code bearing_make(struct bearing *out, const struct strip_rows *rows, struct status *status)
+static double share_at(size_t k, size_t nodes)
 {
-    size_t count = rows->rows * rows->points;
-    *out = (struct bearing){
-        rows, malloc((count + 1) * sizeof(double)), malloc((count + 1) * sizeof(double)), count, {0, 1}};
-    if (!out->height_m || !out->below_m) {
-        bearing_free(out);
-        return status_memory(status);
-    }
-    for (size_t i = 0; i < count; i++)
-        out->height_m[i] = -rows->height_m[i];
-    gsl_sort(out->height_m, 1, count);
-    out->below_m[count] = 0;
-    for (size_t i = count; i-- > 0;) {
-        out->height_m[i] = -out->height_m[i];
-        out->below_m[i] = out->below_m[i + 1] + out->height_m[i];
-    }
-    for (int side = 0; side < 2; side++)
-        out->area[side] = last_area(out, side);
-    return STATUS_OK;
-}
-
-void bearing_free(struct bearing *bearing)
-{
-    free(bearing->height_m);
-    free(bearing->below_m);
-    *bearing = (struct bearing){0};
+    double odds = odds_at(k, nodes);
+    return odds / (1 + odds);
 }
 
 /** Where in the ordered heights the one is that a share of the surface exceeds. */
@@ -73,28 +52,98 @@ static double height_at(double area_ratio, const struct bearing *bearing)
     return bearing->height_m[above] + (place - (double)above) * (bearing->height_m[next] - bearing->height_m[above]);
 }
 
-/** Times per metre that profiles rise through a height, mean over those of low_m ... high_m. */
-static double crossings(const struct strip_rows *rows, double low_m, double high_m)
+/** At the heights of `nodes` shares, highest first, the integral from the lowest up of how many times profiles rise
+ * through a height: from a point where one begins to rise on by one more, from one where it ends by one less. */
+static void integrate_crossings(double *integral_m, const double *level_m, size_t nodes, const struct strip_rows *rows,
+                                double lowest_m, double *rising)
 {
-    double risen_m = 0;
-    size_t steps = rows->points - !rows->periodic; /* of a row */
-    for (size_t r = 0; r < rows->rows; r++) {
-        const double *z = rows->height_m + r * rows->points;
-        for (size_t i = 0; i < steps; i++) {
-            double to_m = z[i + 1 < rows->points ? i + 1 : 0], from_m = z[i] > low_m ? z[i] : low_m;
-            to_m = to_m < high_m ? to_m : high_m; /* inline, as fmin() is not */
-            risen_m += to_m > from_m ? to_m - from_m : 0;
+    memset(integral_m, 0, nodes * sizeof *integral_m);
+    memset(rising, 0, nodes * sizeof *rising);
+    for (size_t i = 0; i < rows->rows * rows->points; i++) {
+        const double *z = rows->height_m + i / rows->points * rows->points;
+        size_t n = rows->points, at = i % n;
+        bool first = at == 0 && !rows->periodic, last = at + 1 == n && !rows->periodic;
+        int turn = (!last && z[at + 1 < n ? at + 1 : 0] > z[at]) - (!first && z[at] > z[at > 0 ? at - 1 : n - 1]);
+        size_t low = 0, high = turn != 0 ? nodes : 0; /* nodes above z: those before `low` */
+        while (low < high) {
+            size_t middle = (low + high) / 2;
+            if (level_m[middle] > z[at] - lowest_m)
+                low = middle + 1;
+            else
+                high = middle;
+        }
+        if (low > 0) {
+            rising[low - 1] += turn;
+            integral_m[low - 1] -= turn * (z[at] - lowest_m);
         }
     }
-    return risen_m / (high_m - low_m) / ((double)(rows->rows * steps) * rows->spacing_m);
+    for (size_t k = nodes; k-- > 0;) {
+        rising[k] += k + 1 < nodes ? rising[k + 1] : 0;
+        integral_m[k] += k + 1 < nodes ? integral_m[k + 1] : 0;
+    }
+    for (size_t k = 0; k < nodes; k++)
+        integral_m[k] += rising[k] * level_m[k];
 }
 
-/** Mean over the heights of half to twice the odds A/(1-A): crossings of one height alone go by whole numbers. */
-static double crossings_at(double area_ratio, const struct bearing *bearing)
+/** ln l_b at the nodes at whose heights there are crossings enough, never rising. Crossings are a mean over the heights
+ * of half to twice the odds: those of one height alone go by whole numbers. */
+static void fill_lengths(struct bearing *out, const struct strip_rows *rows, double lowest_m, double *room)
 {
-    double odds = area_ratio / (1 - area_ratio);
-    double low = height_at(2 * odds / (1 + 2 * odds), bearing), high = height_at(odds / (2 + odds), bearing);
-    return crossings(bearing->rows, low, fmax(high, nextafter(low, INFINITY)));
+    size_t nodes = out->nodes, middle = nodes / 2, steps = rows->rows * (rows->points - !rows->periodic);
+    double *integral_m = room, *level_m = room + nodes, length_m = (double)steps * rows->spacing_m;
+    for (size_t k = 0; k < nodes; k++)
+        level_m[k] = height_at(share_at(k, nodes), out);
+    integrate_crossings(integral_m, level_m, nodes, rows, lowest_m, out->ln_length);
+    out->end[0] = out->end[1] = middle;
+    for (size_t k = 0; k < nodes; k++) {
+        size_t up = k > TURN ? k - TURN : 0, down = k + TURN < nodes ? k + TURN : nodes - 1;
+        double wide_m = level_m[up] - level_m[down];
+        double number = wide_m > 0 ? (integral_m[up] - integral_m[down]) / wide_m : 0;
+        out->ln_length[k] = log(length_of(share_at(k, nodes), number / length_m));
+        if (number >= LEAST_CROSSINGS) {
+            out->end[0] = k < out->end[0] ? k : out->end[0];
+            out->end[1] = k > out->end[1] ? k : out->end[1];
+        }
+    }
+    for (size_t k = out->end[0] + 1; k <= out->end[1]; k++)
+        out->ln_length[k] = fmin(out->ln_length[k], out->ln_length[k - 1]);
+}
+
+enum status_code bearing_make(struct bearing *out, const struct strip_rows *rows, struct status *status)
+{
+    size_t count = rows->rows * rows->points, nodes = 2 * (size_t)(TURN * log2((double)count + 1)) + 1;
+    double *room = malloc(2 * nodes * sizeof *room), lowest_m = INFINITY;
+    *out = (struct bearing){.height_m = malloc((count + 1) * sizeof(double)),
+                            .below_m = malloc((count + 1) * sizeof(double)),
+                            .ln_length = malloc(nodes * sizeof(double)),
+                            .count = count,
+                            .nodes = nodes};
+    if (!out->height_m || !out->below_m || !out->ln_length || !room) {
+        free(room);
+        bearing_free(out);
+        return status_memory(status);
+    }
+    for (size_t i = 0; i < count; i++) {
+        out->height_m[i] = -rows->height_m[i];
+        lowest_m = fmin(lowest_m, rows->height_m[i]);
+    }
+    gsl_sort(out->height_m, 1, count);
+    out->below_m[count] = 0;
+    for (size_t i = count; i-- > 0;) {
+        out->height_m[i] = -out->height_m[i] - lowest_m; /* so that sums have no digits to lose near the lowest */
+        out->below_m[i] = out->below_m[i + 1] + out->height_m[i];
+    }
+    fill_lengths(out, rows, lowest_m, room);
+    free(room);
+    return STATUS_OK;
+}
+
+void bearing_free(struct bearing *bearing)
+{
+    free(bearing->height_m);
+    free(bearing->below_m);
+    free(bearing->ln_length);
+    *bearing = (struct bearing){0};
 }
 
 static double gap_at(double area_ratio, const struct bearing *bearing)
@@ -104,16 +153,32 @@ static double gap_at(double area_ratio, const struct bearing *bearing)
     return (points * height_at(area_ratio, bearing) - bearing->below_m[below]) / all;
 }
 
+/** ln l_b between nodes. */
+static double counted_length(double area_ratio, const struct bearing *bearing)
+{
+    double place = TURN * log2(area_ratio / (1 - area_ratio)) + (double)(bearing->nodes / 2);
+    size_t k = (size_t)place;
+    if (place <= (double)bearing->end[0])
+        return bearing->ln_length[bearing->end[0]];
+    if (place >= (double)bearing->end[1])
+        return bearing->ln_length[bearing->end[1]];
+    return bearing->ln_length[k] + (place - (double)k) * (bearing->ln_length[k + 1] - bearing->ln_length[k]);
+}
+
 struct bearing_at bearing_counted(double area_ratio, const struct bearing *bearing)
 {
-    double points = fmin(fmax(area_ratio, LEAST_CROSSINGS / (double)bearing->count), bearing->area[1]);
-    double counted = fmax(points, bearing->area[0]);
-    struct bearing_at here = bearing_gaussian(area_ratio, 1, 1);
-    return (struct bearing_at){
-        gap_at(points, bearing) * (points == area_ratio ? 1 : here.gap_m / bearing_gaussian(points, 1, 1).gap_m),
-        crossings_at(counted, bearing) *
-            (counted == area_ratio ? 1 : here.crossings_per_m / bearing_gaussian(counted, 1, 1).crossings_per_m)};
+    double least = share_at(bearing->end[0], bearing->nodes), most = share_at(bearing->end[1], bearing->nodes);
+    double points = fmin(fmax(area_ratio, LEAST_CROSSINGS / (double)bearing->count), most);
+    double counted = fmin(fmax(area_ratio, least), most);
+    struct bearing_at out = {gap_at(points, bearing), exp(counted_length(counted, bearing))};
+    if (points != area_ratio)
+        out.gap_m *= bearing_gaussian(area_ratio, 1, 1).gap_m / bearing_gaussian(points, 1, 1).gap_m;
+    if (counted != area_ratio)
+        out.length_m *= bearing_gaussian(area_ratio, 1, 1).length_m / bearing_gaussian(counted, 1, 1).length_m;
+    return out;
 }
+
+const double bearing_area_sd = 0.03;
 
 double bearing_area(double elastic_area_ratio, double load_over_hardness)
 {
@@ -129,11 +194,12 @@ static double in_parallel(double a, double b)
     return least / cbrt(1 + share * share * share);
 }
 
-struct bearing_contact bearing_contact(double area_ratio, double load_over_hardness,
-                                       const struct bearing_contact *elastic, const struct bearing_at *at)
+double bearing_gap(double elastic_m, double share, const struct bearing_at *at)
 {
-    double longer = cbrt(area_ratio / load_over_hardness); /* w^(-1/3) */
-    double length_m = pow(1 - sqrt(area_ratio), 1.5) / (2 * at->crossings_per_m);
-    return (struct bearing_contact){area_ratio, in_parallel(elastic->separation_m, longer * at->gap_m),
-                                    in_parallel(elastic->constriction_m, longer * length_m / 0.8)};
+    return in_parallel(elastic_m, at->gap_m / cbrt(share));
+}
+
+double bearing_length(double elastic_m, double share, const struct bearing_at *at)
+{
+    return in_parallel(elastic_m, at->length_m / cbrt(share) / 0.8);
 }

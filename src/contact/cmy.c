@@ -27,12 +27,21 @@ bool cmy_press(struct cmy_contact *out, const struct cmy *surface, double pressu
     return true;
 }
 
-double cmy_spot_hardness(const struct cmy *surface, double ratio, double c1_Pa, double c2)
+/** Diagonal of the Vickers indentation of the area of a spot. */
+static double diagonal_m(const struct cmy *surface, double ratio)
 {
     struct cmy_contact contact;
-    if (!cmy_press(&contact, surface, ratio))
-        return NAN;
-    return c1_Pa * pow(sqrt(2 * M_PI) * contact.spot_radius_m / 1e-6, c2);
+    return cmy_press(&contact, surface, ratio) ? sqrt(2 * M_PI) * contact.spot_radius_m : NAN;
+}
+
+double cmy_indent_m(const struct cmy *surface, double ratio)
+{
+    return diagonal_m(surface, ratio) / 7;
+}
+
+double cmy_spot_hardness(const struct cmy *surface, double ratio, double c1_Pa, double c2)
+{
+    return c1_Pa * pow(diagonal_m(surface, ratio) / 1e-6, c2);
 }
 
 double cmy_microhardness(const struct cmy *surface, double pressure_Pa, double c1_Pa, double c2)

@@ -32,6 +32,11 @@ bool cmy_press(struct cmy_contact *out, const struct cmy *surface, double pressu
 /** Largest P/H = A/A_n for which the law is meant: above, truncated islands run together. */
 #define CMY_VALID_AREA 0.1
 
+/** Depth [m] of the indents at P/H = ratio: d/7 of the Vickers indentation of the area of a spot, d = sqrt(2 pi) a its
+ * diagonal; with it Antonetti and Yovanovich 1985, J. Heat Transfer 107, 513, hold a coating's thickness. NaN where
+ * cmy_press() has none. */
+double cmy_indent_m(const struct cmy *surface, double ratio);
+
 /** H = c1 (d/1 um)^c2 of the spots at P/H = ratio, d = sqrt(2 pi) a the diagonal of the Vickers indentation of the area
  * of a spot. NaN where cmy_press() has none. */
 double cmy_spot_hardness(const struct cmy *surface, double ratio, double c1_Pa, double c2);

@@ -142,7 +142,7 @@ void corrected_persson_curve(struct corrected_persson_point *out, const double *
     for (size_t i = count + 1; i-- > 0;) { /* first to the last knot, where the slope of c changes */
         double area = i == count ? knot_area[KNOTS - 1] : area_ratio[i], to = logit(area);
         double steps = fmax(1, ceil((x - to) / step)), width = (x - to) / steps;
-        for (double k = 1; k <= steps; k++) {
+        for (double k = 1; k <= steps && fabs(x - to) > 1e-9; k++) { /* an area at the knot is there already */
             struct place middle = place_at(area_of(x - (k - 0.5) * width), persson),
                          here = place_at(k < steps ? area_of(x - k * width) : area, persson);
             sum_m += 2 * between(&here, &middle, &above);

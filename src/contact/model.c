@@ -114,6 +114,24 @@ enum status_code model_run(struct model_curve *curve, const struct model_row *ro
     return STATUS_OK;
 }
 
+struct contact_point model_point(const struct transfer_point *contact, const struct model_row *row,
+                                 const struct model_task *task)
+{
+    struct contact_point point = quantity_nothing();
+    double resistance_m = 2 * contact->constriction_m; /* (rho_1 + rho_2) l = 2 rho l */
+    point.value[QUANTITY_LOAD] = contact->load;
+    point.value[QUANTITY_AREA] = contact->area_ratio;
+    if (task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION))
+        point.value[QUANTITY_SEPARATION] = contact->separation_m;
+    if ((task->wanted & QUANTITY_BIT(QUANTITY_STIFFNESS)) && !(row->stiffness_step > 0)) /* Barber: d gap = -2 l dp */
+        point.value[QUANTITY_STIFFNESS] = task->pair->effective_modulus_Pa / resistance_m;
+    if (task->wanted & QUANTITY_BIT(QUANTITY_ECR))
+        point.value[QUANTITY_ECR] = task->pair->resistivity_ohm_m * resistance_m;
+    if (task->wanted & QUANTITY_BIT(QUANTITY_TCR))
+        point.value[QUANTITY_TCR] = resistance_m / task->pair->conductivity_W_per_mK;
+    return point;
+}
+
 enum quantity model_shown(const struct model_row *row, enum quantity quantity)
 {
     bool adjusts = quantity == QUANTITY_SEPARATION && (row->quantities & QUANTITY_BIT(QUANTITY_ADJUSTED));
@@ -139,6 +157,18 @@ double model_surface_sd(const struct model_row *row, enum quantity quantity, dou
     static const double waves = 2.5, sd = 1.3;
     double own = model_sd(row, quantity);
     return own > 0 && longest_waves > 0 && longest_waves < waves ? hypot(own, sd * log(waves / longest_waves)) : own;
+}
+
+double model_elastic_share(const struct model_row *row, const struct contact_point *point, double load_over_hardness)
+{
+    double share = 1 - pow(load_over_hardness / point->value[QUANTITY_AREA], 4);
+    return row->plastic && !isnan(share) ? fmax(share, 0) : 1;
+}
+
+bool model_area_is_pressed(const struct model_row *row, const struct contact_point *point, double load_over_hardness)
+{
+    double area = point->value[QUANTITY_AREA];
+    return row->plastic && area < 1 && fabs(area / load_over_hardness - 1) < 1e-3;
 }
 
 size_t model_task_operating(const struct model_task *task)

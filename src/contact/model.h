@@ -8,6 +8,7 @@
 #include "contact/bearing.h"
 #include "contact/quantity.h"
 #include "contact/sinusoid.h"
+#include "contact/transfer.h"
 #include "spectrum/roughness.h"
 #include "spectrum/spectrum.h"
 #include <stdint.h>
@@ -23,10 +24,12 @@ struct model_task {
     unsigned wanted;        /* QUANTITY_BITs */
     double tolerance;
     enum sinusoid_fit_id sinusoid_fit;
-    double hardness_Pa;            /* H_d of the softer body; NaN: not known */
-    const struct strip_rows *rows; /* its profiles; NULL: not there */
-    const struct strip *strip;     /* these solved as a strip, for models that use_strip; NULL: not there */
-    const struct bearing *bearing; /* their heights in order, for those that are plastic too; NULL: not there */
+    double hardness_Pa;              /* H_d of the softer body; NaN: not known */
+    bool levelled;                   /* a line was taken out of the scans, and a wave with it */
+    const struct strip_rows *rows;   /* its profiles; NULL: not there */
+    const struct strip *strip;       /* these solved as a strip, for models that use_strip; NULL: not there */
+    const struct bearing *bearing;   /* their heights in order, for those that are plastic too; NULL: not there */
+    const struct transfer *transfer; /* a map's direct solution, for models that use_map; NULL: not there */
     uint64_t *evaluations; /* what running models takes is added here: visits of scales, laws at quadrature nodes, loads
                               solved for a separation; NULL: it is not counted */
 };
@@ -67,6 +70,7 @@ struct model_row {
     bool stacks_scales;                  /* every harmonic is a scale: the convergence study speaks of it */
     const struct asperity_model *asperity_model; /* it sums this over model_task.asperities; NULL: it needs none */
     bool uses_strip;                             /* works on model_task.strip, and model_task.bearing where plastic */
+    bool uses_map;                               /* is model_task.transfer: of the whole surface, not of its scans */
     unsigned quantities;                         /* QUANTITY_BITs it computes */
     double ln_sd[3]; /* of ln area, separation and resistance beside the scatter of scans, where the model says how far
                         it is from a surface of any heights; 0: it does not */
@@ -121,6 +125,10 @@ struct model_task model_task_at(const struct model_task *task, const double *loa
 MUST_CHECK enum status_code model_run(struct model_curve *curve, const struct model_row *row,
                                       const struct model_task *task, struct status *status);
 
+/** A contact in the quantities that are wanted: ECR A_n = (rho_1 + rho_2) l. */
+struct contact_point model_point(const struct transfer_point *contact, const struct model_row *row,
+                                 const struct model_task *task);
+
 /** Its ln_sd of a quantity. */
 double model_sd(const struct model_row *row, enum quantity quantity);
 /** How many of their longest waves the scans hold (spectrum_longest_waves()) whose ends are open; 0: they close. */
@@ -128,6 +136,13 @@ double model_task_longest_waves(const struct model_task *task);
 /** model_sd() with what scans of fewer than 2.5 longest waves cannot know of the surface, in quadrature: 1.3
  * ln(2.5/waves), measured against direct solutions. waves 0: nothing; so of a model without an ln_sd. */
 double model_surface_sd(const struct model_row *row, enum quantity quantity, double longest_waves);
+
+/** 1 - (P/(H A))^4 at a point of a model with a hardness: d ln A/d ln A_e of bearing_area(), A_e the elastic area; 1 of
+ * any other. `load_over_hardness`: P/H, NaN where no hardness is known. */
+double model_elastic_share(const struct model_row *row, const struct contact_point *point, double load_over_hardness);
+/** Is the area P/H there, load and hardness alone, to a thousandth? Then no surface differs in it from another, and
+ * more scans change nothing. Not where contact is full. */
+bool model_area_is_pressed(const struct model_row *row, const struct contact_point *point, double load_over_hardness);
 
 /** The separation to show: the adjusted one of models that have it. Other quantities are as they are. */
 enum quantity model_shown(const struct model_row *row, enum quantity quantity);

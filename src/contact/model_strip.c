@@ -14,39 +14,34 @@ enum {
 };
 
 /** Elastic contact at the task's loads up to the largest area; `count` of them. */
-static enum status_code elastic(struct bearing_contact *out, size_t *count, const struct persson *persson,
+static enum status_code elastic(struct strip_contact *out, size_t *count, const struct persson *persson,
                                 const struct model_row *row, const struct model_task *task, struct status *status)
 {
     size_t loads = task->load_count;
+    bool gap = task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION);
+    if (row->uses_strip)
+        return strip_contact(out, count, task->loads, loads, task->strip, persson, gap, status);
     double *area = malloc((loads + 1) * sizeof *area);
     struct corrected_persson_point *point = malloc((loads + 1) * sizeof *point);
-    *count = 0;
-    if (!area || !point)
-        (void)status_memory(status);
-    else if (!row->uses_strip)
-        for (size_t i = 0; i < loads; i++)
-            area[i] = corrected_persson_area(task->loads[i], persson->m2);
-    else if (strip_areas(area, task->loads, loads, task->strip, persson->m2, status) != STATUS_OK)
-        *count = 0;
-    if (status->code == STATUS_OK) {
-        while (*count < loads && area[*count] > 0 && area[*count] <= corrected_persson_largest_area)
-            ++*count;
-        corrected_persson_curve(point, area, *count, persson, task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION));
+    enum status_code rc = area && point ? STATUS_OK : status_memory(status);
+    for (*count = 0; *count < loads && rc == STATUS_OK; ++*count) {
+        area[*count] = corrected_persson_area(task->loads[*count], persson->m2);
+        if (!(area[*count] > 0 && area[*count] <= corrected_persson_largest_area))
+            break;
     }
-    for (size_t i = 0; i < *count; i++) {
-        struct strip_ratio ratio = {0};
-        if (row->uses_strip)
-            ratio = strip_ratio_at(task->strip, area[i]);
-        out[i] = (struct bearing_contact){area[i], exp(ratio.separation) * point[i].separation_m,
-                                          exp(ratio.constriction) * point[i].constriction_m};
-    }
+    if (rc == STATUS_OK)
+        corrected_persson_curve(point, area, *count, persson, gap);
+    for (size_t i = 0; i < *count; i++)
+        out[i] =
+            (struct strip_contact){area[i], point[i].constriction_m, point[i].separation_m, area[i] / task->loads[i]};
     free(area);
     free(point);
-    return status->code;
+    return rc;
 }
 
-/** Yield under the loads; what has too large an area then is left out. */
-static void harden(struct bearing_contact *contact, size_t *count, const struct persson *persson,
+/** Yield under the loads; what has too large an area then is left out. What has once yielded has: the share that bears
+ * the hardness is that of the lowest pressure so far. */
+static void harden(struct strip_contact *contact, size_t *count, const struct persson *persson,
                    const struct model_row *row, const struct model_task *task)
 {
     for (size_t i = 0; i < *count; i++) {
@@ -56,28 +51,13 @@ static void harden(struct bearing_contact *contact, size_t *count, const struct 
             *count = i;
             break;
         }
+        double share = ratio / bearing_area(contact[i].least_area_per_load * task->loads[i], ratio);
         struct bearing_at at = row->uses_strip ? bearing_counted(area, task->bearing)
                                                : bearing_gaussian(area, persson->m0_m2, persson->m2);
-        contact[i] = bearing_contact(area, ratio, &contact[i], &at);
+        contact[i].area_ratio = area;
+        contact[i].separation_m = bearing_gap(contact[i].separation_m, share, &at);
+        contact[i].constriction_m = bearing_length(contact[i].constriction_m, share, &at);
     }
-}
-
-static struct contact_point point_of(const struct bearing_contact *contact, double load, const struct model_row *row,
-                                     const struct model_task *task)
-{
-    struct contact_point point = quantity_nothing();
-    double resistance_m = 2 * contact->constriction_m; /* (rho_1 + rho_2) l = 2 rho l */
-    point.value[QUANTITY_LOAD] = load;
-    point.value[QUANTITY_AREA] = contact->area_ratio;
-    if (task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION))
-        point.value[QUANTITY_SEPARATION] = contact->separation_m;
-    if ((task->wanted & QUANTITY_BIT(QUANTITY_STIFFNESS)) && !(row->stiffness_step > 0)) /* Barber: d gap = -2 l dp */
-        point.value[QUANTITY_STIFFNESS] = task->pair->effective_modulus_Pa / resistance_m;
-    if (task->wanted & QUANTITY_BIT(QUANTITY_ECR))
-        point.value[QUANTITY_ECR] = task->pair->resistivity_ohm_m * resistance_m;
-    if (task->wanted & QUANTITY_BIT(QUANTITY_TCR))
-        point.value[QUANTITY_TCR] = resistance_m / task->pair->conductivity_W_per_mK;
-    return point;
 }
 
 static enum status_code run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
@@ -88,15 +68,20 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
         return STATUS_OK;
     if (row->plastic && !(task->hardness_Pa > 0))
         return STATUS_OK;
-    struct bearing_contact *contact = malloc((task->load_count + 1) * sizeof *contact);
+    struct strip_contact *contact = malloc((task->load_count + 1) * sizeof *contact);
     if (!contact)
         return status_memory(status);
-    if (persson_make(&persson, task->spectrum, status) == STATUS_OK) {
+    const struct spectrum *spectrum = task->transfer ? &task->transfer->spectrum : task->spectrum;
+    double lost_m2 = task->levelled && !task->transfer ? persson_lost_wave(spectrum) : 0;
+    if (persson_make(&persson, spectrum, lost_m2, status) == STATUS_OK) {
         size_t count = 0;
         if (persson.m2 > 0 && elastic(contact, &count, &persson, row, task, status) == STATUS_OK && row->plastic)
             harden(contact, &count, &persson, row, task);
-        for (size_t i = 0; i < count; i++)
-            curve->points[i] = point_of(&contact[i], task->loads[i], row, task);
+        for (size_t i = 0; i < count; i++) {
+            const struct transfer_point point = {task->loads[i], contact[i].area_ratio, contact[i].separation_m,
+                                                 contact[i].constriction_m};
+            curve->points[i] = model_point(&point, row, task);
+        }
         curve->count = count;
         curve->exists = count > 0; /* complete contact is beyond */
         curve->evaluations = task->load_count;
@@ -161,7 +146,7 @@ const struct model_row model_strip = {
     .precedence = 7,
     .gaussian = &model_corrected_persson,
     .uses_strip = true,
-    .ln_sd = {0.2, 0.3, 0.3},
+    .ln_sd = {0.37, 0.48, 0.54},
     .quantities = COMPUTES,
     .largest_area = 0.97, /* that of corrected_persson.h */
     .ends = true,
@@ -186,7 +171,7 @@ const struct model_row model_strip_plastic = {
     .elastic = &model_strip,
     .gaussian = &model_corrected_persson_plastic,
     .uses_strip = true,
-    .ln_sd = {0.2, 0.3, 0.3},
+    .ln_sd = {0.37, 0.48, 0.54},
     .quantities = COMPUTES,
     .stiffness_step = 0.5, /* its separations are of few heights and lie on lines between areas */
     .largest_area = 0.97,  /* that of corrected_persson.h */

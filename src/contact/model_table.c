@@ -12,6 +12,8 @@
     X(corrected_persson_plastic)                                                                                       \
     X(strip)                                                                                                           \
     X(strip_plastic)                                                                                                   \
+    X(direct)                                                                                                          \
+    X(direct_plastic)                                                                                                  \
     X(cmy)
 
 #define DECLARE(name) extern const struct model_row model_##name;

@@ -95,7 +95,17 @@ static double wave_number(const struct spectrum *spectrum, size_t i)
     return M_SQRT2 * 2 * M_PI * spectrum_frequency(spectrum, i);
 }
 
-enum status_code persson_make(struct persson *out, const struct spectrum *spectrum, struct status *status)
+double persson_lost_wave(const struct spectrum *spectrum)
+{
+    enum { LONGEST = 3 };
+    double sum_m2 = 0;
+    for (size_t i = 0; i < LONGEST && spectrum->count >= LONGEST; i++)
+        sum_m2 += spectrum_power(spectrum, i) / LONGEST;
+    return sum_m2;
+}
+
+enum status_code persson_make(struct persson *out, const struct spectrum *spectrum, double lost_m2,
+                              struct status *status)
 {
     pthread_once(&panels_made, make_panels);
     *out = (struct persson){.m0_m2 = spectrum_moment(spectrum, 0), .m2 = spectrum_moment(spectrum, 1)};
@@ -104,7 +114,11 @@ enum status_code persson_make(struct persson *out, const struct spectrum *spectr
         first++;
     if (!(out->m2 > 0))
         return STATUS_OK;
-    double square = 0, bottom = 2 * M_PI * spectrum_frequency(spectrum, first) * sqrt(spectrum_power(spectrum, first));
+    double bottom = 2 * M_PI * spectrum_frequency(spectrum, first) * sqrt(spectrum_power(spectrum, first));
+    double lost_slope = M_PI * spectrum_frequency(spectrum, 0) * sqrt(lost_m2), square = lost_slope * lost_slope;
+    bottom = lost_m2 > 0 ? fmin(bottom, lost_slope) : bottom;
+    out->m0_m2 += lost_m2;
+    out->m2 += square;
     out->count = (size_t)(log(sqrt(out->m2) / bottom) / distance) + SHARES + 2;
     out->node = calloc(out->count, sizeof *out->node);
     if (!out->node || !rule) {
@@ -113,6 +127,8 @@ enum status_code persson_make(struct persson *out, const struct spectrum *spectr
     }
     for (size_t k = 0; k < out->count; k++)
         out->node[k].slope = bottom * exp(distance * ((double)k - SHARES / 2));
+    if (lost_m2 > 0) /* 1/q of half the lowest wave number is 2/q */
+        share_out(out, bottom, square, 1 / wave_number(spectrum, 0) / sqrt(M_PI));
     double start = 0, beyond = 0,
            weight_m = 0; /* of the rings not shared out yet: the first one's Y², and what is more */
     for (size_t i = first; i < last; i++) {

@@ -30,8 +30,14 @@ struct persson {
     } * node;
 };
 
-/** Prepares the waves of `spectrum`. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code persson_make(struct persson *out, const struct spectrum *spectrum, struct status *status);
+/** Mean square height of the wave twice as long as a record that goes with its mean and tilt, two degrees of freedom:
+ * the mean of its harmonics 1 ... 3. */
+double persson_lost_wave(const struct spectrum *spectrum);
+
+/** Prepares the waves of `spectrum`, and one of mean square height lost_m2 (0: none) twice as long as the first. Error:
+ * STATUS_MEMORY. */
+MUST_CHECK enum status_code persson_make(struct persson *out, const struct spectrum *spectrum, double lost_m2,
+                                         struct status *status);
 void persson_free(struct persson *persson);
 
 /** I_2(x) = int_x^inf f(t)/t² dt, f(t) = [g + 3(1-g) erf² t] exp(-t²), 0 < x < 9; relative error below 1e-12.

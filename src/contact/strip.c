@@ -2,6 +2,7 @@
 #include "contact/strip.h"
 
 #include "base/fft.h"
+#include "base/isotonic.h"
 #include "contact/corrected_persson.h"
 #include "direct/direct_constriction.h"
 #include "direct/direct_quantities.h"
@@ -148,15 +149,19 @@ static enum status_code descend(struct strip_curve *curve, struct direct_contact
     *curve = (struct strip_curve){0};
     for (size_t i = STRIP_LOADS; i-- > 0;) {
         struct direct_contact_load load = {ladder[i].load * slope, INFINITY, ladder[i].tolerance, true, stop};
-        if (direct_contact_solve(contact, &load, effort, status) != STATUS_OK)
-            return status->code;
-        struct direct_quantities found = direct_quantities_of(contact, &load);
-        if (found.contact_points < STRIP_LEAST_POINTS)
-            break;
-        double area = fmax(direct_area_corrected(&found, points, direct_kappa),
-                           least_share * (double)found.contact_points / (double)points);
-        if (add_solution(curve, contact, found.contact_points, &load, area, effort, status) != STATUS_OK)
-            return status->code;
+        struct status problem = {0};
+        if (direct_contact_solve(contact, &load, effort, &problem) == STATUS_OK) {
+            struct direct_quantities found = direct_quantities_of(contact, &load);
+            if (found.contact_points < STRIP_LEAST_POINTS)
+                break;
+            double area = fmax(direct_area_corrected(&found, points, direct_kappa),
+                               least_share * (double)found.contact_points / (double)points);
+            (void)add_solution(curve, contact, found.contact_points, &load, area, effort, &problem);
+        }
+        if (problem.code == STATUS_MODEL)
+            curve->unsolved++; /* the next one starts anew */
+        else if (problem.code != STATUS_OK)
+            return status_fail(status, problem.code, "%s", problem.message);
     }
     if (curve->count == 0)
         return status_fail(status, STATUS_MODEL,
@@ -165,6 +170,8 @@ static enum status_code descend(struct strip_curve *curve, struct direct_contact
     size_t first = STRIP_LOADS - curve->count;
     memmove(curve->logit, curve->logit + first, curve->count * sizeof *curve->logit);
     memmove(curve->value, curve->value + first, curve->count * sizeof *curve->value);
+    for (size_t q = 1; q < 3; q++) /* more contact conducts better and gapes less; the outline's share may say else */
+        isotonic(&curve->value[0][q], curve->count, 3, true);
     return STATUS_OK;
 }
 
@@ -187,18 +194,25 @@ enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, c
     size_t length = strip_row_length(rows), points = count * length;
     struct phases phases = {0};
     double *strip_m = malloc((points + 1) * sizeof *strip_m);
-    *out = (struct strip){.surrogates = surrogates};
+    *out = (struct strip){.surrogates = 0};
     if (!strip_m)
         return status_memory(status);
     for (size_t r = 0; r < count; r++)
         strip_lay_row(strip_m + r * length, rows, which[r]);
     if (phases_of(&phases, strip_m, length, count, status) == STATUS_OK)
         (void)solve_strip(&out->own, strip_m, points, rows->spacing_m, &out->transforms, stop, status);
+    out->unsolved = out->own.unsolved;
     for (size_t s = 0; s < surrogates && status->code == STATUS_OK; s++) {
+        struct strip_curve *curve = &out->surrogate[out->surrogates];
+        struct status problem = {0};
         for (size_t r = 0; r < count; r++)
             draw_row(strip_m + r * length, &phases, length, which[r], s + 1, status);
         if (status->code == STATUS_OK)
-            (void)solve_strip(&out->surrogate[s], strip_m, points, rows->spacing_m, &out->transforms, stop, status);
+            (void)solve_strip(curve, strip_m, points, rows->spacing_m, &out->transforms, stop, &problem);
+        out->unsolved += curve->unsolved;
+        out->surrogates += problem.code == STATUS_OK;
+        if (problem.code != STATUS_OK && (problem.code != STATUS_MODEL || s + 1 - out->surrogates == surrogates))
+            (void)status_fail(status, problem.code, "%s", problem.message);
     }
     phases_free(&phases);
     free(strip_m);
@@ -237,24 +251,39 @@ struct strip_ratio strip_ratio_at(const struct strip *strip, double area_ratio)
 }
 
 static const double grid_step = 0.05; /* in logit A */
+enum { EACH = 4 };                    /* of its nodes sees the corrected theory, which is smooth, three steps or more */
+
+/** logit A below all solutions and at the corrected theory's end. Between them lies a grid that no list of loads moves;
+ * returns its steps. */
+static size_t range_of(double range[2], const struct strip *strip)
+{
+    range[0] = strip->own.logit[0];
+    range[1] = logit(corrected_persson_largest_area);
+    for (size_t s = 0; s < strip->surrogates; s++)
+        range[0] = fmin(range[0], strip->surrogate[s].logit[0]);
+    range[0] = fmin(range[0], range[1] - 3 * EACH * grid_step);
+    return EACH * (size_t)ceil((range[1] - range[0]) / (EACH * grid_step));
+}
+
+static double area_of(const double range[2], double share)
+{
+    return 1 / (1 + exp(-(range[0] + (range[1] - range[0]) * share)));
+}
 
 enum status_code strip_areas(double *area_ratio, const double *loads, size_t count, const struct strip *strip,
                              double m2, struct status *status)
 {
-    double low = strip->own.logit[0], high = logit(corrected_persson_largest_area);
-    for (size_t s = 0; s < strip->surrogates; s++)
-        low = fmin(low, strip->surrogate[s].logit[0]);
-    low = fmin(low, high - grid_step);
-    size_t steps = (size_t)ceil((high - low) / grid_step), at = 0;
+    double range[2];
+    size_t steps = range_of(range, strip), at = 0;
     double *load = malloc((steps + 1) * sizeof *load); /* ln p, never falling */
     if (!load)
         return status_memory(status);
     for (size_t k = 0; k <= steps; k++) {
-        double area = 1 / (1 + exp(-(low + (high - low) * (double)k / (double)steps)));
+        double area = area_of(range, (double)k / (double)steps);
         load[k] = log(corrected_persson_load(area, m2)) + strip_ratio_at(strip, area).load;
         load[k] = k > 0 ? fmax(load[k], load[k - 1]) : load[k];
     }
-    double lowest = exp(strip_ratio_at(strip, 1 / (1 + exp(-low))).load);
+    double lowest = exp(strip_ratio_at(strip, area_of(range, 0)).load);
     for (size_t i = 0; i < count; i++) {
         double wanted = log(loads[i]);
         while (at < steps && load[at + 1] < wanted)
@@ -265,8 +294,104 @@ enum status_code strip_areas(double *area_ratio, const double *loads, size_t cou
         else if (wanted > load[steps])
             area_ratio[i] = NAN;
         else
-            area_ratio[i] = 1 / (1 + exp(-(low + (high - low) * ((double)at + share) / (double)steps)));
+            area_ratio[i] = area_of(range, ((double)at + share) / (double)steps);
     }
     free(load);
     return STATUS_OK;
+}
+
+/** The grid's nodes, behind `below` areas that lie below them. */
+struct nodes {
+    size_t below, steps;
+    double range[2], *area_ratio;
+    double (*value)[3];                     /* ln of l and gap, and A/p, never rising among the nodes */
+    struct corrected_persson_point *theory; /* every EACH-th node's */
+};
+
+/** ln of the theory at node k: the cubic through four. */
+static void between(double out[2], const struct corrected_persson_point *theory, size_t k, size_t steps)
+{
+    size_t first = k / EACH > 0 ? k / EACH - 1 : 0;
+    first = first + 3 > steps / EACH ? steps / EACH - 3 : first;
+    double t = (double)k / EACH - (double)first;
+    double weight[4] = {-(t - 1) * (t - 2) * (t - 3) / 6, t * (t - 2) * (t - 3) / 2, -t * (t - 1) * (t - 3) / 2,
+                        t * (t - 1) * (t - 2) / 6};
+    out[0] = out[1] = 0;
+    for (size_t i = 0; i < 4; i++) {
+        out[0] += weight[i] * log(theory[first + i].constriction_m);
+        out[1] += weight[i] * log(theory[first + i].separation_m);
+    }
+}
+
+static void fill_nodes(struct nodes *nodes, const struct strip *strip, const struct persson *persson,
+                       bool with_separation)
+{
+    size_t below = nodes->below, all = below + nodes->steps + 1, few = below + nodes->steps / EACH + 1;
+    for (size_t k = below; k < few; k++)
+        nodes->area_ratio[k] = area_of(nodes->range, (double)(EACH * (k - below)) / (double)nodes->steps);
+    corrected_persson_curve(nodes->theory, nodes->area_ratio, few, persson, with_separation);
+    for (size_t k = 0; k < all; k++) {
+        double *value = nodes->value[k];
+        if (k >= below) {
+            nodes->area_ratio[k] = area_of(nodes->range, (double)(k - below) / (double)nodes->steps);
+            between(value, nodes->theory + below, k - below, nodes->steps);
+        } else {
+            value[0] = log(nodes->theory[k].constriction_m);
+            value[1] = log(nodes->theory[k].separation_m);
+        }
+        struct strip_ratio ratio = strip_ratio_at(strip, nodes->area_ratio[k]);
+        double area = nodes->area_ratio[k], load = corrected_persson_load(area, persson->m2) * exp(ratio.load);
+        value[0] += ratio.constriction;
+        value[1] += ratio.separation;
+        value[2] = k > below ? fmin(nodes->value[k - 1][2], area / load) : area / load;
+    }
+    for (size_t q = 0; q < 1 + (size_t)with_separation; q++) {
+        double raw = nodes->value[below][q];
+        isotonic(&nodes->value[below][q], all - below, 3, true);
+        for (size_t k = 0; k < below; k++)
+            nodes->value[k][q] += nodes->value[below][q] - raw;
+    }
+}
+
+/** At a load and its area, i-th of those asked for. */
+static struct strip_contact look_up(const struct nodes *nodes, size_t i, double area_ratio, double load)
+{
+    double place = (logit(area_ratio) - nodes->range[0]) / (nodes->range[1] - nodes->range[0]) * (double)nodes->steps;
+    size_t k = (size_t)fmin(fmax(place, 0), (double)nodes->steps - 1);
+    bool below = i < nodes->below;
+    const double(*value)[3] = nodes->value + (below ? i : nodes->below + k);
+    const double *next = value[below ? 0 : 1];
+    double share = below ? 0 : place - (double)k;
+    double length = value[0][0] + share * (next[0] - value[0][0]), gap = value[0][1] + share * (next[1] - value[0][1]);
+    return (struct strip_contact){area_ratio, exp(length), exp(gap), fmin(value[0][2], area_ratio / load)};
+}
+
+enum status_code strip_contact(struct strip_contact *out, size_t *out_count, const double *loads, size_t count,
+                               const struct strip *strip, const struct persson *persson, bool with_separation,
+                               struct status *status)
+{
+    struct nodes nodes = {0};
+    nodes.steps = range_of(nodes.range, strip);
+    size_t most = count + nodes.steps + 1, found = 0;
+    nodes.area_ratio = malloc(most * sizeof *nodes.area_ratio);
+    nodes.theory = malloc(most * sizeof *nodes.theory);
+    nodes.value = malloc(most * sizeof *nodes.value);
+    double *area_ratio = malloc((count + 1) * sizeof *area_ratio);
+    if (!nodes.area_ratio || !nodes.theory || !nodes.value || !area_ratio)
+        (void)status_memory(status);
+    else if (strip_areas(area_ratio, loads, count, strip, persson->m2, status) == STATUS_OK) {
+        while (found < count && area_ratio[found] > 0 && area_ratio[found] <= corrected_persson_largest_area)
+            found++;
+        for (; nodes.below < found && area_ratio[nodes.below] < area_of(nodes.range, 0); nodes.below++)
+            nodes.area_ratio[nodes.below] = area_ratio[nodes.below];
+        fill_nodes(&nodes, strip, persson, with_separation);
+    }
+    for (size_t i = 0; i < found; i++)
+        out[i] = look_up(&nodes, i, area_ratio[i], loads[i]);
+    *out_count = found;
+    free(nodes.area_ratio);
+    free(nodes.theory);
+    free(nodes.value);
+    free(area_ratio);
+    return status->code;
 }

@@ -5,7 +5,7 @@
 #ifndef CONTACT_STRIP_H
 #define CONTACT_STRIP_H
 
-#include "base/status.h"
+#include "contact/corrected_persson.h"
 #include <stdatomic.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -34,19 +34,22 @@ struct strip_curve {
     size_t count;
     double logit[STRIP_LOADS];    /* of A/A_n, corrected for the outline */
     double value[STRIP_LOADS][3]; /* ln of p, l, gap: as struct strip_ratio */
+    size_t unsolved;              /* loads at which the solution did not converge, which are left out */
 };
 
 /** A strip and the Gaussian ones beside it. */
 struct strip {
     struct strip_curve own, surrogate[STRIP_SURROGATES];
-    size_t surrogates;
+    size_t surrogates;   /* that have a solution */
+    size_t unsolved;     /* of all of them */
     uint64_t transforms; /* pairs of transforms that it took, times points */
 };
 
 /** Joins rows which[0 ... count - 1] to one strip and solves it, and as many surrogates: every row with random phases
  * on these rows' mean power and a normal mean of these rows' mean and deviation, hashed from the row's number, so that
- * a row keeps its phases whatever other rows there are. Errors: STATUS_MODEL: flat rows, or not one load under which
- * enough points touch; STATUS_INTERRUPTED when *stop (NULL: never) becomes non-zero; STATUS_MEMORY. */
+ * a row keeps its phases whatever other rows there are. Loads and surrogates that do not converge are left out. Errors:
+ * STATUS_MODEL: flat rows, or not one load under which enough points touch and the solution converges;
+ * STATUS_INTERRUPTED when *stop (NULL: never) becomes non-zero; STATUS_MEMORY. */
 MUST_CHECK enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, const size_t *which,
                                         size_t count, size_t surrogates, const atomic_bool *stop,
                                         struct status *status);
@@ -64,5 +67,18 @@ struct strip_ratio strip_ratio_at(const struct strip *strip, double area_ratio);
  * mean-square slope m2: p(A) of the corrected theory times the ratio, made monotone. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code strip_areas(double *area_ratio, const double *loads, size_t count,
                                         const struct strip *strip, double m2, struct status *status);
+
+/** A surface under a load. */
+struct strip_contact {
+    double area_ratio, constriction_m, separation_m;
+    double least_area_per_load; /* A/(A_n p) at this load or a smaller one */
+};
+
+/** At ascending loads up to the largest area of corrected_persson.h, *out_count of them: the corrected theory's times
+ * the ratio. With the load areas never fall and lengths and separations never rise, and none depends on which other
+ * loads there are. with_separation false: NaN. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code strip_contact(struct strip_contact *out, size_t *out_count, const double *loads,
+                                          size_t count, const struct strip *strip, const struct persson *persson,
+                                          bool with_separation, struct status *status);
 
 #endif

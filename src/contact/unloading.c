@@ -60,14 +60,30 @@ enum status_code unloading_solve(struct unloading *out, const struct strip_rows 
     return status->code;
 }
 
+/** Where a quantity stands in struct unloading; -1: nowhere. */
+static int column_of(enum quantity quantity)
+{
+    return quantity == QUANTITY_AREA                              ? DIRECT_AREA
+           : quantity == QUANTITY_SEPARATION                      ? DIRECT_GAP
+           : quantity == QUANTITY_ECR || quantity == QUANTITY_TCR ? DIRECT_CONSTRICTION
+                                                                  : -1;
+}
+
+void unloading_bound(struct unloading *unloading, enum quantity quantity, const double *loading)
+{
+    int q = column_of(quantity);
+    for (size_t k = 1; q >= 0 && k < unloading->count; k++) {
+        double most = unloading->value[k - 1][q] + log(loading[k - 1] / loading[k]);
+        if (isfinite(most) && (q == DIRECT_AREA ? unloading->value[k][q] > most : unloading->value[k][q] < most))
+            unloading->value[k][q] = most;
+    }
+}
+
 static const double rounding = 1e-9; /* of a load given twice, in different units */
 
 double unloading_factor(const struct unloading *unloading, enum quantity quantity, double share)
 {
-    int q = quantity == QUANTITY_AREA                              ? DIRECT_AREA
-            : quantity == QUANTITY_SEPARATION                      ? DIRECT_GAP
-            : quantity == QUANTITY_ECR || quantity == QUANTITY_TCR ? DIRECT_CONSTRICTION
-                                                                   : -1;
+    int q = column_of(quantity);
     size_t k = 0;
     if (q < 0 || unloading->count < 2 || !(share <= 1 + rounding && share >= unloading->share[unloading->count - 1]))
         return NAN;

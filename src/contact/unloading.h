@@ -24,6 +24,11 @@ struct unloading {
 MUST_CHECK enum status_code unloading_solve(struct unloading *out, const struct strip_rows *rows, double largest_load,
                                             double hardness, const atomic_bool *stop, struct status *status);
 
+/** Bounds the ratios of a quantity so that, times them, a curve of loading with these values at the shares is one of
+ * unloading: as the load falls the area does not rise, nor the gap or a resistance fall, which another curve than the
+ * strip's own might. */
+void unloading_bound(struct unloading *unloading, enum quantity quantity, const double *loading);
+
 /** A quantity at that share of the largest load over its value on the way up, ln straight in ln of the share; NaN below
  * the last share and of what a strip does not tell. */
 double unloading_factor(const struct unloading *unloading, enum quantity quantity, double share);

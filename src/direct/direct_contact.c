@@ -14,6 +14,9 @@ enum {
 /** Violation at which an elastic solution is good enough to start a hardness, or a finer grid, from. */
 static const double START = 1e-2;
 
+/** By how much more a condition may be violated behind a step with which points have joined. */
+static const double THROWN = 8;
+
 /** One solution in the making. */
 struct solver {
     struct direct_contact *contact;
@@ -21,9 +24,11 @@ struct solver {
     struct direct_contact_effort *effort;
     double hardness;
     bool preconditioned;
-    bool joined; /* some point has come into the set: directions so far are no longer conjugate */
-    double last; /* <g, z> of the iteration before */
-    double mean; /* of the gap on the set */
+    bool joined;    /* some point has come into the set: directions so far are no longer conjugate */
+    bool violators; /* the set has points that violate a condition */
+    bool careful;   /* of these only those join that the step presses: drop_pulled() */
+    double last;    /* <g, z> of the iteration before */
+    double mean;    /* of the gap on the set */
 };
 
 /** Takes the mean off the heights, an offset of which would only cost digits. */
@@ -289,6 +294,7 @@ static double lay_set(struct solver *solver)
     }
     contact->set_count = all || worst[0] == 0 ? count : kept;
     solver->joined |= joined[1] || (all && joined[0]);
+    solver->violators = all && worst[0] > 0;
     solver->mean = all ? gaps / (double)count : 0; /* where 0 < p < H it is 0 */
     return worst[all ? 0 : 1];
 }
@@ -327,6 +333,27 @@ void direct_contact_stiffen(struct direct_contact *contact)
         bridge(kernel->field, set, k, contact, true);
 }
 
+/** Takes those points without pressure out of the set that a step against z would pull. Where many join at once z goes
+ * up and down from one to the next: the length of a step takes the displacements to cancel, which they do not when half
+ * of the points stay at 0, and the gaps behind it are tens of times those before. */
+static void drop_pulled(struct solver *solver, const double *z)
+{
+    struct direct_contact *contact = solver->contact;
+    double mean = 0, gaps = 0;
+    size_t kept = 0;
+    for (size_t k = 0; k < contact->set_count; k++)
+        mean += z[contact->set[k]] / (double)contact->set_count;
+    for (size_t k = 0; k < contact->set_count; k++) {
+        uint32_t at = contact->set[k];
+        contact->member[at] = contact->pressure[at] > 0 || z[at] <= mean;
+        contact->set[kept] = at;
+        kept += contact->member[at];
+        gaps += contact->member[at] ? contact->gap_m[at] : 0;
+    }
+    contact->set_count = kept;
+    solver->mean = gaps / (double)kept;
+}
+
 /** The next direction t = z + (G/G of the last) t on the set, of sum zero; z = M g, M = |q| on the set. A strip forgets
  * the last one where G rises, as it does when many points have left. Returns <g, t>; the field holds t. */
 static double turn(struct solver *solver)
@@ -342,6 +369,9 @@ static double turn(struct solver *solver)
         for (size_t k = 0; k < count; k++)
             kernel->field[set[k]] = gap_m[set[k]] - solver->mean;
         direct_contact_stiffen(contact);
+        if (solver->careful && solver->violators)
+            drop_pulled(solver, z);
+        count = contact->set_count;
     }
     for (size_t k = 0; k < count; k += 4)
         for (size_t i = 0; i < 4 && k + i < count; i++) {
@@ -390,7 +420,7 @@ static void step(struct solver *solver)
 static enum status_code iterate(struct solver *solver, double tolerance, struct status *status)
 {
     struct direct_contact *contact = solver->contact;
-    double best = INFINITY;
+    double best = INFINITY, joined_at = INFINITY; /* the violation with which points joined last */
     size_t waited = 0;
     solver->joined = true;
     for (;;) {
@@ -401,6 +431,8 @@ static enum status_code iterate(struct solver *solver, double tolerance, struct 
             return STATUS_OK;
         if (solver->load->stop && *solver->load->stop)
             return status_fail(status, STATUS_INTERRUPTED, "stopped");
+        solver->careful |= violation > THROWN * joined_at;
+        joined_at = solver->violators ? violation : INFINITY;
         waited++;
         if (violation < best / 2) {
             best = violation;

@@ -6,6 +6,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+const double direct_ensemble_making = 7.5;
+
 /** What the threads work at: the fine grid if there is one, and then every seed. */
 struct tasks {
     const struct direct_ensemble_def *def;
@@ -13,16 +15,39 @@ struct tasks {
     struct direct_point *fine; /* loads; NULL: none */
 };
 
-/** The ladder of n x n heights, which are freed as soon as they are taken. */
+static void tell(const struct direct_ensemble_def *def, double work)
+{
+    if (def->solved)
+        def->solved(def->solved_context, work);
+}
+
+/** What a surface with given heights costs to make, and the ladder of n x n points, in points solved. */
+static double making_work(const struct direct_ensemble_def *def)
+{
+    return def->given_m && !def->map ? direct_ensemble_making * (double)(def->n * def->n) : 0;
+}
+
+static double ladder_work(const struct direct_ensemble_def *def, size_t n)
+{
+    return (double)(n * n) * (double)def->ladder.loads;
+}
+
+/** The ladder of n x n heights, which are freed as soon as they are taken; each load is told of. */
 static enum status_code solve_heights(struct direct_point *out, double *height_m, size_t n, double spacing_m,
-                                      const struct direct_ladder_def *def, struct status *status)
+                                      const struct direct_ensemble_def *def, struct status *status)
 {
     struct direct_contact contact;
     enum status_code rc = direct_contact_make(&contact, height_m, n, n, spacing_m, status);
     free(height_m);
     if (rc != STATUS_OK)
         return rc;
-    rc = direct_ladder_run(out, &contact, def, status);
+    struct direct_ladder_def step = def->ladder;
+    step.loads = 1;
+    for (size_t i = 0; i < def->ladder.loads && rc == STATUS_OK; i++) {
+        step.load = def->ladder.load + i;
+        rc = direct_ladder_run(out + i, &contact, &step, status);
+        tell(def, (double)(n * n));
+    }
     direct_contact_free(&contact);
     return rc;
 }
@@ -42,8 +67,10 @@ static enum status_code solve_surface(struct direct_point *out, const struct dir
         free(height_m);
         height_m = fine_m;
     }
-    if (rc == STATUS_OK)
-        return solve_heights(out, height_m, fine_n, def->length_m / (double)fine_n, &def->ladder, status);
+    if (rc == STATUS_OK) {
+        tell(def, making_work(def));
+        return solve_heights(out, height_m, fine_n, def->length_m / (double)fine_n, def, status);
+    }
     free(height_m);
     return rc;
 }
@@ -57,20 +84,16 @@ static enum status_code solve_part(struct direct_point *out, const struct direct
         return STATUS_OK;
     if (direct_map_take(&taken, def->map, part, status) != STATUS_OK)
         return status->code;
-    return solve_heights(out, taken.height_m, taken.n, taken.spacing_m, &def->ladder, status);
-}
-
-/** Work that a task is, in points; of a map's parts each as much as the whole. */
-static double work_of(const struct direct_ensemble_def *def, bool fine)
-{
-    double points = (double)(def->n * (fine ? def->fine_times : 1));
-    return points * points * (double)def->ladder.loads;
+    return solve_heights(out, taken.height_m, taken.n, taken.spacing_m, def, status);
 }
 
 double direct_ensemble_work(const struct direct_ensemble_def *def)
 {
-    bool fine = def->fine_times > 1 && !def->map;
-    return (double)(def->map ? DIRECT_MAP_PARTS : def->seeds) * work_of(def, false) + (fine ? work_of(def, true) : 0);
+    size_t fine = def->fine_times > 1 && !def->map, surfaces = def->map ? 1 : def->seeds;
+    double work = (double)surfaces * ladder_work(def, def->n) + (double)(surfaces + fine) * making_work(def);
+    for (int part = DIRECT_MAP_WHOLE + 1; def->map && part < DIRECT_MAP_PARTS; part++)
+        work += direct_map_has(def->map, (enum direct_map_part)part) ? ladder_work(def, def->n / 2) : 0;
+    return work + (fine ? ladder_work(def, def->n * def->fine_times) : 0);
 }
 
 static enum status_code solve_task(void *context, size_t index, struct threads_turn *turn, struct status *status)
@@ -81,11 +104,8 @@ static enum status_code solve_task(void *context, size_t index, struct threads_t
     size_t seed = tasks->fine && !fine ? index - 1 : index;
     struct direct_point *out = fine ? tasks->fine : tasks->ensemble->seed_point + seed * tasks->ensemble->loads;
     (void)turn;
-    enum status_code rc = def->map ? solve_part(out, def, (enum direct_map_part)seed, status)
-                                   : solve_surface(out, def, seed, fine ? def->fine_times : 1, status);
-    if (def->solved)
-        def->solved(def->solved_context, work_of(def, fine));
-    return rc;
+    return def->map ? solve_part(out, def, (enum direct_map_part)seed, status)
+                    : solve_surface(out, def, seed, fine ? def->fine_times : 1, status);
 }
 
 /** Mean and standard error over `count` surfaces. */

@@ -260,7 +260,7 @@ bool direct_map_has(const struct direct_map *map, enum direct_map_part part)
 enum status_code direct_map_take(struct direct_map *out, const struct direct_map *map, enum direct_map_part part,
                                  struct status *status)
 {
-    size_t every = part == DIRECT_MAP_WHOLE ? 1 : 2, half = map->n / 4, n = map->n / every;
+    size_t every = part == DIRECT_MAP_WHOLE ? 1 : 2, half = map->n / (map->mirrored ? 4 : 2), n = map->n / every;
     if (part >= DIRECT_MAP_QUARTER) {
         const struct direct_map_def def = {map->n, map->n, map->spacing_m, map->spacing_m, false, map->cutoff};
         size_t quarter = (size_t)(part - DIRECT_MAP_QUARTER);

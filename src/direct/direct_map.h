@@ -55,7 +55,7 @@ enum direct_map_part {
     DIRECT_MAP_PARTS = DIRECT_MAP_QUARTER + 4
 };
 bool direct_map_has(const struct direct_map *map, enum direct_map_part part);
-/** Takes that part. Owned: direct_map_free(). Error: STATUS_MEMORY. */
+/** Takes that part, or a quarter of a periodic map. Owned: direct_map_free(). Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code direct_map_take(struct direct_map *out, const struct direct_map *map,
                                             enum direct_map_part part, struct status *status);
 

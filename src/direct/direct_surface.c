@@ -329,13 +329,34 @@ static void impose_amplitudes(struct modes *modes)
     modes->exhausted |= !fft_run(modes->backward);
 }
 
-static int by_value(const void *left, const void *right, void *values)
+/** Of which the order is that of the values. */
+static uint64_t sort_key(double value)
 {
-    const double *value = values;
-    uint64_t a = *(const uint64_t *)left, b = *(const uint64_t *)right;
-    if (value[a] != value[b])
-        return value[a] < value[b] ? -1 : 1;
-    return (a > b) - (a < b);
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return bits >> 63 ? ~bits : bits | (uint64_t)1 << 63;
+}
+
+/** The places of the values in ascending order, of equal ones in theirs: a radix sort. `order`: 2 count, the second
+ * half to work with. */
+static void rank(uint64_t *order, const double *values, size_t count)
+{
+    enum { DIGIT = 11, DIGITS = 6 }; /* bits of a digit; as many as a key has, and even */
+    uint64_t *from = order, *to = order + count;
+    for (size_t k = 0; k < count; k++)
+        from[k] = k;
+    for (unsigned shift = 0; shift < DIGIT * DIGITS; shift += DIGIT) {
+        size_t start[(1 << DIGIT) + 1] = {0};
+        for (size_t k = 0; k < count; k++)
+            start[(sort_key(values[k]) >> shift & ((1 << DIGIT) - 1)) + 1]++;
+        for (size_t digit = 0; digit < 1 << DIGIT; digit++)
+            start[digit + 1] += start[digit];
+        for (size_t k = 0; k < count; k++)
+            to[start[sort_key(values[from[k]]) >> shift & ((1 << DIGIT) - 1)]++] = from[k];
+        uint64_t *other = from;
+        from = to;
+        to = other;
+    }
 }
 
 /** The rounds proper; values: n² of room, order: 2 n². */
@@ -346,9 +367,7 @@ static void adjust(struct modes *modes, const double *heights, double *values, u
     for (size_t k = 0; k < count; k++)
         values[k] = direct_random(seed, k);
     for (int round = 0; round <= ROUNDS; round++) {
-        for (size_t k = 0; k < count; k++)
-            order[k] = k;
-        qsort_r(order, count, sizeof *order, by_value, values);
+        rank(order, values, count);
         for (size_t k = 0; k < count; k++)
             values[order[k]] = heights[k];
         for (size_t j = 0; j < n; j++)

@@ -18,23 +18,31 @@ static const unsigned on_spots = EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLA
 const char *const joint_plating_names[] = {"none", "hard gold", "soft gold", "tin", "silver", "nickel"};
 const struct joint_layer joint_platings[] = {
     {0},
-    {2.3e-8, 0.5e-6, 1.3e-6,
+    {2.3e-8, 0.5e-6, 1.3e-6, 1.667e9,
      HARTING "that of gold, unchecked for hard gold, whose cobalt raises it: give the plater's; " COPPER
-             ", 20 to 50 microinches"},
-    {2.3e-8, 0.25e-6, 5e-6, HARTING "thickness: classes 0.25 to 5 of ASTM B488 as told by aotco.com"},
-    {12e-8, 2.5e-6, 10e-6, HARTING COPPER ", 100 microinches at least; the upper end is unchecked"},
-    {1.6e-8, 2e-6, 10e-6, HARTING "the thickness is unchecked"},
-    {6.9e-8, 1.25e-6, 5e-6, HARTING "thickness: 50 microinches below gold (spcprecision.com) to 5 um alone (Harting)"},
+             ", 20 to 50 microinches; hardness: 170 HK, middle of code C of ASTM B488, 130 to 200 (aotco.com)"},
+    {2.3e-8, 0.25e-6, 5e-6, 0.883e9,
+     HARTING "thickness: classes 0.25 to 5 of ASTM B488 as told by aotco.com; hardness: 90 HK, the most of its code A"},
+    {12e-8, 2.5e-6, 10e-6, 100e6,
+     HARTING COPPER ", 100 microinches at least; the upper end is unchecked; hardness: 10 HV of matte tin, unchecked "
+                    "(bulk tin 0.04 GPa, brightened tin more): give the plater's"},
+    {1.6e-8, 2e-6, 10e-6, 0.736e9,
+     HARTING "the thickness is unchecked; hardness: 75 HV, the least of the 75 to 200 HV of silver contact surfaces "
+             "(materion.com, In Our Element); brightened silver has more"},
+    {6.9e-8, 1.25e-6, 5e-6, 1.96e9,
+     HARTING
+     "thickness: 50 microinches below gold (spcprecision.com) to 5 um alone (Harting); hardness: 200 HV, of the "
+     "150 to 350 HV of electroplated nickel (finishing.com 2522)"},
 };
 
 #define BOND "bond line: rfessentials.com, comparison of thermal interface materials"
 const char *const joint_filler_names[] = {"none", "silicone grease", "filled grease", "pad", "gallium alloy"};
 const struct joint_layer joint_fillers[] = {
     {0},
-    {0.8, 25e-6, 75e-6, "conductivity: Assmann WSW at digikey, thermal compound; " BOND},
-    {4, 25e-6, 75e-6, "conductivity: arctic.de, 1 to 4 W/(m K) whatever is advertised, its upper end; " BOND},
-    {1, 50e-6, 1e-3, "conductivity, most: Bergquist Gap Pad VO Ultra Soft, 1.02 mm (elcodis.com); least " BOND},
-    {16.5, 25e-6, 50e-6, "galinstan; conductivity: Wikipedia; bond line: indium.com on liquid metal, 1 to 2 mils"},
+    {0.8, 25e-6, 75e-6, 0, "conductivity: Assmann WSW at digikey, thermal compound; " BOND},
+    {4, 25e-6, 75e-6, 0, "conductivity: arctic.de, 1 to 4 W/(m K) whatever is advertised, its upper end; " BOND},
+    {1, 50e-6, 1e-3, 0, "conductivity, most: Bergquist Gap Pad VO Ultra Soft, 1.02 mm (elcodis.com); least " BOND},
+    {16.5, 25e-6, 50e-6, 0, "galinstan; conductivity: Wikipedia; bond line: indium.com on liquid metal, 1 to 2 mils"},
 };
 
 struct joint joint_default(void)
@@ -114,6 +122,12 @@ double joint_flatness(double *share, const double flatness_m[2], double pressure
     return M_PI * b * pow(1 - *share, 1.5) / (2 * pair->conductivity_W_per_mK * *share);
 }
 
+double joint_temperature(const struct joint_task *task, double voltage_V)
+{
+    double ambient_K = task->joint->temperature_K;
+    return finite_or_nan(ambient_K + heating_rise(voltage_V, ambient_K));
+}
+
 /** Spots, plating and film of one point. */
 static void add_spots(double *value, const struct contact_spots *own, const struct joint_task *task)
 {
@@ -132,9 +146,8 @@ static void add_spots(double *value, const struct contact_spots *own, const stru
     if (runs(task, EFFECT_PLATING) || runs(task, EFFECT_FILM))
         value[QUANTITY_JOINT_ECR] = finite_or_nan(ecr_ohm_m2);
     if (runs(task, EFFECT_HEATING)) {
-        double ambient_K = task->joint->temperature_K;
         value[QUANTITY_VOLTAGE] = finite_or_nan(task->joint->current_A * (ecr_ohm_m2 / task->nominal_area_m2));
-        value[QUANTITY_TEMPERATURE] = finite_or_nan(ambient_K + heating_rise(value[QUANTITY_VOLTAGE], ambient_K));
+        value[QUANTITY_TEMPERATURE] = joint_temperature(task, value[QUANTITY_VOLTAGE]);
     }
 }
 
@@ -151,6 +164,26 @@ void joint_apply(struct contact_point *points, const struct contact_spots *spots
         if (task->effects & on_spots)
             add_spots(value, spots ? &spots[i] : NULL, task);
     }
+}
+
+void joint_model_sd(double out[QUANTITY_COUNT], const struct contact_point *point, const struct model_row *row,
+                    const struct joint_task *task, double longest_waves)
+{
+    const double pressure_Pa = material_pair_pressure(task->pair, point->value[QUANTITY_LOAD]);
+    struct contact_point rougher = *point;
+    for (int q = 0; q < QUANTITY_COUNT; q++) {
+        out[q] = model_surface_sd(row, (enum quantity)q, longest_waves);
+        if (q == QUANTITY_AREA && row->plastic && out[q] > 0)
+            out[q] =
+                hypot(bearing_area_sd, out[q] * model_elastic_share(row, point, pressure_Pa / task->pair->hardness_Pa));
+        rougher.value[q] *= exp(q == QUANTITY_AREA ? -out[q] : out[q]);
+    }
+    if (!(model_sd(row, QUANTITY_AREA) > 0))
+        return;
+    joint_apply(&rougher, NULL, 1, task);
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        if (quantity_rows[q].from)
+            out[q] = fabs(log(rougher.value[q] / point->value[q]));
 }
 
 enum status_code joint_curve(struct model_curve *curve, const struct model_row *row, const struct model_task *task,

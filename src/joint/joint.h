@@ -18,6 +18,7 @@ enum joint_fill {
 struct joint_layer {
     double value;           /* a plating's resistivity [ohm m], a filler's conductivity [W/m/K] */
     double least_m, most_m; /* usual thickness */
+    double hardness_Pa;     /* of a plating as deposited; 0: it is none */
     const char *source;     /* what was read, and what is unchecked */
 };
 enum { JOINT_PLATINGS = 6, JOINT_FILLERS = 5 };
@@ -69,6 +70,16 @@ double joint_flatness(double *share, const double flatness_m[2], double pressure
  * one a point; NULL: it has none, so equal ones. What is not finite is NaN. */
 void joint_apply(struct contact_point *points, const struct contact_spots *spots, size_t count,
                  const struct joint_task *task);
+
+/** Standard deviations of the logarithm of all quantities at a point that come of the model's own error
+ * (model_surface_sd(), of the area its elastic share and bearing_area_sd): of what the joint makes of area, gap and
+ * resistance, of all of them together, as on a rougher surface, with less area, a wider gap and more resistance. 0: not
+ * counted in; what is NaN there is not known. */
+void joint_model_sd(double out[QUANTITY_COUNT], const struct contact_point *point, const struct model_row *row,
+                    const struct joint_task *task, double longest_waves);
+
+/** T_max [K] at a voltage over the contact. */
+double joint_temperature(const struct joint_task *task, double voltage_V);
 
 /** Adds to `curve`, of `row` at the loads of `task`, what the joint's effects make of it: joint_apply() with the spots
  * of the model, which are those of the task's one surface. Error: STATUS_MEMORY. */

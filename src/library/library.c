@@ -527,6 +527,7 @@ static enum status_code run(struct roughcontact_curve **out, const struct roughc
                                         .tolerance = 1e-6, /* the scene's default */
                                         .sinusoid_fit = SINUSOID_FIT_THESIS,
                                         .hardness_Pa = pair.hardness_Pa,
+                                        .levelled = !profile->periodic,
                                         .rows = &rows,
                                         .strip = strip,
                                         .bearing = strip ? &bearing : NULL};

@@ -190,6 +190,11 @@ static struct material softer_body(const struct material *first, const struct ma
     return second->yield_strength_Pa < first->yield_strength_Pa ? *second : *first;
 }
 
+double material_hardness(const struct material *material)
+{
+    return isnan(material->hardness_Pa) ? material_hardness_ratio * material->yield_strength_Pa : material->hardness_Pa;
+}
+
 struct material_pair material_pair(const struct material *material, enum material_counterface kind,
                                    const struct material *other)
 {
@@ -203,8 +208,7 @@ struct material_pair material_pair(const struct material *material, enum materia
         .effective_modulus_Pa = elastic ? 1.0 / (compliance_per_Pa(material) + compliance_per_Pa(second))
                                         : material->youngs_modulus_Pa / (1.0 - nu * nu),
         .yield_strength_Pa = softer.yield_strength_Pa,
-        .hardness_Pa =
-            isnan(softer.hardness_Pa) ? material_hardness_ratio * softer.yield_strength_Pa : softer.hardness_Pa,
+        .hardness_Pa = material_hardness(&softer),
         .poisson_ratio = softer.poisson_ratio,
         .yield_coefficient = yield_coefficient_factor * exp(yield_coefficient_exponent * softer.poisson_ratio),
         .resistivity_ohm_m = (material->resistivity_ohm_m + second->resistivity_ohm_m) / 2.0,

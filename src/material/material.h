@@ -74,6 +74,9 @@ struct material_pair {
 /** Hardness over yield strength of a metal that is not hardened: Tabor 1951; Jackson and Green 2005 (H_G at a -> 0). */
 extern const double material_hardness_ratio;
 
+/** H [Pa] of one body: as given, else 2.84 S_y. */
+double material_hardness(const struct material *material);
+
 /** Combines `material` with its counterface (`other` is read for MATERIAL_COUNTERFACE_ELASTIC only). The softer body is
  * the one with the lower yield strength. Source: docs/equations.md, Material; thesis (4.14), (4.52). */
 struct material_pair material_pair(const struct material *material, enum material_counterface kind,

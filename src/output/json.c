@@ -219,8 +219,6 @@ static void set_estimate(json_t *object, const char *key, const struct estimate 
     set(json, "effective", estimate->effective);
     set_all(json, "mean_95", mean_95, 2);
     set_all(json, "next_scan_95", next_95, 2);
-    if (estimate->heterogeneous)
-        json_object_set_new(json, "same_along_the_scan", json_false());
     json_object_set_new(object, key, json);
 }
 
@@ -385,7 +383,7 @@ static json_t *surface_json(const struct results *results, size_t index)
     set_count(json, "scans_windowed", s->windowed);
     set(json, "scans_independent", s->independent);
     set(json, "longest_waves", s->longest_waves);
-    if (s->repeats.count > 0)
+    if (s->repeats.scans > 1)
         json_object_set_new(json, "spread", repeats_json(&s->repeats));
     if (results_measured(results, index))
         json_object_set_new(json, "measured", measured_json(results, index));
@@ -506,7 +504,7 @@ static json_t *answers_json(const struct results *results)
 /** The surfaces held against each other in the leading model, the best first. */
 static json_t *comparison_json(const struct results *results, const struct comparison_ranking *ranking)
 {
-    static const char *const verdicts[] = {"not told apart", "told apart", "told apart", "none"};
+    static const char *const verdicts[] = {"not told apart", "told apart", "told apart"};
     json_t *ranks = json_array(), *pairs = json_array();
     for (size_t i = 0; i < ranking->count; i++) {
         const char *name = results->surfaces[ranking->surface[i]].summary.scene->name;
@@ -515,8 +513,7 @@ static json_t *comparison_json(const struct results *results, const struct compa
         json_array_append_new(ranks, json_pack("{s:o, s:s}", "surface", json_shown(name), "letters", letters));
         for (size_t j = i + 1; j < ranking->count; j++) {
             const struct comparison_pair *pair = comparison_pair_of(ranking, i, j);
-            json_t *json = json_pack("{s:I, s:I, s:s, s:s}", "better", (json_int_t)i, "other", (json_int_t)j, "test",
-                                     pair->test == COMPARISON_WELCH ? "welch" : "place of the scan", "verdict",
+            json_t *json = json_pack("{s:I, s:I, s:s}", "better", (json_int_t)i, "other", (json_int_t)j, "verdict",
                                      verdicts[pair->verdict]);
             set(json, "ratio", pair->ratio);
             set_all(json, "ratio_95", (const double[]){pair->low, pair->high}, 2);

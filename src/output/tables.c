@@ -370,8 +370,8 @@ static void fill_cost(struct table *table, const struct results *results)
     }
 }
 
-/** Scans (or blocks of a map's rows), what they are worth, mean, standard deviation of one of them (of the logarithm
- * where the mean is geometric), ends of the 95 % interval of the mean, and of another scan's. */
+/** Scans, the sum of their weights, mean, standard deviation of one of them (of the logarithm where the mean is
+ * geometric), ends of the 95 % interval of the mean, and of another scan's. */
 static void put_spread_number(struct table *table, const struct surface_summary *surface, const char *quantity,
                               const struct estimate *estimate)
 {
@@ -398,7 +398,7 @@ static void fill_spread(struct table *table, const struct results *results)
             continue;
         const struct repeats *repeats = &s->repeats;
         char quantity[80];
-        if (repeats->count > 0) {
+        if (repeats->scans > 1) {
             put_spread_number(table, s, "rq_m", &repeats->rq_m);
             put_spread_number(table, s, "gamma", &repeats->gamma);
             put_spread_number(table, s, "fit_psd_m3", &repeats->psd_m3);
@@ -485,7 +485,8 @@ static void fill_unloading(struct table *table, const struct results *results)
             put_number(table, "load_over_AnEp", load);
             put_number(table, "largest_load_over_AnEp", unloading->largest_load);
             for (int q = 0; q < QUANTITY_COUNT; q++)
-                if (ensemble_band_holds((enum quantity)q) && (plan_quantities(results->plan) & QUANTITY_BIT(q))) {
+                if (ensemble_band_holds((enum quantity)q) && !quantity_rows[q].from &&
+                    (plan_quantities(results->plan) & QUANTITY_BIT(q))) {
                     put_number(table, quantity_rows[q].column, point->value[q]);
                     put(table, quantity_rows[q].name, "_over_loading",
                         unloading_factor(&unloading->ratio, (enum quantity)q, load / unloading->largest_load));

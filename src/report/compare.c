@@ -6,15 +6,17 @@
 #include "report/report.h"
 #include "report/view.h"
 #include "scene/scene_words.h"
-#include "statistics/interval.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 struct compared {
     json_t *results[REPORTS_COMPARED], *surfaces[REPORTS_COMPARED]; /* these by name */
     size_t count;
+    size_t values;                  /* that all of them may have, by LIMIT_RESULTS_VALUES, the files so far */
+    size_t items;                   /* of the view, by LIMIT_COMPARED */
     const char *leading;            /* the first one's model */
     double tie;                     /* relative difference that is none */
     bool any, differ, loads_differ; /* any: a number is in two reports; differ: anything */
@@ -28,7 +30,7 @@ static const struct {
 } rows[] = {{QUANTITY_AREA, 100, "%"},           {QUANTITY_SEPARATION, 1, "σ"},  {QUANTITY_ECR, 1e9, "mΩ·mm²"},
             {QUANTITY_JOINT_ECR, 1e9, "mΩ·mm²"}, {QUANTITY_TCR, 1e6, "K·mm²/W"}, {QUANTITY_JOINT, 1, "W/(m²·K)"},
             {QUANTITY_STIFFNESS, 1e-12, "TPa/m"}};
-enum { NUMBERS = sizeof rows / sizeof *rows, TEXT_MOST = 60, PATH_MOST = 400, MADE = 5 };
+enum { NUMBERS = sizeof rows / sizeof *rows, TEXT_MOST = 60, STRING_MOST = 1000, PATH_MOST = 400, MADE = 5 };
 
 static double real(const json_t *value)
 {
@@ -37,8 +39,8 @@ static double real(const json_t *value)
 
 static const char *string(const json_t *object, const char *key)
 {
-    const char *value = json_string_value(json_object_get(object, key));
-    return value ? value : "";
+    const json_t *value = json_object_get(object, key);
+    return json_is_string(value) && json_string_length(value) <= STRING_MOST ? json_string_value(value) : "";
 }
 
 static json_t *get(const json_t *object, const char *key, const char *below)
@@ -55,26 +57,29 @@ struct side {
     struct estimate known; /* of ln value */
 };
 
-/** What a curve has at a load, straight in the logarithms; NaN: nothing. */
-static double on_curve(const json_t *model, const char *name, double load)
+/** Where among the loads of a curve one lies: in the logarithm, which share of the way from load *before to the next;
+ * NaN: beyond them. */
+static double place_of(const json_t *loads, double load, size_t *before)
 {
-    const json_t *loads = json_object_get(model, "load_over_AnEp"), *values = json_object_get(model, name);
-    for (size_t i = 0; i + 1 < json_array_size(loads); i++) {
-        double from = real(json_array_get(loads, i)), to = real(json_array_get(loads, i + 1));
-        double value = real(json_array_get(values, i)), next = real(json_array_get(values, i + 1));
+    for (*before = 0; *before + 1 < json_array_size(loads); ++*before) {
+        double from = real(json_array_get(loads, *before)), to = real(json_array_get(loads, *before + 1));
         if (from <= load * (1 + 1e-9) && load <= to * (1 + 1e-9))
-            return value * pow(next / value, log(load / from) / log(to / from));
+            return log(load / from) / log(to / from);
     }
     return NAN;
 }
 
-/** At the pressure of `reference`; NULL: at its own operating load. A number of the joint has the errors of the
- * resistance that it is made of, in the measure in which it follows that. */
+/** What a curve has there, straight in the logarithms; NaN: nothing. */
+static double on_curve(const json_t *values, size_t before, double share)
+{
+    double value = real(json_array_get(values, before)), next = real(json_array_get(values, before + 1));
+    return value * pow(next / value, share);
+}
+
+/** At the pressure of `reference`; NULL: at its own operating load. */
 static struct side side_of(const struct compared *all, size_t k, const char *name, enum quantity quantity,
                            const struct side *reference)
 {
-    enum quantity source = quantity == QUANTITY_JOINT_ECR ? QUANTITY_ECR : quantity;
-    source = quantity == QUANTITY_JOINT ? QUANTITY_TCR : source;
     const json_t *surface = json_object_get(all->surfaces[k], name), *model = get(surface, "models", all->leading);
     const json_t *operating = json_object_get(model, "operating");
     double own_Pa = real(json_object_get(surface, "effective_modulus_Pa"));
@@ -84,25 +89,24 @@ static struct side side_of(const struct compared *all, size_t k, const char *nam
     struct side out = {.scans = string(surface, "sha256"), .known = estimate_none};
     out.pressure_Pa = real(json_object_get(operating, quantity_rows[QUANTITY_LOAD].name)) * modulus_Pa;
     out.elsewhere = reference && !(fabs(out.pressure_Pa / reference->pressure_Pa - 1) < 1e-9);
+    size_t before = 0;
+    double share = NAN;
+    if (out.elsewhere)
+        share = place_of(json_object_get(model, "load_over_AnEp"), reference->pressure_Pa / modulus_Pa, &before);
     for (int q = 0; q < QUANTITY_COUNT; q++)
-        at.value[q] = out.elsewhere ? on_curve(model, quantity_rows[q].name, reference->pressure_Pa / modulus_Pa)
+        at.value[q] = out.elsewhere ? on_curve(json_object_get(model, quantity_rows[q].name), before, share)
                                     : real(json_object_get(operating, quantity_shown_name((enum quantity)q)));
     bool gap = quantity == QUANTITY_SEPARATION, adjusts = gap && isfinite(at.value[QUANTITY_ADJUSTED]);
     out.value = at.value[adjusts ? QUANTITY_ADJUSTED : quantity];
     out.value /= gap && out.elsewhere ? sqrt(real(json_object_get(surface, "m0_m2"))) : 1;
-    const json_t *known = out.elsewhere ? NULL : get(model, "at_middle_load", quantity_shown_name(source));
-    double s = real(json_object_get(known, "standard_error")), of[QUANTITY_COUNT][2] = {{0}};
+    const json_t *known = out.elsewhere ? NULL : get(model, "at_middle_load", quantity_shown_name(quantity));
+    double s = real(json_object_get(known, "standard_error"));
     double degrees = real(json_object_get(known, "degrees_of_freedom"));
     for (size_t end = 0; end < 2; end++)
-        of[source][end] = real(json_array_get(json_object_get(known, "mean_95"), end));
-    asked_ends(out.ends, &(struct asked){.quantity = quantity, .scale = 1}, &at, (const double(*)[2])of);
-    if (quantity != source)
-        s *= fabs(log(out.ends[1] / out.ends[0]) / log(of[source][1] / of[source][0]));
-    if (!json_is_true(json_object_get(known, "geometric")) || !(s >= 0) || !(degrees == 0 || degrees >= 1))
+        out.ends[end] = real(json_array_get(json_object_get(known, "mean_95"), end));
+    if (!json_is_true(json_object_get(known, "geometric")) || !(s >= 0) || !(degrees >= 1))
         return out;
-    out.known = (struct estimate){.count = degrees > 0 ? 2 : 1, .mean = log(out.value), .s = s, .degrees = degrees};
-    out.known.half_width = degrees > 0 ? interval_quantile(estimate_level, degrees) * s : single_scan_half_width(s);
-    out.known.heterogeneous = json_is_false(json_object_get(known, "same_along_the_scan"));
+    out.known = (struct estimate){.count = 1, .mean = log(out.value), .s = s, .degrees = degrees};
     return out;
 }
 
@@ -120,6 +124,7 @@ static void add_number(json_t *view, struct compared *all, const char *name, siz
         if (!(side.value > 0) || !isfinite(ratio))
             continue;
         json_t *line = view_item(lines), *shown = view_part(line, "shown");
+        all->items++;
         view_count(line, "report", k + 1);
         json_object_set_new(line, "value", json_finite(side.value));
         json_object_set_new(line, "low_95", json_finite(side.ends[0]));
@@ -129,16 +134,16 @@ static void add_number(json_t *view, struct compared *all, const char *name, siz
         if (!begun)
             continue;
         bool same = apart == 0 || apart <= all->tie, same_scans = side.scans[0] && strcmp(side.scans, first.scans) == 0;
-        struct comparison_pair pair = {.verdict = RANKING_NO_VERDICT, .p = NAN};
+        struct comparison_pair pair = {.p = NAN};
         if (!same && !same_scans && side.known.count > 0 && first.known.count > 0)
-            pair = comparison_of_two(&side.known, side.value, &first.known, first.value);
+            pair = comparison_of_two(&side.known, &first.known);
         json_object_set_new(line, "ratio", json_finite(ratio));
         if (isfinite(pair.p))
             json_object_set_new(line, "p", json_real(pair.p));
         view_number(shown, "ratio", ratio, same ? 3 : (int)fmax(3, 1 - floor(log10(apart))), "");
         view_number(shown, "p", pair.p, 2, "");
         const char *tested = comparison_told_apart(&pair) ? "significant" : "not_significant";
-        tested = pair.verdict == RANKING_NO_VERDICT ? "undecided" : tested;
+        tested = isnan(pair.p) ? "undecided" : tested;
         view_flag(line, same ? "same" : same_scans ? "same_scans" : tested, true);
         all->differ = all->differ || !same;
         all->loads_differ = all->loads_differ || side.elsewhere;
@@ -152,43 +157,73 @@ static void add_number(json_t *view, struct compared *all, const char *name, siz
     json_decref(lines);
 }
 
+/** Collects a value as JSON; of a long one the ends, as its middle is cut. */
+static int collect(const char *bytes, size_t length, void *text)
+{
+    enum { KEPT = 4 * TEXT_MOST }; /* bytes at either end */
+    struct text *out = text;
+    size_t head = length < KEPT ? length : KEPT, tail = length - head < KEPT ? length - head : KEPT;
+    text_add_bytes(out, bytes, head);
+    text_add_bytes(out, bytes + length - tail, tail);
+    if (out->length > 2 * KEPT) {
+        memmove(out->data + KEPT, out->data + out->length - KEPT, KEPT + 1);
+        out->length = 2 * KEPT;
+    }
+    return 0;
+}
+
+/** Is `key` in one of the first `count` objects? */
+static bool is_known(json_t *const *objects, size_t count, const char *key)
+{
+    bool known = false;
+    while (count > 0 && !known)
+        known = json_object_get(objects[--count], key);
+    return known;
+}
+
 /** Lists `key` of `of`, one a report, or what is below it, where it differs; but what is made of the rest. */
 static void add_input(json_t *view, struct compared *all, json_t *const *of, const char *path, const char *key)
 {
     static const char *const made[MADE] = {"operating_load_over_AnEp", "effective_modulus_Pa", "reason", "source",
                                            "curves"};
-    json_t *values[REPORTS_COMPARED], *keys = json_object(), *ignored;
+    json_t *values[REPORTS_COMPARED], *ignored;
     struct text whole = {0};
     const char *below;
-    bool same = true, objects = true;
-    text_add(&whole, "%s%s%s", path, path[0] ? "." : "", key);
+    bool objects = true, differ = false;
+    if (scene_words_find(key, strlen(key), made, MADE) < MADE || all->items > limit_most(LIMIT_COMPARED))
+        return;
+    text_add(&whole, "%s%s%.*s", path, path[0] ? "." : "", (int)text_fit(key, PATH_MOST), key);
     for (size_t k = 0; k < all->count; k++) {
         values[k] = json_object_get(of[k], key);
-        same = same && (values[k] == values[0] || json_equal(values[k], values[0]));
-        objects = json_object_update_missing(keys, values[k]) == 0 && objects && whole.length < PATH_MOST;
+        objects = json_is_object(values[k]) && objects && whole.length < PATH_MOST;
     }
-    same = same || scene_words_find(key, strlen(key), made, MADE) < MADE;
-    if (!same && objects)
-        json_object_foreach(keys, below, ignored)
+    for (size_t k = 0; k < all->count && objects; k++)
+        json_object_foreach(values[k], below, ignored)
         {
-            add_input(view, all, values, text_string(&whole), below);
+            if (!is_known(values, k, below))
+                add_input(view, all, values, text_string(&whole), below);
         }
-    json_t *item = same || objects ? NULL : view_item(view_list(view, "inputs"));
-    for (size_t k = 0; item && k < all->count; k++) {
-        char *dumped = json_dumps(values[k], JSON_ENCODE_ANY | JSON_COMPACT | JSON_REAL_PRECISION(10));
+    for (size_t k = 1; k < all->count && !objects; k++)
+        differ = differ || !(values[k] == values[0] || json_equal(values[k], values[0]));
+    json_t *item = differ ? view_item(view_list(view, "inputs")) : NULL;
+    for (size_t k = 0; k < all->count && item; k++) {
         json_t *value = view_item(view_list(item, "values"));
-        struct text cut = {0};
-        words_cut(&cut, dumped ? dumped : "", dumped ? strlen(dumped) : 0, TEXT_MOST);
-        view_text(item, "key", text_string(&whole));
+        struct text dumped = {0}, cut = {0};
+        (void)json_dump_callback(values[k], collect, &dumped,
+                                 JSON_ENCODE_ANY | JSON_COMPACT | JSON_REAL_PRECISION(10)); /* of nothing: nothing */
+        words_cut(&cut, text_string(&dumped), dumped.length, TEXT_MOST);
         view_count(value, "report", k + 1);
         view_text(value, "value", text_string(&cut));
-        view_separate(view_list(item, "values"));
         text_free(&cut);
-        free(dumped);
+        text_free(&dumped);
     }
+    if (item) {
+        view_text(item, "key", text_string(&whole));
+        view_separate(view_list(item, "values"));
+    }
+    all->items += item ? all->count : 0;
     all->differ = all->differ || item;
     text_free(&whole);
-    json_decref(keys);
 }
 
 static void add_surface(json_t *view, struct compared *all, const char *name)
@@ -197,10 +232,12 @@ static void add_surface(json_t *view, struct compared *all, const char *name)
     json_t *item = view_item(view_list(view, "surfaces")), *of[REPORTS_COMPARED];
     bool alone = false;
     view_text(item, "surface", name);
+    all->items++;
     for (size_t k = 0; k < all->count; k++)
         if (!(of[k] = json_object_get(all->surfaces[k], name))) {
             view_count(view_item(view_list(item, "not_in")), "report", k + 1);
             all->differ = alone = true;
+            all->items++;
         }
     for (size_t i = 0; i < sizeof keys / sizeof *keys && !alone; i++)
         add_input(view, all, of, name, keys[i]);
@@ -225,20 +262,39 @@ static void give_back_loads(json_t *scene, double modulus_Pa)
     json_object_del(scene, "loads_over_AnEp");
 }
 
+/** How many values a results.json has, as LIMIT_RESULTS_VALUES counts them: of each, jansson makes 48 bytes or less. */
+static size_t count_values(const struct text *json)
+{
+    size_t count = json->length / 48;
+    bool quoted = false;
+    for (size_t i = 0; i < json->length; i++) {
+        char c = json->data[i];
+        count += quoted ? 0 : c == '{' ? 4 : c == '[' ? 2 : c == ',' || c == ':' || c == '"';
+        i += quoted && c == '\\';
+        quoted ^= c == '"';
+    }
+    return count;
+}
+
 static enum status_code add_report(json_t *view, struct compared *all, const char *path, struct status *status)
 {
     struct text name = {0}, bytes = {0};
     json_error_t error = {.line = 1};
     json_t *surface, *item = view_item(view_list(view, "reports")), *results = NULL, *surfaces = json_object();
-    size_t i, most = limit_most(LIMIT_RESULTS_BYTES);
+    struct stat info = {0};
+    size_t i;
     text_add(&name, "%s/results.json", path);
-    enum status_code rc = text_read_file(&bytes, text_string(&name), status);
-    if (rc == STATUS_OK && bytes.length <= most)
+    if (stat(text_string(&name), &info) == 0 && (size_t)info.st_size > limit_most(LIMIT_RESULTS_BYTES))
+        (void)status_fail(status, STATUS_IO, "'%s' has %zu bytes%s", name.data, (size_t)info.st_size,
+                          limit_words(LIMIT_RESULTS_BYTES).text);
+    enum status_code rc = status->code == STATUS_OK ? text_read_file(&bytes, text_string(&name), status) : status->code;
+    all->values += count_values(&bytes);
+    if (rc == STATUS_OK && all->values > limit_most(LIMIT_RESULTS_VALUES))
+        rc = status_fail(status, STATUS_IO, "too much to compare in '%s'%s", name.data,
+                         limit_words(LIMIT_RESULTS_VALUES).text);
+    if (rc == STATUS_OK)
         results = json_loadb(text_string(&bytes), bytes.length, 0, &error);
-    if (rc == STATUS_OK && bytes.length > most)
-        rc = status_fail(status, STATUS_IO, "'%s' has %zu bytes%s", name.data, bytes.length,
-                         limit_words(LIMIT_RESULTS_BYTES).text);
-    else if (rc == STATUS_OK && strcmp(string(results, "program"), "roughcontact") != 0)
+    if (rc == STATUS_OK && strcmp(string(results, "program"), "roughcontact") != 0)
         rc = status_fail(status, STATUS_IO, "'%s' is damaged, or not of roughcontact (line %d); report again",
                          name.data, results ? 1 : error.line);
     text_free(&name);
@@ -264,24 +320,28 @@ static enum status_code add_report(json_t *view, struct compared *all, const cha
 enum status_code report_compare(json_t **out, char *const *paths, size_t count, struct status *status)
 {
     struct compared all = {.count = 0};
-    json_t *view = *out = json_object(), *names = json_object(), *ignored;
+    json_t *view = *out = json_object(), *ignored;
     const char *name;
     while (all.count < count && add_report(view, &all, paths[all.count], status) == STATUS_OK)
-        json_object_update(names, all.surfaces[all.count - 1]);
+        ;
     all.leading = string(all.results[0], "leading");
     all.tie = real(get(all.results[0], "scene", "tolerance"));
     if (status->code == STATUS_OK) {
         add_input(view, &all, all.results, "", "version");
         add_input(view, &all, all.results, "", "leading");
         add_input(view, &all, all.results, "", "scene");
-        json_object_foreach(names, name, ignored)
-        {
-            add_surface(view, &all, name);
-        }
+        for (size_t k = 0; k < all.count; k++)
+            json_object_foreach(all.surfaces[k], name, ignored)
+            {
+                if (!is_known(all.surfaces, k, name) && all.items <= limit_most(LIMIT_COMPARED))
+                    add_surface(view, &all, name);
+            }
         view_text(view, "model", all.leading);
         view_flag(view, "loads_differ", all.loads_differ);
         view_flag(view, "nothing_differs", !all.differ);
     }
+    if (status->code == STATUS_OK && all.items > limit_most(LIMIT_COMPARED))
+        (void)status_fail(status, STATUS_SCAN, "too much differs%s", limit_words(LIMIT_COMPARED).text);
     if (status->code == STATUS_OK && !all.any)
         (void)status_fail(status, STATUS_SCAN, "nothing to compare: no surface has a number of '%s' in two reports",
                           all.leading);
@@ -289,6 +349,5 @@ enum status_code report_compare(json_t **out, char *const *paths, size_t count, 
         json_decref(all.results[--all.count]);
         json_decref(all.surfaces[all.count]);
     }
-    json_decref(names);
     return status->code;
 }

@@ -4,42 +4,56 @@
 #include "base/mustache.h"
 #include "report/html.h"
 #include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
 
-/** Leaves one empty line where parts that are absent left several, and no blanks at the ends of lines. */
-static void squeeze(struct text *markdown)
+/** Where a template of the user and its parts come from. */
+struct folders {
+    struct mustache_folder own, program;
+    const char *base; /* of the user's template, which is no part of itself */
+};
+
+/** As mustache.partial: one that lies beside the user's template, else the program's. */
+static const char *part_of_either(void *context, const char *name)
 {
-    size_t kept = 0, run = 2;
-    for (size_t i = 0; i < markdown->length; i++) {
-        char c = markdown->data[i];
-        if (c == '\n')
-            while (kept > 0 && markdown->data[kept - 1] == ' ')
-                kept--;
-        run = c == '\n' ? run + 1 : 0;
-        if (run <= 2)
-            markdown->data[kept++] = c;
-    }
-    if (markdown->data)
-        markdown->data[kept] = '\0';
-    markdown->length = kept;
+    struct folders *folders = context;
+    struct text beside = {0}, path = {0};
+    text_add(&beside, "%s.md", name);
+    text_add(&path, "%s/%s", folders->own.path, text_string(&beside));
+    const char *part = strcmp(text_string(&beside), folders->base) != 0 && access(text_string(&path), F_OK) == 0
+                           ? mustache_folder_partial(&folders->own, text_string(&beside))
+                           : mustache_folder_partial(&folders->program, name);
+    text_free(&beside);
+    text_free(&path);
+    return part;
+}
+
+/** Fills the user's own template. */
+static enum status_code fill_own(struct text *out, const json_t *view, const struct report_options *options,
+                                 struct status *status)
+{
+    const char *slash = strrchr(options->template, '/'), *base = slash ? slash + 1 : options->template;
+    struct text path = {0};
+    text_add_bytes(&path, slash ? options->template : ".", slash ? (size_t)(slash - options->template) : 1);
+    struct folders folders = {{text_string(&path), "", NULL, status}, {options->templates, ".md", NULL, status}, base};
+    struct mustache how = {view, text_add_markdown_shown, part_of_either, &folders};
+    const char *source = mustache_folder_partial(&folders.own, base);
+    enum status_code rc = source ? mustache_render(out, source, options->template, &how, status) : status->code;
+    mustache_folder_free(&folders.own);
+    mustache_folder_free(&folders.program);
+    text_free(&path);
+    return rc;
 }
 
 enum status_code report_markdown(struct text *out, json_t *view, const struct report_options *options,
                                  struct status *status)
 {
     struct mustache_folder folder = {options->templates, ".md", NULL, status};
-    struct text own = {0};
-    enum status_code rc;
     json_object_set_new(view, "brief", json_boolean(options->brief));
-    if (options->template) {
-        struct mustache how = {view, text_add_markdown_shown, mustache_folder_partial, &folder};
-        rc = text_read_file(&own, options->template, status);
-        if (rc == STATUS_OK)
-            rc = mustache_render(out, text_string(&own), options->template, &how, status);
-        text_free(&own);
-    } else
-        rc = mustache_file(out, &folder, "report", view, text_add_markdown_shown);
+    enum status_code rc = options->template ? fill_own(out, view, options, status)
+                                            : mustache_file(out, &folder, "report", view, text_add_markdown_shown);
     mustache_folder_free(&folder);
-    squeeze(out);
+    text_squeeze(out);
     return rc;
 }
 

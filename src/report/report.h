@@ -9,8 +9,8 @@
 /** How a report is written. */
 struct report_options {
     const char *templates; /* folder of the templates */
-    const char *template;  /* the user's own in place of report.md: a file; NULL: that */
-    bool brief;            /* the first page alone */
+    const char *template; /* the user's own in place of report.md: a file, beside which its parts may lie; NULL: that */
+    bool brief;           /* the first page alone */
 };
 
 /** Adds the report as Markdown. Errors: of the template (file, line), STATUS_IO, STATUS_MEMORY. */
@@ -31,8 +31,8 @@ enum { REPORTS_COMPARED = 20 /* at most */ };
 /** Finished reports, by their directories, side by side: what templates/compare.txt is filled from, new
  * (docs/templates.md). Numbers are those of the first one's leading model at its operating load; a surface is held
  * against that of its name in the first report that has it. Errors: STATUS_IO where a results.json cannot be read, is
- * damaged, another program's or larger than LIMIT_RESULTS_BYTES; STATUS_SCAN where no number stands in two reports;
- * STATUS_MEMORY. */
+ * damaged, another program's or larger than LIMIT_RESULTS_BYTES, or all together more than LIMIT_RESULTS_VALUES;
+ * STATUS_SCAN where no number stands in two reports, or more differs than LIMIT_COMPARED; STATUS_MEMORY. */
 MUST_CHECK enum status_code report_compare(json_t **out, char *const *paths, size_t count, struct status *status);
 
 #endif

@@ -65,6 +65,17 @@ void view_count(json_t *out, const char *name, size_t count)
     json_object_set_new(out, name, json_integer((json_int_t)count));
 }
 
+void view_counted(json_t *out, const char *name, size_t count, const char *only)
+{
+    if (count == 0)
+        return;
+    json_t *part = view_part(out, name);
+    view_count(part, "count", count);
+    view_flag(part, "one", count == 1);
+    if (count == 1 && only)
+        view_text(part, "surface", only);
+}
+
 void view_flag(json_t *out, const char *name, bool flag)
 {
     json_object_set_new(out, name, json_boolean(flag));
@@ -129,7 +140,7 @@ const struct surface_summary *view_summary(const struct view_source *source, siz
     return &source->results->surfaces[surface].summary;
 }
 
-/** Charts that were drawn: their files, their numbers in chapter 6. */
+/** Charts that were drawn: their files, their numbers in chapter 6, what is to be seen in them. */
 static void add_figures(json_t *out, const struct figures *figures)
 {
     json_t *list = view_part(out, "figures");
@@ -137,6 +148,10 @@ static void add_figures(json_t *out, const struct figures *figures)
         json_t *figure = view_part(list, figures->figure[i].name);
         view_text(figure, "name", figures->figure[i].name);
         view_text(figure, "numbers", figures->figure[i].numbers);
+        view_flag(figure, "several_numbers", strchr(figures->figure[i].numbers, ' '));
+        for (int n = 0; n < FIGURE_NOTES; n++)
+            view_flag(figure, figure_notes[n], figures->figure[i].notes >> n & 1);
+        view_count(figure, "least_points", FIGURE_FEW_POINTS);
     }
 }
 
@@ -148,7 +163,7 @@ enum status_code view_make(json_t **out, const struct results *results, const st
                                  .words = words,
                                  .baseline = &results->surfaces[results->baseline],
                                  .asked = asked_of(results)};
-    source.leading = asked_leading(results, &source.asked);
+    source.leading = plan_leading_model(results->plan);
     static void (*const parts[])(json_t * out, const struct view_source *source) = {
         view_first_page, view_surfaces, view_models, view_joint, view_direct,
         view_accuracy,   view_findings, view_inputs, view_export};

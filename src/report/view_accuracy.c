@@ -73,13 +73,15 @@ static void put_stability(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
     uint64_t limited = 0, most_limited = 0;
-    size_t on = 0, outside = 0, refused_scans = 0, refused = 0;
+    size_t on = 0, outside = 0, refused_scans = 0, refused = 0, unsolved[2] = {0};
     double clamped = 0;
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = view_summary(source, i);
         uint64_t own = 0;
         refused += !s->usable;
         refused_scans += s->refused_scans;
+        for (int k = 0; k < 2; k++)
+            unsolved[k] += s->strip_unsolved[k];
         for (size_t m = 0; m < model_count && s->usable; m++) {
             const struct curve_summary *curve = surface_model(s, m);
             if (!curve->exists)
@@ -95,19 +97,18 @@ static void put_stability(json_t *out, const struct view_source *source)
         }
     }
     json_t *item = view_part(out, "stability");
-    if (limited > 0) {
-        view_number(item, "limited", (double)limited, 3, "");
+    view_counted(item, "limited", limited, NULL);
+    if (limited > 0)
         view_text(item, "limited_on", view_name(source, on));
-    }
     if (clamped > 1e-4)
         view_number(item, "clamped_percent", 100 * clamped, 2, "");
-    if (outside > 0)
-        view_count(item, "outside", outside);
-    if (refused > 0)
-        view_count(item, "refused", refused);
-    if (refused_scans > 0)
-        view_count(item, "refused_scans", refused_scans);
-    view_flag(item, "nothing", limited == 0 && !(clamped > 1e-4) && refused + refused_scans == 0);
+    view_counted(item, "outside", outside, NULL);
+    view_counted(item, "unsolved_loads", unsolved[0], NULL);
+    view_counted(item, "unsolved_scans", unsolved[1], NULL);
+    view_counted(item, "refused", refused, NULL);
+    view_counted(item, "refused_scans", refused_scans, NULL);
+    view_flag(item, "nothing",
+              limited == 0 && !(clamped > 1e-4) && refused + refused_scans + unsolved[0] + unsolved[1] == 0);
 }
 
 void view_accuracy(json_t *out, const struct view_source *source)

@@ -27,14 +27,15 @@ static void put_si(json_t *out, const char *name, double value)
         json_object_set_new(out, name, json_string(number));
 }
 
-/** A name of a file from that of a surface; where characters gave way, its number tells it from all others. */
+/** A name of a file from that of a surface, neither hidden nor like an option; where characters gave way, its number
+ * tells it from all others. */
 static void put_file(json_t *out, const char *surface, size_t number)
 {
     char name[NAME_MOST + NUMBER];
     size_t length = 0;
     bool same = true;
     for (const char *s = surface; *s && length < NAME_MOST; s++, length++) {
-        name[length] = isalnum((unsigned char)*s) || strchr("-_", *s) || (*s == '.' && length > 0) ? *s : '_';
+        name[length] = isalnum((unsigned char)*s) || (strchr("-.", *s) && length > 0) ? *s : '_';
         same = same && name[length] == *s && (length + 1 < NAME_MOST || !s[1]);
     }
     snprintf(name + length, NUMBER, same ? "" : "~%zu", number);
@@ -61,7 +62,7 @@ static void put_rows(json_t *rows, struct law laws[LAWS], const struct surface_r
         for (int k = 0; k < LAWS; k++) {
             double ends[2] = {NAN, NAN};
             if (bands)
-                asked_ends(ends, &laws[k].asked, point, bands[i].mean);
+                asked_ends(ends, &laws[k].asked, bands[i].mean[laws[k].asked.quantity]);
             laws[k].ends = laws[k].ends && ends[0] < ends[1] && isfinite(ends[1] - ends[0]);
             put_si(row, laws[k].value, asked_shown(&laws[k].asked, point->value[laws[k].asked.quantity]));
             put_si(row, laws[k].low, ends[0]);

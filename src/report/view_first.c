@@ -42,9 +42,10 @@ static double cost_of(const struct view_source *source, size_t surface)
 static void put_answer(json_t *out, const struct view_source *source, const struct answer *answer, size_t surface)
 {
     double scale = asked_load_of(source->results, surface).scale;
+    bool met = answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST;
     view_text(out, "surface", view_name(source, surface));
-    view_flag(out, "met", answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST);
-    view_flag(out, "at_most", answer->kind == ANSWER_LIGHTEST || answer->full);
+    view_flag(out, "met", met);
+    view_flag(out, "at_most", answer->kind == ANSWER_LIGHTEST || (met && answer->full));
     view_flag(out, "not_reached", answer->kind == ANSWER_NOT_REACHED);
     view_flag(out, "no_number", answer->kind == ANSWER_NONE);
     if (answer->kind != ANSWER_NONE)
@@ -60,7 +61,11 @@ static void put_value(json_t *out, const struct view_source *source, size_t surf
     view_number(out, "value", value, 3, source->asked.unit);
     view_flag(out, "no_number", !isfinite(value));
     const struct model_row *row = model_rows[source->leading];
-    if (!isfinite(value) && row->ends && (!row->uses_strip || view_summary(source, surface)->has_strips))
+    const struct material_pair *pair = results_pair(source->results, surface);
+    double pressure_Pa = material_pair_pressure(pair, results_operating_load(source->results, surface));
+    if (!isfinite(value) && row->plastic && pressure_Pa >= pair->hardness_Pa)
+        view_number(out, "exceeded_hardness", pair->hardness_Pa * 1e-6, 3, "MPa");
+    else if (!isfinite(value) && row->ends && (!row->uses_strip || view_summary(source, surface)->has_strips))
         view_number(out, "ends_at_percent", 100 * row->largest_area, 2, "");
     view_interval(out, "interval", ends[0], ends[1], DIGITS);
 }
@@ -93,6 +98,34 @@ static void put_answers(json_t *out, const struct view_source *source)
     view_separate(list);
 }
 
+/** The spots that the answers rest on, where they are too few for statistics: the model's that counts them at the load
+ * that the target takes, else those of the joint where the summary stands. */
+static void put_spots(json_t *out, const struct view_source *source)
+{
+    const struct results *results = source->results;
+    size_t count = 0, last = 0;
+    double least = INFINITY, most = -INFINITY;
+    for (size_t k = 0; k < results->usable_count; k++) {
+        size_t i = results->by_roughness[k];
+        double per_m2 = source->asked.target
+                            ? answer_of(source, i, source->leading)->spots_per_m2
+                            : comparison_middle(results, source->leading, i).value[QUANTITY_SPOT_DENSITY];
+        double spots = per_m2 * results->scene->nominal_area_m2;
+        if (!(spots < answers_least_spots))
+            continue;
+        least = fmin(least, spots);
+        most = fmax(most, spots);
+        last = i;
+        count++;
+    }
+    view_counted(out, "few_spots", count, view_name(source, last));
+    json_t *item = json_object_get(out, "few_spots");
+    if (count == 0)
+        return;
+    view_range(item, "spots", least, most, DIGITS, "");
+    view_flag(item, "some", count < results->usable_count);
+}
+
 /** The other targets: the surface that each takes the least load on. */
 static void put_other_targets(json_t *out, const struct view_source *source)
 {
@@ -121,41 +154,102 @@ static void put_other_targets(json_t *out, const struct view_source *source)
     }
 }
 
-/** How the surfaces compare, by the ranking's test. */
+/** What a quantity is called. */
+static const char *name_of(const struct view_source *source, enum quantity quantity)
+{
+    char name[80];
+    snprintf(name, sizeof name, "asked.%s", quantity_rows[quantity].name);
+    return words_say(source->words, quantity == source->asked.quantity ? source->asked.name : name, NULL);
+}
+
+/** Do the surfaces that have a number have the same, to what the run resolves? */
+static bool are_alike(const struct view_source *source, enum quantity quantity)
+{
+    const struct comparison_extent *extent = &source->comparison->models[source->leading].extremes[quantity];
+    return extent->count > 1 && extent->most - extent->least <= 2 * source->results->scene->tolerance * extent->least;
+}
+
+/** Is the area load over hardness on all surfaces, and the same? */
+static bool area_is_pressed(const struct view_source *source)
+{
+    double first = NAN;
+    for (size_t k = 0; k < source->results->usable_count; k++) {
+        size_t surface = source->results->by_roughness[k];
+        const struct contact_point at = comparison_middle(source->results, source->leading, surface);
+        const struct material_pair *pair = results_pair(source->results, surface);
+        double ratio = material_pair_pressure(pair, at.value[QUANTITY_LOAD]) / pair->hardness_Pa;
+        first = k == 0 ? ratio : first;
+        if (!model_area_is_pressed(model_rows[source->leading], &at, ratio) || fabs(ratio / first - 1) > 1e-9)
+            return false;
+    }
+    return true;
+}
+
+/** The surfaces that have no place in the ranking: some by name, the others counted. */
+static void put_untested(json_t *out, const struct view_source *source)
+{
+    const struct comparison_ranking *ranking = &source->comparison->ranking;
+    size_t count = 0;
+    for (size_t i = 0; i < source->results->surface_count; i++) {
+        size_t place = 0;
+        while (place < ranking->count && ranking->surface[place] != i)
+            place++;
+        if (place < ranking->count || !view_summary(source, i)->usable)
+            continue;
+        if (count++ < NAMED_MOST)
+            view_text(view_item(view_list(out, "not_tested")), "surface", view_name(source, i));
+    }
+    view_separate(json_object_get(out, "not_tested"));
+    if (count > NAMED_MOST)
+        view_count(out, "more_not_tested", count - NAMED_MOST);
+}
+
+/** How the surfaces compare where the summary stands: alike in what is asked, else in what they are ranked by, else by
+ * the ranking's test. */
 static void put_ranking(json_t *out, const struct view_source *source)
 {
     const struct comparison_ranking *ranking = &source->comparison->ranking;
-    const struct comparison_extent *extremes =
-        &source->comparison->models[source->leading].extremes[ranking->criterion];
-    size_t told = 0, like = 0, first = 0;
-    if (source->results->usable_count < 2 || extremes->count < 2)
+    const struct comparison_extent *extremes = source->comparison->models[source->leading].extremes;
+    const enum quantity asked = source->asked.quantity,
+                        quantity = are_alike(source, asked) ? asked : ranking->criterion;
+    const bool pressed = quantity == QUANTITY_AREA && area_is_pressed(source),
+               alike = pressed || are_alike(source, quantity);
+    size_t like = 0, next = 1, usable = source->results->usable_count;
+    if (usable < 2 || extremes[quantity].count < 2 || source->leading != source->comparison->leading)
         return;
     json_t *item = view_part(out, "ranking");
-    bool alike = extremes->most / extremes->least - 1 <= 2 * source->results->scene->tolerance;
+    view_text(item, "symbol", name_of(source, quantity));
+    view_flag(item, "bare", quantity == QUANTITY_ECR && asked == QUANTITY_JOINT_ECR);
     view_flag(item, "alike", alike);
-    view_flag(item, "area_is_load_over_hardness", alike && ranking->criterion == QUANTITY_AREA);
-    view_flag(item, "untested", !alike && ranking->count < 2);
+    view_flag(item, "area_is_load_over_hardness", pressed);
+    if (alike && extremes[quantity].count < usable)
+        view_count(item, "with_value", extremes[quantity].count);
+    if (!alike && extremes[quantity].count > COMPARISON_RANKED_MOST)
+        view_count(item, "too_many", COMPARISON_RANKED_MOST);
+    else
+        view_flag(item, "untested", !alike && ranking->count < 2);
     if (ranking->count < 2 || alike)
         return;
-    for (size_t j = 1; j < ranking->count; j++) {
-        bool apart = comparison_told_apart(comparison_pair_of(ranking, 0, j));
-        told += apart;
-        if (!apart && like++ == 0)
-            first = j;
+    for (size_t j = 1; j < ranking->count; j++) { /* the first that is alike, else the one told apart least clearly */
+        const struct comparison_pair *pair = comparison_pair_of(ranking, 0, j);
+        if (!comparison_told_apart(pair))
+            next = like++ == 0 ? j : next;
+        else if (like == 0 && pair->p > comparison_pair_of(ranking, 0, next)->p)
+            next = j;
     }
     view_text(item, "best", view_name(source, ranking->surface[0]));
+    view_text(item, "next", view_name(source, ranking->surface[next]));
     view_flag(item, "two", ranking->count == 2);
+    view_flag(item, "all_tested", ranking->count == usable);
     view_flag(item, "significant", like == 0);
     view_flag(item, "undecided", like > 0);
-    size_t against = like > 0 ? first : 1;
-    const struct comparison_pair *pair = comparison_pair_of(ranking, 0, against);
-    view_text(item, "next", view_name(source, ranking->surface[against]));
     if (like > 1)
         view_count(item, "others", like - 1);
     char p[40];
-    snprintf(p, sizeof p, pair->p < 1e-4 ? "p < 0.0001" : "p = %.2g", pair->p);
-    if (pair->test == COMPARISON_WELCH)
-        view_text(item, "p", p);
+    double least_clear = comparison_pair_of(ranking, 0, next)->p;
+    snprintf(p, sizeof p, least_clear < 1e-4 ? "p < 0.0001" : "p = %.2g", least_clear);
+    view_text(item, "p", p);
+    put_untested(item, source);
 }
 
 /** "half", "twice", "0.7 times". */
@@ -177,14 +271,18 @@ static void put_ratio(json_t *out, const char *name, double ratio)
     view_flag(out, "alike", fabs(ratio - 1) < 0.1);
 }
 
-/** Where the branches of a measurement pass a value, straight in the logarithms, on average; NaN: nowhere. */
-static double meets(const struct measured *measured, bool falls, double target)
+/** Where the branches of a measurement pass a value, straight in the logarithms, on average over the runs that do; of
+ * how many where not all do. */
+static void put_meeting(json_t *out, const struct view_source *source, size_t surface, bool falls, double target)
 {
+    const struct measured *measured = results_measured(source->results, surface);
     const double *load = measured->load, *value = measured->resistance;
-    double sum = 0, count = 0;
+    double sum = 0;
+    size_t count = 0, branches = 0;
     for (size_t r = 0; r < measured->run_count; r++) {
         const struct measured_run *run = &measured->runs[r];
         size_t i = falls ? run->turn : run->first, last = falls ? run->end - 1 : run->turn;
+        branches += i < last;
         while (i < last && ((value[i] - target) * (value[i + 1] - target) > 0 || value[i] == value[i + 1]))
             i++;
         if (i == last)
@@ -192,7 +290,14 @@ static double meets(const struct measured *measured, bool falls, double target)
         sum += log(load[i]) + log(load[i + 1] / load[i]) * log(target / value[i]) / log(value[i + 1] / value[i]);
         count++;
     }
-    return exp(sum / count);
+    if (count == 0)
+        return;
+    json_t *item = view_part(out, falls ? "unloading" : "loading");
+    view_load(item, "load", source, surface, exp(sum / (double)count));
+    if (count < branches) {
+        view_count(item, "runs", count);
+        view_count(item, "of_runs", branches);
+    }
 }
 
 /** Where the measurement on a surface meets the target, and how the leading model fares against it. */
@@ -205,8 +310,8 @@ static void put_measured_on(json_t *item, const struct view_source *source, size
     if (view_summary(source, surface)->scene->measured.file_count > 0)
         view_text(item, "of", view_name(source, surface));
     if (target && source->asked.quantity == results_measured_quantity(source->results)) {
-        view_load(item, "loading", source, surface, meets(measured, false, target->value));
-        view_load(item, "unloading", source, surface, meets(measured, true, target->value));
+        put_meeting(item, source, surface, false, target->value);
+        put_meeting(item, source, surface, true, target->value);
     }
     view_flag(item, "reaches", json_object_get(item, "loading") || json_object_get(item, "unloading"));
     view_flag(item, "both", json_object_get(item, "loading") && json_object_get(item, "unloading"));
@@ -226,13 +331,9 @@ static void put_beside(json_t *out, const struct view_source *source)
     if (textbook < model_count && textbook != source->leading) {
         json_t *item = view_part(out, "textbook");
         view_text(item, "label", model_rows[textbook]->label);
-        if (source->asked.target) {
-            const struct answer *answer = answer_of(source, baseline, textbook);
-            if (answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST)
-                view_load(item, "value", source, baseline, answer->load);
-            else if (answer->kind == ANSWER_NOT_REACHED)
-                view_load(item, "more_than", source, baseline, answer->load);
-        } else
+        if (source->asked.target)
+            put_answer(item, source, answer_of(source, baseline, textbook), baseline);
+        else
             view_number(item, "value", value_of(source, textbook, baseline), 3, source->asked.unit);
     }
     enum quantity quantity =
@@ -240,10 +341,14 @@ static void put_beside(json_t *out, const struct view_source *source)
     const struct asked_solved solved = asked_direct(results, quantity, results_operating_load(results, baseline));
     if (solved.value > 0) {
         json_t *item = view_part(out, "direct_answer");
-        bool own = quantity == source->asked.quantity;
-        view_number(item, "value", own ? asked_shown(&source->asked, solved.value) : solved.value, 3,
-                    own ? source->asked.unit : quantity_rows[quantity].unit);
+        bool own = quantity == source->asked.quantity,
+             bare = quantity == QUANTITY_ECR && source->asked.quantity == QUANTITY_JOINT_ECR;
+        view_number(item, "value", own || bare ? asked_shown(&source->asked, solved.value) : solved.value, 3,
+                    own || bare ? source->asked.unit : quantity_rows[quantity].unit);
         put_ratio(item, "ratio", own && source->asked.reciprocal ? 1 / solved.ratio : solved.ratio);
+        view_flag(item, "bare", bare);
+        if (!own && !bare)
+            view_text(item, "symbol", name_of(source, quantity));
         view_text(item, "surface", view_name(source, baseline));
         view_load(item, "load", source, baseline, solved.load);
         view_flag(item, "here", solved.load == results_operating_load(results, baseline));
@@ -253,8 +358,8 @@ static void put_beside(json_t *out, const struct view_source *source)
 /* ---- What limits the answer ---- */
 
 /* As flags of the view name them. */
-static const char *const limit_names[] = {"place", "model", "length", "spacing", "hardness"};
-enum { PLACE, MODEL, LENGTH, SPACING, HARDNESS, LIMITS, LIMITS_SAID = 3 };
+static const char *const limit_names[] = {"place", "model", "lay", "length", "spacing", "hardness"};
+enum { PLACE, MODEL, LAY, LENGTH, SPACING, HARDNESS, LIMITS, LIMITS_SAID = 3 };
 
 struct limit {
     const char *name;
@@ -276,10 +381,13 @@ static double of_model(const struct view_source *source, size_t surface)
     enum quantity quantity = results_criterion(results);
     const struct contact_point own = comparison_middle(results, source->leading, surface);
     double factor = NAN, load = results_operating_load(results, surface);
-    double sd = model_sd(model_rows[source->leading], quantity), direct = asked_direct(results, quantity, load).ratio;
+    const struct estimate *known =
+        curve_summary_estimate(surface_model(view_summary(source, surface), source->leading), (int)quantity);
+    double sd = known->count > 0 ? known->model_sd : model_sd(model_rows[source->leading], quantity);
+    double direct = asked_direct(results, quantity, load).ratio;
     if (surface == results->baseline && direct > 0)
         return direct;
-    if (sd > 0)
+    if (model_sd(model_rows[source->leading], quantity) > 0)
         return exp(1.96 * sd);
     size_t beside = model_index(model_rows[source->leading]->gaussian);
     bool alone = plan_runs_model(results->plan, beside);
@@ -294,6 +402,14 @@ static double of_model(const struct view_source *source, size_t surface)
             factor = ratio;
     }
     return factor;
+}
+
+/** Where none is known, scans across a perfect one. */
+static double of_lay(const struct view_source *source, size_t surface)
+{
+    const struct surface_summary *summary = view_summary(source, surface);
+    double factor = summary->perfect_lay[results_criterion(source->results) == QUANTITY_AREA ? 0 : 1];
+    return !summary->has_lay && factor > 0 ? factor : NAN;
 }
 
 static double of_change(const struct view_source *source, size_t surface, enum sensitivity_change change)
@@ -315,6 +431,7 @@ static double farthest(const struct view_source *source, int limit)
         size_t surface = source->results->by_roughness[k];
         double own = limit == PLACE     ? of_place(source, surface)
                      : limit == MODEL   ? of_model(source, surface)
+                     : limit == LAY     ? of_lay(source, surface)
                      : limit == LENGTH  ? of_change(source, surface, SENSITIVITY_SCAN_HALVED)
                      : limit == SPACING ? of_change(source, surface, SENSITIVITY_CUTOFF_DOUBLED)
                                         : of_change(source, surface, SENSITIVITY_HARDNESS_RAISED);
@@ -325,7 +442,7 @@ static double farthest(const struct view_source *source, int limit)
     return most;
 }
 
-/** The three that change the answer most, and what a longer or finer scan would do. */
+/** Those that change the answer most, and what a longer or finer scan would do. */
 static void put_limits(json_t *out, const struct view_source *source)
 {
     struct limit limits[LIMITS] = {{NULL, 0}};
@@ -410,19 +527,72 @@ static void put_asked_limits(json_t *out, const struct view_source *source)
     const struct scene *scene = source->results->scene;
     for (size_t l = 0; l < scene->limit_count; l++) {
         json_t *item = view_item(view_list(out, "asked_limits"));
-        size_t counts[LIMIT_CANNOT_TELL + 1] = {0}, all = source->results->usable_count;
+        size_t counts[LIMIT_CANNOT_TELL + 1] = {0}, last[LIMIT_CANNOT_TELL + 1], all = source->results->usable_count;
         char text[2 * UNIT_LENGTH], unit[UNIT_LENGTH + 20];
         asked_text(unit, sizeof unit, scene->limits[l].text);
         snprintf(text, sizeof text, "%s %s", scene->limits[l].is_most ? "≤" : "≥", unit);
         view_text(item, "text", text);
         view_text(item, "symbol", scene->limits[l].row->symbol);
-        for (size_t k = 0; k < all; k++)
-            counts[view_summary(source, source->results->by_roughness[k])->limits[l].verdict]++;
+        for (size_t k = 0; k < all; k++) {
+            size_t i = source->results->by_roughness[k];
+            enum limit_verdict verdict = view_summary(source, i)->limits[l].verdict;
+            counts[verdict]++;
+            last[verdict] = i;
+        }
         view_flag(item, "all_meet", counts[LIMIT_MET] == all);
         view_flag(item, "one", all == 1);
         for (int v = LIMIT_NO_VALUE; v <= LIMIT_CANNOT_TELL; v++)
             if (counts[v] > 0 && counts[LIMIT_MET] < all)
-                view_count(item, verdict_names[v], counts[v]);
+                view_counted(item, verdict_names[v], counts[v], view_name(source, last[v]));
+    }
+}
+
+/** Which hardness it took, where there is a plating that may have one: on the baseline. */
+static void put_hardness(json_t *out, const struct view_source *source)
+{
+    const struct joint *joint = &source->results->scene->joint;
+    const struct surface_summary *summary = &source->baseline->summary;
+    size_t apart = 0;
+    if (!(joint->plating_thickness_m > 0) || !plan_runs(source->results->plan, EFFECT_PLASTICITY))
+        return;
+    json_t *item = view_part(out, "plating_hardness");
+    view_number(item, "value", summary->pair.hardness_Pa * 1e-6, 3, "MPa");
+    view_number(item, "thickness", joint->plating_thickness_m * 1e6, 3, "µm");
+    view_number(item, "indent", summary->indent_m * 1e6, DIGITS, "µm");
+    view_text(item, "metal", joint->plating ? joint_plating_names[joint->plating] : "");
+    view_flag(item, "of_scene", summary->hardness == SURFACE_HARDNESS_SCENE);
+    view_flag(item, "of_plating", summary->hardness == SURFACE_HARDNESS_PLATING);
+    view_flag(item, "of_bodies", summary->hardness == SURFACE_HARDNESS_BODIES);
+    view_flag(item, "too_thin", summary->indent_m >= joint->plating_thickness_m);
+    for (size_t k = 0; k < source->results->usable_count; k++) {
+        const struct surface_summary *other = view_summary(source, source->results->by_roughness[k]);
+        apart += other->hardness != summary->hardness || other->pair.hardness_Pa != summary->pair.hardness_Pa;
+    }
+    if (apart > 0)
+        view_count(item, "apart", apart);
+}
+
+/** What of the maps the leading model has not: others stand in the same report, or the count of work was enough for
+ * some squares only, or for none. */
+static void put_maps(json_t *out, const struct view_source *source)
+{
+    const struct results *results = source->results;
+    size_t maps = 0, squares = 0, all = 0, dear = 0;
+    for (size_t k = 0; k < results->usable_count; k++) {
+        const struct surface_summary *summary = view_summary(source, results->by_roughness[k]);
+        maps += summary->has_tiles;
+        squares += summary->has_tiles ? summary->squares : 0;
+        all += summary->has_tiles ? summary->all_squares : 0;
+        dear += !summary->has_tiles && summary->tile_cost > 0;
+    }
+    if (maps > 0 && maps < results->usable_count && dear == 0)
+        view_count(out, "without_map", results->usable_count - maps);
+    view_flag(out, "one_without_map", results->usable_count - maps == 1);
+    if (dear > 0)
+        view_count(out, "dear_maps", dear);
+    if (dear == 0 && squares < all && model_rows[source->leading]->uses_map) {
+        view_count(out, "squares", squares);
+        view_count(out, "all_squares", all);
     }
 }
 
@@ -446,24 +616,32 @@ void view_first_page(json_t *out, const struct view_source *source)
     }
     const struct asked_load as = asked_load_of(results, results->baseline);
     view_text(out, "load_unit", as.unit[0] ? as.unit : "P/(Aₙ E′)");
-    view_flag(out, "film", plan_runs(results->plan, EFFECT_FILM) && asked->quantity == QUANTITY_JOINT_ECR);
-    view_flag(out, "plating", plan_runs(results->plan, EFFECT_PLATING) && asked->quantity == QUANTITY_JOINT_ECR);
-    view_flag(out, "film_and_plating",
-              json_is_true(json_object_get(out, "film")) && json_is_true(json_object_get(out, "plating")));
+    bool film = plan_runs(results->plan, EFFECT_FILM), plating = plan_runs(results->plan, EFFECT_PLATING);
+    if (asked->quantity == QUANTITY_JOINT_ECR)
+        view_text(out, "layers",
+                  words_say(source->words, "layers", "film", film ? "1" : "", "plating", plating ? "1" : "", "both",
+                            film && plating ? "1" : "", NULL));
     view_flag(out, "no_material", !results_has_material(results));
     put_answers(out, source);
     put_other_targets(out, source);
+    put_spots(out, source);
     put_ranking(out, source);
     for (size_t i = 0; i < results->surface_count; i++)
         if (results_measured(results, i) && json_array_size(view_list(out, "measured")) < VIEW_ROWS)
             put_measured_on(view_item(view_list(out, "measured")), source, i);
     put_beside(out, source);
+    put_hardness(out, source);
     put_limits(out, source);
     double waves = INFINITY;
-    for (size_t k = 0; k < results->usable_count; k++)
+    bool in_part = false;
+    for (size_t k = 0; k < results->usable_count; k++) {
         waves = fmin(waves, view_summary(source, results->by_roughness[k])->longest_waves);
-    if (waves < SURFACE_LONGEST_WAVES)
+        in_part = in_part || view_summary(source, results->by_roughness[k])->strips_in_part;
+    }
+    view_flag(out, "strips_in_part", in_part && model_rows[source->leading]->uses_strip);
+    if (waves < SURFACE_LONGEST_WAVES && !model_rows[source->leading]->uses_map) /* which is no scan */
         view_number(out, "longest_waves", waves, DIGITS, "");
+    put_maps(out, source);
     put_asked_limits(out, source);
     put_table(out, source);
 }

@@ -113,7 +113,6 @@ static void put_one_surface(json_t *out, const struct view_source *source)
     view_flag(item, "has_ecr", wants(source, QUANTITY_ECR));
     view_flag(item, "has_tcr", wants(source, QUANTITY_TCR));
     view_flag(item, "has_stiffness", wants(source, QUANTITY_STIFFNESS));
-    view_flag(item, "has_last_scale", wants(source, QUANTITY_ECR_LAST_SCALE));
     for (size_t m = first; m < model_count; m++)
         if (plan_runs_model(results->plan, m) && surface_model(&source->baseline->summary, m)->exists)
             put_model(item, source, m);
@@ -170,7 +169,6 @@ static void put_all_surfaces(json_t *out, const struct view_source *source)
             }
     }
     view_flag(item, "has_betas", betas);
-    view_flag(item, "has_statistical", plan_uses_asperities(results->plan));
     view_count(item, "shown", results->shown_count);
     view_flag(item, "some_shown", results->shown_count < results->usable_count);
 }
@@ -180,8 +178,8 @@ static void put_convergence(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
     json_t *item = view_part(out, "convergence");
-    bool as_expected = true, plastic = false, falls = false, told = false;
-    size_t diverging = 0;
+    bool as_expected = true, plastic = false, falls = false;
+    size_t diverging = 0, telling = 0;
     double fall = 0;
     for (size_t m = 0; m < model_count; m++) {
         for (size_t v = 0; v < convergence_sweeps[CONVERGENCE_GAMMA].count; v++) {
@@ -194,23 +192,28 @@ static void put_convergence(json_t *out, const struct view_source *source)
             falls = falls || (model_rows[m]->plastic && !settles);
         }
         for (size_t k = 0; k < results->usable_count; k++) {
-            const struct curve_summary *curve = surface_model(view_summary(source, results->by_roughness[k]), m);
-            told = told || curve->extended;
-            if (curve->extension.area_measured > 0)
+            const struct surface_summary *s = view_summary(source, results->by_roughness[k]);
+            const struct curve_summary *curve = surface_model(s, m);
+            if (surface_tells_gamma(s) && curve->extension.area_measured > 0)
                 fall = fmax(fall, 1 - curve->extension.area_extended / curve->extension.area_measured);
         }
     }
-    for (size_t k = 0; k < results->usable_count; k++)
+    for (size_t k = 0; k < results->usable_count; k++) {
+        telling += surface_tells_gamma(view_summary(source, results->by_roughness[k]));
         diverging += surface_diverges(view_summary(source, results->by_roughness[k]));
+    }
     view_flag(item, "as_expected", as_expected);
     view_flag(item, "yielding_ends_it", plastic && !falls);
-    view_flag(item, "untold", !told);
     if (fall > 0)
         view_number(item, "fall_percent", 100 * fall, 2, "");
     view_number(item, "atom_nm", convergence_atom_m * 1e9, 1, "");
     view_number(item, "load", results->scene->convergence.load, 3, "");
-    view_flag(item, "none_diverges", diverging == 0);
-    view_count(item, "diverging", diverging);
+    view_flag(item, "none_diverges", telling > 0 && diverging == 0);
+    view_count(item, "surfaces", results->usable_count);
+    if (diverging > 0)
+        view_count(item, "diverging", diverging);
+    if (telling < results->usable_count)
+        view_count(item, "untold", results->usable_count - telling);
 }
 
 void view_models(json_t *out, const struct view_source *source)
@@ -266,20 +269,22 @@ static const struct material *softer_body(const struct view_source *source, size
 /** Does the softer body's metal soften or melt on any surface; of how many is that not known? */
 static void put_softening(json_t *out, const struct view_source *source)
 {
-    size_t soft = 0, unknown = 0;
+    size_t soft = 0, unknown = 0, known = 0;
     for (size_t k = 0; k < source->results->usable_count; k++) {
         size_t i = source->results->by_roughness[k];
         const struct heating_metal *metal = heating_metal_find(softer_body(source, i)->name);
         double voltage_V = comparison_middle(source->results, source->leading, i).value[QUANTITY_VOLTAGE];
         if (!isfinite(voltage_V))
             continue;
+        known++;
         unknown += !metal;
         soft += metal && (voltage_V >= metal->softening_voltage_V ||
                           voltage_V >= heating_voltage(metal->melting_K, source->results->scene->joint.temperature_K));
     }
     if (soft > 0)
         view_count(out, "softens", soft);
-    view_flag(out, "stays_solid", soft == 0 && unknown == 0);
+    view_count(out, "surfaces", known);
+    view_flag(out, "stays_solid", known > 0 && soft == 0 && unknown == 0);
     view_flag(out, "softening_unknown", unknown > 0);
 }
 
@@ -305,7 +310,8 @@ void view_joint(json_t *out, const struct view_source *source)
         view_text(part, "gas", joint->fill == JOINT_GAS ? joint->gas->name : "");
         view_number(part, "pressure_kPa", joint->pressure_Pa * 1e-3, 3, "");
         view_number(part, "temperature_K", joint->temperature_K, 3, "");
-        put_range(part, "share", &share, 2);
+        if (joint->fill != JOINT_VACUUM)
+            put_range(part, "share", &share, 2);
         view_text(part, "filler", joint->filler ? joint_filler_names[joint->filler] : "");
         view_number(part, "bond_line_um", joint->bond_line_m > 0 ? joint->bond_line_m * 1e6 : NAN, 3, "");
         put_range(part, "conductance", &ranges[H_J], 2);
@@ -385,7 +391,7 @@ static void put_measured_models(json_t *item, const struct view_source *source, 
     if (rank.nearest < model_count)
         view_text(item, "nearest", model_rows[rank.nearest]->label);
     put_branches(item, source, surface);
-    view_count(item, "points", measured->count);
+    view_counted(item, "points", measured->count, NULL);
     if (measured->run_count > 1)
         view_count(item, "runs", measured->run_count);
     view_text(item, "surface", view_name(source, surface));
@@ -407,7 +413,7 @@ static void put_study(json_t *item, const struct view_source *source, const stru
     view_text(item, "surface", view_name(source, study->surface));
     view_flag(item, "map", study->plan.side > 0);
     view_count(item, "grid", study->plan.grid);
-    view_count(item, "seeds", study->curves[DIRECT_STUDY_ELASTIC].seeds);
+    view_counted(item, "seeds", study->curves[DIRECT_STUDY_ELASTIC].seeds, NULL);
     view_flag(item, "gaussian", study->plan.gaussian);
     view_flag(item, "at_this_resolution", study->plan.side > 0 || study->plan.of_spacing);
     view_number(item, "cell_um", study->plan.length_m * 1e6, 3, "");

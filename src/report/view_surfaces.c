@@ -33,10 +33,6 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
     view_flag(row, "rows_of_a_map", repeats->count > 0 && repeats->scans == 1);
     if (repeats->cut > 0)
         view_count(row, "pieces", repeats->cut);
-    if (repeats->count > 0 && repeats->scans == 1) {
-        view_number(row, "worth", repeats->rq_m.effective, 2, "");
-        view_flag(row, "map_too_small", repeats->rq_m.effective < ESTIMATE_LEAST_EFFECTIVE);
-    }
     view_number(row, "heights", comparison_heights_factor(source->results, surface, QUANTITY_ECR), 2, "");
     view_flag(row, "no_law", law->found == POWER_LAW_BAND_NONE);
     if (law->found == POWER_LAW_BAND_NONE)
@@ -52,12 +48,63 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
     view_number(row, "alpha", law->alpha, 3, "");
 }
 
+/** Takes what is to be said of a surface into a list of VIEW_ROWS at most, where what is the same of several stands
+ * once, as the `body` of an item: with the first one's name, the others counted. */
+static void put_once(json_t *list, json_t *own, const char *surface)
+{
+    size_t i;
+    json_t *item;
+    json_array_foreach(list, i, item)
+    {
+        if (json_equal(json_object_get(item, "body"), own)) {
+            json_int_t more = json_integer_value(json_object_get(item, "more_surfaces"));
+            view_count(item, "more_surfaces", (size_t)more + 1);
+            json_decref(own);
+            return;
+        }
+    }
+    if (i == VIEW_ROWS) {
+        json_decref(own);
+        return;
+    }
+    item = view_item(list);
+    json_object_set_new(item, "body", own);
+    view_text(item, "surface", surface);
+}
+
+/** The bodies of the surfaces, alike ones together. */
+static void put_bodies(json_t *out, const struct view_source *source)
+{
+    const struct results *results = source->results;
+    json_t *list = view_list(out, "bodies");
+    bool some_without = false;
+    for (size_t i = 0; i < results->surface_count; i++) {
+        const struct scene_bodies *bodies = &view_summary(source, i)->scene->bodies;
+        const struct material_pair *pair = results_pair(results, i);
+        bool named = bodies->material.name[0];
+        some_without = some_without || (view_summary(source, i)->usable && !named);
+        if (!view_summary(source, i)->usable || !named)
+            continue;
+        json_t *own = json_object();
+        view_text(own, "material", bodies->material.name);
+        view_flag(own, "rigid_counterface", bodies->counterface_kind == MATERIAL_COUNTERFACE_RIGID);
+        view_text(own, "counterface", bodies->counterface.name);
+        if (!pair->unknown) {
+            view_number(own, "modulus_GPa", pair->effective_modulus_Pa * 1e-9, 3, "");
+            view_number(own, "hardness_MPa", pair->hardness_Pa * 1e-6, 3, "");
+        }
+        put_once(list, own, view_name(source, i));
+    }
+    view_separate(list);
+    view_flag(out, "bodies_differ", some_without || json_array_size(list) > 1);
+}
+
 void view_surfaces(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
     const struct scene *scene = results->scene;
     json_t *item = view_part(out, "surfaces"), *rows = view_list(item, "rows");
-    size_t scans = 0, periodic = 0, windowed = 0, lawless = 0;
+    size_t scans = 0, periodic = 0, windowed = 0, lawless = 0, last_lawless = 0;
     bool has_heights = false;
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = view_summary(source, i);
@@ -66,7 +113,9 @@ void view_surfaces(json_t *out, const struct view_source *source)
         scans += s->scans;
         periodic += s->periodic;
         windowed += s->windowed;
-        lawless += s->power_law.found == POWER_LAW_BAND_NONE;
+        bool law = power_law_holds(&s->power_law);
+        lawless += !law;
+        last_lawless = law ? last_lawless : i;
         has_heights = has_heights || isfinite(comparison_heights_factor(results, i, QUANTITY_ECR));
         if (json_array_size(rows) < VIEW_ROWS)
             put_surface(view_item(rows), source, i);
@@ -84,18 +133,10 @@ void view_surfaces(json_t *out, const struct view_source *source)
     view_flag(item, "all_windowed", windowed == scans);
     view_flag(item, "some_windowed", windowed > 0 && windowed < scans);
     view_number(item, "wavelength_um", results_law_wavelength_m(results) * 1e6, 3, "");
-    if (lawless > 0)
-        view_count(item, "lawless", lawless);
+    view_counted(item, "lawless", lawless, view_name(source, last_lawless));
     if (results->counterface)
         view_number(item, "counterface_rq_um", results->counterface->summary.roughness.rq_m * 1e6, 3, "");
-    view_text(item, "material", scene->bodies.material.name);
-    view_flag(item, "rigid_counterface", scene->bodies.counterface_kind == MATERIAL_COUNTERFACE_RIGID);
-    view_text(item, "counterface", scene->bodies.counterface.name);
-    const struct material_pair *pair = results_pair(results, results->baseline);
-    if (!pair->unknown) {
-        view_number(item, "modulus_GPa", pair->effective_modulus_Pa * 1e-9, 3, "");
-        view_number(item, "hardness_MPa", pair->hardness_Pa * 1e-6, 3, "");
-    }
+    put_bodies(item, source);
     const struct surface_summary *baseline = &source->baseline->summary;
     if (!baseline->has_lay && baseline->perfect_lay[0] > 0) {
         view_number(item, "perfect_lay_area", baseline->perfect_lay[0], 2, "");
@@ -105,30 +146,17 @@ void view_surfaces(json_t *out, const struct view_source *source)
 
 /* ---- Inputs ---- */
 
-/** Notes that differ only in the surface are one line with the surfaces counted. */
 static void put_notes(json_t *out, const struct view_source *source)
 {
-    const struct results *results = source->results;
-    json_t *list = view_list(out, "notes"), *lines = json_object();
-    for (size_t i = 0; i < results->surface_count; i++)
+    for (size_t i = 0; i < source->results->surface_count; i++)
         for (size_t n = 0; n < view_summary(source, i)->notes.count; n++) {
-            struct text line = {0}, shown = {0};
+            struct text line = {0};
+            json_t *own = json_object();
             note_line(&line, &view_summary(source, i)->notes.notes[n]);
-            text_add_shown(&shown, text_string(&line));
-            json_t *item = json_object_get(lines, text_string(&shown));
-            if (item) {
-                json_int_t more = json_integer_value(json_object_get(item, "more_surfaces"));
-                view_count(item, "more_surfaces", (size_t)more + 1);
-            } else if (json_array_size(list) < VIEW_ROWS) {
-                item = view_item(list);
-                view_text(item, "surface", view_name(source, i));
-                view_text(item, "line", text_string(&line));
-                json_object_set(lines, text_string(&shown), item);
-            }
+            view_text(own, "line", text_string(&line));
+            put_once(view_list(out, "notes"), own, view_name(source, i));
             text_free(&line);
-            text_free(&shown);
         }
-    json_decref(lines);
 }
 
 static void put_files(json_t *row, const struct surface_summary *s)
@@ -179,7 +207,11 @@ void view_inputs(json_t *out, const struct view_source *source)
             view_text(row, "label", model_rows[m]->label);
             view_text(row, "source", model_rows[m]->source);
         }
-    view_text(item, "material", results->scene->bodies.material.name);
-    view_text(item, "material_source",
-              results->scene->bodies.material.source ? results->scene->bodies.material.source : "");
+    for (size_t k = 0; k < results->usable_count; k++) {
+        const struct material *material = &view_summary(source, results->by_roughness[k])->scene->bodies.material;
+        json_t *own = json_object();
+        view_text(own, "material", material->name);
+        view_text(own, "source", material->source ? material->source : "");
+        put_once(view_list(item, "materials"), own, "");
+    }
 }

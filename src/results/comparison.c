@@ -302,45 +302,27 @@ static const struct estimate *middle_estimate(const struct results *results, siz
     return curve_summary_estimate(surface_model(&results->surfaces[surface].summary, leading), quantity);
 }
 
-struct comparison_pair comparison_of_two(const struct estimate *a, double value_a, const struct estimate *b,
-                                         double value_b)
+struct comparison_pair comparison_of_two(const struct estimate *a, const struct estimate *b)
 {
-    struct comparison_pair out = {.test = COMPARISON_PLACE, .ratio = value_a / value_b, .p = NAN};
-    if (a->count > 1 && b->count > 1) {
-        const struct interval first = {.mean = a->mean, .s = a->s, .degrees = a->degrees},
-                              second = {.mean = b->mean, .s = b->s, .degrees = b->degrees};
-        struct ranking welch = ranking_welch(&first, &second, estimate_level);
-        return (struct comparison_pair){COMPARISON_WELCH, ranking_verdict(welch.difference, welch.p, estimate_level),
-                                        welch.ratio,      welch.low,
-                                        welch.high,       welch.p};
-    }
-    /* of one scan 2.3 s; of several, Student's: two intervals of 95 %, as those of one scan each are */
-    double half_width = a->count == 1 && b->count == 1 ? single_scan_half_width(hypot(a->s, b->s))
-                                                       : hypot(a->half_width, b->half_width);
-    double difference = a->mean - b->mean;
-    out.low = out.ratio * exp(-half_width);
-    out.high = out.ratio * exp(half_width);
-    out.verdict = ranking_place(difference, half_width, a->heterogeneous || b->heterogeneous);
-    return out;
+    const struct interval first = {.mean = a->mean, .s = a->s, .degrees = a->degrees},
+                          second = {.mean = b->mean, .s = b->s, .degrees = b->degrees};
+    struct ranking welch = ranking_welch(&first, &second, estimate_level);
+    return (struct comparison_pair){ranking_verdict(welch.difference, welch.p, estimate_level), welch.ratio, welch.low,
+                                    welch.high, welch.p};
 }
 
-/** Welch's p, adjusted over all pairs that have one, and what follows from them. */
+/** Adjusts p over all pairs, and what follows from it. */
 static enum status_code adjust(struct comparison_ranking *ranking, size_t pairs, struct status *status)
 {
-    size_t count = 0;
     double *p = malloc((pairs + 1) * sizeof *p);
     if (!p)
         return status_memory(status);
     for (size_t k = 0; k < pairs; k++)
-        if (ranking->pairs[k].test == COMPARISON_WELCH)
-            p[count++] = ranking->pairs[k].p;
-    enum status_code rc = count > 0 ? ranking_holm(p, p, count, status) : STATUS_OK;
-    count = 0;
+        p[k] = ranking->pairs[k].p;
+    enum status_code rc = ranking_holm(p, p, pairs, status);
     for (size_t k = 0; k < pairs && rc == STATUS_OK; k++) {
         struct comparison_pair *pair = &ranking->pairs[k];
-        if (pair->test != COMPARISON_WELCH)
-            continue;
-        pair->p = p[count++];
+        pair->p = p[k];
         pair->verdict = ranking_verdict(log(pair->ratio), pair->p, estimate_level);
     }
     free(p);
@@ -406,8 +388,8 @@ static enum status_code rank(struct comparison *out, const struct results *resul
         for (size_t j = i + 1; j < ranking->count; j++) {
             size_t a = ranking->surface[i], b = ranking->surface[j];
             struct comparison_pair *pair = &ranking->pairs[ranking_pair(i, j, ranking->count)];
-            *pair = comparison_of_two(middle_estimate(results, out->leading, by, a), leading_value(results, by, a),
-                                      middle_estimate(results, out->leading, by, b), leading_value(results, by, b));
+            *pair = comparison_of_two(middle_estimate(results, out->leading, by, a),
+                                      middle_estimate(results, out->leading, by, b));
         }
     pairs = ranking->count * (ranking->count - (ranking->count > 0)) / 2;
     if (adjust(ranking, pairs, status) != STATUS_OK)

@@ -52,16 +52,11 @@ struct comparison_model {
                       loads of partial contact; one a pair of neighbours; NaN: none */
 };
 
-/** How two surfaces were held against each other. */
-enum comparison_test {
-    COMPARISON_WELCH, /* several scans each */
-    COMPARISON_PLACE  /* one scan, or both: does the difference exceed what the place of the scan alone makes? */
-};
+/** How two surfaces compare, by Welch's test. */
 struct comparison_pair {
-    enum comparison_test test;
     enum ranking_verdict verdict;
     double ratio, low, high; /* of the better one's answer to the other's, and its 95 % interval, of this pair alone */
-    double p;                /* Welch: after Holm's adjustment over all such pairs */
+    double p;                /* after Holm's adjustment over all pairs */
 };
 
 enum { COMPARISON_RANKED_MOST = 100 /* surfaces; more are not ranked */ };
@@ -90,9 +85,9 @@ MUST_CHECK enum status_code comparison_make(struct comparison *out, const struct
                                             struct status *status);
 void comparison_free(struct comparison *comparison);
 
-/** Two answers held against each other, `a` over `b`, by the estimates of their logarithms; p as it is. */
-struct comparison_pair comparison_of_two(const struct estimate *a, double value_a, const struct estimate *b,
-                                         double value_b);
+/** Two answers held against each other, `a` over `b`, by the estimates of their logarithms, the scatter alone; p as it
+ * is. */
+struct comparison_pair comparison_of_two(const struct estimate *a, const struct estimate *b);
 /** Places i < j of a ranking. */
 const struct comparison_pair *comparison_pair_of(const struct comparison_ranking *ranking, size_t i, size_t j);
 /** Was a difference between the two found that more scans would show again? */

@@ -51,7 +51,7 @@ bool results_intervals(const struct results *results)
 {
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *summary = &results->surfaces[i].summary;
-        if (summary->usable && (summary->repeats.count > 0 ||
+        if (summary->usable && (summary->repeats.scans > 1 || summary->has_tiles ||
                                 (summary->single_points > 0 && plan_runs(results->plan, EFFECT_UNCERTAINTY))))
             return true;
     }

@@ -114,12 +114,15 @@ static void describe_direct(struct text *out, const struct direct_plan *plan)
     else
         text_add(out, "%zu surface%s%s, ", plan->seeds, plan->seeds == 1 ? "" : "s",
                  plan->fine_times > 1 ? " and a finer grid" : "");
-    text_add(out, "%zu load%s, about %.2g s of one core", plan->loads, plan->loads == 1 ? "" : "s", plan->seconds);
+    text_add(out, "%zu load%s, about ", plan->loads, plan->loads == 1 ? "" : "s");
+    text_add(out, plan->seconds < 100 ? "%.2g s" : "%.2g min",
+             plan->seconds < 100 ? plan->seconds : plan->seconds / 60);
+    text_add(out, " of one core");
     if (plan->of_spacing) /* else the scene says what the surface is */
         text_add(out, ", down to waves of four spacings, for want of a lambda_s: true at this resolution");
 }
 
-/** The direct solution's part of the plan, where it is called for: what it is of, and costs. */
+/** The direct solution's part of the plan: what it is of, and costs, or in `plan` would. */
 static void plan_direct(struct plan *plan, const struct results *results)
 {
     struct plan_effect *effect = &plan->effects[EFFECT_DIRECT];
@@ -127,7 +130,7 @@ static void plan_direct(struct plan *plan, const struct results *results)
     double budget_s = results->scene->direct.budget_s;
     struct text reason = {0};
     size_t surfaces = 0;
-    if (results->usable_count == 0 || !effect->runs)
+    if (results->usable_count == 0 || !none)
         return;
     for (size_t i = 0; i < results->surface_count; i++) {
         if (!prepare_solves(results, i))
@@ -136,9 +139,11 @@ static void plan_direct(struct plan *plan, const struct results *results)
         surfaces++;
     }
     if (!first) {
-        text_add(&reason, "called for, but %s", none ? none->problem : "no surface can be solved");
+        text_add(&reason, effect->runs ? "called for, but %s" : "not called for; %s", none->problem);
     } else {
-        text_add(&reason, "called for on %zu surface%s: ", surfaces, surfaces == 1 ? "" : "s");
+        text_add(&reason, "%s on %zu surface%s: ",
+                 effect->runs ? "called for" : "not called for; `roughcontact direct` solves it", surfaces,
+                 surfaces == 1 ? "" : "s");
         describe_direct(&reason, first);
         if (first->over_budget)
             text_add(&reason, ", more than the budget of %g s, which nothing fits", budget_s);
@@ -411,6 +416,13 @@ enum status_code prepare(struct prepared *out, const struct scene *scene, const 
         (curves && !describe_only && run_again(&all, true, status) != STATUS_OK))
         return status->code;
     plan_direct(&out->plan, results);
+    for (size_t i = 0; i < results->surface_count && out->plan.beside; i++) {
+        struct surface_record *record = &results->surfaces[i];
+        const struct model_task task =
+            surface_model_task(record, scene, &out->plan, results_loads(results, i), results->load_count);
+        if (record->curves) /* alone, a map was led by its own solution */
+            answers_check_limits(record, scene, &out->plan, &task);
+    }
     return read_measured(out, status);
 }
 

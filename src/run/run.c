@@ -4,7 +4,6 @@
 #include "analysis/direct_study.h"
 #include "base/clock.h"
 #include "base/threads.h"
-#include "chart/asked.h"
 #include "chart/figures.h"
 #include "chart/gnuplot.h"
 #include "output/json.h"
@@ -71,6 +70,7 @@ static void add_times(struct run_times *times, const struct results *results)
         times->prepare += summary->times.prepare;
         times->spectrum += summary->times.spectrum;
         times->strips += summary->times.strips;
+        times->tiles += summary->times.tiles;
         times->convergence += summary->times.convergence;
         times->uncertainty += summary->times.uncertainty;
         times->unloading += summary->times.unloading;
@@ -87,7 +87,6 @@ static enum status_code run_measured_on(struct run *run, size_t surface, struct 
     struct surface_record *record = &results->surfaces[surface];
     const struct measured *measured = &results->measured[surface];
     struct measured_answers *answers = &run->answers[surface];
-    const struct asked asked = asked_of(results);
     struct model_task task =
         surface_model_task(record, results->scene, results->plan, results_loads(results, surface), results->load_count);
     const struct joint_task joint = surface_joint(record, results->scene, results->plan, &task);
@@ -96,7 +95,7 @@ static enum status_code run_measured_on(struct run *run, size_t surface, struct 
         models |= plan_runs_model(results->plan, m) ? MODEL_BIT(m) : 0;
     if (measured_answer(answers, measured, models, &task, &joint, &record->ensemble, record->summary.unloading,
                         status) != STATUS_OK ||
-        measured_fit(answers, measured, asked_leading(results, &asked), status) != STATUS_OK)
+        measured_fit(answers, measured, plan_leading_model(results->plan), status) != STATUS_OK)
         return status->code;
     record->summary.carried_model = answers->fitted;
     record->summary.carried_quantity = measured_quantity(measured, results->plan->running);

@@ -1,11 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "scan/archive.h"
 #include "base/limits.h"
-#include "scan/format.h"
 
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
+
+bool scan_tells_at_end(const char *bytes, size_t length)
+{
+    return length > 4 && memcmp(bytes, "PK\3\4", 4) == 0;
+}
 
 /** libzip does not always say that it was memory; malloc() does. */
 static enum status_code fail_open(const struct scan_file *file, zip_error_t *error)

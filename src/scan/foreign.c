@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "scan/format.h"
-#include "scan/reader.h"
+#include "scan/foreign.h"
 
 #include <string.h>
 

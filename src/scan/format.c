@@ -95,11 +95,6 @@ const char *scan_is_other(const struct scan_bytes *bytes, bool whole)
     return format.kind == FORMAT_OTHER ? format.name : NULL;
 }
 
-bool scan_tells_at_end(const char *bytes, size_t length)
-{
-    return length > 4 && memcmp(bytes, "PK\3\4", 4) == 0;
-}
-
 enum status_code format_fail_foreign(const struct scan_file *file, const struct foreign *foreign)
 {
     if (foreign->kind == FOREIGN_DOCUMENT && !foreign->remedy)

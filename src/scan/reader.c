@@ -74,9 +74,11 @@ static enum status_code fail_units(const struct scan *out, const char *x, const 
     if (x_wrong || z_wrong)
         return scan_fail(file, 0, "'%.16s' is no unit of length; give %s as m, mm, um, nm, pm, A, in, mil or uin",
                          x_wrong ? x : z, x_wrong ? "x_unit" : "z_unit");
+    const char *unknown = out->unknown_unit[no_x && *out->unknown_unit[0] ? 0 : no_z];
     return scan_fail(file, 0,
-                     "no unit for %s%s%s; add %s%s%s (or what %s in) to this surface in scene.yaml, or give%s%s",
-                     no_x ? "x" : "", no_x && no_z ? " nor for " : "", no_z ? "z" : "", no_x ? "`x_unit: mm`" : "",
+                     "%s%s%sno unit for %s%s%s; add %s%s%s (or what %s in) to this surface in scene.yaml, or give%s%s",
+                     *unknown ? "unknown unit '" : "", unknown, *unknown ? "', " : "", no_x ? "x" : "",
+                     no_x && no_z ? " nor for " : "", no_z ? "z" : "", no_x ? "`x_unit: mm`" : "",
                      no_x && no_z ? " and " : "", no_z ? "`z_unit: um`" : "", no_x && no_z ? "they are" : "it is",
                      no_x ? " --x-unit mm" : "", no_z ? " --z-unit um" : "");
 }

@@ -31,6 +31,7 @@ struct scan {
     size_t next_entry;                                 /* where its next scan is; 0: there is none */
     size_t x_column, z_column;                         /* of a table of text, from 1; 0 where there is none */
     bool units_lacking;                                /* the file itself does not name both units */
+    char unknown_unit[2][8];                           /* what it names for x, z instead, in brackets; "": nothing */
     bool units_beside;                                 /* and one or both came from a sidecar */
     char *sidecar;                                     /* path of that sidecar; NULL: none was used */
     char warnings[SCAN_WARNINGS][SCAN_WARNING_LENGTH]; /* each one line, lower case */

@@ -2,7 +2,7 @@
 /* Text scans: x and z, perhaps with an index or other columns beside them; heights below a line that names the spacing;
  * and maps: x y z lists on a grid, and matrices of heights with their pixel size. */
 #include "base/limits.h"
-#include "scan/format.h"
+#include "scan/foreign.h"
 #include "scan/reader.h"
 #include "scan/string_view.h"
 #include "scan/text_header.h"
@@ -426,6 +426,11 @@ static enum status_code take_units(struct scan *out, const struct table *table, 
     const struct text_header *header = &table->header;
     x_unit = x_unit ? x_unit : text_header_x_unit(header, out->x_column);
     const char *z_unit = text_header_z_unit(header, out->z_column);
+    const size_t columns[] = {x_unit ? 0 : out->x_column, z_unit ? 0 : out->z_column};
+    for (size_t i = 0; i < 2; i++)
+        if (columns[i] > 0 && columns[i] <= TEXT_HEADER_COLUMNS && header->unknown[columns[i] - 1].start)
+            snprintf(out->unknown_unit[i], sizeof out->unknown_unit[i], "%.*s",
+                     (int)string_view_length(header->unknown[columns[i] - 1]), header->unknown[columns[i] - 1].start);
     if (scan_units(out, x_unit, z_unit, x_m, z_m, table->file) != STATUS_OK)
         return table->file->status->code;
     if (header->all_unit && x_unit == header->all_unit && z_unit == header->all_unit)

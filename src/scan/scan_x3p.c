@@ -2,7 +2,7 @@
 /* ISO 25178-72 X3P: a zip archive with main.xml (perhaps in a folder) and the points, all in metres, in main.xml or in
  * a binary file. Stored axes (kind A) lie side by side, point by point; a value is stored x increment + offset. */
 #include "base/limits.h"
-#include "scan/format.h"
+#include "scan/archive.h"
 #include "scan/reader.h"
 #include "scan/string_view.h"
 

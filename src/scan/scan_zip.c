@@ -4,6 +4,7 @@
  * read is refused where it comes, and the search goes on behind it. */
 #include "base/limits.h"
 #include "base/text.h"
+#include "scan/archive.h"
 #include "scan/format.h"
 
 #include <stdint.h>

@@ -222,9 +222,11 @@ bool text_header_says(struct string_view title, const char *words)
 }
 
 /* The unit a column's title names: its last word that is one. Where a word might be something else ("A", "in", and all
- * of them in a line with numbers, `Length, 1500.0 um`) brackets or a slash have to say that a unit is meant. */
-static const char *cell_unit(struct string_view cell, bool with_numbers)
+ * of them in a line with numbers, `Length, 1500.0 um`) brackets or a slash have to say that a unit is meant. A short
+ * word in brackets that is none, [km], is *unknown. */
+static const char *cell_unit(struct string_view cell, bool with_numbers, struct string_view *unknown)
 {
+    enum { SHORT = 6 };
     const char *unit = NULL;
     struct string_view word;
     for (char before; next_word(&cell, &word, &before);) {
@@ -232,6 +234,8 @@ static const char *cell_unit(struct string_view cell, bool with_numbers)
         bool is_word = with_numbers || string_view_is_one_of(word, "a in u");
         if (name && (!is_word || (before && strchr("[({/", before))))
             unit = name;
+        if (!name && before && strchr("[(", before) && string_view_length(word) <= SHORT && !is_number(word))
+            *unknown = word;
     }
     return unit;
 }
@@ -272,7 +276,7 @@ static bool read_titles(struct text_header *header, struct string_view line, cha
             found.valid = count;
         if (count >= TEXT_HEADER_COLUMNS)
             continue;
-        found.unit[count] = either(cell_unit(cell, with_numbers), header->unit[count]);
+        found.unit[count] = either(cell_unit(cell, with_numbers, &found.unknown[count]), header->unit[count]);
         if (header->unit[count] == scan_slope || text_header_title_slope(cell))
             found.unit[count] = scan_slope; /* whatever its unit is said to be */
         bare += is_bare(cell) ? 1 : 0;

@@ -18,13 +18,14 @@ struct text_quantity {
 
 struct text_header {
     const char *unit[TEXT_HEADER_COLUMNS]; /* of each column, scan_slope of one whose title says so; NULL: none named */
-    size_t valid;                          /* column that says whether a point is valid; SIZE_MAX where none does */
-    struct text_quantity spacing;          /* `spacing 0.5 um`, `dx=0.5um`, `Resolution,0.156 um/sample` */
-    struct text_quantity pixel;            /* `pixel size = 0.5 um` */
-    struct text_quantity width, height;    /* of a map: `Width: 10 um`, `x-length = 10 um` */
-    const char *x_unit, *y_unit, *z_unit;  /* `x_unit: mm`, `Value units: m`; NULL where not said */
-    const char *all_unit;                  /* `unit: um`: of every axis that has none of its own */
-    struct text_quantity z_factor;         /* `height conversion factor (-> m) = 1e-9` */
+    struct string_view unknown[TEXT_HEADER_COLUMNS]; /* what stands in brackets there and is no unit; in the preamble */
+    size_t valid;                         /* column that says whether a point is valid; SIZE_MAX where none does */
+    struct text_quantity spacing;         /* `spacing 0.5 um`, `dx=0.5um`, `Resolution,0.156 um/sample` */
+    struct text_quantity pixel;           /* `pixel size = 0.5 um` */
+    struct text_quantity width, height;   /* of a map: `Width: 10 um`, `x-length = 10 um` */
+    const char *x_unit, *y_unit, *z_unit; /* `x_unit: mm`, `Value units: m`; NULL where not said */
+    const char *all_unit;                 /* `unit: um`: of every axis that has none of its own */
+    struct text_quantity z_factor;        /* `height conversion factor (-> m) = 1e-9` */
 };
 
 /** What a file beside a scan says of it (sidecar.h). */

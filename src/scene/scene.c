@@ -108,10 +108,13 @@ static bool override_values(struct scene *scene, struct scene_source *source, co
             if (strcmp(scene_keys[k].name, all[i].key) == 0 &&
                 !scene_source_option(source, &scene_keys[k], all[i].key, all[i].text, scene))
                 return false;
+    if (overrides->budget &&
+        !scene_source_option(source, scene_budget_key, "budget", overrides->budget, &scene->direct))
+        return false;
     unsigned direct = EFFECT_BIT(EFFECT_DIRECT);
     if (source->effects_overridden && !scene->effects_auto) /* as they are listed there */
         scene->direct.called = scene->effects & direct;
-    scene->direct.called = scene->direct.called || overrides->direct || (scene->effects & direct);
+    scene->direct.called = scene->direct.called || overrides->direct || overrides->budget || (scene->effects & direct);
     scene->effects |= scene->direct.called ? direct : 0;
     return call_effects(scene, source);
 }
@@ -133,7 +136,7 @@ static bool check_effects(const struct scene *scene, struct scene_source *source
                           const char *owner)
 {
     struct scene_lack_words lack;
-    for (int i = 0; i < EFFECT_COUNT && !scene->effects_auto; i++)
+    for (int i = 0; i < EFFECT_COUNT; i++)
         if ((scene->effects & EFFECT_BIT(i)) && scene_lack_words(&lack, bodies, owner, &effect_rows[i]))
             return fail_effect(source, &effect_rows[i], lack.text);
     return true;

@@ -152,7 +152,7 @@ struct scene {
     uint64_t models;   /* MODEL_BITs asked for */
     bool models_named; /* by the scene, so that they run whatever the surfaces are */
     bool effects_auto;
-    unsigned effects;           /* EFFECT_BITs asked for, and those they build on, when !effects_auto */
+    unsigned effects;           /* EFFECT_BITs asked for by name, and those they build on */
     unsigned called;            /* EFFECT_BITs whose key the scene gives (effect_row.key): they run */
     struct joint joint;         /* what those keys say */
     struct scene_bodies bodies; /* of every surface that has none of its own */
@@ -198,7 +198,8 @@ struct scene_overrides {
     const struct text *text; /* in place of what the directory's scene.yaml says, if there is one */
     const char *material, *effects, *tolerance, *exports;
     const char *x_unit, *z_unit; /* for every surface */
-    bool direct;                 /* calls for the direct solution */
+    const char *budget;          /* of the direct solution, which it calls for */
+    bool direct;                 /* calls for it */
 };
 
 /** Reads `directory`/scene.yaml when there is one, applies the overrides and lists the surfaces: those of the scene,

@@ -17,11 +17,16 @@ const struct scene_asked_row scene_asked_rows[] = {
 };
 enum { ROWS = SCENE_COUNT(scene_asked_rows) };
 
-/* What takes the row's place where the scene calls for one of these effects: the number of the whole joint. */
+/* What takes the row's place where the scene calls for these effects: the number of the whole joint. The last one that
+ * fits does. */
 static const struct {
     unsigned effects;
     struct scene_asked_row row;
 } joint_rows[] = {
+    {EFFECT_BIT(EFFECT_FILM),
+     {"ecr", "ECR with film", UNIT_RESISTANCE, UNIT_RESISTANCE_AREA, QUANTITY_JOINT_ECR, false, false, 1e-30, 1e30}},
+    {EFFECT_BIT(EFFECT_PLATING),
+     {"ecr", "ECR with plating", UNIT_RESISTANCE, UNIT_RESISTANCE_AREA, QUANTITY_JOINT_ECR, false, false, 1e-30, 1e30}},
     {EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING),
      {"ecr", "ECR with film and plating", UNIT_RESISTANCE, UNIT_RESISTANCE_AREA, QUANTITY_JOINT_ECR, false, false,
       1e-30, 1e30}},
@@ -137,7 +142,7 @@ static bool complete(const struct scene *scene, struct scene_source *source, str
 {
     bool total = asked->kind & asked->row->total;
     for (size_t r = 0; r < SCENE_COUNT(joint_rows); r++)
-        if ((scene->called & joint_rows[r].effects) && strcmp(joint_rows[r].row.name, asked->row->name) == 0)
+        if (!(joint_rows[r].effects & ~scene->called) && strcmp(joint_rows[r].row.name, asked->row->name) == 0)
             asked->row = &joint_rows[r].row;
     if (asked->row->quantity == QUANTITY_COUNT)
         return scene_source_fail(source, asked->line,

@@ -82,21 +82,19 @@ static bool read_effects(struct scene_source *source, const struct scene_key *ke
 {
     struct scene *scene = source->scene;
     unsigned *effects = field;
-    const char *names[EFFECT_COUNT];
-    bool given[EFFECT_COUNT];
+    const char *names[EFFECT_COUNT + 1] = {[EFFECT_COUNT] = "auto"};
+    bool given[EFFECT_COUNT + 1];
     *effects = 0;
     source->effects_overridden = source->option;
-    scene->effects_auto = scene_source_is(value, "auto");
-    if (scene->effects_auto)
-        return true;
     for (int i = 0; i < EFFECT_COUNT; i++)
         names[i] = effect_rows[i].name;
-    if (!read_set(source, key, "effect", value, names, EFFECT_COUNT, given))
+    if (!read_set(source, key, "effect", value, names, EFFECT_COUNT + 1, given))
         return false;
     for (int i = 0; i < EFFECT_COUNT; i++)
         *effects |= given[i] ? EFFECT_BIT(i) : 0;
     *effects = scene_keys_with_needed(*effects);
-    return *effects || !source->option ||
+    scene->effects_auto = given[EFFECT_COUNT];
+    return *effects || scene->effects_auto || !source->option ||
            scene_source_fail_at(source, value,
                                 "'effects' names none; give 'auto' or names such as 'electrical,thermal'");
 }
@@ -314,23 +312,26 @@ static bool read_direct_loads(struct scene_source *source, const struct scene_ke
 }
 
 #define DIRECT(member) offsetof(struct scene_direct, member)
+enum { DIRECT_BUDGET = 4 };
+static const char *const direct_surfaces[SCENE_DIRECT_SURFACES_COUNT] = {"baseline", "all"};
+static const struct scene_key direct_keys[] = {
+    {"grid", NULL, SCENE_WHOLE(DIRECT(grid), SCENE_DIRECT_GRID_LEAST, SCENE_DIRECT_GRID_MOST)},
+    {"seeds", NULL, SCENE_WHOLE(DIRECT(seeds), 1, SCENE_DIRECT_SEEDS)},
+    {"loads", NULL, read_direct_loads, .at = 0, .least = 2, .most = SCENE_DIRECT_LOADS, .quantities = UNIT_NUMBER},
+    {"hardness", NULL, SCENE_QUANTITY(DIRECT(hardness_Pa), UNIT_PRESSURE, 1e3, 1e12), .word = "auto"},
+    [DIRECT_BUDGET] = {"budget", NULL, SCENE_QUANTITY(DIRECT(budget_s), UNIT_TIME, 1e-3, 1e7)},
+    {"surfaces", NULL, SCENE_CHOICE(DIRECT(surfaces), direct_surfaces)},
+};
+const struct scene_key *const scene_budget_key = &direct_keys[DIRECT_BUDGET];
+
 static bool read_direct(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
 {
-    static const char *const surfaces[SCENE_DIRECT_SURFACES_COUNT] = {"baseline", "all"};
-    static const struct scene_key keys[] = {
-        {"grid", NULL, SCENE_WHOLE(DIRECT(grid), SCENE_DIRECT_GRID_LEAST, SCENE_DIRECT_GRID_MOST)},
-        {"seeds", NULL, SCENE_WHOLE(DIRECT(seeds), 1, SCENE_DIRECT_SEEDS)},
-        {"loads", NULL, read_direct_loads, .at = 0, .least = 2, .most = SCENE_DIRECT_LOADS, .quantities = UNIT_NUMBER},
-        {"hardness", NULL, SCENE_QUANTITY(DIRECT(hardness_Pa), UNIT_PRESSURE, 1e3, 1e12), .word = "auto"},
-        {"budget", NULL, SCENE_QUANTITY(DIRECT(budget_s), UNIT_TIME, 1e-3, 1e7)},
-        {"surfaces", NULL, SCENE_CHOICE(DIRECT(surfaces), surfaces)},
-    };
     struct scene_direct *direct = field;
-    size_t lines[SCENE_COUNT(keys)];
+    size_t lines[SCENE_COUNT(direct_keys)];
     if (scene_source_is(value, "off"))
         return true;
     direct->called = true;
-    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys), lines, field))
+    if (!scene_source_mapping(source, value, key->name, direct_keys, SCENE_COUNT(direct_keys), lines, field))
         return false;
     if (direct->grid % 2 != 0)
         return scene_source_fail(source, lines[0], "'grid' is %zu; give an even number", direct->grid);
@@ -429,7 +430,8 @@ const struct scene_key scene_keys[] = {
     {"title", "heading of the report; default: the directory's name", scene_source_text, .at = AT(title)},
     {"models", "families or single models, as `roughcontact models` lists them; default: those that run by default",
      read_models, .at = AT(models)},
-    {"effects", "auto, or a list of effects, as --effects takes it; default: auto", read_effects, .at = AT(effects)},
+    {"effects", "auto, a list of effects, or both, as --effects takes it; default: auto", read_effects,
+     .at = AT(effects)},
     {"material",
      "a built-in material, or a mapping of its properties (E, nu, Sy, resistivity, conductivity, density, "
      "specific_heat, sound_speed, hardness, mean_free_path); default: none, and only what needs no material runs",
@@ -521,7 +523,8 @@ const struct scene_key scene_keys[] = {
      read_flatness, .at = AT(flatness_m)},
     {"plating",
      "{thickness, metal: hard gold, soft gold, tin, silver or nickel, or its resistivity, sides: one or both (the "
-     "surface's comes first)}; default: none",
+     "surface's comes first)}; thicker than indents are deep, a metal brings its hardness, below that of 'hardness'; "
+     "default: none",
      read_plating, .at = AT(joint)},
     {"current", "through the contact, for its voltage and temperature; needs nominal_area; default: none",
      SCENE_QUANTITY(AT(joint.current_A), UNIT_CURRENT, 1e-12, 1e9)},

@@ -43,6 +43,7 @@ struct scene_key {
 /** The keys of scene.yaml, which lie in a struct scene. */
 extern const struct scene_key scene_keys[];
 extern const size_t scene_key_count;
+extern const struct scene_key *const scene_budget_key; /* of struct scene_direct */
 /** The line that gives the key of that name; 0: none does. */
 size_t scene_keys_line(const struct scene_source *source, const char *name);
 

@@ -42,13 +42,26 @@ size_t log_bin_fill(struct log_bin bin[LOG_BIN_MOST], const double *square_m2, s
         size_t last = bin_last(first, count, split);
         double members = (double)(last - first + 1), x = 0, y = 0;
         for (size_t n = first; n <= last; n++) {
-            x += log10(length_m / (double)n);
-            y += log10(square_m2[n - 1]) / 2;
+            double log_wavelength = log10(length_m / (double)n), log_amplitude = log10(square_m2[n - 1]) / 2;
+            x += log_wavelength;
+            y += log_amplitude;
+            if (n == first || log_amplitude - bias > bin[bins].peak_y) {
+                bin[bins].peak_x = log_wavelength;
+                bin[bins].peak_y = log_amplitude - bias;
+            }
         }
-        bin[bins] = (struct log_bin){first, last, x / members, y / members - bias, 0};
+        bin[bins].first = first;
+        bin[bins].last = last;
+        bin[bins].x = x / members;
+        bin[bins].y = y / members - bias;
         bin[bins].variance = log_bin_covariance(&bin[bins], &bin[bins], scans);
     }
     return bins;
+}
+
+double log_bin_variance(double scans)
+{
+    return gsl_sf_psi_1(MULTITAPER_TAPERS * scans) / (4 * M_LN10 * M_LN10);
 }
 
 /** Pairs of a harmonic of i and one of j that is `apart` higher. */
@@ -67,5 +80,5 @@ double log_bin_covariance(const struct log_bin *i, const struct log_bin *j, doub
     double sum = 0, i_members = (double)(i->last - i->first + 1), j_members = (double)(j->last - j->first + 1);
     for (long apart = -MULTITAPER_CORRELATED; apart <= MULTITAPER_CORRELATED; apart++)
         sum += pairs(i, j, apart) * multitaper_correlation((size_t)labs(apart));
-    return gsl_sf_psi_1(MULTITAPER_TAPERS * scans) / (4 * M_LN10 * M_LN10) * sum / (i_members * j_members);
+    return log_bin_variance(scans) * sum / (i_members * j_members);
 }

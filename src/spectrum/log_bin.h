@@ -14,9 +14,10 @@ enum {
 /** Harmonics first ... last. */
 struct log_bin {
     size_t first, last;
-    double x;        /* mean log10 wavelength, wavelength in m */
-    double y;        /* mean log10 rms amplitude, amplitude in m; -INFINITY where a harmonic has none */
-    double variance; /* of y: log_bin_covariance() with itself, decades² */
+    double x;              /* mean log10 wavelength, wavelength in m */
+    double y;              /* mean log10 rms amplitude, amplitude in m; -INFINITY where a harmonic has none */
+    double peak_x, peak_y; /* of its highest harmonic, as x and y */
+    double variance;       /* of y: log_bin_covariance() with itself, decades² */
 };
 
 /** Bins the squared amplitudes (finite, not negative) square_m2[n-1] = Delta_n², n = MULTITAPER_FIRST ... count, of a
@@ -31,6 +32,9 @@ size_t log_bin_fill(struct log_bin bin[LOG_BIN_MOST], const double *square_m2, s
 /** b(M) in decades, the mean of log10 of the root of a mean of M exponential variables of mean 1; M need not be whole.
  */
 double log_bin_bias(double squares);
+
+/** Variance of the log10 amplitude of one harmonic, psi'(K M)/(4 ln² 10), decades². */
+double log_bin_variance(double scans);
 
 /** cov(y_i, y_j) = psi'(K M)/(4 ln² 10) sum_{a in i, b in j} rho(|a-b|)/(n_i n_j), decades². */
 double log_bin_covariance(const struct log_bin *i, const struct log_bin *j, double scans);

@@ -4,6 +4,7 @@
 #include "spectrum/multitaper.h"
 #include "spectrum/spectrum.h"
 #include <assert.h>
+#include <gsl/gsl_cdf.h>
 #include <gsl/gsl_sort_double.h>
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>
@@ -19,7 +20,11 @@ static const double piece_penalty = 4;      /* ln J each */
 static const double least_gamma = 0.5, most_gamma = 2.28;
 static const double steep_gamma = 1.75; /* above: longer waves leak into a record's first harmonics */
 static const double least_width_decades = 0.5, law_width_decades = 1, most_misfit_decades = 0.1;
-static const double line_decades = 0.2, line_errors = 4;
+static const double line_decades = 0.2;
+static const double line_level = 0.02;      /* of files without lines, so many may have one */
+static const double line_side_level = 0.05; /* of bins beside a cut-off */
+static const double line_valley_decades = 0.8;
+static const double line_scatter = 3; /* variance of log-normal amplitudes' bins over that of Gaussian heights' */
 static const double knee_gamma_s = 0.04, knee_amplitude_s_decades = 0.02;
 enum { PIECE_BINS = 3, CANDIDATE_BINS = 4, KNEE_BINS = 2, LINE_RUN = 3 };
 
@@ -141,95 +146,6 @@ static struct power_law_band_fit fit_of(const struct selection *selection, doubl
     };
 }
 
-/** Does bin j stand out of its neighbours' middle? */
-static bool stands_out(const struct power_law_band *band, size_t j)
-{
-    double between[3];
-    size_t count = 0;
-    for (size_t m = 2; m <= 4; m++)
-        if (j >= m && j + m < band->bins && isfinite(band->bin[j - m].y) && isfinite(band->bin[j + m].y))
-            between[count++] = (band->bin[j - m].y + band->bin[j + m].y) / 2;
-    if (count < 2 || !isfinite(band->bin[j].y))
-        return false;
-    gsl_sort(between, 1, count);
-    double threshold = fmax(line_decades, line_errors * sqrt(band->bin[j].variance));
-    return band->bin[j].y - gsl_stats_median_from_sorted_data(between, 1, count) > threshold;
-}
-
-/** A longer run of bins that stand out is a knee, no line. The tapers carry a line into the bins beside it. */
-static void mark_lines(struct power_law_band *band)
-{
-    bool out[LOG_BIN_MOST];
-    for (size_t j = 0; j < band->bins; j++)
-        out[j] = stands_out(band, j);
-    for (size_t j = 0, end; j<band->bins; j = end> j ? end : j + 1) {
-        for (end = j; end < band->bins && out[end]; end++)
-            ;
-        if (end == j || end - j > LINE_RUN)
-            continue;
-        for (size_t i = j > 0 ? j - 1 : 0; i <= end && i < band->bins; i++)
-            band->use[i] = i >= j && i < end ? POWER_LAW_BAND_LINE : POWER_LAW_BAND_BESIDE;
-    }
-}
-
-/** Fills the bins and says which of them may take part. */
-static void gather(struct power_law_band *band, struct selection *selection,
-                   const struct power_law_band_spectrum *spectrum, const size_t split[2])
-{
-    assert(spectrum->scans >= 1 && spectrum->length_m > 0);
-    *band = (struct power_law_band){.fit = {.gamma = NAN,
-                                            .gamma_s = NAN,
-                                            .log10_amplitude = NAN,
-                                            .log10_amplitude_s = NAN,
-                                            .wavelength_m = NAN,
-                                            .misfit_decades = NAN,
-                                            .band_m = {NAN, NAN}},
-                                    .amplitude_m = NAN,
-                                    .psd_m3 = NAN,
-                                    .alpha = NAN,
-                                    .slope_share = NAN};
-    band->bins =
-        log_bin_fill(band->bin, spectrum->square_m2, spectrum->count, spectrum->length_m, spectrum->scans, split);
-    mark_lines(band);
-    *selection = (struct selection){.all = band->bin};
-    for (size_t j = 0; j < band->bins; j++) {
-        band->use[j] = isfinite(band->bin[j].y) ? band->use[j] : POWER_LAW_BAND_EMPTY;
-        if (spectrum->shortest_m > 0 && band->bin[j].x < log10(spectrum->shortest_m) &&
-            band->use[j] == POWER_LAW_BAND_OUTSIDE)
-            band->use[j] = POWER_LAW_BAND_SHORT;
-        if (band->use[j] == POWER_LAW_BAND_OUTSIDE)
-            selection->index[selection->count++] = j;
-    }
-}
-
-/** sum (2 pi f)² Delta²/2 in the band over that of all harmonics. */
-static double slope_share(const struct power_law_band_spectrum *spectrum, const struct power_law_band_fit *fit)
-{
-    double inside = 0, all = 0;
-    for (size_t n = 1; n <= spectrum->count; n++) {
-        double part = (double)n * (double)n * spectrum->square_m2[n - 1];
-        all += part;
-        inside += n >= fit->first_harmonic && n <= fit->last_harmonic ? part : 0;
-    }
-    return inside / all;
-}
-
-/** Takes over the fit through `used`, with all that follows from it. */
-static void conclude(struct power_law_band *band, const struct power_law_band_fit *fit, const struct selection *used,
-                     const struct power_law_band_spectrum *spectrum)
-{
-    band->fit = *fit;
-    band->law = log10((double)fit->last_harmonic / (double)fit->first_harmonic) >= law_width_decades
-                    ? POWER_LAW_BAND_LAW
-                    : POWER_LAW_BAND_NARROW;
-    band->amplitude_m = pow(10, fit->log10_amplitude);
-    band->psd_m3 = band->amplitude_m * band->amplitude_m * spectrum->length_m / 2;
-    band->alpha = pow(10, fit->log10_amplitude - fit->gamma * log10(fit->wavelength_m));
-    band->slope_share = slope_share(spectrum, fit);
-    for (size_t i = 0; i < used->count; i++)
-        band->use[used->index[i]] = POWER_LAW_BAND_USED;
-}
-
 /** Straight pieces of a selection: piece k has bins first[k] ... first[k+1]-1. */
 struct pieces {
     size_t count;
@@ -287,6 +203,173 @@ static enum status_code divide(struct pieces *pieces, const struct selection *se
     pieces->first[0] = 0;
     free(programme);
     return STATUS_OK;
+}
+
+/** May bin j be a line: does it stand above its neighbours' middle, as the last bin before a cut-off does too? */
+static bool stands_out(const struct power_law_band *band, size_t j, double z)
+{
+    double between[3];
+    size_t count = 0;
+    for (size_t m = 2; m <= 4; m++)
+        if (j >= m && j + m < band->bins && isfinite(band->bin[j - m].y) && isfinite(band->bin[j + m].y))
+            between[count++] = (band->bin[j - m].y + band->bin[j + m].y) / 2;
+    if (count < 2 || !isfinite(band->bin[j].y))
+        return false;
+    gsl_sort(between, 1, count);
+    double threshold = fmax(line_decades, z * sqrt(line_scatter * band->bin[j].variance));
+    return band->bin[j].y - gsl_stats_median_from_sorted_data(between, 1, count) > threshold;
+}
+
+/** Marks the bins that are `out`, but for longer runs, which are knees. The tapers carry a line into the bins beside
+ * it. */
+static void mark_lines(struct power_law_band *band, const bool out[LOG_BIN_MOST])
+{
+    for (size_t j = 0; j < band->bins; j++)
+        band->use[j] = POWER_LAW_BAND_OUTSIDE;
+    for (size_t j = 0, end; j<band->bins; j = end> j ? end : j + 1) {
+        for (end = j; end < band->bins && out[end]; end++)
+            ;
+        if (end == j || end - j > LINE_RUN)
+            continue;
+        for (size_t i = j > 0 ? j - 1 : 0; i <= end && i < band->bins; i++)
+            band->use[i] = i >= j && i < end ? POWER_LAW_BAND_LINE : POWER_LAW_BAND_BESIDE;
+    }
+    for (size_t j = 0; j < band->bins; j++)
+        if (!isfinite(band->bin[j].y))
+            band->use[j] = POWER_LAW_BAND_EMPTY;
+}
+
+static struct selection bins_outside(const struct power_law_band *band)
+{
+    struct selection selection = {.all = band->bin};
+    for (size_t j = 0; j < band->bins; j++)
+        if (band->use[j] == POWER_LAW_BAND_OUTSIDE)
+            selection.index[selection.count++] = j;
+    return selection;
+}
+
+/** Does the highest harmonic of a bin stand above the straight line through others, first ... end - 1, by so much that
+ * chance lets one do so at `level`? The error is that of a harmonic, of the line, and what is called one law. */
+static bool stands_above(const struct selection *selection, size_t first, size_t end, const struct log_bin *bin,
+                         double most_slope, double scans, double level)
+{
+    double one_law = one_law_decades * one_law_decades;
+    struct line line = line_through(selection, first, end - 1, one_law);
+    double away = bin->peak_x - line.x_mean, excess = bin->peak_y - line.y_mean - fmin(line.slope, most_slope) * away;
+    double variance = log_bin_variance(scans) + one_law + 1 / line.weight + away * away / line.x_spread;
+    return excess > gsl_cdf_ugaussian_Qinv(level) * sqrt(variance);
+}
+
+/** Is bin j a line, to judge by piece k of the bins that are none, which begins before it? Beside a cut-off every bin
+ * stands above the middle of its neighbours; a line stands above what is on its left carried on, and on its right:
+ * the piece's bins there, where these are too few the next piece, and where there is none the whole of this one. What
+ * is steeper than any law on its right may be a cut-off's flank or another line's: then the line also has a valley
+ * there. */
+static bool is_line(const struct power_law_band *band, const struct selection *rest, const struct pieces *pieces,
+                    size_t k, size_t j, double scans)
+{
+    const struct log_bin *bin = &band->bin[j];
+    double file_level = line_level / (double)band->bin[band->bins - 1].last, most_slope = INFINITY;
+    double side_level = line_side_level / (double)(bin->last + 1 - bin->first);
+    size_t first = pieces->first[k], end = pieces->first[k + 1], here = first, left = first, right = end, beside = j;
+    while (here < end && rest->index[here] < j)
+        here++;
+    while (beside + 1 < band->bins && band->use[beside] == POWER_LAW_BAND_LINE)
+        beside++;
+    if (bin->peak_y - band->bin[beside].y > line_valley_decades)
+        most_slope = most_gamma;
+    size_t left_end = here, right_first = here;
+    if (here - first < PIECE_BINS) {
+        left = k > 0 ? pieces->first[k - 1] : first;
+        left_end = k > 0 ? first : end;
+    }
+    if (end - here < PIECE_BINS) {
+        right_first = k + 1 < pieces->count ? end : first;
+        right = k + 1 < pieces->count ? pieces->first[k + 2] : end;
+    }
+    return stands_above(rest, first, end, bin, INFINITY, scans, file_level) &&
+           stands_above(rest, left, left_end, bin, INFINITY, scans, side_level) &&
+           stands_above(rest, right_first, right, bin, most_slope, scans, side_level);
+}
+
+/** Marks the lines: bins that stand out, and then above the straight pieces of the rest. */
+static enum status_code find_lines(struct power_law_band *band, double scans, struct status *status)
+{
+    bool out[LOG_BIN_MOST] = {false}, line[LOG_BIN_MOST] = {false};
+    double z = gsl_cdf_ugaussian_Qinv(line_level / fmax(1, (double)band->bins));
+    for (size_t j = 0; j < band->bins; j++)
+        out[j] = stands_out(band, j, z);
+    mark_lines(band, out);
+    struct selection rest = bins_outside(band);
+    struct pieces pieces;
+    if (rest.count < band->bins && rest.count >= (size_t)2 * PIECE_BINS) {
+        if (divide(&pieces, &rest, status) != STATUS_OK)
+            return status->code;
+        for (size_t j = 0, k = 0; j < band->bins; j++) {
+            while (k + 1 < pieces.count && rest.index[pieces.first[k + 1]] <= j)
+                k++;
+            line[j] = band->use[j] == POWER_LAW_BAND_LINE && is_line(band, &rest, &pieces, k, j, scans);
+        }
+    }
+    mark_lines(band, line);
+    return STATUS_OK;
+}
+
+/** Fills the bins and says which of them may take part. */
+static enum status_code gather(struct power_law_band *band, struct selection *selection,
+                               const struct power_law_band_spectrum *spectrum, const size_t split[2],
+                               struct status *status)
+{
+    assert(spectrum->scans >= 1 && spectrum->length_m > 0);
+    *band = (struct power_law_band){.fit = {.gamma = NAN,
+                                            .gamma_s = NAN,
+                                            .log10_amplitude = NAN,
+                                            .log10_amplitude_s = NAN,
+                                            .wavelength_m = NAN,
+                                            .misfit_decades = NAN,
+                                            .band_m = {NAN, NAN}},
+                                    .amplitude_m = NAN,
+                                    .psd_m3 = NAN,
+                                    .alpha = NAN,
+                                    .slope_share = NAN};
+    band->bins =
+        log_bin_fill(band->bin, spectrum->square_m2, spectrum->count, spectrum->length_m, spectrum->scans, split);
+    if (find_lines(band, spectrum->scans, status) != STATUS_OK)
+        return status->code;
+    for (size_t j = 0; j < band->bins; j++)
+        if (spectrum->shortest_m > 0 && band->bin[j].x < log10(spectrum->shortest_m) &&
+            band->use[j] == POWER_LAW_BAND_OUTSIDE)
+            band->use[j] = POWER_LAW_BAND_SHORT;
+    *selection = bins_outside(band);
+    return STATUS_OK;
+}
+
+/** sum (2 pi f)² Delta²/2 in the band over that of all harmonics. */
+static double slope_share(const struct power_law_band_spectrum *spectrum, const struct power_law_band_fit *fit)
+{
+    double inside = 0, all = 0;
+    for (size_t n = 1; n <= spectrum->count; n++) {
+        double part = (double)n * (double)n * spectrum->square_m2[n - 1];
+        all += part;
+        inside += n >= fit->first_harmonic && n <= fit->last_harmonic ? part : 0;
+    }
+    return inside / all;
+}
+
+/** Takes over the fit through `used`, with all that follows from it. */
+static void conclude(struct power_law_band *band, const struct power_law_band_fit *fit, const struct selection *used,
+                     const struct power_law_band_spectrum *spectrum)
+{
+    band->fit = *fit;
+    band->law = log10((double)fit->last_harmonic / (double)fit->first_harmonic) >= law_width_decades
+                    ? POWER_LAW_BAND_LAW
+                    : POWER_LAW_BAND_NARROW;
+    band->amplitude_m = pow(10, fit->log10_amplitude);
+    band->psd_m3 = band->amplitude_m * band->amplitude_m * spectrum->length_m / 2;
+    band->alpha = pow(10, fit->log10_amplitude - fit->gamma * log10(fit->wavelength_m));
+    band->slope_share = slope_share(spectrum, fit);
+    for (size_t i = 0; i < used->count; i++)
+        band->use[used->index[i]] = POWER_LAW_BAND_USED;
 }
 
 /** A piece without the bins beside its knees. */
@@ -376,7 +459,8 @@ enum status_code power_law_band_find(struct power_law_band *out, const struct po
 {
     struct selection selection;
     struct pieces pieces = {0};
-    gather(out, &selection, spectrum, NULL);
+    if (gather(out, &selection, spectrum, NULL, status) != STATUS_OK)
+        return status->code;
     if (selection.count < (size_t)2 * PIECE_BINS)
         return STATUS_OK;
     if (divide(&pieces, &selection, status) != STATUS_OK)
@@ -403,8 +487,8 @@ enum status_code power_law_band_find(struct power_law_band *out, const struct po
     return STATUS_OK;
 }
 
-void power_law_band_fit_in(struct power_law_band *out, const struct power_law_band_spectrum *spectrum,
-                           const double band_m[2])
+enum status_code power_law_band_fit_in(struct power_law_band *out, const struct power_law_band_spectrum *spectrum,
+                                       const double band_m[2], struct status *status)
 {
     assert(band_m[0] >= 0 && band_m[1] > band_m[0]);
     const double rounding = 1e-9; /* a band that ends on a harmonic has it */
@@ -413,15 +497,17 @@ void power_law_band_fit_in(struct power_law_band *out, const struct power_law_ba
     double last = floor(fmin(spectrum->length_m / band_m[0] * (1 + rounding), most));
     size_t split[2] = {first > 1 ? (size_t)first : 1, (size_t)last};
     struct selection selection;
-    gather(out, &selection, spectrum, split);
+    if (gather(out, &selection, spectrum, split, status) != STATUS_OK)
+        return status->code;
     struct selection used = {.all = selection.all};
     for (size_t i = 0; i < selection.count; i++)
         if (bin_at(&selection, i)->first >= split[0] && bin_at(&selection, i)->last <= split[1])
             used.index[used.count++] = selection.index[i];
     if (used.count < CANDIDATE_BINS)
-        return;
+        return STATUS_OK;
     struct power_law_band_fit fit = fit_of(&used, spectrum->length_m, spectrum->scans);
     conclude(out, &fit, &used, spectrum);
+    return STATUS_OK;
 }
 
 size_t power_law_band_lines(double wavelength_m[LOG_BIN_MOST], const struct power_law_band *band)

@@ -3,7 +3,7 @@
 
 #include "spectrum/grid.h"
 #include "spectrum/multitaper.h"
-#include "statistics/interval.h"
+#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -84,7 +84,9 @@ static enum status_code level_of(double *out, const struct spectrum *spectrum, s
     return STATUS_OK;
 }
 
-/** How many independent rows these neighbouring ones are worth. */
+/** How many independent rows these neighbouring ones are worth: n = B (1-r)/(1+r) of B means of blocks, each like the
+ * one before, r = sum d_i d_{i+1}/sum d² + 1/B (Bayley & Hammersley 1946, doi:10.2307/2983560; Kendall 1954,
+ * doi:10.1093/biomet/41.3-4.403, for the 1/B). */
 static enum status_code rows_worth(double *out, const struct spectrum *row, size_t count, struct status *status)
 {
     size_t blocks = count < BLOCKS ? count : BLOCKS;
@@ -98,13 +100,17 @@ static enum status_code rows_worth(double *out, const struct spectrum *row, size
             mean[b] += level / (double)(end - first);
         }
     }
+    double of_all = gsl_stats_mean(mean, 1, blocks), squares = 0, products = 0;
+    for (size_t b = 0; b < blocks; b++) {
+        squares += (mean[b] - of_all) * (mean[b] - of_all);
+        products += b > 0 ? (mean[b] - of_all) * (mean[b - 1] - of_all) : 0;
+    }
     const double rounding = 1e-9; /* decades: more than it leaves of rows that are alike */
-    struct interval interval;
-    struct status constant = {0};
-    enum status_code rc = interval_rows(&interval, mean, blocks, 0.95, &constant);
-    if (rc == STATUS_MEMORY)
-        return status_memory(status);
-    *out = rc == STATUS_OK && interval.sd > rounding ? interval.effective : 1;
+    *out = 1;
+    if (squares > (double)blocks * rounding * rounding) {
+        double correlation = fmin(fmax(products / squares + 1 / (double)blocks, 0), 0.8);
+        *out = fmax(2, (double)blocks * (1 - correlation) / (1 + correlation));
+    }
     return STATUS_OK;
 }
 
@@ -131,11 +137,8 @@ static enum status_code fit(struct power_law_band *out, const struct spectrum *s
     struct power_law_band_spectrum powers = {
         .square_m2 = square_m2, .count = spectrum->count, .length_m = spectrum->length_m, .scans = independent};
     powers.shortest_m = fmax(2 * def->lambda_s_m, power_law_band_digitising_limit(&powers, step_m));
-    enum status_code rc = STATUS_OK;
-    if (band_m)
-        power_law_band_fit_in(out, &powers, band_m);
-    else
-        rc = power_law_band_find(out, &powers, status);
+    enum status_code rc =
+        band_m ? power_law_band_fit_in(out, &powers, band_m, status) : power_law_band_find(out, &powers, status);
     free(square_m2);
     return rc;
 }

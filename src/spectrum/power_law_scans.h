@@ -22,9 +22,9 @@ struct power_law_scans {
 MUST_CHECK enum status_code power_law_scans_add(struct power_law_scans *scans, const double *height_m, size_t points,
                                                 double spacing_m, double step_m, struct status *status);
 
-/** Ends a file of `used` scans or rows. Those of a map were added, in their order, and are worth fewer: interval_rows()
- * of 16 means of neighbouring rows, each row's value the mean over its bins (log_bin.h) of the logarithm of its power,
- * so that every decade of wavelength weighs the same. Error: STATUS_MEMORY. */
+/** Ends a file of `used` scans or rows. Those of a map were added, in their order, and are worth fewer, by the
+ * correlation of 16 means of neighbouring rows, each row's value the mean over its bins (log_bin.h) of the logarithm of
+ * its power, so that every decade of wavelength weighs the same. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code power_law_scans_end_file(struct power_law_scans *scans, size_t used, bool rows,
                                                      struct status *status);
 

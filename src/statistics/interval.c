@@ -3,16 +3,14 @@
 
 #include <assert.h>
 #include <gsl/gsl_cdf.h>
-#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 #include <stdlib.h>
 
-static const double most_correlation = 0.8, least_effective = 2;
-
 double interval_quantile(double level, double degrees)
 {
+    static const double normal = 1e9; /* degrees; of more GSL finds no quantile */
     assert(level > 0 && level < 1 && degrees > 0);
-    return gsl_cdf_tdist_Qinv((1 - level) / 2, degrees);
+    return gsl_cdf_tdist_Qinv((1 - level) / 2, fmin(degrees, normal));
 }
 
 static enum status_code check(const double *value, const double *weight, size_t count, struct status *status)
@@ -72,28 +70,6 @@ enum status_code interval_scans(struct interval *out, const double *value, const
     out->degrees = (double)(count - 1);
     out->sd = sqrt(squares / out->degrees);
     out->s = out->sd / sqrt(total);
-    close_interval(out);
-    return STATUS_OK;
-}
-
-enum status_code interval_rows(struct interval *out, const double *value, size_t count, double level,
-                               struct status *status)
-{
-    if (check(value, NULL, count, status) != STATUS_OK)
-        return status->code;
-    double rows = (double)count, mean = gsl_stats_mean(value, 1, count), squares = 0, products = 0;
-    for (size_t i = 0; i < count; i++) {
-        squares += (value[i] - mean) * (value[i] - mean);
-        products += i > 0 ? (value[i] - mean) * (value[i - 1] - mean) : 0;
-    }
-    double correlation = squares > 0 ? products / squares + 1 / rows : 0;
-    correlation = fmin(fmax(correlation, 0), most_correlation);
-    double effective = fmax(least_effective, rows * (1 - correlation) / (1 + correlation));
-    *out = (struct interval){
-        .count = count, .mean = mean, .level = level, .correlation = correlation, .effective = effective};
-    out->degrees = effective - 1;
-    out->sd = sqrt(squares / (rows - 1) * (1 - 1 / rows) / (1 - 1 / effective));
-    out->s = out->sd / sqrt(effective);
     close_interval(out);
     return STATUS_OK;
 }

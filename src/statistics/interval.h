@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How far a mean may be from what more scans would give: Student's intervals for scans, for scans cut to subrecords and
- * for rows that follow each other on one map. Values are logarithms of positive answers (area, resistance), or the
- * answers themselves where they may be zero or negative (separation). */
+/* How far a mean may be from what more scans would give: Student's intervals for scans, and for scans cut to
+ * subrecords. Values are logarithms of positive answers (area, resistance), or the answers themselves where they may be
+ * zero or negative (separation). */
 #ifndef STATISTICS_INTERVAL_H
 #define STATISTICS_INTERVAL_H
 
@@ -12,13 +12,12 @@
 struct interval {
     size_t count; /* values it came from */
     double mean;
-    double sd;          /* of values of weight 1 */
-    double s;           /* standard error of the mean */
-    double degrees;     /* of freedom */
-    double level, t;    /* asked coverage, say 0.95; Student's quantile at (1 + level)/2 */
-    double low, high;   /* mean -+ t s */
-    double correlation; /* r of neighbours; 0 for scans */
-    double effective;   /* how many independent values they are worth; the sum of the weights for scans */
+    double sd;        /* of values of weight 1 */
+    double s;         /* standard error of the mean */
+    double degrees;   /* of freedom */
+    double level, t;  /* asked coverage, say 0.95; Student's quantile at (1 + level)/2 */
+    double low, high; /* mean -+ t s */
+    double effective; /* sum of the weights */
 };
 
 /** One value a scan, in any order (values are summed in ascending order: the result does not depend on theirs).
@@ -28,15 +27,6 @@ struct interval {
  * weight that is not finite and positive; STATUS_MEMORY. */
 MUST_CHECK enum status_code interval_scans(struct interval *out, const double *value, const double *weight,
                                            size_t count, double level, struct status *status);
-
-/** B rows of a map, or means of blocks of rows, in their order: each is like the one before (first-order
- * autoregression).
- *  r = sum d_i d_{i+1}/sum d² + 1/B, within 0 ... 0.8 (Kendall 1954, doi:10.1093/biomet/41.3-4.403, for the 1/B);
- *  n = max(2, B (1-r)/(1+r)) (Bayley & Hammersley 1946, doi:10.2307/2983560);
- *  sd = SD sqrt((1 - 1/B)/(1 - 1/n)), s = sd/sqrt(n), n-1 degrees of freedom.
- * Below 4 effective rows the map is too small for its longest waves. Errors as interval_scans(). */
-MUST_CHECK enum status_code interval_rows(struct interval *out, const double *value, size_t count, double level,
-                                          struct status *status);
 
 /** Half-width of the interval, about the mean, in which one more scan of this weight lies: t sqrt(sd²/w + s²). */
 double interval_next_half_width(const struct interval *interval, double weight);

@@ -36,13 +36,6 @@ enum ranking_verdict ranking_verdict(double difference, double p, double level)
     return difference < 0 ? RANKING_FIRST_LOWER : RANKING_FIRST_HIGHER;
 }
 
-enum ranking_verdict ranking_place(double difference, double half_width, bool heterogeneous)
-{
-    if (heterogeneous)
-        return RANKING_NO_VERDICT;
-    return ranking_verdict(fabs(difference) > half_width ? difference : 0, 0, 1);
-}
-
 enum status_code ranking_holm(double *adjusted, const double *p, size_t count, struct status *status)
 {
     for (size_t i = 0; i < count; i++)

@@ -5,12 +5,7 @@
 
 #include "statistics/interval.h"
 
-enum ranking_verdict {
-    RANKING_NOT_TOLD_APART,
-    RANKING_FIRST_LOWER,
-    RANKING_FIRST_HIGHER,
-    RANKING_NO_VERDICT /* a single scan that is not the same along its length */
-};
+enum ranking_verdict { RANKING_NOT_TOLD_APART, RANKING_FIRST_LOWER, RANKING_FIRST_HIGHER };
 
 /** Two surfaces by the logarithms of an answer. */
 struct ranking {
@@ -26,11 +21,6 @@ struct ranking ranking_welch(const struct interval *a, const struct interval *b,
 
 /** RANKING_NOT_TOLD_APART for p > 1 - level, p adjusted where there are several pairs; else which has less. */
 enum ranking_verdict ranking_verdict(double difference, double p, double level);
-
-/** Where one or both have a single scan: do ln answers differ by more than half_width, the 95 % half-width of their
- * difference (one scan each: single_scan_half_width(hypot(s1, s2)), s the SDs that the place of the scan alone makes)?
- * No verdict when either scan is heterogeneous. */
-enum ranking_verdict ranking_place(double difference, double half_width, bool heterogeneous);
 
 /** Holm's step-down adjustment of `count` p values, so that any false verdict among them is as rare as p says:
  * p_(r) -> max over q <= r of min(1, (count - q + 1) p_(q)), r = 1 ... by size (Holm 1979, Scand. J. Stat. 6, 65).

@@ -2,48 +2,29 @@
 #include "statistics/single_scan.h"
 
 #include <assert.h>
-#include <gsl/gsl_statistics_double.h>
 #include <math.h>
 
-static const double errors_95 = 2.3;
-static const double quarters_95 = 3.18; /* Student's t, 3 degrees of freedom */
+static const double unknown_quarters = 0.5;
 
-static enum status_code check(const double *value, size_t count, const char *what, struct status *status)
+/** Standard deviation of those that are finite; NaN: fewer than `least`. */
+static double deviation(const double *value, size_t count, size_t least)
 {
-    for (size_t i = 0; i < count; i++)
+    double mean = 0, square = 0, finite = 0;
+    for (size_t i = 0; i < count; i++) {
         if (!isfinite(value[i]))
-            return status_fail(status, STATUS_SCAN, "the answer of %s %zu of %zu is not a finite number", what, i + 1,
-                               count);
-    return STATUS_OK;
+            continue;
+        double step = value[i] - mean;
+        mean += step / ++finite;
+        square += step * (value[i] - mean);
+    }
+    return finite >= (double)least ? sqrt(square / (finite - 1)) : NAN;
 }
 
-enum status_code single_scan_uncertainty(struct single_scan *out, const double *simulated, size_t records,
-                                         const double quarter[SINGLE_SCAN_QUARTERS], const double *simulated_quarter,
-                                         struct status *status)
+double single_scan_s(const double *record, size_t records, const double *quarter, size_t quarters)
 {
-    assert(records >= 2);
-    if (check(simulated, records, "simulated record", status) != STATUS_OK)
-        return status->code;
-    *out = (struct single_scan){.s = gsl_stats_sd(simulated, 1, records)};
-    out->half_width = single_scan_half_width(out->s);
-    if (!quarter)
-        return STATUS_OK;
-    if (check(quarter, SINGLE_SCAN_QUARTERS, "quarter", status) != STATUS_OK ||
-        check(simulated_quarter, records * SINGLE_SCAN_QUARTERS, "simulated quarter", status) != STATUS_OK)
-        return status->code;
-    out->quarters_sd = gsl_stats_sd(quarter, 1, SINGLE_SCAN_QUARTERS);
-    for (size_t b = 0; b < records; b++)
-        out->simulated_sd = fmax(out->simulated_sd,
-                                 gsl_stats_sd(simulated_quarter + b * SINGLE_SCAN_QUARTERS, 1, SINGLE_SCAN_QUARTERS));
-    out->heterogeneous = out->quarters_sd > out->simulated_sd;
-    if (out->heterogeneous)
-        out->half_width = fmax(out->half_width, quarters_95 * out->quarters_sd);
-    return STATUS_OK;
-}
-
-double single_scan_half_width(double s)
-{
-    return errors_95 * s;
+    double own = deviation(quarter, quarters, SINGLE_SCAN_QUARTERS - 1);
+    assert(records >= 4);
+    return hypot(deviation(record, records, records / 2), M_SQRT1_2 * (isnan(own) ? unknown_quarters : own));
 }
 
 double single_scan_s_at(double ln_load, const double *node_ln_load, const double *node_s, size_t nodes)

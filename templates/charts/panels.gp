@@ -22,7 +22,7 @@ set xrange [{{x_low}}:{{x_high}}]; set yrange [{{y_low}}:{{y_high}}]
 set xtics nomirror offset 0,0.45 ({{#x_ticks}}'{{label}}' {{at}}{{#more}}, {{/more}}{{/x_ticks}})
 set ytics nomirror ({{#y_ticks}}'{{^bare}}{{label}}{{/bare}}' {{at}}{{#more}}, {{/more}}{{/y_ticks}})
 set xlabel '{{x_label}}' offset 0,0.9
-set ylabel '{{y_label}}' offset 0.4,0
+set label '{{y_label}}' at screen {{y_label_x}}, graph 0.5 center rotate by 90
 set label '{{title}}' at graph 0, screen {{title_y}} left
 {{#marks}}
 {{#vertical}}

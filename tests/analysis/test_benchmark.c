@@ -52,7 +52,7 @@ static int make(void **state)
     plan_make(&plan, &scene);
     for (int i = 0; i < LOADS; i++)
         loads[i] = pow(10, -6 + i / 4.0);
-    assert_int_equal(evaluate_models(record, &scene, &plan, loads, LOADS, &status), STATUS_OK);
+    assert_int_equal(evaluate_models(record, &scene, &plan, loads, LOADS, NULL, &status), STATUS_OK);
     const struct benchmark_task task = {record, &scene, &plan, loads, LOADS};
     assert_int_equal(benchmark_measure(&cost, &task, &status), STATUS_OK);
     return 0;

@@ -185,30 +185,27 @@ static void add_map(size_t rows)
     gather(map_name);
 }
 
-/* All rows of a map of up to 128; of more, 8 of each of 16 blocks of neighbours. */
+/* All rows of a map of up to 24; of more as many, evenly spaced, of which nothing is said apart. */
 PLACED(test_which_rows_are_kept)
 {
-    static const size_t rows[] = {128, 129, 200};
-    for (int m = 0; m < 3; m++) {
-        size_t of_block[ESTIMATE_BLOCKS] = {0}, last = 0;
+    static const size_t rows[] = {5, 24, 25, 47, 200};
+    for (int m = 0; m < 5; m++) {
         surface_record_free(record);
         power_law_scans_free(&scans);
         *record = (struct surface_record){0};
         add_map(rows[m]);
         conclude();
+        size_t kept = rows[m] < STRIPS_PIECES ? rows[m] : STRIPS_PIECES;
         assert_int_equal(record->summary.scans, rows[m]);
-        assert_int_equal(record->ensemble.count, 128);
+        assert_int_equal(record->ensemble.count, kept);
         assert_int_equal(record->ensemble.scan_count, 1);
-        for (size_t p = 0; p < record->ensemble.count; p++) {
-            size_t row = (size_t)lround(record->ensemble.members[p].spectrum.amplitude_m[2] / 1e-9);
-            assert_true(row > last && row <= rows[m]); /* from 1 on */
-            of_block[(row - 1) * ESTIMATE_BLOCKS / rows[m]]++;
-            last = row;
+        for (size_t p = 0; p < kept; p++) { /* row r, from 1 on, next to the middle of its part of the map */
+            double row = record->ensemble.members[p].spectrum.amplitude_m[2] / 1e-9;
+            double middle = ((double)p + 0.5) * (double)rows[m] / (double)kept + 0.5;
+            assert_true(fabs(row - middle) < 1.01 && row > 0.99 && row < (double)rows[m] + 0.01);
         }
-        for (int b = 0; b < ESTIMATE_BLOCKS; b++)
-            assert_int_equal(of_block[b], 8);
-        assert_int_equal(record->summary.repeats.rq_m.count, ESTIMATE_BLOCKS);
-        assert_int_equal(has_note("128 of them, evenly spaced, go through the models"), rows[m] > 128);
+        assert_true(isnan(record->summary.repeats.rq_m.s));
+        assert_int_equal(has_note("24 of them, evenly spaced, go through the models"), rows[m] > 24);
     }
 }
 
@@ -439,9 +436,9 @@ PLACED(test_a_knee_widens_the_laws_interval)
     const struct estimate *gamma = &record->summary.repeats.gamma, *psd = &record->summary.repeats.psd_m3;
     const struct power_law_band_fit *found = &record->band->fit;
     assert_true(found->gamma_bias_s >= 0.04 && found->log10_amplitude_bias_s >= 0.02);
-    assert_near(estimate_end(gamma, 1) - gamma->mean, hypot(gamma->half_width, 1.96 * found->gamma_bias_s), 1e-9);
-    assert_near(log(estimate_end(psd, 1)) - psd->mean,
-                hypot(psd->half_width, 1.96 * 2 * log(10) * found->log10_amplitude_bias_s), 1e-9);
+    assert_near(gamma->model_sd, found->gamma_bias_s, 0);
+    assert_near(psd->model_sd, 2 * log(10) * found->log10_amplitude_bias_s, 1e-15);
+    assert_true(estimate_end(gamma, 1) - gamma->mean > 1.96 * hypot(gamma->s, gamma->model_sd));
 }
 
 /* A scan twice as long has one law, of the whole, and two pieces: it weighs twice. */
@@ -490,13 +487,19 @@ PLACED(test_the_order_of_the_files)
 PLACED(test_a_rough_counterface)
 {
     struct status status = {0};
-    add_scan(3e-6, 0, 1);
-    add_scan(3e-6, 0, 1);
-    double other_m[POINTS / 2] = {0};
+    for (int p = 0; p < 3; p++)
+        add_scan(3e-6, 0, 1);
+    double other_m[POINTS / 2] = {0}, alone_m[2][POINTS / 2] = {{0}};
+    struct member alone[2] = {{.scan = 0, .roughness.m2 = 0.3}, {.scan = 1, .roughness.m2 = 0.7}};
     struct surface_record *counterface = calloc(1, sizeof *counterface);
     assert_non_null(counterface);
     counterface->spectrum = (struct spectrum){other_m, POINTS / 2, POINTS * 1e-6, true};
     other_m[2] = 4e-6;
+    for (int p = 0; p < 2; p++) {
+        alone_m[p][2] = p ? 1.25e-6 : 4e-6;
+        alone[p].spectrum = (struct spectrum){alone_m[p], POINTS / 2, POINTS * 1e-6, true};
+    }
+    counterface->ensemble = (struct ensemble){.members = alone, .count = 2, .scan_count = 2};
     counterface->summary.roughness = (struct roughness){4e-6, NAN, NAN, 16e-12, 0.5, 1e10, 0, 0};
     struct roughness own = record->summary.roughness;
     assert_int_equal(describe_counterface(record, &scans, counterface, &status), STATUS_OK);
@@ -504,12 +507,14 @@ PLACED(test_a_rough_counterface)
     assert_near(record->spectrum.amplitude_m[6], 1.5e-6, 1e-6);
     assert_near(record->summary.roughness.m2, own.m2 + 0.5, 1e-9);
     assert_near(record->summary.roughness.rq_m, sqrt(own.m0_m2 + 16e-12), 1e-9);
+    assert_int_equal(record->ensemble.count, 2); /* scan with scan; the third has no partner */
     for (int p = 0; p < 2; p++) {
-        assert_near(record->ensemble.members[p].spectrum.amplitude_m[2], 5e-6, 1e-6);
-        assert_near(record->ensemble.members[p].roughness.m2, own.m2 + 0.5, 1e-9);
+        assert_near(record->ensemble.members[p].spectrum.amplitude_m[2], p ? 3.25e-6 : 5e-6, 1e-9);
+        assert_near(record->ensemble.members[p].roughness.m2, own.m2 + (p ? 0.7 : 0.3), 1e-9);
     }
-    assert_true(record->ensemble.no_intervals);
-    assert_true(has_note("no intervals: how far the rough counterface's own scans scatter is not told"));
     assert_non_null(strstr(all_notes(), "Rq 2.372 um and 4 um give 4.65 um together"));
+    counterface->ensemble.count = 1; /* one scan of the other: the surface is one scan */
+    assert_int_equal(describe_counterface(record, &scans, counterface, &status), STATUS_OK);
+    assert_int_equal(record->ensemble.count, 0);
     free(counterface);
 }

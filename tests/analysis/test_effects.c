@@ -95,6 +95,27 @@ PLACED(test_scale_dependence_is_the_elastic_models_own)
     assert_true(record.summary.pressure_over_hardness == 0);
 }
 
+/** Of scans that close on themselves no line is taken unless asked for; what a filter took it was to take. */
+PLACED(test_levelled)
+{
+    static const struct {
+        enum level level;
+        bool given;
+        size_t periodic;
+        double lambda_c_m;
+        bool levelled;
+    } cases[] = {{LEVEL_LINE, false, 0, 0, true}, {LEVEL_ROBUST, true, 0, 0, true},
+                 {LEVEL_MEAN, true, 0, 0, false}, {LEVEL_LINE, false, 1, 0, false},
+                 {LEVEL_LINE, true, 1, 0, true},  {LEVEL_LINE, false, 0, 1e-3, false}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        scene.level = cases[i].level;
+        scene.level_given = cases[i].given;
+        scene.lambda_c_m = cases[i].lambda_c_m;
+        record.summary.periodic = cases[i].periodic;
+        assert_int_equal(surface_model_task(&record, &scene, &plan, loads, 2).levelled, cases[i].levelled);
+    }
+}
+
 static void decide(double pressure, double raise)
 {
     plan.running = (1u << EFFECT_COUNT) - 1;
@@ -139,4 +160,35 @@ PLACED(test_models_without_an_elastic_partner)
     scene.models_named = true;
     decide(0, 0);
     assert_true(plan_runs(&plan, EFFECT_PLASTICITY));
+}
+
+/** The direct solution of maps leads where all surfaces have it, stands aside where some have, and runs nowhere where
+ * it is too much for one of them or none has a map. */
+PLACED(test_maps_lead_where_all_are)
+{
+    static const struct {
+        struct {
+            double cost;
+            bool has;
+        } of[2];
+        bool runs, leads;
+    } cases[] = {{{{1e9, true}, {1e9, true}}, true, true},
+                 {{{1e9, true}, {0, false}}, true, false},
+                 {{{1e9, true}, {1e12, false}}, false, false},
+                 {{{0, false}, {0, false}}, false, false}};
+    const size_t direct = model_named("direct");
+    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
+        struct surface_record two[2] = {record, record};
+        struct plan own = plan;
+        own.models = model_defaults();
+        own.decided = true;
+        for (int k = 0; k < 2; k++) {
+            two[k].summary.has_strips = true;
+            two[k].summary.tile_cost = cases[c].of[k].cost;
+            two[k].summary.has_tiles = cases[c].of[k].has;
+        }
+        effects_decide(&own, &scene, two, 2);
+        assert_true(plan_runs_model(&own, direct) == cases[c].runs);
+        assert_true(model_rows[plan_leading_model(&own)]->uses_map == cases[c].leads);
+    }
 }

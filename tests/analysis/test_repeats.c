@@ -2,6 +2,7 @@
 /* What is known of a number from its value of every scan, piece or row. Student's quantiles from tables. */
 #include "analysis/repeats.h"
 #include "contact/multiscale.h"
+#include "statistics/interval.h"
 #include "support.h"
 
 enum { MOST = 64, LOADS = 5 };
@@ -61,10 +62,18 @@ TEST_CASE(three_scans)
     assert_near(estimate_next_end(&estimate, 1), 4 * exp(t * sd * sqrt(1 + 1 / 3.0)), 1e-9);
     assert_int_equal(estimate_all(&estimate, value, &set, false, &status), STATUS_OK);
     assert_near(estimate_value(&estimate), 7, 1e-14);
-    set.no_intervals = true;
     assert_int_equal(estimate_all(&estimate, value, &set, true, &status), STATUS_OK);
-    assert_near(estimate_value(&estimate), 4, 1e-14);
-    assert_true(isnan(estimate_end(&estimate, 0)) && isnan(estimate_next_end(&estimate, 1)));
+    estimate.model_sd = 0.5; /* its variance is added, and no degree of freedom of it is lost */
+    for (int next = 0; next < 2; next++) {
+        double square = sd * sd * (next ? 1 + 1 / 3.0 : 1 / 3.0), both = square + 0.25;
+        double half = interval_quantile(0.95, both * both / (square * square / 2)) * sqrt(both);
+        assert_true(half < hypot(t * sqrt(square), 1.96 * 0.5) && half > 1.96 * sqrt(both));
+        for (int side = 0; side < 2; side++)
+            assert_near(next ? estimate_next_end(&estimate, side) : estimate_end(&estimate, side),
+                        4 * exp(side ? half : -half), 1e-9);
+    }
+    estimate.s *= 1e-5, estimate.half_width *= 1e-5; /* hardly any scatter: the model's error alone, a normal one */
+    assert_near(estimate_end(&estimate, 1), 4 * exp(1.959963985 * 0.5), 1e-7);
 }
 
 /** Pieces of a scan count together, as much as they are many: ln 2 and the mean of ln 8, ln 32, weights 1 and 2. */
@@ -84,7 +93,7 @@ TEST_CASE(pieces)
     assert_near(estimate.degrees, 1, 1e-15);
 }
 
-/** Rows of a map: 16 blocks of 4; blocks that alternate are independent, blocks that rise are worth the least. */
+/** Rows of a map are not independent: their mean, and no interval. */
 TEST_CASE(rows)
 {
     size_t scan[MOST] = {0};
@@ -95,17 +104,10 @@ TEST_CASE(rows)
     struct status status = {0};
     struct estimate estimate;
     for (int i = 0; i < MOST; i++)
-        value[i] = i / 4 % 2 ? 3 : 1;
-    assert_int_equal(estimate_all(&estimate, value, &set, false, &status), STATUS_OK);
-    assert_int_equal(estimate.count, ESTIMATE_BLOCKS);
-    assert_near(estimate.mean, 2, 1e-14);
-    assert_near(estimate.effective, 16, 1e-14);
-    assert_true(isnan(estimate_next_end(&estimate, 0)));
-    for (int i = 0; i < MOST; i++)
         value[i] = i;
     assert_int_equal(estimate_all(&estimate, value, &set, false, &status), STATUS_OK);
-    assert_near(estimate.effective, 2, 1e-14);
     assert_near(estimate.mean, 31.5, 1e-14);
+    assert_true(isnan(estimate.s) && isnan(estimate_end(&estimate, 0)) && isnan(estimate_next_end(&estimate, 0)));
 }
 
 /** A value that is missing, or not positive where logarithms count, leaves nothing known; equal ones have no interval,

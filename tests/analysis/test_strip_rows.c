@@ -3,6 +3,7 @@
 #include "analysis/effects.h"
 #include "analysis/repeats.h"
 #include "analysis/strips.h"
+#include "statistics/interval.h"
 #include "support.h"
 
 enum { POINTS = 256, LOADS = 5 };
@@ -45,7 +46,12 @@ static void gather(void)
 {
     struct status status = {0};
     strips_free(&strips);
-    assert_int_equal(strips_gather(&strips, &set, &status), STATUS_OK);
+    for (size_t p = 0; p < set.count; p++) {
+        solved_strip_free(set.members[p].strip);
+        set.members[p].strip = NULL;
+        set.members[p].pieces = 0;
+    }
+    assert_int_equal(strips_gather(&strips, &set, false, &status), STATUS_OK);
 }
 
 static void assert_row(size_t row, size_t member)
@@ -75,10 +81,10 @@ FREED(rows_of_scans)
     }
 }
 
-/* Of a map 8 at most, evenly spaced, of those that lack no point. */
+/* Of a map as many, evenly spaced, of those that lack no point. */
 FREED(rows_of_a_map)
 {
-    for (size_t r = 0; r < 40; r++) {
+    for (size_t r = 0; r < 72; r++) {
         add(0, POINTS, 1e-6);
         if (r == 7) {
             gather();
@@ -86,14 +92,14 @@ FREED(rows_of_a_map)
         }
     }
     gather();
-    assert_int_equal(strips.rows.rows, 8);
-    for (size_t r = 0; r < 8; r++)
-        assert_row(r, 5 * r + 2);
-    set.members[2].points = POINTS - 1; /* then 39 are left */
+    assert_int_equal(strips.rows.rows, STRIPS_PIECES);
+    for (size_t r = 0; r < STRIPS_PIECES; r++)
+        assert_row(r, 3 * r + 1);
+    set.members[0].points = POINTS - 1; /* then 71 are left */
     gather();
     assert_int_equal(strips.rows.points, POINTS);
-    for (size_t r = 0; r < 8; r++)
-        assert_row(r, (2 * r + 1) * 39 / 16 + 1);
+    for (size_t r = 0; r < STRIPS_PIECES; r++)
+        assert_row(r, (2 * r + 1) * 71 / 48 + 1);
 }
 
 /* No strips of scans that cannot be joined, or of which no heights are there. */
@@ -113,32 +119,63 @@ FREED(no_rows)
     }
 }
 
-/* As many surrogates as the budget allows, 4, 2, 1 or none; all of them where the models are named. */
-FREED(a_budget)
+/* Whole scans where all of them are 24 of 65 536 points together at most; else pieces of these, evenly spread over the
+ * scans and along them, as level as their scan is. What solving takes does not grow with the scans. */
+FREED(pieces)
 {
-    struct scene scene = {.surface_count = 1};
-    assert_int_equal(strips_surrogates(&strips, &scene), 0);
-    add(0, POINTS, 1e-6);
-    gather();
-    assert_int_equal(strips_cost(&strips, 3), strip_cost(&strips.rows, 1, 3));
-    add(1, POINTS, 1e-6);
-    gather();
-    assert_int_equal(strips_cost(&strips, 3),
-                     strip_cost(&strips.rows, 2, 3) + 2 * strip_cost(&strips.rows, 1, 3)); /* joined, and each alone */
-    for (size_t surrogates = STRIP_SURROGATES; surrogates > 0; surrogates /= 2) {
-        scene.surface_count = (size_t)(strips_budget / (double)strips_cost(&strips, surrogates));
-        assert_int_equal(strips_surrogates(&strips, &scene), surrogates);
-        scene.surface_count++;
-        assert_int_equal(strips_surrogates(&strips, &scene), surrogates / 2);
+    static const struct {
+        size_t scans, points, rows, length, each;
+    } cases[] = {
+        {1, 65536, 1, 65536, 1}, {1, 65537, 8, 8192, 8},  {1, 200000, 8, 8192, 8},
+        {2, 40000, 8, 8192, 4},  {3, 30000, 6, 8192, 2},  {5, 20000, 5, 8192, 1},
+        {24, 2730, 24, 2730, 1}, {24, 3000, 21, 3000, 1}, {60, 100, 24, 100, 1},
+    };
+    const struct strip_rows largest = {.rows = 1, .points = STRIPS_POINTS};
+    const uint64_t most_cost = 2 * strip_cost(&largest, 1, STRIP_SURROGATES);
+    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
+        size_t scans = cases[c].scans, points = cases[c].points, length = cases[c].length, each = cases[c].each;
+        struct status status = {0};
+        ensemble_free(&set);
+        for (size_t p = 0; p < scans; p++) {
+            struct member *member = ensemble_room(&set);
+            *member = (struct member){.scan = p, .points = points, .spacing_m = 1e-6, .periodic = true};
+            assert_int_equal(repeats_add_scan(&set, "scan", &status), STATUS_OK);
+            assert_non_null(member->height_m = malloc(points * sizeof(double)));
+            for (size_t i = 0; i < points; i++)
+                member->height_m[i] = (double)(p * points + i);
+        }
+        gather();
+        assert_int_equal(strips.rows.rows, cases[c].rows);
+        assert_int_equal(strips.rows.points, length);
+        assert_true(strips.rows.periodic == (length == points));
+        assert_true(strips.rows.rows <= STRIPS_PIECES && strips.rows.rows * length <= STRIPS_POINTS);
+        size_t chosen = 0, least = points, most = 0;
+        for (size_t p = 0; p < scans; p++) {
+            const struct member *member = &set.members[p];
+            assert_true(member->pieces == 0 || (member->pieces == each && member->first_piece == chosen * each));
+            chosen += member->pieces > 0;
+            for (size_t k = member->first_piece; k < member->first_piece + member->pieces; k++) {
+                const double *row = strips.height_m + k * length;
+                size_t first = (size_t)row[0] - p * points;
+                least = first < least ? first : least;
+                most = first > most ? first : most;
+                for (size_t i = 0; i < length; i++)
+                    assert_near(row[i], (double)(p * points + first + i), 0);
+            }
+        }
+        assert_int_equal(chosen * each, strips.rows.rows);
+        assert_true(least == 0 && most == points - length);
+        assert_true(strips_cost(&strips) <= most_cost);
     }
-    scene.models_named = true;
-    assert_int_equal(strips_surrogates(&strips, &scene), STRIP_SURROGATES);
 }
 
 static enum status_code solve(const atomic_bool *stop)
 {
     struct status status = {0};
-    return strips_solve(&strips, &set, 1, stop, &status);
+    enum status_code rc = strips_solve(&strips, stop, &status);
+    if (rc == STATUS_OK && set.scan_count > 1)
+        rc = strips_solve_members(&strips, &set, stop, &status);
+    return rc;
 }
 
 /* All rows, and of scans each alone; what touches nowhere has none; nothing when stopped. */
@@ -156,24 +193,25 @@ FREED(solved)
     struct strip expected;
     static const size_t both[] = {0, 1};
     struct status status = {0};
-    assert_int_equal(strip_solve(&expected, &strips.rows, both, 2, 1, NULL, &status), STATUS_OK);
-    assert_memory_equal(strips.joined, &expected, sizeof expected);
+    assert_int_equal(strip_solve(&expected, &strips.rows, both, 2, STRIP_SURROGATES, NULL, &status), STATUS_OK);
+    assert_memory_equal(&strips.joined->strip, &expected, sizeof expected);
     assert_null(set.members[0].strip); /* rows of a map */
-    assert_int_equal(strips.transforms, strips.joined->transforms);
-    bearing_free(&strips.bearing);
-    free(strips.joined);
-    strips.joined = NULL;
+    assert_int_equal(strips.transforms, strips.joined->strip.transforms);
     set.members[1].scan = 1;
-    set.scan_count = 2;
-    assert_int_equal(solve(NULL), STATUS_OK);
+    assert_int_equal(repeats_add_scan(&set, "scan", &status), STATUS_OK);
+    assert_int_equal(strips_solve_members(&strips, &set, NULL, &status), STATUS_OK);
     uint64_t alone = 0;
     for (size_t p = 0; p < 2; p++) {
-        assert_non_null(set.members[p].strip);
-        assert_true(set.members[p].strip->own.count > 3);
-        alone += set.members[p].strip->transforms;
+        const struct solved_strip *own = set.members[p].strip;
+        assert_non_null(own);
+        assert_true(own->strip.own.count > 3);
+        assert_int_equal(own->rows.rows, 1);
+        assert_memory_equal(own->rows.height_m, set.members[p].height_m, POINTS * sizeof(double));
+        assert_int_equal(own->bearing.count, POINTS);
+        alone += own->strip.transforms;
     }
-    assert_true(set.members[0].strip->own.value[0][0] != set.members[1].strip->own.value[0][0]);
-    assert_int_equal(strips.transforms, 2 * strips.joined->transforms + alone);
+    assert_true(set.members[0].strip->strip.own.value[0][0] != set.members[1].strip->strip.own.value[0][0]);
+    assert_int_equal(strips.transforms, strips.joined->strip.transforms + alone);
     strips_free(&strips);
     ensemble_free(&set);
     memset(add(0, POINTS, 1e-6)->height_m, 0, POINTS * sizeof(double));
@@ -183,6 +221,51 @@ FREED(solved)
     expect_parts(strips.problem.message, "is flat"); /* the note's reason */
 }
 
+/* With a hardness every scan speaks by its own heights in order; one that was not solved alone says nothing. */
+FREED(scans_alone)
+{
+    static const double load = 1e-3;
+    const struct material_pair tin = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
+    const struct model_row *model = model_rows[model_named("strip-plastic")];
+    struct status status = {0};
+    for (size_t p = 0; p < 3; p++)
+        add(p, POINTS, 1e-6);
+    gather();
+    assert_int_equal(solve(NULL), STATUS_OK);
+    struct model_task task = {.spectrum = &set.members[1].spectrum,
+                              .pair = &tin,
+                              .loads = &load,
+                              .load_count = 1,
+                              .wanted = quantity_wanted((1u << EFFECT_COUNT) - 1),
+                              .tolerance = 1e-8,
+                              .hardness_Pa = 0.1 * tin.effective_modulus_Pa,
+                              .rows = &strips.rows,
+                              .strip = &strips.joined->strip,
+                              .bearing = &strips.joined->bearing};
+    for (size_t left = 3; left > 0; left--) { /* the others are not solved */
+        struct ensemble_curves curves;
+        assert_int_equal(ensemble_run(&curves, &set, model, &task, NULL, &status), STATUS_OK);
+        assert_int_equal(curves.count, left);
+        assert_int_equal(curves.left_out, 0);
+        for (size_t p = 0; p < left; p++) {
+            struct contact_point points[2];
+            struct model_curve own = {.points = points};
+            struct model_task alone = task;
+            alone.spectrum = &set.members[p].spectrum;
+            alone.strip = &set.members[p].strip->strip;
+            alone.bearing = &set.members[p].strip->bearing;
+            assert_int_equal(model_run(&own, model, &alone, &status), STATUS_OK);
+            assert_near(curves.points[2 * p].value[QUANTITY_ECR], points[0].value[QUANTITY_ECR], 0);
+            alone.bearing = &strips.joined->bearing;
+            assert_int_equal(model_run(&own, model, &alone, &status), STATUS_OK);
+            assert_true(curves.points[2 * p].value[QUANTITY_ECR] != points[0].value[QUANTITY_ECR]);
+        }
+        ensemble_curves_free(&curves);
+        solved_strip_free(set.members[left - 1].strip);
+        set.members[left - 1].strip = NULL;
+    }
+}
+
 /* Scans of few of their longest waves, with open ends, know less. */
 static double sd_of(double model_sd, double waves)
 {
@@ -190,7 +273,7 @@ static double sd_of(double model_sd, double waves)
 }
 
 /* Of scans the geometric mean of their curves and of the joined rows'; of a map the latter alone. Its error and the
- * scatter add in quadrature; no area's end lies above 1. */
+ * scatter add as variances; no area's end lies above 1. */
 FREED(a_curve_from_strips)
 {
     static const double loads[LOADS] = {1e-5, 1e-4, 1e-3, 2e-3, 4e-3};
@@ -210,7 +293,7 @@ FREED(a_curve_from_strips)
                               .tolerance = 1e-8,
                               .hardness_Pa = NAN,
                               .rows = &strips.rows,
-                              .strip = strips.joined};
+                              .strip = &strips.joined->strip};
     struct contact_point points[LOADS + 1], own_points[4][LOADS + 1];
     struct model_curve curve, own[4];
     for (size_t p = 0; p < 4; p++) { /* the fourth is the joined rows' */
@@ -235,7 +318,7 @@ FREED(a_curve_from_strips)
             for (int k = 0; k < 3; k++) {
                 enum quantity q = quantities[k];
                 double sum = 0, square = 0, joined = log(own_points[3][i].value[q]),
-                       width = 1.96 * sd_of(model->ln_sd[k], waves);
+                       own_sd = sd_of(model->ln_sd[k], waves);
                 for (size_t p = 0; p < 3; p++) {
                     double over = q == QUANTITY_SEPARATION ? sqrt(set.members[p].roughness.m0_m2) / set.sigma_m : 1;
                     double value = log(own_points[p][i].value[q] / over);
@@ -246,12 +329,13 @@ FREED(a_curve_from_strips)
                 assert_near(points[i].value[q], exp(mean), 1e-12);
                 if (map)
                     continue;
-                double sd = sqrt((square - sum * sum / 3) / 2), t = 4.302652729911275; /* t(2) */
+                double sd = sqrt((square - sum * sum / 3) / 2);
                 double mean_sd[] = {sd / sqrt(3), sd * sqrt(1 + 1 / 3.0)};
                 const double *ends[] = {result.band[i].mean[q], result.band[i].next[q]};
                 double factor = q == QUANTITY_SEPARATION ? set.sigma_m : 1;
                 for (int which = 0; which < 2; which++) {
-                    double half = hypot(t * mean_sd[which], width);
+                    double both = hypot(mean_sd[which], own_sd); /* Satterthwaite, from 2 */
+                    double half = interval_quantile(0.95, 2 * pow(both / mean_sd[which], 4)) * both;
                     bool above = q == QUANTITY_AREA && mean + half > 0;
                     assert_near(factor * ends[which][0], exp(mean - half), 1e-6);
                     assert_near(factor * ends[which][1], above ? 1 : exp(mean + half), 1e-6);
@@ -265,33 +349,25 @@ FREED(a_curve_from_strips)
     assert_true(cut_off > 0);
 }
 
-/* Unasked, strips run where all surfaces have them; else the corrected theory leads, and the account says why. */
+/* Strips run where a surface has them; else the corrected theory leads, and the account says why. */
 TEST_CASE(strips_are_left_out)
 {
     static const struct {
-        double cost;
         bool has[2];
         const char *models, *leading; /* NULL: the defaults */
         const char *reason;
     } rows[] = {
-        {1e9, {true, true}, NULL, "strip", "every report has it"},
-        {1e9,
-         {true, false},
-         NULL,
-         "corrected-persson",
-         "every report has it; strips of the scans would take about 24 s: name the model strip to have them"},
-        {0, {true, false}, NULL, "strip", "every report has it"}, /* which has no number on the other */
-        {0, {false, false}, NULL, "corrected-persson", "every report has it; no strip transfer, as no surface has one"},
-        {1e9, {true, false}, "statistical", "gw", "every report has it"},
+        {{true, true}, NULL, "strip", "every report has it"},
+        {{true, false}, NULL, "strip", "every report has it"}, /* which has no number on the other */
+        {{false, false}, NULL, "corrected-persson", "every report has it; no strip transfer, as no surface has one"},
+        {{false, false}, "statistical", "gw", "every report has it"},
     };
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
         struct scene scene = {.models = rows[k].models ? model_find(rows[k].models) : model_defaults()};
         struct surface_record surfaces[2] = {{.summary = {.usable = true}}, {.summary = {.usable = true}}};
         struct plan plan;
-        for (int s = 0; s < 2; s++) {
+        for (int s = 0; s < 2; s++)
             surfaces[s].summary.has_strips = rows[k].has[s];
-            surfaces[s].summary.strip_cost = rows[k].has[s] ? 1e9 : rows[k].cost;
-        }
         plan_make(&plan, &scene);
         effects_decide(&plan, &scene, surfaces, 2);
         assert_string_equal(plan.area_reason, rows[k].reason);

@@ -7,11 +7,13 @@
 enum { POINTS = 256, THEIRS = 100 };
 
 static double own_m[2 * POINTS], their_m[2 * THEIRS];
+static struct member own_members[2], their_members[2];
+static struct ensemble own_set = {.members = own_members}, their_set = {.members = their_members, .count = 2};
 
 /** Strips of `rows` copied from heights. */
 static struct strips strips_of(const double *height_m, size_t rows, size_t points, double spacing_m, bool periodic)
 {
-    struct strips strips = {.pairings = 1, .height_m = malloc(rows * points * sizeof(double))};
+    struct strips strips = {.height_m = malloc(rows * points * sizeof(double))};
     assert_non_null(strips.height_m);
     memcpy(strips.height_m, height_m, rows * points * sizeof(double));
     strips.rows = (struct strip_rows){strips.height_m, rows, points, spacing_m, periodic};
@@ -23,7 +25,10 @@ static struct strips pair(size_t rows, const double *theirs_m, size_t points, do
     struct status status = {0};
     struct strips strips = strips_of(own_m, rows, POINTS, 1e-6, true),
                   other = strips_of(theirs_m, 2, points, spacing_m, periodic);
-    assert_int_equal(strips_pair(&strips, &other, &status), STATUS_OK);
+    own_set.count = rows;
+    for (size_t r = 0; r < 2; r++)
+        own_members[r] = their_members[r] = (struct member){.scan = r, .first_piece = r, .pieces = 1};
+    assert_int_equal(strips_pair(&strips, &own_set, &other, &their_set, &status), STATUS_OK);
     strips_free(&other);
     return strips;
 }
@@ -40,7 +45,7 @@ static void make_heights(void)
  * Where it begins, or SIZE_MAX. */
 static size_t beginning(const struct strips *strips, size_t r, bool periodic)
 {
-    const double *own = own_m + r / strips->pairings * POINTS, *paired = strips->rows.height_m + r * POINTS;
+    const double *own = own_m + r / own_members[0].pieces * POINTS, *paired = strips->rows.height_m + r * POINTS;
     size_t period = periodic ? THEIRS : 2 * THEIRS;
     for (size_t begin = 0; begin < 2 * period; begin++) {
         bool same = true;
@@ -63,12 +68,17 @@ TEST_CASE(pairs_are_profiles_at_random_places)
         struct strips strips = pair(rows, their_m, THEIRS, 1e-6, k % 2 == 0),
                       again = pair(rows, their_m, THEIRS, 1e-6, k % 2 == 0);
         assert_int_equal(strips.rows.rows, STRIPS_PAIRINGS);
-        assert_int_equal(strips.pairings, STRIPS_PAIRINGS / rows);
+        for (size_t p = 0; p < rows; p++) {
+            assert_int_equal(own_members[p].pieces, STRIPS_PAIRINGS / rows);
+            assert_int_equal(own_members[p].first_piece, p * STRIPS_PAIRINGS / rows);
+        }
         assert_false(strips.rows.periodic); /* their lengths differ */
         assert_memory_equal(strips.height_m, again.height_m, STRIPS_PAIRINGS * POINTS * sizeof(double));
         for (size_t r = 0; r < strips.rows.rows; r++) {
             size_t begin = beginning(&strips, r, k % 2 == 0);
             assert_true(begin != SIZE_MAX);
+            size_t period = k % 2 == 0 ? THEIRS : 2 * THEIRS; /* scan i of one with scan i of the other */
+            assert_int_equal(begin / period, r / own_members[0].pieces);
             first = r == 0 ? begin : first;
             unlike += begin != first;
         }
@@ -80,7 +90,7 @@ TEST_CASE(pairs_are_profiles_at_random_places)
     assert_true(same.rows.periodic);
     struct strips none = {.rows = {.rows = 0}};
     struct status status = {0};
-    assert_int_equal(strips_pair(&many, &none, &status), STATUS_OK);
+    assert_int_equal(strips_pair(&many, &own_set, &none, &their_set, &status), STATUS_OK);
     assert_int_equal(many.rows.rows, 0);
     strips_free(&same);
 }
@@ -121,19 +131,18 @@ TEST_CASE(pairs_solve_as_what_they_are)
         def.seed = r + 11;
         assert_int_equal(synth_profile(noise_m + r * POINTS, &def, &status), STATUS_OK);
     }
-    struct ensemble none = {.count = 0}, two = {.members = calloc(2, sizeof *two.members), .count = 2, .scan_count = 2};
-    assert_non_null(two.members);
     struct strips one = strips_of(own_m, 1, POINTS, 1e-6, true), eight = pair(1, flat_m, POINTS, 1e-6, true),
                   rough = pair(2, noise_m, POINTS, 1e-6, true);
-    assert_int_equal(strips_solve(&one, &none, 1, NULL, &status), STATUS_OK);
-    assert_int_equal(strips_solve(&eight, &none, 1, NULL, &status), STATUS_OK);
-    assert_int_equal(strips_solve(&rough, &two, STRIP_SURROGATES, NULL, &status), STATUS_OK);
+    assert_int_equal(strips_solve(&one, NULL, &status), STATUS_OK);
+    assert_int_equal(strips_solve(&eight, NULL, &status), STATUS_OK);
+    assert_int_equal(strips_solve(&rough, NULL, &status), STATUS_OK);
+    assert_int_equal(strips_solve_members(&rough, &own_set, NULL, &status), STATUS_OK);
+    const struct strip_curve *flat = &eight.joined->strip.own, *alike = &one.joined->strip.own;
     for (size_t back = 1; back <= 8; back++)
         for (int q = 0; q < 3; q++)
-            assert_within(eight.joined->own.value[eight.joined->own.count - back][q],
-                          one.joined->own.value[one.joined->own.count - back][q], 0.05);
+            assert_within(flat->value[flat->count - back][q], alike->value[alike->count - back][q], 0.05);
     for (double area = 0.05; area < 0.5; area *= 2) {
-        struct strip_ratio ratio = strip_ratio_at(rough.joined, area);
+        struct strip_ratio ratio = strip_ratio_at(&rough.joined->strip, area);
         assert_within(ratio.load, 0, 0.2);
         assert_within(ratio.constriction, 0, 0.4);
         assert_within(ratio.separation, 0, 0.4);
@@ -142,11 +151,10 @@ TEST_CASE(pairs_solve_as_what_they_are)
         const size_t which[] = {4 * p, 4 * p + 1, 4 * p + 2, 4 * p + 3};
         struct strip alone;
         assert_int_equal(strip_solve(&alone, &rough.rows, which, 4, STRIP_SURROGATES, NULL, &status), STATUS_OK);
-        assert_non_null(two.members[p].strip);
-        assert_memory_equal(two.members[p].strip->own.value, alone.own.value, sizeof alone.own.value);
-        free(two.members[p].strip);
+        assert_non_null(own_members[p].strip);
+        assert_memory_equal(own_members[p].strip->strip.own.value, alone.own.value, sizeof alone.own.value);
+        solved_strip_free(own_members[p].strip);
     }
-    free(two.members);
     strips_free(&one);
     strips_free(&eight);
     strips_free(&rough);

@@ -3,6 +3,7 @@
  * the first are read, the others refused with the limit and what to do. The table here takes the place of the program's
  * own in this test. */
 #include "base/limits.h"
+#include "base/mustache.h"
 #include "report/report.h"
 #include "scan/zip_support.h"
 #include "scene/measured_file.h"
@@ -31,6 +32,11 @@ enum {
     SMALL_MEASURED_LINE_BYTES = 60,
     SMALL_NAME_BYTES = 20,
     SMALL_RESULTS_BYTES = 400,
+    SMALL_RESULTS_VALUES = 110,
+    SMALL_COMPARED = 5,
+    SMALL_TEMPLATE_BYTES = 400,
+    SMALL_TEMPLATE_STEPS = 1200,
+    SMALL_PAGE_BYTES = 1600,
     SMALL_DIRECT_POINTS = 4 * 64 * 64
 };
 
@@ -41,6 +47,12 @@ const struct limit_row limit_rows[LIMIT_COUNT] = {
 };
 
 static bool met[LIMIT_COUNT];
+
+static const char *from_object(void *context, const char *name)
+{
+    return json_string_value(json_object_get(context, name));
+}
+
 static const struct scan_options um = {.x_unit = "um", .z_unit = "um"};
 
 static void expect_limit(const char *message, enum limit limit)
@@ -413,6 +425,92 @@ TEST_CASE(test_results)
         json_decref(view);
     }
     directory_remove(&directory);
+}
+
+/* Two reports with `a` and `b` beside what they have alike. */
+static void expect_compared(const char *a, const char *b, bool over, enum limit limit)
+{
+    static const char rest[] = "\"program\": \"roughcontact\", \"leading\": \"m\", \"surfaces\": [{\"surface\": "
+                               "\"a\", \"models\": {\"m\": {\"operating\": {\"load_over_AnEp\": 1e-4, "
+                               "\"area_ratio\": 0.1}}}}]}";
+    const char *const more[] = {a, b};
+    struct directory directory = directory_make();
+    char first[sizeof directory.path + 2], second[sizeof first], *const both[] = {first, second};
+    json_t *view;
+    struct status status = {0};
+    for (int i = 0; i < 2; i++) {
+        struct text text = {0};
+        snprintf(both[i], sizeof first, "%s/%d", directory.path, i);
+        text_add(&text, "{%s%s", more[i], rest);
+        assert_true(text.length <= SMALL_RESULTS_BYTES);
+        directory_write(&directory, i ? "1/results.json" : "0/results.json", text.data);
+        text_free(&text);
+    }
+    enum status_code code = report_compare(&view, both, 2, &status);
+    if ((code != STATUS_OK) != over)
+        fail_msg("'%s' at the limit '%s'", status.message, limit_rows[limit].name);
+    if (over)
+        expect_limit(status.message, limit);
+    json_decref(view);
+    directory_remove(&directory);
+}
+
+/* Of what they have alike a report counts 50: 10 are left, and signs within a text are none. */
+TEST_CASE(test_compared_values)
+{
+    static const char *const kinds[][2] = {
+        {"\"x\": [1,2,3,4,5,6], ", "\"x\": [1,2,3,4,5,6,7], "},
+        {"\"x\": \"[1,2,3\\\"{{{{,\", \"y\": \"\", ", "\"x\": \"\", \"y\": \"\", \"z\": \"\", "},
+        {"\"x\": [], \"y\": [], ", "\"x\": [], \"y\": {}, "},
+    };
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+        for (size_t over = 0; over < 2; over++)
+            expect_compared("", kinds[i][over], over, LIMIT_RESULTS_VALUES);
+    /* a surface, a number and an input of two reports each; two inputs */
+    expect_compared("", "\"version\": 2, ", false, LIMIT_COMPARED);
+    expect_compared("\"scene\": 1, ", "\"version\": 2, ", true, LIMIT_COMPARED);
+}
+
+/* Adds what a template makes of `list`, an item a number. */
+static void expect_filled(const char *source, const char *partial, size_t items, bool over, enum limit limit)
+{
+    json_t *view = json_object(), *list = json_array(), *partials = json_pack("{s:s}", "p", partial);
+    struct mustache how = {view, NULL, from_object, partials};
+    struct text out = {0};
+    struct status status = {0};
+    for (size_t i = 0; i < items; i++)
+        json_array_append_new(list, json_integer((json_int_t)i));
+    json_object_set_new(view, "list", list);
+    enum status_code code = mustache_render(&out, source, "it.md", &how, &status);
+    if (code != (over ? STATUS_USAGE : STATUS_OK))
+        fail_msg("'%s' at the limit '%s'", status.message, limit_rows[limit].name);
+    if (over)
+        expect_limit(status.message, limit);
+    text_free(&out);
+    json_decref(view);
+    json_decref(partials);
+}
+
+TEST_CASE(test_templates)
+{
+    for (size_t over = 0; over < 2; over++) {
+        char source[SMALL_TEMPLATE_BYTES + 2], partial[SMALL_TEMPLATE_BYTES];
+        snprintf(source, sizeof source, "%*s", SMALL_TEMPLATE_BYTES + (int)over, "x");
+        expect_filled(source, "", 0, over, LIMIT_TEMPLATE_BYTES);
+        snprintf(partial, sizeof partial, "%*s", SMALL_TEMPLATE_BYTES - 20 + (int)over, "x"); /* one after the other */
+        expect_filled("{{>p}}{{>p}}{{>p}}|x", partial, 0, over, LIMIT_TEMPLATE_BYTES);
+        memset(partial, '\n', 200); /* and what it is indented by */
+        partial[over ? 60 : 40] = '\0';
+        expect_filled("       {{> p  }}\n", partial, 0, over, LIMIT_TEMPLATE_BYTES);
+        snprintf(source, sizeof source, "{{#list}}%*s{{/list}}", SMALL_PAGE_BYTES / 5, "x");
+        expect_filled(source, "", 5 + over, over, LIMIT_PAGE_BYTES);
+        /* 4^3 items against 4^4 */
+        expect_filled(over ? "{{#list}}{{#list}}{{#list}}{{#list}}{{.}}{{/list}}{{/list}}{{/list}}{{/list}}"
+                           : "{{#list}}{{#list}}{{#list}}{{.}}{{/list}}{{/list}}{{/list}}",
+                      "", 4, over, LIMIT_TEMPLATE_STEPS);
+        snprintf(partial, sizeof partial, "{{!%*s}}", 100, ""); /* which is read for each item */
+        expect_filled("{{#list}}{{>p}}{{/list}}", partial, over ? 20 : 10, over, LIMIT_TEMPLATE_STEPS);
+    }
 }
 
 TEST_CASE(test_no_row_is_without_its_test)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Mustache: the public specification's cases where they are there, and cases of our own. */
 #include "base/mustache.h"
+#include "directory.h"
 #include "support.h"
 #include <string.h>
 
@@ -64,6 +65,11 @@ static const struct {
     {"{{#a}}{{#b}}{{c}}{{/b}}{{/a}}", "{\"a\": {\"c\": \"outer\"}, \"b\": [{}, {\"c\": \"own\"}]}", "", "outerown", ""},
     {"  {{>p}}\nend", "{\"x\": 1}", "one {{x}}\ntwo\n", "  one 1\n  two\nend", ""},
     {"{{=<% %>=}}<%x%> {{x}}", "{\"x\": 7}", "", "7 {{x}}", ""},
+    /* closing delimiters that begin with a sign: what stands right behind the opening one is the tag's own */
+    {"{{=[ &]=}}[x &][& x &][x&]", "{\"x\": \"<\"}", "", "&lt;<&lt;", ""},
+    {"{{=[ #]=}}[# x #]in[/x#][y#]", "{\"x\": [1, 2]}", "", "inin", ""},
+    {"{{=[ &]=}}[&]", "{}", "", NULL, "not closed: '[&]'"},
+    {"{{=[ !]=}}[!]a[!]b", "{}", "", "b", ""},
     {"one\n{{#x}} two", "{}", "", NULL, "x"},
     {"one\ntwo {{/x}}", "{}", "", NULL, "line 2"},
     {"one {{x", "{}", "", NULL, "not closed"},
@@ -72,6 +78,46 @@ static const struct {
     {"{{=x=}}", "{}", "", NULL, "delimiters"},
     {"{{>p}}", "{}", "{{>p}}", NULL, "without end"},
 };
+
+/* A folder's files are parts of a template where they are text, and lie in it. */
+TEST_CASE(parts_come_from_the_folder)
+{
+    static const struct {
+        const char *name, *part, *error;
+    } cases[] = {
+        {"plain", "as \u00b5 it is", NULL},
+        {"in/deep", "deep", NULL},
+        {"in/a..b", "dots", NULL},
+        {"nul", NULL, "nul.md: no text in UTF-8"},
+        {"latin", NULL, "latin.md: no text in UTF-8"},
+        {"../up", NULL, "'../up' is no name"},
+        {"in/../../up", NULL, "'in/../../up' is no name"},
+        {"none", NULL, "No such file"},
+    };
+    struct directory outside = directory_make();
+    struct status written = {0};
+    directory_write(&outside, "here/plain.md", "as \u00b5 it is");
+    directory_write(&outside, "here/in/deep.md", "deep");
+    directory_write(&outside, "here/in/a..b.md", "dots");
+    directory_write(&outside, "here/latin.md", "\xb5m");
+    directory_write(&outside, "up.md", "secret");
+    assert_int_equal(text_write_file(directory_path(&outside, "here/nul.md"), "a\0b", 3, &written), STATUS_OK);
+    char here[sizeof outside.path + 8];
+    snprintf(here, sizeof here, "%s/here", outside.path);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct status status = {0};
+        struct mustache_folder folder = {here, ".md", NULL, &status};
+        const char *part = mustache_folder_partial(&folder, cases[i].name);
+        if (cases[i].part)
+            assert_string_equal(part, cases[i].part);
+        else {
+            assert_null(part);
+            assert_non_null(strstr(status.message, cases[i].error));
+        }
+        mustache_folder_free(&folder);
+    }
+    directory_remove(&outside);
+}
 
 TEST_CASE(own_cases_hold)
 {

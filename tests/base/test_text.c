@@ -262,6 +262,22 @@ TEST_CASE(test_a_cut_keeps_characters_whole)
     assert_int_equal(text_fit("a😀", 5), 5);
 }
 
+/* A line costs what it holds, however much stands before it: else this takes longer than a test may. */
+TEST_CASE(test_many_lines_are_wrapped)
+{
+    enum { LINES = 1000000 };
+    static const char line[] = "some words of a line, as of a table\n";
+    struct text text = {0};
+    for (size_t i = 0; i < LINES; i++)
+        text_add_wrapped(&text, line, 80, 0);
+    assert_int_equal(text.length, LINES * (sizeof line - 1));
+    text_free(&text);
+    text_add(&text, "\nthree of "); /* from where the line begins that stands there */
+    text_add_wrapped(&text, "them go over", 14, 2);
+    assert_string_equal(text_string(&text), "\nthree of them\n  go over");
+    text_free(&text);
+}
+
 TEST_CASE(test_files_come_back_byte_for_byte)
 {
     enum { LENGTH = 300001 };

@@ -135,6 +135,90 @@ TEST_CASE(axes_have_few_tics_with_plain_numbers)
     }
 }
 
+/* However narrow or wide the data: a few tics, each with a number of its own. */
+TEST_CASE(axes_of_any_range_have_few_tics)
+{
+    for (int power = -300; power <= 300; power += 25)
+        for (int width = 0; width < 60; width++) /* from one unit in the last place to a million times the value */
+            for (int kind = 0; kind < 3; kind++) {
+                double low = (kind == 1 ? -1.37 : 1.37) * pow(10, power), high = low + ldexp(fabs(low), width - 52);
+                const double points[][2] = {{low, 1}, {high, 2}};
+                struct chart chart = chart_make("chart");
+                chart_panel(&chart, "", "x", "y", kind == 2, false);
+                line(&chart, "one", points, 2);
+                struct text script = script_of(&chart, NULL);
+                const char *at = strstr(text_string(&script), "set xtics"), *before = "";
+                assert_non_null(at);
+                size_t tics = 0, length = strcspn(at, "\n");
+                for (const char *end = at + length, *tic; (tic = strchr(at, '\'')) && tic < end; tics++) {
+                    length = strcspn(tic + 1, "'");
+                    if (strncmp(tic, before, length + 2) == 0)
+                        fail_msg("%.17g to %.17g: two tics are %.*s", low, high, (int)length, tic + 1);
+                    before = tic;
+                    at = tic + length + 2;
+                }
+                assert_in_range(tics, 2, 25);
+                text_free(&script);
+                chart_free(&chart);
+            }
+}
+
+/** The number behind `name` in a script, from `at` on. */
+static double setting(const char *at, const char *name)
+{
+    at = strstr(at, name);
+    assert_non_null(at);
+    return strtod(at + strlen(name), NULL);
+}
+
+/* Of any number of panels none is narrower than 300 nor lower than its axis's label is long, no label is cut off, and
+ * the legend is below all that stands above it. */
+TEST_CASE(panels_have_room)
+{
+    static const char label[] = "a label (W/(m²·K))";
+    const double straight[][2] = {{1e-9, 1}, {10, 10}}, letter = 6.5, height_of_label = 16;
+    for (int count = 1; count <= 9; count++)
+        for (int shares = 0; shares < 2; shares++)
+            for (int curves = 1; curves <= 9; curves += 4) {
+                struct chart chart = chart_make("room");
+                char name[9][40]; /* as long as the chart lives */
+                chart.shares = shares;
+                chart.panel_height = 40;
+                for (int p = 0; p < count; p++) {
+                    chart_panel(&chart, "title", p % 3 ? "x (m)" : "area", label, true, true);
+                    for (int c = 0; c < curves; c++) {
+                        snprintf(name[c], sizeof name[c], "curve of a model, number %d", c);
+                        line(&chart, name[c], straight, 2);
+                    }
+                }
+                struct text script = script_of(&chart, NULL);
+                const char *at = text_string(&script);
+                double wide = setting(at, "size "), high = setting(at, "size 800,"), lowest = 1;
+                assert_float_equal(wide, 800, 0);
+                const bool centred = strstr(at, " center top horizontal");
+                double beside = setting(at, "set key at screen "), legend = setting(strstr(at, "set key at"), ", ");
+                for (int p = 0; p < count; p++) {
+                    at = strstr(at, "set lmargin at screen") + 1;
+                    double left = setting(at, "margin at screen "), right = setting(at, "rmargin at screen "),
+                           bottom = setting(at, "bmargin at screen "), top = setting(at, "tmargin at screen ");
+                    bool labelled = !strstr(at, "set xlabel ''") || strstr(at, "set xlabel ''") > strstr(at, "plot ");
+                    assert_true(wide * (right - left) >= 300);
+                    assert_true(high * (top - bottom) >= letter * (double)text_characters(label));
+                    if (strstr(at, label) && strstr(at, label) < strstr(at, "plot "))
+                        assert_true(wide * setting(at, "' at screen ") >= height_of_label / 2);
+                    assert_true(left >= 0 && right <= 1 && bottom >= 0 && top <= 1);
+                    double under = bottom - (labelled ? 44 : 20) / high; /* where its numbers, or its label, end */
+                    if (right > beside || centred)
+                        lowest = fmin(lowest, under);
+                }
+                if (legend > lowest)
+                    fail_msg("%d panels, %d curves: the legend begins at %g, what is above it ends at %g", count,
+                             curves, legend, lowest);
+                text_free(&script);
+                chart_free(&chart);
+            }
+}
+
 TEST_CASE(what_an_axis_cannot_show_is_left_out)
 {
     struct chart chart = chart_make("chart");

@@ -77,10 +77,16 @@ static void expect_hash(const char *place, const char *path, const char *file)
     free(text);
 }
 
-/* One large scan; by some models, and by all: its strips take seconds, so that they are solved but twice. */
+/* One large scan; by some models, and by all: its strips take seconds, so that they are solved but twice, and not where
+ * the address sanitizer makes minutes of them: it sees those of small scans. */
 TEST_IN_WORKSPACE(test_one_large_scan)
 {
-    static const char *const scenes[] = {"material: tin\nmodels: [multiscale, gw]\n", "material: tin\n"};
+    static const char *const scenes[] = {
+        "material: tin\nmodels: [multiscale, gw]\n",
+#ifndef __SANITIZE_ADDRESS__
+        "material: tin\n",
+#endif
+    };
     workspace_scan(place, "d/a.csv", 70000, 5);
     for (size_t s = 0; s < sizeof scenes / sizeof *scenes; s++) {
         workspace_write(place, "d/scene.yaml", scenes[s]);

@@ -91,6 +91,25 @@ TEST_IN_WORKSPACE(test_numbers)
     table_free(&r);
 }
 
+/* `plan` says what the direct solution takes, called for or not; a budget on the command line calls for it and makes it
+ * fit, as the scene's does: the same solution to the byte. `auto` takes others beside it. */
+TEST_IN_WORKSPACE(test_plan_and_budget)
+{
+    write_profile(place, "nominal_area: 1 mm2\n");
+    expect_output(expect_exit(place, 0, "plan", "d"),
+                  "direct           skipped   not called for; `roughcontact direct`", " of one core");
+    expect_output(expect_exit(place, 0, "plan", "d", "--effects", "auto,direct"),
+                  "called for on 1 surface: 1024 x 1024", " of one");
+    expect_output(expect_exit(place, 0, "plan", "d", "--budget", "50 ms"), "called for on 1 surface: 64 x 64 points");
+    run_to_exit(place, 0, "report", "d", "-o", "line", "--no-cost", "--budget", "50 ms");
+    write_scene(place, "nominal_area: 1 mm2\ndirect: {budget: 50 ms}\n");
+    report(place, "out", "1");
+    char *one = workspace_read(place, "line/data/direct.csv"), *other = workspace_read(place, "out/data/direct.csv");
+    assert_string_equal(one, other);
+    free(one);
+    free(other);
+}
+
 /* Barber: stiffness and conductance of elastic contact are one number, k ECR A_n = E' rho, of the models too. */
 TEST_IN_WORKSPACE(test_stiffness)
 {

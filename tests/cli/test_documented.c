@@ -132,6 +132,7 @@ TEST_IN_WORKSPACE(report_is_described)
     workspace_scan(place, "in/b.csv", 300, 2);
     workspace_scan(place, "in/c.csv", 300, 3);
     workspace_scan(place, "in/flat.csv", 300, 4);
+    workspace_scan(place, "in/rough.csv", 300, 5);
     workspace_write(place, "in/broken.csv", "x [um],z [um]\n0,1\n1,two\n");
     workspace_write(place, "in/ecr.txt", "load_N,ecr_mohm\n1,10\n2,6\n4,3\n");
     workspace_write(
@@ -139,7 +140,7 @@ TEST_IN_WORKSPACE(report_is_described)
         "material: tin\neffects: [plasticity, separation, electrical, thermal, scale-dependent, convergence]\n"
         "load: {from: 1e-6, to: 1e-2, points: 7}\nnominal_area_m2: 1e-6\n"
         "convergence: {scales: 64}\ndirect: {grid: 64, seeds: 1, loads: [1e-3, 5e-3]}\ncounterface: "
-        "{surface: flat.csv, material: copper}\n"
+        "{surface: [flat.csv, rough.csv], material: copper}\n"
         "measured: {file: ecr.txt, quantity: ecr}\n"
         "targets: [{ecr: 1 mohm}]\nlimits: {ecr: {most: 1 mohm}}\n"
         "surfaces:\n  - {name: one, file: [a.csv, b.csv]}\n  - {name: two, file: c.csv}\n"
@@ -177,4 +178,17 @@ TEST_IN_WORKSPACE(tutorial_quotes_the_report)
     assert_true(quotes >= 5);
     free(document);
     free(report);
+    document = workspace_read(PROJECT_SOURCE, "docs/tutorial.md"); /* and the columns that it names are there */
+    size_t columns = 0;
+    for (const char *at = document; (at = strstr(at, "column `")); columns++) {
+        char column[NAME], file[NAME], path[NAME + 16];
+        assert_int_equal(sscanf(at, "column `%99[^`]` of `data/%99[^`]`", column, file), 2);
+        snprintf(path, sizeof path, "out/data/%s", file);
+        struct table table = workspace_table(place, path);
+        assert_non_null(table_text(&table, 0, column)); /* fails of itself where there is none */
+        table_free(&table);
+        at++;
+    }
+    assert_int_equal(columns, 1);
+    free(document);
 }

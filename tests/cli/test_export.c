@@ -107,7 +107,8 @@ static void make_scene(const char *place, int points, const char *more)
     snprintf(text, sizeof text,
              "material: copper\nmodels: [cmy]\nload: {from: 0.1 MPa, to: 100 MPa, points: %d}\n"
              "surfaces:\n  - {name: plain, file: [a.csv, b.csv, c.csv]}\n"
-             "  - {name: \"*STEP $#%%!\", file: [b.csv, c.csv]}\n%s",
+             "  - {name: \"*STEP $#%%!\", file: [b.csv, c.csv]}\n"
+             "  - {name: -rf, file: c.csv}\n%s",
              points, more);
     workspace_write(place, "d/scene.yaml", text);
     workspace_scan(place, "d/a.csv", 300, 1);
@@ -144,7 +145,10 @@ TEST_IN_WORKSPACE(each_is_read_back)
         text = workspace_read(place, path);
         expect_part(text, "surface: _STEP ____\n"); /* nothing that any program would compute */
         free(text);
+        snprintf(path, sizeof path, "o/export/_rf~3.%s", formats[f].file); /* no name that is read as an option */
+        assert_true(workspace_has(place, path));
     }
+    assert_int_equal(workspace_count(place, "-"), 0);
     table_free(&contact);
     table_free(&bands);
     expect_in_file(place, "o/export/plain.comsol.txt", "[m] rms height", " mean absolute slope", "[Pa] hardness");

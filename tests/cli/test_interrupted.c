@@ -182,8 +182,13 @@ TEST_IN_WORKSPACE(test_no_standard_output)
         free(two);
         process_free(&process);
     }
-    static const char *const commands[][3] = {
-        {"materials"}, {"--help"}, {"synth"}, {"inspect", "--json", "good/a.csv"}};
+    static const char *const commands[][3] = {{"materials"},
+                                              {"--help"},
+                                              {"synth"},
+                                              {"inspect", "--json", "good/a.csv"},
+                                              {"materials", "--json"},
+                                              {"models", "--json"},
+                                              {"plan", "good", "--json"}};
     for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
         const char *const *words = commands[i];
         process_expect_failure(staged(place, "exec >/dev/full;", words[0], words[1], words[2]), 4, 1,

@@ -34,7 +34,7 @@ struct persson model_support_persson(const struct spectrum *spectrum)
 {
     struct persson persson;
     struct status status = {0};
-    assert_int_equal(persson_make(&persson, spectrum, &status), STATUS_OK);
+    assert_int_equal(persson_make(&persson, spectrum, 0, &status), STATUS_OK);
     return persson;
 }
 

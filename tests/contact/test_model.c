@@ -68,6 +68,9 @@ enum { HARMONICS_MOST = 60, HEIGHTS_MOST = 90, TASKS = 300 };
  * quantities: every model answers, or says that it does not. */
 TEST_CASE(test_any_task)
 {
+    static const struct transfer_curve solved = {
+        2, {-12, -4}, {{-10, -11, -8}, {-2, -12, -14}}}; /* of a map, straight in logarithms */
+    const struct transfer transfer = {.curve = {solved, solved}};
     uint64_t seed = 20;
     struct material_pair pair = model_support_tin();
     size_t existing[64] = {0};
@@ -106,11 +109,13 @@ TEST_CASE(test_any_task)
                                   .tolerance = t % 2 ? 1e-4 : 1e-8,
                                   .sinusoid_fit = t % 4 == 0 ? SINUSOID_FIT_NUMERIC : SINUSOID_FIT_THESIS,
                                   .hardness_Pa = pow(10, 6 + 3 * next_share(&seed)),
+                                  .transfer = t % 2 ? &transfer : NULL,
                                   .rows = points > 1 ? &rows : NULL,
                                   .strip = points > 1 ? &strip : NULL};
-        struct bearing bearing;
+        struct bearing bearing = {0};
         struct status status = {0};
-        assert_int_equal(bearing_make(&bearing, &rows, &status), STATUS_OK);
+        if (points > 1)
+            assert_int_equal(bearing_make(&bearing, &rows, &status), STATUS_OK);
         task.bearing = points > 1 ? &bearing : NULL;
         for (size_t m = 0; m < model_count; m++) {
             struct contact_point out[MODEL_LOADS + 1];
@@ -213,6 +218,28 @@ TEST_CASE(test_what_is_not_set)
     assert_true(isnan(curve.full_load) && isnan(curve.closed_load) && isnan(curve.beta));
 }
 
+/* Where nothing is elastic any more, area is P/H; its elastic share is the slope of bearing_area() in ln A_e. */
+TEST_CASE(test_area_of_load_and_hardness)
+{
+    const struct model_row *plastic = model_rows[model_named("strip-plastic")];
+    for (double elastic = 1e-4; elastic < 0.9; elastic *= 1.3) {
+        const double ratio = 0.02, step = 1e-5;
+        struct contact_point at = quantity_nothing();
+        at.value[QUANTITY_AREA] = bearing_area(elastic, ratio);
+        double slope =
+            log(bearing_area(elastic * exp(step), ratio) / bearing_area(elastic * exp(-step), ratio)) / (2 * step);
+        assert_within(model_elastic_share(plastic, &at, ratio), slope, 1e-8);
+        assert_int_equal(model_area_is_pressed(plastic, &at, ratio), at.value[QUANTITY_AREA] < ratio * 1.001);
+        assert_false(model_area_is_pressed(plastic->elastic, &at, ratio));
+        assert_false(model_area_is_pressed(plastic, &at, NAN));
+        assert_within(model_elastic_share(plastic->elastic, &at, ratio), 1, 0);
+        assert_within(model_elastic_share(plastic, &at, NAN), 1, 0);
+    }
+    struct contact_point full = quantity_nothing();
+    full.value[QUANTITY_AREA] = 1;
+    assert_false(model_area_is_pressed(plastic, &full, 1));
+}
+
 /* What a model says of itself, and of scans that hold few of their longest waves; only of open ends, and only where it
  * says something. */
 TEST_CASE(test_few_longest_waves)
@@ -227,10 +254,10 @@ TEST_CASE(test_few_longest_waves)
     assert_within(model_task_longest_waves(&task), 0, 0);
     task.rows = NULL;
     assert_within(model_task_longest_waves(&task), 0, 0);
-    assert_near(model_surface_sd(strip, QUANTITY_ECR, 2), hypot(0.3, 1.3 * log(1.25)), 1e-14);
-    assert_near(model_surface_sd(strip, QUANTITY_AREA, 1), hypot(0.2, 1.3 * log(2.5)), 1e-14);
-    assert_near(model_surface_sd(strip, QUANTITY_SEPARATION, 2.5), 0.3, 1e-14);
-    assert_near(model_surface_sd(strip, QUANTITY_SEPARATION, 0), 0.3, 1e-14);
+    assert_near(model_surface_sd(strip, QUANTITY_ECR, 2), hypot(0.54, 1.3 * log(1.25)), 1e-14);
+    assert_near(model_surface_sd(strip, QUANTITY_AREA, 1), hypot(0.37, 1.3 * log(2.5)), 1e-14);
+    assert_near(model_surface_sd(strip, QUANTITY_SEPARATION, 2.5), 0.48, 1e-14);
+    assert_near(model_surface_sd(strip, QUANTITY_SEPARATION, 0), 0.48, 1e-14);
     assert_within(model_surface_sd(gw, QUANTITY_ECR, 1), 0, 0);
     assert_within(model_surface_sd(strip, QUANTITY_VOLTAGE, 1), 0, 0);
 }

@@ -92,6 +92,56 @@ TEST_CASE(nodes_stand_for_rings)
     }
 }
 
+/** A wave that levelling has taken is one of a record twice as long, of the mean power of the three longest. */
+TEST_CASE(lost_wave)
+{
+    struct spectrum spectrum = model_support_law(1e-3, 0.01, 1.2, 200), longer = model_support_law(2e-3, 0, 1, 400);
+    double lost_m2 = persson_lost_wave(&spectrum), powers = 0;
+    struct persson persson;
+    struct status status = {0};
+    for (size_t i = 0; i < 3; i++)
+        powers += spectrum_power(&spectrum, i);
+    assert_near(lost_m2, powers / 3, 1e-14);
+    longer.amplitude_m[0] = sqrt(2 * lost_m2);
+    for (size_t i = 0; i < 200; i++)
+        longer.amplitude_m[2 * i + 1] = spectrum.amplitude_m[i];
+    assert_int_equal(persson_make(&persson, &spectrum, lost_m2, &status), STATUS_OK);
+    assert_near(persson.m0_m2, spectrum_moment(&longer, 0), 1e-12);
+    assert_near(persson.m2, spectrum_moment(&longer, 1), 1e-12);
+    for (double load = 1e-6; load < sqrt(persson.m2); load *= 3)
+        assert_near(persson_constriction(&persson, load), over_rings(&longer, load), 1e-7);
+    persson_free(&persson);
+    spectrum_free(&spectrum);
+    spectrum_free(&longer);
+}
+
+/** It is given back to what is corrected Persson's alone, and where one was lost. */
+TEST_CASE(levelled_scans)
+{
+    struct contact_point points[2], other[2];
+    struct spectrum spectrum = model_support_law(1e-3, 0.02, 1.2, 200);
+    struct material_pair pair = model_support_tin();
+    double load = 2e-3;
+    struct model_task task = {.spectrum = &spectrum,
+                              .pair = &pair,
+                              .loads = &load,
+                              .load_count = 1,
+                              .wanted = MODEL_EVERYTHING,
+                              .tolerance = 1e-8,
+                              .hardness_Pa = 1e9};
+    for (int m = 0; m < 4; m++) {
+        static const char *const names[] = {"corrected-persson", "corrected-persson-plastic", "multiscale-elastic",
+                                            "cmy"};
+        task.levelled = false;
+        (void)model_support_run(points, names[m], &task);
+        task.levelled = true;
+        (void)model_support_run(other, names[m], &task);
+        double gap = other[0].value[QUANTITY_SEPARATION] / points[0].value[QUANTITY_SEPARATION];
+        assert_true(m < 2 ? gap > 1.02 && gap < 1.5 : gap == 1);
+    }
+    spectrum_free(&spectrum);
+}
+
 /** A = 2/sqrt(pi) p/sqrt(g m2) at light load; erf^-1 is that of erf, also for tiny areas. */
 TEST_CASE(load)
 {

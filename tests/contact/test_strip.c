@@ -255,7 +255,7 @@ TEST_CASE(against_direct_solutions)
         struct direct_contact contact;
         assert_int_equal(direct_contact_make(&contact, height, SIDE, SIDE, 1e-6, &status), STATUS_OK);
         assert_int_equal(direct_ladder_run(truth, &contact, &ladder, &status), STATUS_OK);
-        assert_int_equal(persson_make(&persson, &mean, &status), STATUS_OK);
+        assert_int_equal(persson_make(&persson, &mean, 0, &status), STATUS_OK);
         struct strip_rows rows = {row, LINES, SIDE, 1e-6, true};
         struct strip strip = solved(&rows, all, LINES, STRIP_SURROGATES);
         errors(rms, NULL, &persson, loads, truth);

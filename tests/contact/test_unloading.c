@@ -141,3 +141,27 @@ TEST_CASE(factors)
     assert_true(isnan(unloading_factor(&own, QUANTITY_AREA, 1.01)) &&
                 isnan(unloading_factor(&own, QUANTITY_JOINT_ECR, 0.5)));
 }
+
+/** A curve that flattens is not carried beyond itself: as the load falls contact falls, and conducts worse. Of one like
+ * the strip's own nothing changes. */
+TEST_CASE(contact_falls_with_load)
+{
+    static const double flat[] = {0.9, 0.85, 0.7}, steep[] = {0.4, 0.2, 0.1}, conducting[] = {1, 2, 20},
+                        same[] = {1, 2, 4};
+    const struct unloading made = {
+        .count = 3, .share = {1, 0.5, 0.25}, .value = {{0}, {0.3, 0.2, -1}, {0.5, 0.3, -1.5}}};
+    struct unloading own = made;
+    unloading_bound(&own, QUANTITY_AREA, steep);
+    unloading_bound(&own, QUANTITY_ECR, (double[]){1, 4, 20});
+    assert_memory_equal(&own, &made, sizeof own);
+    unloading_bound(&own, QUANTITY_AREA, flat);
+    unloading_bound(&own, QUANTITY_SEPARATION, same);
+    unloading_bound(&own, QUANTITY_TCR, conducting);
+    unloading_bound(&own, QUANTITY_STIFFNESS, flat); /* it says nothing of it */
+    for (size_t k = 0; k < 3; k++) {
+        assert_near(unloading_factor(&own, QUANTITY_AREA, own.share[k]) * flat[k], 0.9, 1e-12);
+        assert_near(own.value[k][1], made.value[k][1], 0);
+        assert_near(unloading_factor(&own, QUANTITY_ECR, own.share[k]) * conducting[k], k < 2 ? 1 : 20 * exp(-1.5),
+                    1e-12);
+    }
+}

@@ -122,6 +122,48 @@ TEST_CASE(ladder_with_a_hardness)
     direct_ensemble_free(&found);
 }
 
+struct told {
+    double work, largest;
+};
+
+static void tell(void *context, double work)
+{
+    struct told *told = context;
+    told->work += work;
+    told->largest = fmax(told->largest, work);
+}
+
+/** What is told adds up to the work there is, in steps of no more than one load on the fine grid, or one surface made:
+ * of surfaces with given heights too, and of a map with all its parts. */
+TEST_CASE(work_is_told_step_by_step)
+{
+    double scale = recipe_scale(), *height_m = recipe_surface(64);
+    for (int kind = 0; kind < 3; kind++) {
+        struct told told = {0, 0};
+        struct status status = {0};
+        struct direct_map map = {0};
+        struct direct_map_def square = {64, 64, 1.0 / 64, 1.0 / 64, false, 6};
+        struct direct_ensemble_def def = def_of(&scale, 1);
+        def.seeds = 2;
+        def.solved = tell;
+        def.solved_context = &told;
+        def.given_m = kind == 1 ? height_m : NULL;
+        def.given_count = 64 * 64;
+        if (kind == 2) {
+            assert_int_equal(direct_map_make(&map, height_m, &square, 64, &status), STATUS_OK);
+            def.map = &map;
+            def.n = map.n;
+        }
+        struct direct_ensemble found = ensemble_of(&def);
+        assert_near(told.work, direct_ensemble_work(&def), 1e-12);
+        assert_true(told.largest <= fmax(4, direct_ensemble_making) * (double)(def.n * def.n));
+        assert_true(told.largest < 0.25 * told.work);
+        direct_ensemble_free(&found);
+        direct_map_free(&map);
+    }
+    free(height_m);
+}
+
 /** Errors and the stop come through, of the first surface. */
 TEST_CASE(errors_and_stop)
 {

@@ -3,7 +3,9 @@
  * Westergaard, J. Appl. Mech. 6 (1939) A49. */
 #include "direct_support.h"
 
+#include "base/fft.h"
 #include "direct/direct_constriction.h"
+#include "direct/direct_surface.h"
 
 static struct direct_contact strip_of(const double *height, size_t points, double spacing_m)
 {
@@ -145,4 +147,35 @@ TEST_CASE(transforms_of_a_solution)
         direct_contact_free(&contact);
         free(height);
     }
+}
+
+/** A long rough profile that is worn flat, where thousands of points join at once: that throws nothing back. */
+TEST_CASE(many_points_join)
+{
+    enum { POINTS = 32768, SHORTEST = 16 };
+    struct fft_room room;
+    assert_true(fft_room_make(&room, POINTS));
+    double *height = room.record, square = 0, slope = 0;
+    memset(room.transform, 0, (POINTS / 2 + 1) * sizeof *room.transform);
+    for (size_t k = 1; k <= POINTS / SHORTEST; k++) { /* Hurst exponent 0.3 */
+        double amplitude = pow((double)k, -0.8), phase = 2 * M_PI * direct_random(1, k);
+        room.transform[k][0] = amplitude * cos(phase);
+        room.transform[k][1] = amplitude * sin(phase);
+        square += 2 * amplitude * amplitude;
+    }
+    assert_true(fft_backward(height, room.transform, POINTS));
+    for (size_t k = 0; k < POINTS; k++)
+        height[k] = fmin(height[k] / sqrt(square), 0.5) + 2e-3 * direct_random(8, k);
+    for (size_t k = 0; k < POINTS; k++)
+        slope += pow((height[(k + 1) % POINTS] - height[k]), 2) / POINTS;
+    struct direct_contact contact = strip_of(height, POINTS, 1);
+    struct direct_contact_load load = load_of(2 * sqrt(slope), INFINITY, 1e-3);
+    struct direct_contact_effort effort = {0};
+    struct status status = {0};
+    load.warm = true;
+    for (int k = 0; k < 12; k++, load.mean_pressure /= 2)
+        assert_int_equal(direct_contact_solve(&contact, &load, &effort, &status), STATUS_OK);
+    assert_in_range(effort.convolutions, 100, 800);
+    direct_contact_free(&contact);
+    fft_room_free(&room);
 }

@@ -23,8 +23,13 @@ void fuzz_scan(const uint8_t *bytes, size_t length);
 /** The text of a scene.yaml. */
 void fuzz_scene(const uint8_t *bytes, size_t length);
 /** One letter, then a text: E or T a file of measured resistances, J a sidecar, M the properties of a material, as they
- * stand in a scene, R the results.json of two reports, which are compared, with a form feed between, P a template. */
+ * stand in a scene. */
 void fuzz_measured(const uint8_t *bytes, size_t length);
+/** The results.json of two reports, which are compared, with a form feed between, or one that is compared with itself;
+ * and what is said of them. */
+void fuzz_compare(const uint8_t *bytes, size_t length);
+/** A template, which is filled. */
+void fuzz_template(const uint8_t *bytes, size_t length);
 
 /** Calls of the library: a byte says which, those behind it with what. */
 void fuzz_library(const uint8_t *bytes, size_t length);
@@ -37,6 +42,9 @@ char *fuzz_file(const char *bytes, size_t *length);
 
 /** How many runs so far were of a good scan of that format. */
 size_t fuzz_scan_good(const char *format);
+/** How many pairs of reports were compared, and how many templates filled. */
+size_t fuzz_compare_good(void);
+size_t fuzz_template_good(void);
 /** How many reports were written. */
 size_t fuzz_report_good(void);
 /** How often the call that succeeded least did so. */
@@ -46,6 +54,8 @@ size_t fuzz_library_good(void);
 void fuzz_scan_counts(void);
 void fuzz_scene_counts(void);
 void fuzz_measured_counts(void);
+void fuzz_compare_counts(void);
+void fuzz_template_counts(void);
 void fuzz_library_counts(void);
 void fuzz_report_counts(void);
 

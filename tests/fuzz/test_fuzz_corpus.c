@@ -131,6 +131,18 @@ TEST_CASE(test_measured)
     assert_true(replay(CORPUS "measured", fuzz_measured, 80) > 20);
 }
 
+TEST_CASE(test_compare)
+{
+    assert_true(replay(CORPUS "compare", fuzz_compare, 80) > 1);
+    assert_true(fuzz_compare_good() > 0);
+}
+
+TEST_CASE(test_template)
+{
+    assert_true(replay(CORPUS "template", fuzz_template, 80) > 5);
+    assert_true(fuzz_template_good() > 20);
+}
+
 TEST_CASE(test_library)
 {
     assert_true(replay(CORPUS "library", fuzz_library, 80) > 1);

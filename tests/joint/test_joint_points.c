@@ -27,6 +27,26 @@ static struct contact_point apply(const struct joint *joint, unsigned effects, s
     return point;
 }
 
+/** What a model may be off by in area: nearly all elastic its own, nearly all yielding that of the rule for both. */
+TEST_CASE(areas_error)
+{
+    const struct model_row *plastic = model_rows[0];
+    for (size_t m = 0; m < model_count; m++)
+        plastic = model_rows[m]->plastic && model_rows[m]->uses_strip ? model_rows[m] : plastic;
+    const struct joint joint = joint_default();
+    struct material_pair yielding = {.effective_modulus_Pa = 1e11, .hardness_Pa = 1e9};
+    const struct joint_task task = {&joint, &yielding, 1e-6, 2e-6, 0, 1e-12};
+    const double over[] = {1.002, 1.02, 1.1, 100}; /* A/(P/H) */
+    for (size_t k = 0; k < sizeof over / sizeof *over; k++) {
+        double sd[QUANTITY_COUNT], own = model_sd(plastic, QUANTITY_AREA) * (1 - pow(over[k], -4));
+        const struct contact_point point = point_of(1e-2 * over[k] > 1 ? 1 : 1e-2 * over[k], 1e-6);
+        joint_model_sd(sd, &point, plastic, &task, 0);
+        assert_near(sd[QUANTITY_AREA], sqrt(own * own + 0.03 * 0.03), 1e-9);
+        joint_model_sd(sd, &point, plastic->elastic, &task, 0);
+        assert_near(sd[QUANTITY_AREA], model_sd(plastic, QUANTITY_AREA), 1e-12);
+    }
+}
+
 /** What an effect does not fill stays empty, and what the model computed stays as it is. */
 TEST_CASE(off_is_empty)
 {

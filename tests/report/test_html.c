@@ -124,7 +124,7 @@ TEST_CASE(figures)
 TEST_CASE(images_among_text)
 {
     assert_body("see ![that](figures/chart.svg) one\n", "<p>see <img alt=\"that\" " SHOWN);
-    assert_body("![that](figures/chart.svg) one\n", "</figure>\n<p> one</p>");
+    assert_body("![that](figures/chart.svg) one\n", "</figure><p> one</p>");
     assert_body("![words](figures/picture.gif)\n", "<p>words</p>");
     assert_body("a ![photo \"x\"](photo.png)\n", "<p>a photo &quot;x&quot;</p>");
     assert_body("![far](http://example.org/x.svg)\n", "<p>far</p>");

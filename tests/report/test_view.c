@@ -47,6 +47,28 @@ static void assert_silent(const struct text *report, const char *words)
         fail_msg("'%s' is in\n%s", words, text_string(report));
 }
 
+/** The first page says `words` and not `unsaid`, and the terminal says them too, without the marks of Markdown. */
+static void assert_says_page(struct made_up *made, const char *words, const char *unsaid)
+{
+    struct text page = report_of(made), table = {0}, plain = {0};
+    struct status status = {0};
+    char *end = strstr(page.data, "\n---\n");
+    assert_non_null(end);
+    *end = '\0';
+    assert_says(&page, words);
+    assert_silent(&page, unsaid);
+    assert_int_equal(report_terminal(&table, "terminal", made->view, PROJECT_SOURCE "/templates", false, &status),
+                     STATUS_OK);
+    for (const char *at = words; *at; at++)
+        text_add(&plain, strchr("*`", *at) ? "" : "%c", *at);
+    for (char *at = table.data; *at; at++)
+        *at = *at == '\n' ? ' ' : *at; /* lines of 80 columns */
+    assert_says(&table, text_string(&plain));
+    text_free(&plain);
+    text_free(&table);
+    text_free(&page);
+}
+
 /* Multiscale plastic leads. beta has ECR 3e-14/2/load: 1.5e-10 ohm m² at the middle load 1e-4, and 0.15 mohm on 1 mm²;
  * with film and plating 3e12 times that, so these do not run where ECR is asked for. */
 enum {
@@ -84,9 +106,9 @@ static const struct {
     {"all_surfaces.rows.0.cells.0.text", "6.00"},
     {"all_surfaces.rows.0.cells.1.text", "7.00"},
     {"inputs.rows.0.hash", "0123456789abcdef"},
-    {"inputs.notes.0.line", "beta.csv: a note"},
+    {"inputs.notes.0.body.line", "beta.csv: a note"},
     {"inputs.refused.0.why", "broken.csv: no number in it"},
-    {"stability.refused", "1"},
+    {"stability.refused.count", "1"},
     {"accuracy.tolerances.0.tolerance", "1·10⁻¹⁰"},
     {"length_factor", "1.3"},
     {"spacing_factor", "1.1"},
@@ -172,6 +194,20 @@ TEST_CASE(a_target_is_answered_in_newtons)
     assert_says(&report, "more than 20.0\u00a0N (95 %");
     assert_says(&report, "| beta | 0.200 | > 20.0");
     text_free(&report);
+    assert_says_page(&made, "more than 20.0\u00a0N (95 %", "at most");
+    struct status status = {0};
+    struct text table = {0};
+    assert_int_equal(report_terminal(&table, "terminal", made.view, PROJECT_SOURCE "/templates", false, &status),
+                     STATUS_OK);
+    assert_says(&table, "\nbeta     0.200      > 20.0\u00a0N");
+    text_free(&table);
+    answers[made.comparison.leading].kind = ANSWER_LIGHTEST;
+    made_up_again(&made);
+    assert_says_page(&made, "at most 20.0\u00a0N (95 %", "more than");
+    assert_int_equal(report_terminal(&table, "terminal", made.view, PROJECT_SOURCE "/templates", false, &status),
+                     STATUS_OK);
+    assert_says(&table, "\nbeta     0.200      ≤ 20.0\u00a0N");
+    text_free(&table);
     drop_target(&made, answers);
 }
 
@@ -350,6 +386,253 @@ TEST_CASE(findings_as_the_thesis_has_them)
     made_up_free(&made);
 }
 
+/* ---- Sentences, each beside an input that it is not true of ---- */
+
+/** Nothing is known of how far another scan of the surface would be off. */
+static void forget_scatter(struct surface_record *record, size_t index)
+{
+    struct estimate none[CURVE_ESTIMATES];
+    struct status status = {0};
+    for (size_t e = 0; e < CURVE_ESTIMATES; e++)
+        none[e] = estimate_none;
+    for (size_t m = 0; index < MADE_UP_USABLE && m < model_count; m++)
+        if (record->summary.models[m])
+            assert_int_equal(curve_summary_put_estimates(record->summary.models[m], none, &status), STATUS_OK);
+}
+
+TEST_CASE(the_ranking_names_quantity_load_and_who_was_tested)
+{
+    struct made_up made;
+    made_up_make_of(&made, made_up_models(), PLAIN, NULL);
+    struct text report = report_of(&made);
+    assert_says(&report,
+                "\nIn contact resistance at 10.0\u00a0N *alpha* is significantly better than all others tested");
+    assert_silent(&report, "Not tested");
+    text_free(&report);
+    forget_scatter(&made.surfaces[2], 2);
+    made_up_again(&made);
+    report = report_of(&made);
+    assert_says(&report, "\nIn contact resistance at 10.0\u00a0N *alpha* is significantly better than *beta*");
+    assert_says(&report, ". Not tested, as no interval is known: *gamma*.\n");
+    assert_silent(&report, "all others");
+    text_free(&report);
+    forget_scatter(&made.surfaces[1], 1);
+    made_up_again(&made);
+    report = report_of(&made);
+    assert_says(&report,
+                "\nIn contact resistance at 10.0\u00a0N it is undecided whether surfaces differ significantly:");
+    assert_silent(&report, "better than");
+    text_free(&report);
+    made_up_free(&made);
+}
+
+/** At the middle load: load over hardness on every surface, and what differs in resistance. */
+static void press_into_hardness(struct surface_record *record, size_t index)
+{
+    for (size_t m = 0; index < MADE_UP_USABLE && m < model_count; m++)
+        for (size_t i = 0; record->curves[m].exists && i < MADE_UP_LOADS; i++) {
+            double *value = record->curves[m].points[i].value;
+            value[QUANTITY_AREA] = fmin(1, 1e11 * value[QUANTITY_LOAD] / 2.84e8);
+        }
+}
+
+TEST_CASE(an_area_that_cannot_differ_is_not_ranked_by_something_else)
+{
+    struct made_up made;
+    struct scene_asked target = {0};
+    struct answer *answers = calloc(MADE_UP_USABLE * model_count, sizeof *answers);
+    extern const struct scene_asked_row scene_asked_rows[];
+    assert_non_null(answers);
+    made_up_make_of(&made, made_up_models(), PLAIN, press_into_hardness);
+    set_target(&made, &target, answers);
+    assert_says_page(&made, "In contact resistance at 10.0\u00a0N *alpha* is significantly better", "cannot differ");
+    target.row = &scene_asked_rows[3]; /* the area */
+    made_up_again(&made);
+    assert_says_page(&made, "Contact area is load over hardness here, so surfaces cannot differ in it.", "better than");
+    for (size_t i = 0; i < MADE_UP_USABLE; i++)
+        made_up_surface(&made, i)->pair.hardness_Pa *= 2; /* alike by chance */
+    made_up_again(&made);
+    assert_says_page(&made, "In contact area at 10.0\u00a0N the surfaces are alike.", "load over hardness");
+    made_up_surface(&made, 2)->models[made.comparison.leading]->operating.value[QUANTITY_AREA] *= 1.1;
+    made_up_again(&made);
+    assert_says_page(&made, "In contact resistance at 10.0\u00a0N *alpha* is significantly better", "alike.");
+    drop_target(&made, answers);
+}
+
+TEST_CASE(too_few_spots_are_told)
+{
+    struct made_up made;
+    struct scene_asked target;
+    struct answer *answers = calloc(MADE_UP_USABLE * model_count, sizeof *answers);
+    assert_non_null(answers);
+    made_up_make_of(&made, made_up_models(), PLAIN, NULL);
+    set_target(&made, &target, answers);
+    struct answer *leading = answers + made.comparison.leading;
+    assert_says_page(&made, "0.1\u00a0mΩ takes", "spots"); /* not counted */
+    for (size_t i = 0; i < MADE_UP_USABLE; i++)
+        leading[i * model_count].spots_per_m2 = 20e6;
+    made_up_again(&made);
+    assert_says_page(&made, "0.1\u00a0mΩ takes", "spots"); /* twenty of them */
+    leading[2 * model_count].spots_per_m2 = 1.6e6;
+    made_up_again(&made);
+    assert_says_page(&made, "**Too few spots for statistics**, on *gamma*: 1.6.", "surfaces:");
+    leading[1 * model_count].spots_per_m2 = 3e6;
+    made_up_again(&made);
+    assert_says_page(&made, "**Too few spots for statistics**, on 2 surfaces: 1.6 to 3.0.", "on *gamma*:");
+    leading[0].spots_per_m2 = 9e6;
+    made_up_again(&made);
+    assert_says_page(&made, "**Too few spots for statistics**: 1.6 to 9.0.", "surfaces:");
+    drop_target(&made, answers);
+    made_up_make(&made, NULL); /* without a target those where the page stands: 150 to 1125 on a square metre */
+    assert_says_page(&made, "**Too few spots for statistics**: 1.5·10⁻⁴ to 0.0011.", "surfaces:");
+    made_up_free(&made);
+}
+
+TEST_CASE(a_limit_names_the_one_surface_and_counts_several)
+{
+    static const enum limit_verdict verdicts[][MADE_UP_USABLE] = {{LIMIT_MET, LIMIT_CANNOT_TELL, LIMIT_MISSED},
+                                                                  {LIMIT_MISSED, LIMIT_NO_VALUE, LIMIT_MISSED},
+                                                                  {LIMIT_MET, LIMIT_MET, LIMIT_MET}};
+    static const char *const says[] = {
+        "ECR ≤ 0.1\u00a0mΩ: met by *beta*. **Missed by *gamma*.** Undecided for *alpha*.",
+        "ECR ≤ 0.1\u00a0mΩ: **Missed by 2 surfaces.** No value for *alpha*.",
+        "ECR ≤ 0.1\u00a0mΩ: all surfaces meet it."};
+    extern const struct scene_asked_row scene_asked_rows[];
+    struct made_up made;
+    struct scene_asked limit = {.row = &scene_asked_rows[0], .text = "0.1 mohm", .is_most = true};
+    struct limit_check checks[MADE_UP_USABLE] = {{0}};
+    made_up_make_of(&made, made_up_models(), PLAIN, NULL);
+    made.scene.limits = &limit;
+    made.scene.limit_count = 1;
+    for (size_t k = 0; k < sizeof says / sizeof *says; k++) {
+        for (size_t i = 0; i < MADE_UP_USABLE; i++) {
+            checks[i].verdict = verdicts[k][i];
+            made.surfaces[i].summary.limits = &checks[i];
+        }
+        made_up_again(&made);
+        assert_says_page(&made, says[k], "by 1");
+    }
+    for (size_t i = 0; i < MADE_UP_USABLE; i++)
+        made.surfaces[i].summary.limits = NULL;
+    made_up_free(&made);
+}
+
+/* Of two runs one passes the target of 0.1 mohm, 1e-10 ohm m²; then both do. */
+TEST_CASE(a_target_that_some_runs_reach_says_how_many)
+{
+    double load[] = {1e-5, 1e-4, 1e-5, 1e-4}, value[] = {2e-10, 0.5e-10, 4e-10, 2e-10}, error[] = {NAN, NAN, NAN, NAN};
+    struct measured_run runs[] = {{0, 1, 2}, {2, 3, 4}};
+    struct made_up made;
+    struct scene_asked target;
+    struct answer *answers = calloc(MADE_UP_USABLE * model_count, sizeof *answers);
+    double *resistance = calloc(model_count * 4, sizeof *resistance);
+    assert_true(answers && resistance);
+    made_up_make_of(&made, made_up_models(), PLAIN, NULL);
+    free(made.answers[0].resistance);
+    made.answers[0].resistance = resistance;
+    made.measured[0] = (struct measured){.count = 4,
+                                         .run_count = 2,
+                                         .given = &made.scene.measured,
+                                         .runs = runs,
+                                         .load = load,
+                                         .resistance = value,
+                                         .error = error};
+    set_target(&made, &target, answers);
+    assert_says_page(&made, "Your measurement reaches 0.1\u00a0mΩ at 3.16\u00a0N in 1 of 2 runs;", "unloading");
+    value[3] = 0.25e-10;
+    made_up_again(&made);
+    assert_says_page(&made, "Your measurement reaches 0.1\u00a0mΩ at 3.16\u00a0N;", " runs;");
+    drop_target(&made, answers);
+}
+
+static void limit_areas(struct made_up *made, size_t count)
+{
+    for (size_t m = 0; m < model_count; m++)
+        if (made_up_surface(made, 0)->models[m])
+            made_up_surface(made, 0)->models[m]->clamped = 0;
+    made_up_surface(made, 0)->models[made->comparison.leading]->clamped = count;
+    made_up_again(made);
+}
+
+TEST_CASE(one_is_not_several)
+{
+    struct made_up made;
+    made_up_make_of(&made, made_up_models(), PLAIN, NULL);
+    made.measured[0].count = made.run.end = 1;
+    made.run.turn = 0;
+    limit_areas(&made, 12);
+    struct text report = report_of(&made);
+    assert_says(&report, " 12 areas of a scale at a load were limited to what is possible, most on *beta*. ");
+    assert_says(&report, " 1 surface was refused.");
+    assert_says(&report, " is nearest to the point measured on *beta*.");
+    text_free(&report);
+    limit_areas(&made, 1);
+    made_up_surface(&made, 0)->refused_scans = 2;
+    made_up_again(&made);
+    report = report_of(&made);
+    assert_says(&report, " 1 area of a scale at a load was limited to what is possible, on *beta*. ");
+    assert_says(&report, " 2 scans were left out.");
+    text_free(&report);
+    limit_areas(&made, 0);
+    report = report_of(&made);
+    assert_silent(&report, "limited to");
+    text_free(&report);
+    made_up_free(&made);
+}
+
+/* Two of three surfaces lack a law of a decade: one has none, one a narrow band. */
+TEST_CASE(what_no_spectrum_tells_is_not_said)
+{
+    struct made_up made;
+    made_up_make(&made, NULL);
+    struct text report = report_of(&made);
+    assert_says(&report, "No surface's γ is below 1 by more than its standard error. Carried on to ");
+    assert_silent(&report, "No power law");
+    assert_silent(&report, "does not tell");
+    text_free(&report);
+    made_up_surface(&made, 0)->power_law.found = POWER_LAW_BAND_NARROW;
+    made_up_again(&made);
+    report = report_of(&made);
+    assert_says(&report, "No power law of a decade was found on *beta*.");
+    text_free(&report);
+    made_up_surface(&made, 1)->power_law.found = POWER_LAW_BAND_NONE;
+    made_up_again(&made);
+    report = report_of(&made);
+    assert_says(&report, "No power law of a decade was found on 2 surfaces.");
+    assert_says(&report, "Where the spectrum tells it, no surface's γ is below 1");
+    assert_says(&report, " On 2 of 3 surfaces the spectrum does not tell γ");
+    text_free(&report);
+    made_up_surface(&made, 2)->power_law.found = POWER_LAW_BAND_NONE;
+    made_up_again(&made);
+    report = report_of(&made);
+    assert_silent(&report, "is below 1 by");
+    assert_silent(&report, "would take at most");
+    text_free(&report);
+    made_up_free(&made);
+}
+
+TEST_CASE(bodies_are_those_of_the_surfaces)
+{
+    struct made_up made;
+    made_up_make_of(&made, made_up_models(), PLAIN, NULL);
+    struct text report = report_of(&made);
+    const char *const one = strstr(text_string(&report), "Bodies: ");
+    assert_non_null(one);
+    assert_null(strstr(one, " on *beta* and"));
+    text_free(&report);
+    for (size_t i = 0; i < MADE_UP_USABLE; i++)
+        snprintf(made.names[i].bodies.material.name, sizeof made.names[i].bodies.material.name, "%s",
+                 i == 1 ? "silver" : "gold");
+    made_up_surface(&made, 1)->pair.hardness_Pa = NAN;
+    made_up_again(&made);
+    report = report_of(&made);
+    assert_says(&report, "Bodies: gold against a rigid flat, E′ 100 GPa, hardness 284 MPa on *beta* and 1 more; silver "
+                         "against a rigid flat, E′ 100 GPa on *alpha*. ");
+    assert_silent(&report, "hardness  MPa");
+    text_free(&report);
+    made_up_free(&made);
+}
+
 /* ---- The user's own template, and the terminal ---- */
 
 TEST_CASE(a_template_of_the_user_takes_the_reports_place)
@@ -365,6 +648,37 @@ TEST_CASE(a_template_of_the_user_takes_the_reports_place)
     assert_int_equal(report_markdown(&out, made.view, &how, &status), STATUS_OK);
     assert_string_equal(text_string(&out), "beta: 150\u00a0µΩ\nalpha: 50.0\u00a0µΩ\ngamma: 375\u00a0µΩ\n\n");
     text_free(&out);
+    /* its parts: those that lie beside it, else the program's, and none from elsewhere; itself is no part of it */
+    static const struct {
+        const char *source, *expected; /* NULL: refused */
+    } cases[] = {
+        {"{{> joint}}{{> mine}}", "mine: {{x}}, joint\n"},
+        {"{{> my}}", NULL},
+        {"{{> ../up}}", NULL},
+        {"{{> in/../../up}}", NULL},
+        {"{{> in/one}}", "one in it"},
+        {"\xff", NULL},
+        {"{{#rows}}{{#rows}}{{#rows}}{{#rows}}{{#rows}}{{#rows}}{{#rows}}{{#rows}}{{#rows}}{{#rows}}{{#rows}}{{#rows}}"
+         "{{#rows}}{{#rows}}{{#rows}}{{#rows}}{{#rows}}{{#rows}}{{#rows}}{{#rows}}{{#rows}}{{#rows}}{{#rows}}{{#rows}}"
+         "{{/rows}}{{/rows}}{{/rows}}{{/rows}}{{/rows}}{{/rows}}{{/rows}}{{/rows}}{{/rows}}{{/rows}}{{/rows}}{{/rows}}"
+         "{{/rows}}{{/rows}}{{/rows}}{{/rows}}{{/rows}}{{/rows}}{{/rows}}{{/rows}}{{/rows}}{{/rows}}{{/rows}}{{/rows}}",
+         NULL},
+    };
+    directory_write(&place, "t/mine.md", "mine: {{=< >=}}{{x}}<={{ }}=>, {{> joint}}\n");
+    directory_write(&place, "t/joint.md", "joint");
+    directory_write(&place, "t/in/one.md", "one in it");
+    directory_write(&place, "up.md", "secret");
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        const struct report_options beside = {PROJECT_SOURCE "/templates", directory_path(&place, "t/my.md"), false};
+        directory_write(&place, "t/my.md", cases[i].source);
+        enum status_code rc = report_markdown(&out, made.view, &beside, &status);
+        if (rc != (cases[i].expected ? STATUS_OK : strcmp(cases[i].source, "{{> my}}") == 0 ? STATUS_IO : STATUS_USAGE))
+            fail_msg("%s: %s", cases[i].source, status.message);
+        if (rc == STATUS_OK)
+            assert_says(&out, cases[i].expected);
+        status = (struct status){0};
+        text_free(&out);
+    }
     made_up_free(&made);
     directory_remove(&place);
 }
@@ -381,6 +695,42 @@ TEST_CASE(the_terminal_shows_the_first_pages_table)
     assert_says(&out, "beta     0.200              150\u00a0µΩ");
     assert_says(&out, "At 10.0\u00a0N the contact resistance is 50.0\u00a0µΩ");
     text_free(&out);
+    made_up_free(&made);
+}
+
+/** Every sentence of the first page, whatever the names. */
+TEST_CASE(the_terminal_says_what_the_page_says)
+{
+    static char hostile[] = "a*b`c*";
+    struct made_up made;
+    struct status status = {0};
+    struct text table = {0};
+    size_t sentences = 0;
+    made_up_make_of(&made, made_up_models(), PLAIN, NULL);
+    made.names[1].name = hostile;
+    made_up_again(&made);
+    struct text page = report_of(&made);
+    assert_int_equal(report_terminal(&table, "terminal", made.view, PROJECT_SOURCE "/templates", false, &status),
+                     STATUS_OK);
+    for (char *at = table.data; *at; at++)
+        *at = *at == '\n' ? ' ' : *at;
+    *strstr(page.data, "\n|") = '\0';
+    strtok(page.data, "\n"); /* the title */
+    for (char *line; (line = strtok(NULL, "\n")); sentences++) {
+        struct text plain = {0};
+        for (const char *at = line; *at; at++) {
+            bool kept = *at == '\\', less = strncmp(at, "&#60;", 5) == 0;
+            at += kept ? 1 : less ? 4 : 0;
+            text_add(&plain, kept || !strchr("*`", *at) ? "%c" : "", less ? '<' : *at);
+        }
+        assert_says(&table, text_string(&plain));
+        text_free(&plain);
+    }
+    assert_true(sentences >= 5);
+    assert_says(&table, "significantly better");
+    assert_says(&table, "on a*b`c*, ");
+    text_free(&table);
+    text_free(&page);
     made_up_free(&made);
 }
 

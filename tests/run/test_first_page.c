@@ -88,6 +88,17 @@ TEST_IN_PLACE(test_factors_are_those_of_the_data)
     assert_near(shown(place, "length_factor"), either_way(farthest(place, "scan /2")), 0.05);
     assert_near(shown(place, "spacing_factor"), either_way(farthest(place, "cut-off x2")), 0.05);
     assert_near(shown(place, "hardness_factor"), either_way(farthest(place, "hardness x1.1")), 0.05);
+    double lay = 1; /* that of a perfect one, as none is known */
+    json_t *results = json_load_file(directory_path(place, "out/results.json"), 0, NULL), *own;
+    size_t index;
+    json_array_foreach(json_object_get(results, "surfaces"), index, own)
+    {
+        lay = fmax(
+            lay, either_way(json_number_value(json_object_get(json_object_get(own, "lay"), "perfect_lay_ecr_factor"))));
+    }
+    json_decref(results);
+    assert_near(shown(place, "lay_factor"), lay, 0.05);
+    assert_true(lay > 1.05);
     assert_near(shown(place, "place_factor"), widest(place), 0.05);
     assert_true(widest(place) > 1.01);
     double most = 1; /* the only other plastic model */
@@ -228,6 +239,92 @@ static size_t count_figures(const struct directory *place, const char *folder)
         count += strstr(entry->d_name, ".svg") != NULL;
     closedir(figures);
     return count;
+}
+
+/** The first page of a scene on the two surfaces, and what stands on no other. */
+static struct text page_of(const struct directory *place, const char *scene)
+{
+    struct text page;
+    mkdir(directory_path(place, "pressed"), 0777);
+    pipeline_rough(place, "pressed/a.csv", 160, 3, 1);
+    pipeline_rough(place, "pressed/b.csv", 160, 5, 2);
+    directory_write(place, "pressed/scene.yaml", scene);
+    assert_int_equal(pipeline_run(place, "pressed", "out", 1), 0);
+    page = directory_read(place, "out/report.md");
+    char *rest = strstr(page.data, "\n---\n");
+    assert_non_null(rest);
+    *rest = '\0';
+    return page;
+}
+
+/* Above the hardness the leading model has no answer: page, files and terminal name that one, and the page says why;
+ * just below it has one, and says nothing. */
+TEST_IN_PLACE(test_a_load_above_the_hardness)
+{
+    static const char why[] = "not known (the load exceeds the hardness, 39.8";
+    struct text page = page_of(place, "material: tin\nnominal_area: 1 mm2\noperating_load: 100 MPa\n");
+    expect_parts(text_string(&page), why, "by strip transfer with hardness");
+    expect_in_file(place, "out/results.json", "\"leading\": \"strip-plastic\"");
+    text_free(&page);
+    struct run_outcome outcome;
+    pipeline_outcome(&outcome, place, "pressed", "out", 1);
+    char *words = strdup(text_string(&outcome.table));
+    for (char *at = words; (at = strchr(at, '\n'));)
+        *at = ' ';
+    expect_parts(words, why);
+    free(words);
+    run_outcome_free(&outcome);
+    page = page_of(place, "material: tin\nnominal_area: 1 mm2\noperating_load: 30 MPa\n");
+    expect_no_parts(text_string(&page), "exceeds", "not known");
+    text_free(&page);
+}
+
+/* Area is P/H, load and hardness alone, or it is not: whatever scatters in the last digits. */
+TEST_IN_PLACE(test_area_that_is_load_over_hardness)
+{
+#define AREA_ALONE "effects: [plasticity, uncertainty]\nmodels: [strip]\n"
+#define ONE_SCAN   "surfaces: [{name: a, file: a.csv}, {name: b, file: a.csv}]\n"
+    static const struct {
+        const char *scene;
+        bool pressed, alike, interval;
+    } rows[] = {
+        {"material: tin\nload: {from: 0.3 MPa, to: 30 MPa}\noperating_load: 3 MPa\n" AREA_ALONE, true, true, false},
+        {"material: tin\nhardness: 30 GPa\nload: {from: 0.3 MPa, to: 30 MPa}\noperating_load: 3 MPa\n" AREA_ALONE,
+         false, false, true},
+        {"material: tin\nhardness: 30 GPa\nload: {from: 0.3 MPa, to: 30 MPa}\noperating_load: 3 MPa\n" AREA_ALONE
+             ONE_SCAN,
+         false, true, true},
+        {"load: {from: 1e-5, to: 1e-3}\noperating_load: 1e-4\neffects: [uncertainty]\nmodels: [strip]\n" ONE_SCAN,
+         false, true, true},
+        {"material: tin\nload: {from: 1 MPa, to: 2 GPa}\noperating_load: 1 GPa\neffects: [plasticity]\nmodels: "
+         "[multiscale]\n",
+         false, true, false}, /* 100 % */
+    };
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        struct text page = page_of(place, rows[k].scene);
+        const char *text = text_string(&page), *intervals = rows[k].interval ? "(95 % " : "is ";
+        expect_parts(text, intervals, rows[k].pressed ? "Contact area is load over hardness here" : "contact area");
+        if (rows[k].alike && !rows[k].pressed)
+            expect_parts(text, "surfaces are alike.");
+        if (!rows[k].pressed)
+            expect_no_parts(text, "load over hardness");
+        if (rows[k].pressed) {
+            struct table spread = table_read_path(directory_path(place, "out/data/spread.csv"));
+            size_t found = 0;
+            for (size_t row = 0; row < spread.rows; row++)
+                if (strcmp(table_text(&spread, row, "quantity"), "area_ratio_at_middle_load_strip-plastic") == 0) {
+                    assert_string_equal(table_text(&spread, row, "mean_low_95"), ""); /* in no digit */
+                    found++;
+                }
+            assert_int_equal(found, 2);
+            table_free(&spread);
+        }
+        if (!rows[k].alike)
+            expect_no_parts(text, "are alike");
+        if (!rows[k].interval)
+            expect_no_parts(text, "(95 % ", "undecided");
+        text_free(&page);
+    }
 }
 
 /* Brief: the page up to the rule, byte by byte, its figure alone, and the same data. */

@@ -138,7 +138,7 @@ TEST_IN_PLACE(test_the_report_names_windows)
     directory_write(place, "three/scene.yaml",
                     "material: tin\nsurfaces: [{name: a, file: [a-1.csv, a-2.csv, a-3.csv]}]\n");
     assert_int_equal(pipeline_run(place, "three", "three-out", 1), 0);
-    expect_in_file(place, "three-out/report.md", "2 of 3 scans are periodic. The others have a Hann window.");
+    expect_in_file(place, "three-out/report.md", "Periodic: 2 of 3 scans. The others have a Hann window.");
     expect_gamma_made(place, "three-out", "a");
     assert_true(number(place, "three-out", "a", "gamma_stderr") < 0.04); /* one alone: 0.044 */
 }
@@ -190,7 +190,10 @@ TEST_IN_PLACE(test_no_law)
         assert_true(isnan(number(place, "none-out", names[s], "gamma")) &&
                     isnan(number(place, "none-out", names[s], "fit_low_m")));
     }
-    expect_in_file(place, "none-out/report.md", "no power law found", "No power law of a decade was found on 5.");
+    expect_in_file(place, "none-out/report.md", "no power law found",
+                   "No power law of a decade was found on 5 surfaces.",
+                   "On 5 of 5 surfaces the spectrum does not tell γ");
+    expect_not_in_file(place, "none-out/report.md", "No surface's γ is below 1", "would take at most");
     struct table table = directory_table(place, "none-out/data/spectrum.csv");
     assert_string_equal(table_text(&table, 0, "fit_m"), "");
     table_free(&table);
@@ -209,7 +212,7 @@ TEST_IN_PLACE(test_a_narrow_law)
     assert_true(number(place, "narrow-out", "a", "fit_low_m") >= 5e-6 &&
                 number(place, "narrow-out", "a", "fit_high_m") <= 4e-5);
     expect_gamma_made(place, "narrow-out", "a");
-    expect_in_file(place, "narrow-out/report.md", " (narrow) | ");
+    expect_in_file(place, "narrow-out/report.md", " (narrow) | ", "No power law of a decade was found on 2 surfaces.");
 }
 
 /* Heights to the picometre of a law that an instrument has cut at 8 um: what is left below is the file's last digit.
@@ -236,7 +239,8 @@ TEST_IN_PLACE(test_what_lies_below_a_cut_off)
     directory_write(place, "cut/scene.yaml", scene);
     assert_int_equal(pipeline_run(place, "cut", "cut-out", 1), 0);
     struct text report = directory_read(place, "cut-out/report.md");
-    assert_non_null(strstr(text_string(&report), "What lies below what is known, the spectra do not tell."));
+    assert_non_null(
+        strstr(text_string(&report), "The spectrum does not tell γ at short wavelengths, nor what lies below."));
     assert_null(strstr(text_string(&report), "would take at most"));
     const char *found = strstr(text_string(&report), finding);
     assert_non_null(found);

@@ -8,6 +8,8 @@
 #include "joint/plating.h"
 #include "run/pipeline.h"
 
+#include <jansson.h>
+
 #define MATERIAL                                                                                                       \
     "material: {E: 50 GPa, nu: 0.3, Sy: 20 MPa, resistivity: 1.1e-7, conductivity: 60}\n"                              \
     "load: {from: 1e-7, to: 1e-2, points: 16}\ntolerance: 1e-12\n"                                                     \
@@ -15,6 +17,8 @@
 #define JOINT                                                                                                          \
     "nominal_area: 2 mm2\ngap: {gas: helium, pressure: 0.5 atm, temperature: 320 K, accommodation: 0.5}\n"             \
     "film: 3e-13 ohm m2\nplating: {thickness: 0.8 um, resistivity: 2.2e-8 ohm m}\ncurrent: 20 A\n"
+
+#define LOADS "load: {from: 1e-7, to: 1e-2, points: 5}\noperating_load: 1e-6\n"
 
 static int place_setup(void **state)
 {
@@ -145,6 +149,196 @@ TEST_IN_PLACE(nothing_that_is_not_called_for)
     text_free(&plain);
 }
 
+/** What results.json knows of a quantity of a surface by the leading model where the summary stands. */
+static const json_t *known(const json_t *results, size_t surface, const char *quantity)
+{
+    const char *leading = json_string_value(json_object_get(results, "leading"));
+    const json_t *models = json_object_get(json_array_get(json_object_get(results, "surfaces"), surface), "models");
+    const json_t *known =
+        json_object_get(json_object_get(json_object_get(models, leading), "at_middle_load"), quantity);
+    if (!known)
+        fail_msg("nothing is known of %s", quantity);
+    return known;
+}
+
+/** An end of its 95 % interval over its value. */
+static double end_of(const json_t *results, size_t surface, const char *quantity, size_t side)
+{
+    const json_t *own = known(results, surface, quantity);
+    return json_number_value(json_array_get(json_object_get(own, "mean_95"), side)) /
+           json_number_value(json_object_get(own, "mean"));
+}
+
+static json_t *results_of(const struct directory *place, const char *scene)
+{
+    struct text report = report_on(place, scene), text = directory_read(place, "out/results.json");
+    json_t *results = json_loads(text_string(&text), 0, NULL);
+    assert_non_null(results);
+    text_free(&report);
+    text_free(&text);
+    return results;
+}
+
+/* The scatter of what the joint is made of is its own: where the film is all, the area's; where there is none, that of
+ * the resistance; where a bond line is thick, none; in vacuum that of TCR. Of one scan, and of three; by a model that
+ * has an error of its own, and by one that has none. */
+TEST_IN_PLACE(intervals_hold_all_that_scatters)
+{
+    static const char *const models[] = {"strip", "corrected-persson"};
+    static const struct {
+        const char *more, *quantity, *same; /* NULL: no scatter */
+        bool inverse;
+    } rows[] = {
+        {"film: 1e-3\n", "joint_ecr_ohm_m2", "area_ratio", true},
+        {"film: 0\n", "joint_ecr_ohm_m2", "ecr_ohm_m2", false},
+        {"film: 0\ncurrent: 1 A\n", "contact_voltage_V", "ecr_ohm_m2", false},
+        {"gap: {gas: vacuum}\n", "joint_W_per_m2K", "tcr_K_m2_per_W", true},
+        {"gap: {conductivity: 1e4, bond_line: 1 mm}\n", "joint_W_per_m2K", NULL, false},
+    };
+    pipeline_rough(place, "in/a2.csv", 600, 1, 5);
+    pipeline_rough(place, "in/a3.csv", 600, 1.5, 6);
+    for (size_t k = 0; k < 2 * sizeof rows / sizeof *rows; k++) {
+        size_t row = k / 2;
+        char scene[1024];
+        snprintf(scene, sizeof scene,
+                 "material: {E: 50 GPa, nu: 0.3, resistivity: 1.1e-7, conductivity: 60}\nnominal_area: 2 mm2\n"
+                 "load: {from: 1e-6, to: 1e-4, points: 5}\nmodels: [%s]\n%s"
+                 "effects: [separation, electrical, thermal, uncertainty]\n"
+                 "surfaces: [{name: a, file: [a.csv, a2.csv, a3.csv]}, {name: b, file: b.csv}]\n",
+                 models[k % 2], rows[row].more);
+        json_t *results = results_of(place, scene);
+        for (size_t surface = 0; surface < 2; surface++)
+            for (size_t side = 0; side < 2; side++) {
+                double own = rows[row].same ? end_of(results, surface, rows[row].quantity, side) : 1;
+                double other = 1;
+                if (rows[row].same)
+                    other = end_of(results, surface, rows[row].same, rows[row].inverse ? !side : side);
+                else
+                    assert_within(json_number_value(
+                                      json_object_get(known(results, surface, rows[row].quantity), "standard_error")),
+                                  0, 0.01); /* 1/TCR beside it is next to nothing */
+                assert_near(own, rows[row].inverse ? 1 / other : other, 1e-6);
+                assert_true(!rows[row].same || fabs(log(own)) > 0.1);
+            }
+        json_decref(results);
+    }
+}
+
+/* Where film and constriction are as large, neither the one's nor the other's scatter is it: by scans, whose areas and
+ * resistances scatter together. A limit goes by the very interval of the page and of results.json. */
+TEST_IN_PLACE(limits_go_by_the_interval_of_the_page)
+{
+    pipeline_rough(place, "in/a2.csv", 600, 1, 5);
+    pipeline_rough(place, "in/a3.csv", 600, 1.5, 6);
+    json_t *results = results_of(
+        place, "material: bronze\nnominal_area: 2 mm2\nmodels: [strip]\nload: {from: 1e-6, to: 1e-4, points: 5}\n"
+               "effects: [plasticity, electrical, uncertainty]\nfilm: 1e-13\n"
+               "plating: {thickness: 0.8 um, resistivity: 5e-8}\ncurrent: 30 A\n"
+               "targets: [{ecr: 1 mohm}]\nlimits: {ecr: {most: 1 mohm}, temperature: {most: 400 K}}\n"
+               "surfaces: [{name: a, file: [a.csv, a2.csv, a3.csv]}, {name: b, file: b.csv}]\n");
+    struct text tree = directory_read(place, "out/view.json");
+    json_t *view = json_loads(text_string(&tree), 0, NULL);
+    for (size_t surface = 0; surface < 2; surface++) {
+        const json_t *limits = json_object_get(results, "limits"),
+                     *ecr = json_object_get(json_array_get(limits, 2 * surface), "interval_95"),
+                     *heat = json_object_get(json_array_get(limits, 2 * surface + 1), "interval_95");
+        assert_true(json_equal(ecr, json_object_get(known(results, surface, "joint_ecr_ohm_m2"), "mean_95")));
+        char shown[2][40];
+        for (size_t side = 0; side < 2; side++) {
+            double end = json_number_value(json_array_get(ecr, side)), volts = 30 * end / 2e-6;
+            struct text number = {0};
+            assert_near(json_number_value(json_array_get(heat, side)),
+                        sqrt(300. * 300 + volts * volts / (4 * heating_lorenz_number())), 1e-9);
+            number_format(&number, end / 2e-6 * 1e3, 2);
+            snprintf(shown[side], sizeof shown[side], "%s", text_string(&number));
+            text_free(&number);
+        }
+        const json_t *row = json_array_get(json_object_get(view, "rows"), surface);
+        const char *interval = json_string_value(json_object_get(json_object_get(row, "value"), "interval"));
+        assert_non_null(interval);
+        expect_parts(interval, shown[0], shown[1]);
+    }
+    unlink(directory_path(place, "in/a2.csv"));
+    unlink(directory_path(place, "in/a3.csv"));
+    json_decref(view);
+    json_decref(results);
+    text_free(&tree);
+}
+
+/** The hardness of the first surface. */
+static double hardness_of(const json_t *results)
+{
+    const json_t *own = json_array_get(json_object_get(results, "surfaces"), 0), *scene;
+    scene = json_object_get(results, "scene");
+    own = json_object_get(json_object_get(own, "hardness_Pa") ? own : scene, "hardness_Pa");
+    return json_number_value(own);
+}
+
+/* A plating thicker than indents are deep is what yields, and the page says which hardness it took. */
+TEST_IN_PLACE(a_plating_has_its_hardness)
+{
+#define BRONZE "material: bronze\nmodels: [corrected-persson]\nnominal_area: 1 mm2\noperating_load: 1 N\nbaseline: a\n"
+    const double bronze_Pa = material_hardness(material_find("bronze"));
+    const struct {
+        const char *more;
+        double hardness_Pa;
+        const char *said, *unsaid;
+    } rows[] = {
+        {"plating: {metal: tin, thickness: 20 um}\n", 100e6, "that of the tin plating", "bodies"},
+        {"plating: {metal: tin, thickness: 1 nm}\n", bronze_Pa, "go through 0.00100", "that of the tin plating"},
+        {"plating: {metal: tin, thickness: 20 um}\nhardness: 900 MPa\n", 900e6, "the scene's", "plating is"},
+        {"plating: {metal: hard gold, thickness: 20 um}\n", 1.667e9, "that of the hard gold plating", "bodies"},
+        {"counterface: same\nplating: {metal: hard gold, thickness: 20 um}\n", bronze_Pa, "that of the bodies.",
+         "that of the hard"},
+        {"counterface: same\nplating: {metal: hard gold, thickness: 20 um, sides: both}\n", 1.667e9,
+         "that of the hard gold plating", "bodies"},
+        {"plating: {resistivity: 1e-7, thickness: 20 um}\n", bronze_Pa, "that of the plating is not known", "indents"},
+        {"film: 0\n", bronze_Pa, "", "Hardness"},
+    };
+    double area[2] = {0}, indent_um = NAN;
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        char scene[512];
+        snprintf(scene, sizeof scene, BRONZE "%s", rows[k].more);
+        json_t *results = results_of(place, scene);
+        struct text page = directory_read(place, "out/report.md");
+        *strstr(page.data, "\n---\n") = '\0';
+        assert_near(hardness_of(results), rows[k].hardness_Pa, 1e-12);
+        expect_parts(text_string(&page), rows[k].said);
+        const char *sentence = strstr(text_string(&page), "Hardness on");
+        assert_int_equal(sentence == NULL, !*rows[k].said);
+        char *line = strndup(sentence ? sentence : "", sentence ? strcspn(sentence, "\n") : 0);
+        expect_no_parts(line, rows[k].unsaid);
+        if (k == 0)
+            indent_um = strtod(strstr(line, "indents are ") + strlen("indents are "), NULL);
+        free(line);
+        text_free(&page);
+        json_decref(results);
+    }
+    for (int side = 0; side < 2; side++) { /* on either side of that depth */
+        char scene[512];
+        snprintf(scene, sizeof scene, BRONZE "plating: {metal: tin, thickness: %g um}\n",
+                 indent_um * (side ? 1.06 : 0.94));
+        json_t *results = results_of(place, scene);
+        assert_near(hardness_of(results), side ? 100e6 : bronze_Pa, 1e-12);
+        json_decref(results);
+    }
+    for (int given = 0; given < 2; given++) { /* as if the scene gave it */
+        char scene[512];
+        snprintf(scene, sizeof scene, BRONZE "plating: {metal: tin, thickness: 20 um}\n%s",
+                 given ? "hardness: 100 MPa\n" : "");
+        json_decref(results_of(place, scene));
+        struct table contact = directory_table(place, "out/data/contact.csv");
+        for (size_t i = 0; i < contact.rows; i++)
+            area[given] += number(&contact, i, "area_ratio");
+        table_free(&contact);
+    }
+    assert_near(area[0], area[1], 1e-12);
+    for (int k = 1; k < JOINT_PLATINGS; k++) {
+        assert_true(joint_platings[k].hardness_Pa > 1e7 && joint_platings[k].hardness_Pa < 1e10);
+        expect_parts(joint_platings[k].source, "hardness: ");
+    }
+}
+
 /** Vacuum carries nothing, no film adds nothing; tin says when it softens and melts. */
 TEST_IN_PLACE(sentences)
 {
@@ -156,13 +350,14 @@ TEST_IN_PLACE(sentences)
         assert_true(isnan(film) || film == number(&contact, i, "ecr_ohm_m2"));
     }
     table_free(&contact);
-    expect_parts(text_string(&report), "The gaps are empty and carry no heat.");
+    expect_parts(text_string(&report), "The gaps are empty and carry no heat. Radiation would");
+    expect_no_parts(text_string(&report), "of the heat", "matters more than");
     text_free(&report);
     static const struct {
         const char *scene, *says;
     } rows[] = {
         {"material: tin\nnominal_area: 1 mm2\ncurrent: 1 uA\n", ", and the metal does not soften."},
-        {"material: tin\nnominal_area: 1 mm2\ncurrent: 1 MA\n", "**the metal softens or melts** on 2"},
+        {"material: tin\nnominal_area: 1 mm2\ncurrent: 1 MA\n", "**the metal softens or melts** on 2 of 2 surfaces"},
         {"material: copper\ncounterface: tin\nnominal_area: 1 mm2\ncurrent: 1 uA\n",
          ", and the metal does not soften."},
         {"material: copper\ncounterface: {E: 50 GPa, nu: 0.3, Sy: 1 MPa, resistivity: 1e-7}\nnominal_area: 1 mm2\n"
@@ -184,13 +379,43 @@ TEST_IN_PLACE(sentences)
         {"material: tin\nplating: {thickness: 2 um, resistivity: 1e-8}\n", ", so it helps"},
         {"material: tin\nplating: {thickness: 2 um, resistivity: 1e-6}\n", ", so it does not help"},
         {"material: tin\nfilm: 1e-3 ohm m2\n", " is 100 % of the resistance"},
+        {"material: tin\nmodels: [strip]\nload: {values: [1]}\noperating_load: 1\nfilm: 1e-3 ohm m2\n",
+         "The film of 0.00100 Ω·m² is a part of the resistance that is not known here."},
+        {"material: tin\nmodels: [strip]\nload: {values: [1]}\noperating_load: 1\nnominal_area: 1 mm2\ncurrent: 2 A\n",
+         "What 2.00 A drops is not known here. At "},
     };
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
         char scene[1024];
-        snprintf(scene, sizeof scene, "load: {from: 1e-7, to: 1e-2, points: 5}\noperating_load: 1e-6\n%s",
-                 rows[k].scene);
+        snprintf(scene, sizeof scene, "%s%s", strstr(rows[k].scene, "load:") ? "" : LOADS, rows[k].scene);
         report = report_on(place, scene);
         expect_parts(strstr(text_string(&report), "## The joint"), rows[k].says);
+        text_free(&report);
+    }
+}
+
+/** A limit, a target and the textbook say what is in them, and which end of the loads they stand at. */
+TEST_IN_PLACE(what_is_in_the_answer)
+{
+    static const struct {
+        const char *key, *says, *unsaid;
+    } rows[] = {
+        {"film: 1e-9 ohm m2\n", "film", "plating"},
+        {"plating: {thickness: 2 um, resistivity: 1e-8}\n", "plating", "film"},
+        {"film: 1e-9 ohm m2\nplating: {thickness: 2 um, resistivity: 1e-8}\n", "film and plating", "between them"},
+    };
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        char scene[1024], limit[100], target[100], answer[100];
+        snprintf(scene, sizeof scene,
+                 "material: tin\nmodels: [strip, cmy]\nnominal_area: 1 mm2\nload: {from: 1 N, to: 30 N, points: 5}\n"
+                 "targets: [{ecr: 1 ohm}, {ecr: 1 nohm}]\nlimits: {ecr: {most: 1 ohm}}\n%s",
+                 rows[k].key);
+        snprintf(limit, sizeof limit, "\nLimit ECR with %s ≤ 1\u00a0Ω: ", rows[k].says);
+        snprintf(target, sizeof target, "\nECR with %s of 1\u00a0nΩ takes more than ", rows[k].says);
+        snprintf(answer, sizeof answer, ", %s included.\n", rows[k].says);
+        struct text report = report_on(place, scene);
+        *strstr(report.data, "\n---\n") = '\0';
+        expect_parts(report.data, limit, target, answer, "\nTextbook (CMY): at most 1.00\u00a0N on *");
+        expect_no_parts(report.data, rows[k].unsaid);
         text_free(&report);
     }
 }

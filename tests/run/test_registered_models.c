@@ -349,7 +349,7 @@ TEST_CASE(test_the_area_alone)
     struct text text = directory_read(&place, "out/report.md");
     assert_has(text_string(&text), "the leading model is area alone.");
     assert_has(text_string(&text), "| model | area (%) |\n");
-    assert_has(text_string(&text), "Whether they differ significantly is undecided"); /* two have one scan */
+    assert_has(text_string(&text), "it is undecided whether surfaces differ significantly"); /* two have one scan */
     assert_lacks(text_string(&text), "significantly better");
     assert_true(directory_has(&place, "out/figures/area.svg"));
     assert_has(text_string(&outcome.table), "contact area");

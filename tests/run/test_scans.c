@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Several scans of a surface, one alone, and surfaces held against each other, through the whole program. */
 #include "run/pipeline.h"
+#include "statistics/interval.h"
 
 #include <jansson.h>
 
@@ -268,8 +269,101 @@ TEST_IN_DIRECTORY(few_longest_waves)
                                  "ecr_ohm_m2", "standard_deviation", &s, "mean_95", &ends),
                      0);
     assert_int_equal(json_unpack(ends, "[F, F]", &low, &high), 0);
-    assert_near(log(high / low) / 2, hypot(2.3 * s, 1.96 * hypot(0.3, 1.3 * log(2.5 / waves))), 1e-9);
+    double square = pow(0.54, 2) + pow(1.3 * log(2.5 / waves), 2) + s * s;
+    assert_near(log(high / low) / 2, interval_quantile(0.95, 4 * pow(square / (s * s), 2)) * sqrt(square), 1e-9);
     json_decref(results);
+}
+
+/** Degrees of freedom of a surface's resistance in results.json, and the width of its interval (of ln). */
+static double degrees_of(const struct directory *place, const char *out, double *width)
+{
+    char path[64];
+    snprintf(path, sizeof path, "%s/results.json", out);
+    json_t *results = json_load_file(directory_path(place, path), 0, NULL);
+    double degrees = NAN, low, high;
+    assert_int_equal(json_unpack(json_array_get(json_object_get(results, "surfaces"), 0),
+                                 "{s:{s:{s:{s:{s:F, s:[F, F]}}}}}", "models", "strip", "at_middle_load", "ecr_ohm_m2",
+                                 "degrees_of_freedom", &degrees, "mean_95", &low, &high),
+                     0);
+    *width = log(high / low);
+    json_decref(results);
+    return degrees;
+}
+
+/** Two rough bodies: scan i of one with scan i of the other, as many as both have; of one scan of either, records with
+ * records and quarters with quarters. */
+TEST_IN_DIRECTORY(two_rough_bodies)
+{
+    static const struct {
+        const char *own, *other;
+        double degrees;
+    } cases[] = {{"a*.csv", "b*.csv", 2},
+                 {"a*.csv", "b[01].csv", 1},
+                 {"a0.csv", "b*.csv", 4},
+                 {"a0.csv", "b0.csv", 4},
+                 {"a*.csv", "b0.csv", 4}};
+    char name[16], more[200], surface[64];
+    for (unsigned long i = 0; i < 3; i++) {
+        snprintf(name, sizeof name, "in/a%lu.csv", i);
+        rough(place, name, POINTS, 1, i + 1);
+        snprintf(name, sizeof name, "in/b%lu.csv", i);
+        rough(place, name, POINTS, 1, i + 11);
+    }
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        double width;
+        snprintf(more, sizeof more,
+                 "effects: [separation, electrical, uncertainty]\nmodels: [strip]\ncounterface: {surface: '%s'}\n",
+                 cases[k].other);
+        snprintf(surface, sizeof surface, "{name: m, file: '%s'}", cases[k].own);
+        report(place, "out", more, surface);
+        assert_near(degrees_of(place, "out", &width), cases[k].degrees, 0);
+        assert_true(width > 2 * 1.9 * 0.5 && width < 20);
+        expect_in_file(place, "out/report.md", "(95 % ");
+    }
+}
+
+/** One scan whose quarters are alike, and one that is a hundred times as rough from its middle on: each quarter goes
+ * through the strips alone, and their scatter is in the interval. */
+TEST_IN_DIRECTORY(a_scan_that_changes)
+{
+    double width[2];
+    struct synth_def def = synth_def_default();
+    struct status status = {0};
+    double height_m[4 * POINTS];
+    def.points = 4 * POINTS;
+    def.length_m = 5e-7 * 4 * POINTS;
+    def.gamma = 0.8;
+    assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
+    for (int k = 0; k < 2; k++) {
+        for (size_t i = 2 * POINTS; k == 1 && i < 4 * POINTS; i++)
+            height_m[i] *= 100;
+        pipeline_scan(place, "in/0.csv", height_m, 4 * POINTS);
+        report(place, "out", "effects: [separation, electrical, uncertainty]\nmodels: [strip]\n",
+               "{name: m, file: 0.csv}");
+        assert_near(degrees_of(place, "out", &width[k]), 4, 0);
+    }
+    assert_true(width[1] > 2 * width[0]);
+}
+
+/** 24 scans are solved whole; of more, and of longer ones, pieces: the first page says so, and the answer stays of its
+ * kind. */
+TEST_IN_DIRECTORY(many_scans)
+{
+    char name[16];
+    for (unsigned long i = 0; i < 26; i++) {
+        snprintf(name, sizeof name, "in/%02lu.csv", i);
+        rough(place, name, 64, 1, i + 1);
+    }
+    for (int many = 0; many < 2; many++) {
+        double width;
+        report(place, "out", "effects: [separation, electrical]\nmodels: [strip]\n",
+               many ? "{name: m, file: '*.csv'}" : "{name: m, file: '[01]*.csv'}");
+        if (many)
+            expect_in_file(place, "out/report.md", "Strips hold evenly spread pieces of the scans");
+        else
+            expect_not_in_file(place, "out/report.md", "Strips hold");
+        assert_near(degrees_of(place, "out", &width), many ? 23 : 19, 0);
+    }
 }
 
 /** What is off is not computed: no band, no section, no letters, and nobody is called best. */
@@ -279,7 +373,7 @@ TEST_IN_DIRECTORY(one_scan_each)
     rough(place, "in/b.csv", POINTS, 3, 2);
     report(place, "off", listed, "{name: a, file: a.csv}, {name: b, file: b.csv}");
     assert_false(directory_has(place, "off/data/bands.csv"));
-    expect_in_file(place, "off/report.md", "Whether they differ significantly is undecided");
+    expect_in_file(place, "off/report.md", "it is undecided whether surfaces differ significantly");
     expect_not_in_file(place, "off/report.md", "significantly better");
     expect_not_in_file(place, "off/report.md", "(95 % ");
     report(place, "on", "effects: [plasticity, separation, electrical, uncertainty]\n",
@@ -304,7 +398,7 @@ TEST_IN_DIRECTORY(ranked_in_words)
     expect_in_file(place, "three/report.md", "does not differ significantly from");
     expect_not_in_file(place, "three/report.md", "significantly better");
     report(place, "two", more, "{name: a, file: [a0.csv, a1.csv, a2.csv]}, {name: c, file: [c0.csv, c1.csv, c2.csv]}");
-    expect_in_file(place, "two/report.md", "*a* is significantly better (p ", "| a | ");
+    expect_in_file(place, "two/report.md", "*a* is significantly better than *c* (p ", "| a | ");
 }
 
 /* The first p value that a report prints. */
@@ -335,25 +429,26 @@ TEST_IN_DIRECTORY(more_pairs_ask_for_more)
     assert_true(two < 0.2 && three >= 1.4 * two); /* printed to two digits */
 }
 
-/** A map of more rows than are run: 8 of each of 16 blocks, which it says; rows that are all alike have no spread. */
-TEST_IN_DIRECTORY(a_map_by_blocks)
+/** Rows of a map are no scans: strips of them have an answer, and nothing tells an interval. */
+TEST_IN_DIRECTORY(a_map_by_rows)
 {
     enum { NX = 64, NY = 300 };
     struct text grid = {0};
     text_add(&grid, "DSAA\n%d %d\n0 %.9g\n0 %.9g\n-1 1\n", NX, NY, 5e-7 * (NX - 1), 5e-7 * (NY - 1));
     for (int row = 0; row < NY; row++) {
-        for (int i = 0; i < NX; i++) /* rougher from the first row to the last: blocks follow each other */
+        for (int i = 0; i < NX; i++)
             text_add(&grid, "%.9g ", (1 + row / 300.0) * (1e-7 * sin(0.7 * i) + 4e-8 * sin(2.1 * i * (i % 5))));
         text_add(&grid, "\n");
     }
     directory_write(place, "in/map.grd", text_string(&grid));
     text_free(&grid);
-    report(place, "out", "effects: [separation, electrical]\n", "{name: m, file: map.grd, x_unit: m, z_unit: m}");
-    struct table spread = directory_table(place, "out/data/spread.csv");
-    assert_near(table_number(&spread, 0, "scans"), 16, 1e-12);    /* blocks */
-    assert_near(table_number(&spread, 0, "effective"), 2, 1e-12); /* a trend: as few as can be */
-    expect_in_file(place, "out/report.md", " (too small a map for its longest waves) |");
-    table_free(&spread);
+    report(place, "out", "effects: [separation, electrical]\nmodels: [strip]\n",
+           "{name: m, file: map.grd, x_unit: m, z_unit: m}");
+    struct table contact = directory_table(place, "out/data/contact.csv");
+    assert_true(contact.rows > 0 && table_number(&contact, 0, "area_ratio") > 0);
+    table_free(&contact);
+    assert_false(directory_has(place, "out/data/spread.csv") || directory_has(place, "out/data/bands.csv"));
+    expect_in_file(place, "out/report.md", "24 of them, evenly spaced, go through the models");
 }
 
 /* Scans that cannot be used, one of which is refused after another of its surface was added, leave no trace in numbers:

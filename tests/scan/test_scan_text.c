@@ -172,6 +172,27 @@ TEST_CASE(test_missing_units)
     assert_refused_bytes(text, strlen(text), &x_only, "no unit for z; add `z_unit: um`");
     assert_refused_bytes(text, strlen(text), &z_only, "no unit for x; add `x_unit: mm`");
     assert_refused_bytes(text, strlen(text), &wrong, "is no unit of length; give z_unit");
+    /* a unit that is none of length is named, where it is what lacks; longer words in brackets are no units */
+    static const struct {
+        const char *title, *refused;
+    } titles[] = {
+        {"x [km],z [um]", "file: unknown unit 'km', no unit for x; add"},
+        {"x [mm],z (V)", "file: unknown unit 'V', no unit for z; add"},
+        {"x,z [km]", "file: unknown unit 'km', no unit for x nor for z; add"},
+        {"x [km],z [px]", "file: unknown unit 'km', no unit for x nor for z; add"},
+        {"x (position),z [um]", "file: no unit for x; add"},
+    };
+    for (size_t i = 0; i < sizeof titles / sizeof *titles; i++) {
+        char whole[80];
+        snprintf(whole, sizeof whole, "%s\n%s", titles[i].title, text);
+        assert_refused_bytes(whole, strlen(whole), &no_units, titles[i].refused);
+    }
+    struct scan scan;
+    struct status status = {0};
+    const char *given = "x [km],z [um]\n0,1\n1,2\n2,3\n";
+    assert_int_equal(read_bytes(&scan, given, strlen(given), &x_only, &status), STATUS_OK); /* the scene knows better */
+    assert_string_equal(scan.x_unit, "mm");
+    scan_free(&scan);
 }
 
 TEST_CASE(test_binary)

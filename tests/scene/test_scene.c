@@ -41,7 +41,8 @@ static void check_defaults(const struct scene *scene)
     check_numbers(scene, false);
     assert_int_equal(scene->models, NAMED("multiscale-elastic") | NAMED("multiscale-plastic") | NAMED("gw") |
                                         NAMED("jg") | NAMED("corrected-persson") | NAMED("corrected-persson-plastic") |
-                                        NAMED("strip") | NAMED("strip-plastic") | NAMED("cmy"));
+                                        NAMED("strip") | NAMED("strip-plastic") | NAMED("direct") |
+                                        NAMED("direct-plastic") | NAMED("cmy"));
     assert_false(scene->models_named);
     assert_true(isnan(scene->bodies.hardness_Pa)); /* 2.84 S_y */
     assert_true(scene->effects_auto);
@@ -288,6 +289,18 @@ TEST_CASE(test_the_command_line_wins)
     assert_int_equal(scene.effects, 0);
     scene_free(&scene);
 
+    overrides = (struct scene_overrides){.effects = "auto,direct"}; /* and what is listed beside it */
+    scene = scene_directory_read(DATA("full"), &overrides);
+    assert_true(scene.effects_auto && scene.direct.called);
+    assert_int_equal(scene.effects, EFFECT_BIT(EFFECT_DIRECT));
+    scene_free(&scene);
+
+    overrides = (struct scene_overrides){.material = "tin", .budget = "0.1 min"};
+    scene = scene_directory_read(DATA("bare"), &overrides);
+    assert_true(scene.effects_auto && scene.direct.called);
+    assert_near(scene.direct.budget_s, 6, 1e-15);
+    scene_free(&scene);
+
     overrides = (struct scene_overrides){.material = "tin", .effects = "scale-dependent", .x_unit = "um"};
     scene = scene_directory_read(DATA("bare"), &overrides);
     assert_int_equal(scene.effects, EFFECT_BIT(EFFECT_SCALE_DEPENDENT) | EFFECT_BIT(EFFECT_THERMAL));
@@ -304,11 +317,12 @@ TEST_CASE(test_wrong_overrides)
     } rows[] = {
         {{.material = "aluminim"}, "--material: unknown material 'aluminim'; did you mean 'aluminium'?"},
         {{.effects = "thermal,elctrical"}, "--effects: unknown effect 'elctrical'; did you mean 'electrical'?"},
+        {{.budget = "3 N"}, "--budget: 'budget' is '3 N'; give a number in s or one with its unit: s, ms, min, h"},
         {{.effects = " ,"}, "--effects: 'effects' names none; give 'auto' or names such as 'electrical,thermal'"},
         {{.tolerance = "0.5"}, "--tolerance: 'tolerance' is 0.5; allowed is 1e-14 to 0.1"},
         {{.tolerance = "nan"}, "--tolerance: 'tolerance' is 'nan'; give a number such as 1.5e-6"},
         {{.x_unit = "a very long unit"}, "--x-unit: 'unit' is longer than 15 bytes; shorten it"},
-        {{.effects = "electrical"},
+        {{.effects = "auto,electrical"},
          "--effects: 'electrical' needs 'resistivity'; add it to 'material' in scene.yaml, or leave the effect out"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {

@@ -218,8 +218,8 @@ TEST_CASE(test_marks_are_in_the_interval_over_scans)
             own[i] = alone.fit.gamma;
         }
         assert_int_equal(interval_scans(&interval, own, NULL, SCANS, 0.95, &status), STATUS_OK);
-        double half_width = interval.t * interval.s, off = fabs(interval.mean - gamma);
-        holds += off < hypot(half_width, 1.96 * band.fit.gamma_bias_s);
+        double both = hypot(interval.s, band.fit.gamma_bias_s), degrees = interval.degrees * pow(both / interval.s, 4);
+        holds += fabs(interval.mean - gamma) < interval_quantile(0.95, degrees) * both; /* as estimate_end() */
         power_law_scans_free(&scans);
     }
     assert_true(holds >= 34);

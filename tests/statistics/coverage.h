@@ -45,7 +45,6 @@ void coverage_must(enum status_code code, const struct status *status);
 void coverage_band(FILE *out, size_t sets);
 void coverage_fit(FILE *out, size_t sets);
 void coverage_scans(FILE *out, size_t sets);
-void coverage_rows(FILE *out, size_t sets);
 void coverage_single(FILE *out, size_t sets);
 void coverage_pairs(FILE *out, size_t sets);
 

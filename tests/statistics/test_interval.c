@@ -19,14 +19,6 @@ static struct interval scans(const double *value, const double *weight, size_t c
     return out;
 }
 
-static struct interval rows(const double *value, size_t count, double level)
-{
-    struct interval out;
-    struct status status = {0};
-    assert_int_equal(interval_rows(&out, value, count, level, &status), STATUS_OK);
-    return out;
-}
-
 TEST_CASE(test_reference_values)
 {
     struct table table = table_read("statistics/interval.csv");
@@ -34,25 +26,19 @@ TEST_CASE(test_reference_values)
         double value[32], weight[32];
         size_t count = read_list(value, table_text(&table, r, "values"));
         bool weighted = table_text(&table, r, "weights")[0] != '-';
-        bool ordered = strncmp(table_text(&table, r, "case"), "rows", 4) == 0;
         if (weighted)
             assert_int_equal(read_list(weight, table_text(&table, r, "weights")), count);
-        struct interval out = ordered ? rows(value, count, 0.95) : scans(value, weighted ? weight : NULL, count, 0.95);
+        struct interval out = scans(value, weighted ? weight : NULL, count, 0.95);
         assert_near(out.mean, table_number(&table, r, "mean"), 1e-12);
         assert_near(out.s, table_number(&table, r, "s"), 1e-12);
         assert_near(out.t, table_number(&table, r, "t"), 1e-12);
         assert_near(out.low, table_number(&table, r, "low"), 1e-12);
         assert_near(out.high, table_number(&table, r, "high"), 1e-12);
         assert_near(out.degrees, table_number(&table, r, "degrees"), 1e-12);
-        if (ordered) {
-            assert_near(out.correlation, table_number(&table, r, "r"), 1e-12);
-            assert_near(out.effective, table_number(&table, r, "effective"), 1e-12);
-        } else {
-            assert_near(out.sd, table_number(&table, r, "sd"), 1e-12);
-            double half = interval_next_half_width(&out, 1);
-            assert_near(out.mean - half, table_number(&table, r, "next_low"), 1e-12);
-            assert_near(out.mean + half, table_number(&table, r, "next_high"), 1e-12);
-        }
+        assert_near(out.sd, table_number(&table, r, "sd"), 1e-12);
+        double half = interval_next_half_width(&out, 1);
+        assert_near(out.mean - half, table_number(&table, r, "next_low"), 1e-12);
+        assert_near(out.mean + half, table_number(&table, r, "next_high"), 1e-12);
     }
     table_free(&table);
 }
@@ -122,28 +108,9 @@ TEST_CASE(test_identical_values_have_no_spread)
     double value[9];
     for (size_t i = 0; i < 9; i++)
         value[i] = 0.1;
-    struct interval out = scans(value, NULL, 9, 0.95), row = rows(value, 9, 0.95);
+    struct interval out = scans(value, NULL, 9, 0.95);
     assert_true(out.mean == 0.1 && out.sd == 0 && out.s == 0 && out.low == 0.1 && out.high == 0.1);
-    assert_true(row.mean == 0.1 && row.s == 0 && row.correlation == 0 && row.high == 0.1);
     assert_true(interval_next_half_width(&out, 1) == 0);
-}
-
-/* Neighbours that alternate are no better than independent rows; a ramp is hardly two. */
-TEST_CASE(test_correlation_has_limits)
-{
-    double zigzag[16], ramp[16];
-    for (size_t i = 0; i < 16; i++) {
-        zigzag[i] = i % 2 ? 1 : -1;
-        ramp[i] = (double)i;
-    }
-    struct interval out = rows(zigzag, 16, 0.95);
-    assert_true(out.correlation == 0 && out.effective == 16);
-    assert_near(out.s, scans(zigzag, NULL, 16, 0.95).s, 1e-14);
-    out = rows(ramp, 16, 0.95);
-    assert_true(out.correlation == 0.8 && out.effective == 2 && out.degrees == 1);
-    const double two[2] = {1, 2};
-    out = rows(two, 2, 0.95);
-    assert_true(out.effective == 2 && isfinite(out.s));
 }
 
 TEST_CASE(test_units_do_not_matter)
@@ -152,10 +119,9 @@ TEST_CASE(test_units_do_not_matter)
     double scaled[6];
     for (size_t i = 0; i < 6; i++)
         scaled[i] = 7 + 1e-6 * value[i];
-    struct interval before = rows(value, 6, 0.68), after = rows(scaled, 6, 0.68);
+    struct interval before = scans(value, NULL, 6, 0.68), after = scans(scaled, NULL, 6, 0.68);
     assert_near(after.mean - 7, 1e-6 * before.mean, 1e-8);
     assert_near(after.s, 1e-6 * before.s, 1e-8);
-    assert_near(after.effective, before.effective, 1e-8);
 }
 
 static void assert_refused(const double *value, const double *weight, size_t count, const char *why)
@@ -163,11 +129,6 @@ static void assert_refused(const double *value, const double *weight, size_t cou
     struct interval out;
     struct status status = {0};
     assert_int_equal(interval_scans(&out, value, weight, count, 0.95, &status), STATUS_SCAN);
-    assert_non_null(strstr(status.message, why));
-    if (weight)
-        return;
-    status = (struct status){0};
-    assert_int_equal(interval_rows(&out, value, count, 0.95, &status), STATUS_SCAN);
     assert_non_null(strstr(status.message, why));
 }
 

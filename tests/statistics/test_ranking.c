@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "statistics/ranking.h"
-#include "statistics/single_scan.h"
 #include "support.h"
 
 #include <float.h>
@@ -61,17 +60,6 @@ TEST_CASE(test_welch_without_spread)
     assert_int_equal(ranking_verdict(out.difference, out.p, 0.95), RANKING_NOT_TOLD_APART);
     out = ranking_welch(&first, &third, 0.95); /* one spreads: its degrees of freedom */
     assert_near(out.degrees, 2, 1e-12);
-}
-
-TEST_CASE(test_single_scans)
-{
-    double half_width = single_scan_half_width(hypot(0.3, 0.4));
-    assert_int_equal(ranking_place(-2.3 * 0.499, half_width, false), RANKING_NOT_TOLD_APART);
-    assert_int_equal(ranking_place(-2.3 * 0.501, half_width, false), RANKING_FIRST_LOWER);
-    assert_int_equal(ranking_place(2.3 * 0.499, half_width, false), RANKING_NOT_TOLD_APART);
-    assert_int_equal(ranking_place(2.3 * 0.501, half_width, false), RANKING_FIRST_HIGHER);
-    assert_int_equal(ranking_place(-8, half_width, true), RANKING_NO_VERDICT);
-    assert_int_equal(ranking_place(8, half_width, true), RANKING_NO_VERDICT);
 }
 
 TEST_CASE(test_holm)

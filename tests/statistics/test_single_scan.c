@@ -2,67 +2,27 @@
 #include "statistics/single_scan.h"
 #include "support.h"
 
-TEST_CASE(test_spread_of_simulated_records)
+/* s² = s_r² + s_Q²/2. */
+TEST_CASE(test_records_and_quarters_add)
 {
-    const double simulated[4] = {10, 12, 14, 16};
-    struct single_scan out;
-    struct status status = {0};
-    assert_int_equal(single_scan_uncertainty(&out, simulated, 4, NULL, NULL, &status), STATUS_OK);
-    assert_near(out.s, sqrt(20.0 / 3), 1e-14);
-    assert_near(out.half_width, 2.3 * sqrt(20.0 / 3), 1e-14);
-    assert_false(out.heterogeneous);
+    const double record[4] = {10, 12, 14, 16}, same[4] = {3, 3, 3, 3}, quarter[4] = {5, 7, 5, 7};
+    assert_near(single_scan_s(record, 4, same, 4), sqrt(20.0 / 3), 1e-14);
+    assert_near(single_scan_s(record, 4, quarter, 4), sqrt(20.0 / 3 + 4.0 / 3 / 2), 1e-14);
+    assert_near(single_scan_s(same, 4, quarter, 4), sqrt(4.0 / 3 / 2), 1e-14);
+    assert_true(single_scan_s(same, 4, same, 4) == 0);
 }
 
-/* Quarters 0 and d, twice each: SD d/sqrt 3. */
-TEST_CASE(test_a_scan_that_is_not_the_same_along_its_length)
+/* What has no answer is left out, down to half of the records; of the quarters three have to have one, or half a unit
+ * of ln stands for what they would say. */
+TEST_CASE(test_answers_that_are_not_there)
 {
-    const double simulated[2] = {1, 1.2}, simulated_quarter[8] = {0, 1, 0, 1, 0, 3, 3, 0};
-    for (int k = 0; k < 2; k++) {
-        const double step = k ? 3.0001 : 2.9999, quarter[4] = {5, 5 + step, 5, 5 + step};
-        struct single_scan out;
-        struct status status = {0};
-        assert_int_equal(single_scan_uncertainty(&out, simulated, 2, quarter, simulated_quarter, &status), STATUS_OK);
-        assert_near(out.quarters_sd, step / sqrt(3), 1e-12);
-        assert_near(out.simulated_sd, sqrt(3), 1e-12);
-        assert_true(out.heterogeneous == (k == 1));
-        assert_near(out.half_width, k ? 3.18 * step / sqrt(3) : 2.3 * sqrt(0.02), 1e-12);
-    }
-    const double wide[2] = {-100, 100}, quarter[4] = {0, 9, 0, 9};
-    struct single_scan out;
-    struct status status = {0};
-    assert_int_equal(single_scan_uncertainty(&out, wide, 2, quarter, simulated_quarter, &status), STATUS_OK);
-    assert_true(out.heterogeneous); /* flagged, though the records spread more than the quarters */
-    assert_near(out.half_width, 2.3 * out.s, 1e-14);
-}
-
-TEST_CASE(test_identical_records_have_no_spread)
-{
-    const double simulated[3] = {0.1, 0.1, 0.1}, quarter[4] = {0.1, 0.1, 0.1, 0.1};
-    double simulated_quarter[12];
-    for (size_t i = 0; i < 12; i++)
-        simulated_quarter[i] = 0.1;
-    struct single_scan out;
-    struct status status = {0};
-    assert_int_equal(single_scan_uncertainty(&out, simulated, 3, quarter, simulated_quarter, &status), STATUS_OK);
-    assert_true(out.s == 0 && out.half_width == 0 && out.quarters_sd == 0 && !out.heterogeneous);
-}
-
-TEST_CASE(test_answers_that_are_no_numbers_are_refused)
-{
-    const double good[4] = {1, 2, 3, 4}, bad[4] = {1, 2, NAN, 4};
-    const double good_quarters[16] = {0};
-    double bad_quarters[16] = {0};
-    bad_quarters[15] = INFINITY;
-    struct single_scan out;
-    struct status status = {0};
-    assert_int_equal(single_scan_uncertainty(&out, bad, 4, NULL, NULL, &status), STATUS_SCAN);
-    assert_non_null(strstr(status.message, "simulated record 3 of 4"));
-    status = (struct status){0};
-    assert_int_equal(single_scan_uncertainty(&out, good, 4, bad, good_quarters, &status), STATUS_SCAN);
-    assert_non_null(strstr(status.message, "quarter 3 of 4"));
-    status = (struct status){0};
-    assert_int_equal(single_scan_uncertainty(&out, good, 4, good, bad_quarters, &status), STATUS_SCAN);
-    assert_non_null(strstr(status.message, "simulated quarter 16 of 16"));
+    const double record[4] = {10, NAN, -INFINITY, 16}, few[4] = {10, NAN, NAN, NAN}, same[4] = {3, 3, 3, 3};
+    const double three[4] = {5, NAN, 7, 9}, two[4] = {NAN, 5, 50, NAN};
+    assert_near(single_scan_s(record, 4, same, 4), sqrt(18), 1e-14);
+    assert_true(isnan(single_scan_s(few, 4, same, 4)));
+    assert_near(single_scan_s(same, 4, three, 4), sqrt(4.0 / 2), 1e-14);
+    assert_near(single_scan_s(same, 4, two, 4), 0.5 / sqrt(2), 1e-14);
+    assert_near(single_scan_s(same, 4, NULL, 0), 0.5 / sqrt(2), 1e-14);
 }
 
 TEST_CASE(test_between_loads)

@@ -211,7 +211,7 @@ static void add_published(struct page *page)
     struct persson persson;
     struct corrected_persson_point point[2];
     struct status status = {0};
-    coverage_must(persson_make(&persson, &spectrum, &status), &status);
+    coverage_must(persson_make(&persson, &spectrum, 0, &status), &status);
     corrected_persson_curve(point, area, 2, &persson, true);
     const double mine[] = {point[0].separation_m / sigma, point[1].separation_m / sigma,
                            corrected_persson_load(area[1], persson.m2) / corrected_persson_load(area[0], persson.m2)};
@@ -334,8 +334,8 @@ void truths_add(struct page *page)
 
 void truths_add_coverage(struct page *page)
 {
-    static void (*const sections[])(FILE * out, size_t sets) = {coverage_band, coverage_fit,    coverage_scans,
-                                                                coverage_rows, coverage_single, coverage_pairs};
+    static void (*const sections[])(FILE * out, size_t sets) = {coverage_band, coverage_fit, coverage_scans,
+                                                                coverage_single, coverage_pairs};
     char line[4096];
     FILE *out = tmpfile();
     coverage_must(out ? STATUS_OK : STATUS_IO, &(struct status){.message = "no temporary file"});

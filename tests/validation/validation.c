@@ -4,68 +4,26 @@
  * rows of each then go through the analysis as line scans, and every model's answer is held against the solution. Fails
  * where a number is beyond its bound. Minutes; hence no test. cmake --workflow --preset validation */
 #include "analysis/direct_study.h"
+#include "analysis/effects.h"
 #include "analysis/evaluate.h"
 #include "direct/direct_ladder.h"
 #include "direct/direct_surface.h"
 #include "directory.h"
 #include "statistics/coverage.h"
+#include "validation/height_laws.h"
+#include "validation/nulls.h"
 #include "validation/truths.h"
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
 
-enum { SIDE = 256, GIVEN = SIDE * SIDE, LAWS = 9, HURSTS = 3, HARDNESSES = 3, ASKED = 3, LOADS = 9 };
+enum { SIDE = 256, GIVEN = SIDE * SIDE, LAWS = HEIGHT_LAWS, HURSTS = 3, HARDNESSES = 3, ASKED = 3, LOADS = 9 };
 
 static const double spacing_m = 1e-6, gradient = 0.05, cut_off_m = 8e-6, resistivity_ohm_m = 5e-7, largest_area = 0.9;
 static const double hursts[HURSTS] = {0.3, 0.6, 0.9}, hardnesses[HARDNESSES] = {0.03, 0.15, 0.5};
 static const double loads[LOADS] = {0.003, 0.01, 0.03, 0.06, 0.12, 0.2, 0.35, 0.6, 1}; /* P/(A_n E' g) */
 static const enum quantity asked[ASKED] = {QUANTITY_AREA, QUANTITY_SEPARATION, QUANTITY_ECR};
-
-static double as_is(double u)
-{
-    return u;
-}
-
-static double plateau(double u)
-{
-    return u < 0 ? u : 0.15 * u;
-}
-
-static double pits(double u)
-{
-    return u < -1 ? u + 3 * (u + 1) : u;
-}
-
-static double peaks(double u)
-{
-    return -pits(-u);
-}
-
-static double lognormal(double u)
-{
-    return exp(0.5 * u);
-}
-
-static double valleys(double u)
-{
-    return -lognormal(-u);
-}
-
-static double clipped(double u)
-{
-    return fmin(u, 0.3) + 0.01 * u;
-}
-
-static double bimodal(double u)
-{
-    return 1.5 * tanh(3 * u) + 0.3 * u;
-}
-
-static double heavy(double u)
-{
-    return sinh(0.8 * u);
-}
 
 /** A set of surfaces and of line scans of them; the first five are columns of the page's tables. */
 static const struct part {
@@ -107,14 +65,6 @@ static const struct part {
 };
 enum { HARD = 4, SPECTRUM, SYNTHESIS, PARTS };
 
-/** Heights of a surface, as a function of normal ones. */
-static const struct {
-    const char *name;
-    double (*of)(double normal);
-} laws[LAWS] = {{"Gaussian", as_is},      {"plateau-honed", plateau}, {"deep pits", pits},
-                {"peaks", peaks},         {"lognormal", lognormal},   {"lognormal, upside down", valleys},
-                {"ground flat", clipped}, {"bimodal", bimodal},       {"heavy tails", heavy}};
-
 /** A surface of rms gradient `gradient`, SIDE x SIDE. */
 static double *make_surface(size_t law, double hurst, double roll_off, uint64_t seed)
 {
@@ -128,7 +78,7 @@ static double *make_surface(size_t law, double hurst, double roll_off, uint64_t 
     rows.alpha *= gradient / sqrt(2 * m2);
     coverage_must(direct_spectrum_of_law(&spectrum, &rows, &status), &status);
     for (size_t k = 0; k < GIVEN; k++)
-        given[k] = laws[law].of(gsl_cdf_ugaussian_Pinv(((double)k + 0.5) / GIVEN));
+        given[k] = height_laws[law].of(gsl_cdf_ugaussian_Pinv(((double)k + 0.5) / GIVEN));
     coverage_must(direct_surface_make(height_m, SIDE, direct_spectrum_variance, &spectrum, law == 0 ? NULL : given,
                                       GIVEN, seed, &status),
                   &status);
@@ -276,6 +226,7 @@ static void hold(struct findings *findings, const double *height_m, const struct
     coverage_must(evaluate_surface(&record, &task, &status), &status);
     if (!record.summary.usable)
         coverage_must(STATUS_SCAN, &(struct status){.message = "a surface was refused"});
+    effects_decide(&plan, &scene, &record, 1);
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(&plan, m) && (isinf(hardness) || model_rows[m]->plastic || !model_rows[m]->elastic))
             hold_curve(findings, &record, m, m == plan_leading_model(&plan), law, truth);
@@ -405,7 +356,7 @@ static void add_tables(struct page *page, const struct findings *findings)
     }
     page_rows(page, "laws");
     for (size_t law = 0; law <= LAWS; law++)
-        add_row(page, law < LAWS ? laws[law].name : "all", findings, model_count, law);
+        add_row(page, law < LAWS ? height_laws[law].name : "all", findings, model_count, law);
     page_rows(page, "bounds");
     for (size_t p = 0; p < PARTS; p++)
         if (parts[p].bounded) {
@@ -438,6 +389,7 @@ int main(int count, char **word)
         run(&findings[p], &parts[p]);
     }
     add_tables(&page, findings);
+    nulls_add(&page);
     truths_add_coverage(&page);
     text_add(&page.text, "%s", page.rest);
     (void)remove(word[1]);

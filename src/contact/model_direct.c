@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The direct solution of a map, carried to any load. */
+#include "contact/model.h"
+
+extern const struct model_row model_corrected_persson, model_corrected_persson_plastic;
+
+enum {
+    COMPUTES = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
+               QUANTITY_BIT(QUANTITY_STIFFNESS) | QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR)
+};
+
+static enum status_code run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
+                            struct status *status)
+{
+    struct transfer_point point;
+    (void)status;
+    for (size_t i = 0; task->transfer && i < task->load_count; i++) {
+        if (!transfer_at(&point, task->transfer, row->plastic, task->loads[i]))
+            break;
+        curve->points[curve->count++] = model_point(&point, row, task);
+    }
+    curve->exists = curve->count > 0; /* complete contact is beyond */
+    curve->evaluations = curve->count;
+    return STATUS_OK;
+}
+
+#define VALID                                                                                                          \
+    "A/A_n up to 0.97 (it ends there); at the map's resolution: area, separation and resistance as its grid, its "     \
+    "low-pass and its quarters tell"
+
+const struct model_row model_direct = {
+    .name = "direct",
+    .label = "direct solution of the map",
+    .family = "direct",
+    .precedence = 9,
+    .gaussian = &model_corrected_persson,
+    .uses_map = true,
+    .quantities = COMPUTES,
+    .largest_area = 0.97, /* that of corrected_persson.h */
+    .ends = true,
+    .colour = "#E07B39",
+    .marker = 14,
+    .equations = "direct transfer",
+    .source = "Polonsky and Keer, Wear 231 (1999) 206; resistance: the same kernel on the points in contact; between "
+              "loads by corrected-persson of the same spectrum at equal area",
+    .assumes = "the map is the surface, and goes on as its mirror image; small slopes; no yield",
+    .valid = VALID,
+    .method = "conjugate gradients on the map's grid at up to 17 loads",
+    .run = run,
+};
+
+const struct model_row model_direct_plastic = {
+    .name = "direct-plastic",
+    .label = "direct solution of the map with hardness",
+    .family = "direct",
+    .precedence = 10,
+    .plastic = true,
+    .elastic = &model_direct,
+    .gaussian = &model_corrected_persson_plastic,
+    .uses_map = true,
+    .quantities = COMPUTES,
+    .stiffness_step = 0.1, /* one step of the grid that it lies on */
+    .largest_area = 0.97,  /* that of corrected_persson.h */
+    .ends = true,
+    .colour = "#A94A0E",
+    .marker = 15,
+    .equations = "direct transfer",
+    .source = "as direct; no pressure above the hardness: Almqvist, Sahlin, Larsson and Glavatskih, Tribol. Int. 40 "
+              "(2007) 574",
+    .assumes = "as direct, with yield: no pressure above the hardness; no hardening",
+    .valid = VALID,
+    .method = "conjugate gradients on the map's grid, pressures between 0 and the hardness",
+    .run = run,
+};

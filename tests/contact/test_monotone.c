@@ -1,0 +1,236 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Contact only grows with load, and more contact never conducts less, whatever the heights: no model but the thesis's
+ * four, which stay as printed, has an area that falls, or a separation or a resistance that rises. */
+#include "contact/corrected_persson.h"
+#include "direct/direct_surface.h"
+#include "model_support.h"
+
+enum {
+    POINTS = 200,
+    ROWS = 3,
+    LOADS = 121,
+    EVERY = 8, /* of the loads, asked for alone */
+#if defined __SANITIZE_ADDRESS__ || defined __SANITIZE_THREAD__
+    PROFILES = 48
+#else
+    PROFILES = 300
+#endif
+};
+
+static const char *const models[] = {"corrected-persson", "corrected-persson-plastic", "strip", "strip-plastic", "cmy"};
+enum { MODELS = sizeof models / sizeof *models };
+
+static double uniform(uint64_t seed, size_t n)
+{
+    return direct_random(seed, n);
+}
+
+/** Waves of random phases, amplitudes falling as of a Hurst exponent 0.2 ... 1 below a longest one of L/1 ... L/6;
+ * rms 1. */
+static void draw_waves(double *z, uint64_t seed)
+{
+    double hurst = 0.2 + 0.8 * uniform(seed, 1), square = 0, most = POINTS / (4 + 12 * uniform(seed, 2));
+    double first = 1 + floor(6 * uniform(seed, 3));
+    memset(z, 0, ROWS * POINTS * sizeof *z);
+    for (size_t r = 0; r < ROWS; r++)
+        for (double n = first; n <= most; n++) {
+            double amplitude = pow(n, -0.5 - hurst), phase = uniform(seed, 1000 * (r + 1) + (size_t)n);
+            for (size_t i = 0; i < POINTS; i++)
+                z[r * POINTS + i] += amplitude * cos(2 * M_PI * (n * (double)i / POINTS + phase));
+            square += amplitude * amplitude / 2 / ROWS;
+        }
+    for (size_t i = 0; i < ROWS * POINTS; i++)
+        z[i] /= sqrt(square);
+}
+
+/** What wear, etching, an instrument or a drawing makes of waves. */
+static double shape(double z, size_t kind, double strength, double chance)
+{
+    switch (kind) {
+    case 1: /* plateaus */
+        return fmin(z, 0) + 0.3 * strength * fmax(z, 0);
+    case 2: /* pits */
+        return 0.05 * z - (z < -1.2 ? 3 * (1 + strength) : 0);
+    case 3: /* peaks */
+        return exp((0.5 + strength) * z);
+    case 4: /* worn, and a little rough */
+        return fmin(z, strength - 0.5) + 1e-3 * chance;
+    case 5: /* terraces, and a little rough */
+        return round(z / (0.2 + strength)) * (0.2 + strength) + 0.01 * chance;
+    case 6: /* clipped above, below or on both sides */
+        return fmin(fmax(z, strength < 0.6 ? -2 * strength : -9), strength > 0.3 ? strength : 9);
+    case 7: /* quantised */
+        return round(z * (3 + 20 * strength));
+    case 8: /* two-valued */
+        return z > 2 * strength - 1;
+    case 9: /* spikes */
+        return 0.1 * z + (chance > 0.97 ? 5 * strength : 0);
+    case 10: /* upside down */
+        return -exp((0.5 + strength) * z);
+    case 11: /* noise */
+        return z * strength + chance;
+    default:
+        return z;
+    }
+}
+
+static void draw(double *height_m, size_t number)
+{
+    uint64_t seed = 4242 + number;
+    double strength = uniform(seed, 4);
+    draw_waves(height_m, seed);
+    for (size_t i = 0; i < ROWS * POINTS; i++)
+        height_m[i] = 1e-6 * shape(height_m[i], number % 12, strength, uniform(seed, 100000 + i));
+    for (size_t r = 0; r < ROWS; r++) {
+        double mean = 0;
+        for (size_t i = 0; i < POINTS; i++)
+            mean += height_m[r * POINTS + i] / POINTS;
+        for (size_t i = 0; i < POINTS; i++)
+            height_m[r * POINTS + i] -= mean;
+    }
+}
+
+/** A profile, or three, ready for the models. */
+struct made {
+    double height_m[ROWS * POINTS], load[LOADS];
+    struct strip_rows rows;
+    struct spectrum spectrum;
+    struct strip strip;
+    struct bearing bearing;
+    struct material_pair pair;
+    struct model_task task;
+};
+
+/** False: nothing to solve, as the heights happen to be. */
+static bool make(struct made *out, size_t number)
+{
+    static const size_t all[ROWS] = {0, 1, 2};
+    struct status status = {0};
+    struct spectrum one;
+    draw(out->height_m, number);
+    out->rows = (struct strip_rows){out->height_m, 1 + number / 12 % ROWS, POINTS, 1e-6, number % 5 == 0};
+    for (size_t r = 0; r < out->rows.rows; r++) {
+        assert_int_equal(
+            spectrum_compute(&one, out->height_m + r * POINTS, POINTS, 1e-6, SPECTRUM_WINDOW_NONE, &status), STATUS_OK);
+        if (r == 0)
+            assert_int_equal(spectrum_copy(&out->spectrum, &one, &status), STATUS_OK);
+        else
+            spectrum_average(&out->spectrum, &one, r);
+        spectrum_free(&one);
+    }
+    double slope = sqrt(2 * spectrum_moment(&out->spectrum, 1));
+    size_t surrogates = 1 + number % 2;
+    if (!(slope > 0) ||
+        strip_solve(&out->strip, &out->rows, all, out->rows.rows, surrogates, NULL, &status) != STATUS_OK ||
+        bearing_make(&out->bearing, &out->rows, &status) != STATUS_OK) {
+        spectrum_free(&out->spectrum);
+        return false;
+    }
+    model_support_loads(out->load, LOADS, 1e-6 * slope, 10 * slope);
+    out->pair = model_support_tin();
+    out->task =
+        (struct model_task){.spectrum = &out->spectrum,
+                            .pair = &out->pair,
+                            .loads = out->load,
+                            .load_count = LOADS,
+                            .wanted = MODEL_EVERYTHING,
+                            .tolerance = 1e-8,
+                            .hardness_Pa = 0.02 * pow(200, uniform(number, 5)) * slope * out->pair.effective_modulus_Pa,
+                            .rows = &out->rows,
+                            .strip = &out->strip,
+                            .bearing = &out->bearing};
+    return true;
+}
+
+static void discard(struct made *made)
+{
+    bearing_free(&made->bearing);
+    spectrum_free(&made->spectrum);
+}
+
+static const struct {
+    enum quantity quantity;
+    double sign; /* of what it does with load */
+} curves[] = {{QUANTITY_AREA, 1}, {QUANTITY_SEPARATION, -1}, {QUANTITY_ECR, -1}, {QUANTITY_TCR, -1}};
+enum { CURVES = sizeof curves / sizeof *curves };
+
+static const double rounding = 1e-9; /* relative */
+
+/** By how much at most, in ln, a quantity goes the wrong way. */
+static double wrong(const struct contact_point *point, size_t count, size_t c)
+{
+    double most = 0, best = -INFINITY;
+    for (size_t i = 0; i < count; i++) {
+        double value = curves[c].sign * log(point[i].value[curves[c].quantity]);
+        most = fmax(most, best - value);
+        best = fmax(best, value);
+    }
+    return most;
+}
+
+/** Nor do a strip's own solutions. */
+static void expect_solutions_fall(const struct strip_curve *curve)
+{
+    for (size_t k = 1; k < curve->count; k++)
+        for (size_t q = 1; q < 3; q++)
+            assert_true(curve->value[k][q] <= curve->value[k - 1][q] + rounding);
+}
+
+TEST_CASE(no_curve_turns_back)
+{
+    struct made *made = malloc(sizeof *made);
+    struct contact_point point[LOADS + 1];
+    size_t solved = 0, rises[MODELS][CURVES] = {{0}}, total = 0;
+    double most[MODELS][CURVES] = {{0}};
+    assert_non_null(made);
+    for (size_t n = 0; n < PROFILES; n++) {
+        if (!make(made, n))
+            continue;
+        solved++;
+        expect_solutions_fall(&made->strip.own);
+        expect_solutions_fall(&made->strip.surrogate[0]);
+        for (size_t m = 0; m < MODELS; m++) {
+            struct model_curve curve = model_support_run(point, models[m], &made->task);
+            assert_true(curve.exists);
+            for (size_t c = 0; c < CURVES; c++) {
+                double by = wrong(point, curve.count, c);
+                rises[m][c] += by > rounding;
+                most[m][c] = fmax(most[m][c], by);
+            }
+        }
+        discard(made);
+    }
+    free(made);
+    for (size_t m = 0; m < MODELS; m++)
+        for (size_t c = 0; c < CURVES; c++) {
+            total += rises[m][c];
+            if (rises[m][c] > 0)
+                print_message("%s, %s: %zu of %zu turn back, by a factor %.3g at most\n", models[m],
+                              quantity_rows[curves[c].quantity].name, rises[m][c], solved, exp(most[m][c]));
+        }
+    assert_true(10 * solved > 9 * PROFILES);
+    assert_int_equal(total, 0);
+}
+
+/** What stands at a load does not depend on which others are asked for. */
+TEST_CASE(each_load_alone)
+{
+    struct made *made = malloc(sizeof *made);
+    struct contact_point point[LOADS + 1], alone[2];
+    assert_non_null(made);
+    for (size_t n = 0; n < 12; n++) {
+        if (!make(made, n))
+            continue;
+        for (size_t m = 0; m < MODELS; m++) {
+            struct model_curve curve = model_support_run(point, models[m], &made->task);
+            for (size_t i = n % EVERY; i < curve.count; i += EVERY) {
+                struct model_task one = model_task_at(&made->task, made->load + i, 1);
+                assert_int_equal(model_support_run(alone, models[m], &one).count, 1);
+                for (size_t c = 0; c < CURVES; c++)
+                    assert_same_number(alone[0].value[curves[c].quantity], point[i].value[curves[c].quantity], 1e-4);
+            }
+        }
+        discard(made);
+    }
+    free(made);
+}

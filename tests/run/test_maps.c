@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Maps through the whole program: their direct solution leads where all surfaces are maps. */
+#include "direct/direct_surface.h"
+#include "run/pipeline.h"
+#include <jansson.h>
+
+enum { SIDE = 48 };
+
+static double variance(double r, const void *context)
+{
+    (void)context;
+    return r > 48 ? 0 : pow(fmax(r, 12), -3.6);
+}
+
+/** SIDE rows of `points` heights that do not close. */
+static void write_long_map(const struct directory *place, const char *name, uint64_t seed, double step_um,
+                           size_t points)
+{
+    enum { WIDE = 6 * SIDE };
+    double *height = malloc(WIDE * WIDE * sizeof *height), square = 0;
+    struct status status = {0};
+    struct text xyz = {0};
+    assert_non_null(height);
+    assert_int_equal(direct_surface_make(height, WIDE, variance, NULL, NULL, 0, seed, &status), STATUS_OK);
+    for (size_t k = 0; k < WIDE * WIDE; k++)
+        square += height[k] * height[k] / (WIDE * WIDE);
+    text_add(&xyz, "x [um],y [um],z [um]\n");
+    for (size_t k = 0; k < points * SIDE; k++)
+        text_add(&xyz, "%.9g,%.9g,%.9g\n", step_um * (double)(k % points), step_um * (double)(k / points),
+                 0.3 * height[k / points * WIDE + k % points] / sqrt(square));
+    directory_write(place, name, text_string(&xyz));
+    text_free(&xyz);
+    free(height);
+}
+
+static void write_map(const struct directory *place, const char *name, uint64_t seed, double step_um)
+{
+    write_long_map(place, name, seed, step_um, SIDE);
+}
+
+static void run_scene(const struct directory *place, const char *out, const char *text)
+{
+    directory_write(place, "in/scene.yaml", text);
+    assert_int_equal(pipeline_run(place, "in", out, 1), 0);
+}
+
+#define MATERIAL                                                                                                       \
+    "material: bronze\neffects: [separation, electrical, plasticity]\nload: {from: 1e-5, to: 1e-2, points: 9}\n"
+#define MAP(name) "{name: " name ", file: " name ".csv}"
+
+/** How many rows of a table of the report a model has. */
+static size_t rows_of(const struct directory *place, const char *path, const char *model)
+{
+    struct table table = directory_table(place, path);
+    size_t rows = 0;
+    for (size_t i = 0; i < table.rows; i++)
+        rows += strcmp(table_text(&table, i, "model"), model) == 0;
+    table_free(&table);
+    return rows;
+}
+
+/** Maps alone are led by it, with an interval; `models: [strip]` has none of it; beside a line scan it stands aside,
+ * which the first page says, and limits are those of the model that leads. */
+TEST_IN_DIRECTORY(what_leads)
+{
+    write_map(place, "in/a.csv", 1, 1);
+    write_map(place, "in/b.csv", 2, 1);
+    pipeline_rough(place, "in/line.csv", 400, 1, 1);
+    run_scene(place, "maps", MATERIAL "limits: {ecr: {most: 1e-30 ohm m2}}\nsurfaces: [" MAP("a") ", " MAP("b") "]\n");
+    expect_in_file(place, "maps/results.json", "\"leading\": \"direct-plastic\"");
+    assert_true(rows_of(place, "maps/data/contact.csv", "direct") > 10);
+    assert_true(rows_of(place, "maps/data/bands.csv", "direct-plastic") > 10);
+    expect_not_in_file(place, "maps/report.md", "no map:", "squares of the map");
+    run_scene(place, "strip", MATERIAL "models: [strip]\nsurfaces: [" MAP("a") ", " MAP("b") "]\n");
+    expect_in_file(place, "strip/results.json", "\"leading\": \"strip-plastic\"");
+    assert_int_equal(rows_of(place, "strip/data/contact.csv", "direct"), 0);
+    run_scene(place, "mixed",
+              MATERIAL "limits: {ecr: {most: 1 ohm m2}}\nsurfaces: [" MAP("a") ", {name: c, file: line.csv}]\n");
+    expect_in_file(place, "mixed/results.json", "\"leading\": \"strip-plastic\"");
+    expect_in_file(place, "mixed/report.md", "1 of the surfaces is no map: ");
+    assert_true(rows_of(place, "mixed/data/contact.csv", "direct-plastic") > 5);
+    /* the limit of the map, too, is that of the strip: its value is in the strip's curve */
+    struct text json = directory_read(place, "mixed/results.json");
+    json_t *results = json_loads(text_string(&json), 0, NULL),
+           *limit = json_array_get(json_object_get(results, "limits"), 0);
+    double value = json_number_value(json_object_get(limit, "value"));
+    assert_string_equal(json_string_value(json_object_get(limit, "surface")), "a");
+    struct table contact = directory_table(place, "mixed/data/contact.csv");
+    size_t found[2] = {0};
+    for (size_t i = 0; i < contact.rows; i++)
+        for (int k = 0; k < 2; k++)
+            found[k] += strcmp(table_text(&contact, i, "model"), k == 0 ? "strip-plastic" : "direct-plastic") == 0 &&
+                        fabs(table_number(&contact, i, "ecr_ohm_m2") / value - 1) < 1e-9;
+    assert_true(found[0] == 1 && found[1] == 0);
+    table_free(&contact);
+    json_decref(results);
+    text_free(&json);
+}
+
+/** Two maps of one spacing are pressed together as they are; of two spacings, or against a line scan, their rows are.
+ */
+TEST_IN_DIRECTORY(two_rough_bodies)
+{
+    write_map(place, "in/a.csv", 1, 1);
+    write_map(place, "in/b.csv", 2, 1);
+    write_map(place, "in/c.csv", 2, 1.1);
+    pipeline_rough(place, "in/line.csv", 400, 1, 1);
+    static const char *const others[] = {"b.csv", "c.csv", "line.csv"};
+    for (int k = 0; k < 3; k++) {
+        struct text scene = {0};
+        text_add(&scene, MATERIAL "surfaces: [" MAP("a") "]\ncounterface: {surface: %s}\n", others[k]);
+        run_scene(place, "pair", text_string(&scene));
+        assert_true((rows_of(place, "pair/data/contact.csv", "direct") > 5) == (k == 0));
+        text_free(&scene);
+    }
+}
+
+/** A map of more squares than are solved says so; the study that holds models against the direct solution does not hold
+ * that against itself. */
+TEST_IN_DIRECTORY(squares_and_study)
+{
+    write_long_map(place, "in/a.csv", 3, 1, 5 * SIDE);
+    run_scene(place, "out", MATERIAL "models: [direct, gw]\ndirect: {loads: 3}\nsurfaces: [" MAP("a") "]\n");
+    expect_in_file(place, "out/report.md", "4 of 5 squares of the map are solved directly");
+    assert_int_equal(rows_of(place, "out/data/direct_ratio.csv", "gw"), 3);
+    assert_int_equal(rows_of(place, "out/data/direct_ratio.csv", "direct"), 0);
+}

@@ -1,0 +1,231 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The same surface twice: scans, and maps, of two halves of one stationary surface through the analysis and the test of
+ * two surfaces. What is told apart is a false verdict; with one half's heights stretched, a true one. */
+#include "validation/nulls.h"
+
+#include "analysis/effects.h"
+#include "analysis/evaluate.h"
+#include "direct/direct_surface.h"
+#include "directory.h"
+#include "results/comparison.h"
+#include "statistics/coverage.h"
+#include "validation/height_laws.h"
+
+enum {
+    SIDE = 512,
+    MAP = 128,
+    ROWS = 5,  /* scans of either half */
+    EACH = 40, /* surfaces of a kind */
+    MAPS_EACH = 12,
+    POWER_EACH = 10,
+    KINDS = 5,
+    HARDNESSES = 4,
+    SETS = 4,
+    STRETCHES = 4,
+    ASKED = 3
+};
+
+static const double spacing_m = 1e-6, gradient = 0.05, cut_off_m = 8e-6, load = 0.02, resistivity_ohm_m = 5e-7;
+static const double hardnesses[HARDNESSES] = {INFINITY, 0.03, 0.15, 0.5}; /* over E' g */
+static const double stretches[STRETCHES] = {1, 1.5, 2, 4};
+static const enum quantity asked[ASKED] = {QUANTITY_AREA, QUANTITY_SEPARATION, QUANTITY_ECR};
+
+static const struct kind {
+    const char *name;
+    enum height_law law;
+    double roll_off; /* waves of the longest length in a row */
+} kinds[KINDS] = {{"Gaussian", HEIGHTS_GAUSSIAN, 8},
+                  {"peaks", HEIGHTS_PEAKS, 8},
+                  {"valleys", HEIGHTS_VALLEYS, 8},
+                  {"worn", HEIGHTS_WORN, 8},
+                  {"self-affine to the scan's length", HEIGHTS_GAUSSIAN, 1}};
+
+/** Scans, or a map (0), of the first half against those of the second. */
+static const struct set {
+    const char *name;
+    size_t scans[2];
+} sets[SETS] = {{"1 and 1", {1, 1}}, {"3 and 3", {3, 3}}, {"5 and 5", {5, 5}}, {"1 and 5", {1, 5}}};
+static const struct set maps = {"maps", {0, 0}};
+
+/** Heights of rms gradient `gradient`, Hurst exponent 0.7. */
+static double *make_surface(const struct kind *kind, uint64_t seed)
+{
+    struct direct_law rows = {1e-3, 1.2, cut_off_m, SIDE * spacing_m, kind->roll_off};
+    struct direct_spectrum spectrum;
+    struct status status = {0};
+    double *height_m = coverage_allocate((size_t)SIDE * SIDE, sizeof *height_m), square = 0, slopes = 0;
+    coverage_must(direct_spectrum_of_law(&spectrum, &rows, &status), &status);
+    coverage_must(
+        direct_surface_make(height_m, SIDE, direct_spectrum_variance, &spectrum, NULL, 0, 1000 + seed, &status),
+        &status);
+    direct_spectrum_free(&spectrum);
+    for (size_t i = 0; i < (size_t)SIDE * SIDE; i++)
+        square += height_m[i] * height_m[i];
+    double rms_m = sqrt(square) / SIDE;
+    for (size_t i = 0; i < (size_t)SIDE * SIDE; i++)
+        height_m[i] = height_laws[kind->law].of(height_m[i] / rms_m);
+    for (size_t i = 0; i < (size_t)SIDE * SIDE; i++) {
+        double step = (height_m[i / SIDE * SIDE + (i + 1) % SIDE] - height_m[i]) / spacing_m;
+        slopes += 2 * step * step;
+    }
+    for (size_t i = 0; i < (size_t)SIDE * SIDE; i++)
+        height_m[i] *= gradient * SIDE / sqrt(slopes);
+    return height_m;
+}
+
+/** `count` scans of a half, from its edge, or (0) a map of its middle. */
+static void write_half(const struct directory *place, const char *name, const double *height_m, int half, size_t count,
+                       double stretch)
+{
+    char file[32];
+    struct text text = {0};
+    for (size_t r = 0; r < count; r++) {
+        const double *z = height_m + (size_t)half * SIDE / 2 * SIDE + (2 * r + 1) * SIDE / 2 / (2 * count) * SIDE;
+        text_add(&text, "x [um],z [nm]\n");
+        for (size_t i = 0; i < SIDE / 2; i++)
+            text_add(&text, "%zu,%.9g\n", i, stretch * z[i] * 1e9);
+        snprintf(file, sizeof file, "%s/%zu.csv", name, r);
+        directory_write(place, file, text_string(&text));
+        text_free(&text);
+    }
+    if (count > 0)
+        return;
+    text_add(&text, "Gwyddion Simple Field 1.0\nXRes = %d\nYRes = %d\nXReal = %.9g\nYReal = %.9g\n", MAP, MAP,
+             MAP * spacing_m, MAP * spacing_m);
+    text_add(&text, "XYUnits = m\nZUnits = m\n");
+    text_add_bytes(&text, "\0\0\0\0", 4 - text.length % 4);
+    for (size_t i = 0; i < MAP * MAP; i++) {
+        float z =
+            (float)(stretch * height_m[((size_t)half * SIDE / 2 + SIDE / 8 + i / MAP) * SIDE + SIDE / 8 + i % MAP]);
+        text_add_bytes(&text, (const char *)&z, sizeof z);
+    }
+    struct status status = {0};
+    snprintf(file, sizeof file, "%s/map.gsf", name);
+    directory_write(place, file, "");
+    coverage_must(text_write_file(directory_path(place, file), text.data, text.length, &status), &status);
+    text_free(&text);
+}
+
+static void write_scene(const struct directory *place, double hardness)
+{
+    struct text scene = {0};
+    double hardness_Pa = 1e11 * gradient * (isinf(hardness) ? 10 : hardness);
+    text_add(&scene, "material: {E: 100 GPa, nu: 0, Sy: %.17g, resistivity: %g ohm m, hardness: %.17g}\n",
+             hardness_Pa / material_hardness_ratio, resistivity_ohm_m, hardness_Pa);
+    text_add(&scene, "effects: [separation, electrical, uncertainty%s]\n", isinf(hardness) ? "" : ", plasticity");
+    text_add(&scene, "load: {values: [%.17g, %.17g, %.17g]}\noperating_load: %.17g Pa\n", load * gradient / 2,
+             load * gradient, load * gradient * 2, load * gradient * 1e11);
+    directory_write(place, "scene.yaml", text_string(&scene));
+    text_free(&scene);
+}
+
+/** Pairs of answers that are told apart, of those that there are. */
+struct count {
+    size_t apart, pairs, lost; /* without an interval */
+};
+
+/** What the analysis says of both, and the test of it, quantity by quantity. */
+static void hold(struct count *out, const struct directory *place)
+{
+    struct scene scene;
+    struct plan plan;
+    struct status status = {0};
+    struct surface_record record[2] = {{.summary = {.scene = NULL}}};
+    double *loads;
+    size_t count, operating;
+    coverage_must(scene_read(&scene, place->path, NULL, &status), &status);
+    plan_make(&plan, &scene);
+    struct material_pair pair = scene_pair(&scene.surfaces[0].bodies);
+    coverage_must(scene_loads(&loads, &count, &operating, &scene, &pair, &status), &status);
+    plan.operating_place = operating + 1;
+    for (size_t k = 0; k < 2; k++) {
+        const struct evaluate_task task = {
+            .scene = &scene, .surface = &scene.surfaces[k], .plan = &plan, .loads = loads, .load_count = count};
+        coverage_must(evaluate_surface(&record[k], &task, &status), &status);
+        if (!record[k].summary.usable)
+            coverage_must(STATUS_SCAN, &(struct status){.message = "a surface was refused"});
+    }
+    effects_decide(&plan, &scene, record, 2);
+    size_t leading = plan_leading_model(&plan);
+    for (size_t a = 0; a < ASKED; a++) {
+        const struct estimate *estimate[2];
+        for (size_t k = 0; k < 2; k++) {
+            const struct curve_summary *model = surface_model(&record[k].summary, leading);
+            estimate[k] = curve_summary_estimate(model, (int)asked[a]);
+        }
+        if (estimate[0]->count == 0 || estimate[1]->count == 0 || !(estimate[0]->s >= 0) || !(estimate[1]->s >= 0)) {
+            out->lost++;
+            continue;
+        }
+        struct comparison_pair tested = comparison_of_two(estimate[0], estimate[1]);
+        out->apart += comparison_told_apart(&tested);
+        out->pairs++;
+    }
+    for (size_t k = 0; k < 2; k++)
+        surface_record_free(&record[k]);
+    free(loads);
+    scene_free(&scene);
+}
+
+/** One kind of surface, `each` of them: the counts of every hardness. */
+static void run(struct count out[HARDNESSES], const struct kind *kind, const struct set *set, size_t each,
+                double stretch)
+{
+    for (size_t k = 0; k < each; k++) {
+        struct directory place = directory_make();
+        double *height_m = make_surface(kind, k);
+        write_half(&place, "a", height_m, 0, set->scans[0], 1);
+        write_half(&place, "b", height_m, 1, set->scans[1], stretch);
+        for (size_t h = 0; h < HARDNESSES; h++) {
+            write_scene(&place, hardnesses[h]);
+            hold(&out[h], &place);
+        }
+        directory_remove(&place);
+        free(height_m);
+    }
+}
+
+static double share(const struct count *count)
+{
+    return (double)count->apart / (double)count->pairs;
+}
+
+static void add_set(struct page *page, const struct set *set, size_t each, struct count *all)
+{
+    for (size_t k = 0; k < KINDS; k++) {
+        struct count own[HARDNESSES] = {{0}};
+        fprintf(stderr, "the same surface twice: %s, %s\n", set->name, kinds[k].name);
+        run(own, &kinds[k], set, each, 1);
+        text_add(&page->text, "| %s | %s |", set->name, kinds[k].name);
+        for (size_t h = 0; h < HARDNESSES; h++) {
+            page_number(page, share(&own[h]), 0.12);
+            all->apart += own[h].apart;
+            all->pairs += own[h].pairs;
+            all->lost += own[h].lost;
+        }
+        text_add(&page->text, "\n");
+    }
+}
+
+void nulls_add(struct page *page)
+{
+    struct count all = {0};
+    page_rows(page, "nulls");
+    for (size_t s = 0; s < SETS; s++)
+        add_set(page, &sets[s], EACH, &all);
+    add_set(page, &maps, MAPS_EACH, &all);
+    text_add(&page->text, "| all | |");
+    page_number(page, share(&all), 0.06);
+    text_add(&page->text, " without an interval: | %zu of %zu | |\n", all.lost, all.lost + all.pairs);
+    page_rows(page, "power");
+    for (size_t s = 0; s < SETS; s++) {
+        text_add(&page->text, "| %s |", sets[s].name);
+        for (size_t f = 1; f < STRETCHES; f++) {
+            struct count own[HARDNESSES] = {{0}};
+            for (size_t k = 0; k < KINDS; k++)
+                run(own, &kinds[k], &sets[s], POWER_EACH, stretches[f]);
+            text_add(&page->text, " %.2f, %.2f |", share(&own[0]), share(&own[2]));
+        }
+        text_add(&page->text, "\n");
+    }
+}
