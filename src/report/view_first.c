@@ -210,10 +210,10 @@ static void put_ranking(json_t *out, const struct view_source *source)
 {
     const struct comparison_ranking *ranking = &source->comparison->ranking;
     const struct comparison_extent *extremes = source->comparison->models[source->leading].extremes;
-    const enum quantity asked = source->asked.quantity,
-                        quantity = are_alike(source, asked) ? asked : ranking->criterion;
-    const bool pressed = quantity == QUANTITY_AREA && area_is_pressed(source),
-               alike = pressed || are_alike(source, quantity);
+    const enum quantity asked = source->asked.quantity;
+    bool pressed = asked == QUANTITY_AREA && area_is_pressed(source), alike = pressed || are_alike(source, asked);
+    const enum quantity quantity = alike ? asked : ranking->criterion;
+    alike = alike || are_alike(source, quantity);
     size_t like = 0, next = 1, usable = source->results->usable_count;
     if (usable < 2 || extremes[quantity].count < 2 || source->leading != source->comparison->leading)
         return;
@@ -509,7 +509,7 @@ static void put_table(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
     json_t *rows = view_list(out, "rows");
-    bool lettered = source->comparison->ranking.count > 1;
+    bool lettered = json_object_get(json_object_get(out, "ranking"), "best"); /* else there is nothing to tell apart */
     for (size_t i = 0; i < results->surface_count; i++)
         if (results->surfaces[i].summary.usable && json_array_size(rows) < VIEW_ROWS)
             put_row(view_item(rows), source, i, lettered);

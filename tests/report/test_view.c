@@ -449,11 +449,17 @@ TEST_CASE(an_area_that_cannot_differ_is_not_ranked_by_something_else)
     target.row = &scene_asked_rows[3]; /* the area */
     made_up_again(&made);
     assert_says_page(&made, "Contact area is load over hardness here, so surfaces cannot differ in it.", "better than");
+    assert_says_page(&made, "so surfaces cannot differ in it.", " alike"); /* no letters of what was not asked */
+    double *area = &made_up_surface(&made, 2)->models[made.comparison.leading]->operating.value[QUANTITY_AREA];
+    *area *= 1.0001; /* pressed as far as hardness lets them, which is never quite */
+    made_up_again(&made);
+    assert_says_page(&made, "Contact area is load over hardness here, so surfaces cannot differ in it.", "better than");
+    *area /= 1.0001;
     for (size_t i = 0; i < MADE_UP_USABLE; i++)
         made_up_surface(&made, i)->pair.hardness_Pa *= 2; /* alike by chance */
     made_up_again(&made);
     assert_says_page(&made, "In contact area at 10.0\u00a0N the surfaces are alike.", "load over hardness");
-    made_up_surface(&made, 2)->models[made.comparison.leading]->operating.value[QUANTITY_AREA] *= 1.1;
+    *area *= 1.1;
     made_up_again(&made);
     assert_says_page(&made, "In contact resistance at 10.0\u00a0N *alpha* is significantly better", "alike.");
     drop_target(&made, answers);
