@@ -157,21 +157,6 @@ static void add_number(json_t *view, struct compared *all, const char *name, siz
     json_decref(lines);
 }
 
-/** Collects a value as JSON; of a long one the ends, as its middle is cut. */
-static int collect(const char *bytes, size_t length, void *text)
-{
-    enum { KEPT = 4 * TEXT_MOST }; /* bytes at either end */
-    struct text *out = text;
-    size_t head = length < KEPT ? length : KEPT, tail = length - head < KEPT ? length - head : KEPT;
-    text_add_bytes(out, bytes, head);
-    text_add_bytes(out, bytes + length - tail, tail);
-    if (out->length > 2 * KEPT) {
-        memmove(out->data + KEPT, out->data + out->length - KEPT, KEPT + 1);
-        out->length = 2 * KEPT;
-    }
-    return 0;
-}
-
 /** Is `key` in one of the first `count` objects? */
 static bool is_known(json_t *const *objects, size_t count, const char *key)
 {
@@ -208,14 +193,13 @@ static void add_input(json_t *view, struct compared *all, json_t *const *of, con
     json_t *item = differ ? view_item(view_list(view, "inputs")) : NULL;
     for (size_t k = 0; k < all->count && item; k++) {
         json_t *value = view_item(view_list(item, "values"));
-        struct text dumped = {0}, cut = {0};
-        (void)json_dump_callback(values[k], collect, &dumped,
-                                 JSON_ENCODE_ANY | JSON_COMPACT | JSON_REAL_PRECISION(10)); /* of nothing: nothing */
-        words_cut(&cut, text_string(&dumped), dumped.length, TEXT_MOST);
+        char *dumped = json_dumps(values[k], JSON_ENCODE_ANY | JSON_COMPACT | JSON_REAL_PRECISION(10));
+        struct text cut = {0};
+        words_cut(&cut, dumped ? dumped : "", dumped ? strlen(dumped) : 0, TEXT_MOST); /* of nothing: nothing */
         view_count(value, "report", k + 1);
         view_text(value, "value", text_string(&cut));
         text_free(&cut);
-        text_free(&dumped);
+        free(dumped);
     }
     if (item) {
         view_text(item, "key", text_string(&whole));

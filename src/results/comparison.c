@@ -296,12 +296,6 @@ static enum status_code allocate(struct comparison *out, const struct results *r
     return STATUS_OK;
 }
 
-static const struct estimate *middle_estimate(const struct results *results, size_t leading, enum quantity quantity,
-                                              size_t surface)
-{
-    return curve_summary_estimate(surface_model(&results->surfaces[surface].summary, leading), quantity);
-}
-
 struct comparison_pair comparison_of_two(const struct estimate *a, const struct estimate *b)
 {
     const struct interval first = {.mean = a->mean, .s = a->s, .degrees = a->degrees},
@@ -315,35 +309,26 @@ struct comparison_pair comparison_of_two(const struct estimate *a, const struct 
 static enum status_code adjust(struct comparison_ranking *ranking, size_t pairs, struct status *status)
 {
     double *p = malloc((pairs + 1) * sizeof *p);
-    if (!p)
-        return status_memory(status);
-    for (size_t k = 0; k < pairs; k++)
+    bool *apart = malloc((pairs + 1) * sizeof *apart);
+    for (size_t k = 0; k < pairs && p; k++)
         p[k] = ranking->pairs[k].p;
-    enum status_code rc = ranking_holm(p, p, pairs, status);
+    enum status_code rc = p && apart ? ranking_holm(p, p, pairs, status) : status_memory(status);
     for (size_t k = 0; k < pairs && rc == STATUS_OK; k++) {
         struct comparison_pair *pair = &ranking->pairs[k];
         pair->p = p[k];
         pair->verdict = ranking_verdict(log(pair->ratio), pair->p, estimate_level);
+        apart[k] = comparison_told_apart(pair);
     }
+    if (rc == STATUS_OK)
+        rc = ranking_groups_make(&ranking->groups, apart, ranking->count, status);
     free(p);
-    return rc;
-}
-
-static enum status_code group(struct comparison_ranking *ranking, size_t pairs, struct status *status)
-{
-    bool *apart = malloc((pairs + 1) * sizeof *apart);
-    if (!apart)
-        return status_memory(status);
-    for (size_t k = 0; k < pairs; k++)
-        apart[k] = comparison_told_apart(&ranking->pairs[k]);
-    enum status_code rc = ranking_groups_make(&ranking->groups, apart, ranking->count, status);
     free(apart);
     return rc;
 }
 
 bool comparison_told_apart(const struct comparison_pair *pair)
 {
-    return pair->verdict == RANKING_FIRST_LOWER || pair->verdict == RANKING_FIRST_HIGHER;
+    return pair->verdict != RANKING_NOT_TOLD_APART;
 }
 
 const struct comparison_pair *comparison_pair_of(const struct comparison_ranking *ranking, size_t i, size_t j)
@@ -351,50 +336,47 @@ const struct comparison_pair *comparison_pair_of(const struct comparison_ranking
     return &ranking->pairs[ranking_pair(i, j, ranking->count)];
 }
 
-static double leading_value(const struct results *results, enum quantity quantity, size_t surface)
+/** What a surface is ranked by, less being better; NaN: it has no answer. */
+static double cost_of(const struct comparison *of, const struct results *results, size_t surface)
 {
-    const struct contact_point point = comparison_middle(results, plan_leading_model(results->plan), surface);
-    return point.value[quantity];
+    double value = comparison_middle(results, of->leading, surface).value[of->ranking.criterion];
+    return of->ranking.criterion == QUANTITY_AREA ? -value : value;
+}
+
+static const struct estimate *estimate_of(const struct comparison *of, const struct results *results, size_t surface)
+{
+    return curve_summary_estimate(surface_model(&results->surfaces[surface].summary, of->leading),
+                                  of->ranking.criterion);
 }
 
 /** Ranks the surfaces that have an answer in the leading model at the middle load. */
 static enum status_code rank(struct comparison *out, const struct results *results, struct status *status)
 {
     struct comparison_ranking *ranking = &out->ranking;
-    enum quantity by = results_criterion(results);
-    ranking->criterion = by;
-    size_t surfaces = out->models[out->leading].extremes[by].count;
+    ranking->criterion = results_criterion(results);
+    size_t surfaces = out->models[out->leading].extremes[ranking->criterion].count;
     if (surfaces == 0 || surfaces > COMPARISON_RANKED_MOST)
         return STATUS_OK;
-    size_t pairs = surfaces * (surfaces - 1) / 2;
     ranking->surface = malloc(surfaces * sizeof *ranking->surface);
-    ranking->pairs = calloc(pairs + 1, sizeof *ranking->pairs);
+    ranking->pairs = calloc(surfaces * surfaces, sizeof *ranking->pairs);
     if (!ranking->surface || !ranking->pairs)
         return status_memory(status);
     for (size_t i = 0; i < results->surface_count; i++) {
-        double value = leading_value(results, by, i);
-        const struct estimate *estimate = middle_estimate(results, out->leading, by, i);
-        if (isnan(value) || estimate->count == 0 || isnan(estimate->half_width))
+        double cost = cost_of(out, results, i);
+        const struct estimate *estimate = estimate_of(out, results, i);
+        if (isnan(cost) || estimate->count == 0 || isnan(estimate->half_width))
             continue;
         size_t at = ranking->count++;
-        while (at > 0 && (by == QUANTITY_AREA ? value > leading_value(results, by, ranking->surface[at - 1])
-                                              : value < leading_value(results, by, ranking->surface[at - 1]))) {
+        for (; at > 0 && cost < cost_of(out, results, ranking->surface[at - 1]); at--)
             ranking->surface[at] = ranking->surface[at - 1];
-            at--;
-        }
         ranking->surface[at] = i;
     }
+    size_t pairs = 0; /* in the order of ranking_pair() */
     for (size_t i = 0; i < ranking->count; i++)
-        for (size_t j = i + 1; j < ranking->count; j++) {
-            size_t a = ranking->surface[i], b = ranking->surface[j];
-            struct comparison_pair *pair = &ranking->pairs[ranking_pair(i, j, ranking->count)];
-            *pair = comparison_of_two(middle_estimate(results, out->leading, by, a),
-                                      middle_estimate(results, out->leading, by, b));
-        }
-    pairs = ranking->count * (ranking->count - (ranking->count > 0)) / 2;
-    if (adjust(ranking, pairs, status) != STATUS_OK)
-        return status->code;
-    return group(ranking, pairs, status);
+        for (size_t j = i + 1; j < ranking->count; j++)
+            ranking->pairs[pairs++] = comparison_of_two(estimate_of(out, results, ranking->surface[i]),
+                                                        estimate_of(out, results, ranking->surface[j]));
+    return adjust(ranking, pairs, status);
 }
 
 enum status_code comparison_make(struct comparison *out, const struct results *results, struct status *status)
