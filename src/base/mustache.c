@@ -33,8 +33,8 @@ struct render {
     const char *name;                /* of the whole */
     const json_t *stack[DEPTH_MOST]; /* what names are looked up in, the last first */
     size_t depth, partials;
-    size_t begun, steps; /* how long `out` was; and how much was done since: tokens, objects that were looked into */
-    size_t open;         /* bytes of the templates that are open within one another */
+    size_t steps; /* how much was done: tokens, objects that were looked into */
+    size_t open;  /* bytes of the templates that are open within one another */
 };
 
 /** How much of a tag a message shows, which is one line. */
@@ -269,7 +269,7 @@ static enum status_code render_tokens(struct render *render, const struct tokens
         const struct token *token = &tokens->token[i];
         if (render->steps++ > limit_most(LIMIT_TEMPLATE_STEPS))
             return refuse(render->status, render->name, "takes too many steps", LIMIT_TEMPLATE_STEPS);
-        if (render->out->length - render->begun > limit_most(LIMIT_PAGE_BYTES))
+        if (render->out->length > limit_most(LIMIT_PAGE_BYTES))
             return refuse(render->status, render->name, "makes too long a page", LIMIT_PAGE_BYTES);
         if (token->kind == TOKEN_TEXT)
             text_add_bytes(render->out, token->start, token->length);
@@ -288,8 +288,7 @@ static enum status_code render_tokens(struct render *render, const struct tokens
 enum status_code mustache_render(struct text *out, const char *source, const char *name, const struct mustache *how,
                                  struct status *status)
 {
-    struct render render = {
-        .how = how, .out = out, .status = status, .name = name, .stack = {how->view}, .depth = 1, .begun = out->length};
+    struct render render = {.how = how, .out = out, .status = status, .name = name, .stack = {how->view}, .depth = 1};
     enum status_code rc = render_text(&render, source, name);
     return rc == STATUS_OK && out->failed ? status_memory(status) : rc;
 }

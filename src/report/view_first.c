@@ -215,7 +215,7 @@ static void put_ranking(json_t *out, const struct view_source *source)
     const enum quantity quantity = alike ? asked : ranking->criterion;
     alike = alike || are_alike(source, quantity);
     size_t like = 0, next = 1, usable = source->results->usable_count;
-    if (usable < 2 || extremes[quantity].count < 2 || source->leading != source->comparison->leading)
+    if (usable < 2 || extremes[quantity].count < 2)
         return;
     json_t *item = view_part(out, "ranking");
     view_text(item, "symbol", name_of(source, quantity));
