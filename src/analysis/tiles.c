@@ -236,8 +236,8 @@ static double scatter(const double *value, size_t count)
 }
 
 /** The errors of one kind: root of the sum of squares of what every second point changes, what a wider low-pass
- * changes, and the standard error over the squares, or over the quarters of the first where they are fewer than four,
- * which share waves longer than they are: their variance over two, as of a scan's.
+ * changes, and the scatter over the squares, or over the quarters of the first where they are fewer than four. That is
+ * not halved, as a mean's would be: where waves are as long as the map, maps differ as much as their quarters do.
  */
 static enum status_code find_errors(struct transfer_errors *out, const struct direct_map *map,
                                     struct transfer_point *const *square, size_t count, struct ladder ladder,
@@ -273,10 +273,7 @@ static enum status_code find_errors(struct transfer_errors *out, const struct di
             double error = of[DIRECT_MAP_WHOLE] - of[DIRECT_MAP_SECOND];
             if (direct_map_has(map, DIRECT_MAP_WIDER))
                 error = hypot(error, of[DIRECT_MAP_WIDER] - of[DIRECT_MAP_SECOND]);
-            double place = quartered   ? scatter(of + DIRECT_MAP_QUARTER, 4) / sqrt(2 * (double)count)
-                           : count > 1 ? scatter(over, count) / sqrt((double)count)
-                                       : NAN;
-            out->value[k][q] = hypot(error, place);
+            out->value[k][q] = hypot(error, quartered ? scatter(of + DIRECT_MAP_QUARTER, 4) : scatter(over, count));
         }
     }
     out->count = ladder.count;
