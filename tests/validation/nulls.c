@@ -17,6 +17,7 @@ enum {
     ROWS = 5,  /* scans of either half */
     EACH = 40, /* surfaces of a kind */
     MAPS_EACH = 12,
+    MAPS = 2, /* of either half */
     POWER_EACH = 10,
     KINDS = 5,
     HARDNESSES = 4,
@@ -73,9 +74,9 @@ static double *make_surface(const struct kind *kind, uint64_t seed)
     return height_m;
 }
 
-/** `count` scans of a half, from its edge, or (0) a map of its middle. */
-static void write_half(const struct directory *place, const char *name, const double *height_m, int half, size_t count,
-                       double stretch)
+/** `count` scans of a half, from its edge, or (0) a map of the middle of its left or right half. */
+static void write_half(const struct directory *place, const char *name, const double *height_m, int half, size_t right,
+                       size_t count, double stretch)
 {
     char file[32];
     struct text text = {0};
@@ -95,8 +96,8 @@ static void write_half(const struct directory *place, const char *name, const do
     text_add(&text, "XYUnits = m\nZUnits = m\n");
     text_add_bytes(&text, "\0\0\0\0", 4 - text.length % 4);
     for (size_t i = 0; i < MAP * MAP; i++) {
-        float z =
-            (float)(stretch * height_m[((size_t)half * SIDE / 2 + SIDE / 8 + i / MAP) * SIDE + SIDE / 8 + i % MAP]);
+        float z = (float)(stretch * height_m[((size_t)half * SIDE / 2 + SIDE / 8 + i / MAP) * SIDE + right * SIDE / 2 +
+                                             SIDE / 8 + i % MAP]);
         text_add_bytes(&text, (const char *)&z, sizeof z);
     }
     struct status status = {0};
@@ -124,13 +125,30 @@ struct count {
     size_t apart, pairs, lost; /* without an interval */
 };
 
-/** What the analysis says of both, and the test of it, quantity by quantity. */
+/** The test of two answers, quantity by quantity. */
+static void compare(struct count *out, const struct surface_summary *first, const struct surface_summary *second,
+                    size_t leading)
+{
+    for (size_t a = 0; a < ASKED; a++) {
+        const struct estimate *of_first = curve_summary_estimate(surface_model(first, leading), (int)asked[a]),
+                              *of_second = curve_summary_estimate(surface_model(second, leading), (int)asked[a]);
+        if (of_first->count == 0 || of_second->count == 0 || !(of_first->s >= 0) || !(of_second->s >= 0)) {
+            out->lost++;
+            continue;
+        }
+        struct comparison_pair tested = comparison_of_two(of_first, of_second);
+        out->apart += comparison_told_apart(&tested);
+        out->pairs++;
+    }
+}
+
+/** What the analysis says of the surfaces, those of one half held against each of the other's. */
 static void hold(struct count *out, const struct directory *place)
 {
     struct scene scene;
     struct plan plan;
     struct status status = {0};
-    struct surface_record record[2] = {{.summary = {.scene = NULL}}};
+    struct surface_record record[2 * MAPS] = {{.summary = {.scene = NULL}}};
     double *loads;
     size_t count, operating;
     coverage_must(scene_read(&scene, place->path, NULL, &status), &status);
@@ -138,30 +156,18 @@ static void hold(struct count *out, const struct directory *place)
     struct material_pair pair = scene_pair(&scene.surfaces[0].bodies);
     coverage_must(scene_loads(&loads, &count, &operating, &scene, &pair, &status), &status);
     plan.operating_place = operating + 1;
-    for (size_t k = 0; k < 2; k++) {
+    for (size_t k = 0; k < scene.surface_count; k++) {
         const struct evaluate_task task = {
             .scene = &scene, .surface = &scene.surfaces[k], .plan = &plan, .loads = loads, .load_count = count};
         coverage_must(evaluate_surface(&record[k], &task, &status), &status);
         if (!record[k].summary.usable)
             coverage_must(STATUS_SCAN, &(struct status){.message = "a surface was refused"});
     }
-    effects_decide(&plan, &scene, record, 2);
-    size_t leading = plan_leading_model(&plan);
-    for (size_t a = 0; a < ASKED; a++) {
-        const struct estimate *estimate[2];
-        for (size_t k = 0; k < 2; k++) {
-            const struct curve_summary *model = surface_model(&record[k].summary, leading);
-            estimate[k] = curve_summary_estimate(model, (int)asked[a]);
-        }
-        if (estimate[0]->count == 0 || estimate[1]->count == 0 || !(estimate[0]->s >= 0) || !(estimate[1]->s >= 0)) {
-            out->lost++;
-            continue;
-        }
-        struct comparison_pair tested = comparison_of_two(estimate[0], estimate[1]);
-        out->apart += comparison_told_apart(&tested);
-        out->pairs++;
-    }
-    for (size_t k = 0; k < 2; k++)
+    effects_decide(&plan, &scene, record, scene.surface_count);
+    size_t leading = plan_leading_model(&plan), each = scene.surface_count / 2;
+    for (size_t k = 0; k < each * each; k++)
+        compare(out, &record[k / each].summary, &record[each + k % each].summary, leading);
+    for (size_t k = 0; k < scene.surface_count; k++)
         surface_record_free(&record[k]);
     free(loads);
     scene_free(&scene);
@@ -174,8 +180,10 @@ static void run(struct count out[HARDNESSES], const struct kind *kind, const str
     for (size_t k = 0; k < each; k++) {
         struct directory place = directory_make();
         double *height_m = make_surface(kind, k);
-        write_half(&place, "a", height_m, 0, set->scans[0], 1);
-        write_half(&place, "b", height_m, 1, set->scans[1], stretch);
+        for (size_t half = 0; half < 2; half++)
+            for (size_t right = 0; right < (set->scans[half] > 0 ? 1 : MAPS); right++)
+                write_half(&place, (const char[]){(char)('a' + MAPS * half + right), 0}, height_m, (int)half, right,
+                           set->scans[half], half > 0 ? stretch : 1);
         for (size_t h = 0; h < HARDNESSES; h++) {
             write_scene(&place, hardnesses[h]);
             hold(&out[h], &place);
