@@ -33,7 +33,7 @@ static size_t pairings_of(size_t rows)
 
 enum status_code strips_gather(struct strips *out, struct ensemble *set, bool paired, struct status *status)
 {
-    bool map = set->scan_count == 1, periodic = true;
+    bool map = set->count > 0 && set->members[0].is_row, periodic = true;
     double spacing_m = set->count > 0 ? set->members[0].spacing_m : 0;
     size_t points = 0, whole = 0, taken = 0;
     for (size_t p = 0; p < set->count; p++)

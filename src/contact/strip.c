@@ -98,12 +98,14 @@ static void draw_row(double *out, struct phases *phases, size_t length, size_t r
     memcpy(out, phases->room.record, length * sizeof *out);
 }
 
-/** Mean-square slope of a periodic strip. */
-static double mean_square_slope(const double *strip_m, size_t points, double spacing_m)
+/** Mean-square slope of rows that each close on themselves: the steps from one to the next, which tower over the waves
+ * where rows are pieces of a longer scan, are not the surface's. */
+static double mean_square_slope(const double *strip_m, size_t points, size_t length, double spacing_m)
 {
     double sum = 0;
     for (size_t i = 0; i < points; i++) {
-        double slope = (strip_m[i + 1 < points ? i + 1 : 0] - strip_m[i > 0 ? i - 1 : points - 1]) / (2 * spacing_m);
+        const double *row_m = strip_m + i / length * length;
+        double slope = (row_m[(i + 1) % length] - row_m[(i + length - 1) % length]) / (2 * spacing_m);
         sum += slope * slope;
     }
     return sum / (double)points;
@@ -175,14 +177,15 @@ static enum status_code descend(struct strip_curve *curve, struct direct_contact
     return STATUS_OK;
 }
 
-static enum status_code solve_strip(struct strip_curve *curve, const double *strip_m, size_t points, double spacing_m,
-                                    uint64_t *transforms, const atomic_bool *stop, struct status *status)
+static enum status_code solve_strip(struct strip_curve *curve, const double *strip_m, size_t points, size_t length,
+                                    double spacing_m, uint64_t *transforms, const atomic_bool *stop,
+                                    struct status *status)
 {
     struct direct_contact contact;
     struct direct_contact_effort effort = {0};
     if (direct_contact_make(&contact, strip_m, points, 1, spacing_m, status) != STATUS_OK)
         return status->code;
-    (void)descend(curve, &contact, sqrt(mean_square_slope(strip_m, points, spacing_m)), stop, &effort, status);
+    (void)descend(curve, &contact, sqrt(mean_square_slope(strip_m, points, length, spacing_m)), stop, &effort, status);
     direct_contact_free(&contact);
     *transforms += effort.convolutions * points;
     return status->code;
@@ -200,7 +203,7 @@ enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, c
     for (size_t r = 0; r < count; r++)
         strip_lay_row(strip_m + r * length, rows, which[r]);
     if (phases_of(&phases, strip_m, length, count, status) == STATUS_OK)
-        (void)solve_strip(&out->own, strip_m, points, rows->spacing_m, &out->transforms, stop, status);
+        (void)solve_strip(&out->own, strip_m, points, length, rows->spacing_m, &out->transforms, stop, status);
     out->unsolved = out->own.unsolved;
     for (size_t s = 0; s < surrogates && status->code == STATUS_OK; s++) {
         struct strip_curve *curve = &out->surrogate[out->surrogates];
@@ -208,7 +211,7 @@ enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, c
         for (size_t r = 0; r < count; r++)
             draw_row(strip_m + r * length, &phases, length, which[r], s + 1, status);
         if (status->code == STATUS_OK)
-            (void)solve_strip(curve, strip_m, points, rows->spacing_m, &out->transforms, stop, &problem);
+            (void)solve_strip(curve, strip_m, points, length, rows->spacing_m, &out->transforms, stop, &problem);
         out->unsolved += curve->unsolved;
         out->surrogates += problem.code == STATUS_OK;
         if (problem.code != STATUS_OK && (problem.code != STATUS_MODEL || s + 1 - out->surrogates == surrogates))

@@ -85,7 +85,7 @@ FREED(rows_of_scans)
 FREED(rows_of_a_map)
 {
     for (size_t r = 0; r < 72; r++) {
-        add(0, POINTS, 1e-6);
+        add(0, POINTS, 1e-6)->is_row = true;
         if (r == 7) {
             gather();
             assert_int_equal(strips.rows.rows, 8);
@@ -148,6 +148,7 @@ FREED(pieces)
         assert_int_equal(strips.rows.rows, cases[c].rows);
         assert_int_equal(strips.rows.points, length);
         assert_true(strips.rows.periodic == (length == points));
+        assert_true(strips.in_part == (length < points || cases[c].rows < scans)); /* also of one scan */
         assert_true(strips.rows.rows <= STRIPS_PIECES && strips.rows.rows * length <= STRIPS_POINTS);
         size_t chosen = 0, least = points, most = 0;
         for (size_t p = 0; p < scans; p++) {

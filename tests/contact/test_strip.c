@@ -131,6 +131,23 @@ TEST_CASE(areas)
     assert_near(strip_ratio_at(&strip, 1e-6).separation, strip_ratio_at(&strip, 1e-4).separation, 1e-12);
 }
 
+/* Pieces of a longer scan, one far above the other, are loaded by the steepness of their waves: what the step between
+ * them has would leave out the light loads. */
+TEST_CASE(steps_between_rows_are_no_slope)
+{
+    static const size_t which[] = {0, 1};
+    double *height = gaussian_rows(2, 9), light[2];
+    for (int step = 0; step < 2; step++) {
+        for (size_t i = 0; step > 0 && i < POINTS; i++)
+            height[i] += 1e-4;
+        const struct strip_rows rows = {height, 2, POINTS, 1e-6, true};
+        struct strip strip = solved(&rows, which, 2, 0);
+        light[step] = strip.own.value[0][0];
+    }
+    assert_true(light[1] < light[0] + 0.1);
+    free(height);
+}
+
 /** A row that does not close on itself is mirrored, not repeated: a ramp then has no cliff, and gives what the mirrored
  * rows give as they are. */
 TEST_CASE(rows_are_mirrored)
