@@ -279,13 +279,18 @@ static enum status_code mean_point(struct contact_point *out, struct estimate *e
     return mean_of(&out->radius_clamped, &unused, curves, set, false, status);
 }
 
-/** Have all curves a point at load i of the task, not one of their own? */
+/** Have all curves a point at load i of the task, not one of their own, and half of them or more one that is not
+ * carried on? */
 static bool all_reach(const struct ensemble_curves *curves, size_t i, double load)
 {
-    for (size_t r = 0; r < curves->count; r++)
-        if (i >= curves->curves[r].count || curves->curves[r].points[i].value[QUANTITY_LOAD] != load)
+    size_t carried = 0;
+    for (size_t r = 0; r < curves->count; r++) {
+        const struct model_curve *curve = &curves->curves[r];
+        if (i >= curve->count || curve->points[i].value[QUANTITY_LOAD] != load)
             return false;
-    return true;
+        carried += i >= curve->count - curve->carried;
+    }
+    return 2 * carried <= curves->count;
 }
 
 /** Does every curve end with its own point of full contact? */
@@ -390,7 +395,9 @@ enum status_code ensemble_curve(struct model_curve *curve, struct ensemble_resul
     result = result ? result : &unused;
     for (int q = 0; q < CURVE_ESTIMATES; q++)
         result->estimates[q] = estimate_none;
-    enum status_code rc = ensemble_run(&curves, set, model, task, result->joint, status);
+    struct model_task each = *task;
+    each.carries_on = true; /* one scan that closes early takes nothing from the others */
+    enum status_code rc = ensemble_run(&curves, set, model, &each, result->joint, status);
     curve->evaluations = curves.evaluations;
     curve->overflows = curves.overflows;
     for (size_t r = 0; rc == STATUS_OK && r < curves.count; r++)

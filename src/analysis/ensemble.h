@@ -145,13 +145,13 @@ struct ensemble_result {
 };
 
 /** The curve of a surface (its points: the caller's) in one model, as wherever it is asked for. Of one scan that of
- * `task`. Of several members the mean of their curves: at every load at which all have an answer, the geometric mean;
- * so are the loads of full contact. Separations are the means of each member's separation/sigma, times the surface's
- * sigma; a statistical model's own one, and beta, which may be negative, have the arithmetic mean. A resistance or
- * separation shown of which some members have none left is empty. A model that uses strips speaks of the members that
- * were solved alone, and has the geometric mean of that and of its curve of the joined rows; of a map the latter alone.
- * One that uses the map knows no members. result: NULL, or what the members say. Error:
- * STATUS_MEMORY. */
+ * `task`. Of several members the mean of their curves: at every load at which all have an answer, the geometric mean
+ * (of models that end before complete contact: while half of them do not, the others as at their end); so are the loads
+ * of full contact. Separations are the means of each member's separation/sigma, times the surface's sigma; a
+ * statistical model's own one, and beta, which may be negative, have the arithmetic mean. A resistance or separation
+ * shown of which some members have none left is empty. A model that uses strips speaks of the members that were solved
+ * alone, and has the geometric mean of that and of its curve of the joined rows; of a map the latter alone. One that
+ * uses the map knows no members. result: NULL, or what the members say. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code ensemble_curve(struct model_curve *curve, struct ensemble_result *result,
                                            const struct ensemble *set, const struct model_row *model,
                                            const struct model_task *task, struct status *status);

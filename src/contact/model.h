@@ -26,6 +26,7 @@ struct model_task {
     enum sinusoid_fit_id sinusoid_fit;
     double hardness_Pa;              /* H_d of the softer body; NaN: not known */
     bool levelled;                   /* a line was taken out of the scans, and a wave with it */
+    bool carries_on;                 /* beyond the area where a model ends it answers as there: one of several scans */
     const struct strip_rows *rows;   /* its profiles; NULL: not there */
     const struct strip *strip;       /* these solved as a strip, for models that use_strip; NULL: not there */
     const struct bearing *bearing;   /* their heights in order, for those that are plastic too; NULL: not there */
@@ -55,6 +56,7 @@ struct model_curve {
     uint64_t clamped;          /* stacked scales: visits in which the published area was limited: multiscale_solve() */
     struct model_kink kink;    /* the same: the first of them, by load; load 0: none, as a mean of curves */
     uint64_t evaluations;      /* that it took */
+    size_t carried;            /* points at the end that are only carried on */
 };
 
 struct model_row {

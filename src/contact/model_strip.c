@@ -20,14 +20,15 @@ static enum status_code elastic(struct strip_contact *out, size_t *count, const 
     size_t loads = task->load_count;
     bool gap = task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION);
     if (row->uses_strip)
-        return strip_contact(out, count, task->loads, loads, task->strip, persson, gap, status);
+        return strip_contact(out, count, task->loads, loads, task->strip, persson, gap, task->carries_on, status);
     double *area = malloc((loads + 1) * sizeof *area);
     struct corrected_persson_point *point = malloc((loads + 1) * sizeof *point);
     enum status_code rc = area && point ? STATUS_OK : status_memory(status);
     for (*count = 0; *count < loads && rc == STATUS_OK; ++*count) {
         area[*count] = corrected_persson_area(task->loads[*count], persson->m2);
-        if (!(area[*count] > 0 && area[*count] <= corrected_persson_largest_area))
+        if (!(area[*count] > 0 && (task->carries_on || area[*count] <= corrected_persson_largest_area)))
             break;
+        area[*count] = fmin(area[*count], corrected_persson_largest_area);
     }
     if (rc == STATUS_OK)
         corrected_persson_curve(point, area, *count, persson, gap);
@@ -47,10 +48,11 @@ static void harden(struct strip_contact *contact, size_t *count, const struct pe
     for (size_t i = 0; i < *count; i++) {
         double ratio = task->loads[i] * task->pair->effective_modulus_Pa / task->hardness_Pa;
         double area = bearing_area(contact[i].area_ratio, ratio);
-        if (!(area <= corrected_persson_largest_area)) {
+        if (!(area <= corrected_persson_largest_area) && !task->carries_on) {
             *count = i;
             break;
         }
+        area = fmin(area, corrected_persson_largest_area);
         double share = ratio / bearing_area(contact[i].least_area_per_load * task->loads[i], ratio);
         struct bearing_at at = row->uses_strip ? bearing_counted(area, task->bearing)
                                                : bearing_gaussian(area, persson->m0_m2, persson->m2);
@@ -81,6 +83,7 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
             const struct transfer_point point = {task->loads[i], contact[i].area_ratio, contact[i].separation_m,
                                                  contact[i].constriction_m};
             curve->points[i] = model_point(&point, row, task);
+            curve->carried += contact[i].area_ratio == corrected_persson_largest_area;
         }
         curve->count = count;
         curve->exists = count > 0; /* complete contact is beyond */

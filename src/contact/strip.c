@@ -371,7 +371,7 @@ static struct strip_contact look_up(const struct nodes *nodes, size_t i, double 
 
 enum status_code strip_contact(struct strip_contact *out, size_t *out_count, const double *loads, size_t count,
                                const struct strip *strip, const struct persson *persson, bool with_separation,
-                               struct status *status)
+                               bool carries_on, struct status *status)
 {
     struct nodes nodes = {0};
     nodes.steps = range_of(nodes.range, strip);
@@ -383,8 +383,8 @@ enum status_code strip_contact(struct strip_contact *out, size_t *out_count, con
     if (!nodes.area_ratio || !nodes.theory || !nodes.value || !area_ratio)
         (void)status_memory(status);
     else if (strip_areas(area_ratio, loads, count, strip, persson->m2, status) == STATUS_OK) {
-        while (found < count && area_ratio[found] > 0 && area_ratio[found] <= corrected_persson_largest_area)
-            found++;
+        for (; found < count && !(area_ratio[found] <= 0) && (carries_on || !isnan(area_ratio[found])); found++)
+            area_ratio[found] = fmin(area_ratio[found], corrected_persson_largest_area);
         for (; nodes.below < found && area_ratio[nodes.below] < area_of(nodes.range, 0); nodes.below++)
             nodes.area_ratio[nodes.below] = area_ratio[nodes.below];
         fill_nodes(&nodes, strip, persson, with_separation);

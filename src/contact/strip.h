@@ -76,9 +76,9 @@ struct strip_contact {
 
 /** At ascending loads up to the largest area of corrected_persson.h, *out_count of them: the corrected theory's times
  * the ratio. With the load areas never fall and lengths and separations never rise, and none depends on which other
- * loads there are. with_separation false: NaN. Error: STATUS_MEMORY. */
+ * loads there are. with_separation false: NaN. carries_on: at larger loads as at that area. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code strip_contact(struct strip_contact *out, size_t *out_count, const double *loads,
                                           size_t count, const struct strip *strip, const struct persson *persson,
-                                          bool with_separation, struct status *status);
+                                          bool with_separation, bool carries_on, struct status *status);
 
 #endif

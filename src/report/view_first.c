@@ -358,15 +358,15 @@ static void put_beside(json_t *out, const struct view_source *source)
 /* ---- What limits the answer ---- */
 
 /* As flags of the view name them. */
-static const char *const limit_names[] = {"place", "model", "lay", "length", "spacing", "hardness"};
-enum { PLACE, MODEL, LAY, LENGTH, SPACING, HARDNESS, LIMITS, LIMITS_SAID = 3 };
+static const char *const limit_names[] = {"scanned", "model", "lay", "length", "spacing", "hardness"};
+enum { SCANNED, MODEL, LAY, LENGTH, SPACING, HARDNESS, LIMITS, LIMITS_SAID = 3 };
 
 struct limit {
     const char *name;
     double factor; /* 1 and up */
 };
 
-static double of_place(const struct view_source *source, size_t surface)
+static double of_scanned(const struct view_source *source, size_t surface)
 {
     const struct estimate *estimate = curve_summary_estimate(
         surface_model(view_summary(source, surface), source->leading), results_criterion(source->results));
@@ -429,7 +429,7 @@ static double farthest(const struct view_source *source, int limit)
     double most = NAN;
     for (size_t k = 0; k < source->results->usable_count; k++) {
         size_t surface = source->results->by_roughness[k];
-        double own = limit == PLACE     ? of_place(source, surface)
+        double own = limit == SCANNED   ? of_scanned(source, surface)
                      : limit == MODEL   ? of_model(source, surface)
                      : limit == LAY     ? of_lay(source, surface)
                      : limit == LENGTH  ? of_change(source, surface, SENSITIVITY_SCAN_HALVED)

@@ -234,3 +234,25 @@ TEST_CASE(each_load_alone)
     }
     free(made);
 }
+
+/* One of several scans goes on where it ends, as there, and says so. */
+TEST_CASE(carried_on)
+{
+    struct made *made = malloc(sizeof *made);
+    struct contact_point point[LOADS + 1], own[LOADS + 1];
+    assert_non_null(made);
+    assert_true(make(made, 0));
+    for (size_t m = 0; m + 1 < MODELS; m++) { /* cmy ends at another place */
+        struct model_curve alone = model_support_run(own, models[m], &made->task);
+        struct model_task task = made->task;
+        task.carries_on = true;
+        struct model_curve curve = model_support_run(point, models[m], &task);
+        assert_in_range(alone.count, 1, LOADS - 1);
+        assert_int_equal(curve.count, LOADS);
+        assert_int_equal(curve.carried, LOADS - alone.count);
+        assert_near(point[LOADS - 1].value[QUANTITY_AREA], corrected_persson_largest_area, 0);
+        assert_near(point[0].value[QUANTITY_ECR], own[0].value[QUANTITY_ECR], 1e-9);
+    }
+    discard(made);
+    free(made);
+}

@@ -99,7 +99,7 @@ TEST_IN_PLACE(test_factors_are_those_of_the_data)
     json_decref(results);
     assert_near(shown(place, "lay_factor"), lay, 0.05);
     assert_true(lay > 1.05);
-    assert_near(shown(place, "place_factor"), widest(place), 0.05);
+    assert_near(shown(place, "scanned_factor"), widest(place), 0.05);
     assert_true(widest(place) > 1.01);
     double most = 1; /* the only other plastic model */
     for (const char *surface = "a"; surface; surface = *surface == 'a' ? "b" : NULL) {
