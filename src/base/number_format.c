@@ -18,10 +18,10 @@ static void add_power_of_ten(struct text *out, int exponent)
         text_add(out, "%s", superscripts[*digit - '0']);
 }
 
-/** Plain notation reads well for these decimal exponents. */
-static bool reads_plain(int exponent)
+/** Plain notation reads well for these decimal exponents, where it does not show digits that were not asked for. */
+static bool reads_plain(int exponent, int digits)
 {
-    return exponent >= -3 && exponent <= 4;
+    return exponent >= -3 && exponent <= (digits < 5 ? 3 : 4);
 }
 
 /** The decimal exponent of `value` as it will be rounded. */
@@ -40,7 +40,7 @@ void number_format(struct text *out, double value, int digits)
     }
     char buffer[64];
     int exponent = exponent_of(value, digits);
-    bool plain = reads_plain(exponent);
+    bool plain = reads_plain(exponent, digits);
     snprintf(buffer, sizeof buffer, plain ? "%.*f" : "%.*e", plain ? (int)fmax(0, digits - 1 - exponent) : digits - 1,
              fabs(value));
     text_add(out, "%s%.*s", value < 0 ? minus : "", (int)strcspn(buffer, "e"), buffer);
@@ -54,7 +54,7 @@ void number_format_uncertain(struct text *out, double value, double error)
         number_format(out, value, 3);
         return;
     }
-    int exponent = exponent_of(value, 2), power = reads_plain(exponent) ? 0 : exponent;
+    int exponent = exponent_of(value, 2), power = reads_plain(exponent, 5) ? 0 : exponent;
     int decimals = (int)fmax(0, fmax(1 - exponent_of(error, 2), 1 - exponent) + power);
     double scale = pow(10, power);
     text_add(out, "%s%s%.*f ± %.*f", power ? "(" : "", value < 0 ? minus : "", decimals, fabs(value) / scale, decimals,

@@ -2,8 +2,10 @@
 #include "chart/asked.h"
 
 #include "analysis/direct_study.h"
+#include "base/number_format.h"
 #include "results/comparison.h"
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 void asked_unit(char *out, size_t size, const char *unit)
@@ -16,6 +18,7 @@ void asked_unit(char *out, size_t size, const char *unit)
                                            {"Ohm", "Ω"},
                                            {"deg", "°"},
                                            {"m2", "m²"},
+                                           {" m2", "·m²"},
                                            {" m", "·m"},
                                            {"*", "·"}};
     size_t used = 0;
@@ -38,10 +41,15 @@ void asked_unit(char *out, size_t size, const char *unit)
 
 void asked_text(char *out, size_t size, const char *text)
 {
-    int number = (int)strcspn(text, " ");
+    int number = (int)strcspn(text, " "), mantissa = (int)strcspn(text, " e");
     char unit[UNIT_LENGTH + 16];
+    struct text power = {0};
+    if (mantissa < number)
+        number_format(&power, strtod(text, NULL), mantissa > 1 ? mantissa - 1 : 1);
     asked_unit(unit, sizeof unit, text[number] ? text + number + 1 : "");
-    snprintf(out, size, "%.*s%s%s", number, text, unit[0] ? "\u00a0" : "", unit);
+    snprintf(out, size, "%.*s%s%s%s", power.length ? 0 : number, text, text_string(&power), unit[0] ? "\u00a0" : "",
+             unit);
+    text_free(&power);
 }
 
 double asked_shown(const struct asked *asked, double value)

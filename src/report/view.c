@@ -43,7 +43,9 @@ void view_interval(json_t *out, const char *name, double low, double high, int d
     struct text text = {0}, first = {0}, last = {0};
     number_format(&first, low, digits);
     number_format(&last, high, digits);
-    if (isfinite(low) && isfinite(high) && strcmp(text_string(&first), text_string(&last)) != 0)
+    if (isfinite(low) != isfinite(high))
+        text_add(&text, "%s\u00a0%s", isfinite(low) ? "≥" : "≤", text_string(isfinite(low) ? &first : &last));
+    else if (isfinite(low) && strcmp(text_string(&first), text_string(&last)) != 0)
         text_add(&text, "%s\u00a0…\u00a0%s", text_string(&first), text_string(&last));
     text_free(&first);
     text_free(&last);

@@ -307,7 +307,7 @@ static void put_measured_on(json_t *item, const struct view_source *source, size
     const struct measured_answers *answers = &source->results->answers[surface];
     const struct scene_asked *target = source->asked.target;
     const double times = exp(answers->fit.half_width);
-    if (view_summary(source, surface)->scene->measured.file_count > 0)
+    if (view_summary(source, surface)->scene->measured.file_count > 0 || source->results->usable_count > 1)
         view_text(item, "of", view_name(source, surface));
     if (target && source->asked.quantity == results_measured_quantity(source->results)) {
         put_meeting(item, source, surface, false, target->value);
@@ -351,7 +351,6 @@ static void put_beside(json_t *out, const struct view_source *source)
             view_text(item, "symbol", name_of(source, quantity));
         view_text(item, "surface", view_name(source, baseline));
         view_load(item, "load", source, baseline, solved.load);
-        view_flag(item, "here", solved.load == results_operating_load(results, baseline));
     }
 }
 
@@ -366,11 +365,31 @@ struct limit {
     double factor; /* 1 and up */
 };
 
+/** What is known of the asked quantity of a surface. */
+static const struct estimate *known_of(const struct view_source *source, size_t surface)
+{
+    return curve_summary_estimate(surface_model(view_summary(source, surface), source->leading),
+                                  (int)source->asked.quantity);
+}
+
 static double of_scanned(const struct view_source *source, size_t surface)
 {
-    const struct estimate *estimate = curve_summary_estimate(
-        surface_model(view_summary(source, surface), source->leading), results_criterion(source->results));
-    return estimate_has_width(estimate, estimate->half_width) ? exp(estimate->half_width) : NAN;
+    const struct estimate *known = known_of(source, surface);
+    return estimate_has_width(known, known->half_width) ? exp(known->half_width) : NAN;
+}
+
+/** By how much the asked quantity changes where area and ECR do so by these factors: film and plating are by the area,
+ * the heat in the gaps stays. */
+static double change_of(const struct view_source *source, size_t surface, double area, double ecr)
+{
+    const struct contact_point at = comparison_middle(source->results, source->leading, surface);
+    double spots = 1 / (at.value[QUANTITY_TCR] * at.value[QUANTITY_JOINT]);
+    double bare = at.value[QUANTITY_ECR] / at.value[QUANTITY_JOINT_ECR];
+    enum quantity asked = source->asked.quantity;
+    return asked == QUANTITY_AREA        ? area
+           : asked == QUANTITY_JOINT     ? spots / ecr + 1 - spots
+           : asked == QUANTITY_JOINT_ECR ? bare * ecr + (1 - bare) / area
+                                         : ecr;
 }
 
 /** The direct solution where there is one, else 95 % of what the model says of itself, else the one that stands beside
@@ -378,25 +397,28 @@ static double of_scanned(const struct view_source *source, size_t surface)
 static double of_model(const struct view_source *source, size_t surface)
 {
     const struct results *results = source->results;
-    enum quantity quantity = results_criterion(results);
+    const struct model_row *row = model_rows[source->leading];
+    enum quantity quantity = source->asked.quantity;
     const struct contact_point own = comparison_middle(results, source->leading, surface);
     double factor = NAN, load = results_operating_load(results, surface);
-    const struct estimate *known =
-        curve_summary_estimate(surface_model(view_summary(source, surface), source->leading), (int)quantity);
-    double sd = known->count > 0 ? known->model_sd : model_sd(model_rows[source->leading], quantity);
+    const struct estimate *known = known_of(source, surface);
     double direct = asked_direct(results, quantity, load).ratio;
+    if (!isfinite(own.value[quantity]))
+        return NAN;
     if (surface == results->baseline && direct > 0)
         return direct;
-    if (model_sd(model_rows[source->leading], quantity) > 0)
-        return exp(1.96 * sd);
-    size_t beside = model_index(model_rows[source->leading]->gaussian);
+    if (known->count > 0 && model_sd(row, QUANTITY_AREA) > 0)
+        return exp(1.96 * known->model_sd);
+    if (model_sd(row, QUANTITY_AREA) > 0)
+        return change_of(source, surface, exp(-1.96 * model_sd(row, QUANTITY_AREA)),
+                         exp(1.96 * model_sd(row, QUANTITY_ECR)));
+    size_t beside = model_index(row->gaussian);
     bool alone = plan_runs_model(results->plan, beside);
     for (size_t m = 0; m < model_count; m++) {
         const struct contact_point at = comparison_middle(results, m, surface);
         double ratio = at.value[quantity] / own.value[quantity];
-        if (m == source->leading || (alone && m != beside) ||
-            model_rows[m]->plastic != model_rows[source->leading]->plastic || !(ratio > 0) || !isfinite(ratio) ||
-            !curve_summary_is_valid(surface_model(view_summary(source, surface), m), load))
+        if (m == source->leading || (alone && m != beside) || model_rows[m]->plastic != row->plastic || !(ratio > 0) ||
+            !isfinite(ratio) || !curve_summary_is_valid(surface_model(view_summary(source, surface), m), load))
             continue;
         if (!(fabs(log(ratio)) <= fabs(log(factor))))
             factor = ratio;
@@ -408,19 +430,17 @@ static double of_model(const struct view_source *source, size_t surface)
 static double of_lay(const struct view_source *source, size_t surface)
 {
     const struct surface_summary *summary = view_summary(source, surface);
-    double factor = summary->perfect_lay[results_criterion(source->results) == QUANTITY_AREA ? 0 : 1];
-    return !summary->has_lay && factor > 0 ? factor : NAN;
+    const double *lay = summary->perfect_lay;
+    return !summary->has_lay && lay[0] > 0 ? change_of(source, surface, lay[0], lay[1]) : NAN;
 }
 
 static double of_change(const struct view_source *source, size_t surface, enum sensitivity_change change)
 {
-    const struct sensitivity_factors *factors =
-        &surface_model(view_summary(source, surface), source->leading)->sensitivity;
-    if (!surface_model(view_summary(source, surface), source->leading)->exists ||
-        (sensitivity_changes[change].plastic && !model_rows[source->leading]->plastic))
+    const struct curve_summary *model = surface_model(view_summary(source, surface), source->leading);
+    const struct sensitivity_factors *factors = &model->sensitivity;
+    if (!model->exists || (sensitivity_changes[change].plastic && !model_rows[source->leading]->plastic))
         return NAN;
-    double factor = results_criterion(source->results) == QUANTITY_AREA ? factors->area[change] : factors->ecr[change];
-    return factor > 0 ? factor : NAN;
+    return change_of(source, surface, factors->area[change], factors->ecr[change]);
 }
 
 /** The factor by which a limit may change the answer, the farthest from 1 over all usable surfaces. */
@@ -435,7 +455,7 @@ static double farthest(const struct view_source *source, int limit)
                      : limit == LENGTH  ? of_change(source, surface, SENSITIVITY_SCAN_HALVED)
                      : limit == SPACING ? of_change(source, surface, SENSITIVITY_CUTOFF_DOUBLED)
                                         : of_change(source, surface, SENSITIVITY_HARDNESS_RAISED);
-        own = own < 1 ? 1 / own : own;
+        own = own > 0 && own < 1 ? 1 / own : own;
         if (isfinite(own) && !(own <= most))
             most = own;
     }
@@ -443,7 +463,7 @@ static double farthest(const struct view_source *source, int limit)
 }
 
 /** Those that change the answer most, and what a longer or finer scan would do. */
-static void put_limits(json_t *out, const struct view_source *source)
+static void put_limits(json_t *out, const struct view_source *source, bool few_waves)
 {
     struct limit limits[LIMITS] = {{NULL, 0}};
     size_t count = 0;
@@ -453,7 +473,7 @@ static void put_limits(json_t *out, const struct view_source *source)
         char key[40];
         snprintf(key, sizeof key, "%s_factor", limit.name);
         view_number(out, key, limit.factor, DIGITS, "");
-        if (!(limit.factor >= 1.05)) /* "×÷ 1.0" says nothing */
+        if (!(limit.factor >= (r == LENGTH && few_waves ? 2 : 1.05))) /* "×÷ 1.0" says nothing; few waves say 2 */
             continue;
         size_t at = count++;
         for (; at > 0 && limit.factor > limits[at - 1].factor; at--)
@@ -543,7 +563,9 @@ static void put_asked_limits(json_t *out, const struct view_source *source)
         view_flag(item, "one", all == 1);
         for (int v = LIMIT_NO_VALUE; v <= LIMIT_CANNOT_TELL; v++)
             if (counts[v] > 0 && counts[LIMIT_MET] < all)
-                view_counted(item, verdict_names[v], counts[v], view_name(source, last[v]));
+                view_counted(view_item(view_list(item, "verdicts")), verdict_names[v], counts[v],
+                             all > 1 ? view_name(source, last[v]) : NULL);
+        view_separate(json_object_get(item, "verdicts"));
     }
 }
 
@@ -613,6 +635,7 @@ void view_first_page(json_t *out, const struct view_source *source)
     if (asked->target) {
         asked_text(unit, sizeof unit, asked->target->text);
         view_text(out, "target", unit);
+        view_flag(out, "share", asked->quantity == QUANTITY_AREA);
     }
     const struct asked_load as = asked_load_of(results, results->baseline);
     view_text(out, "load_unit", as.unit[0] ? as.unit : "P/(Aₙ E′)");
@@ -631,15 +654,28 @@ void view_first_page(json_t *out, const struct view_source *source)
             put_measured_on(view_item(view_list(out, "measured")), source, i);
     put_beside(out, source);
     put_hardness(out, source);
-    put_limits(out, source);
     double waves = INFINITY;
     bool in_part = false;
+    size_t silent = 0, unyielding = 0, last = 0;
     for (size_t k = 0; k < results->usable_count; k++) {
-        waves = fmin(waves, view_summary(source, results->by_roughness[k])->longest_waves);
-        in_part = in_part || view_summary(source, results->by_roughness[k])->strips_in_part;
+        size_t i = results->by_roughness[k];
+        const struct surface_summary *summary = view_summary(source, i);
+        waves = fmin(waves, summary->longest_waves);
+        in_part = in_part || summary->strips_in_part;
+        if (!summary->pair.unknown && !(summary->pair.hardness_Pa > 0) && ++unyielding)
+            last = i;
+        if (asked->target && !isfinite(value_of(source, source->leading, i)) && silent++ == 0)
+            put_value(view_part(out, "not_at_operating"), source, i);
     }
+    if (silent > 1)
+        view_count(json_object_get(out, "not_at_operating"), "others", silent - 1);
+    view_counted(out, "no_hardness", unyielding, view_name(source, last));
+    if (unyielding > 0)
+        view_flag(json_object_get(out, "no_hardness"), "some", unyielding < results->usable_count);
     view_flag(out, "strips_in_part", in_part && model_rows[source->leading]->uses_strip);
-    if (waves < SURFACE_LONGEST_WAVES && !model_rows[source->leading]->uses_map) /* which is no scan */
+    bool few_waves = waves < SURFACE_LONGEST_WAVES && !model_rows[source->leading]->uses_map; /* which is no scan */
+    put_limits(out, source, few_waves);
+    if (few_waves)
         view_number(out, "longest_waves", waves, DIGITS, "");
     put_maps(out, source);
     put_asked_limits(out, source);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scan/reader.h"
 #include "base/limits.h"
+#include "base/unit.h"
 #include "scan/scan.h"
 #include "scan/string_view.h"
 #include "scan/text_header.h"
@@ -74,6 +75,12 @@ static enum status_code fail_units(const struct scan *out, const char *x, const 
     if (x_wrong || z_wrong)
         return scan_fail(file, 0, "'%.16s' is no unit of length; give %s as m, mm, um, nm, pm, A, in, mil or uin",
                          x_wrong ? x : z, x_wrong ? "x_unit" : "z_unit");
+    struct unit first;
+    if (no_x && unit_read(&first, out->unknown_unit[0], strlen(out->unknown_unit[0])) &&
+        unit_of(&first, UNIT_FORCE | UNIT_PRESSURE | UNIT_RESISTANCE | UNIT_THERMAL_RESISTANCE))
+        return scan_fail(file, 0,
+                         "x in '%s' is no scan; is it a measurement, `measured: {file: ...}` in scene.yaml takes it",
+                         out->unknown_unit[0]);
     const char *unknown = out->unknown_unit[no_x && *out->unknown_unit[0] ? 0 : no_z];
     return scan_fail(file, 0,
                      "%s%s%sno unit for %s%s%s; add %s%s%s (or what %s in) to this surface in scene.yaml, or give%s%s",

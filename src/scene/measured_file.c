@@ -11,7 +11,7 @@ static const char *const column_names[MEASURED_COLUMNS] = {"load", "resistance",
 /* Headings that say P/(A_n E'): the column of contact.csv, and how it is written. */
 static const char *const dimensionless_names[] = {"load_over_AnEp", "P/(A_n E')", "P/(Aₙ E′)"};
 
-enum { CELLS_MOST = 8 };
+enum { CELLS_MOST = 8, NUMBER_EITHER = NUMBER_POINT | NUMBER_COMMA }; /* no comma is left in cells split at it */
 
 /* In which cells load, resistance and error may stand; the first where the units do not say another. */
 static const size_t orders[][MEASURED_COLUMNS] = {{0, 1, 2}, {1, 0, 2}, {2, 0, 1}, {0, 2, 1}};
@@ -30,13 +30,14 @@ struct reading {
     size_t line;                /* what is read now, which messages name */
     struct cells heading;       /* the last line of titles above the rows */
     size_t heading_line;
+    bool labels; /* the first column names the rows */
     struct status *status;
 };
 
 static bool starts_number(struct string_view cell)
 {
     double value;
-    const char *end = number_scan(cell, NUMBER_POINT, NULL, &value);
+    const char *end = number_scan(cell, NUMBER_EITHER, NULL, &value);
     return end && (end == cell.end || string_view_is_blank_char(*end));
 }
 
@@ -55,6 +56,18 @@ static struct cells split(struct string_view line)
     while (out.count > 0 && out.cell[out.count - 1].start == out.cell[out.count - 1].end)
         out.count--;
     return out;
+}
+
+static bool is_no_value(struct string_view cell)
+{
+    return cell.start == cell.end || string_view_is_one_of(cell, "nan inf +inf -inf - --");
+}
+
+static void without_first(struct cells *cells)
+{
+    memmove(cells->cell, cells->cell + 1, (CELLS_MOST - 1) * sizeof *cells->cell);
+    cells->cell[CELLS_MOST - 1] = (struct string_view){0};
+    cells->count -= cells->count > 0;
 }
 
 /* Titles, or the units below them: cells without a number among them, but for the unit 1. */
@@ -160,7 +173,7 @@ static enum status_code row_read(const struct reading *in, struct measured_row *
         struct string_view cell = cells->cell[in->order[c]];
         if (c == MEASURED_ERROR && cells->count == 2 && in->order[c] == 2)
             continue;
-        const char *end = number_scan(cell, NUMBER_POINT, NULL, &row->value[c]);
+        const char *end = number_scan(cell, NUMBER_EITHER, NULL, &row->value[c]);
         if (!end || end != cell.end)
             return status_fail(in->status, STATUS_SCENE,
                                "'%s' is no number; write it as 1.5e-3, its unit in the heading",
@@ -203,15 +216,23 @@ static enum status_code line_read(struct reading *in, size_t *capacity, struct s
                            limit_words(LIMIT_MEASURED_LINE_BYTES).text);
     const char *remark = memchr(line.start, '#', string_view_length(line));
     line = string_view_trim((struct string_view){line.start, remark ? remark : line.end});
-    const struct cells cells = split(line);
-    const struct string_view first = cells.cell[0];
+    struct cells cells = split(line);
     if (line.start == line.end)
         return STATUS_OK;
     double value;
-    if (number_scan(first, NUMBER_POINT, NULL, &value))
+    if (in->out->count == 0 && !in->labels && cells.count > 2 && cells.count == in->heading.count &&
+        !is_heading(&cells)) {
+        in->labels = !starts_number(cells.cell[0]) && !is_no_value(cells.cell[0]) && starts_number(cells.cell[1]) &&
+                     starts_number(cells.cell[2]);
+        if (in->labels)
+            without_first(&in->heading);
+    }
+    if (in->labels)
+        without_first(&cells);
+    const struct string_view first = cells.cell[0];
+    if (number_scan(first, NUMBER_EITHER, NULL, &value))
         return row_add(in, capacity, &cells);
-    bool no_value = first.start == first.end || string_view_is_one_of(first, "nan inf +inf -inf - --");
-    if (in->out->count > 0 || (no_value && starts_number(cells.cell[1])))
+    if (in->out->count > 0 || (is_no_value(first) && starts_number(cells.cell[1])))
         return status_fail(in->status, STATUS_SCENE,
                            "'%s' is no %s; correct the row or remove it, or put # before a remark",
                            scene_words_show_view(first).text, column_names[in->order[MEASURED_LOAD] > 0]);

@@ -100,6 +100,11 @@ TEST_CASE(headings_say_the_units)
         {"load (N),R (mOhm),u_r (-)\n10,4.8,0.05\n", 10, 4.8e-3, 2.4e-4},
         {"load (N),R (mOhm),sd (ohm mm2)\n10,4.8,1e-4\n", 10, 4.8e-3, 1e-4},
         {"Samples, 3\nLoad (N)\tR (mOhm)\n10\t4.8\n# unloading 2\n9\t5\n", 10, 4.8e-3, NAN},
+        /* decimal commas; a column that names the rows */
+        {"Kraft (N);R (mOhm)\n10,0;4,8\n20;2,5\n", 10, 4.8e-3, NAN},
+        {"F (kN)\tR (mOhm)\n10\t4,8\n", 1e4, 4.8e-3, NAN},
+        {"step,F (N),R (mOhm)\nup,10,4.8\n7,9,5\n", 10, 4.8e-3, NAN},
+        {"step;F;R;u\n-;kN;mOhm;uOhm\nup;10;4,8;30,0\n", 1e4, 4.8e-3, 3e-5},
         /* columns in another order, of which all name their unit */
         {"R (mOhm),F (N)\n4.8,10\n", 10, 4.8e-3, NAN},
         {"mOhm;kN\n4.8;10\n", 1e4, 4.8e-3, NAN},
@@ -153,9 +158,11 @@ TEST_CASE(what_is_wrong_is_named)
         {"1,2\n0,2\n", &plain, "ecr.csv:2: a load of 0; allowed is 1e-100 to 1e+100"},
         {"load,ecr\n\n\n1,2\n\n1,-1\n", &plain, "ecr.csv:6: a resistance of -1; allowed is"},
         {"1,2,3\n1,,3\n", &plain, "ecr.csv:2: '' is no number"},
-        {"1,5;2\n", &plain, "ecr.csv:1: '1,5' is no number; write it as 1.5e-3, its unit in the heading"},
+        {"1,5,2;2\n", &plain, "ecr.csv:1: '1,5,2' is no number; write it as 1.5e-3, its unit in the heading"},
+        {"run,load,ecr\na,1,2\nb,x,2\n", &plain, "ecr.csv:3: 'x' is no load"},
+        {"run,load\na,1\n", &plain, "ecr.csv: no row"},
         {"1 N,2 mohm\n", &plain, "ecr.csv:1: '1 N' is no number; write it as 1.5e-3, its unit in the heading"},
-        {"1,5\t2\n", &plain, "ecr.csv:1: '1,5' is no number"},
+        {"1,5,\t2\n", &plain, "ecr.csv:1: '1,5,' is no number"},
         {"1,1e999\n", &plain, "ecr.csv:1: a resistance of inf; allowed is"},
         {"1,1e308\n1,2\n", &huge, "ecr.csv:1: a resistance of 1e+308; allowed is"},
         /* decimal commas between commas; a load that is none */

@@ -68,9 +68,9 @@ TEST_IN_WORKSPACE(a_missed_limit_ends_with_5)
     expect_parts(run.err,
                  "surface 'a' misses the limit h ≥ 1e+12 W/m2/K: ", "surface 'b' misses the limit h ≥ 1e+12 W/m2/K: ");
     expect_no_part(run.err, "A/Aₙ");
-    expect_parts(run.out, "Limit A/Aₙ ≥ 1e-09: all surfaces meet it.\n", "): Missed by 2 surfaces.\n");
+    expect_parts(run.out, "Limit A/Aₙ ≥ 1·10⁻⁹: all surfaces meet it.\n", "): missed by 2 surfaces.\n");
     process_free(&run);
-    expect_in_file(place, "out/report.md", "| ✗ missed |", "**Missed by 2 surfaces.**");
+    expect_in_file(place, "out/report.md", "| ✗ missed |", "**missed by 2 surfaces**.");
     run = run_scene(place, 0, missed, NULL); /* nobody asked for the check */
     expect_no_part(run.err, "misses");
     process_free(&run);

@@ -82,7 +82,8 @@ TEST_IN_WORKSPACE(a_connector)
     char *page = first_page(place, "out"), load[80];
     view_text_of(load, sizeof load, place, "out", "answers", "load");
     expect_parts(page, "**1\u00a0mΩ takes ", "\u00a0N** (95 % ", ", film and plating included.", load);
-    expect_parts(page, "Your measurement reaches 1\u00a0mΩ at 0.966\u00a0N loading and 0.515\u00a0N unloading",
+    expect_parts(page,
+                 "Your measurement of *as plated* reaches 1\u00a0mΩ at 0.966\u00a0N loading and 0.515\u00a0N unloading",
                  "; your contact carries ", " of the predicted conductance");
     assert_null(strstr(page, "the measured resistance")); /* that would be the same number again */
     expect_part(page, "Textbook (");
@@ -90,7 +91,7 @@ TEST_IN_WORKSPACE(a_connector)
     expect_part(page,
                 "In contact resistance without film and plating at 1.00\u00a0N they do not differ significantly (p = ");
     expect_part(page, "Least certain: ");
-    expect_part(page, "scan length ×÷ "); /* or the spacing, whichever matters */
+    expect_part(page, "of its longest waves: a longer one may change resistances by a factor 2 or more.");
     expect_kept_picture(place, "out/figures/answer.svg");
     free(page);
 }

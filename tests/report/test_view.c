@@ -133,7 +133,7 @@ TEST_CASE(the_report_says_them_in_words)
     struct text report = report_of(&made);
     assert_says(&report, "**At 10.0\u00a0N the contact resistance is 50.0\u00a0µΩ**");
     assert_says(&report, "*alpha* is significantly better than all others tested");
-    assert_says(&report, "Your contact carries 0.67 of the predicted conductance");
+    assert_says(&report, "On *beta* your contact carries 0.67 of the predicted conductance");
     assert_says(&report, "**1 refused**");
     assert_says(&report, "| beta | 0.200 |");
     assert_says(&report, "Table 6.2");
@@ -500,8 +500,8 @@ TEST_CASE(a_limit_names_the_one_surface_and_counts_several)
                                                                   {LIMIT_MISSED, LIMIT_NO_VALUE, LIMIT_MISSED},
                                                                   {LIMIT_MET, LIMIT_MET, LIMIT_MET}};
     static const char *const says[] = {
-        "ECR ≤ 0.1\u00a0mΩ: met by *beta*. **Missed by *gamma*.** Undecided for *alpha*.",
-        "ECR ≤ 0.1\u00a0mΩ: **Missed by 2 surfaces.** No value for *alpha*.",
+        "ECR ≤ 0.1\u00a0mΩ: met by *beta*, **missed by *gamma***, undecided for *alpha*.",
+        "ECR ≤ 0.1\u00a0mΩ: no value for *alpha*, **missed by 2 surfaces**.",
         "ECR ≤ 0.1\u00a0mΩ: all surfaces meet it."};
     extern const struct scene_asked_row scene_asked_rows[];
     struct made_up made;
@@ -516,10 +516,107 @@ TEST_CASE(a_limit_names_the_one_surface_and_counts_several)
             made.surfaces[i].summary.limits = &checks[i];
         }
         made_up_again(&made);
-        assert_says_page(&made, says[k], "by 1");
+        assert_says_page(&made, says[k], "by 1 s");
     }
+    snprintf(limit.text, sizeof limit.text, "2.5e-05 K m2/W");
+    made_up_again(&made);
+    assert_says_page(&made, " ≤ 2.5·10⁻⁵\u00a0K·m²/W: all surfaces meet it.", "e-05");
     for (size_t i = 0; i < MADE_UP_USABLE; i++)
         made.surfaces[i].summary.limits = NULL;
+    made_up_free(&made);
+}
+
+static void halve_area(struct made_up *made)
+{
+    for (size_t i = 0; i < MADE_UP_USABLE; i++)
+        made_up_surface(made, i)->models[made->comparison.leading]->sensitivity.area[SENSITIVITY_SCAN_HALVED] = 0.5;
+    made_up_again(made);
+}
+
+/* What limits the answer limits what is asked: resistance, area, or a resistance that is the film's. */
+TEST_CASE(limits_are_those_of_what_is_asked)
+{
+    struct made_up made;
+    struct scene_asked target = {0};
+    struct answer *answers = calloc(MADE_UP_USABLE * model_count, sizeof *answers);
+    extern const struct scene_asked_row scene_asked_rows[];
+    assert_non_null(answers);
+    made_up_make_of(&made, made_up_models(), PLAIN | EFFECT_BIT(EFFECT_FILM), NULL);
+    halve_area(&made);
+    assert_string_equal(view_at(made.view, "length_factor"), "2.0"); /* a film on half the area */
+    assert_says_page(&made, " on *gamma*, film included.", "plating");
+    made_up_free(&made);
+    made_up_make_of(&made, made_up_models(), PLAIN, NULL);
+    halve_area(&made);
+    assert_string_equal(view_at(made.view, "length_factor"), "1.3");
+    set_target(&made, &target, answers);
+    target.row = &scene_asked_rows[3]; /* the area */
+    snprintf(target.text, sizeof target.text, "1 %%");
+    made_up_again(&made);
+    assert_string_equal(view_at(made.view, "length_factor"), "2.0");
+    assert_says_page(&made, "**1\u00a0% contact area takes 10.0\u00a0N**", "included");
+    drop_target(&made, answers);
+}
+
+TEST_CASE(few_waves_and_a_scans_length_do_not_contradict)
+{
+    static const struct {
+        double waves, factor;
+        const char *says, *unsaid;
+    } cases[] = {{10, 1.3, "scan length ×÷ 1.3 (a longer one)", "longest waves"},
+                 {1.5, 1.3, "only 1.5 of its longest waves", "scan length"},
+                 {1.5, 2.5, "scan length ×÷ 2.5 (a longer one)", "×÷ 1.3"}};
+    struct made_up made;
+    made_up_make_of(&made, made_up_models(), PLAIN, NULL);
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        for (size_t i = 0; i < MADE_UP_USABLE; i++) {
+            struct surface_summary *summary = made_up_surface(&made, i);
+            summary->longest_waves = cases[k].waves;
+            summary->models[made.comparison.leading]->sensitivity.ecr[SENSITIVITY_SCAN_HALVED] = cases[k].factor;
+        }
+        made_up_again(&made);
+        assert_says_page(&made, cases[k].says, cases[k].unsaid);
+    }
+    made_up_free(&made);
+}
+
+TEST_CASE(an_end_beyond_the_loads_leaves_the_other)
+{
+    struct made_up made;
+    struct scene_asked target;
+    struct answer *answers = calloc(MADE_UP_USABLE * model_count, sizeof *answers);
+    assert_non_null(answers);
+    made_up_make_of(&made, made_up_models(), PLAIN, NULL);
+    set_target(&made, &target, answers);
+    struct answer *leading = answers + made.comparison.leading;
+    leading[0].low = leading[model_count].high = NAN;
+    made_up_again(&made);
+    assert_says_page(&made, "10.0\u00a0N** (95 % ≥\u00a05.0) on *alpha*, 20.0\u00a0N (95 % ≤\u00a040) on *beta*,", "–");
+    made_up_surface(&made, 2)->models[made.comparison.leading]->operating.value[QUANTITY_ECR] = NAN;
+    made_up_surface(&made, 2)->pair.hardness_Pa = 5e6;
+    made_up_again(&made);
+    assert_says_page(
+        &made,
+        "At 10.0\u00a0N the contact resistance is not known (the load exceeds the hardness, 5.00\u00a0MPa) "
+        "on *gamma*.",
+        "1 more");
+    drop_target(&made, answers);
+}
+
+TEST_CASE(a_hardness_that_nobody_gives_is_told)
+{
+    struct made_up made;
+    made_up_make_of(&made, made_up_models(), PLAIN, NULL);
+    assert_says_page(&made, "At 10.0\u00a0N", "No hardness");
+    made_up_surface(&made, 1)->pair.hardness_Pa = NAN;
+    made_up_again(&made);
+    assert_says_page(&made, "No hardness is given for *alpha*: nothing yields there.", "surfaces: nothing");
+    made_up_surface(&made, 2)->pair.hardness_Pa = NAN;
+    made_up_again(&made);
+    assert_says_page(&made, "No hardness is given for 2 surfaces: nothing yields there.", "for *");
+    made_up_surface(&made, 0)->pair.hardness_Pa = NAN;
+    made_up_again(&made);
+    assert_says_page(&made, "No hardness is given: nothing yields.", "there");
     made_up_free(&made);
 }
 
@@ -544,10 +641,11 @@ TEST_CASE(a_target_that_some_runs_reach_says_how_many)
                                          .resistance = value,
                                          .error = error};
     set_target(&made, &target, answers);
-    assert_says_page(&made, "Your measurement reaches 0.1\u00a0mΩ at 3.16\u00a0N in 1 of 2 runs;", "unloading");
+    assert_says_page(&made, "Your measurement of *beta* reaches 0.1\u00a0mΩ at 3.16\u00a0N in 1 of 2 runs;",
+                     "unloading");
     value[3] = 0.25e-10;
     made_up_again(&made);
-    assert_says_page(&made, "Your measurement reaches 0.1\u00a0mΩ at 3.16\u00a0N;", " runs;");
+    assert_says_page(&made, "Your measurement of *beta* reaches 0.1\u00a0mΩ at 3.16\u00a0N;", " runs;");
     drop_target(&made, answers);
 }
 

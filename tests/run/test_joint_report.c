@@ -309,7 +309,7 @@ TEST_IN_PLACE(a_plating_has_its_hardness)
         char *line = strndup(sentence ? sentence : "", sentence ? strcspn(sentence, "\n") : 0);
         expect_no_parts(line, rows[k].unsaid);
         if (k == 0)
-            indent_um = strtod(strstr(line, "indents are ") + strlen("indents are "), NULL);
+            indent_um = strtod(strstr(line, "Vickers indents ") + strlen("Vickers indents "), NULL);
         free(line);
         text_free(&page);
         json_decref(results);

@@ -176,6 +176,9 @@ TEST_CASE(test_missing_units)
     static const struct {
         const char *title, *refused;
     } titles[] = {
+        {"Force (N),Resistance (mOhm)",
+         "file: x in 'N' is no scan; is it a measurement, `measured: {file: ...}` in scene.yaml takes it"},
+        {"R (mOhm),F (N)", "file: x in 'mOhm' is no scan"},
         {"x [km],z [um]", "file: unknown unit 'km', no unit for x; add"},
         {"x [mm],z (V)", "file: unknown unit 'V', no unit for z; add"},
         {"x,z [km]", "file: unknown unit 'km', no unit for x nor for z; add"},
