@@ -16,17 +16,20 @@ static const struct answer no_answer = {.load = NAN, .low = NAN, .high = NAN, .s
 /** Share by which a number may miss its target where the curve ends without a full contact. */
 static const double end_slack = 0.01;
 
+/** Does the quantity rise with the load? Else it falls. */
+static bool rises(const struct scene_asked *asked)
+{
+    return quantity_rows[asked->quantity].is & QUANTITY_RISES;
+}
+
 /** What a quantity is where contact is full: there is no resistance left but the film's. */
 static double full_value(enum quantity quantity, const struct joint_task *joint)
 {
     struct contact_point point = quantity_nothing();
-    point.value[QUANTITY_AREA] = 1;
-    point.value[QUANTITY_SEPARATION] = point.value[QUANTITY_ECR] = point.value[QUANTITY_TCR] =
-        point.value[QUANTITY_TCR_SCALE_DEPENDENT] = 0;
-    if (quantity == QUANTITY_JOINT)
-        return INFINITY;
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        point.value[q] = quantity_rows[q].from ? NAN : quantity_rows[q].at_full;
     joint_apply(&point, NULL, 1, joint);
-    return point.value[quantity];
+    return isinf(quantity_rows[quantity].at_full) ? INFINITY : point.value[quantity];
 }
 
 /** One end of the band about a curve. */
@@ -92,7 +95,7 @@ static void run_at(struct search *search, double load)
     search->full_load = curve.exists ? curve.full_load : NAN;
     if (curve.count > 0 && points[0].value[QUANTITY_LOAD] == load) {
         search->point = points[0];
-        search->value = points[0].value[search->target->row->quantity];
+        search->value = points[0].value[search->target->quantity];
     }
 }
 
@@ -104,7 +107,7 @@ static double excess(double ln_load, void *context)
     struct search *search = context;
     run_at(search, exp(ln_load));
     double ratio = log(search->value / search->target->value) + (search->end ? band_shift(ln_load, search->end) : 0);
-    return isnan(search->value) ? beyond : fmin(fmax(search->target->row->rises ? ratio : -ratio, -beyond), beyond);
+    return isnan(search->value) ? beyond : fmin(fmax(rises(search->target) ? ratio : -ratio, -beyond), beyond);
 }
 
 /** Narrows two loads between which the target is met to within the tolerance. */
@@ -131,14 +134,14 @@ static enum status_code narrow(double ends[2], struct search *search)
 /** The load at which the target is met. */
 static enum status_code solve(struct answer *out, struct search *search)
 {
-    const enum quantity quantity = search->target->row->quantity;
+    const enum quantity quantity = search->target->quantity;
     const double first = search->task.loads[0], last = search->task.loads[search->task.load_count - 1];
     const double full = full_value(quantity, &search->joint);
     double ends[2] = {first, last}, at_last = excess(log(last), search), at_first = excess(log(first), search);
     bool known = !isnan(search->value), full_meets;
     *out = no_answer;
     out->load = first;
-    full_meets = search->target->row->rises ? full >= search->target->value : full <= search->target->value;
+    full_meets = rises(search->target) ? full >= search->target->value : full <= search->target->value;
     if (known && at_first >= 0) {
         out->kind = ANSWER_LIGHTEST;
     } else if (known && at_last < 0) {
@@ -209,11 +212,10 @@ static enum status_code count_spots(struct answer *out, const struct ensemble *s
 /** The loads at which the ends of the curve's band pass the target. */
 static enum status_code solve_band(struct answer *out, const struct surface_record *record, struct search *search)
 {
-    const struct scene_asked_row *row = search->target->row;
     size_t m = model_index(search->row);
     for (int side = 0; side < 2; side++) {
-        const struct band_end end = {&record->curves[m], record->bands[m], record->band_count, row->quantity, side,
-                                     &search->joint};
+        const struct band_end end = {
+            &record->curves[m], record->bands[m], record->band_count, search->target->quantity, side, &search->joint};
         struct answer one;
         if (isnan(band_shift(log(out->load), &end)))
             return STATUS_OK;
@@ -222,7 +224,7 @@ static enum status_code solve_band(struct answer *out, const struct surface_reco
         if (solve(&one, &on_end) != STATUS_OK)
             return search->status->code;
         double load = one.kind == ANSWER_LOAD && !one.full ? one.load : NAN;
-        if (side == row->rises) /* that end gets there at the lighter load */
+        if (side == rises(search->target)) /* that end gets there at the lighter load */
             out->low = isnan(load) ? NAN : fmin(load, out->load);
         else
             out->high = isnan(load) ? NAN : fmax(load, out->load);
@@ -235,8 +237,7 @@ static enum status_code answer_target(struct answer *out, const struct surface_r
                                       const struct joint_task *joint, struct status *status)
 {
     const struct model_row *row = model_rows[m];
-    const unsigned from = quantity_rows[target->row->quantity].from,
-                   needed = from ? from : QUANTITY_BIT(target->row->quantity);
+    const unsigned from = quantity_rows[target->quantity].from, needed = from ? from : QUANTITY_BIT(target->quantity);
     struct search search = {
         .row = row, .task = *task, .set = &record->ensemble, .joint = *joint, .target = target, .status = status};
     *out = no_answer;
@@ -267,7 +268,7 @@ static struct limit_check check_point(const struct surface_record *record, size_
 {
     const struct model_curve *curve = &record->curves[leading];
     const struct ensemble_band *band = record->bands[leading];
-    enum quantity quantity = limit->row->quantity;
+    enum quantity quantity = limit->quantity;
     struct limit_check out = {.value = curve->points[i].value[quantity], .low = NAN, .high = NAN};
     if (band && i < record->band_count && band[i].load == curve->points[i].value[QUANTITY_LOAD]) {
         out.low = at_end(&(struct band_end){curve, band, record->band_count, quantity, 0, joint}, i);
@@ -287,7 +288,7 @@ static struct limit_check check_limit(const struct surface_record *record, size_
         if (curve->points[i].value[QUANTITY_LOAD] == load)
             out = check_point(record, leading, limit, joint, i);
     if (out.verdict == LIMIT_NO_VALUE && curve->exists && curve->full_load <= load) {
-        out.value = full_value(limit->row->quantity, joint);
+        out.value = full_value(limit->quantity, joint);
         out.verdict = answers_judge(&out, limit);
         out.value = isfinite(out.value) ? out.value : NAN;
     }
@@ -322,8 +323,7 @@ enum status_code answers_find(struct surface_record *record, const struct scene 
         for (size_t t = 0; t < scene->target_count; t++) {
             struct answer *answer = &summary->answers[t * model_count + m];
             struct scene_asked target = scene->targets[t];
-            if (summary->carried > 0 && m == summary->carried_model &&
-                target.row->quantity == summary->carried_quantity)
+            if (summary->carried > 0 && m == summary->carried_model && target.quantity == summary->carried_quantity)
                 target.value *= summary->carried; /* the model's resistance over that factor is what is met */
             if (answer_target(answer, record, m, &target, &own, &joint, status) != STATUS_OK)
                 return status->code;

@@ -4,8 +4,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-const enum quantity direct_study_quantities[DIRECT_STUDY_QUANTITIES] = {QUANTITY_AREA, QUANTITY_SEPARATION,
-                                                                        QUANTITY_ECR, QUANTITY_STIFFNESS};
 static const double contact_tolerance = 1e-6; /* finds the set of points that 1e-12 finds */
 
 /** What the surfaces of a study are made of. */
@@ -217,41 +215,22 @@ const char *direct_study_heights(const struct direct_study *study)
     return study->plan.side > 0 ? "map" : study->plan.gaussian ? "gaussian" : "scan";
 }
 
-/** The mean that a quantity is made from, and the factor to it; NULL: not solved. */
-static const struct direct_mean *mean_of(const struct direct_study *study, const struct material_pair *pair,
-                                         enum direct_study_kind kind, enum quantity quantity, size_t i, double *factor)
+/** The mean that a quantity is made from; NULL: not solved. */
+static const struct direct_mean *mean_of(const struct direct_study *study, enum direct_study_kind kind,
+                                         enum quantity quantity, size_t i)
 {
+    const struct quantity_solved *solved = &quantity_rows[quantity].solved;
     const struct direct_study_curve *curve = &study->curves[kind];
-    if (!curve->points || i >= curve->loads)
-        return NULL;
-    const struct direct_mean *mean = curve->points[i].mean;
-    *factor = 1;
-    switch ((int)quantity) {
-    case QUANTITY_AREA:
-        return &mean[DIRECT_AREA];
-    case QUANTITY_SEPARATION:
-        return &mean[DIRECT_GAP];
-    case QUANTITY_ECR:
-        *factor = 2 * pair->resistivity_ohm_m; /* rho1 + rho2 */
-        return &mean[DIRECT_CONSTRICTION];
-    case QUANTITY_TCR:
-        *factor = 2 / pair->conductivity_W_per_mK; /* 1/k1 + 1/k2 */
-        return &mean[DIRECT_CONSTRICTION];
-    case QUANTITY_STIFFNESS: /* over the length; Barber: of a contact that is elastic throughout */
-        *factor = pair->effective_modulus_Pa / 2;
-        return kind == DIRECT_STUDY_ELASTIC && mean[DIRECT_CONSTRICTION].value > 0 ? &mean[DIRECT_CONSTRICTION] : NULL;
-    default:
-        return NULL;
-    }
+    bool there = curve->points && i < curve->loads && solved->column;
+    return there && (kind == DIRECT_STUDY_ELASTIC || !solved->elastic) ? &curve->points[i].mean[solved->mean] : NULL;
 }
 
 double direct_study_value(const struct direct_study *study, const struct material_pair *pair,
                           enum direct_study_kind kind, enum quantity quantity, size_t i, double *error)
 {
-    double factor;
-    const struct direct_mean *mean = mean_of(study, pair, kind, quantity, i, &factor);
-    if (mean && quantity == QUANTITY_STIFFNESS)
-        factor /= mean->value * mean->value;
+    const struct quantity_solved *solved = &quantity_rows[quantity].solved;
+    const struct direct_mean *mean = mean_of(study, kind, quantity, i);
+    double factor = mean && solved->factor ? solved->factor(pair, mean->value) : 1;
     if (error)
         *error = mean ? mean->standard_error * factor : NAN;
     return mean ? mean->value * factor : NAN;
@@ -260,9 +239,7 @@ double direct_study_value(const struct direct_study *study, const struct materia
 double direct_study_grid_error(const struct direct_study *study, enum direct_study_kind kind, enum quantity quantity,
                                size_t i)
 {
-    static const struct material_pair unit = {.resistivity_ohm_m = 1, .conductivity_W_per_mK = 1};
-    double factor;
-    const struct direct_mean *mean = mean_of(study, &unit, kind, quantity, i, &factor);
+    const struct direct_mean *mean = mean_of(study, kind, quantity, i);
     return mean && isfinite(mean->fine_ratio) ? fabs(mean->fine_ratio - 1) : 0;
 }
 

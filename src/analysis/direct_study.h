@@ -87,8 +87,4 @@ struct direct_study_distance direct_study_distance(const struct direct_study *st
 /** The model that is nearest in a quantity; model_count: none. */
 size_t direct_study_nearest(const struct direct_study *study, const struct material_pair *pair, enum quantity quantity);
 
-/** The quantities that are compared. */
-enum { DIRECT_STUDY_QUANTITIES = 4 };
-extern const enum quantity direct_study_quantities[DIRECT_STUDY_QUANTITIES];
-
 #endif

@@ -213,12 +213,6 @@ struct ensemble_band *ensemble_band_make(const double *loads, size_t count)
     return band;
 }
 
-bool ensemble_band_holds(enum quantity quantity)
-{
-    return quantity == QUANTITY_AREA || quantity == QUANTITY_SEPARATION || quantity == QUANTITY_ECR ||
-           quantity == QUANTITY_TCR || (quantity_rows[quantity].from && quantity != QUANTITY_TEMPERATURE);
-}
-
 /** The mean of what is in curves->value. Where nothing is left of a positive quantity in any of them, that is it. */
 static enum status_code mean_of(double *mean, struct estimate *estimate, const struct ensemble_curves *curves,
                                 const struct ensemble *set, bool logarithmic, struct status *status)
@@ -258,7 +252,7 @@ static enum status_code mean_point(struct contact_point *out, struct estimate *e
     for (int q = QUANTITY_AREA; q < QUANTITY_COUNT; q++) {
         const struct quantity_row *row = &quantity_rows[q];
         struct estimate *estimate = estimates ? &estimates[q] : &unused;
-        bool logarithmic = row->logarithmic || q == (int)model_shown(model, QUANTITY_SEPARATION);
+        bool logarithmic = (row->is & QUANTITY_LOGARITHMIC) || q == (int)model_shown(model, QUANTITY_SEPARATION);
         double mean = NAN;
         *estimate = estimate_none;
         if (row->from && isnan(point_of(curves, 0, at)->value[q]))
@@ -309,7 +303,7 @@ static void fill_band(struct ensemble_band *band, const struct estimate *estimat
     for (int q = 0; q < QUANTITY_COUNT; q++)
         for (int side = 0; side < 2; side++) {
             const struct estimate *estimate = &estimates[model_shown(model, (enum quantity)q)];
-            bool holds = ensemble_band_holds((enum quantity)q);
+            bool holds = quantity_rows[q].is & QUANTITY_BANDED;
             band->mean[q][side] = holds ? estimate_end(estimate, side) : NAN;
             band->next[q][side] = holds ? estimate_next_end(estimate, side) : NAN;
         }

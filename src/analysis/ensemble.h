@@ -122,9 +122,6 @@ struct ensemble_band {
 };
 /** A band of nothing known at these loads: malloc'ed; NULL: out of memory. */
 struct ensemble_band *ensemble_band_make(const double *loads, size_t count);
-/** Does a band hold this quantity? Area, separation, ECR, TCR, and what the joint makes of them but the temperature,
- * whose ends are those of the voltage (joint_temperature()). */
-bool ensemble_band_holds(enum quantity quantity);
 
 /** Numbers of a curve that scans run alone, or simulated records, say how far off may be: each quantity at the
  * operating load, as the model shows it, then these. */

@@ -158,8 +158,6 @@ enum { MAP_DEGREES = 4 /* of freedom of its standard errors: they are of four qu
 static enum status_code put_map_errors(struct surface_record *record, size_t m, const struct model_task *task,
                                        struct status *status)
 {
-    static const int which[QUANTITY_COUNT] = {
-        [QUANTITY_AREA] = 1, [QUANTITY_SEPARATION] = 2, [QUANTITY_ECR] = 3, [QUANTITY_TCR] = 3};
     static const double carried[] = {0.02, 0.015, 0.033}; /* rms of ln between the loads solved: eight synthetic maps */
     struct estimate estimates[CURVE_ESTIMATES];
     const struct model_curve *curve = &record->curves[m];
@@ -169,11 +167,13 @@ static enum status_code put_map_errors(struct surface_record *record, size_t m, 
         return status_memory(status);
     for (size_t i = 0; i < curve->count; i++)
         for (int q = 0; q < QUANTITY_COUNT; q++) {
-            if (which[q] == 0)
+            const struct quantity_row *row = &quantity_rows[q];
+            const int which = row->solved.mean; /* area, gap, constriction */
+            if (!(row->is & QUANTITY_BANDED) || row->from)
                 continue;
             double value = quantity_shown(&curve->points[i], (enum quantity)q, record->summary.asperities.sigma_m);
-            double s = transfer_error(task->transfer, model_rows[m]->plastic, which[q] - 1, task->loads[i]);
-            struct estimate own = estimate_of_error(value, hypot(s, carried[which[q] - 1]), MAP_DEGREES);
+            double s = transfer_error(task->transfer, model_rows[m]->plastic, which, task->loads[i]);
+            struct estimate own = estimate_of_error(value, hypot(s, carried[which]), MAP_DEGREES);
             own.share = q == QUANTITY_AREA;
             for (int side = 0; side < 2; side++)
                 record->bands[m][i].mean[q][side] = estimate_end(&own, side);

@@ -129,7 +129,7 @@ static enum status_code run_one(struct uncertainty *out, const struct simulated 
             answers_of(quarter, QUARTERS, &quarters, model, (enum quantity)q, i, load[i]);
             out->ln_load[i] = log(load[i]);
             out->s[q][i] =
-                ensemble_band_holds((enum quantity)q) ? single_scan_s(record, RECORDS, quarter, QUARTERS) : NAN;
+                (quantity_rows[q].is & QUANTITY_BANDED) ? single_scan_s(record, RECORDS, quarter, QUARTERS) : NAN;
         }
     ensemble_curves_free(&records);
     ensemble_curves_free(&quarters);

@@ -2,9 +2,9 @@
 #include "chart/figures.h"
 
 #include "analysis/direct_study.h"
-#include "chart/asked.h"
 #include "chart/chart.h"
 #include "joint/heating.h"
+#include "results/asked.h"
 #include "results/comparison.h"
 #include <math.h>
 #include <stdlib.h>
@@ -61,17 +61,8 @@ struct axis {
 
 static double on_axis(const struct contact_point *point, const struct axis *axis, double sigma_m)
 {
-    double value = quantity_shown(point, axis->quantity, sigma_m);
-    if (axis->quantity == QUANTITY_TEMPERATURE)
-        value -= 273.15;
+    double value = quantity_shown(point, axis->quantity, sigma_m) - quantity_unit(axis->quantity).offset;
     return axis->reciprocal ? axis->scale / value : axis->scale * value;
-}
-
-/** A resistance, or what goes as its inverse. */
-static bool is_resistance(enum quantity quantity)
-{
-    return quantity == QUANTITY_STIFFNESS || quantity == QUANTITY_ECR_LAST_SCALE || quantity == QUANTITY_JOINT ||
-           quantity == QUANTITY_JOINT_ECR || (QUANTITY_BIT(quantity) & QUANTITY_RESISTANCES);
 }
 
 /** Points of a curve as one line. */
@@ -80,10 +71,11 @@ static void put_part(struct chart *chart, const struct source *source, const str
 {
     for (size_t i = 0; i < count; i++) {
         double value = on_axis(&points[i], y, sigma_m);
-        bool full = is_resistance(y->quantity) && points[i].value[QUANTITY_AREA] > nearly_full_area;
+        bool full =
+            (quantity_rows[y->quantity].is & QUANTITY_ENDS) && points[i].value[QUANTITY_AREA] > nearly_full_area;
         chart->curve.notes |= full ? NOTE(FIGURE_CUT) : 0;
         if (full || (quantity_rows[y->quantity].sigma_column && value < lowest_separation) ||
-            (y->quantity == QUANTITY_TEMPERATURE && value > source->hottest_C))
+            (quantity_unit(y->quantity).offset != 0 && value > source->hottest_C))
             continue;
         chart_row(chart, on_axis(&points[i], x, sigma_m), value, 0, 0);
     }
@@ -99,10 +91,8 @@ static void put_curve(struct chart *chart, const struct source *source, const st
     if (!curve->exists)
         return;
     struct curve_validity valid = curve_summary_validity(curve, model_rows[m]);
-    look.notes |= y->quantity == QUANTITY_ADJUSTED              ? NOTE(FIGURE_ADJUSTED)
-                  : y->quantity == QUANTITY_TCR_SCALE_DEPENDENT ? NOTE(FIGURE_SCALE_DEPENDENT)
-                  : y->quantity == QUANTITY_ECR_LAST_SCALE      ? NOTE(FIGURE_LAST_SCALE)
-                                                                : 0;
+    for (int n = 0; n < FIGURE_NOTES && quantity_rows[y->quantity].note; n++)
+        look.notes |= strcmp(figure_notes[n], quantity_rows[y->quantity].note) == 0 ? NOTE(n) : 0;
     struct chart_curve outside = look, falling = look;
     outside.dash = DASH_OUTSIDE;
     outside.width = 1.2;
@@ -217,7 +207,8 @@ static void put_band(struct chart *chart, const struct surface_record *record, s
     for (size_t i = 0; i < record->band_count && i < curve->count; i++) {
         double ends[2];
         if (record->bands[m][i].load != curve->points[i].value[QUANTITY_LOAD] ||
-            (is_resistance(asked->quantity) && curve->points[i].value[QUANTITY_AREA] > nearly_full_area))
+            ((quantity_rows[asked->quantity].is & QUANTITY_ENDS) &&
+             curve->points[i].value[QUANTITY_AREA] > nearly_full_area))
             continue;
         asked_ends(ends, asked, record->bands[m][i].mean[asked->quantity]);
         chart_row(chart, load_scale * record->bands[m][i].load, ends[0], ends[1], 0);
@@ -515,105 +506,93 @@ static bool computes(const struct source *source, size_t m, enum quantity quanti
            (quantity_with_made(model_rows[m]->quantities) & source->results->plan->wanted & QUANTITY_BIT(quantity));
 }
 
-/** A panel of one quantity against another. */
-struct quantity_panel {
-    enum quantity x, y;
-    int number;       /* of the baseline's panel in chapter 6; 0: it is not there */
-    int first;        /* of the four of all surfaces; 0: the same */
-    const char *file; /* of those; NULL: it is of the joint */
-};
-static const struct quantity_panel quantity_panels[] = {
-    {QUANTITY_LOAD, QUANTITY_AREA, 5, 11, "area"},
-    {QUANTITY_AREA, QUANTITY_SEPARATION, 6, 19, "separation-area"},
-    {QUANTITY_LOAD, QUANTITY_SEPARATION, 7, 15, "separation-load"},
-    {QUANTITY_LOAD, QUANTITY_ECR, 8, 23, "ecr"},
-    {QUANTITY_LOAD, QUANTITY_TCR, 9, 27, "tcr"},
-    {QUANTITY_LOAD, QUANTITY_STIFFNESS, 0, 0, "stiffness"},
-    {.x = QUANTITY_LOAD, .y = QUANTITY_JOINT},
-    {.x = QUANTITY_LOAD, .y = QUANTITY_GAP},
-    {.x = QUANTITY_LOAD, .y = QUANTITY_JOINT_ECR},
-    {.x = QUANTITY_LOAD, .y = QUANTITY_TEMPERATURE},
-};
-enum { QUANTITY_PANELS = sizeof quantity_panels / sizeof *quantity_panels, QUANTITY_FIGURES = 6 };
-
-static bool begin_panel(struct chart *chart, const struct source *source, const struct quantity_panel *panel,
-                        const char *title)
+/** A unit's scale on an axis: what has no unit is drawn as it is. */
+static double scale_of(enum quantity quantity)
 {
-    return chart_panel(chart, title,
-                       panel->x == QUANTITY_LOAD ? load_label(source, false) : quantity_words(source, "axis", panel->x),
-                       quantity_words(source, "axis", panel->y), quantity_rows[panel->x].logarithmic,
-                       quantity_rows[panel->y].logarithmic && panel->y != QUANTITY_TEMPERATURE);
+    return quantity_rows[quantity].unit[0] ? quantity_unit(quantity).scale : 1;
 }
 
-/** A model's curve of a surface in such a panel: a statistical separation adjusted; dotted: TCR scale-dependent,
- * ECR of the last scale alone. */
-static void put_quantity(struct chart *chart, const struct source *source, const struct quantity_panel *panel,
-                         size_t surface, size_t m, struct chart_curve look)
+static bool begin_panel(struct chart *chart, const struct source *source, enum quantity x, enum quantity y,
+                        const char *title)
+{
+    return chart_panel(chart, title, x == QUANTITY_LOAD ? load_label(source, false) : quantity_words(source, "axis", x),
+                       quantity_words(source, "axis", y), quantity_rows[x].is & QUANTITY_LOGARITHMIC,
+                       (quantity_rows[y].is & QUANTITY_LOGARITHMIC) && quantity_unit(y).offset == 0);
+}
+
+/** A model's curve of a surface in such a panel: a statistical separation adjusted; dotted what belongs beside it. */
+static void put_quantity(struct chart *chart, const struct source *source, enum quantity against,
+                         enum quantity quantity, size_t surface, size_t m, struct chart_curve look)
 {
     const struct surface_record *record = &source->results->surfaces[surface];
-    const struct axis x = {panel->x, false, panel->x == QUANTITY_LOAD ? load_of(source, surface, false).scale : 1};
-    const struct axis y = {model_shown(model_rows[m], panel->y), false, 1};
-    if (!computes(source, m, panel->y))
+    const struct axis x = {against, false,
+                           against == QUANTITY_LOAD ? load_of(source, surface, false).scale : scale_of(against)};
+    struct axis y = {model_shown(model_rows[m], quantity), false, scale_of(quantity)};
+    if (!computes(source, m, quantity))
         return;
     put_curve(chart, source, record, m, &x, &y, look);
+    y.quantity = quantity_rows[quantity].dotted;
     look.dash = 3;
     look.width = 1.4;
     look.legend = "";
-    enum quantity also = panel->y == QUANTITY_TCR ? QUANTITY_TCR_SCALE_DEPENDENT : QUANTITY_ECR_LAST_SCALE;
-    if ((panel->y == QUANTITY_TCR || panel->y == QUANTITY_ECR) && computes(source, m, also))
-        put_curve(chart, source, record, m, &x, &(struct axis){also, false, 1}, look);
+    if (y.quantity != QUANTITY_LOAD && computes(source, m, y.quantity))
+        put_curve(chart, source, record, m, &x, &y, look);
 }
 
-/** The baseline in every model, a panel a quantity: those of chapter 6, or the joint's. */
-static void put_baseline(struct chart *chart, const struct source *source, bool joint)
+/** The baseline in every model, a panel a quantity: those of the contact, or the joint's, of those its whole first. */
+static void put_baseline(struct chart *chart, const struct source *source, bool joint, bool whole)
 {
-    for (size_t p = 0; p < QUANTITY_PANELS; p++) {
-        const struct quantity_panel *panel = &quantity_panels[p];
+    for (int p = 0; p < 2 * QUANTITY_COUNT; p++) {
+        const enum quantity quantity = (enum quantity)(p / 2);
+        const struct quantity_panel *panel = &quantity_rows[quantity].panels[p % 2];
         char number[20];
         chart->number = panel->number;
         snprintf(number, sizeof number, "6-%02d", panel->number);
-        if (!panel->file != joint || !(plan_quantities(source->results->plan) & QUANTITY_BIT(panel->y)) ||
-            !begin_panel(chart, source, panel,
-                         panel->number == 0 ? quantity_words(source, "panel", panel->y)
+        if (!panel->file || quantity_of_joint(quantity) != joint ||
+            (joint && (quantity_rows[quantity].precedence > 0) != whole) ||
+            !(plan_quantities(source->results->plan) & QUANTITY_BIT(quantity)) ||
+            !begin_panel(chart, source, panel->against, quantity,
+                         panel->number == 0 ? quantity_words(source, "panel", quantity)
                                             : words_say(source->words, number, "number", number, NULL)))
             continue;
         for (size_t m = 0; m < model_count; m++)
-            put_quantity(chart, source, panel, source->results->baseline, m, model_look(m));
+            put_quantity(chart, source, panel->against, quantity, source->results->baseline, m, model_look(m));
     }
 }
 
 static void make_one_surface(struct chart *chart, const struct source *source)
 {
     chart->panel_height = 150;
-    put_baseline(chart, source, false);
+    put_baseline(chart, source, false, true);
 }
 
 static void make_joint(struct chart *chart, const struct source *source)
 {
-    put_baseline(chart, source, true);
+    put_baseline(chart, source, true, true);
+    put_baseline(chart, source, true, false);
 }
 
 /** All surfaces, a panel a model: the thesis's in its own order, then the leading one. */
-static void make_all_surfaces(struct chart *chart, const struct source *source, const struct quantity_panel *panel)
+static void make_all_surfaces(struct chart *chart, const struct source *source, enum quantity quantity,
+                              const struct quantity_panel *panel)
 {
     const struct results *results = source->results;
     chart->shares = true;
     for (int place = 1; place <= 5 && results->usable_count > 1; place++)
         for (size_t m = 0; m < model_count; m++) {
             char number[20] = "";
-
             bool leads = m == source->leading && model_rows[m]->thesis_place == 0;
-            if (!computes(source, m, panel->y) || (place < 5 ? model_rows[m]->thesis_place != place : !leads))
+            if (!computes(source, m, quantity) || (place < 5 ? model_rows[m]->thesis_place != place : !leads))
                 continue;
             chart->number = place < 5 && panel->first > 0 ? panel->first + place - 1 : 0;
             if (chart->number > 0)
                 snprintf(number, sizeof number, "6-%02d", chart->number);
             if (!begin_panel(
-                    chart, source, panel,
+                    chart, source, panel->against, quantity,
                     words_say(source->words, "panel.model", "number", number, "model", model_rows[m]->label, NULL)))
                 return;
             for (size_t k = 0; k < results->shown_count; k++)
-                put_quantity(chart, source, panel, results->shown[k], m, surface_look(source, k));
+                put_quantity(chart, source, panel->against, quantity, results->shown[k], m, surface_look(source, k));
         }
 }
 
@@ -656,10 +635,10 @@ static void make_direct(struct chart *chart, const struct source *source)
     const double scale = load_of(source, results->baseline, false).scale;
     chart->shares = true;
     chart->panel_height = 150;
-    for (int q = 0; study && q < DIRECT_STUDY_QUANTITIES; q++) {
-        const enum quantity quantity = direct_study_quantities[q];
+    for (int q = 0; study && q < QUANTITY_COUNT; q++) {
+        const enum quantity quantity = (enum quantity)q;
         struct chart_panel *panel =
-            results->plan->wanted & QUANTITY_BIT(quantity)
+            quantity_rows[q].solved.ratio && (results->plan->wanted & QUANTITY_BIT(q))
                 ? chart_panel(chart, quantity_words(source, "panel.direct", quantity), load_label(source, false),
                               words_say(source->words, "axis.model_over_direct", NULL), true, true)
                 : NULL;
@@ -742,7 +721,6 @@ static const struct figure_row {
     {"accuracy", false, false, make_accuracy},
 };
 enum { FIGURE_ROWS = sizeof figure_rows / sizeof *figure_rows };
-_Static_assert(FIGURE_ROWS + QUANTITY_FIGURES <= FIGURES_MOST, "all figures have a place");
 
 /** Writes a chart's files and has gnuplot draw it, as letters too where it is one for a terminal. */
 static enum status_code draw_one(struct chart *chart, bool terminal, struct mustache_folder *templates,
@@ -790,19 +768,22 @@ enum status_code figures_draw(struct figures *out, const struct results *results
     struct mustache_folder folder = {task->templates, ".gp", NULL, status};
     source.leading = plan_leading_model(results->plan);
     source.hottest_C = fmin(metal ? metal->melting_K - 273.15 : NAN, 1000);
-    for (size_t f = 0; f < FIGURE_ROWS + QUANTITY_FIGURES && status->code == STATUS_OK; f++) {
+    for (size_t f = 0; f < FIGURE_ROWS + 2 * QUANTITY_COUNT && status->code == STATUS_OK; f++) {
         const struct figure_row *row = f < FIGURE_ROWS ? &figure_rows[f] : NULL;
-        const struct quantity_panel *panel = row ? NULL : &quantity_panels[f - FIGURE_ROWS];
-        if (task->cost != (row && row->make == make_accuracy) || (task->brief && !(row && row->first_page)))
+        const enum quantity quantity = (enum quantity)(row ? 0 : (f - FIGURE_ROWS) / 2);
+        const struct quantity_panel *panel = &quantity_rows[quantity].panels[row ? 0 : (f - FIGURE_ROWS) % 2];
+        if ((!row && !(panel->file && panel->file[0])) || task->cost != (row && row->make == make_accuracy) ||
+            (task->brief && !(row && row->first_page)))
             continue;
         struct chart chart = chart_make(row ? row->name : panel->file);
         if (row)
             row->make(&chart, &source);
         else
-            make_all_surfaces(&chart, &source, panel);
+            make_all_surfaces(&chart, &source, quantity, panel);
         chart_end(&chart);
         bool terminal = row && row->terminal && task->terminal_size;
-        if (chart.blocks > 0 && draw_one(&chart, terminal, &folder, task, status) == STATUS_OK) {
+        if (chart.blocks > 0 && out->count < FIGURES_MOST &&
+            draw_one(&chart, terminal, &folder, task, status) == STATUS_OK) {
             out->figure[out->count].name = row ? row->name : panel->file;
             out->figure[out->count].terminal = terminal;
             out->figure[out->count].notes = chart.notes;

@@ -81,6 +81,7 @@ struct model_row {
     bool ends;             /* it has no numbers beyond that */
     double stiffness_step; /* in ln P to either side, over which model_run() takes the slope of its separation; 0: it
                               computes its stiffness itself, or none */
+    bool textbook;         /* handbooks print it: the first page sets it beside the leading one */
     int precedence;        /* the summary speaks of the running model with the greatest */
     int thesis_place;      /* among the four charts of each quantity in chapter 6, 1...4; 0: not in the thesis */
     bool in_findings;      /* the findings of chapter 6 are checked on it */

@@ -77,6 +77,7 @@ const struct model_row model_cmy = {
     .quantities = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
                   QUANTITY_BIT(QUANTITY_STIFFNESS) | QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR),
     .stiffness_step = MODEL_STIFFNESS_STEP,
+    .textbook = true,
     .may_be_empty = QUANTITY_BIT(QUANTITY_SEPARATION),
     .largest_area = CMY_VALID_AREA,
     .colour = "#8C6D31",

@@ -1,42 +1,124 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "contact/quantity.h"
 
+#include "base/unit.h"
+#include "direct/direct_ladder.h"
+
 #include <math.h>
+#include <string.h>
 
-#define ON_SPOTS (EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING) | EFFECT_BIT(EFFECT_HEATING))
-#define SPOTS    (QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_ECR))
+#define ON_SPOTS  (EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING) | EFFECT_BIT(EFFECT_HEATING))
+#define SPOTS     (QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_ECR))
+#define RESISTING UNIT_RESISTANCE, UNIT_RESISTANCE_AREA, 1e-30, 1e30
 
-/* In the order of enum quantity. */
+/* What the mean constriction length l of a direct solution is multiplied by. */
+
+static double electrical(const struct material_pair *pair, double constriction_m)
+{
+    (void)constriction_m;
+    return 2 * pair->resistivity_ohm_m; /* rho1 + rho2 */
+}
+
+static double thermal(const struct material_pair *pair, double constriction_m)
+{
+    (void)constriction_m;
+    return 2 / pair->conductivity_W_per_mK; /* 1/k1 + 1/k2 */
+}
+
+/** Over the length; Barber. */
+static double stiff(const struct material_pair *pair, double constriction_m)
+{
+    return constriction_m > 0 ? pair->effective_modulus_Pa / 2 / (constriction_m * constriction_m) : NAN;
+}
+
+/* Each begins with name, column, column over sigma, symbol, SI unit, meaning, effect, what it is made of, what it is.
+ */
 const struct quantity_row quantity_rows[] = {
-    {"load_over_AnEp", "load_over_AnEp", NULL, "P/(Aₙ E′)", "load", "", 0, 0, true},
-    {"area_ratio", "area_ratio", NULL, "A/Aₙ", "area", "", 0, 0, true},
-    {"separation_m", "separation_m", "separation_over_sigma", "separation/σ", "separation", "σ",
-     EFFECT_BIT(EFFECT_SEPARATION), 0, false},
-    {"adjusted_separation_m", NULL, "adjusted_separation_over_sigma", "adjusted", "separation", "σ",
-     EFFECT_BIT(EFFECT_SEPARATION), 0, false},
-    {"ecr_ohm_m2", "ecr_ohm_m2", NULL, "ECR·Aₙ", "ECR", "Ω·m²", EFFECT_BIT(EFFECT_ELECTRICAL), 0, true},
-    {"tcr_K_m2_per_W", "tcr_K_m2_per_W", NULL, "TCR·Aₙ", "TCR", "K·m²/W", EFFECT_BIT(EFFECT_THERMAL), 0, true},
-    {"tcr_sd_K_m2_per_W", "tcr_sd_K_m2_per_W", NULL, "TCR·Aₙ, scale-dependent", "TCR", "K·m²/W",
-     EFFECT_BIT(EFFECT_SCALE_DEPENDENT), 0, true},
-    {"ecr_last_scale_ohm_m2", "ecr_last_scale_ohm_m2", NULL, "ECR·Aₙ, last scale", "ECR", "Ω·m²",
-     EFFECT_BIT(EFFECT_LAST_SCALE), 0, true},
-    {"stiffness_Pa_per_m", "stiffness_Pa_per_m", NULL, "k/Aₙ", "stiffness", "Pa/m", EFFECT_BIT(EFFECT_STIFFNESS), 0,
-     true},
-    {"gap_W_per_m2K", "gap_W_per_m2K", NULL, "h_g", "h_g", "W/(m²·K)", EFFECT_BIT(EFFECT_GAP),
-     QUANTITY_BIT(QUANTITY_SEPARATION), true},
-    {"joint_W_per_m2K", "joint_W_per_m2K", NULL, "h_j", "h_j", "W/(m²·K)", EFFECT_BIT(EFFECT_GAP),
-     QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_BIT(QUANTITY_TCR), true},
-    {"spots_per_m2", "spots_per_m2", NULL, "n", "n", "1/m²", ON_SPOTS, SPOTS, true},
-    {"spot_radius_m", "spot_radius_m", NULL, "a", "a", "m", ON_SPOTS, SPOTS, true},
-    {"plating_factor", "plating_factor", NULL, "plating factor", "plating factor", "", EFFECT_BIT(EFFECT_PLATING),
-     SPOTS, true},
-    {"joint_ecr_ohm_m2", "joint_ecr_ohm_m2", NULL, "ECR·Aₙ with film and plating", "joint ECR", "Ω·m²",
-     EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING), SPOTS, true},
-    {"contact_voltage_V", "contact_voltage_V", NULL, "V", "V", "V", EFFECT_BIT(EFFECT_HEATING), SPOTS, true},
-    {"contact_temperature_K", "contact_temperature_K", NULL, "T_max", "T_max", "K", EFFECT_BIT(EFFECT_HEATING), SPOTS,
-     true},
+    [QUANTITY_LOAD] = {"load_over_AnEp", "load_over_AnEp", NULL, "load", "", "P/(Aₙ E′)", 0, 0, QUANTITY_LOGARITHMIC,
+                       .at_full = NAN},
+    [QUANTITY_AREA] = {"area_ratio", "area_ratio", NULL, "area", "", "A/Aₙ", 0, 0,
+                       QUANTITY_LOGARITHMIC | QUANTITY_RISES | QUANTITY_BANDED, .precedence = 1, .at_full = 1,
+                       .shown = {"%", 100}, .handy = {"%", 100},
+                       .asked = {{"area", "A/Aₙ", 0, UNIT_NUMBER | UNIT_PERCENT, 1e-12, 1}},
+                       .panels = {{"area", QUANTITY_LOAD, 5, 11}}, .solved = {"area_ratio", "area", DIRECT_AREA}},
+    [QUANTITY_SEPARATION] = {"separation_m", "separation_m", "separation_over_sigma", "separation", "m",
+                             "mean gap (H of multiscale, others), distance of the mean planes (`cmy`; δ in statistical "
+                             "models); empty where the model is not to be trusted with it",
+                             EFFECT_BIT(EFFECT_SEPARATION), 0, QUANTITY_BANDED, .shown = {"σ", 1}, .handy = {"σ", 1},
+                             .panels = {{"separation-area", QUANTITY_AREA, 6, 19},
+                                        {"separation-load", QUANTITY_LOAD, 7, 15}},
+                             .solved = {"gap_m", "gap", DIRECT_GAP}},
+    [QUANTITY_ADJUSTED] = {"adjusted_separation_m", NULL, "adjusted_separation_over_sigma", "separation", "m",
+                           "δ_ADJ/Rq (4.54); of statistical models only", EFFECT_BIT(EFFECT_SEPARATION),
+                           .shown = {"σ", 1}, .note = "adjusted"},
+    [QUANTITY_ECR] = {"ecr_ohm_m2", "ecr_ohm_m2", NULL, "ECR", "Ω·m²", "ECR·Aₙ", EFFECT_BIT(EFFECT_ELECTRICAL), 0,
+                      QUANTITY_LOGARITHMIC | QUANTITY_ENDS | QUANTITY_BANDED, .precedence = 3, .handy = {"mΩ·mm²", 1e9},
+                      .asked = {{"ecr", "ECR", RESISTING}}, .panels = {{"ecr", QUANTITY_LOAD, 8, 23}},
+                      .dotted = QUANTITY_ECR_LAST_SCALE,
+                      .solved = {"ecr_ohm_m2", "ecr", DIRECT_CONSTRICTION, electrical}},
+    [QUANTITY_TCR] = {"tcr_K_m2_per_W", "tcr_K_m2_per_W", NULL, "TCR", "K·m²/W", "TCR·Aₙ", EFFECT_BIT(EFFECT_THERMAL),
+                      0, QUANTITY_LOGARITHMIC | QUANTITY_ENDS | QUANTITY_BANDED, .precedence = 2,
+                      .handy = {"K·mm²/W", 1e6},
+                      .asked = {{"tcr", "TCR", UNIT_THERMAL_RESISTANCE, UNIT_THERMAL_RESISTANCE_AREA, 1e-30, 1e30},
+                                {"conductance", "h", 0, UNIT_CONDUCTANCE_AREA, 1e-30, 1e30, true}},
+                      .panels = {{"tcr", QUANTITY_LOAD, 9, 27}}, .dotted = QUANTITY_TCR_SCALE_DEPENDENT,
+                      .solved = {"tcr_K_m2_per_W", NULL, DIRECT_CONSTRICTION, thermal}},
+    [QUANTITY_TCR_SCALE_DEPENDENT] = {"tcr_sd_K_m2_per_W", "tcr_sd_K_m2_per_W", NULL, "TCR", "K·m²/W",
+                                      "the same, scale-dependent (4.51)", EFFECT_BIT(EFFECT_SCALE_DEPENDENT), 0,
+                                      QUANTITY_LOGARITHMIC | QUANTITY_ENDS, .note = "scale_dependent"},
+    [QUANTITY_ECR_LAST_SCALE] =
+        {"ecr_last_scale_ohm_m2", "ecr_last_scale_ohm_m2", NULL, "ECR", "Ω·m²",
+         "of the multiscale models: ECR·Aₙ of the finest scale that is not complete, alone (effect last-scale)",
+         EFFECT_BIT(EFFECT_LAST_SCALE), 0, QUANTITY_LOGARITHMIC | QUANTITY_ENDS, .note = "last_scale"},
+    [QUANTITY_STIFFNESS] = {"stiffness_Pa_per_m", "stiffness_Pa_per_m", NULL, "stiffness", "Pa/m",
+                            "contact stiffness −dP/d(separation) per nominal area (effect stiffness)",
+                            EFFECT_BIT(EFFECT_STIFFNESS), 0, QUANTITY_LOGARITHMIC | QUANTITY_RISES | QUANTITY_ENDS,
+                            .at_full = INFINITY, .handy = {"TPa/m", 1e-12}, .panels = {{"stiffness"}},
+                            .solved = {"stiffness_Pa_per_m", "stiffness", DIRECT_CONSTRICTION, stiff, true}},
+    [QUANTITY_GAP] = {"gap_W_per_m2K", "gap_W_per_m2K", NULL, "h_g", "W/(m²·K)",
+                      "h_g of what fills the gaps (effect gap); empty without a separation", EFFECT_BIT(EFFECT_GAP),
+                      QUANTITY_BIT(QUANTITY_SEPARATION), QUANTITY_LOGARITHMIC | QUANTITY_RISES | QUANTITY_BANDED,
+                      .panels = {{""}}},
+    [QUANTITY_JOINT] = {"joint_W_per_m2K", "joint_W_per_m2K", NULL, "h_j", "W/(m²·K)", "h_j = 1/(TCR·Aₙ) + h_g",
+                        EFFECT_BIT(EFFECT_GAP), QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_BIT(QUANTITY_TCR),
+                        QUANTITY_LOGARITHMIC | QUANTITY_RISES | QUANTITY_ENDS | QUANTITY_BANDED, .precedence = 5,
+                        .at_full = INFINITY, .handy = {"W/(m²·K)", 1},
+                        .asked = {{"conductance", "h_j", 0, UNIT_CONDUCTANCE_AREA, 1e-30, 1e30}}, .panels = {{""}}},
+    [QUANTITY_SPOT_DENSITY] = {"spots_per_m2", "spots_per_m2", NULL, "n", "1/m²",
+                               "number of the spots (film, plating, heating); of equal ones empty from A/Aₙ = 0.1 on",
+                               ON_SPOTS, SPOTS, QUANTITY_LOGARITHMIC | QUANTITY_BANDED},
+    [QUANTITY_SPOT_RADIUS] = {"spot_radius_m", "spot_radius_m", NULL, "a", "m", "their radius; the same", ON_SPOTS,
+                              SPOTS, QUANTITY_LOGARITHMIC | QUANTITY_BANDED},
+    [QUANTITY_PLATING_FACTOR] = {"plating_factor", "plating_factor", NULL, "plating factor", "",
+                                 "resistance of a spot with its plating over that without; empty from A/Aₙ = 0.1 on",
+                                 EFFECT_BIT(EFFECT_PLATING), SPOTS, QUANTITY_LOGARITHMIC | QUANTITY_BANDED},
+    [QUANTITY_JOINT_ECR] =
+        {"joint_ecr_ohm_m2", "joint_ecr_ohm_m2", NULL, "joint ECR", "Ω·m²",
+         "ECR·Aₙ with plating and film; empty where the plating factor is, but at full contact the film's",
+         EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING), SPOTS,
+         QUANTITY_LOGARITHMIC | QUANTITY_ENDS | QUANTITY_BANDED, .precedence = 4, .handy = {"mΩ·mm²", 1e9},
+         .asked = {{"ecr", "ECR", RESISTING}}, .panels = {{""}}},
+    [QUANTITY_VOLTAGE] = {"contact_voltage_V", "contact_voltage_V", NULL, "V", "V",
+                          "what the current drops over ECR (with plating and film; heating)",
+                          EFFECT_BIT(EFFECT_HEATING), SPOTS, QUANTITY_LOGARITHMIC | QUANTITY_BANDED,
+                          .shown = {"mV", 1e3}},
+    [QUANTITY_TEMPERATURE] = {"contact_temperature_K", "contact_temperature_K", NULL, "T_max", "K",
+                              "the hottest place (heating)", EFFECT_BIT(EFFECT_HEATING), SPOTS, QUANTITY_LOGARITHMIC,
+                              .shown = {"°C", 1, 273.15},
+                              .asked = {{"temperature", "T_max", 0, UNIT_TEMPERATURE, 0, 1e5}}, .panels = {{""}}},
 };
 _Static_assert(sizeof quantity_rows / sizeof *quantity_rows == QUANTITY_COUNT, "a quantity has its row");
+
+bool quantity_of_joint(enum quantity quantity)
+{
+    return quantity_rows[quantity].from && quantity_rows[quantity].effect;
+}
+
+struct quantity_unit quantity_unit(enum quantity quantity)
+{
+    const struct quantity_row *row = &quantity_rows[quantity];
+    return row->shown.scale > 0 ? row->shown : (struct quantity_unit){row->unit, 1, 0};
+}
 
 double quantity_shown(const struct contact_point *point, enum quantity quantity, double sigma_m)
 {
@@ -48,6 +130,31 @@ const char *quantity_shown_name(enum quantity quantity)
 {
     const struct quantity_row *row = &quantity_rows[quantity];
     return row->sigma_column ? row->sigma_column : row->name;
+}
+
+enum quantity quantity_first(unsigned quantities)
+{
+    enum quantity first = QUANTITY_LOAD;
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        if ((quantities & QUANTITY_BIT(q)) && quantity_rows[q].precedence > quantity_rows[first].precedence)
+            first = (enum quantity)q;
+    return first;
+}
+
+enum quantity quantity_of_key(const struct quantity_asked **how, const char *key, unsigned called)
+{
+    enum quantity found = QUANTITY_COUNT;
+    *how = NULL;
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        for (size_t k = 0; k < 2 && quantity_rows[q].asked[k].key; k++) {
+            const struct quantity_row *row = &quantity_rows[q];
+            bool there = !quantity_of_joint((enum quantity)q) || (row->effect & called);
+            if (strcmp(row->asked[k].key, key) != 0 || (!there && found < QUANTITY_COUNT))
+                continue;
+            found = (enum quantity)q;
+            *how = there ? &row->asked[k] : NULL;
+        }
+    return found;
 }
 
 unsigned quantity_wanted(unsigned effects)

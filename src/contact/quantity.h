@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a model says of a contact: one row a quantity. Columns, charts, captions and comparisons all loop over this
- * table; what a chart calls it stands in templates/words.txt by its name. */
+/* What a model says of a contact: one row a quantity, with all there is to know of it. Columns, charts, tables, targets
+ * and comparisons walk over these rows; what a chart calls it stands in templates/words.txt by its name. */
 #ifndef CONTACT_QUANTITY_H
 #define CONTACT_QUANTITY_H
 
 #include "contact/effect.h"
+#include "material/material.h"
 
 /** Of a contact at one load, SI. */
 enum quantity {
@@ -51,24 +52,87 @@ enum {
         QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR) | QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT)
 };
 
+/** What a number is printed in: scale times the SI number (of a length: of the multiple of sigma) less an offset. */
+struct quantity_unit {
+    const char *unit;
+    double scale; /* 0: there is no such unit */
+    double offset;
+};
+
+/** A key of the scene's targets and limits that stands for a quantity. Of several quantities with one key the last that
+ * the scene calls for is meant: that of the whole joint. */
+struct quantity_asked {
+    const char *key;          /* NULL: none */
+    const char *symbol;       /* in running text */
+    unsigned total, per_area; /* enum unit_quantity bits: of the whole contact (0: not so), and as the models have it */
+    double least, most;       /* SI */
+    bool reciprocal;          /* it is 1/quantity */
+};
+
+/** A panel of the quantity in every model. */
+struct quantity_panel {
+    const char *file; /* figure of all surfaces, a panel a model; "": none; NULL: no panel at all */
+    enum quantity against;
+    int number; /* of the baseline's panel in chapter 6; 0: it is not there */
+    int first;  /* of the four of all surfaces; 0: the same */
+};
+
+/** How a direct solution has the quantity: a mean of its, times a factor. */
+struct quantity_solved {
+    const char *column; /* in direct.csv; NULL: it has not */
+    const char *ratio;  /* in direct_ratio.csv, and of its error in direct.csv; NULL: in neither */
+    int mean;           /* of direct_ensemble.h */
+    double (*factor)(const struct material_pair *pair, double mean); /* NULL: 1 */
+    bool elastic;                                                    /* only of a contact that is elastic throughout */
+};
+
+/** What a quantity is: bits. */
+enum {
+    QUANTITY_LOGARITHMIC = 1, /* its mean is geometric, its axis logarithmic */
+    QUANTITY_RISES = 2,       /* with the load: more of it is better */
+    QUANTITY_ENDS = 4,        /* at full contact it is 0 or infinite: charts stop before */
+    QUANTITY_BANDED = 8       /* it is known with an interval */
+};
+
 struct quantity_row {
-    const char *name;         /* in results.json, with its SI unit */
-    const char *column;       /* in data/; NULL: only as a multiple of sigma */
-    const char *sigma_column; /* of a length that is shown as a multiple of sigma, in data/; NULL: none */
-    const char *symbol;       /* as tables and captions print it: "ECR·Aₙ" */
-    const char *short_symbol; /* in running text: "ECR" */
-    const char *unit;         /* as printed, "" for a ratio; lengths are printed as multiples of sigma */
-    unsigned effect;          /* EFFECT_BITs that it belongs to, any of them; 0: every run has it */
-    unsigned from;            /* QUANTITY_BITs that it is made of once a model has run; 0: the model computes it */
-    bool logarithmic;         /* axis */
+    const char *name;           /* in results.json, with its SI unit */
+    const char *column;         /* in data/; NULL: only as a multiple of sigma */
+    const char *sigma_column;   /* of a length that is shown as a multiple of sigma, in data/; NULL: none */
+    const char *short_symbol;   /* in running text: "ECR" */
+    const char *unit;           /* SI, "" for a ratio */
+    const char *meaning;        /* in docs/report.md */
+    unsigned effect;            /* EFFECT_BITs that it belongs to, any of them; 0: every run has it */
+    unsigned from;              /* QUANTITY_BITs that it is made of once a model has run; 0: the model computes it */
+    unsigned is;                /* the bits above */
+    struct quantity_unit shown; /* tables and charts have it in that; none: SI */
+    struct quantity_unit handy; /* `compare` does; none: it leaves it out */
+    double at_full;             /* of what the model computes: where contact is full */
+    int precedence;             /* where nothing is asked, the computed one of the greatest is; of those that models
+                                   compute, surfaces are ranked by it; 0: never */
+    struct quantity_asked asked[2];
+    struct quantity_panel panels[2];
+    enum quantity dotted; /* drawn beside it; QUANTITY_LOAD: none */
+    const char *note;     /* that a chart has of it, of figure_notes; NULL: none */
+    struct quantity_solved solved;
+    /** Makes it of the others. NULL: the model computes it, or joint/ makes it. */
+    double (*derive)(const double value[QUANTITY_COUNT], const struct material_pair *pair);
 };
 
 extern const struct quantity_row quantity_rows[]; /* QUANTITY_COUNT */
 
+/** Made by an effect of what lies in the joint? */
+bool quantity_of_joint(enum quantity quantity);
+/** What tables and charts have it in. */
+struct quantity_unit quantity_unit(enum quantity quantity);
 /** A quantity as tables and charts show it: a length as a multiple of sigma_m. */
 double quantity_shown(const struct contact_point *point, enum quantity quantity, double sigma_m);
 /** Its name, with the SI unit or as a multiple of sigma. */
 const char *quantity_shown_name(enum quantity quantity);
+/** Of a set of quantities (QUANTITY_BITs) the one of the greatest precedence. */
+enum quantity quantity_first(unsigned quantities);
+/** The quantity that a key stands for where the scene calls for these EFFECT_BITs, and *how: it needs an effect that is
+ * not called for where that is NULL; QUANTITY_COUNT: no such key. */
+enum quantity quantity_of_key(const struct quantity_asked **how, const char *key, unsigned called);
 /** QUANTITY_BITs of all quantities that a set of EFFECT_BITs calls for. */
 unsigned quantity_wanted(unsigned effects);
 /** QUANTITY_BITs `computed` by a model, with those that are made of them. */

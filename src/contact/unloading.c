@@ -63,10 +63,8 @@ enum status_code unloading_solve(struct unloading *out, const struct strip_rows 
 /** Where a quantity stands in struct unloading; -1: nowhere. */
 static int column_of(enum quantity quantity)
 {
-    return quantity == QUANTITY_AREA                              ? DIRECT_AREA
-           : quantity == QUANTITY_SEPARATION                      ? DIRECT_GAP
-           : quantity == QUANTITY_ECR || quantity == QUANTITY_TCR ? DIRECT_CONSTRICTION
-                                                                  : -1;
+    const struct quantity_solved *solved = &quantity_rows[quantity].solved;
+    return solved->column && !solved->elastic ? solved->mean : -1;
 }
 
 void unloading_bound(struct unloading *unloading, enum quantity quantity, const double *loading)

@@ -69,11 +69,14 @@ static double finite_or_nan(double value)
     return isfinite(value) ? value : NAN;
 }
 
-/** h_g [W/m²/K] where the planes are `separation_m` apart; NaN without a separation, or where a medium's gap closes. */
-static double joint_gap_conductance(const struct joint_task *task, double separation_m, double area_ratio)
+/* What makes each quantity of those before it, as in quantity_rows, and of the spots. */
+
+/** h_g [W/m²/K]; NaN without a separation, or where a medium's gap closes. */
+static double make_gap(const double *value, const struct contact_spots *spots, const struct joint_task *task)
 {
     const struct joint *joint = task->joint;
-    double open = fmax(1 - area_ratio, 0);
+    double separation_m = value[QUANTITY_SEPARATION], open = fmax(1 - value[QUANTITY_AREA], 0);
+    (void)spots;
     if (isnan(separation_m))
         return NAN;
     if (joint->fill == JOINT_VACUUM)
@@ -83,7 +86,28 @@ static double joint_gap_conductance(const struct joint_task *task, double separa
         return separation_m > 0 ? open * joint->conductivity_W_per_mK / separation_m : NAN;
     double jump_m = gas_jump_length(joint->gas, joint->temperature_K, joint->pressure_Pa, joint->accommodation,
                                     joint->accommodation);
-    return gas_conductance(joint->gas, task->sigma_m, separation_m, jump_m, area_ratio, task->tolerance);
+    return gas_conductance(joint->gas, task->sigma_m, separation_m, jump_m, value[QUANTITY_AREA], task->tolerance);
+}
+
+static double make_joint(const double *value, const struct contact_spots *spots, const struct joint_task *task)
+{
+    (void)spots;
+    (void)task;
+    return 1 / value[QUANTITY_TCR] + value[QUANTITY_GAP];
+}
+
+static double make_density(const double *value, const struct contact_spots *spots, const struct joint_task *task)
+{
+    (void)value;
+    (void)task;
+    return spots->density_per_m2;
+}
+
+static double make_radius(const double *value, const struct contact_spots *spots, const struct joint_task *task)
+{
+    (void)value;
+    (void)task;
+    return spots->radius_m;
 }
 
 struct contact_spots joint_equal_spots(double area_ratio, double ecr_ohm_m2, double resistivity_ohm_m)
@@ -95,13 +119,15 @@ struct contact_spots joint_equal_spots(double area_ratio, double ecr_ohm_m2, dou
     return (struct contact_spots){density_per_m2, radius_m};
 }
 
-/** Resistance of a spot of radius a with its plating over that without: (rho_p F_1 + rho_2)/(rho_1 + rho_2), F_1 the
- * plating_factor() of the plated side; with both plated (rho_p F_1 + rho_p F_2)/(rho_1 + rho_2). */
-static double joint_plating(const struct joint_task *task, double radius_m)
+/** Of a spot of radius a (rho_p F_1 + rho_2)/(rho_1 + rho_2), F_1 the plating_factor() of the plated side; with both
+ * plated (rho_p F_1 + rho_p F_2)/(rho_1 + rho_2). */
+static double make_plating(const double *value, const struct contact_spots *spots, const struct joint_task *task)
 {
     const struct joint *joint = task->joint;
     const double *bare = task->pair->side_resistivity_ohm_m;
-    double thickness = joint->plating_thickness_m / radius_m, plated = 0;
+    double thickness = joint->plating_thickness_m / spots->radius_m, plated = 0;
+    if (!(value[QUANTITY_AREA] < joint_independent_area && spots->radius_m > 0))
+        return NAN;
     for (int side = 0; side < 2; side++)
         plated += side == 0 || joint->both_plated
                       ? joint->plating_ohm_m * plating_factor(thickness, joint->plating_ohm_m, bare[side])
@@ -128,41 +154,54 @@ double joint_temperature(const struct joint_task *task, double voltage_V)
     return finite_or_nan(ambient_K + heating_rise(voltage_V, ambient_K));
 }
 
-/** Spots, plating and film of one point. */
-static void add_spots(double *value, const struct contact_spots *own, const struct joint_task *task)
+static double make_ecr(const double *value, const struct contact_spots *spots, const struct joint_task *task)
 {
-    double area = value[QUANTITY_AREA], ecr_ohm_m2 = value[QUANTITY_ECR];
-    const struct contact_spots spots = own ? *own : joint_equal_spots(area, ecr_ohm_m2, task->pair->resistivity_ohm_m);
-    value[QUANTITY_SPOT_DENSITY] = finite_or_nan(spots.density_per_m2);
-    value[QUANTITY_SPOT_RADIUS] = finite_or_nan(spots.radius_m);
-    if (runs(task, EFFECT_PLATING)) {
-        bool independent = area < joint_independent_area && spots.radius_m > 0;
-        value[QUANTITY_PLATING_FACTOR] = independent ? joint_plating(task, spots.radius_m) : NAN;
-        ecr_ohm_m2 *=
-            ecr_ohm_m2 > 0 ? value[QUANTITY_PLATING_FACTOR] : 1; /* of full contact nothing is left to change */
-    }
-    if (runs(task, EFFECT_FILM))
-        ecr_ohm_m2 = joint_film(ecr_ohm_m2, task->joint->film_ohm_m2, area);
-    if (runs(task, EFFECT_PLATING) || runs(task, EFFECT_FILM))
-        value[QUANTITY_JOINT_ECR] = finite_or_nan(ecr_ohm_m2);
-    if (runs(task, EFFECT_HEATING)) {
-        value[QUANTITY_VOLTAGE] = finite_or_nan(task->joint->current_A * (ecr_ohm_m2 / task->nominal_area_m2));
-        value[QUANTITY_TEMPERATURE] = joint_temperature(task, value[QUANTITY_VOLTAGE]);
-    }
+    double ecr_ohm_m2 = value[QUANTITY_ECR];
+    (void)spots;
+    if (runs(task, EFFECT_PLATING) && ecr_ohm_m2 > 0) /* of full contact nothing is left to change */
+        ecr_ohm_m2 *= value[QUANTITY_PLATING_FACTOR];
+    return runs(task, EFFECT_FILM) ? joint_film(ecr_ohm_m2, task->joint->film_ohm_m2, value[QUANTITY_AREA])
+                                   : ecr_ohm_m2;
 }
+
+static double make_voltage(const double *value, const struct contact_spots *spots, const struct joint_task *task)
+{
+    return task->joint->current_A * (make_ecr(value, spots, task) / task->nominal_area_m2);
+}
+
+static double make_temperature(const double *value, const struct contact_spots *spots, const struct joint_task *task)
+{
+    (void)spots;
+    return joint_temperature(task, value[QUANTITY_VOLTAGE]);
+}
+
+static double (*const makers[QUANTITY_COUNT])(const double *value, const struct contact_spots *spots,
+                                              const struct joint_task *task) = {
+    [QUANTITY_GAP] = make_gap,
+    [QUANTITY_JOINT] = make_joint,
+    [QUANTITY_SPOT_DENSITY] = make_density,
+    [QUANTITY_SPOT_RADIUS] = make_radius,
+    [QUANTITY_PLATING_FACTOR] = make_plating,
+    [QUANTITY_JOINT_ECR] = make_ecr,
+    [QUANTITY_VOLTAGE] = make_voltage,
+    [QUANTITY_TEMPERATURE] = make_temperature};
 
 void joint_apply(struct contact_point *points, const struct contact_spots *spots, size_t count,
                  const struct joint_task *task)
 {
     for (size_t i = 0; i < count; i++) {
         double *value = points[i].value;
-        if (runs(task, EFFECT_GAP)) {
-            double gap = joint_gap_conductance(task, value[QUANTITY_SEPARATION], value[QUANTITY_AREA]);
-            value[QUANTITY_GAP] = finite_or_nan(gap);
-            value[QUANTITY_JOINT] = finite_or_nan(1 / value[QUANTITY_TCR] + gap);
-        }
+        struct contact_spots own = {NAN, NAN};
         if (task->effects & on_spots)
-            add_spots(value, spots ? &spots[i] : NULL, task);
+            own = spots ? spots[i]
+                        : joint_equal_spots(value[QUANTITY_AREA], value[QUANTITY_ECR], task->pair->resistivity_ohm_m);
+        for (int q = 0; q < QUANTITY_COUNT; q++) {
+            const struct quantity_row *row = &quantity_rows[q];
+            if (row->derive && (!row->effect || (task->effects & row->effect)))
+                value[q] = finite_or_nan(row->derive(value, task->pair));
+            else if (makers[q] && (task->effects & row->effect))
+                value[q] = finite_or_nan(makers[q](value, &own, task));
+        }
     }
 }
 
@@ -191,7 +230,7 @@ enum status_code joint_curve(struct model_curve *curve, const struct model_row *
 {
     struct contact_spots *spots = NULL;
     enum status_code rc = STATUS_OK;
-    if (!curve->exists || !(joint->effects & (on_spots | EFFECT_BIT(EFFECT_GAP))))
+    if (!curve->exists)
         return STATUS_OK;
     if (row->spots && (joint->effects & on_spots)) {
         spots = calloc(task->load_count + 1, sizeof *spots);

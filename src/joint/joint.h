@@ -66,8 +66,8 @@ double joint_film(double contact_ohm_m2, double film_ohm_m2, double area_ratio);
  * Clausing and Chao 1965, J. Heat Transfer 87, 243. */
 double joint_flatness(double *share, const double flatness_m[2], double pressure_Pa, const struct material_pair *pair);
 
-/** Fills what the effects call for: quantities that are made of the model's (quantity_row.from). `spots`: the model's,
- * one a point; NULL: it has none, so equal ones. What is not finite is NaN. */
+/** Fills the quantities that are made of the model's (quantity_row.from) and that the effects call for, or none.
+ * `spots`: the model's, one a point; NULL: it has none, so equal ones. What is not finite is NaN. */
 void joint_apply(struct contact_point *points, const struct contact_spots *spots, size_t count,
                  const struct joint_task *task);
 

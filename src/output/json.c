@@ -241,7 +241,7 @@ static void set_intervals(json_t *object, const struct curve_summary *model)
         const char *key = q == CURVE_FULL_LOAD ? "full_contact_load_over_AnEp"
                           : q == CURVE_BETA    ? "beta"
                                                : quantity_shown_name((enum quantity)q);
-        if ((q >= QUANTITY_COUNT || ensemble_band_holds((enum quantity)q)) &&
+        if ((q >= QUANTITY_COUNT || (quantity_rows[q].is & QUANTITY_BANDED)) &&
             curve_summary_estimate(model, q)->count > 0)
             set_estimate(json, key, curve_summary_estimate(model, q));
     }
@@ -396,21 +396,19 @@ static json_t *surface_json(const struct results *results, size_t index)
 static json_t *direct_curve_json(const struct direct_study *study, const struct results *results,
                                  enum direct_study_kind kind)
 {
-    static const enum quantity quantities[] = {QUANTITY_AREA, QUANTITY_SEPARATION, QUANTITY_ECR, QUANTITY_TCR,
-                                               QUANTITY_STIFFNESS};
     const struct direct_study_curve *curve = &study->curves[kind];
     const struct material_pair *pair = results_pair(results, study->surface);
     double value[SCENE_DIRECT_LOADS], error[SCENE_DIRECT_LOADS];
     json_t *json = json_pack("{s:s, s:I}", "heights", direct_study_heights(study), "seeds", (json_int_t)curve->seeds);
     set(json, "hardness_Pa", kind == DIRECT_STUDY_CAPPED ? study->plan.hardness * pair->effective_modulus_Pa : NAN);
     set_all(json, quantity_rows[QUANTITY_LOAD].name, study->plan.load, curve->loads);
-    for (size_t q = 0; q < sizeof quantities / sizeof *quantities; q++) {
-        const char *name = quantity_rows[quantities[q]].name;
+    for (int q = 0; q < QUANTITY_COUNT; q++) {
+        const char *name = quantity_rows[q].name;
         char error_name[64];
-        if (!(results->plan->wanted & QUANTITY_BIT(quantities[q])))
+        if (!quantity_rows[q].solved.column || !(results->plan->wanted & QUANTITY_BIT(q)))
             continue;
         for (size_t i = 0; i < curve->loads; i++)
-            value[i] = direct_study_value(study, pair, kind, quantities[q], i, &error[i]);
+            value[i] = direct_study_value(study, pair, kind, (enum quantity)q, i, &error[i]);
         snprintf(error_name, sizeof error_name, "%s_stderr", name);
         set_all(json, name, value, curve->loads);
         set_all(json, error_name, error, curve->loads);
@@ -431,13 +429,13 @@ static json_t *direct_json(const struct direct_study *study, const struct result
             continue;
         json_t *model = json_object();
         size_t loads = study->curves[direct_study_kind_of(study, m)].loads;
-        for (int q = 0; q < DIRECT_STUDY_QUANTITIES; q++) {
-            enum quantity quantity = direct_study_quantities[q];
+        for (int q = 0; q < QUANTITY_COUNT; q++) {
             double ratio[SCENE_DIRECT_LOADS];
+            if (!quantity_rows[q].solved.ratio || !(results->plan->wanted & QUANTITY_BIT(q)))
+                continue;
             for (size_t i = 0; i < loads; i++)
-                ratio[i] = direct_study_ratio(study, results_pair(results, study->surface), m, quantity, i);
-            if (results->plan->wanted & QUANTITY_BIT(quantity))
-                set_all(model, quantity_rows[quantity].short_symbol, ratio, loads);
+                ratio[i] = direct_study_ratio(study, results_pair(results, study->surface), m, (enum quantity)q, i);
+            set_all(model, quantity_rows[q].short_symbol, ratio, loads);
         }
         json_object_set_new(ratios, model_rows[m]->name, model);
     }
@@ -472,7 +470,7 @@ static json_t *answer_json(const struct results *results, size_t surface, size_t
     bool met = answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST;
     double area_m2 = results->scene->nominal_area_m2;
     struct text note = {0}, asked = {0};
-    text_add(&asked, "%s %s", target->row->name, target->text);
+    text_add(&asked, "%s %s", target->how->key, target->text);
     answers_note(&note, answer, area_m2, 1, "");
     json_t *json =
         json_pack("{s:o, s:s, s:o, s:o}", "surface", json_shown(s->scene->name), "model", model_rows[m]->name, "target",
@@ -480,8 +478,7 @@ static json_t *answer_json(const struct results *results, size_t surface, size_t
     set(json, "load_N", met ? answer->load * scene_load_divisor(results->scene, UNIT_FORCE, &s->pair) : NAN);
     set(json, "load_over_AnEp", met ? answer->load : NAN);
     set_all(json, "load_over_AnEp_95", (const double[]){answer->low, answer->high}, 2);
-    if (target->row->quantity < QUANTITY_COUNT)
-        set_word(json, "quantity", quantity_rows[target->row->quantity].name);
+    set_word(json, "quantity", quantity_rows[target->quantity].name);
     set(json, "value", target->value);
     set(json, "spots", answer->spots_per_m2 * area_m2);
     json_object_set_new(json, "spots_by",
@@ -539,11 +536,11 @@ static json_t *limits_json(const struct results *results)
             const struct scene_asked *limit = &results->scene->limits[l];
             const struct limit_check *check = &s->limits[l];
             struct text asked = {0};
-            text_add(&asked, "%s %s %s", limit->row->name, limit->is_most ? "most" : "least", limit->text);
+            text_add(&asked, "%s %s %s", limit->how->key, limit->is_most ? "most" : "least", limit->text);
             json_t *json =
                 json_pack("{s:o, s:s, s:o, s:s, s:s}", "surface", json_shown(s->scene->name), "model",
                           model_rows[plan_leading_model(results->plan)]->name, "limit", json_shown(text_string(&asked)),
-                          "verdict", verdicts[check->verdict], "quantity", quantity_rows[limit->row->quantity].name);
+                          "verdict", verdicts[check->verdict], "quantity", quantity_rows[limit->quantity].name);
             set(json, "value", check->value);
             set_all(json, "interval_95", (const double[]){check->low, check->high}, 2);
             json_array_append_new(limits, json);

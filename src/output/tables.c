@@ -306,7 +306,7 @@ enum status_code curve_tables_open(struct curve_tables **out, const struct resul
                                  .bands = table_make(results, directory, "bands.csv"),
                                  .quantities = plan_quantities(plan)};
     for (int q = 0; q < QUANTITY_COUNT; q++)
-        if (ensemble_band_holds((enum quantity)q) && (plan->wanted & QUANTITY_BIT(q)))
+        if ((quantity_rows[q].is & QUANTITY_BANDED) && (plan->wanted & QUANTITY_BIT(q)))
             all->band_quantities |= QUANTITY_BIT(q);
     return STATUS_OK;
 }
@@ -411,7 +411,7 @@ static void fill_spread(struct table *table, const struct results *results)
             for (int q = 0; q < QUANTITY_COUNT; q++) {
                 snprintf(quantity, sizeof quantity, "%s_at_middle_load_%s", quantity_shown_name((enum quantity)q),
                          model_rows[m]->name);
-                if (ensemble_band_holds((enum quantity)q))
+                if (quantity_rows[q].is & QUANTITY_BANDED)
                     put_spread_number(table, s, quantity, curve_summary_estimate(surface_model(s, m), q));
             }
         }
@@ -450,7 +450,7 @@ static void put_answer(struct table *table, const struct results *results, size_
            area_m2 = results->scene->nominal_area_m2;
     struct text asked = {0}, note = {0};
     put_text(table, "surface", s->scene->name);
-    text_add(&asked, "%s %s", target->row->name, target->text);
+    text_add(&asked, "%s %s", target->how->key, target->text);
     answers_note(&note, answer, area_m2, 1, "");
     put_word(table, "model", model_rows[m]->name);
     put_text(table, "target", text_string(&asked));
@@ -485,7 +485,7 @@ static void fill_unloading(struct table *table, const struct results *results)
             put_number(table, "load_over_AnEp", load);
             put_number(table, "largest_load_over_AnEp", unloading->largest_load);
             for (int q = 0; q < QUANTITY_COUNT; q++)
-                if (ensemble_band_holds((enum quantity)q) && !quantity_rows[q].from &&
+                if ((quantity_rows[q].is & QUANTITY_BANDED) && !quantity_rows[q].from &&
                     (plan_quantities(results->plan) & QUANTITY_BIT(q))) {
                     put_number(table, quantity_rows[q].column, point->value[q]);
                     put(table, quantity_rows[q].name, "_over_loading",
@@ -496,25 +496,6 @@ static void fill_unloading(struct table *table, const struct results *results)
     }
 }
 
-/** What direct.csv says of each quantity: value and error. */
-static const struct {
-    enum quantity quantity;
-    const char *column, *error; /* NULL: none */
-    const char *ratio;          /* in direct_ratio.csv; NULL: not there */
-} direct_columns[] = {
-    {QUANTITY_AREA, "area_ratio", "area_stderr", "area"},
-    {QUANTITY_SEPARATION, "gap_m", "gap_stderr", "gap"},
-    {QUANTITY_ECR, "ecr_ohm_m2", "ecr_stderr", "ecr"},
-    {QUANTITY_TCR, "tcr_K_m2_per_W", NULL, NULL},
-    {QUANTITY_STIFFNESS, "stiffness_Pa_per_m", "stiffness_stderr", "stiffness"},
-};
-enum { DIRECT_COLUMNS = sizeof direct_columns / sizeof *direct_columns };
-
-static bool has_column(const struct results *results, int column)
-{
-    return results->plan->wanted & QUANTITY_BIT(direct_columns[column].quantity);
-}
-
 static void put_direct(struct table *table, const struct results *results, const struct direct_study *study,
                        enum direct_study_kind kind)
 {
@@ -523,13 +504,15 @@ static void put_direct(struct table *table, const struct results *results, const
         put_text(table, "surface", results->surfaces[study->surface].summary.scene->name);
         put_word(table, "source", study->plan.side > 0 ? "map" : "law");
         put_number(table, "load_over_AnEp", study->plan.load[i]);
-        for (int c = 0; c < DIRECT_COLUMNS; c++) {
+        for (int q = 0; q < QUANTITY_COUNT; q++) {
+            const struct quantity_solved *solved = &quantity_rows[q].solved;
+            if (!solved->column || !(results->plan->wanted & QUANTITY_BIT(q)))
+                continue;
             double error, value = direct_study_value(study, results_pair(results, study->surface), kind,
-                                                     direct_columns[c].quantity, i, &error);
-            if (has_column(results, c))
-                put_number(table, direct_columns[c].column, value);
-            if (has_column(results, c) && direct_columns[c].error)
-                put_number(table, direct_columns[c].error, error);
+                                                     (enum quantity)q, i, &error);
+            put_number(table, solved->column, value);
+            if (solved->ratio)
+                put(table, solved->ratio, "_stderr", error);
         }
         put_number(table, "patches", curve->points[i].mean[DIRECT_PATCHES].value);
         put_count(table, "seeds", curve->seeds);
@@ -560,11 +543,11 @@ static void fill_direct_ratio(struct table *table, const struct results *results
                 put_text(table, "surface", results->surfaces[study->surface].summary.scene->name);
                 put_word(table, "model", model_rows[m]->name);
                 put_number(table, "load_over_AnEp", study->plan.load[i]);
-                for (int c = 0; c < DIRECT_COLUMNS; c++)
-                    if (has_column(results, c) && direct_columns[c].ratio)
-                        put_number(table, direct_columns[c].ratio,
-                                   direct_study_ratio(study, results_pair(results, study->surface), m,
-                                                      direct_columns[c].quantity, i));
+                for (int q = 0; q < QUANTITY_COUNT; q++)
+                    if (quantity_rows[q].solved.ratio && (results->plan->wanted & QUANTITY_BIT(q)))
+                        put_number(
+                            table, quantity_rows[q].solved.ratio,
+                            direct_study_ratio(study, results_pair(results, study->surface), m, (enum quantity)q, i));
                 end_row(table);
             }
         }

@@ -22,15 +22,7 @@ struct compared {
     bool any, differ, loads_differ; /* any: a number is in two reports; differ: anything */
 };
 
-/** What is compared, and what it is shown in. */
-static const struct {
-    enum quantity quantity;
-    double scale;
-    const char *unit;
-} rows[] = {{QUANTITY_AREA, 100, "%"},           {QUANTITY_SEPARATION, 1, "σ"},  {QUANTITY_ECR, 1e9, "mΩ·mm²"},
-            {QUANTITY_JOINT_ECR, 1e9, "mΩ·mm²"}, {QUANTITY_TCR, 1e6, "K·mm²/W"}, {QUANTITY_JOINT, 1, "W/(m²·K)"},
-            {QUANTITY_STIFFNESS, 1e-12, "TPa/m"}};
-enum { NUMBERS = sizeof rows / sizeof *rows, TEXT_MOST = 60, STRING_MOST = 1000, PATH_MOST = 400, MADE = 5 };
+enum { TEXT_MOST = 60, STRING_MOST = 1000, PATH_MOST = 400, MADE = 5 };
 
 static double real(const json_t *value)
 {
@@ -110,10 +102,10 @@ static struct side side_of(const struct compared *all, size_t k, const char *nam
     return out;
 }
 
-/** Adds number `n` of a surface, a line for each report that has it; nothing where only one has. */
-static void add_number(json_t *view, struct compared *all, const char *name, size_t n)
+/** Adds a number of a surface, a line for each report that has it; nothing where only one has. */
+static void add_number(json_t *view, struct compared *all, const char *name, enum quantity quantity)
 {
-    const enum quantity quantity = rows[n].quantity;
+    const struct quantity_unit unit = quantity_rows[quantity].handy;
     json_t *lines = json_array();
     struct side first;
     for (size_t k = 0; k < all->count; k++) {
@@ -129,8 +121,8 @@ static void add_number(json_t *view, struct compared *all, const char *name, siz
         json_object_set_new(line, "value", json_finite(side.value));
         json_object_set_new(line, "low_95", json_finite(side.ends[0]));
         json_object_set_new(line, "high_95", json_finite(side.ends[1]));
-        view_number(shown, "value", side.value * rows[n].scale, 3, "");
-        view_interval(shown, "interval", side.ends[0] * rows[n].scale, side.ends[1] * rows[n].scale, 2);
+        view_number(shown, "value", side.value * unit.scale, 3, "");
+        view_interval(shown, "interval", side.ends[0] * unit.scale, side.ends[1] * unit.scale, 2);
         if (!begun)
             continue;
         bool same = apart == 0 || apart <= all->tie, same_scans = side.scans[0] && strcmp(side.scans, first.scans) == 0;
@@ -152,7 +144,7 @@ static void add_number(json_t *view, struct compared *all, const char *name, siz
     if (json_array_size(lines) > 1)
         json_array_append_new(view_list(view, "numbers"),
                               json_pack("{s:s, s:s, s:s, s:O}", "quantity", quantity_shown_name(quantity), "symbol",
-                                        quantity_rows[quantity].short_symbol, "unit", rows[n].unit, "lines", lines));
+                                        quantity_rows[quantity].short_symbol, "unit", unit.unit, "lines", lines));
     all->any = all->any || json_array_size(lines) > 1;
     json_decref(lines);
 }
@@ -225,8 +217,9 @@ static void add_surface(json_t *view, struct compared *all, const char *name)
         }
     for (size_t i = 0; i < sizeof keys / sizeof *keys && !alone; i++)
         add_input(view, all, of, name, keys[i]);
-    for (size_t n = 0; n < NUMBERS; n++)
-        add_number(item, all, name, n);
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        if (quantity_rows[q].handy.scale > 0)
+            add_number(item, all, name, (enum quantity)q);
     view_separate(json_object_get(item, "numbers"));
 }
 

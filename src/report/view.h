@@ -4,8 +4,8 @@
 #ifndef REPORT_VIEW_H
 #define REPORT_VIEW_H
 
-#include "chart/asked.h"
 #include "chart/figures.h"
+#include "results/asked.h"
 #include "results/comparison.h"
 #include <jansson.h>
 

@@ -148,7 +148,7 @@ static void put_other_targets(json_t *out, const struct view_source *source)
         }
         json_t *item = view_item(view_list(out, "other_targets"));
         asked_text(text, sizeof text, target->text);
-        view_text(item, "symbol", target->row->symbol);
+        view_text(item, "symbol", target->symbol);
         view_text(item, "text", text);
         put_answer(item, source, answer_to(source, t, best, source->leading), best);
     }
@@ -552,7 +552,7 @@ static void put_asked_limits(json_t *out, const struct view_source *source)
         asked_text(unit, sizeof unit, scene->limits[l].text);
         snprintf(text, sizeof text, "%s %s", scene->limits[l].is_most ? "≤" : "≥", unit);
         view_text(item, "text", text);
-        view_text(item, "symbol", scene->limits[l].row->symbol);
+        view_text(item, "symbol", scene->limits[l].symbol);
         for (size_t k = 0; k < all; k++) {
             size_t i = source->results->by_roughness[k];
             enum limit_verdict verdict = view_summary(source, i)->limits[l].verdict;
@@ -693,7 +693,7 @@ size_t view_missed_limits(struct text *out, const struct results *results)
                 continue;
             text_add(out, "surface '");
             text_add_shown(out, results->surfaces[i].summary.scene->name);
-            text_add(out, "' misses the limit %s %s ", limit->row->symbol, limit->is_most ? "≤" : "≥");
+            text_add(out, "' misses the limit %s %s ", limit->symbol, limit->is_most ? "≤" : "≥");
             text_add_shown(out, limit->text);
             double value = scene_asked_shown(limit, check->value);
             text_add(out, isfinite(value) ? ": " : ": from a lighter load on\n");

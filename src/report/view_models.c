@@ -24,6 +24,12 @@ static bool wants(const struct view_source *source, enum quantity quantity)
     return plan_quantities(source->results->plan) & QUANTITY_BIT(quantity);
 }
 
+/** Does the table of one surface have it, as its chart does? */
+static bool in_table(const struct view_source *source, enum quantity quantity)
+{
+    return wants(source, quantity) && quantity_rows[quantity].panels[0].file && !quantity_of_joint(quantity);
+}
+
 /** A model on the baseline where the summary stands. */
 static void put_model(json_t *out, const struct view_source *source, size_t m)
 {
@@ -35,12 +41,11 @@ static void put_model(json_t *out, const struct view_source *source, size_t m)
     const struct material_pair *pair = results_pair(results, surface);
     double scale = asked_load_of(results, surface).scale, sigma_m = view_summary(source, surface)->asperities.sigma_m;
     view_text(row, "label", model_rows[m]->label);
-    view_number(row, "area_percent", 100 * at.value[QUANTITY_AREA], 3, "");
-    view_number(row, "separation", comparison_value(&at, model_shown(model_rows[m], QUANTITY_SEPARATION), m, sigma_m),
-                3, "");
-    view_number(row, "ecr", at.value[QUANTITY_ECR], 3, "");
-    view_number(row, "tcr", at.value[QUANTITY_TCR], 3, "");
-    view_number(row, "stiffness", at.value[QUANTITY_STIFFNESS], 3, "");
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        if (in_table(source, (enum quantity)q))
+            view_number(view_item(view_list(row, "cells")), "text",
+                        comparison_value(&at, (enum quantity)q, m, sigma_m) * quantity_unit((enum quantity)q).scale, 3,
+                        "");
     view_number(row, "full_load", curve->exists ? curve->full_load * scale : NAN, 3, "");
     bool invalid = !curve_summary_is_valid(curve, at.value[QUANTITY_LOAD]);
     bool above = !model_rows[m]->plastic && !pair->unknown &&
@@ -109,10 +114,13 @@ static void put_one_surface(json_t *out, const struct view_source *source)
     json_t *item = view_part(out, "one_surface");
     view_text(item, "surface", view_name(source, results->baseline));
     view_load(item, "load", source, results->baseline, results_operating_load(results, results->baseline));
-    view_flag(item, "has_separation", wants(source, QUANTITY_SEPARATION));
-    view_flag(item, "has_ecr", wants(source, QUANTITY_ECR));
-    view_flag(item, "has_tcr", wants(source, QUANTITY_TCR));
-    view_flag(item, "has_stiffness", wants(source, QUANTITY_STIFFNESS));
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        if (in_table(source, (enum quantity)q)) {
+            char name[80];
+            snprintf(name, sizeof name, "table.%s", quantity_rows[q].name);
+            view_text(view_item(view_list(item, "heads")), "label",
+                      words_say(source->words, name, "unit", quantity_unit((enum quantity)q).unit, NULL));
+        }
     for (size_t m = first; m < model_count; m++)
         if (plan_runs_model(results->plan, m) && surface_model(&source->baseline->summary, m)->exists)
             put_model(item, source, m);
@@ -398,14 +406,6 @@ static void put_measured_models(json_t *item, const struct view_source *source, 
     view_separate(rows);
 }
 
-static void put_distance(json_t *row, const char *name, const struct direct_study *study,
-                         const struct material_pair *pair, size_t m, enum quantity quantity)
-{
-    struct direct_study_distance distance = direct_study_distance(study, pair, m, quantity);
-    if (distance.loads > 0)
-        view_range(row, name, distance.least, distance.most, 2, "");
-}
-
 static void put_study(json_t *item, const struct view_source *source, const struct direct_study *study)
 {
     const struct material_pair *pair = results_pair(source->results, study->surface);
@@ -422,10 +422,14 @@ static void put_study(json_t *item, const struct view_source *source, const stru
             continue;
         json_t *row = view_item(rows);
         view_text(row, "label", model_rows[m]->label);
-        put_distance(row, "area", study, pair, m, QUANTITY_AREA);
-        put_distance(row, "gap", study, pair, m, QUANTITY_SEPARATION);
-        put_distance(row, "ecr", study, pair, m, QUANTITY_ECR);
-        put_distance(row, "stiffness", study, pair, m, QUANTITY_STIFFNESS);
+        for (int q = 0; q < QUANTITY_COUNT; q++) {
+            const struct direct_study_distance distance = direct_study_distance(study, pair, m, (enum quantity)q);
+            if (!quantity_rows[q].solved.ratio || !wants(source, (enum quantity)q))
+                continue;
+            json_t *cell = view_item(view_list(row, "cells"));
+            if (distance.loads > 0)
+                view_range(cell, "text", distance.least, distance.most, 2, "");
+        }
     }
     bool resolved = false;
     for (size_t i = 0; i < study->plan.loads; i++)
@@ -450,9 +454,12 @@ void view_direct(json_t *out, const struct view_source *source)
     json_t *item = view_part(out, "direct");
     view_text(item, "reason", results->plan->effects[EFFECT_DIRECT].reason);
     view_flag(item, "solved", results->direct_count > 0);
-    view_flag(item, "has_ecr", wants(source, QUANTITY_ECR));
-    view_flag(item, "has_gap", wants(source, QUANTITY_SEPARATION));
-    view_flag(item, "has_stiffness", wants(source, QUANTITY_STIFFNESS));
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        if (quantity_rows[q].solved.ratio && wants(source, (enum quantity)q)) {
+            char name[80];
+            snprintf(name, sizeof name, "table.direct.%s", quantity_rows[q].name);
+            view_text(view_item(view_list(item, "heads")), "label", words_say(source->words, name, NULL));
+        }
     for (size_t k = 0; k < results->direct_count && k < VIEW_ROWS; k++)
         put_study(view_item(view_list(item, "studies")), source, &results->direct[k]);
     for (size_t i = 0; i < results->surface_count; i++) {

@@ -51,7 +51,7 @@ static void count_points(struct comparison_tally tallies[QUANTITY_COUNT], const 
         double x = comparison_value(p, (enum quantity)k, m, p_sigma_m);
         double y = comparison_value(q, (enum quantity)k, m, q_sigma_m);
         double scale = quantity_rows[k].sigma_column ? 1 : 0;
-        bool larger = k == QUANTITY_AREA || k == QUANTITY_STIFFNESS;
+        bool larger = quantity_rows[k].is & QUANTITY_RISES;
         count_case(&tallies[k], larger ? y : x, larger ? x : y, results->scene->tolerance, scale);
     }
 }
@@ -340,7 +340,7 @@ const struct comparison_pair *comparison_pair_of(const struct comparison_ranking
 static double cost_of(const struct comparison *of, const struct results *results, size_t surface)
 {
     double value = comparison_middle(results, of->leading, surface).value[of->ranking.criterion];
-    return of->ranking.criterion == QUANTITY_AREA ? -value : value;
+    return (quantity_rows[of->ranking.criterion].is & QUANTITY_RISES) ? -value : value;
 }
 
 static const struct estimate *estimate_of(const struct comparison *of, const struct results *results, size_t surface)

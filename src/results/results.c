@@ -123,7 +123,7 @@ const struct direct_study *results_direct_baseline(const struct results *results
 enum quantity results_criterion(const struct results *results)
 {
     unsigned computed = plan_quantities(results->plan);
-    return computed & QUANTITY_BIT(QUANTITY_ECR)   ? QUANTITY_ECR
-           : computed & QUANTITY_BIT(QUANTITY_TCR) ? QUANTITY_TCR
-                                                   : QUANTITY_AREA;
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        computed &= quantity_rows[q].from ? ~QUANTITY_BIT(q) : ~0U;
+    return quantity_first(computed);
 }

@@ -45,7 +45,7 @@ static double answer_of(const struct results *results, size_t surface)
     const struct curve_summary *leading =
         surface_model(&results->surfaces[surface].summary, plan_leading_model(results->plan));
     double value = leading->exists ? leading->operating.value[criterion] : NAN;
-    return isnan(value) ? INFINITY : criterion == QUANTITY_AREA ? -value : value;
+    return isnan(value) ? INFINITY : (quantity_rows[criterion].is & QUANTITY_RISES) ? -value : value;
 }
 
 static int compare_answers(const void *a, const void *b, void *context)

@@ -105,25 +105,15 @@ struct scene_direct {
     enum scene_direct_surfaces surfaces;
 };
 
-/** A number that a target or a limit may be given in: one row each. */
-struct scene_asked_row {
-    const char *name;         /* the scene's key */
-    const char *symbol;       /* in running text */
-    unsigned total, per_area; /* enum unit_quantity bits: of the whole contact (0: not so), and as the models have it */
-    enum quantity quantity;   /* that the models compute; QUANTITY_COUNT: none does */
-    bool reciprocal;          /* it is 1/quantity */
-    bool rises;               /* the quantity does, with the load; else it falls */
-    double least, most;       /* SI */
-};
-extern const struct scene_asked_row scene_asked_rows[];
-
 /** A target or a limit. */
 struct scene_asked {
-    const struct scene_asked_row *row;
-    double value;                /* of row->quantity, as the models have it */
+    enum quantity quantity;
+    const struct quantity_asked *how; /* of its row */
+    char symbol[UNIT_LENGTH];         /* in running text: "ECR with film" */
+    double value;                     /* of the quantity, as the models have it */
     double factor;               /* of what the scene gives it in: value = factor times the number, or its inverse */
     bool is_most;                /* a limit: not to be exceeded, as the scene says it */
-    bool is_upper;               /* the same of row->quantity */
+    bool is_upper;               /* the same of the quantity */
     enum unit_quantity kind;     /* of the number */
     struct unit unit;            /* as given */
     char unit_text[UNIT_LENGTH]; /* the same as written, or SI */
@@ -131,7 +121,7 @@ struct scene_asked {
     size_t line;
 };
 
-/** A value of row->quantity in the unit of the scene. */
+/** A value of the quantity in the unit of the scene. */
 double scene_asked_shown(const struct scene_asked *asked, double value);
 
 /** How much of the spectra data/ holds. */

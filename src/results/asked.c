@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "chart/asked.h"
+#include "results/asked.h"
 
 #include "analysis/direct_study.h"
 #include "base/number_format.h"
@@ -60,8 +60,7 @@ double asked_shown(const struct asked *asked, double value)
 size_t asked_textbook(const struct results *results)
 {
     for (size_t m = 0; m < model_count; m++)
-        if (plan_runs_model(results->plan, m) && model_rows[m]->plastic && !model_rows[m]->elastic &&
-            model_rows[m]->thesis_place == 0)
+        if (plan_runs_model(results->plan, m) && model_rows[m]->textbook)
             return m;
     return model_count;
 }
@@ -83,51 +82,37 @@ static void choose_prefix(struct asked *asked, const struct results *results, co
     snprintf(asked->unit, sizeof asked->unit, "%s%s", prefixes[p].sign, unit);
 }
 
-static enum quantity chosen(const struct results *results, bool *reciprocal)
-{
-    unsigned computed = plan_quantities(results->plan);
-    *reciprocal = false;
-    if (results->measured)
-        return results_measured_quantity(results);
-    if (computed & QUANTITY_BIT(QUANTITY_JOINT))
-        return QUANTITY_JOINT;
-    if (computed & QUANTITY_BIT(QUANTITY_JOINT_ECR))
-        return QUANTITY_JOINT_ECR;
-    if (computed & QUANTITY_BIT(QUANTITY_ECR))
-        return QUANTITY_ECR;
-    *reciprocal = computed & QUANTITY_BIT(QUANTITY_TCR);
-    return *reciprocal ? QUANTITY_TCR : QUANTITY_AREA;
-}
-
 struct asked asked_of(const struct results *results)
 {
     const struct scene *scene = results->scene;
     struct asked out = {.scale = 1};
     double area_m2 = scene->nominal_area_m2;
+    char unit[UNIT_LENGTH];
     for (size_t t = 0; t < scene->target_count && !out.target; t++)
-        if (scene->targets[t].row->quantity < QUANTITY_TEMPERATURE)
+        if (quantity_unit(scene->targets[t].quantity).offset ==
+            0) /* of a scale with a zero of its own no ratio tells */
             out.target = &scene->targets[t];
+    out.quantity = out.target          ? out.target->quantity
+                   : results->measured ? results_measured_quantity(results)
+                                       : quantity_first(plan_quantities(results->plan));
+    const struct quantity_row *row = &quantity_rows[out.quantity];
+    const struct quantity_asked *how =
+        out.target ? out.target->how : &row->asked[!results->measured && row->asked[1].key];
+    out.reciprocal = how->reciprocal;
+    out.more_is_better = out.reciprocal != ((row->is & QUANTITY_RISES) > 0);
+    snprintf(out.name, sizeof out.name, "asked.%s", out.reciprocal ? how->key : row->name);
     if (out.target) {
-        out.quantity = out.target->row->quantity;
-        out.reciprocal = out.target->row->reciprocal;
         out.scale = scene_asked_shown(out.target, 1);
         asked_unit(out.unit, sizeof out.unit, out.target->unit_text);
-    } else
-        out.quantity = chosen(results, &out.reciprocal);
-    bool electrical = out.quantity == QUANTITY_ECR || out.quantity == QUANTITY_JOINT_ECR;
-    bool heat = out.quantity == QUANTITY_TCR || out.quantity == QUANTITY_TCR_SCALE_DEPENDENT;
-    out.more_is_better = out.quantity == QUANTITY_AREA || out.quantity == QUANTITY_JOINT || out.reciprocal;
-    snprintf(out.name, sizeof out.name, "asked.%s", out.reciprocal ? "conductance" : quantity_rows[out.quantity].name);
-    if (out.target)
-        return out;
-    if (out.quantity == QUANTITY_AREA) {
-        out.scale = 100;
-        snprintf(out.unit, sizeof out.unit, "%%");
-    } else if ((electrical || (heat && !out.reciprocal)) && isfinite(area_m2)) {
+    } else if (how->total && isfinite(area_m2)) {
         out.scale = 1 / area_m2;
-        choose_prefix(&out, results, electrical ? "Ω" : "K/W");
-    } else
-        snprintf(out.unit, sizeof out.unit, "%s", out.reciprocal ? "W/(m²·K)" : quantity_rows[out.quantity].unit);
+        asked_unit(unit, sizeof unit, unit_si(how->total));
+        choose_prefix(&out, results, unit);
+    } else {
+        const struct quantity_unit shown = quantity_unit(out.quantity);
+        out.scale = out.reciprocal ? 1 : shown.scale;
+        asked_unit(out.unit, sizeof out.unit, out.reciprocal ? unit_si(how->per_area) : shown.unit);
+    }
     return out;
 }
 

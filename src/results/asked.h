@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The quantity that the user asks for, in the user's unit: what the first page and its charts speak of. */
-#ifndef CHART_ASKED_H
-#define CHART_ASKED_H
+#ifndef RESULTS_ASKED_H
+#define RESULTS_ASKED_H
 
 #include "results/results.h"
 
@@ -35,7 +35,7 @@ struct asked_load {
 };
 struct asked_load asked_load_of(const struct results *results, size_t surface);
 
-/** The model that handbooks print: plastic, of no elastic partner and not the thesis's; model_count: none runs. */
+/** The first of the running models that handbooks print; model_count: none runs. */
 size_t asked_textbook(const struct results *results);
 /** The direct solution of the baseline, of the leading model's material law. */
 struct asked_solved {
