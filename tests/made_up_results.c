@@ -63,9 +63,9 @@ static void make_curve(struct surface_record *record, size_t index, size_t m, co
                                                   .value[QUANTITY_TCR_SCALE_DEPENDENT] = 1.02 * 2e5 * ecr,
                                                   .value[QUANTITY_STIFFNESS] = 1e12 * ratio,
                                                   .value[QUANTITY_ECR_LAST_SCALE] = 0.1 * ecr};
-        for (int q = 0; q < QUANTITY_COUNT; q++) /* any number that goes down as the area goes up */
+        for (int q = 0; q < QUANTITY_COUNT; q++) /* any number that goes as its row says */
             if (quantity_rows[q].from)
-                curve->points[i].value[q] = 3e12 * ecr;
+                curve->points[i].value[q] = (quantity_rows[q].is & QUANTITY_RISES) ? 1e4 * ratio : 3e12 * ecr;
         keep_wanted(&curve->points[i], wanted);
     }
     keep_wanted(&curve->full, wanted);
@@ -96,7 +96,7 @@ static void make_estimates(struct made_up *made, struct surface_record *record, 
     for (int q = 0; q < QUANTITY_COUNT; q++) {
         enum quantity shown = model_shown(model_rows[m], (enum quantity)q);
         double value = quantity_shown(middle, shown, record->summary.asperities.sigma_m);
-        bool held = known && ensemble_band_holds((enum quantity)q) && isfinite(value);
+        bool held = known && (quantity_rows[q].is & QUANTITY_BANDED) && isfinite(value);
         all[q] = !held ? estimate_none : several ? about(value, 0.05, true) : estimate_of_error(value, 0.05, 4);
     }
     assert_int_equal(curve_summary_put_estimates(model, all, &status), STATUS_OK);
@@ -114,7 +114,7 @@ static void make_bands(struct surface_record *record, size_t m)
         band->load = point->value[QUANTITY_LOAD];
         for (int q = 0; q < QUANTITY_COUNT; q++)
             for (int side = 0; side < 2; side++) {
-                double value = ensemble_band_holds((enum quantity)q)
+                double value = (quantity_rows[q].is & QUANTITY_BANDED)
                                    ? quantity_shown(point, model_shown(model_rows[m], (enum quantity)q),
                                                     record->summary.asperities.sigma_m)
                                    : NAN;

@@ -721,6 +721,7 @@ static const struct figure_row {
     {"accuracy", false, false, make_accuracy},
 };
 enum { FIGURE_ROWS = sizeof figure_rows / sizeof *figure_rows };
+_Static_assert(FIGURE_ROWS + 2 * QUANTITY_COUNT <= FIGURES_MOST, "all figures have a place");
 
 /** Writes a chart's files and has gnuplot draw it, as letters too where it is one for a terminal. */
 static enum status_code draw_one(struct chart *chart, bool terminal, struct mustache_folder *templates,
@@ -782,8 +783,7 @@ enum status_code figures_draw(struct figures *out, const struct results *results
             make_all_surfaces(&chart, &source, quantity, panel);
         chart_end(&chart);
         bool terminal = row && row->terminal && task->terminal_size;
-        if (chart.blocks > 0 && out->count < FIGURES_MOST &&
-            draw_one(&chart, terminal, &folder, task, status) == STATUS_OK) {
+        if (chart.blocks > 0 && draw_one(&chart, terminal, &folder, task, status) == STATUS_OK) {
             out->figure[out->count].name = row ? row->name : panel->file;
             out->figure[out->count].terminal = terminal;
             out->figure[out->count].notes = chart.notes;

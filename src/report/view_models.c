@@ -235,9 +235,10 @@ void view_models(json_t *out, const struct view_source *source)
 
 /* ---- The joint ---- */
 
-enum joint_number { GAP_SHARE, FILM_SHARE, PLATING_FACTOR, VOLTAGE, TEMPERATURE, H_J, FLAT, TOUCHING, JOINT_NUMBERS };
+/* Ranges of what no row has, behind those of the quantities. */
+enum joint_number { GAP_SHARE = QUANTITY_COUNT, FILM_SHARE, FLAT, TOUCHING, JOINT_NUMBERS };
 
-/** What the leading model says of the joint, over the surfaces: shares in %, mV, °C. */
+/** What the leading model says of the joint, over the surfaces: quantities as tables have them, shares in %. */
 static void joint_ranges(struct range out[JOINT_NUMBERS], const struct view_source *source)
 {
     const double film_ohm_m2 = source->results->scene->joint.film_ohm_m2;
@@ -248,14 +249,14 @@ static void joint_ranges(struct range out[JOINT_NUMBERS], const struct view_sour
             comparison_middle(source->results, source->leading, source->results->by_roughness[k]);
         const double *value = at.value;
         const double *flat = view_summary(source, source->results->by_roughness[k])->flatness;
+        for (int q = 0; q < QUANTITY_COUNT; q++) {
+            const struct quantity_unit unit = quantity_unit((enum quantity)q);
+            widen(&out[q], value[q] * unit.scale - unit.offset);
+        }
         widen(&out[GAP_SHARE], 100 * value[QUANTITY_GAP] / value[QUANTITY_JOINT]);
-        widen(&out[H_J], value[QUANTITY_JOINT]);
         widen(&out[TOUCHING], flat[1] > 0 ? 100 * flat[0] : NAN);
         widen(&out[FLAT], flat[1] > 0 ? flat[1] / value[QUANTITY_TCR] : NAN);
         widen(&out[FILM_SHARE], 100 * film_ohm_m2 / value[QUANTITY_AREA] / value[QUANTITY_JOINT_ECR]);
-        widen(&out[PLATING_FACTOR], value[QUANTITY_PLATING_FACTOR]);
-        widen(&out[VOLTAGE], 1e3 * value[QUANTITY_VOLTAGE]);
-        widen(&out[TEMPERATURE], value[QUANTITY_TEMPERATURE] - 273.15);
     }
 }
 
@@ -322,7 +323,7 @@ void view_joint(json_t *out, const struct view_source *source)
             put_range(part, "share", &share, 2);
         view_text(part, "filler", joint->filler ? joint_filler_names[joint->filler] : "");
         view_number(part, "bond_line_um", joint->bond_line_m > 0 ? joint->bond_line_m * 1e6 : NAN, 3, "");
-        put_range(part, "conductance", &ranges[H_J], 2);
+        put_range(part, "conductance", &ranges[QUANTITY_JOINT], 2);
         view_number(part, "radiation", 4 * constant_stefan_boltzmann * pow(joint->temperature_K, 3), 2, "");
         view_flag(part, "finish_matters", share.least > 50);
         view_flag(part, "load_matters", share.most < 50);
@@ -334,7 +335,7 @@ void view_joint(json_t *out, const struct view_source *source)
     }
     if (plating) {
         json_t *part = view_part(item, "has_plating");
-        const struct range factor = ranges[PLATING_FACTOR];
+        const struct range factor = ranges[QUANTITY_PLATING_FACTOR];
         view_text(part, "metal", joint->plating ? joint_plating_names[joint->plating] : "");
         view_number(part, "thickness_um", joint->plating_thickness_m * 1e6, 3, "");
         view_flag(part, "both", joint->both_plated);
@@ -352,8 +353,8 @@ void view_joint(json_t *out, const struct view_source *source)
     if (heat) {
         json_t *part = view_part(item, "heating");
         view_number(part, "current_A", joint->current_A, 3, "");
-        put_range(part, "voltage_mV", &ranges[VOLTAGE], 2);
-        put_range(part, "temperature_C", &ranges[TEMPERATURE], 3);
+        put_range(part, "voltage_mV", &ranges[QUANTITY_VOLTAGE], 2);
+        put_range(part, "temperature_C", &ranges[QUANTITY_TEMPERATURE], 3);
         put_softening(part, source);
     }
 }

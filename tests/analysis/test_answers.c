@@ -73,14 +73,14 @@ static void drop(struct fixture *f)
     free(f->record.bands);
 }
 
-/* Adds a target; `value` of the row's quantity. */
+/* Adds a target; `value` of the quantity. */
 static size_t ask(struct fixture *f, const char *name, double value)
 {
-    const struct scene_asked_row *row = scene_asked_rows;
-    while (strcmp(row->name, name) != 0)
-        row++;
+    struct scene_asked *target = &f->targets[f->scene.target_count];
     assert_true(f->scene.target_count < TARGETS_MOST);
-    f->targets[f->scene.target_count] = (struct scene_asked){.row = row, .value = value};
+    *target = (struct scene_asked){.value = value};
+    target->quantity = quantity_of_key(&target->how, name, 0);
+    assert_non_null(target->how);
     return f->scene.target_count++;
 }
 
@@ -361,10 +361,6 @@ TEST_CASE(spots_are_those_at_the_answers_load)
     }
 }
 
-/* The joint's rows of scene_asked.c. */
-static const struct scene_asked_row joint_ecr = {.symbol = "ECR", .quantity = QUANTITY_JOINT_ECR},
-                                    joint_heat = {.symbol = "h_j", .quantity = QUANTITY_JOINT, .rises = true};
-
 /* The joint of a plated surface with a film, which it has no number of from A/A_n = 0.1 on. */
 static void plate(struct fixture *f)
 {
@@ -402,8 +398,8 @@ TEST_CASE(full_contact_meets_every_resistance_above_the_film)
     assert_true(full < f.loads[LOADS - 1] && end < 0.5 * full);
     size_t ecr = ask(&f, "ecr", 1e-20), tcr = ask(&f, "tcr", 1e-20); /* the model has numbers up to full contact */
     size_t above = ask(&f, "ecr", 1.01e-12), below = ask(&f, "ecr", 0.99e-12), heat = ask(&f, "conductance", 1e15);
-    f.targets[above].row = f.targets[below].row = &joint_ecr;
-    f.targets[heat].row = &joint_heat;
+    f.targets[above].quantity = f.targets[below].quantity = QUANTITY_JOINT_ECR;
+    f.targets[heat].quantity = QUANTITY_JOINT;
     find(&f);
     const size_t met[] = {ecr, tcr, above, heat};
     for (int k = 0; k < 4; k++) {
@@ -504,7 +500,7 @@ TEST_CASE(limits)
 TEST_CASE(limits_without_a_number)
 {
     static struct contact_point points[LOADS + 1];
-    struct scene_asked limit[6] = {{.row = &joint_ecr}};
+    struct scene_asked limit[6] = {{.quantity = QUANTITY_JOINT_ECR}};
     struct fixture f;
     struct status status = {0};
     make(&f, 1);
@@ -523,20 +519,21 @@ TEST_CASE(limits_without_a_number)
     double last = points[1].value[QUANTITY_JOINT_ECR];
     assert_true(last > 2e-12 && isnan(points[2].value[QUANTITY_JOINT_ECR]) && curve->full_load < loads[4]);
     const struct {
-        const struct scene_asked_row *row;
+        enum quantity quantity;
         double value;
         bool is_upper;
         enum limit_verdict complete;
-    } rows[6] = {{&joint_ecr, 1.001 * last, true, LIMIT_MET},
-                 {&joint_ecr, 0.999 * last, true, LIMIT_MET},
-                 {&joint_ecr, 1.001 * last, false, LIMIT_MISSED},
-                 {&joint_ecr, 0.999 * last, false, LIMIT_MISSED},
-                 {&joint_ecr, 0.999e-12, true, LIMIT_MISSED}, /* below the film's */
-                 {&joint_heat, 1e15, false, LIMIT_MET}};      /* which no plating changes: missed before */
+    } rows[6] = {{QUANTITY_JOINT_ECR, 1.001 * last, true, LIMIT_MET},
+                 {QUANTITY_JOINT_ECR, 0.999 * last, true, LIMIT_MET},
+                 {QUANTITY_JOINT_ECR, 1.001 * last, false, LIMIT_MISSED},
+                 {QUANTITY_JOINT_ECR, 0.999 * last, false, LIMIT_MISSED},
+                 {QUANTITY_JOINT_ECR, 0.999e-12, true, LIMIT_MISSED}, /* below the film's */
+                 {QUANTITY_JOINT, 1e15, false, LIMIT_MET}};           /* which no plating changes: missed before */
     f.scene.limits = limit;
     f.scene.limit_count = 6;
     for (int k = 0; k < 6; k++)
-        limit[k] = (struct scene_asked){.row = rows[k].row, .value = rows[k].value, .is_upper = rows[k].is_upper};
+        limit[k] =
+            (struct scene_asked){.quantity = rows[k].quantity, .value = rows[k].value, .is_upper = rows[k].is_upper};
     for (size_t at = 2; at < 5; at += 2) {
         f.task.operating_place = at + 1;
         find(&f);

@@ -3,7 +3,7 @@
 #include "base/version.h"
 #include "cli/command.h"
 #include "cli/process.h"
-#include "contact/effect.h"
+#include "contact/quantity.h"
 #include "material/material.h"
 #include "scene/scene_source.h"
 
@@ -137,7 +137,7 @@ static void check_made(const char *name, const char *before, const struct text *
         workspace_write(PROJECT_SOURCE, name, whole.data);
         text_free(&whole);
     } else if ((size_t)(end - start) != made->length || memcmp(start, made->data, made->length) != 0)
-        fail_msg("%s is not of the table of keys: run this test with ROUGHCONTACT_WRITE_DOCS=1", name);
+        fail_msg("%s is not of the program's tables: run this test with ROUGHCONTACT_WRITE_DOCS=1", name);
     free(all);
 }
 
@@ -163,6 +163,39 @@ TEST_CASE(documents_are_made_of_the_keys)
     check_made("docs/roughcontact.1", "14 MPa, 10 %.\n.TP\n", &manual, ".SH EXIT STATUS\n");
     text_free(&page);
     text_free(&manual);
+}
+
+TEST_CASE(documents_are_made_of_the_quantities)
+{
+    struct text page = {0}, schema = {0};
+    for (int q = 0; q < QUANTITY_COUNT; q++) {
+        const struct quantity_row *row = &quantity_rows[q];
+        const char *unit = row->unit[0] ? row->unit : "1";
+        if (row->column)
+            text_add(&page, "| `%s` | %s | %s |\n", row->column, unit, row->meaning);
+        if (q == QUANTITY_LOAD)
+            text_add(&page, "| `pressure_Pa` | Pa | the same times E′ of the surface; empty without a material |\n");
+        if (row->sigma_column)
+            text_add(&page, "| `%s` | 1 | %s |\n", row->sigma_column, row->column ? "the same over Rq" : row->meaning);
+        text_add(&schema, "    \"%s\": {\"$ref\": \"#/$defs/numbers\"},\n", row->name);
+    }
+    check_made("docs/report.md", "\n| `surface`, `model` | | names |\n", &page, "\n## data/unloading.csv");
+    check_made("docs/results.schema.json",
+               "\"largest_load_share_clamped_at_radius\": {\"$ref\": \"#/$defs/number\"},\n", &schema,
+               "    \"operating\": {");
+    text_free(&page);
+    text_free(&schema);
+}
+
+/** Does a scene's key say that each quantity's key may be asked for? */
+TEST_CASE(targets_name_the_quantities)
+{
+    size_t k = 0;
+    while (strcmp(scene_keys[k].name, "targets") != 0)
+        k++;
+    for (int p = 0; p < 2 * QUANTITY_COUNT; p++)
+        if (quantity_rows[p / 2].asked[p % 2].key)
+            expect_part(scene_keys[k].text, quantity_rows[p / 2].asked[p % 2].key);
 }
 
 TEST_IN_WORKSPACE(manual_has_chapters_and_statuses)

@@ -102,7 +102,8 @@ static const struct {
     {"surfaces.rows.1.scans", "1"},
     {"one_surface.surface", "beta"},
     {"one_surface.rows.0.label", "multiscale elastic"},
-    {"one_surface.rows.0.area_percent", "5.00"},
+    {"one_surface.heads.0.label", "area (%)"},
+    {"one_surface.rows.0.cells.0.text", "5.00"},
     {"all_surfaces.rows.0.cells.0.text", "6.00"},
     {"all_surfaces.rows.0.cells.1.text", "7.00"},
     {"inputs.rows.0.hash", "0123456789abcdef"},
@@ -150,9 +151,11 @@ TEST_CASE(the_report_says_them_in_words)
 static void set_target(struct made_up *made, struct scene_asked *target, struct answer *answers)
 {
     static const double loads[MADE_UP_USABLE] = {2e-4, 1e-4, 4e-4};
-    extern const struct scene_asked_row scene_asked_rows[];
-    *target =
-        (struct scene_asked){.row = &scene_asked_rows[0], .value = 1e-10, .factor = 1e-6, .unit = {.factor = 1e-3}};
+    *target = (struct scene_asked){.quantity = QUANTITY_ECR,
+                                   .how = quantity_rows[QUANTITY_ECR].asked,
+                                   .value = 1e-10,
+                                   .factor = 1e-6,
+                                   .unit = {.factor = 1e-3}};
     snprintf(target->text, sizeof target->text, "0.1 mohm");
     snprintf(target->unit_text, sizeof target->unit_text, "mohm");
     made->scene.targets = target;
@@ -441,12 +444,12 @@ TEST_CASE(an_area_that_cannot_differ_is_not_ranked_by_something_else)
     struct made_up made;
     struct scene_asked target = {0};
     struct answer *answers = calloc(MADE_UP_USABLE * model_count, sizeof *answers);
-    extern const struct scene_asked_row scene_asked_rows[];
     assert_non_null(answers);
     made_up_make_of(&made, made_up_models(), PLAIN, press_into_hardness);
     set_target(&made, &target, answers);
     assert_says_page(&made, "In contact resistance at 10.0\u00a0N *alpha* is significantly better", "cannot differ");
-    target.row = &scene_asked_rows[3]; /* the area */
+    target.quantity = QUANTITY_AREA;
+    target.how = quantity_rows[QUANTITY_AREA].asked;
     made_up_again(&made);
     assert_says_page(&made, "Contact area is load over hardness here, so surfaces cannot differ in it.", "better than");
     assert_says_page(&made, "so surfaces cannot differ in it.", " alike"); /* no letters of what was not asked */
@@ -503,9 +506,8 @@ TEST_CASE(a_limit_names_the_one_surface_and_counts_several)
         "ECR ≤ 0.1\u00a0mΩ: met by *beta*, **missed by *gamma***, undecided for *alpha*.",
         "ECR ≤ 0.1\u00a0mΩ: no value for *alpha*, **missed by 2 surfaces**.",
         "ECR ≤ 0.1\u00a0mΩ: all surfaces meet it."};
-    extern const struct scene_asked_row scene_asked_rows[];
     struct made_up made;
-    struct scene_asked limit = {.row = &scene_asked_rows[0], .text = "0.1 mohm", .is_most = true};
+    struct scene_asked limit = {.quantity = QUANTITY_ECR, .symbol = "ECR", .text = "0.1 mohm", .is_most = true};
     struct limit_check checks[MADE_UP_USABLE] = {{0}};
     made_up_make_of(&made, made_up_models(), PLAIN, NULL);
     made.scene.limits = &limit;
@@ -871,6 +873,7 @@ static void add_sources(struct text *out)
         assert_int_equal(text_read_file(out, path, &status), STATUS_OK);
     }
     assert_int_equal(text_read_file(out, PROJECT_SOURCE "/src/chart/figures.c", &status), STATUS_OK);
+    assert_int_equal(text_read_file(out, PROJECT_SOURCE "/src/contact/quantity.c", &status), STATUS_OK);
 }
 
 TEST_CASE(the_list_of_names_is_the_views)

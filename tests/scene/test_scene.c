@@ -449,9 +449,9 @@ TEST_CASE(test_targets_and_limits)
     };
     assert_int_equal(scene.target_count, 5);
     for (size_t t = 0; t < 5; t++) {
-        assert_string_equal(scene.targets[t].row->name, targets[t].name);
+        assert_string_equal(scene.targets[t].how->key, targets[t].name);
         assert_string_equal(scene.targets[t].text, targets[t].text);
-        assert_int_equal(scene.targets[t].row->quantity, targets[t].quantity);
+        assert_int_equal(scene.targets[t].quantity, targets[t].quantity);
         assert_near(scene.targets[t].value, targets[t].value, 1e-15);
         assert_near(scene_asked_shown(&scene.targets[t], targets[t].value), targets[t].shown, 1e-14);
     }
@@ -465,7 +465,7 @@ TEST_CASE(test_targets_and_limits)
                   {"ecr", 4e-9, true, true}};
     assert_int_equal(scene.limit_count, 4);
     for (size_t l = 0; l < 4; l++) {
-        assert_string_equal(scene.limits[l].row->name, limits[l].name);
+        assert_string_equal(scene.limits[l].how->key, limits[l].name);
         assert_near(scene.limits[l].value, limits[l].value, 1e-15);
         assert_int_equal(scene.limits[l].is_most, limits[l].is_most);
         assert_int_equal(scene.limits[l].is_upper, limits[l].is_upper);
