@@ -252,7 +252,7 @@ static enum status_code mean_point(struct contact_point *out, struct estimate *e
     for (int q = QUANTITY_AREA; q < QUANTITY_COUNT; q++) {
         const struct quantity_row *row = &quantity_rows[q];
         struct estimate *estimate = estimates ? &estimates[q] : &unused;
-        bool logarithmic = (row->is & QUANTITY_LOGARITHMIC) || q == (int)model_shown(model, QUANTITY_SEPARATION);
+        bool logarithmic = !(row->is & QUANTITY_LINEAR) || q == (int)model_shown(model, QUANTITY_SEPARATION);
         double mean = NAN;
         *estimate = estimate_none;
         if (row->from && isnan(point_of(curves, 0, at)->value[q]))

@@ -150,16 +150,10 @@ void measured_free(struct measured *measured)
     *measured = (struct measured){0};
 }
 
-/** What the models themselves are asked. */
-static enum quantity quantity_of(const struct measured *measured)
-{
-    return measured->thermal ? QUANTITY_TCR : QUANTITY_ECR;
-}
-
 enum quantity measured_quantity(const struct measured *measured, unsigned effects)
 {
-    bool covered = effects & (EFFECT_BIT(EFFECT_FILM) | EFFECT_BIT(EFFECT_PLATING));
-    return covered && !measured->thermal ? QUANTITY_JOINT_ECR : quantity_of(measured);
+    const struct quantity_asked *how;
+    return quantity_of_key(&how, measured->thermal ? "tcr" : "ecr", effects);
 }
 
 static int compare_numbers(const void *a, const void *b)
@@ -220,7 +214,7 @@ enum status_code measured_answer(struct measured_answers *out, const struct meas
     bool stored = loads && points && out->resistance;
     size_t count = stored ? loads_within(loads, measured, task) : 0;
     struct model_task asked = model_task_at(task, loads, count);
-    const unsigned own = QUANTITY_BIT(quantity_of(measured)); /* all that the models are asked */
+    const unsigned own = QUANTITY_BIT(measured_quantity(measured, 0)); /* all that the models are asked */
     asked.wanted = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | own;
     enum status_code rc = stored ? STATUS_OK : status_memory(status);
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {

@@ -516,8 +516,8 @@ static bool begin_panel(struct chart *chart, const struct source *source, enum q
                         const char *title)
 {
     return chart_panel(chart, title, x == QUANTITY_LOAD ? load_label(source, false) : quantity_words(source, "axis", x),
-                       quantity_words(source, "axis", y), quantity_rows[x].is & QUANTITY_LOGARITHMIC,
-                       (quantity_rows[y].is & QUANTITY_LOGARITHMIC) && quantity_unit(y).offset == 0);
+                       quantity_words(source, "axis", y), !(quantity_rows[x].is & QUANTITY_LINEAR),
+                       !(quantity_rows[y].is & QUANTITY_LINEAR) && quantity_unit(y).offset == 0);
 }
 
 /** A model's curve of a surface in such a panel: a statistical separation adjusted; dotted what belongs beside it. */

@@ -88,22 +88,22 @@ struct quantity_solved {
 
 /** What a quantity is: bits. */
 enum {
-    QUANTITY_LOGARITHMIC = 1, /* its mean is geometric, its axis logarithmic */
+    QUANTITY_LINEAR = 1,      /* else its mean is geometric, its axis logarithmic */
     QUANTITY_RISES = 2,       /* with the load: more of it is better */
     QUANTITY_ENDS = 4,        /* at full contact it is 0 or infinite: charts stop before */
-    QUANTITY_BANDED = 8       /* it is known with an interval */
+    QUANTITY_BANDED = 8,      /* it is known with an interval */
+    QUANTITY_SIGMA_ALONE = 16 /* data/ has it as a multiple of sigma only */
 };
 
 struct quantity_row {
-    const char *name;           /* in results.json, with its SI unit */
-    const char *column;         /* in data/; NULL: only as a multiple of sigma */
-    const char *sigma_column;   /* of a length that is shown as a multiple of sigma, in data/; NULL: none */
+    const char *name;           /* in results.json and data/, with its SI unit */
     const char *short_symbol;   /* in running text: "ECR" */
     const char *unit;           /* SI, "" for a ratio */
     const char *meaning;        /* in docs/report.md */
     unsigned effect;            /* EFFECT_BITs that it belongs to, any of them; 0: every run has it */
     unsigned from;              /* QUANTITY_BITs that it is made of once a model has run; 0: the model computes it */
     unsigned is;                /* the bits above */
+    const char *sigma_column;   /* of a length that is shown as a multiple of sigma, in data/; NULL: none */
     struct quantity_unit shown; /* tables and charts have it in that; none: SI */
     struct quantity_unit handy; /* `compare` does; none: it leaves it out */
     double at_full;             /* of what the model computes: where contact is full */

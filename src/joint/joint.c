@@ -69,14 +69,20 @@ static double finite_or_nan(double value)
     return isfinite(value) ? value : NAN;
 }
 
+/** What a quantity is made of. */
+struct making {
+    const double *value;
+    struct contact_spots spots;
+    const struct joint_task *task;
+};
+
 /* What makes each quantity of those before it, as in quantity_rows, and of the spots. */
 
 /** h_g [W/m²/K]; NaN without a separation, or where a medium's gap closes. */
-static double make_gap(const double *value, const struct contact_spots *spots, const struct joint_task *task)
+static double make_gap(const struct making *of)
 {
-    const struct joint *joint = task->joint;
-    double separation_m = value[QUANTITY_SEPARATION], open = fmax(1 - value[QUANTITY_AREA], 0);
-    (void)spots;
+    const struct joint *joint = of->task->joint;
+    double separation_m = of->value[QUANTITY_SEPARATION], open = fmax(1 - of->value[QUANTITY_AREA], 0);
     if (isnan(separation_m))
         return NAN;
     if (joint->fill == JOINT_VACUUM)
@@ -86,28 +92,23 @@ static double make_gap(const double *value, const struct contact_spots *spots, c
         return separation_m > 0 ? open * joint->conductivity_W_per_mK / separation_m : NAN;
     double jump_m = gas_jump_length(joint->gas, joint->temperature_K, joint->pressure_Pa, joint->accommodation,
                                     joint->accommodation);
-    return gas_conductance(joint->gas, task->sigma_m, separation_m, jump_m, value[QUANTITY_AREA], task->tolerance);
+    return gas_conductance(joint->gas, of->task->sigma_m, separation_m, jump_m, of->value[QUANTITY_AREA],
+                           of->task->tolerance);
 }
 
-static double make_joint(const double *value, const struct contact_spots *spots, const struct joint_task *task)
+static double make_joint(const struct making *of)
 {
-    (void)spots;
-    (void)task;
-    return 1 / value[QUANTITY_TCR] + value[QUANTITY_GAP];
+    return 1 / of->value[QUANTITY_TCR] + of->value[QUANTITY_GAP];
 }
 
-static double make_density(const double *value, const struct contact_spots *spots, const struct joint_task *task)
+static double make_density(const struct making *of)
 {
-    (void)value;
-    (void)task;
-    return spots->density_per_m2;
+    return of->spots.density_per_m2;
 }
 
-static double make_radius(const double *value, const struct contact_spots *spots, const struct joint_task *task)
+static double make_radius(const struct making *of)
 {
-    (void)value;
-    (void)task;
-    return spots->radius_m;
+    return of->spots.radius_m;
 }
 
 struct contact_spots joint_equal_spots(double area_ratio, double ecr_ohm_m2, double resistivity_ohm_m)
@@ -121,12 +122,12 @@ struct contact_spots joint_equal_spots(double area_ratio, double ecr_ohm_m2, dou
 
 /** Of a spot of radius a (rho_p F_1 + rho_2)/(rho_1 + rho_2), F_1 the plating_factor() of the plated side; with both
  * plated (rho_p F_1 + rho_p F_2)/(rho_1 + rho_2). */
-static double make_plating(const double *value, const struct contact_spots *spots, const struct joint_task *task)
+static double make_plating(const struct making *of)
 {
-    const struct joint *joint = task->joint;
-    const double *bare = task->pair->side_resistivity_ohm_m;
-    double thickness = joint->plating_thickness_m / spots->radius_m, plated = 0;
-    if (!(value[QUANTITY_AREA] < joint_independent_area && spots->radius_m > 0))
+    const struct joint *joint = of->task->joint;
+    const double *bare = of->task->pair->side_resistivity_ohm_m;
+    double thickness = joint->plating_thickness_m / of->spots.radius_m, plated = 0;
+    if (!(of->value[QUANTITY_AREA] < joint_independent_area && of->spots.radius_m > 0))
         return NAN;
     for (int side = 0; side < 2; side++)
         plated += side == 0 || joint->both_plated
@@ -154,53 +155,50 @@ double joint_temperature(const struct joint_task *task, double voltage_V)
     return finite_or_nan(ambient_K + heating_rise(voltage_V, ambient_K));
 }
 
-static double make_ecr(const double *value, const struct contact_spots *spots, const struct joint_task *task)
+static double make_ecr(const struct making *of)
 {
-    double ecr_ohm_m2 = value[QUANTITY_ECR];
-    (void)spots;
-    if (runs(task, EFFECT_PLATING) && ecr_ohm_m2 > 0) /* of full contact nothing is left to change */
-        ecr_ohm_m2 *= value[QUANTITY_PLATING_FACTOR];
-    return runs(task, EFFECT_FILM) ? joint_film(ecr_ohm_m2, task->joint->film_ohm_m2, value[QUANTITY_AREA])
-                                   : ecr_ohm_m2;
+    double ecr_ohm_m2 = of->value[QUANTITY_ECR];
+    if (runs(of->task, EFFECT_PLATING) && ecr_ohm_m2 > 0) /* of full contact nothing is left to change */
+        ecr_ohm_m2 *= of->value[QUANTITY_PLATING_FACTOR];
+    return runs(of->task, EFFECT_FILM) ? joint_film(ecr_ohm_m2, of->task->joint->film_ohm_m2, of->value[QUANTITY_AREA])
+                                       : ecr_ohm_m2;
 }
 
-static double make_voltage(const double *value, const struct contact_spots *spots, const struct joint_task *task)
+static double make_voltage(const struct making *of)
 {
-    return task->joint->current_A * (make_ecr(value, spots, task) / task->nominal_area_m2);
+    return of->task->joint->current_A * (make_ecr(of) / of->task->nominal_area_m2);
 }
 
-static double make_temperature(const double *value, const struct contact_spots *spots, const struct joint_task *task)
+static double make_temperature(const struct making *of)
 {
-    (void)spots;
-    return joint_temperature(task, value[QUANTITY_VOLTAGE]);
+    return joint_temperature(of->task, of->value[QUANTITY_VOLTAGE]);
 }
 
-static double (*const makers[QUANTITY_COUNT])(const double *value, const struct contact_spots *spots,
-                                              const struct joint_task *task) = {
-    [QUANTITY_GAP] = make_gap,
-    [QUANTITY_JOINT] = make_joint,
-    [QUANTITY_SPOT_DENSITY] = make_density,
-    [QUANTITY_SPOT_RADIUS] = make_radius,
-    [QUANTITY_PLATING_FACTOR] = make_plating,
-    [QUANTITY_JOINT_ECR] = make_ecr,
-    [QUANTITY_VOLTAGE] = make_voltage,
-    [QUANTITY_TEMPERATURE] = make_temperature};
+static double (*const makers[QUANTITY_COUNT])(const struct making *of) = {[QUANTITY_GAP] = make_gap,
+                                                                          [QUANTITY_JOINT] = make_joint,
+                                                                          [QUANTITY_SPOT_DENSITY] = make_density,
+                                                                          [QUANTITY_SPOT_RADIUS] = make_radius,
+                                                                          [QUANTITY_PLATING_FACTOR] = make_plating,
+                                                                          [QUANTITY_JOINT_ECR] = make_ecr,
+                                                                          [QUANTITY_VOLTAGE] = make_voltage,
+                                                                          [QUANTITY_TEMPERATURE] = make_temperature};
 
 void joint_apply(struct contact_point *points, const struct contact_spots *spots, size_t count,
                  const struct joint_task *task)
 {
     for (size_t i = 0; i < count; i++) {
         double *value = points[i].value;
-        struct contact_spots own = {NAN, NAN};
+        struct making of = {value, {NAN, NAN}, task};
         if (task->effects & on_spots)
-            own = spots ? spots[i]
-                        : joint_equal_spots(value[QUANTITY_AREA], value[QUANTITY_ECR], task->pair->resistivity_ohm_m);
+            of.spots =
+                spots ? spots[i]
+                      : joint_equal_spots(value[QUANTITY_AREA], value[QUANTITY_ECR], task->pair->resistivity_ohm_m);
         for (int q = 0; q < QUANTITY_COUNT; q++) {
             const struct quantity_row *row = &quantity_rows[q];
             if (row->derive && (!row->effect || (task->effects & row->effect)))
                 value[q] = finite_or_nan(row->derive(value, task->pair));
             else if (makers[q] && (task->effects & row->effect))
-                value[q] = finite_or_nan(makers[q](value, &own, task));
+                value[q] = finite_or_nan(makers[q](&of));
         }
     }
 }

@@ -253,8 +253,8 @@ static void put_contact(struct table *table, const struct surface_record *record
                 if (!(quantities & QUANTITY_BIT(q)))
                     continue;
                 double value = point->value[q];
-                if (row->column)
-                    put_number(table, row->column, value);
+                if (!(row->is & QUANTITY_SIGMA_ALONE))
+                    put_number(table, row->name, value);
                 if (q == QUANTITY_LOAD)
                     put_number(table, "pressure_Pa", material_pair_pressure(&record->summary.pair, value));
                 if (row->sigma_column)
@@ -272,7 +272,7 @@ static void put_bands(struct table *table, const struct surface_record *record, 
             const struct ensemble_band *band = &record->bands[m][i];
             put_text(table, "surface", record->summary.scene->name);
             put_word(table, "model", model_rows[m]->name);
-            put_number(table, quantity_rows[QUANTITY_LOAD].column, band->load);
+            put_number(table, quantity_rows[QUANTITY_LOAD].name, band->load);
             for (int q = 0; q < QUANTITY_COUNT; q++)
                 for (int end = 0; end < 4 && (quantities & QUANTITY_BIT(q)); end++)
                     put(table, quantity_shown_name((enum quantity)q), ends[end],
@@ -487,7 +487,7 @@ static void fill_unloading(struct table *table, const struct results *results)
             for (int q = 0; q < QUANTITY_COUNT; q++)
                 if ((quantity_rows[q].is & QUANTITY_BANDED) && !quantity_rows[q].from &&
                     (plan_quantities(results->plan) & QUANTITY_BIT(q))) {
-                    put_number(table, quantity_rows[q].column, point->value[q]);
+                    put_number(table, quantity_rows[q].name, point->value[q]);
                     put(table, quantity_rows[q].name, "_over_loading",
                         unloading_factor(&unloading->ratio, (enum quantity)q, load / unloading->largest_load));
                 }

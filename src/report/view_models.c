@@ -24,6 +24,15 @@ static bool wants(const struct view_source *source, enum quantity quantity)
     return plan_quantities(source->results->plan) & QUANTITY_BIT(quantity);
 }
 
+/** Heads a column of a table with the words of `kind` and a quantity's name. */
+static void put_head(json_t *out, const struct view_source *source, const char *kind, enum quantity quantity)
+{
+    char name[80];
+    snprintf(name, sizeof name, "%s.%s", kind, quantity_rows[quantity].name);
+    view_text(view_item(view_list(out, "heads")), "label",
+              words_say(source->words, name, "unit", quantity_unit(quantity).unit, NULL));
+}
+
 /** Does the table of one surface have it, as its chart does? */
 static bool in_table(const struct view_source *source, enum quantity quantity)
 {
@@ -115,12 +124,8 @@ static void put_one_surface(json_t *out, const struct view_source *source)
     view_text(item, "surface", view_name(source, results->baseline));
     view_load(item, "load", source, results->baseline, results_operating_load(results, results->baseline));
     for (int q = 0; q < QUANTITY_COUNT; q++)
-        if (in_table(source, (enum quantity)q)) {
-            char name[80];
-            snprintf(name, sizeof name, "table.%s", quantity_rows[q].name);
-            view_text(view_item(view_list(item, "heads")), "label",
-                      words_say(source->words, name, "unit", quantity_unit((enum quantity)q).unit, NULL));
-        }
+        if (in_table(source, (enum quantity)q))
+            put_head(item, source, "table", (enum quantity)q);
     for (size_t m = first; m < model_count; m++)
         if (plan_runs_model(results->plan, m) && surface_model(&source->baseline->summary, m)->exists)
             put_model(item, source, m);
@@ -456,11 +461,8 @@ void view_direct(json_t *out, const struct view_source *source)
     view_text(item, "reason", results->plan->effects[EFFECT_DIRECT].reason);
     view_flag(item, "solved", results->direct_count > 0);
     for (int q = 0; q < QUANTITY_COUNT; q++)
-        if (quantity_rows[q].solved.ratio && wants(source, (enum quantity)q)) {
-            char name[80];
-            snprintf(name, sizeof name, "table.direct.%s", quantity_rows[q].name);
-            view_text(view_item(view_list(item, "heads")), "label", words_say(source->words, name, NULL));
-        }
+        if (quantity_rows[q].solved.ratio && wants(source, (enum quantity)q))
+            put_head(item, source, "table.direct", (enum quantity)q);
     for (size_t k = 0; k < results->direct_count && k < VIEW_ROWS; k++)
         put_study(view_item(view_list(item, "studies")), source, &results->direct[k]);
     for (size_t i = 0; i < results->surface_count; i++) {

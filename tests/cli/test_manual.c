@@ -171,12 +171,13 @@ TEST_CASE(documents_are_made_of_the_quantities)
     for (int q = 0; q < QUANTITY_COUNT; q++) {
         const struct quantity_row *row = &quantity_rows[q];
         const char *unit = row->unit[0] ? row->unit : "1";
-        if (row->column)
-            text_add(&page, "| `%s` | %s | %s |\n", row->column, unit, row->meaning);
+        if (!(row->is & QUANTITY_SIGMA_ALONE))
+            text_add(&page, "| `%s` | %s | %s |\n", row->name, unit, row->meaning);
         if (q == QUANTITY_LOAD)
             text_add(&page, "| `pressure_Pa` | Pa | the same times E′ of the surface; empty without a material |\n");
         if (row->sigma_column)
-            text_add(&page, "| `%s` | 1 | %s |\n", row->sigma_column, row->column ? "the same over Rq" : row->meaning);
+            text_add(&page, "| `%s` | 1 | %s |\n", row->sigma_column,
+                     (row->is & QUANTITY_SIGMA_ALONE) ? row->meaning : "the same over Rq");
         text_add(&schema, "    \"%s\": {\"$ref\": \"#/$defs/numbers\"},\n", row->name);
     }
     check_made("docs/report.md", "\n| `surface`, `model` | | names |\n", &page, "\n## data/unloading.csv");

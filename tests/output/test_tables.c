@@ -99,7 +99,9 @@ static unsigned quantity_of(const char *column)
     unsigned bits = 0;
     for (int q = 0; q < QUANTITY_COUNT; q++)
         for (int sigma = 0; sigma < 2; sigma++) {
-            const char *name = sigma ? quantity_rows[q].sigma_column : quantity_rows[q].column;
+            const char *name = sigma                                          ? quantity_rows[q].sigma_column
+                               : (quantity_rows[q].is & QUANTITY_SIGMA_ALONE) ? NULL
+                                                                              : quantity_rows[q].name;
             bits |= name && strcmp(name, column) == 0 ? QUANTITY_BIT(q) : 0;
         }
     return bits;
