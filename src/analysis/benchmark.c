@@ -232,9 +232,9 @@ static enum status_code tolerances(struct benchmark *out, const struct benchmark
         row->seconds = time_of(solve_curves, &attempt);
         row->evaluations = attempt.evaluations;
         for (size_t i = 0; i < count; i++)
-            for (int q = QUANTITY_AREA; q <= QUANTITY_ECR; q++) {
+            for (int q = 0; q < QUANTITY_COUNT; q++) {
                 double better = best[i].value[q], ratio = attempt.points[i].value[q] / better;
-                if (better > 0 && isfinite(ratio))
+                if ((quantity_rows[q].is & QUANTITY_BANDED) && better > 0 && isfinite(ratio))
                     row->error = fmax(row->error, fabs(ratio - 1));
             }
     }
