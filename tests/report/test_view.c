@@ -541,7 +541,6 @@ TEST_CASE(limits_are_those_of_what_is_asked)
     struct made_up made;
     struct scene_asked target = {0};
     struct answer *answers = calloc(MADE_UP_USABLE * model_count, sizeof *answers);
-    extern const struct scene_asked_row scene_asked_rows[];
     assert_non_null(answers);
     made_up_make_of(&made, made_up_models(), PLAIN | EFFECT_BIT(EFFECT_FILM), NULL);
     halve_area(&made);
@@ -552,7 +551,8 @@ TEST_CASE(limits_are_those_of_what_is_asked)
     halve_area(&made);
     assert_string_equal(view_at(made.view, "length_factor"), "1.3");
     set_target(&made, &target, answers);
-    target.row = &scene_asked_rows[3]; /* the area */
+    target.quantity = QUANTITY_AREA;
+    target.how = quantity_rows[QUANTITY_AREA].asked;
     snprintf(target.text, sizeof target.text, "1 %%");
     made_up_again(&made);
     assert_string_equal(view_at(made.view, "length_factor"), "2.0");
