@@ -2,7 +2,6 @@
 /* Text scans: x and z, perhaps with an index or other columns beside them; heights below a line that names the spacing;
  * and maps: x y z lists on a grid, and matrices of heights with their pixel size. */
 #include "base/limits.h"
-#include "scan/foreign.h"
 #include "scan/reader.h"
 #include "scan/string_view.h"
 #include "scan/text_header.h"
@@ -46,7 +45,7 @@ static const char *name_of(const struct scan_file *file, const char *other)
 
 bool scan_text_sniff(const struct scan_file *file)
 {
-    return name_of(file, NULL) || !foreign_is_binary(file);
+    return name_of(file, NULL) || !scan_is_binary(file);
 }
 
 /* One row while it is read. */
