@@ -29,7 +29,7 @@ static bool read_axis(struct axis *axis, struct string_view line)
         return false;
     axis->type = *word[0].start;
     axis->unit = scan_unit_find(word[2]);
-    return number_read(word[1], &axis->n) && axis->n >= 1 && axis->n <= 1e12 && axis->unit.si > 0 &&
+    return number_read(word[1], &axis->n) && axis->n >= 1 && axis->n < 1.8e19 && axis->unit.si > 0 &&
            number_read(word[3], &axis->scale) &&
            (axis->type != 'I' || (count == 6 && number_read(word[5], &axis->increment)));
 }
