@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "profile/profile.h"
 
-#include "profile/filter.h"
 #include "profile/level.h"
-#include "profile/record_window.h"
 #include <float.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_spline.h>
