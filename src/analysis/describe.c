@@ -4,7 +4,6 @@
 #include "base/clock.h"
 #include "contact/cmy.h"
 
-#include "spectrum/grid.h"
 #include "spectrum/simulated_record.h"
 #include <math.h>
 #include <stdlib.h>

@@ -2,7 +2,6 @@
 #include "analysis/describe_rows.h"
 
 #include "base/clock.h"
-#include "spectrum/grid.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

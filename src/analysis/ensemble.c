@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/ensemble.h"
 
-#include "profile/record_window.h"
-#include "spectrum/grid.h"
+#include "profile/profile.h"
 #include <math.h>
 #include <stddef.h>
 #include <stdint.h>

@@ -2,7 +2,6 @@
 #include "analysis/repeats.h"
 
 #include "analysis/strips.h"
-#include "spectrum/grid.h"
 #include "statistics/interval.h"
 #include <math.h>
 #include <stdlib.h>

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/sensitivity.h"
 
-#include "profile/filter.h"
-#include "spectrum/grid.h"
 #include <math.h>
 #include <string.h>
 

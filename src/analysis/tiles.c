@@ -4,7 +4,6 @@
 #include "direct/direct_ladder.h"
 #include "direct/direct_surface.h"
 #include "spectrum/areal.h"
-#include "spectrum/grid.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

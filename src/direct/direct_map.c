@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "direct/direct_map.h"
 
-#include "profile/record_window.h"
+#include "profile/profile.h"
 #include "spectrum/areal.h"
 #include <math.h>
 #include <stdbool.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "profile/filter.h"
+#include "profile/profile.h"
 
 #include "base/fft.h"
 #include <math.h>

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "profile/profile.h"
 
-#include "profile/filter.h"
 #include "profile/level.h"
-#include "profile/record_window.h"
 #include <float.h>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_spline.h>
@@ -174,17 +172,6 @@ static void bridge(double *z, const double *x, size_t start, size_t end)
     }
 }
 
-static enum status_code check_share(size_t missing, size_t points, double most, struct status *status)
-{
-    double share = (double)missing / (double)points;
-    if (share <= most)
-        return STATUS_OK;
-    return status_fail(status, STATUS_SCAN, "%zu of %zu heights are missing, %.3g %% where %.3g %% may be; %s", missing,
-                       points, 100 * share, 100 * most,
-                       share < 0.9 ? "allow more with `max_missing`, or export the scan with the gaps filled"
-                                   : "export the scan with the gaps filled");
-}
-
 /** Cuts missing points off the ends, and bridges those between by straight lines over x_m (NULL: uniform). *first is
  * the index that the profile now starts at. */
 static enum status_code close_gaps(struct profile *profile, size_t *first, const double *x_m, double most,
@@ -196,8 +183,12 @@ static enum status_code close_gaps(struct profile *profile, size_t *first, const
         missing += isnan(z[i]) ? 1 : 0;
     if (missing == 0)
         return STATUS_OK;
-    if (check_share(missing, end, most, status) != STATUS_OK)
-        return status->code;
+    double share = (double)missing / (double)end;
+    if (share > most)
+        return status_fail(status, STATUS_SCAN, "%zu of %zu heights are missing, %.3g %% where %.3g %% may be; %s",
+                           missing, end, 100 * share, 100 * most,
+                           share < 0.9 ? "allow more with `max_missing`, or export the scan with the gaps filled"
+                                       : "export the scan with the gaps filled");
     while (start < end && isnan(z[start]))
         start++;
     while (end > start && isnan(z[end - 1]))
@@ -251,27 +242,8 @@ static enum profile_spacing judge_spacing(const double *x_m, size_t points, doub
     return PROFILE_RESAMPLED;
 }
 
-/** Steffen's monotone interpolation of z over x to `points` positions x[0] + i spacing. */
-static enum status_code resample(double *out_m, const double *x_m, const double *z_m, size_t points, double spacing_m,
-                                 struct status *status)
-{
-    gsl_interp *spline = gsl_interp_alloc(gsl_interp_steffen, points);
-    gsl_interp_accel *accel = gsl_interp_accel_alloc();
-    enum status_code rc = STATUS_OK;
-    if (!spline || !accel || gsl_interp_init(spline, x_m, z_m, points) != GSL_SUCCESS) {
-        rc = status_memory(status);
-    } else {
-        for (size_t i = 0; i < points; i++) {
-            double x = fmin(x_m[0] + (double)i * spacing_m, x_m[points - 1]);
-            out_m[i] = gsl_interp_eval(spline, x_m, z_m, x, accel);
-        }
-    }
-    gsl_interp_accel_free(accel);
-    gsl_interp_free(spline);
-    return rc;
-}
-
-/** Keeps the measured points of an uneven scan and puts its heights on a uniform grid. */
+/** Keeps the measured points of an uneven scan and puts its heights on a uniform grid by Steffen's monotone
+ * interpolation. */
 static enum status_code even_out(struct profile *profile, const double *x_m, struct status *status)
 {
     size_t points = profile->points;
@@ -279,11 +251,19 @@ static enum status_code even_out(struct profile *profile, const double *x_m, str
     profile->measured_x_m = malloc(points * sizeof *x_m);
     profile->measured_z_m = profile->height_m;
     profile->height_m = uniform_m;
-    if (!uniform_m || !profile->measured_x_m)
+    gsl_interp *spline = gsl_interp_alloc(gsl_interp_steffen, points);
+    gsl_interp_accel *accel = gsl_interp_accel_alloc();
+    bool good = uniform_m && profile->measured_x_m && spline && accel &&
+                gsl_interp_init(spline, x_m, profile->measured_z_m, points) == GSL_SUCCESS;
+    for (size_t i = 0; good && i < points; i++) {
+        double at_m = fmin(x_m[0] + (double)i * profile->spacing_m, x_m[points - 1]);
+        profile->measured_x_m[i] = x_m[i];
+        uniform_m[i] = gsl_interp_eval(spline, x_m, profile->measured_z_m, at_m, accel);
+    }
+    gsl_interp_accel_free(accel);
+    gsl_interp_free(spline);
+    if (!good)
         return status_memory(status);
-    memcpy(profile->measured_x_m, x_m, points * sizeof *x_m);
-    if (resample(uniform_m, x_m, profile->measured_z_m, points, profile->spacing_m, status) != STATUS_OK)
-        return status->code;
     profile_note(profile, "x is uneven; heights were interpolated (Steffen) to a uniform %.6g um",
                  profile->spacing_m * 1e6);
     return STATUS_OK;
@@ -333,16 +313,14 @@ static enum status_code take_level(struct profile *profile, const struct profile
 static enum status_code pass(struct profile *profile, double cutoff_m, bool high, struct status *status)
 {
     double *smooth_m = malloc(profile->points * sizeof *smooth_m);
-    if (!smooth_m)
-        return status_memory(status);
-    if (filter_gaussian(smooth_m, profile->height_m, profile->points, profile->spacing_m, cutoff_m, profile->periodic,
-                        status) != STATUS_OK) {
-        free(smooth_m);
-        return status->code;
-    }
-    for (size_t i = 0; i < profile->points; i++)
+    enum status_code code = smooth_m ? filter_gaussian(smooth_m, profile->height_m, profile->points, profile->spacing_m,
+                                                       cutoff_m, profile->periodic, status)
+                                     : status_memory(status);
+    for (size_t i = 0; i < profile->points && code == STATUS_OK; i++)
         profile->height_m[i] = high ? profile->height_m[i] - smooth_m[i] : smooth_m[i];
     free(smooth_m);
+    if (code != STATUS_OK)
+        return code;
     profile_note(profile, "gaussian %s = %.6g um (ISO 16610-21; %s)", high ? "high-pass lambda_c" : "low-pass lambda_s",
                  cutoff_m * 1e6,
                  profile->periodic ? "its end goes on at its beginning" : "weights renormalised at the ends");

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "profile/record_window.h"
+#include "profile/profile.h"
 
 #include <assert.h>
 #include <math.h>

@@ -169,23 +169,18 @@ static enum status_code check(const struct synth_def *def, struct status *status
 static enum status_code transform(double *height_m, const struct synth *synth, struct status *status)
 {
     size_t points = synth->def->points;
-    fftw_complex *bins = fftw_alloc_complex(points / 2 + 1);
-    double *record = fftw_alloc_real(points);
-    if (!bins || !record) {
-        fftw_free(bins);
-        fftw_free(record);
+    struct fft_room room;
+    if (!fft_room_make(&room, points))
         return status_memory(status);
-    }
     for (size_t n = 0; n <= points / 2; n++) {
         bool has = n > 0 && n <= synth->count;
         double size = has ? synth->amplitude[n - 1] / (is_nyquist(synth, n - 1) ? 1 : 2) : 0;
-        bins[n][0] = has ? size * cos(synth->phase[n - 1]) : 0;
-        bins[n][1] = has ? size * sin(synth->phase[n - 1]) : 0;
+        room.transform[n][0] = has ? size * cos(synth->phase[n - 1]) : 0;
+        room.transform[n][1] = has ? size * sin(synth->phase[n - 1]) : 0;
     }
-    bool done = fft_backward(record, bins, points);
-    memcpy(height_m, record, points * sizeof *height_m);
-    fftw_free(bins);
-    fftw_free(record);
+    bool done = fft_backward(room.record, room.transform, points);
+    memcpy(height_m, room.record, points * sizeof *height_m);
+    fft_room_free(&room);
     return done ? STATUS_OK : status_memory(status);
 }
 

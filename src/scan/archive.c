@@ -27,7 +27,7 @@ static enum status_code check_entries(struct archive *archive)
     const struct scan_file *file = archive->file;
     size_t total = 0, packed = 0, most = limit_most(LIMIT_UNPACKED_BYTES);
     for (size_t i = 0; i < archive->count; i++) {
-        zip_stat_t *entry = &archive->entries[i];
+        zip_stat_t stat, *entry = &stat;
         if (zip_stat_index(archive->zip, i, 0, entry) != 0)
             return fail_open(file, zip_get_error(archive->zip));
         if (entry->comp_size > file->length - packed)
@@ -61,23 +61,26 @@ enum status_code archive_open(struct archive *out, const struct scan_file *file)
     out->count = (size_t)zip_get_num_entries(out->zip, 0);
     if (out->count > limit_most(LIMIT_MEMBERS))
         return scan_fail(file, 0, "%zu files in the archive%s", out->count, limit_words(LIMIT_MEMBERS).text);
-    out->entries = calloc(out->count + 1, sizeof *out->entries);
-    return out->entries ? check_entries(out) : status_memory(file->status);
+    return check_entries(out);
 }
 
 void archive_close(struct archive *archive)
 {
-    if (archive->zip)
-        zip_discard(archive->zip);
-    free(archive->entries);
-    *archive = (struct archive){.file = archive->file};
+    zip_discard(archive->zip);
+}
+
+zip_stat_t archive_entry(const struct archive *archive, size_t index)
+{
+    zip_stat_t entry = {0};
+    (void)zip_stat_index(archive->zip, index, 0, &entry); /* it was found when the archive was opened */
+    return entry;
 }
 
 size_t archive_find(const struct archive *archive, const char *name, bool anywhere)
 {
     size_t i = 0;
     for (; i < archive->count; i++) {
-        const char *own = archive->entries[i].name, *slash = anywhere ? strrchr(own, '/') : NULL;
+        const char *own = archive_entry(archive, i).name, *slash = anywhere ? strrchr(own, '/') : NULL;
         if (strcasecmp(slash ? slash + 1 : own, name) == 0)
             break;
     }
@@ -87,7 +90,7 @@ size_t archive_find(const struct archive *archive, const char *name, bool anywhe
 enum status_code archive_read(struct text *text, const struct archive *archive, size_t index, size_t most,
                               const struct scan_file *file)
 {
-    const zip_stat_t *entry = &archive->entries[index];
+    const zip_stat_t stat = archive_entry(archive, index), *entry = &stat;
     size_t size = entry->size < most ? (size_t)entry->size : most;
     if (entry->encryption_method != ZIP_EM_NONE)
         return scan_fail(file, 0, "'%.80s' in the archive is encrypted; unpack it", entry->name);

@@ -13,8 +13,7 @@
 struct archive {
     const struct scan_file *file;
     zip_t *zip;
-    zip_stat_t *entries; /* name (NUL-terminated, UTF-8), size, ... of each */
-    size_t count;
+    size_t count; /* of entries */
 };
 
 /** Opens `file`, which has to outlive the archive; archive_close() ends it whatever comes back. Error: STATUS_SCAN,
@@ -22,6 +21,9 @@ struct archive {
  * allow. */
 MUST_CHECK enum status_code archive_open(struct archive *out, const struct scan_file *file);
 void archive_close(struct archive *archive);
+
+/** Name (NUL-terminated, UTF-8), size, ... of an entry. */
+zip_stat_t archive_entry(const struct archive *archive, size_t index);
 
 /** Index of the entry `name` (case ignored; anywhere: in any folder), archive->count when there is none. */
 size_t archive_find(const struct archive *archive, const char *name, bool anywhere);

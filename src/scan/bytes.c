@@ -20,38 +20,40 @@ void bytes_skip(struct bytes *bytes, size_t count)
     bytes->at = bytes->overrun ? bytes->end : bytes->at + count;
 }
 
-/* `size` bytes as one number, whatever the order of this machine. */
-static inline void take(struct bytes *bytes, void *value, size_t size)
-{
-    const char *from = bytes->at;
-    bytes_skip(bytes, size);
-    if (bytes->overrun)
-        return;
-    if (__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__)
-        memcpy(value, from, size);
-    else
-        for (size_t i = 0; i < size; i++)
-            ((char *)value)[size - 1 - i] = from[i];
-}
+#define TYPES(X)                                                                                                       \
+    X(U8, uint8_t)                                                                                                     \
+    X(U16, uint16_t) X(U32, uint32_t) X(F32, float) X(I8, int8_t) X(I16, int16_t) X(I32, int32_t) X(F64, double)
 
-#define BYTES_READ(NAME, name, ctype)                                                                                  \
-    ctype bytes_##name(struct bytes *bytes)                                                                            \
-    {                                                                                                                  \
-        ctype value = 0;                                                                                               \
-        take(bytes, &value, sizeof value);                                                                             \
-        return value;                                                                                                  \
-    }
-BYTES_TYPES(BYTES_READ)
+size_t bytes_size(enum bytes_type type)
+{
+#define SIZE(NAME, ctype) [BYTES_##NAME] = sizeof(ctype),
+    static const size_t sizes[BYTES_COUNT] = {TYPES(SIZE)};
+    return sizes[type];
+}
 
 double bytes_number(struct bytes *bytes, enum bytes_type type)
 {
+    const char *from = bytes->at;
+    size_t size = bytes_size(type);
+    bytes_skip(bytes, size);
+    if (bytes->overrun)
+        return 0;
+    char turned[sizeof(double)];
+    if (__BYTE_ORDER__ == __ORDER_BIG_ENDIAN__) {
+        for (size_t i = 0; i < size; i++)
+            turned[size - 1 - i] = from[i];
+        from = turned;
+    }
     switch (type) {
-#define BYTES_CASE(NAME, name, ctype)                                                                                  \
-    case BYTES_##NAME:                                                                                                 \
-        return (double)bytes_##name(bytes);
-        BYTES_TYPES(BYTES_CASE)
+#define NUMBER(NAME, ctype)                                                                                            \
+    case BYTES_##NAME: {                                                                                               \
+        ctype value;                                                                                                   \
+        memcpy(&value, from, sizeof value);                                                                            \
+        return (double)value;                                                                                          \
+    }
+        TYPES(NUMBER)
     default:
-        return 0.0;
+        return 0;
     }
 }
 
@@ -62,11 +64,4 @@ struct string_view bytes_text(struct bytes *bytes, size_t count)
     if (!bytes->overrun)
         text.end = text.start + strnlen(text.start, count);
     return string_view_trim(text);
-}
-
-size_t bytes_size(enum bytes_type type)
-{
-#define BYTES_SIZE(NAME, name, ctype) sizeof(ctype),
-    static const size_t sizes[] = {BYTES_TYPES(BYTES_SIZE)};
-    return sizes[type];
 }

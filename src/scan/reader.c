@@ -255,6 +255,20 @@ enum status_code scan_take_text(struct scan *out, size_t nx, size_t ny, struct s
     return STATUS_OK;
 }
 
+bool scan_is_binary(const struct scan_file *file)
+{
+    enum { LOOKED_AT = 4096 };
+    size_t length = file->length < LOOKED_AT ? file->length : LOOKED_AT;
+    while (length == file->length && length > 0 && (file->bytes[length - 1] == '\0' || file->bytes[length - 1] == 0x1a))
+        length--; /* some programs end a text so */
+    for (size_t i = 0; i < length; i++) {
+        unsigned char c = (unsigned char)file->bytes[i];
+        if (c == '\0' || (c < 0x20 && !strchr("\t\n\v\f\r\x1a\x02\x03\x04", c)))
+            return true;
+    }
+    return false;
+}
+
 size_t scan_disorder(const double *x, size_t stride, size_t n)
 {
     bool up = n > 1 && x[stride] > x[0];

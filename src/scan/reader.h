@@ -3,7 +3,8 @@
 #ifndef SCAN_READER_H
 #define SCAN_READER_H
 
-#include "scan/scan_unit.h"
+#include "scan/scan.h"
+#include "scan/string_view.h"
 
 #include <stdint.h>
 
@@ -15,6 +16,20 @@ struct scan_file {
     const struct scan_options *options; /* NULL where the bytes are only looked at */
     struct status *status;              /* the same */
 };
+
+/** What every unit of slope (mrad, deg, um/mm, ...) is called: "rad". No scan may be in one. */
+extern const char scan_slope[];
+
+/** A unit of length: its name as the program prints it ("um" for every spelling of micrometre), and metres per unit; or
+ * scan_slope and 0. */
+struct scan_unit {
+    const char *name;
+    double si;
+};
+/** The unit spelled so; name NULL and 0 when there is none. */
+struct scan_unit scan_unit_find(struct string_view name);
+/** The unit of so many metres; NULL when it has no name. */
+const char *scan_unit_of(double factor);
 
 /** Stores STATUS_SCAN with "path:line: " (line 0: "path: ") before the message; control characters become '?'. */
 enum status_code scan_fail(const struct scan_file *file, size_t line, const char *format, ...) PRINTF_LIKE(3, 4);
@@ -98,17 +113,8 @@ scan_reading scan_x3p_read, scan_mahr_prf_read, scan_sur_read, scan_al3d_read, s
     scan_gwy_read, scan_surfer_read, scan_mahr_text_read, scan_npl_prf_read, scan_smd_read, scan_nist_xml_read,
     scan_text_read;
 
-struct scan_reader {
-    const char *name;
-    const char *magic; /* its first bytes, their case ignored; NULL: `sniff` tells */
-    scan_sniffer *sniff;
-    scan_reading *read;
-};
-
-/** Every format, packed files apart, and their number. The order matters where one looks like another: the first match
- * wins, and text takes what no other reader knows. */
-extern const struct scan_reader scan_readers[];
-extern const size_t scan_reader_count;
+/** Are there NUL bytes, or control characters that no text has, in the first bytes? */
+bool scan_is_binary(const struct scan_file *file);
 
 /** Is there a row of numbers in this text? */
 bool scan_text_has_numbers(const struct scan_file *file);
@@ -121,18 +127,7 @@ bool scan_text_read_keys(struct text_header *out, const struct scan_file *file);
 /* Numbers in binary files: a cursor that never leaves the file. */
 
 /** Kinds of numbers, in the order of ISO 25178-71's data types. */
-#define BYTES_TYPES(X)                                                                                                 \
-    X(U8, u8, uint8_t)                                                                                                 \
-    X(U16, u16, uint16_t)                                                                                              \
-    X(U32, u32, uint32_t)                                                                                              \
-    X(F32, f32, float)                                                                                                 \
-    X(I8, i8, int8_t)                                                                                                  \
-    X(I16, i16, int16_t)                                                                                               \
-    X(I32, i32, int32_t)                                                                                               \
-    X(F64, f64, double)
-#define BYTES_ENUM(NAME, name, ctype) BYTES_##NAME,
-enum bytes_type { BYTES_TYPES(BYTES_ENUM) BYTES_COUNT };
-#undef BYTES_ENUM
+enum bytes_type { BYTES_U8, BYTES_U16, BYTES_U32, BYTES_F32, BYTES_I8, BYTES_I16, BYTES_I32, BYTES_F64, BYTES_COUNT };
 
 /** Reads forward, little-endian. Past the end every number is 0 and `overrun` stays set, so that a header can be read
  * in one go and checked once. */
@@ -144,12 +139,7 @@ struct bytes {
 struct bytes bytes_begin(const struct scan_file *file, size_t offset);
 size_t bytes_left(const struct bytes *bytes);
 void bytes_skip(struct bytes *bytes, size_t count);
-
 double bytes_number(struct bytes *bytes, enum bytes_type type);
-/* uint16_t bytes_u16(struct bytes *bytes) and so on */
-#define BYTES_DECLARE(NAME, name, ctype) ctype bytes_##name(struct bytes *bytes);
-BYTES_TYPES(BYTES_DECLARE)
-#undef BYTES_DECLARE
 /** A text field of `count` bytes, without what follows a NUL and without blanks around it. */
 struct string_view bytes_text(struct bytes *bytes, size_t count);
 

@@ -48,7 +48,7 @@ enum status_code scan_al3d_read(struct scan *out, const struct scan_file *file)
         return file->status->code;
     for (size_t row = 0; row < ny; row++) {
         for (size_t i = 0; i < nx; i++) {
-            double value = (double)bytes_f32(&bytes);
+            double value = bytes_number(&bytes, BYTES_F32);
             /* the tag has fewer digits than the number it stands for */
             bool invalid = fabs(value - header.invalid) <= 1e-6 * fabs(header.invalid) || !isfinite(value);
             out->z_m[row * nx + i] = invalid ? NAN : value;

@@ -43,7 +43,7 @@ enum status_code scan_gsf_read(struct scan *out, const struct scan_file *file)
     if (scan_reserve(out, header.nx, header.ny, bytes_left(&bytes) / sizeof(float), file) != STATUS_OK)
         return file->status->code;
     for (size_t i = 0; i < header.nx * header.ny; i++)
-        out->z_m[i] = (double)bytes_f32(&bytes) * z_m;
+        out->z_m[i] = bytes_number(&bytes, BYTES_F32) * z_m;
     out->dx_m = header.width / (double)header.nx * x_m;
     out->dy_m = header.height / (double)header.ny * x_m;
     return STATUS_OK;

@@ -18,8 +18,7 @@ struct component {
 /* A map that lies in the file. */
 struct field {
     size_t number; /* N of /N/data */
-    uint32_t nx, ny;
-    double width, height;
+    double nx, ny, width, height;
     char xy_unit[SCAN_UNIT_SIZE], z_unit[SCAN_UNIT_SIZE];
     struct bytes data; /* `count` doubles */
     size_t count;
@@ -44,7 +43,7 @@ static struct string_view take_string(struct bytes *bytes)
 static struct string_view take_object(struct bytes *bytes, struct bytes *inner)
 {
     struct string_view name = take_string(bytes);
-    size_t size = bytes_u32(bytes);
+    size_t size = (size_t)bytes_number(bytes, BYTES_U32);
     *inner = *bytes;
     bytes_skip(bytes, size);
     inner->overrun = bytes->overrun;
@@ -62,14 +61,14 @@ static void skip_value(struct bytes *bytes, char type)
     if (type != '\0' && single) {
         bytes_skip(bytes, sizes[single - singles]);
     } else if (type != '\0' && array) {
-        size_t count = bytes_u32(bytes);
+        size_t count = (size_t)bytes_number(bytes, BYTES_U32);
         bytes_skip(bytes, count * sizes[array - arrays + 1]);
     } else if (type == 's') {
         (void)take_string(bytes);
     } else if (type == 'o') {
         (void)take_object(bytes, &inner);
     } else if (type == 'S' || type == 'O') {
-        for (size_t count = bytes_u32(bytes); count > 0 && !bytes->overrun; count--)
+        for (size_t count = (size_t)bytes_number(bytes, BYTES_U32); count > 0 && !bytes->overrun; count--)
             skip_value(bytes, type == 'S' ? 's' : 'o');
     } else {
         bytes_skip(bytes, bytes_left(bytes) + 1);
@@ -82,7 +81,7 @@ static bool take_component(struct bytes *bytes, struct component *out)
     if (bytes_left(bytes) == 0)
         return false;
     out->name = take_string(bytes);
-    out->type = (char)bytes_u8(bytes);
+    out->type = (char)bytes_number(bytes, BYTES_U8);
     out->value = *bytes;
     skip_value(bytes, out->type);
     out->value.end = bytes->at;
@@ -103,26 +102,27 @@ static void read_unit(char *unit, const struct component *component)
 /* A GwyDataField; false where it is another object or damaged. */
 static bool read_field(struct field *out, const struct component *component)
 {
+    const struct {
+        const char *name;
+        char type;
+        double *number;
+    } numbers[] = {
+        {"xres", 'i', &out->nx}, {"yres", 'i', &out->ny}, {"xreal", 'd', &out->width}, {"yreal", 'd', &out->height}};
     struct bytes value = component->value, inner;
     struct component member;
     if (!string_view_equals(take_object(&value, &inner), "GwyDataField"))
         return false;
     while (take_component(&inner, &member)) {
         struct bytes at = member.value;
-        if (member.type == 'i' && string_view_equals(member.name, "xres"))
-            out->nx = bytes_u32(&at);
-        else if (member.type == 'i' && string_view_equals(member.name, "yres"))
-            out->ny = bytes_u32(&at);
-        else if (member.type == 'd' && string_view_equals(member.name, "xreal"))
-            out->width = bytes_f64(&at);
-        else if (member.type == 'd' && string_view_equals(member.name, "yreal"))
-            out->height = bytes_f64(&at);
-        else if (member.type == 'o' && string_view_equals(member.name, "si_unit_xy"))
+        for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
+            if (member.type == numbers[i].type && string_view_equals(member.name, numbers[i].name))
+                *numbers[i].number = bytes_number(&at, member.type == 'i' ? BYTES_U32 : BYTES_F64);
+        if (member.type == 'o' && string_view_equals(member.name, "si_unit_xy"))
             read_unit(out->xy_unit, &member);
         else if (member.type == 'o' && string_view_equals(member.name, "si_unit_z"))
             read_unit(out->z_unit, &member);
         else if (member.type == 'D' && string_view_equals(member.name, "data")) {
-            out->count = bytes_u32(&at);
+            out->count = (size_t)bytes_number(&at, BYTES_U32);
             out->data = at;
         }
     }
@@ -153,7 +153,7 @@ static bool next_field(struct bytes *inner, const char *end, struct field *out, 
         *out = (struct field){0};
         if (component.type != 'o' || !is_key(component.name, end, &out->number))
             continue;
-        *damaged = *damaged || !read_field(out, &component) || (uint64_t)out->nx * out->ny != out->count ||
+        *damaged = *damaged || !read_field(out, &component) || out->nx * out->ny != (double)out->count ||
                    bytes_left(&out->data) / sizeof(double) < out->count;
         return true;
     }
@@ -179,7 +179,7 @@ static enum status_code find_fields(struct found *out, const struct scan_file *f
     if (out->maps == 0)
         return scan_fail(file, 0, "no map in it (/0/data); export its profiles from Gwyddion as text");
     if (out->mask.count > 0 && (out->mask.nx != out->map.nx || out->mask.ny != out->map.ny))
-        return scan_fail(file, 0, "the mask is of %u x %u points, the map of %u x %u; copy the file again",
+        return scan_fail(file, 0, "the mask is of %.0f x %.0f points, the map of %.0f x %.0f; copy the file again",
                          out->mask.nx, out->mask.ny, out->map.nx, out->map.ny);
     return STATUS_OK;
 }
@@ -189,7 +189,7 @@ static void take_mask(struct scan *out, struct field *mask)
 {
     size_t masked = 0;
     for (size_t i = 0; i < mask->count; i++)
-        if (bytes_f64(&mask->data) != 0) {
+        if (bytes_number(&mask->data, BYTES_F64) != 0) {
             out->z_m[i] = NAN;
             masked++;
         }
@@ -204,12 +204,12 @@ enum status_code scan_gwy_read(struct scan *out, const struct scan_file *file)
     double x_m, z_m;
     if (find_fields(&found, file) != STATUS_OK ||
         scan_units(out, map->xy_unit, map->z_unit, &x_m, &z_m, file) != STATUS_OK ||
-        scan_reserve(out, map->nx, map->ny, map->count, file) != STATUS_OK)
+        scan_reserve(out, (size_t)map->nx, (size_t)map->ny, map->count, file) != STATUS_OK)
         return file->status->code;
     for (size_t i = 0; i < map->count; i++)
-        out->z_m[i] = bytes_f64(&map->data) * z_m;
-    out->dx_m = map->width / (double)map->nx * x_m;
-    out->dy_m = map->height / (double)map->ny * x_m;
+        out->z_m[i] = bytes_number(&map->data, BYTES_F64) * z_m;
+    out->dx_m = map->width / map->nx * x_m;
+    out->dy_m = map->height / map->ny * x_m;
     take_mask(out, &found.mask);
     if (found.maps > 1)
         scan_warn(out, "the file holds %zu maps: /%zu/data was read", found.maps, map->number);

@@ -78,7 +78,7 @@ enum { MAHR_COUNT_AT = 0x14, MAHR_DATA_BEHIND = 49 };
 enum status_code scan_mahr_prf_read(struct scan *out, const struct scan_file *file)
 {
     struct bytes count = bytes_begin(file, MAHR_COUNT_AT);
-    size_t n = bytes_u32(&count);
+    size_t n = (size_t)bytes_number(&count, BYTES_U32);
     const char *found = memmem(file->bytes, file->length, trajectory, strlen(trajectory));
     if (count.overrun || !found)
         return scan_fail(file, 0, "no %s section: the file is cut off; export it again", trajectory);
@@ -86,10 +86,10 @@ enum status_code scan_mahr_prf_read(struct scan *out, const struct scan_file *fi
     if (scan_reserve_x(out, n, bytes_left(&bytes) / (3 * sizeof(double)), file) != STATUS_OK)
         return file->status->code;
     for (size_t i = 0; i < n; i++)
-        out->x_m[i] = bytes_f64(&bytes) * mahr_unit_m;
+        out->x_m[i] = bytes_number(&bytes, BYTES_F64) * mahr_unit_m;
     bytes_skip(&bytes, n * sizeof(double)); /* y, across the profile */
     for (size_t i = 0; i < n; i++)
-        out->z_m[i] = bytes_f64(&bytes) * mahr_unit_m;
+        out->z_m[i] = bytes_number(&bytes, BYTES_F64) * mahr_unit_m;
     scan_set_units(out, "mm", "mm");
     return STATUS_OK;
 }

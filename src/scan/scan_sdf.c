@@ -80,14 +80,14 @@ static enum status_code read_binary(struct scan *out, const struct scan_file *fi
 {
     struct bytes bytes = bytes_begin(file, 8 + 10 + 12 + 12); /* version, maker, two dates */
     struct sdf_header header = {0};
-    header.nx = bytes_u16(&bytes);
-    header.ny = bytes_u16(&bytes);
-    header.x_scale = bytes_f64(&bytes);
-    header.y_scale = bytes_f64(&bytes);
-    header.z_scale = bytes_f64(&bytes);
-    (void)bytes_f64(&bytes); /* resolution */
-    header.compression = bytes_u8(&bytes);
-    header.type = bytes_u8(&bytes);
+    header.nx = (size_t)bytes_number(&bytes, BYTES_U16);
+    header.ny = (size_t)bytes_number(&bytes, BYTES_U16);
+    header.x_scale = bytes_number(&bytes, BYTES_F64);
+    header.y_scale = bytes_number(&bytes, BYTES_F64);
+    header.z_scale = bytes_number(&bytes, BYTES_F64);
+    bytes_skip(&bytes, 8); /* resolution */
+    header.compression = (size_t)bytes_number(&bytes, BYTES_U8);
+    header.type = (size_t)bytes_number(&bytes, BYTES_U8);
     bytes_skip(&bytes, 1); /* kind of check sum */
     if (bytes.overrun)
         return scan_fail(file, 0, "the file ends within its header of %d bytes", SDF_BINARY_HEADER);

@@ -1,51 +1,42 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* ISO 5436-2 SMD: four records that end in ETX: header, remarks, heights, checksum; fields end in NUL. The header's
- * third line is `CX I n unit scale type increment`, the next (CY alike, and) `CZ A n unit scale type`. */
+ * third line is `CX I n unit scale type increment`, the next (CY alike, and) `CZ A n unit scale type`.
+ * Its forerunner, the text PRF of NPL and Taylor Hobson: `1 2`, a title, the axes CX and CZ of type M, EOR; remarks
+ * with `SPACING CX s`, EOR; one integer a height, EOR, EOF. A height is integer x scale x unit. */
 #include "scan/reader.h"
 #include "scan/string_view.h"
 
 #include <string.h>
 
 static const char etx = 3;
+enum { NPL_SNIFF = 512 };
 
-struct smd_axis {
-    char type; /* 'I': evenly spaced, 'A': stored point by point */
-    size_t n;
-    struct scan_unit unit;
+struct axis {
+    char type; /* 'I' or 'M': evenly spaced, 'A': stored point by point */
+    double n;
+    struct scan_unit unit; /* name NULL: there is no such axis */
     double scale, increment;
 };
+
+/* `CX I n unit scale type increment`, what is behind the name. */
+static bool read_axis(struct axis *axis, struct string_view line)
+{
+    struct string_view word[6];
+    size_t count = 0;
+    while (count < 6 && scan_word(&line, &word[count]))
+        count++;
+    if (count < 4)
+        return false;
+    axis->type = *word[0].start;
+    axis->unit = scan_unit_find(word[2]);
+    return number_read(word[1], &axis->n) && axis->n >= 1 && axis->n < 1.8e19 && axis->unit.si > 0 &&
+           number_read(word[3], &axis->scale) &&
+           (axis->type != 'I' || (count == 6 && number_read(word[5], &axis->increment)));
+}
 
 bool scan_smd_sniff(const struct scan_file *file)
 {
     return string_view_starts(scan_view(file), "ISO 5436") && memchr(file->bytes, etx, file->length) != NULL;
-}
-
-/* Cuts the next field off a header line: NUL and blanks separate. */
-static bool next_field(struct string_view *line, struct string_view *field)
-{
-    while (line->start < line->end && (*line->start == '\0' || string_view_is_blank_char(*line->start)))
-        line->start++;
-    field->start = line->start;
-    while (line->start < line->end && *line->start != '\0' && !string_view_is_blank_char(*line->start))
-        line->start++;
-    field->end = line->start;
-    return field->end > field->start;
-}
-
-/* `CX I n unit scale type increment`, what is behind the name. */
-static bool read_axis(struct smd_axis *axis, struct string_view line)
-{
-    struct string_view field;
-    if (!next_field(&line, &field))
-        return false;
-    axis->type = *field.start;
-    if (!next_field(&line, &field) || !number_read_size(field, &axis->n) || !next_field(&line, &field))
-        return false;
-    axis->unit = scan_unit_find(field);
-    if (!(axis->unit.si > 0) || !next_field(&line, &field) || !number_read(field, &axis->scale) ||
-        !next_field(&line, &field))
-        return false;
-    return axis->type != 'I' || (next_field(&line, &field) && number_read(field, &axis->increment));
 }
 
 /* The next record of `rest`, without its ETX and the line end behind that. */
@@ -58,12 +49,17 @@ static struct string_view next_record(struct string_view *rest)
     return record;
 }
 
-static enum status_code read_header(struct smd_axis axis[3], struct string_view header, const struct scan_file *file)
+static enum status_code read_header(struct axis axis[3], struct string_view header, const struct scan_file *file)
 {
     struct lines lines = lines_begin(header);
     for (struct string_view line; lines_next(&lines, &line);) {
         struct string_view field;
-        if (lines.number < 3 || !next_field(&line, &field) || string_view_length(field) != 2 || *field.start != 'C')
+        char blank[256];
+        size_t length = string_view_length(line) < sizeof blank ? string_view_length(line) : sizeof blank;
+        for (size_t i = 0; i < length; i++) /* NUL separates fields, too */
+            blank[i] = line.start[i] ? line.start[i] : ' ';
+        line = (struct string_view){blank, blank + length};
+        if (lines.number < 3 || !scan_word(&line, &field) || string_view_length(field) != 2 || *field.start != 'C')
             continue;
         const char *name = strchr("XYZ", field.start[1]);
         if (!name || !*name || !read_axis(&axis[name - "XYZ"], line))
@@ -79,18 +75,58 @@ static enum status_code read_header(struct smd_axis axis[3], struct string_view 
 
 enum status_code scan_smd_read(struct scan *out, const struct scan_file *file)
 {
-    struct smd_axis axis[3] = {0};
+    struct axis axis[3] = {0};
     struct string_view rest = scan_view(file);
     struct string_view header = next_record(&rest);
     (void)next_record(&rest); /* remarks */
     struct string_view heights = next_record(&rest);
     if (read_header(axis, header, file) != STATUS_OK)
         return file->status->code;
-    size_t nx = axis[0].n, ny = axis[1].unit.name ? axis[1].n : 1;
+    size_t nx = (size_t)axis[0].n, ny = axis[1].unit.name ? (size_t)axis[1].n : 1;
     if (scan_take_text(out, nx, ny, heights, axis[2].scale * axis[2].unit.si, NULL, file) != STATUS_OK)
         return file->status->code;
     out->dx_m = axis[0].increment * axis[0].scale * axis[0].unit.si;
     out->dy_m = axis[1].increment * axis[1].scale * axis[1].unit.si;
     scan_set_units(out, axis[0].unit.name, axis[2].unit.name);
+    return STATUS_OK;
+}
+
+bool scan_npl_prf_sniff(const struct scan_file *file)
+{
+    struct string_view text = scan_view(file), word;
+    size_t length = file->length < NPL_SNIFF ? file->length : NPL_SNIFF;
+    return scan_word(&text, &word) && string_view_equals(word, "1") && scan_word(&text, &word) &&
+           string_view_equals(word, "2") && memmem(file->bytes, length, "\nCX M ", 6) != NULL;
+}
+
+enum status_code scan_npl_prf_read(struct scan *out, const struct scan_file *file)
+{
+    struct axis x = {0}, z = {0};
+    double spacing = 0;
+    size_t records = 0;
+    struct lines lines = lines_begin(scan_view(file));
+    for (struct string_view line; records < 2 && lines_next(&lines, &line);) {
+        struct string_view whole = string_view_trim(line), word;
+        line = whole;
+        bool good = true, any = scan_word(&line, &word);
+        struct axis *axis = any && string_view_equals(word, "CX") ? &x : &z;
+        if (string_view_equals(whole, "EOR"))
+            records++;
+        else if (records == 0 && any && string_view_is_one_of(word, "CX CZ"))
+            good = read_axis(axis, line) && axis->type == 'M';
+        else if (records == 1 && string_view_starts(whole, "SPACING CX "))
+            good = number_read((struct string_view){whole.start + strlen("SPACING CX "), whole.end}, &spacing);
+        if (!good)
+            return scan_fail(file, lines.number, "'%s' is not as PRF has it; export the scan again",
+                             scan_quote(whole).text);
+    }
+    if (records < 2 || !x.unit.name || !z.unit.name || !(spacing > 0))
+        return scan_fail(file, lines.number,
+                         "no CX, CZ or `SPACING CX` above the heights: only evenly spaced PRF profiles can be read");
+    struct string_view data = {lines.next, lines.end};
+    if (scan_take_text(out, (size_t)z.n, 1, data, z.scale * z.unit.si, "EOR", file) != STATUS_OK)
+        return file->status->code;
+    out->dx_m = spacing * x.scale * x.unit.si;
+    scan_set_units(out, x.unit.name, z.unit.name);
     return STATUS_OK;
 }

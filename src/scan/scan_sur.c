@@ -6,138 +6,114 @@
 
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 #include <zlib.h>
 
-static const char plain[] = "DIGITAL SURF";
 enum { SUR_PROFILE = 1, SUR_SURFACE = 2, SUR_HEADER = 512, SUR_UNIT = 16, SUR_STREAMS = 64 };
 
 struct sur_header {
-    int format, objects, kind, special, bits;
-    int32_t z_min;
-    uint32_t nx, ny;
-    double step[3], z_offset;
+    double format, objects, kind, special, bits, z_min, nx, ny, step[3], remarks, private, z_offset;
     char unit[3][SUR_UNIT + 1];
-    size_t remarks; /* bytes between header and heights */
 };
 
-static bool read_header(struct sur_header *header, struct bytes *bytes)
+static void read_header(struct sur_header *header, const struct scan_file *file)
 {
-    bytes_skip(bytes, strlen(plain));
-    header->format = bytes_i16(bytes);
-    header->objects = bytes_i16(bytes);
-    bytes_skip(bytes, 2); /* version */
-    header->kind = bytes_i16(bytes);
-    bytes_skip(bytes, 30 + 30 + 6); /* names, material, acquisition, range */
-    header->special = bytes_i16(bytes);
-    bytes_skip(bytes, 2 + 8); /* absolute, gauge resolution and reserved */
-    header->bits = bytes_i16(bytes);
-    header->z_min = bytes_i32(bytes);
-    bytes_skip(bytes, 4); /* largest */
-    header->nx = bytes_u32(bytes);
-    header->ny = bytes_u32(bytes);
-    bytes_skip(bytes, 4); /* their product */
+    const struct {
+        size_t at;
+        enum bytes_type type;
+        double *number;
+    } fields[] = {
+        {12, BYTES_I16, &header->format},   {14, BYTES_I16, &header->objects},   {18, BYTES_I16, &header->kind},
+        {86, BYTES_I16, &header->special},  {98, BYTES_I16, &header->bits},      {100, BYTES_I32, &header->z_min},
+        {108, BYTES_U32, &header->nx},      {112, BYTES_U32, &header->ny},       {120, BYTES_F32, &header->step[0]},
+        {124, BYTES_F32, &header->step[1]}, {128, BYTES_F32, &header->step[2]},  {334, BYTES_U16, &header->remarks},
+        {336, BYTES_U16, &header->private}, {474, BYTES_F32, &header->z_offset},
+    };
+    for (size_t i = 0; i < sizeof fields / sizeof *fields; i++) {
+        struct bytes bytes = bytes_begin(file, fields[i].at);
+        *fields[i].number = bytes_number(&bytes, fields[i].type);
+    }
+    struct bytes units = bytes_begin(file, 180);
     for (size_t axis = 0; axis < 3; axis++)
-        header->step[axis] = (double)bytes_f32(bytes);
-    bytes_skip(bytes, 3 * 16); /* names of the axes */
-    for (size_t axis = 0; axis < 3; axis++)
-        scan_copy(header->unit[axis], sizeof header->unit[axis], bytes_text(bytes, SUR_UNIT));
-    /* units and ratios for display, flags, reserved, time, duration, reserved */
-    bytes_skip(bytes, 3 * 16 + 3 * 4 + 3 * 2 + 12 + 7 * 2 + 4 + 10);
-    header->remarks = bytes_u16(bytes);
-    header->remarks += bytes_u16(bytes);
-    bytes_skip(bytes, 128 + 8); /* client's zone, offsets of x and y */
-    header->z_offset = (double)bytes_f32(bytes);
-    bytes_skip(bytes, 34);
-    return !bytes->overrun;
+        scan_copy(header->unit[axis], sizeof header->unit[axis], bytes_text(&units, SUR_UNIT));
 }
 
 /* Inflates the streams behind `bytes`: their number, the two sizes (inflated, deflated) of each, the streams. What the
  * heights take, `most` bytes, and the file's own size bound what is allocated. */
-static enum status_code inflate_streams(char **data, size_t *size, struct bytes *bytes, size_t most,
+static enum status_code inflate_streams(char **data, size_t *size, struct bytes bytes, size_t most,
                                         const struct scan_file *file)
 {
-    uint32_t streams = bytes_u32(bytes), length[SUR_STREAMS][2] = {{0}};
-    size_t total = 0, room = limit_unpacked(bytes_left(bytes));
+    double streams = bytes_number(&bytes, BYTES_U32), total = 0;
+    uLong length[SUR_STREAMS][2] = {{0}};
+    size_t room = limit_unpacked(bytes_left(&bytes));
     if (streams == 0 || streams > SUR_STREAMS)
-        return scan_fail(file, 0, "%u compressed streams: the file is damaged", streams);
-    for (uint32_t i = 0; i < streams; i++) {
-        length[i][0] = bytes_u32(bytes);
-        length[i][1] = bytes_u32(bytes);
-        total += length[i][0];
+        return scan_fail(file, 0, "%.0f compressed streams: the file is damaged", streams);
+    for (size_t i = 0; i < (size_t)streams; i++) {
+        length[i][0] = (uLong)bytes_number(&bytes, BYTES_U32);
+        length[i][1] = (uLong)bytes_number(&bytes, BYTES_U32);
+        total += (double)length[i][0];
     }
-    if (bytes->overrun || total > room)
+    if (bytes.overrun || total > (double)room)
         return scan_fail(file, 0, "compressed streams longer than the file can hold; copy it again");
-    if (total > most)
-        return scan_fail(file, 0, "compressed streams of %zu bytes, where the heights take %zu; copy it again", total,
+    if (total > (double)most)
+        return scan_fail(file, 0, "compressed streams of %.0f bytes, where the heights take %zu; copy it again", total,
                          most);
-    *data = malloc(total + 1);
+    *data = malloc((size_t)total + 1);
     if (!*data)
         return status_memory(file->status);
-    for (uint32_t i = 0; i < streams; i++) {
-        const char *from = bytes->at;
-        bytes_skip(bytes, length[i][1]);
-        uLongf got = length[i][0];
-        if (bytes->overrun || uncompress((Bytef *)*data + *size, &got, (const Bytef *)from, length[i][1]) != Z_OK ||
+    for (size_t i = 0; i < (size_t)streams; i++) {
+        const char *from = bytes.at;
+        bytes_skip(&bytes, length[i][1]);
+        uLong got = length[i][0];
+        if (bytes.overrun || uncompress((Bytef *)*data + *size, &got, (const Bytef *)from, length[i][1]) != Z_OK ||
             got != length[i][0])
-            return scan_fail(file, 0, "compressed stream %u is damaged; copy the file again", i + 1);
+            return scan_fail(file, 0, "compressed stream %zu is damaged; copy the file again", i + 1);
         *size += got;
     }
     return STATUS_OK;
 }
 
-static enum bytes_type type_of(const struct sur_header *header)
-{
-    return header->bits == 16 ? BYTES_I16 : BYTES_I32;
-}
-
-static size_t rows_of(const struct sur_header *header)
-{
-    return header->kind == SUR_PROFILE ? 1 : header->ny;
-}
-
 static enum status_code take_heights(struct scan *out, const struct sur_header *header, struct bytes bytes,
                                      const struct scan_file *file)
 {
-    double x_m, z_m;
-    enum bytes_type type = type_of(header);
-    size_t ny = rows_of(header);
+    double x_m, z_m, y_m = scan_unit_m(header->unit[1]), missing = header->special == 1 ? header->z_min - 2 : NAN;
+    enum bytes_type type = header->bits == 16 ? BYTES_I16 : BYTES_I32;
     if (scan_units(out, header->unit[0], header->unit[2], &x_m, &z_m, file) != STATUS_OK ||
-        scan_reserve(out, header->nx, ny, bytes_left(&bytes) / bytes_size(type), file) != STATUS_OK)
+        scan_reserve(out, (size_t)header->nx, (size_t)header->ny, bytes_left(&bytes) / bytes_size(type), file) !=
+            STATUS_OK)
         return file->status->code;
-    double missing = header->special == 1 ? (double)header->z_min - 2 : NAN;
-    for (size_t i = 0; i < out->nx * ny; i++) {
+    for (size_t i = 0; i < out->nx * out->ny; i++) {
         double value = bytes_number(&bytes, type);
         out->z_m[i] = value == missing ? NAN : (value * header->step[2] + header->z_offset) * z_m;
     }
-    double y_m = scan_unit_m(header->unit[1]);
     out->dx_m = header->step[0] * x_m;
     out->dy_m = header->step[1] * (y_m > 0 ? y_m : x_m);
     if (header->objects > 1)
-        scan_warn(out, "the file holds %d objects: only the first was read", header->objects);
+        scan_warn(out, "the file holds %.0f objects: only the first was read", header->objects);
     return STATUS_OK;
 }
 
 enum status_code scan_sur_read(struct scan *out, const struct scan_file *file)
 {
     struct sur_header header = {0};
-    struct bytes bytes = bytes_begin(file, 0);
-    if (!read_header(&header, &bytes))
+    read_header(&header, file);
+    if (file->length < SUR_HEADER)
         return scan_fail(file, 0, "the file ends within its header of %d bytes", SUR_HEADER);
     if (header.format != 0)
         return scan_fail(file, 0, "byte order of old Macintosh computers; save the file again with MountainsMap");
     if (header.kind != SUR_PROFILE && header.kind != SUR_SURFACE)
-        return scan_fail(file, 0, "kind %d is neither profile nor surface; export one of these", header.kind);
+        return scan_fail(file, 0, "kind %.0f is neither profile nor surface; export one of these", header.kind);
     if (header.bits != 16 && header.bits != 32)
-        return scan_fail(file, 0, "%d bits a point: only 16 and 32 can be read", header.bits);
-    bytes_skip(&bytes, header.remarks);
-    if (string_view_starts(scan_view(file), plain))
+        return scan_fail(file, 0, "%.0f bits a point: only 16 and 32 can be read", header.bits);
+    header.ny = header.kind == SUR_PROFILE ? 1 : header.ny;
+    struct bytes bytes = bytes_begin(file, SUR_HEADER + (size_t)(header.remarks + header.private));
+    if (string_view_starts(scan_view(file), "DIGITAL SURF"))
         return take_heights(out, &header, bytes, file);
-    if (scan_check_points(header.nx, rows_of(&header), file) != STATUS_OK)
+    if (scan_check_points((size_t)header.nx, (size_t)header.ny, file) != STATUS_OK)
         return file->status->code;
     char *data = NULL;
-    size_t size = 0, most = header.nx * rows_of(&header) * bytes_size(type_of(&header));
-    enum status_code code = inflate_streams(&data, &size, &bytes, most, file);
+    size_t size = 0;
+    enum status_code code =
+        inflate_streams(&data, &size, bytes, (size_t)(header.nx * header.ny * header.bits / 8), file);
     if (code == STATUS_OK)
         code = take_heights(out, &header, (struct bytes){data, data + size, false}, file);
     free(data);

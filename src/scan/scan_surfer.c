@@ -8,11 +8,6 @@
 
 static const double surfer_blank = 1.70141e38;
 
-static double step(double low, double high, size_t n)
-{
-    return n > 1 ? (high - low) / (double)(n - 1) : 0.0;
-}
-
 enum status_code scan_surfer_read(struct scan *out, const struct scan_file *file)
 {
     struct string_view text = {file->bytes + 4, file->bytes + file->length}, word;
@@ -29,7 +24,7 @@ enum status_code scan_surfer_read(struct scan *out, const struct scan_file *file
         return file->status->code;
     for (size_t i = 0; i < nx * ny; i++)
         out->z_m[i] = out->z_m[i] >= surfer_blank * (1 - 1e-6) ? NAN : out->z_m[i] * z_m;
-    out->dx_m = step(head[2], head[3], nx) * x_m;
-    out->dy_m = step(head[4], head[5], ny) * x_m;
+    out->dx_m = nx > 1 ? (head[3] - head[2]) / (double)(nx - 1) * x_m : 0;
+    out->dy_m = ny > 1 ? (head[5] - head[4]) / (double)(ny - 1) * x_m : 0;
     return STATUS_OK;
 }

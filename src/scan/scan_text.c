@@ -2,7 +2,6 @@
 /* Text scans: x and z, perhaps with an index or other columns beside them; heights below a line that names the spacing;
  * and maps: x y z lists on a grid, and matrices of heights with their pixel size. */
 #include "base/limits.h"
-#include "scan/foreign.h"
 #include "scan/reader.h"
 #include "scan/string_view.h"
 #include "scan/text_header.h"
@@ -46,7 +45,7 @@ static const char *name_of(const struct scan_file *file, const char *other)
 
 bool scan_text_sniff(const struct scan_file *file)
 {
-    return name_of(file, NULL) || !foreign_is_binary(file);
+    return name_of(file, NULL) || !scan_is_binary(file);
 }
 
 /* One row while it is read. */
@@ -134,21 +133,6 @@ static struct string_view text_of(const struct scan_file *file)
     return text;
 }
 
-/* Room for one row more, `most` in all; the first guess is as many rows as fit when all are as long as the first. */
-static bool reserve(struct table *table, size_t *capacity, size_t most, size_t line_length)
-{
-    if (table->rows < *capacity)
-        return true;
-    size_t rows = *capacity ? 2 * *capacity : string_view_length(table->text) / (line_length + 1) + 16;
-    rows = rows < most ? rows : most;
-    double *cell = reallocarray(table->cell, rows, table->columns * sizeof *cell);
-    if (!cell)
-        return false;
-    table->cell = cell;
-    *capacity = rows;
-    return true;
-}
-
 static enum status_code fail_row(const struct table *table, const struct row *row, size_t line)
 {
     if (row->bad.start)
@@ -185,8 +169,13 @@ static enum status_code fail_line(const struct table *table, size_t number, stru
 static enum status_code read_rows(struct table *table, struct lines lines)
 {
     size_t cells = limit_most(LIMIT_CELLS) / table->columns, points = limit_most(LIMIT_POINTS);
-    size_t capacity = 0, blank = 0, most = cells < points ? cells : points;
+    size_t room = 1, blank = 0, most = cells < points ? cells : points;
     unsigned decimal = 0;
+    for (const char *at = lines.next; (at = memchr(at, lines.stop, (size_t)(lines.end - at))); at++)
+        room++;
+    table->cell = malloc((room < most ? room : most) * table->columns * sizeof *table->cell);
+    if (!table->cell)
+        return status_memory(table->file->status);
     for (struct string_view line; lines_next(&lines, &line);) {
         if (string_view_length(line) > limit_most(LIMIT_LINE_BYTES))
             return fail_line(table, lines.number, line);
@@ -202,8 +191,6 @@ static enum status_code read_rows(struct table *table, struct lines lines)
         if (table->rows >= most)
             return scan_fail(table->file, lines.number, "too many rows%s",
                              limit_words(most == points ? LIMIT_POINTS : LIMIT_CELLS).text);
-        if (!reserve(table, &capacity, most, string_view_length(line)))
-            return status_memory(table->file->status);
         struct row row = {.cell = table->cell + table->rows * table->columns, .room = table->columns};
         if (!read_row(&row, table->delimiter == ' ' ? content : line, table->delimiter) || row.count != table->columns)
             return fail_row(table, &row, lines.number);
@@ -547,28 +534,20 @@ static bool is_matrix(const struct table *table)
     return said || (!has_even_steps(table) && (table->columns > TEXT_MOST_COLUMNS || !goes_one_way(table, 0)));
 }
 
-/* A column that the scene names. */
-static enum status_code choose_column(size_t *column, size_t number, const struct table *table)
-{
-    size_t columns = table->columns;
-    if (number > columns)
-        return scan_fail(table->file, table->first_line, "there is no column %zu: there %s %zu column%s", number,
-                         columns == 1 ? "is" : "are", columns, columns == 1 ? "" : "s");
-    *column = number - 1;
-    return STATUS_OK;
-}
-
 /* The columns that the scene chooses: z, and perhaps x. Where the header's x is z itself or no x at all, its spacing
  * will do. */
 static enum status_code take_chosen(struct scan *out, struct table *table)
 {
-    size_t z = 0, x = table->columns > 1 ? find_x(table) : 0;
-    bool x_given = table->file->options->x_column > 0;
-    if (choose_column(&z, table->file->options->z_column, table) != STATUS_OK ||
-        (x_given && choose_column(&x, table->file->options->x_column, table) != STATUS_OK))
-        return table->file->status->code;
+    const size_t columns = table->columns;
+    const size_t given[] = {table->file->options->z_column, table->file->options->x_column};
+    for (size_t i = 0; i < 2; i++)
+        if (given[i] > columns)
+            return scan_fail(table->file, table->first_line, "there is no column %zu: there %s %zu column%s", given[i],
+                             columns == 1 ? "is" : "are", columns, columns == 1 ? "" : "s");
+    bool x_given = given[1] > 0;
+    size_t z = given[0] - 1, x = x_given ? given[1] - 1 : columns > 1 ? find_x(table) : 0;
     bool no_x = x == z || (table->header.spacing.value > 0 && !goes_one_way(table, x));
-    if (!x_given && no_x && (table->columns == 1 || table->header.spacing.value > 0))
+    if (!x_given && no_x && (columns == 1 || table->header.spacing.value > 0))
         return take_heights(out, table, z);
     if (x == z)
         return scan_fail(table->file, table->first_line,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "scan/scan_unit.h"
 #include "base/unit.h"
+#include "scan/reader.h"
 
 #include <math.h>
 #include <string.h>

@@ -26,11 +26,7 @@ struct main_xml {
     double size[3]; /* of the matrix; 0 where there is none */
     double list;    /* points of a list; 0 where there is none */
     char data_link[256], valid_link[256];
-    struct text datum; /* of <DataList>, a struct datum each */
-};
-
-struct datum {
-    double x, z; /* x 0 where it is not stored, z NaN where it was not measured */
+    struct text listed; /* of <DataList>, two doubles each: x, 0 where it is not stored, z, NaN where not measured */
 };
 
 struct x3p {
@@ -83,15 +79,13 @@ static void XMLCALL on_start(void *user, const XML_Char *name, const XML_Char **
     parse->elements += 1 + (size_t)XML_GetSpecifiedAttributeCount(parse->parser) / 2;
     if (parse->depth == X3P_DEPTH || parse->depth == limit_most(LIMIT_XML_DEPTH)) {
         stop(parse, "elements within elements", limit_words(LIMIT_XML_DEPTH).text);
-        return;
-    }
-    if (parse->elements > limit_most(LIMIT_XML_ELEMENTS)) {
+    } else if (parse->elements > limit_most(LIMIT_XML_ELEMENTS)) {
         stop(parse, "too many elements", limit_words(LIMIT_XML_ELEMENTS).text);
-        return;
+    } else {
+        const char *colon = strrchr(name, ':'); /* the prefix of the name space is the writer's choice */
+        snprintf(parse->name[++parse->depth], X3P_NAME, "%s", colon ? colon + 1 : name);
+        parse->length = 0;
     }
-    const char *colon = strrchr(name, ':'); /* the prefix of the name space is the writer's choice */
-    snprintf(parse->name[++parse->depth], X3P_NAME, "%s", colon ? colon + 1 : name);
-    parse->length = 0;
 }
 
 static void XMLCALL on_text(void *user, const XML_Char *text, int length)
@@ -105,16 +99,16 @@ static void XMLCALL on_text(void *user, const XML_Char *text, int length)
 /* `value` or `value;value`: a stored x, if any, comes first and z last. An empty datum is a missing point. */
 static void add_datum(struct parse *parse, struct string_view text)
 {
-    struct datum datum = {0.0, NAN};
+    double point[2] = {0.0, NAN};
     bool first = true;
     for (struct string_view cell; cell_next(&text, ';', &cell); first = false) {
-        if (!number_read(cell, &datum.z)) {
+        if (!number_read(cell, &point[1])) {
             stop(parse, "a <Datum> that is no number", export_again);
             return;
         }
-        datum.x = first ? datum.z : datum.x;
+        point[0] = first ? point[1] : point[0];
     }
-    text_add_bytes(&parse->out->datum, (const char *)&datum, sizeof datum);
+    text_add_bytes(&parse->out->listed, (const char *)point, sizeof point);
 }
 
 /* Takes over the text of a leaf, by its name and that of the element around it; numbers that are missing or empty keep
@@ -183,7 +177,7 @@ static void XMLCALL on_doctype(void *user, const XML_Char *name, const XML_Char 
     stop(user, "a DOCTYPE", export_again);
 }
 
-/* main.xml; `out->datum` is to be freed whatever comes back. */
+/* main.xml; `out->listed` is to be freed whatever comes back. */
 static enum status_code read_xml(struct main_xml *out, const struct text *xml, const struct scan_file *file)
 {
     *out = (struct main_xml){0};
@@ -208,7 +202,7 @@ static enum status_code read_xml(struct main_xml *out, const struct text *xml, c
             good = XML_STATUS_ERROR;
         }
     }
-    if (out->datum.failed)
+    if (out->listed.failed)
         (void)status_memory(file->status);
     else if (good != XML_STATUS_OK && file->status->code == STATUS_OK)
         stop(&parse, XML_ErrorString(XML_GetErrorCode(parse.parser)), export_again);
@@ -242,9 +236,9 @@ static enum status_code open_main(struct x3p *x3p, const struct scan_file *file)
     size_t index = archive_find(&x3p->archive, "main.xml", true), count = x3p->archive.count;
     if (index == count)
         return scan_fail(file, 0, "no main.xml in the archive");
-    if (x3p->archive.entries[index].size > limit_most(LIMIT_XML_BYTES))
+    if (archive_entry(&x3p->archive, index).size > limit_most(LIMIT_XML_BYTES))
         return scan_fail(file, 0, "main.xml is too large%s", limit_words(LIMIT_XML_BYTES).text);
-    const char *name = x3p->archive.entries[index].name, *slash = strrchr(name, '/');
+    const char *name = archive_entry(&x3p->archive, index).name, *slash = strrchr(name, '/');
     scan_copy(x3p->folder, sizeof x3p->folder, (struct string_view){name, slash ? slash + 1 : name});
     if (archive_read(&x3p->main, &x3p->archive, index, SIZE_MAX, file) != STATUS_OK)
         return file->status->code;
@@ -282,11 +276,11 @@ static double scaled(const struct x3p_axis *axis, double value)
 static enum status_code find_types(enum bytes_type type[3], size_t *size, const struct x3p_axis axis[3],
                                    const struct scan_file *file)
 {
-    static const char letters[] = {'I', 'L', 'F', 'D'};
+    static const char letters[] = "ILFD";
     static const enum bytes_type types[] = {BYTES_I16, BYTES_I32, BYTES_F32, BYTES_F64};
     *size = 0;
     for (size_t i = 0; i < 3; i++) {
-        const char *found = memchr(letters, axis[i].type, sizeof letters);
+        const char *found = strchr(letters, axis[i].type);
         if (!found)
             return scan_fail(file, 0, "data type '%c' is none of ISO 25178-72", axis[i].type);
         type[i] = types[found - letters];
@@ -308,20 +302,19 @@ static enum status_code read_values(struct scan *out, struct x3p *x3p, size_t nx
                     read_link(&x3p->points, x3p, xml->data_link, nx * ny * size, file) != STATUS_OK))
         return file->status->code;
     struct bytes bytes = {text_string(&x3p->points), text_string(&x3p->points) + x3p->points.length, false};
-    const struct datum *datum = (const struct datum *)(const void *)xml->datum.data;
-    size_t room = listed ? xml->datum.length / sizeof *datum : bytes_left(&bytes) / size;
+    const double *point = (const void *)xml->listed.data;
+    size_t room = listed ? xml->listed.length / sizeof *point / 2 : bytes_left(&bytes) / size;
     if ((stored(&axis[0]) ? scan_reserve_x(out, nx, room, file) : scan_reserve(out, nx, ny, room, file)) != STATUS_OK)
         return file->status->code;
     for (size_t i = 0; i < nx * ny; i++) {
         double value[3] = {0};
         for (size_t k = 0; k < 3; k++)
             if (stored(&axis[k]))
-                value[k] = !listed ? bytes_number(&bytes, type[k]) : k == 2 ? datum[i].z : datum[i].x;
+                value[k] = listed ? point[2 * i + k / 2] : bytes_number(&bytes, type[k]);
         out->z_m[i] = scaled(&axis[2], value[2]);
         if (out->x_m)
             out->x_m[i] = scaled(&axis[0], value[0]);
     }
-    text_free(&x3p->points);
     return STATUS_OK;
 }
 
@@ -341,27 +334,20 @@ static enum status_code read_valid(struct scan *out, struct x3p *x3p, const stru
     return STATUS_OK;
 }
 
-static enum status_code read_points(struct scan *out, struct x3p *x3p, const struct scan_file *file)
-{
-    size_t nx = 0, ny = 0;
-    if (open_main(x3p, file) != STATUS_OK || read_size(&x3p->xml, &nx, &ny, file) != STATUS_OK)
-        return file->status->code;
-    if (read_values(out, x3p, nx, ny, file) != STATUS_OK)
-        return file->status->code;
-    out->dx_m = x3p->xml.axis[0].increment;
-    out->dy_m = x3p->xml.axis[1].increment;
-    scan_set_units(out, "m", "m");
-    return read_valid(out, x3p, file);
-}
-
 enum status_code scan_x3p_read(struct scan *out, const struct scan_file *file)
 {
     struct x3p x3p = {0};
-    enum status_code code = read_points(out, &x3p, file);
+    size_t nx = 0, ny = 0;
+    if (open_main(&x3p, file) == STATUS_OK && read_size(&x3p.xml, &nx, &ny, file) == STATUS_OK &&
+        read_values(out, &x3p, nx, ny, file) == STATUS_OK && read_valid(out, &x3p, file) == STATUS_OK) {
+        out->dx_m = x3p.xml.axis[0].increment;
+        out->dy_m = x3p.xml.axis[1].increment;
+        scan_set_units(out, "m", "m");
+    }
     text_free(&x3p.main);
     text_free(&x3p.points);
     text_free(&x3p.valid);
-    text_free(&x3p.xml.datum);
+    text_free(&x3p.xml.listed);
     archive_close(&x3p.archive);
-    return code;
+    return file->status->code;
 }

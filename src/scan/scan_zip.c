@@ -34,7 +34,7 @@ static bool is_empty(const zip_stat_t *entry)
 static enum format_kind open_entry(struct entry *out, const struct archive *archive, size_t index,
                                    const struct scan_file *file)
 {
-    const char *name = archive->entries[index].name;
+    const char *name = archive_entry(archive, index).name;
     snprintf(out->path, sizeof out->path, "%.300s(%.200s)", file->path, name);
     if (archive_read(&out->text, archive, index, SIZE_MAX, file) != STATUS_OK)
         return FORMAT_FOREIGN;
@@ -43,7 +43,7 @@ static enum format_kind open_entry(struct entry *out, const struct archive *arch
     named.path = name;
     struct format format = format_of(&named, true);
     if (format.kind == FORMAT_FOREIGN)
-        format_fail_foreign(&out->file, format.foreign);
+        format_refuse(&out->file, &format);
     return format.kind == FORMAT_UNKNOWN || format.kind == FORMAT_PACKED ? FORMAT_OTHER : format.kind;
 }
 
@@ -69,11 +69,12 @@ static enum status_code read_archive(struct scan *out, const struct archive *arc
     enum status_code code = STATUS_OK;
     bool found = false, all = file->options->entry == 0;
     for (size_t i = file->options->entry; i < archive->count && (all || out->next_entry == 0); i++) {
-        const char *name = archive->entries[i].name;
+        const zip_stat_t stat = archive_entry(archive, i);
+        const char *name = stat.name;
         struct status ignored = {0};
         struct scan_file quiet = *file;
         struct entry entry = {0};
-        if (is_empty(&archive->entries[i]))
+        if (is_empty(&stat))
             continue;
         quiet.status = found ? &ignored : file->status;
         enum format_kind kind = open_entry(&entry, archive, i, &quiet);
@@ -162,7 +163,7 @@ static enum status_code read_gz(struct scan *out, const struct scan_file *file)
 enum status_code scan_packed_read(struct scan *out, const struct scan_file *file)
 {
     bool goes_on = file->options->entry > 0; /* through an archive, which is not looked through again */
-    struct format format = goes_on ? (struct format){FORMAT_PACKED, "zip", NULL, NULL} : format_of(file, false);
+    struct format format = goes_on ? (struct format){.name = "zip", .kind = FORMAT_PACKED} : format_of(file, false);
     if (format.kind != FORMAT_PACKED)
         return format_read(out, file);
     out->format = format.name;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scan/text_header.h"
-#include "scan/string_view.h"
+#include "scan/reader.h"
 
 #include <string.h>
 

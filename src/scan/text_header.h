@@ -4,7 +4,7 @@
 #define SCAN_TEXT_HEADER_H
 
 #include "base/text.h"
-#include "scan/scan_unit.h"
+#include "scan/string_view.h"
 
 #include <stdint.h>
 

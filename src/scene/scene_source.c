@@ -80,36 +80,22 @@ static bool check_directives(struct scene_source *source, const char *bytes, siz
     return true;
 }
 
-/* A pass over the events, so that nothing hostile reaches the tree builder. */
-static bool check_shape(struct scene_source *source, yaml_parser_t *parser, const char *bytes)
-{
-    struct shape shape = {0};
-    for (bool end = false; !end;) {
-        yaml_event_t event;
-        if (!yaml_parser_parse(parser, &event))
-            return parser_error(source, parser, bytes);
-        end = event.type == YAML_STREAM_END_EVENT;
-        bool good = check_event(source, &event, &shape);
-        yaml_event_delete(&event);
-        if (!good)
-            return false;
-    }
-    return true;
-}
-
-static bool load_tree(struct scene_source *source, yaml_parser_t *parser, const char *bytes)
-{
-    return yaml_parser_load(parser, &source->document) || parser_error(source, parser, bytes);
-}
-
-static bool parse(struct scene_source *source, const char *bytes, size_t length,
-                  bool (*pass)(struct scene_source *source, yaml_parser_t *parser, const char *bytes))
+/* A pass over the events, so that nothing hostile reaches the tree builder; then the tree. */
+static bool parse(struct scene_source *source, const char *bytes, size_t length, bool tree)
 {
     yaml_parser_t parser;
+    struct shape shape = {0};
     if (!yaml_parser_initialize(&parser))
         return scene_source_memory(source);
     yaml_parser_set_input_string(&parser, (const unsigned char *)bytes, length);
-    bool good = pass(source, &parser, bytes);
+    bool good = !tree || yaml_parser_load(&parser, &source->document) || parser_error(source, &parser, bytes);
+    for (bool end = tree; good && !end;) {
+        yaml_event_t event;
+        good = yaml_parser_parse(&parser, &event) ? check_event(source, &event, &shape)
+                                                  : parser_error(source, &parser, bytes);
+        end = event.type == YAML_STREAM_END_EVENT;
+        yaml_event_delete(&event);
+    }
     yaml_parser_delete(&parser);
     return good;
 }
@@ -139,8 +125,8 @@ static bool is_null(const yaml_node_t *node)
 
 bool scene_source_read(struct scene_source *source, const char *bytes, size_t length)
 {
-    if (!check_directives(source, bytes, length) || !parse(source, bytes, length, check_shape) ||
-        !parse(source, bytes, length, load_tree))
+    if (!check_directives(source, bytes, length) || !parse(source, bytes, length, false) ||
+        !parse(source, bytes, length, true))
         return false;
     const yaml_node_t *root = yaml_document_get_root_node(&source->document);
     bool good = !root || is_null(root) ||

@@ -3,7 +3,6 @@
 
 #include "profile/level.h"
 #include "profile/profile.h"
-#include "spectrum/grid.h"
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>

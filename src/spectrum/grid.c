@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "spectrum/grid.h"
+#include "spectrum/spectrum.h"
 
 #include <math.h>
 #include <stdlib.h>

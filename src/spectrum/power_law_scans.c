@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spectrum/power_law_scans.h"
 
-#include "spectrum/grid.h"
 #include "spectrum/multitaper.h"
 #include <gsl/gsl_statistics_double.h>
 #include <math.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "spectrum/spectrum.h"
 
-#include "profile/record_window.h"
+#include "profile/profile.h"
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>

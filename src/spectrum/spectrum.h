@@ -30,7 +30,7 @@ struct spectrum {
 
 /** Delta_n = 2|Z_n|/N, n = 1 ... ceil(N/2)-1, and |Z_{N/2}|/N at the Nyquist bin of an even N, of `points` >= 3 heights
  * at `spacing_m`. The mean is taken out first. The Hann window
- * has the factor sqrt(8/3), which keeps the mean square of many records but not of each: record_window.h. Not for AUTO.
+ * has the factor sqrt(8/3), which keeps the mean square of many records but not of each: profile.h. Not for AUTO.
  * Errors: STATUS_MEMORY. */
 MUST_CHECK enum status_code spectrum_compute(struct spectrum *out, const double *height_m, size_t points,
                                              double spacing_m, enum spectrum_window window, struct status *status);
@@ -72,5 +72,22 @@ double spectrum_power(const struct spectrum *spectrum, size_t i);
 double spectrum_longest_waves(const struct spectrum *spectrum);
 /** Spectral moment m_{2k} = sum (2 pi f)^{2k} power [m^(2-2k)], k = 0, 1, 2. */
 double spectrum_moment(const struct spectrum *spectrum, int k);
+
+/* Spectra of records of different lengths and spacings on one grid of wavelengths. */
+
+/** Puts `in` on the harmonics n = 1 ... count of a record of length_m: its power, spread evenly over the frequency band
+ * of each of its harmonics (half a step to either side), is collected in the bands of the new ones, so that none is
+ * lost or counted twice between them. `out` is owned: spectrum_free(). Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code grid_spectrum(struct spectrum *out, const struct spectrum *in, double length_m,
+                                          size_t count, struct status *status);
+
+/** Amplitudes add as squares: two rough surfaces in contact. `other` is put on the grid of `sum` first; where it has no
+ * harmonics (above its Nyquist frequency, below its first) nothing is added. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code grid_add(struct spectrum *sum, const struct spectrum *other, struct status *status);
+
+/** Averages `other` into `mean` of `so_far` spectra as powers. Records that are not alike are both put on the grid of
+ * the shorter record and of the lower Nyquist frequency first. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code grid_average(struct spectrum *mean, const struct spectrum *other, size_t so_far,
+                                         struct status *status);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A subrecord of a profile: levelled and windowed by whether it closes on itself. */
 #include "analysis/ensemble.h"
-#include "profile/record_window.h"
+#include "profile/profile.h"
 #include "support.h"
 
 enum { POINTS = 64 };

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The pipeline as a whole: header spacings, filters in their order, and the warnings. */
 #include "condition_support.h"
-#include "profile/filter.h"
 #include "profile/profile.h"
 #include "scan/scan.h"
 
@@ -51,19 +50,6 @@ TEST_CASE(test_header_spacing_of_rounded_positions)
         assert_note(&profile, rows[r].note);
         profile_free(&profile);
     }
-}
-
-TEST_CASE(test_reader_hands_the_header_spacing_over)
-{
-    static const char text[] = "Scan Parameters\nResolution,0.156 um/sample\n\nScan Data\nLateral um,Raw Micrometer,\n"
-                               "0.0,1,,\n0.2,2,,\n0.3,1,,\n0.5,3,,\n";
-    struct scan_bytes file = {text, sizeof text - 1, "d.csv"};
-    struct scan_options options = {.x_unit = "", .z_unit = ""};
-    struct scan scan;
-    struct status status = {0};
-    assert_int_equal(scan_read_bytes(&scan, &file, &options, &status), STATUS_OK);
-    assert_near(scan.nominal_dx_m, 0.156e-6, 1e-12);
-    scan_free(&scan);
 }
 
 /* lambda_s and lambda_c leave of a wave what both transmissions say. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The Gaussian filter: transmission of sinusoids, constants up to the ends, a direct sum. */
 #include "condition_support.h"
-#include "profile/filter.h"
+#include "profile/profile.h"
 
 static void smooth(double *z, size_t points, double spacing_m, double cutoff_m)
 {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sensitivity to cut-off, scan length and hardness: the factors are those of reports on changed scans, made apart. */
 #include "contact/model.h"
-#include "profile/filter.h"
 #include "profile/level.h"
+#include "profile/profile.h"
 #include "run/pipeline.h"
 
 #define METAL(yield_strength_Pa)                                                                                       \

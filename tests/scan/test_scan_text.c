@@ -121,6 +121,15 @@ TEST_CASE(test_words_of_spacing)
     assert_refused("pixel depth = 2 um\n1 3 2 4\n5 1 3 1\n1 1 1 1\n", "without its pixel size");
 }
 
+TEST_CASE(test_a_spacing_beside_positions)
+{
+    struct scan scan = read_good("Scan Parameters\nResolution,0.156 um/sample\n\nLateral um,Raw Micrometer,\n0.0,1,,\n"
+                                 "0.2,2,,\n0.3,1,,\n0.5,3,,\n",
+                                 "", "");
+    assert_near(scan.nominal_dx_m, 0.156e-6, 1e-12);
+    scan_free(&scan);
+}
+
 TEST_CASE(test_descending)
 {
     struct scan scan = read_good("x [mm],z [um]\n3,30\n2,20\n0,0\n", "", "");

@@ -22,6 +22,17 @@ static inline struct scene scene_directory_read(const char *path, const struct s
     return scene;
 }
 
+/* Expects that it is refused with a message that holds `words`. */
+static inline void scene_directory_refused(const char *path, const struct scene_overrides *overrides,
+                                           enum status_code code, const char *words)
+{
+    struct scene scene;
+    struct status status = {0};
+    assert_int_equal(scene_read(&scene, path, overrides, &status), code);
+    expect_parts(status.message, words);
+    scene_free(&scene);
+}
+
 /* The scene that the text is in a directory of two scans, which has gone. */
 static inline struct scene scene_of(const char *text)
 {

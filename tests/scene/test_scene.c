@@ -325,28 +325,19 @@ TEST_CASE(test_wrong_overrides)
         {{.effects = "auto,electrical"},
          "--effects: 'electrical' needs 'resistivity'; add it to 'material' in scene.yaml, or leave the effect out"},
     };
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct scene scene;
-        struct status status = {0};
-        enum status_code expected = strstr(rows[i].message, "scene.yaml") ? STATUS_SCENE : STATUS_USAGE;
-        assert_int_equal(scene_read(&scene, DATA("elastic"), &rows[i].overrides, &status), expected);
-        assert_string_equal(status.message, rows[i].message);
-        scene_free(&scene);
-    }
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        scene_directory_refused(DATA("elastic"), &rows[i].overrides,
+                                strstr(rows[i].message, "scene.yaml") ? STATUS_SCENE : STATUS_USAGE, rows[i].message);
 }
 
 /* What is wrong in the file is told of the file, whatever the command line overrode. */
 TEST_CASE(test_an_override_is_read_alone)
 {
     struct directory directory = directory_make();
-    struct scene scene;
-    struct status status = {0};
     scene_directory_add(&directory, "a.csv");
     directory_write(&directory, "scene.yaml", "\nbaseline: b\n");
-    assert_int_equal(scene_read(&scene, directory.path, &(struct scene_overrides){.tolerance = "1e-3"}, &status),
-                     STATUS_SCENE);
-    assert_non_null(strstr(status.message, "/scene.yaml:2: 'baseline' is 'b'"));
-    scene_free(&scene);
+    scene_directory_refused(directory.path, &(struct scene_overrides){.tolerance = "1e-3"}, STATUS_SCENE,
+                            "/scene.yaml:2: 'baseline' is 'b'");
     directory_remove(&directory);
 }
 

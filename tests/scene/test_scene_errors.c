@@ -269,11 +269,7 @@ static void check_large(const char *start, const char *part, size_t count, const
         text_add(&text, "%s", part);
     text_add(&text, "%s", end);
     directory_write(&directory, "scene.yaml", text.data);
-    struct scene scene;
-    struct status status = {0};
-    assert_int_equal(scene_read(&scene, directory.path, NULL, &status), STATUS_SCENE);
-    assert_non_null(strstr(status.message, expected));
-    scene_free(&scene);
+    scene_directory_refused(directory.path, NULL, STATUS_SCENE, expected);
     text_free(&text);
     directory_remove(&directory);
 }
@@ -304,20 +300,11 @@ TEST_CASE(test_aliases_do_not_multiply)
 TEST_CASE(test_scene_that_is_no_file)
 {
     struct directory directory = directory_make();
-    struct scene scene;
-    struct status status = {0};
-    char path[512];
-    snprintf(path, sizeof path, "%s/scene.yaml", directory.path);
+    const char *path = directory_path(&directory, "scene.yaml");
     assert_int_equal(symlink("nowhere", path), 0);
-    assert_int_equal(scene_read(&scene, directory.path, NULL, &status), STATUS_IO);
-    assert_non_null(strstr(status.message, "/scene.yaml': No such file or directory"));
-    scene_free(&scene);
-
+    scene_directory_refused(directory.path, NULL, STATUS_IO, "/scene.yaml': No such file or directory");
     assert_int_equal(unlink(path), 0);
     assert_int_equal(mkfifo(path, 0600), 0); /* reading it would wait for ever */
-    status = (struct status){0};
-    assert_int_equal(scene_read(&scene, directory.path, NULL, &status), STATUS_SCENE);
-    assert_non_null(strstr(status.message, "/scene.yaml' is no regular file; remove it"));
-    scene_free(&scene);
+    scene_directory_refused(directory.path, NULL, STATUS_SCENE, "/scene.yaml' is no regular file; remove it");
     directory_remove(&directory);
 }

@@ -103,12 +103,8 @@ TEST_CASE(test_patterns_of_nothing)
     struct directory directory = directory_make();
     lay_out(&directory, "run-1.csv|r/|r/run-1.csv");
     for (size_t i = 0; i < COUNT(bad); i++) {
-        struct scene scene;
-        struct status status = {0};
         directory_write(&directory, "scene.yaml", bad[i][0]);
-        assert_int_equal(scene_read(&scene, directory.path, NULL, &status), STATUS_SCENE);
-        assert_non_null(strstr(status.message, bad[i][1]));
-        scene_free(&scene);
+        scene_directory_refused(directory.path, NULL, STATUS_SCENE, bad[i][1]);
     }
     directory_remove(&directory);
 }
@@ -192,11 +188,6 @@ TEST_CASE(test_no_directory)
         {"", "cannot open directory '': No such file or directory"},
         {TEST_DATA "/scene/bare/left.csv",
          "'" TEST_DATA "/scene/bare/left.csv' is no directory; name the one that holds the scans"}};
-    for (size_t i = 0; i < COUNT(paths); i++) {
-        struct scene scene;
-        struct status status = {0};
-        assert_int_equal(scene_read(&scene, paths[i][0], NULL, &status), STATUS_IO);
-        assert_string_equal(status.message, paths[i][1]);
-        scene_free(&scene);
-    }
+    for (size_t i = 0; i < COUNT(paths); i++)
+        scene_directory_refused(paths[i][0], NULL, STATUS_IO, paths[i][1]);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "spectrum/grid.h"
+#include "spectrum/spectrum.h"
 #include "support.h"
 
 static struct spectrum make(size_t count, double length, bool nyquist)
