@@ -89,7 +89,8 @@ TEST_IN_WORKSPACE(a_connector)
     expect_part(page, "Textbook (");
     says(place, "out", page, "textbook", "load");
     expect_part(page,
-                "In contact resistance without film and plating at 1.00\u00a0N they do not differ significantly (p = ");
+                "In contact resistance without film and plating at 1.00\u00a0N *as plated* is significantly better "
+                "than *worn* (p = ");
     expect_part(page, "Least certain: ");
     expect_part(page, "of its longest waves: a longer one may change resistances by a factor 2 or more.");
     expect_kept_picture(place, "out/figures/answer.svg");
