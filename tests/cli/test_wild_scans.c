@@ -147,12 +147,12 @@ static size_t number_of(const char *name, size_t usual)
     return said ? strtoul(said, NULL, 10) : usual;
 }
 
-TEST_WITH(folders_are_reported_or_refused, workspace_make, workspace_remove)
+TEST_WITH(folders_are_reported_or_refused, directory_setup, directory_teardown)
 {
     size_t first = number_of("ROUGHCONTACT_WILD_FIRST", 1), count = number_of("ROUGHCONTACT_WILD", 300);
     for (size_t seed = first; seed < first + count; seed++) {
         expect_reported_or_refused(*state, seed);
-        assert_true(workspace_remove(state) == 0 && workspace_make(state) == 0); /* the next begins with an empty one */
+        assert_true(directory_teardown(state) == 0 && directory_setup(state) == 0); /* the next begins with an empty one */
     }
 }
 

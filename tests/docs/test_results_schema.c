@@ -10,7 +10,7 @@ static json_t *results[EXAMPLES], *schema, *defs;
 static int reports_setup(void **state)
 {
     char path[TEXT];
-    workspace_make(state);
+    directory_setup(state);
     schema = workspace_json(PROJECT_SOURCE, "docs/results.schema.json");
     defs = json_object_get(schema, "$defs");
     for (size_t e = 0; e < EXAMPLES; e++) {
@@ -22,7 +22,7 @@ static int reports_setup(void **state)
     return 0;
 }
 
-TEST_GROUP(reports_setup, workspace_remove)
+TEST_GROUP(reports_setup, directory_teardown)
 
 /** Is the value one of these, or of a type of these? */
 static bool is_any(const json_t *told, const json_t *value, bool by_type)
