@@ -78,9 +78,7 @@ TEST_CASE(test_markdown)
         if (isalnum(c) || c == ' ')
             assert_string_equal(text_string(&text), string);
         else if (iscntrl(c)) {
-            char written[8];
-            snprintf(written, sizeof written, "\\\\x%02x", (unsigned)c);
-            assert_string_equal(text_string(&text), written);
+            assert_string_equal(text_string(&text), filled("\\\\x%02x", (unsigned)c));
         } else if (strchr("<>&\"", c))
             assert_true(strncmp(text_string(&text), "&#", 2) == 0);
         else if (strchr("*_`[])#|\\~$-+=.", c))

@@ -23,11 +23,9 @@ static const char *const documents[] = {"README.md",        "docs/equations.md",
 /** A file of the project as text, to be freed. */
 static char *read_document(const char *path)
 {
-    char full[8192];
     struct text text = {0};
     struct status status = {0};
-    snprintf(full, sizeof full, "%s/%s", PROJECT_SOURCE, path);
-    if (text_read_file(&text, full, &status) != STATUS_OK)
+    if (text_read_file(&text, filled("%s/%s", PROJECT_SOURCE, path), &status) != STATUS_OK)
         fail_msg("%s", status.message);
     return text.data;
 }
@@ -193,9 +191,7 @@ TEST_CASE(equations_are_complete)
 
 static void expect_there(const char *document, const char *folder, const char *target, size_t length)
 {
-    char full[8192];
-    snprintf(full, sizeof full, "%s/%s%.*s", PROJECT_SOURCE, folder, (int)length, target);
-    if (access(full, R_OK) != 0)
+    if (access(filled("%s/%s%.*s", PROJECT_SOURCE, folder, (int)length, target), R_OK) != 0)
         fail_msg("%s names %.*s, which is not there", document, (int)length, target);
 }
 
@@ -234,9 +230,7 @@ TEST_CASE(paths_exist)
 /** Fails unless `document` names `name` between backticks. */
 static void expect_named(const char *document, const char *text, const char *name)
 {
-    char quoted[NAME];
-    snprintf(quoted, sizeof quoted, "`%s`", name);
-    if (!strstr(text, quoted))
+    if (!strstr(text, filled("`%s`", name)))
         fail_msg("%s does not name %s", document, name);
 }
 
@@ -371,8 +365,7 @@ TEST_CASE(rooms_use_only_those_before)
     for (size_t room = 0; room < rooms.count; room++) {
         char path[4096 + NAME];
         assert_string_equal(rooms.name[room], again.name[room]);
-        snprintf(path, sizeof path, "%s/src/%s", PROJECT_SOURCE, rooms.name[room]);
-        DIR *directory = opendir(path);
+        DIR *directory = opendir(filled("%s/src/%s", PROJECT_SOURCE, rooms.name[room]));
         if (!directory)
             fail_msg("there is no room src/%s", rooms.name[room]);
         for (const struct dirent *entry; (entry = readdir(directory));) {
@@ -387,9 +380,7 @@ TEST_CASE(rooms_use_only_those_before)
     }
     assert_true(files > 100);
     /* and no room is missing from the order */
-    char path[4096 + NAME];
-    snprintf(path, sizeof path, "%s/src", PROJECT_SOURCE);
-    DIR *directory = opendir(path);
+    DIR *directory = opendir(filled("%s/src", PROJECT_SOURCE));
     assert_non_null(directory);
     for (const struct dirent *entry; (entry = readdir(directory));)
         if (entry->d_name[0] != '.' && entry->d_type == DT_DIR &&

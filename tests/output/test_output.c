@@ -51,10 +51,8 @@ static void begin(struct output *output, const struct directory *place, const ch
 /* Writes a file into the staging directory. */
 static void stage(const struct output *output, const char *name, const char *word)
 {
-    char path[PATH_MAX + 64];
     struct status status = {0};
-    snprintf(path, sizeof path, "%s/%s", output->staging, name);
-    assert_int_equal(text_write_file(path, word, strlen(word), &status), STATUS_OK);
+    assert_int_equal(text_write_file(filled("%s/%s", output->staging, name), word, strlen(word), &status), STATUS_OK);
 }
 
 static const char *const reports_files[] = {"report.md", "report.html", "results.json", "data/contact.csv",
@@ -80,17 +78,13 @@ static void commit(struct output *output)
 /* All of the report at `target` is of one word, this one or (NULL) "one" or "two". */
 static void assert_whole(const struct directory *place, const char *target, const char *word)
 {
-    char name[256];
-    snprintf(name, sizeof name, "%s/results.json", target);
-    struct text text = directory_read(place, name);
+    struct text text = directory_read(place, filled("%s/results.json", target));
     if (!word)
         word = strcmp(text_string(&text), "one") == 0 ? "one" : "two";
     for (size_t i = 0; i < REPORTS_FILES; i++) {
-        snprintf(name, sizeof name, "%s/%s", target, reports_files[i]);
-        directory_holds(place, name, word);
+        directory_holds(place, filled("%s/%s", target, reports_files[i]), word);
     }
-    snprintf(name, sizeof name, "%s/manifest.txt", target);
-    assert_true(directory_has(place, name));
+    assert_true(directory_has(place, filled("%s/manifest.txt", target)));
     text_free(&text);
 }
 
@@ -129,18 +123,14 @@ enum { USERS_FILES = sizeof users_files / sizeof *users_files, FEW = 2 };
 static void write_users_files(const struct directory *place, const char *target, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
-        char name[128];
-        snprintf(name, sizeof name, "%s/%s", target, users_files[i]);
-        directory_write(place, name, users_files[i]);
+        directory_write(place, filled("%s/%s", target, users_files[i]), users_files[i]);
     }
 }
 
 static void assert_users_files(const struct directory *place, const char *target, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
-        char name[128];
-        snprintf(name, sizeof name, "%s/%s", target, users_files[i]);
-        directory_holds(place, name, users_files[i]);
+        directory_holds(place, filled("%s/%s", target, users_files[i]), users_files[i]);
     }
 }
 
@@ -698,10 +688,9 @@ static void begin_and_fill(const struct directory *place)
 {
     struct output output;
     begin(&output, place, "a");
-    char link[PATH_MAX + 16];
     fill(&output, "half");
-    snprintf(link, sizeof link, "%s/notes.md", output.staging);
-    if (linkat(AT_FDCWD, directory_path(place, "out/notes.md"), AT_FDCWD, link, 0) != 0)
+    if (linkat(AT_FDCWD, directory_path(place, "out/notes.md"), AT_FDCWD, filled("%s/notes.md", output.staging), 0) !=
+        0)
         _exit(1);
 }
 
@@ -899,7 +888,6 @@ TEST_IN_DIRECTORY(test_a_full_disk_leaves_the_report_before)
             _exit(77);
         for (int inodes = 2; inodes < MOST; inodes++) {
             struct directory disk;
-            char options[64];
             struct output output;
             struct status status = {0};
             if (mount("tmpfs", place->path, "tmpfs", 0, "size=4m") != 0)
@@ -907,8 +895,7 @@ TEST_IN_DIRECTORY(test_a_full_disk_leaves_the_report_before)
             snprintf(disk.path, sizeof disk.path, "%s", place->path);
             publish(&disk, "out", "one"); /* takes 9 */
             write_users_files(&disk, "out", FEW);
-            snprintf(options, sizeof options, "nr_inodes=%d", 11 + inodes);
-            if (mount("tmpfs", disk.path, "tmpfs", MS_REMOUNT, options) != 0)
+            if (mount("tmpfs", disk.path, "tmpfs", MS_REMOUNT, filled("nr_inodes=%d", 11 + inodes)) != 0)
                 _exit(77);
             enum status_code rc = output_begin(&output, directory_path(&disk, "out"), &status);
             for (int i = 0; i < 3 && rc == STATUS_OK; i++) {
