@@ -95,7 +95,7 @@ TEST_IN_PLACE(columns_follow_from_the_others)
         expect(voltage, 20 * joint / 2e-6);
         expect(number(&contact, i, "contact_temperature_K"),
                sqrt(320. * 320 + voltage * voltage / (4 * heating_lorenz_number())));
-        plated += isfinite(factor);
+        plated += isfinite(factor) ? 1 : 0;
         hot += voltage > 1e-3;
     }
     assert_true(gaps > 100 && equal > 50 && own > 30 && plated > 80 && hot > 10);
