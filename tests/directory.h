@@ -16,6 +16,8 @@ struct directory {
     char path[128];
 };
 
+/* What follows takes a directory, or its path: `place`. */
+
 static inline struct directory directory_make(void)
 {
     struct directory directory;
@@ -64,42 +66,56 @@ static inline int directory_teardown(void **state)
 #define TEST_IN_PLACE(name) TEST_OF_PLACE(name, NULL, NULL)
 
 /* Path of `name` below it; good until the next 8 calls. */
-static inline const char *directory_path(const struct directory *directory, const char *name)
+static inline const char *directory_path(const void *place, const char *name)
 {
     static char paths[8][4096];
     static unsigned next;
     char *path = paths[next++ % 8];
-    snprintf(path, sizeof paths[0], "%s/%s", directory->path, name);
+    snprintf(path, sizeof paths[0], "%s/%s", (const char *)place, name);
     return path;
 }
 
-/* Makes the directories on the way, too. */
-static inline void directory_write(const struct directory *directory, const char *name, const char *content)
+/* Makes a directory and those on the way to it. */
+static inline void directory_folder(const void *place, const char *name)
 {
-    struct status status = {0};
     char part[256];
+    struct stat info;
     for (const char *slash = name; (slash = strchr(slash, '/')); slash++) {
         snprintf(part, sizeof part, "%.*s", (int)(slash - name), name);
-        mkdir(directory_path(directory, part), 0777);
+        mkdir(directory_path(place, part), 0777);
     }
-    assert_int_equal(text_write_file(directory_path(directory, name), content, strlen(content), &status), STATUS_OK);
+    mkdir(directory_path(place, name), 0777);
+    assert_true(stat(directory_path(place, name), &info) == 0 && S_ISDIR(info.st_mode));
+}
+
+/* Makes the directories on the way, too. */
+static inline void directory_write(const void *place, const char *name, const char *content)
+{
+    struct status status = {0};
+    char folder[256];
+    const char *slash = strrchr(name, '/');
+    if (slash) {
+        snprintf(folder, sizeof folder, "%.*s", (int)(slash - name), name);
+        directory_folder(place, folder);
+    }
+    assert_int_equal(text_write_file(directory_path(place, name), content, strlen(content), &status), STATUS_OK);
 }
 
 /* The file's text; fails the test when there is none. */
-static inline struct text directory_read(const struct directory *directory, const char *name)
+static inline struct text directory_read(const void *place, const char *name)
 {
     struct text text = {0};
     struct status status = {0};
-    if (text_read_file(&text, directory_path(directory, name), &status) != STATUS_OK)
+    if (text_read_file(&text, directory_path(place, name), &status) != STATUS_OK)
         fail_msg("%s", status.message);
     return text;
 }
 
 /* expect_parts() and expect_no_parts() of a file. */
-static inline void directory_expect(const struct directory *directory, const char *name, const char *const *parts,
-                                    bool there, const char *file, int line)
+static inline void directory_expect(const void *place, const char *name, const char *const *parts, bool there,
+                                    const char *file, int line)
 {
-    struct text text = directory_read(directory, name);
+    struct text text = directory_read(place, name);
     support_parts(text_string(&text), parts, there, file, line);
     text_free(&text);
 }
@@ -109,9 +125,9 @@ static inline void directory_expect(const struct directory *directory, const cha
 #define expect_not_in_file(place, name, ...)                                                                           \
     directory_expect((place), (name), (const char *const[]){__VA_ARGS__, NULL}, false, __FILE__, __LINE__)
 
-static inline void directory_expect_same(const struct directory *directory, const char *a, const char *b)
+static inline void directory_expect_same(const void *place, const char *a, const char *b)
 {
-    struct text first = directory_read(directory, a), second = directory_read(directory, b);
+    struct text first = directory_read(place, a), second = directory_read(place, b);
     assert_true(first.length > 0);
     assert_int_equal(first.length, second.length);
     assert_memory_equal(first.data, second.data, first.length);
@@ -120,28 +136,29 @@ static inline void directory_expect_same(const struct directory *directory, cons
 }
 
 /* The file has this text, to the byte. */
-static inline void directory_holds(const struct directory *directory, const char *name, const char *content)
+static inline void directory_holds(const void *place, const char *name, const char *content)
 {
-    struct text text = directory_read(directory, name);
+    struct text text = directory_read(place, name);
     assert_string_equal(text_string(&text), content);
     text_free(&text);
 }
 
-static inline struct table directory_table(const struct directory *directory, const char *name)
+static inline struct table directory_table(const void *place, const char *name)
 {
-    return table_read_path(directory_path(directory, name));
+    return table_read_path(directory_path(place, name));
 }
 
-static inline bool directory_has(const struct directory *directory, const char *name)
+static inline bool directory_has(const void *place, const char *name)
 {
-    return access(directory_path(directory, name), F_OK) == 0;
+    struct stat info;
+    return lstat(directory_path(place, name), &info) == 0;
 }
 
 /* How many entries `name` has, hidden ones too. */
-static inline size_t directory_entries(const struct directory *directory, const char *name)
+static inline size_t directory_entries(const void *place, const char *name)
 {
     size_t entries = 0;
-    DIR *open = opendir(directory_path(directory, name));
+    DIR *open = opendir(directory_path(place, name));
     assert_non_null(open);
     for (const struct dirent *entry; (entry = readdir(open));)
         entries += strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0;

@@ -26,6 +26,19 @@ void support_parts(const char *text, const char *const *parts, bool there, const
         }
 }
 
+const char *filled(const char *format, ...)
+{
+    static char texts[16][8192];
+    static unsigned next;
+    char *text = texts[next++ % 16];
+    va_list args;
+    va_start(args, format);
+    int length = vsnprintf(text, sizeof texts[0], format, args);
+    va_end(args);
+    assert_true(length >= 0 && (size_t)length < sizeof texts[0]);
+    return text;
+}
+
 size_t model_named(const char *name)
 {
     for (size_t m = 0; m < model_count; m++)

@@ -51,6 +51,9 @@ void support_near(double actual, double expected, double rtol, double atol, cons
 
 void support_parts(const char *text, const char *const *parts, bool there, const char *file, int line);
 
+/** A text made as by printf(), such as a file's name; good until the next 16 calls. */
+const char *filled(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
 /** Index in the table of models of the one of that name, such as "gw"; fails the test when there is none. */
 size_t model_named(const char *name);
 

@@ -5,8 +5,6 @@
 #include <ctype.h>
 #include <errno.h>
 #include <fcntl.h>
-#include <float.h>
-#include <math.h>
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -57,62 +55,6 @@ void text_add(struct text *text, const char *format, ...)
     }
     status_lost |= text->failed;
     va_end(again);
-}
-
-/** The 17 digits that `value` is rounded to, times 10^(exponent - 16); false where a long double has too few digits to
- * tell how the last one is rounded. */
-static bool find_digits(uint64_t *digits, int *exponent, double value)
-{
-    static const long double ten[] = {1e0L,  1e1L,  1e2L,  1e3L,  1e4L,  1e5L,  1e6L,  1e7L,  1e8L,  1e9L,
-                                      1e10L, 1e11L, 1e12L, 1e13L, 1e14L, 1e15L, 1e16L, 1e17L, 1e18L, 1e19L,
-                                      1e20L, 1e21L, 1e22L, 1e23L, 1e24L, 1e25L, 1e26L, 1e27L}; /* exact */
-    if (LDBL_MANT_DIG < 64 || !(value >= 1e-37 && value < 1e43))
-        return false;
-    *exponent = (int)floor(ilogb(value) * 0.30102999566398120); /* or one less than that */
-    long double scaled;
-    for (;; ++*exponent) {
-        int up = 16 - *exponent;
-        scaled = up < 0 ? value / ten[-up] : up > 27 ? value * ten[27] * ten[up - 27] : value * ten[up];
-        if (scaled < 1e17L)
-            break;
-    }
-    *digits = (uint64_t)scaled;
-    double rest = (double)(scaled - (long double)*digits);
-    *digits += rest > 0.5;
-    if (*digits == 100000000000000000)
-        *digits /= 10, ++*exponent;
-    return fabs(rest - 0.5) > 1. / 32; /* two roundings of at most 1/180 each */
-}
-
-void text_add_number(struct text *text, double value)
-{
-    uint64_t digits;
-    int exponent, count = 17;
-    char digit[17], all[40], *at = all;
-    if (!find_digits(&digits, &exponent, fabs(value))) {
-        text_add(text, "%.17g", value);
-        return;
-    }
-    for (int i = count; i-- > 0; digits /= 10)
-        digit[i] = (char)('0' + digits % 10);
-    while (count > 1 && digit[count - 1] == '0')
-        count--;
-    bool power = exponent < -4 || exponent > 16;
-    int whole = power ? 1 : exponent + 1; /* digits before the point; below 1: zeros behind it */
-    if (value < 0)
-        *at++ = '-';
-    for (int i = whole < 1 ? whole - 1 : 0; i < count || i < whole; i++) {
-        *at++ = i >= 0 && i < count ? digit[i] : '0';
-        if (i == whole - 1 && count > whole)
-            *at++ = '.';
-    }
-    if (power) {
-        *at++ = 'e';
-        *at++ = exponent < 0 ? '-' : '+';
-        *at++ = (char)('0' + abs(exponent) / 10);
-        *at++ = (char)('0' + abs(exponent) % 10);
-    }
-    text_add_bytes(text, all, (size_t)(at - all));
 }
 
 /* What is valid UTF-8 and not seen, or changes how the characters around it are: controls; soft hyphen; joiners and

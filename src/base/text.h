@@ -16,8 +16,6 @@ struct text {
 
 void text_add(struct text *text, const char *format, ...) PRINTF_LIKE(2, 3);
 void text_add_bytes(struct text *text, const char *bytes, size_t length);
-/** Adds `value` to the byte as "%.17g" does, of 1e-37 to 1e43 in an eighth of the time. */
-void text_add_number(struct text *text, double value);
 /* Text from outside, escaped: one rule for what may not be shown. Control characters, bytes that are no UTF-8, and
  * characters that are not seen or that turn those around them (bidirectional controls, zero widths, fillers, tags) are
  * written out: a byte or ASCII character as \x1b, another character as \u202e or \U000e0041. A backslash that could be

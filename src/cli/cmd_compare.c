@@ -8,8 +8,9 @@
 struct arguments {
     char **outs;
     size_t count;
-    enum { TEXT, JSON = 0x100, MARKDOWN } format;
+    int format; /* one of these keys; 0: text */
 };
+enum { JSON = 0x100, MARKDOWN };
 
 static const struct argp_option options[] = {
     {"json", JSON, 0, 0, "print one object, for scripts (default: tables)", 0},

@@ -142,7 +142,7 @@ static void put(struct table *table, const char *name, const char *end, double v
 {
     begin_cell(table, name, end);
     if (isfinite(value))
-        text_add_number(&table->rows, value);
+        text_add(&table->rows, "%.17g", value);
     if (isinf(value) && table->infinite++ == 0)
         table->infinite_column = name;
 }

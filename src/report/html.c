@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "report/html.h"
 
-#include "base/hash.h"
 #include "base/mustache.h"
 #include "output/json.h"
 
@@ -16,16 +15,15 @@
 
 struct page {
     struct text body, contents;
-    const char *title, *directory;
-    unsigned headings;                     /* so far: their ids */
-    unsigned parts;                        /* those of the first level: below the second, sections are folded */
-    bool in_folded;                        /* inside the <details> of a section */
-    bool in_entry;                         /* inside a heading that stands in the contents */
-    bool paragraph_waits;                  /* its words are still to come */
-    bool cell_waits;                       /* a cell of a table, the same */
-    bool in_verdict;                       /* inside the <span> of a cell that judges */
-    bool in_link;                          /* inside a link that was kept */
-    unsigned char script_hash[HASH_BYTES]; /* of the only script that the page's policy lets run: the skeleton's own */
+    const char *directory;
+    unsigned headings;    /* so far: their ids */
+    unsigned parts;       /* those of the first level: below the second, sections are folded */
+    bool in_folded;       /* inside the <details> of a section */
+    bool in_entry;        /* inside a heading that stands in the contents */
+    bool paragraph_waits; /* its words are still to come */
+    bool cell_waits;      /* a cell of a table, the same */
+    bool in_verdict;      /* inside the <span> of a cell that judges */
+    bool in_link;         /* inside a link that was kept */
     struct status *status;
 };
 
@@ -235,48 +233,24 @@ static void escape_html(struct text *out, const char *string)
     text_add_html(out, string, strlen(string));
 }
 
-/* What page.html is filled from. */
-static json_t *page_view(const struct page *page)
-{
-    struct text hash = {0};
-    add_base64(&hash, page->script_hash, sizeof page->script_hash);
-    json_t *view = json_pack("{ss# ss# ss}", "contents", text_string(&page->contents), page->contents.length, "body",
-                             text_string(&page->body), page->body.length, "script_hash", text_string(&hash));
-    json_object_set_new(view, "title", json_shown(page->title));
-    text_free(&hash);
-    return view;
-}
-
-static void hash_script(struct page *page, const char *skeleton)
-{
-    const char *start = strstr(skeleton, "<script>"), *end = start ? strstr(start, "</script>") : NULL;
-    struct hash hash = hash_start();
-    if (end)
-        hash_add(&hash, start + strlen("<script>"), (size_t)(end - start) - strlen("<script>"));
-    SHA256_Final(page->script_hash, &hash.context);
-}
-
 enum status_code html_render(struct text *out, const char *markdown, const char *title, const char *directory,
                              const char *templates, struct status *status)
 {
-    struct page page = {.title = title, .directory = directory, .status = status};
+    struct page page = {.directory = directory, .status = status};
     struct text shown = shown_markdown(markdown), html = {0};
     struct mustache_folder folder = {templates, ".html", NULL, status};
-    const char *skeleton = mustache_folder_partial(&folder, "page");
-    bool memory = shown.length > UINT_MAX;
-    if (skeleton && !memory) {
-        memory = md_html(text_string(&shown), (MD_SIZE)shown.length, add_piece, &html, MD_FLAG_TABLES | MD_FLAG_NOHTML,
-                         MD_HTML_FLAG_VERBATIM_ENTITIES) != 0;
-        hash_script(&page, skeleton);
+    json_t *view = NULL;
+    if (shown.length <= UINT_MAX && md_html(text_string(&shown), (MD_SIZE)shown.length, add_piece, &html,
+                                            MD_FLAG_TABLES | MD_FLAG_NOHTML, MD_HTML_FLAG_VERBATIM_ENTITIES) == 0) {
         add_body(&page, text_string(&html));
-        memory = memory || shown.failed || html.failed || page.body.failed || page.contents.failed;
+        if (!shown.failed && !html.failed && !page.body.failed && !page.contents.failed)
+            view = json_pack("{ss# ss# so}", "contents", text_string(&page.contents), page.contents.length, "body",
+                             text_string(&page.body), page.body.length, "title", json_shown(title));
     }
-    enum status_code code = memory ? status_memory(status) : status->code;
-    if (code == STATUS_OK) {
-        json_t *view = page_view(&page);
+    enum status_code code = status->code;
+    if (code == STATUS_OK)
         code = view ? mustache_file(out, &folder, "page", view, escape_html) : status_memory(status);
-        json_decref(view);
-    }
+    json_decref(view);
     mustache_folder_free(&folder);
     text_free(&shown);
     text_free(&html);

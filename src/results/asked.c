@@ -126,7 +126,7 @@ void asked_interval(double out[2], const struct asked *asked, const struct resul
                     size_t surface)
 {
     const struct curve_summary *curve = surface_model(&results->surfaces[surface].summary, model);
-    const struct estimate *estimate = curve_summary_estimate(curve, asked->quantity);
+    const struct estimate *estimate = curve_summary_estimate(curve, (int)asked->quantity);
     asked_ends(out, asked, (const double[]){estimate_end(estimate, 0), estimate_end(estimate, 1)});
 }
 

@@ -7,7 +7,6 @@
 #include "base/threads.h"
 #include "scene/scene_words.h"
 #include <math.h>
-#include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -179,16 +178,24 @@ static enum status_code make_loads(struct prepared *out, const struct scene *sce
     return STATUS_OK;
 }
 
-/** All surfaces; `lock` guards what is done of them. */
+void prepare_tell(struct prepare_stage *stage, const char *name, double work, double all)
+{
+    if (!stage->options->progress)
+        return;
+    pthread_mutex_lock(&stage->lock);
+    stage->done += work;
+    stage->options->progress(stage->stage, name, stage->done, all);
+    pthread_mutex_unlock(&stage->lock);
+}
+
+/** All surfaces. */
 struct surfaces {
     struct prepared *prepared;
-    const struct run_options *options;
     struct curve_tables *tables;
     const struct plan *plan;
     bool describe_only;
     size_t described; /* 1 + the surface that is described already; 0: none */
-    size_t done;
-    pthread_mutex_t lock;
+    struct prepare_stage stage;
 };
 
 static struct evaluate_task task_of(const struct surfaces *all, size_t index)
@@ -200,7 +207,7 @@ static struct evaluate_task task_of(const struct surfaces *all, size_t index)
                                   .plan = all->plan,
                                   .loads = results_loads(results, index),
                                   .load_count = results->load_count,
-                                  .stop = all->options->stop,
+                                  .stop = all->stage.options->stop,
                                   .describe_only = all->describe_only,
                                   .described = all->described == index + 1,
                                   .keep_scans = results->scene->measured.file_count > 0 ||
@@ -218,12 +225,7 @@ static enum status_code run_surface(void *context, size_t index, struct threads_
         rc = curve_tables_put(all->tables, record, turn, status);
     if (all->tables || all->describe_only)
         surface_drop_arrays(record);
-    if (all->options->progress) {
-        pthread_mutex_lock(&all->lock);
-        all->options->progress("models of", results->scene->surfaces[index].name, (double)++all->done,
-                               (double)results->surface_count);
-        pthread_mutex_unlock(&all->lock);
-    }
+    prepare_tell(&all->stage, results->scene->surfaces[index].name, 1, (double)results->surface_count);
     return rc;
 }
 
@@ -388,10 +390,9 @@ enum status_code prepare(struct prepared *out, const struct scene *scene, const 
         return status->code;
     const struct threads threads = {.jobs = options->jobs, .stop = options->stop};
     struct surfaces all = {.prepared = out,
-                           .options = options,
                            .plan = &out->allowed,
                            .describe_only = describe_only,
-                           .lock = PTHREAD_MUTEX_INITIALIZER};
+                           .stage = {options, "models of", NULL, 0, PTHREAD_MUTEX_INITIALIZER}};
     if (scene->operating.load == 0 && choose_operating_load(&all, &threads, status) != STATUS_OK)
         return status->code;
     struct curve_tables *tables = NULL;
@@ -399,10 +400,8 @@ enum status_code prepare(struct prepared *out, const struct scene *scene, const 
         return curve_tables_close(tables, status);
     all.tables = tables;
     out->allowed.decided = curves != NULL; /* what went to a file cannot be run again */
-    if (options->progress)
-        options->progress("models of", scene->surfaces[0].name, 0, (double)scene->surface_count);
+    prepare_tell(&all.stage, scene->surfaces[0].name, 0, (double)scene->surface_count);
     enum status_code rc = threads_run(&threads, scene->surface_count, run_surface, &all, status);
-    pthread_mutex_destroy(&all.lock);
     if (curve_tables_close(tables, status) != STATUS_OK)
         rc = status->code;
     out->plan = out->allowed;

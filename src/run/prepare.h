@@ -7,6 +7,7 @@
 #include "output/tables.h"
 #include "results/results.h"
 #include "run/run.h"
+#include <pthread.h>
 
 /** Owned: prepared_free(). Not to be moved: its parts point at each other. */
 struct prepared {
@@ -17,6 +18,17 @@ struct prepared {
     struct results results;
     struct results_infinite infinite; /* of the tables */
 };
+
+/** A stage of the work, of which several threads tell how far they are. */
+struct prepare_stage {
+    const struct run_options *options;
+    const char *stage, *name; /* as run_options.progress has them */
+    double done;
+    pthread_mutex_t lock;
+};
+
+/** Adds `work` of `all`, done to the thing `name`, and tells who asks for it, one thread at a time. */
+void prepare_tell(struct prepare_stage *stage, const char *name, double work, double all);
 
 /** Runs every surface of the scene, one a thread: describes it and, unless `describe_only`, runs its models. A surface
  * that cannot be read is marked. Curves stay in memory; where `curves` is not NULL they go to the

@@ -119,21 +119,11 @@ static enum status_code run_measured(struct run *run, struct status *status)
     return STATUS_OK;
 }
 
-/** How far one of them is. */
-struct direct_progress {
-    const struct run_options *options;
-    const char *surface;
-    double done;
-    pthread_mutex_t lock;
-};
-
+/** As direct_study_task.progress. */
 static void add_progress(void *context, double work, double all)
 {
-    struct direct_progress *progress = context;
-    pthread_mutex_lock(&progress->lock);
-    progress->done += work;
-    progress->options->progress("direct solution of", progress->surface, progress->done, all);
-    pthread_mutex_unlock(&progress->lock);
+    struct prepare_stage *stage = context;
+    prepare_tell(stage, stage->name, work, all);
 }
 
 /** The direct solutions that the plan calls for, one surface after another, each on all threads. */
@@ -147,22 +137,21 @@ static enum status_code run_direct(struct run *run, struct status *status)
         if (!prepare_solves(results, i))
             continue;
         struct surface_record *record = &results->surfaces[i];
-        struct direct_progress progress = {run->options, record->summary.scene->name, 0, PTHREAD_MUTEX_INITIALIZER};
-        if (run->options->progress)
-            run->options->progress("direct solution of", progress.surface, 0, 1);
+        struct prepare_stage stage = {run->options, "direct solution of", record->summary.scene->name, 0,
+                                      PTHREAD_MUTEX_INITIALIZER};
+        add_progress(&stage, 0, 1);
         const struct direct_study_task task = {.surface = record,
                                                .index = i,
                                                .scene = results->scene,
                                                .plan = results->plan,
                                                .threads = run->options->jobs,
                                                .stop = run->options->stop,
-                                               .progress = run->options->progress ? add_progress : NULL,
-                                               .progress_context = &progress};
+                                               .progress = add_progress,
+                                               .progress_context = &stage};
         struct direct_study *study = &run->direct[results->direct_count];
         struct status problem = {0};
         enum status_code rc = direct_study_run(study, &task, &problem);
-        if (run->options->progress)
-            run->options->progress("direct solution of", progress.surface, 1, 1);
+        add_progress(&stage, 0, stage.done); /* all of it */
         if (rc == STATUS_MEMORY) {
             snprintf(problem.message, sizeof problem.message,
                      "out of memory on %zu x %zu points; take a smaller grid, or fewer threads (--jobs)",

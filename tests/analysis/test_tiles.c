@@ -226,7 +226,7 @@ TEST_CASE(squares_of_a_larger_map)
     assert_int_equal(tiles.columns, 1);
     tiles.columns = 4;
     assert_int_equal(tiles_solve(&tiles, INFINITY, NULL, &status), STATUS_OK);
-    assert_true(tiles.transforms > all / 3 && tiles.transforms < 3 * all);
+    assert_true((double)tiles.transforms > all / 3 && (double)tiles.transforms < 3 * all);
     assert_true(tiles.transfer->curve[0].count > 0 && tiles.transfer->curve[1].count == 0);
     struct tiles one = map_of(SIDE, SIDE, 9, worn); /* a corner of it alone says less of it */
     assert_int_equal(tiles_solve(&one, INFINITY, NULL, &status), STATUS_OK);

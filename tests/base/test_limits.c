@@ -207,12 +207,11 @@ TEST_CASE(test_directories)
     for (size_t over = 0; over < 2; over++)
         for (size_t inside = 0; inside < 2; inside++) {
             struct directory directory = directory_make();
-            char path[512], name[32];
+            char path[512];
             snprintf(path, sizeof path, "%s/s", directory.path);
             assert_int_equal(inside ? mkdir(path, 0777) : 0, 0);
             for (size_t i = 0; i < SMALL_FILES - 2 + over; i++) { /* and . and .. */
-                snprintf(name, sizeof name, inside ? "s/%zu.csv" : "%zu.csv", i);
-                scene_directory_add(&directory, name);
+                scene_directory_add(&directory, filled(inside ? "s/%zu.csv" : "%zu.csv", i));
             }
             expect_scene(&directory, NULL, over, LIMIT_FILES, inside ? 1 : SMALL_FILES - 2);
             directory_remove(&directory);
@@ -413,12 +412,13 @@ TEST_CASE(test_results)
     char *const both[] = {directory.path, directory.path};
     for (int over = 0; over < 2; over++) {
         json_t *view;
-        char text[SMALL_RESULTS_BYTES + 2];
         struct status status = {0};
-        snprintf(text, sizeof text, "%-*s", SMALL_RESULTS_BYTES + over,
-                 "{\"program\": \"roughcontact\", \"leading\": \"m\", \"surfaces\": [{\"surface\": \"a\", \"models\": "
-                 "{\"m\": {\"operating\": {\"load_over_AnEp\": 1e-4, \"area_ratio\": 0.1}}}}]}");
-        directory_write(&directory, "results.json", text);
+        directory_write(
+            &directory, "results.json",
+            filled(
+                "%-*s", SMALL_RESULTS_BYTES + over,
+                "{\"program\": \"roughcontact\", \"leading\": \"m\", \"surfaces\": [{\"surface\": \"a\", \"models\": "
+                "{\"m\": {\"operating\": {\"load_over_AnEp\": 1e-4, \"area_ratio\": 0.1}}}}]}"));
         assert_int_equal(report_compare(&view, both, 2, &status), over ? STATUS_IO : STATUS_OK);
         if (over)
             expect_limit(status.message, LIMIT_RESULTS_BYTES);
@@ -494,16 +494,14 @@ static void expect_filled(const char *source, const char *partial, size_t items,
 TEST_CASE(test_templates)
 {
     for (size_t over = 0; over < 2; over++) {
-        char source[SMALL_TEMPLATE_BYTES + 2], partial[SMALL_TEMPLATE_BYTES];
-        snprintf(source, sizeof source, "%*s", SMALL_TEMPLATE_BYTES + (int)over, "x");
-        expect_filled(source, "", 0, over, LIMIT_TEMPLATE_BYTES);
+        char partial[SMALL_TEMPLATE_BYTES];
+        expect_filled(filled("%*s", SMALL_TEMPLATE_BYTES + (int)over, "x"), "", 0, over, LIMIT_TEMPLATE_BYTES);
         snprintf(partial, sizeof partial, "%*s", SMALL_TEMPLATE_BYTES - 20 + (int)over, "x"); /* one after the other */
         expect_filled("{{>p}}{{>p}}{{>p}}|x", partial, 0, over, LIMIT_TEMPLATE_BYTES);
         memset(partial, '\n', 200); /* and what it is indented by */
         partial[over ? 60 : 40] = '\0';
         expect_filled("       {{> p  }}\n", partial, 0, over, LIMIT_TEMPLATE_BYTES);
-        snprintf(source, sizeof source, "{{#list}}%*s{{/list}}", SMALL_PAGE_BYTES / 5, "x");
-        expect_filled(source, "", 5 + over, over, LIMIT_PAGE_BYTES);
+        expect_filled(filled("{{#list}}%*s{{/list}}", SMALL_PAGE_BYTES / 5, "x"), "", 5 + over, over, LIMIT_PAGE_BYTES);
         /* 4^3 items against 4^4 */
         expect_filled(over ? "{{#list}}{{#list}}{{#list}}{{#list}}{{.}}{{/list}}{{/list}}{{/list}}{{/list}}"
                            : "{{#list}}{{#list}}{{#list}}{{.}}{{/list}}{{/list}}{{/list}}",

@@ -41,9 +41,8 @@ TEST_CASE(the_specification_holds)
 {
     static const char *const files[] = {"comments", "delimiters", "interpolation", "inverted", "partials", "sections"};
     for (size_t f = 0; f < sizeof files / sizeof *files; f++) {
-        char path[300];
-        snprintf(path, sizeof path, "%s/../shared/golden/mustache/%s.json", PROJECT_SOURCE, files[f]);
-        json_t *all = json_load_file(path, 0, NULL), *test;
+        json_t *all = json_load_file(filled("%s/../shared/golden/mustache/%s.json", PROJECT_SOURCE, files[f]), 0, NULL),
+               *test;
         size_t i;
         if (!all)
             skip();

@@ -222,12 +222,12 @@ PLACED(test_the_end)
 /* Whole copies, as out of an archive, have the name of another directory. */
 PLACED(test_a_copy_is_nobodys)
 {
-    char dead[PATH_MAX], line[4 * PATH_MAX];
+    char dead[PATH_MAX];
     pid_t process;
     leave(dead, true, &process);
-    snprintf(line, sizeof line, "cp -a %s %s/copy; rm -r %s; mv %s/copy %s", dead, directory_here.path, dead,
-             directory_here.path, dead);
-    assert_int_equal(system(line), 0);
+    assert_int_equal(system(filled("cp -a %s %s/copy; rm -r %s; mv %s/copy %s", dead, directory_here.path, dead,
+                                   directory_here.path, dead)),
+                     0);
     make_and_remove();
     assert_int_equal(directory_entries(&directory_here, name_of(dead)), 1);
 }

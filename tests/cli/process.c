@@ -18,31 +18,6 @@
 
 extern char **environ;
 
-int workspace_make(void **state)
-{
-    const char *temporary = getenv("TMPDIR");
-    char *place;
-    if (asprintf(&place, "%s/roughcontact-test-XXXXXX", temporary ? temporary : P_tmpdir) < 0 || !mkdtemp(place))
-        return -1;
-    *state = place;
-    return 0;
-}
-
-static int remove_entry(const char *path, const struct stat *info, int type, struct FTW *level)
-{
-    (void)info;
-    (void)type;
-    (void)level;
-    return remove(path);
-}
-
-int workspace_remove(void **state)
-{
-    int failed = nftw(*state, remove_entry, 16, FTW_DEPTH | FTW_PHYS);
-    free(*state);
-    return failed;
-}
-
 struct process_running process_start_list(const char *place, const char *const *arguments, const char *output)
 {
     struct process_running running;
@@ -178,79 +153,10 @@ void process_expect_failure(struct process process, int status, size_t lines, co
     process_free(&process);
 }
 
-void process_expect_in_file(const char *place, const char *path, const char *const *parts, bool there, const char *file,
-                            int line)
-{
-    char *text = workspace_read(place, path);
-    support_parts(text, parts, there, file, line);
-    free(text);
-}
-
-static char *path_of(const char *place, const char *path)
-{
-    size_t size = strlen(place) + strlen(path) + 2;
-    char *whole = malloc(size);
-    assert_non_null(whole);
-    snprintf(whole, size, "%s/%s", place, path);
-    return whole;
-}
-
-void workspace_folder(const char *place, const char *path)
-{
-    char *whole = path_of(place, path);
-    for (char *slash = strchr(whole + strlen(place) + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
-        *slash = '\0';
-        mkdir(whole, 0777);
-        *slash = '/';
-    }
-    mkdir(whole, 0777);
-    free(whole);
-    assert_true(workspace_has(place, path));
-}
-
-static FILE *open_new(const char *place, const char *path)
-{
-    const char *slash = strrchr(path, '/');
-    if (slash) {
-        char *folder = strndup(path, (size_t)(slash - path));
-        workspace_folder(place, folder);
-        free(folder);
-    }
-    char *whole = path_of(place, path);
-    FILE *file = fopen(whole, "w");
-    free(whole);
-    assert_non_null(file);
-    return file;
-}
-
-void workspace_write(const char *place, const char *path, const char *content)
-{
-    FILE *file = open_new(place, path);
-    assert_true(fputs(content, file) >= 0);
-    assert_int_equal(fclose(file), 0);
-}
-
 char *workspace_read(const char *place, const char *path)
 {
-    char *whole = path_of(place, path), *text = strdup("");
-    size_t length = 0;
-    int descriptor = open(whole, O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0)
-        fail_msg("no file %s", whole);
-    while (collect(descriptor, &text, &length))
-        ;
-    close(descriptor);
-    free(whole);
-    return text;
-}
-
-bool workspace_has(const char *place, const char *path)
-{
-    struct stat info;
-    char *whole = path_of(place, path);
-    int failed = lstat(whole, &info);
-    free(whole);
-    return failed == 0;
+    struct text text = directory_read(place, path);
+    return text.data ? text.data : strdup("");
 }
 
 void workspace_scan(const char *place, const char *path, size_t points, unsigned seed)
@@ -263,11 +169,12 @@ void workspace_scan(const char *place, const char *path, size_t points, unsigned
     def.length_m = 0.5e-6 * (double)points;
     def.seed = seed;
     assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
-    FILE *file = open_new(place, path);
-    fputs("x [um],z [um]\n", file);
+    struct text csv = {0};
+    text_add(&csv, "x [um],z [um]\n");
     for (size_t i = 0; i < points; i++)
-        fprintf(file, "%.1f,%.6f\n", 0.5 * (double)i, height_m[i] * 1e6);
-    assert_int_equal(fclose(file), 0);
+        text_add(&csv, "%.1f,%.6f\n", 0.5 * (double)i, height_m[i] * 1e6);
+    directory_write(place, path, text_string(&csv));
+    text_free(&csv);
     free(height_m);
 }
 
@@ -279,7 +186,7 @@ static int by_name(const FTSENT **a, const FTSENT **b)
 /** Walks everything below `path`; adds names and contents to `hash` (NULL: none) and counts names with `prefix`. */
 static size_t walk(const char *place, const char *path, struct hash *hash, const char *prefix)
 {
-    char *root = path_of(place, path), *roots[] = {root, NULL};
+    char *root = strdup(directory_path(place, path)), *roots[] = {root, NULL};
     FTS *tree = fts_open(roots, FTS_PHYSICAL | FTS_NOCHDIR, by_name);
     size_t count = 0, start = strlen(root), found = 0;
     assert_non_null(tree);
@@ -293,15 +200,9 @@ static size_t walk(const char *place, const char *path, struct hash *hash, const
         hash_add(hash, entry->fts_path + start, strlen(entry->fts_path + start) + 1);
         if (entry->fts_info != FTS_F)
             continue;
-        char *content = NULL;
-        size_t length = 0;
-        int descriptor = open(entry->fts_path, O_RDONLY | O_CLOEXEC);
-        assert_true(descriptor >= 0);
-        while (collect(descriptor, &content, &length))
-            ;
-        close(descriptor);
-        hash_add(hash, content ? content : "", length + 1);
-        free(content);
+        struct text content = directory_read("", entry->fts_path);
+        hash_add(hash, text_string(&content), content.length + 1);
+        text_free(&content);
     }
     fts_close(tree);
     free(root);
@@ -326,14 +227,6 @@ void workspace_expect_digest(const char *place, const char *path, const char *di
         _fail(file, line);
     }
     free(now);
-}
-
-struct table workspace_table(const char *place, const char *path)
-{
-    char *whole = path_of(place, path);
-    struct table table = table_read_path(whole);
-    free(whole);
-    return table;
 }
 
 size_t workspace_count(const char *place, const char *prefix)
@@ -396,7 +289,7 @@ static int expect_numbers_in(const char *path, const struct stat *info, int type
     free(template_path);
     if (code)
         return 0;
-    char *content = workspace_read("/", path);
+    char *content = workspace_read("", path);
     process_expect_numbers(content, path);
     free(content);
     files_seen++;
@@ -405,11 +298,8 @@ static int expect_numbers_in(const char *path, const struct stat *info, int type
 
 size_t workspace_expect_numbers(const char *place, const char *path)
 {
-    char *whole;
-    assert_true(asprintf(&whole, "%s/%s", place, path) > 0);
     files_seen = 0;
-    assert_int_equal(nftw(whole, expect_numbers_in, 16, FTW_PHYS), 0);
-    free(whole);
+    assert_int_equal(nftw(directory_path(place, path), expect_numbers_in, 16, FTW_PHYS), 0);
     return files_seen;
 }
 
@@ -418,12 +308,10 @@ char *workspace_program(const char *place, const char *name, const char *lines)
     char *before = strdup(getenv("PATH")), *path, *file;
     assert_true(asprintf(&file, "bin/%s", name) > 0);
     workspace_write(place, file, lines);
-    char *whole = path_of(place, file);
-    assert_int_equal(chmod(whole, 0755), 0);
+    assert_int_equal(chmod(directory_path(place, file), 0755), 0);
     assert_true(asprintf(&path, "%s/bin:%s", place, before) > 0);
     assert_int_equal(setenv("PATH", path, 1), 0);
     free(path);
-    free(whole);
     free(file);
     return before;
 }

@@ -3,7 +3,7 @@
 #ifndef TEST_CLI_PROCESS_H
 #define TEST_CLI_PROCESS_H
 
-#include "support.h"
+#include "directory.h"
 
 #include <jansson.h>
 #include <stdbool.h>
@@ -22,14 +22,10 @@ struct process_running {
     int out, err;
 };
 
-/** cmocka set-up and tear-down: a fresh temporary directory, path in *state, in which the program runs; and its
- * removal. */
-int workspace_make(void **state);
-int workspace_remove(void **state);
-/** A cmocka test with a workspace, `place`. */
+/** A cmocka test with a workspace, `place`: a directory in which the program runs, removed at the end. */
 #define TEST_IN_WORKSPACE(name)                                                                                        \
     static void name##_in(const char *place);                                                                          \
-    TEST_WITH(name, workspace_make, workspace_remove)                                                                  \
+    TEST_WITH(name, directory_setup, directory_teardown)                                                               \
     {                                                                                                                  \
         name##_in(*state);                                                                                             \
     }                                                                                                                  \
@@ -72,14 +68,6 @@ void process_expect_failure(struct process process, int status, size_t lines, co
 
 #define expect_part(text, part)    expect_parts((text), (part))
 #define expect_no_part(text, part) expect_no_parts((text), (part))
-/** expect_parts() and expect_no_parts() of a file below the workspace. */
-#define expect_in_file(place, path, ...)                                                                               \
-    process_expect_in_file((place), (path), (const char *const[]){__VA_ARGS__, NULL}, true, __FILE__, __LINE__)
-#define expect_not_in_file(place, path, ...)                                                                           \
-    process_expect_in_file((place), (path), (const char *const[]){__VA_ARGS__, NULL}, false, __FILE__, __LINE__)
-void process_expect_in_file(const char *place, const char *path, const char *const *parts, bool there, const char *file,
-                            int line);
-
 /** Fails the test unless `text`, read from `where`, is valid UTF-8 that shows what it holds: no control characters,
  * none that turn the direction or take no room; `tabs`: but tabs. */
 void process_expect_clean(const char *text, size_t length, const char *where, bool tabs);
@@ -89,10 +77,11 @@ void process_expect_numbers(const char *text, const char *where);
 size_t workspace_expect_numbers(const char *place, const char *path);
 
 /** Files below the workspace. Parents are made; read returns a text to free, and fails the test when there is none. */
-void workspace_write(const char *place, const char *path, const char *content);
-void workspace_folder(const char *place, const char *path);
+#define workspace_write  directory_write
+#define workspace_folder directory_folder
+#define workspace_has    directory_has
+#define workspace_table  directory_table
 char *workspace_read(const char *place, const char *path);
-bool workspace_has(const char *place, const char *path);
 /** Writes a rough scan of `points` points with units in its header; another `seed`, another surface. */
 void workspace_scan(const char *place, const char *path, size_t points, unsigned seed);
 /** SHA-256 over the names and contents of everything below `path`, as a text to free: the same for the same bytes. */
@@ -100,8 +89,7 @@ char *workspace_digest(const char *place, const char *path);
 /** Fails the test unless that is `digest`. */
 #define expect_digest(place, path, digest) workspace_expect_digest((place), (path), (digest), __FILE__, __LINE__)
 void workspace_expect_digest(const char *place, const char *path, const char *digest, const char *file, int line);
-/** A table, and a JSON value, that the program wrote below the workspace. */
-struct table workspace_table(const char *place, const char *path);
+/** A JSON value that the program wrote below the workspace. */
 json_t *workspace_json(const char *place, const char *path);
 /** How many entries, at any depth, have a name that begins with `prefix`. */
 size_t workspace_count(const char *place, const char *prefix);

@@ -131,10 +131,8 @@ static void write_case(const char *place, const char *path, const struct absurd 
 static char *report(const char *place, const char *folder, const char *scene, size_t refused, bool cost)
 {
     char path[128], out[64];
-    snprintf(path, sizeof path, "%s/good.csv", folder);
-    workspace_scan(place, path, 300, 4);
-    snprintf(path, sizeof path, "%s/scene.yaml", folder);
-    workspace_write(place, path, scene);
+    workspace_scan(place, filled("%s/good.csv", folder), 300, 4);
+    workspace_write(place, filled("%s/scene.yaml", folder), scene);
     snprintf(out, sizeof out, "out-%s", folder);
     struct process process =
         expect_exit(place, refused > 0 ? 1 : 0, "report", folder, "-o", out, cost ? "--verbose" : "--no-cost");
@@ -148,8 +146,7 @@ static char *report(const char *place, const char *folder, const char *scene, si
     expect_in_file(place, path, "\ngood,jg,");
     if (refused == 0)
         expect_in_file(place, path, "\nbad,multiscale-elastic,");
-    snprintf(path, sizeof path, "%s/results.json", out);
-    json_t *json = workspace_json(place, path);
+    json_t *json = workspace_json(place, filled("%s/results.json", out));
     assert_int_equal(json_array_size(json_object_get(json, "refused")), refused);
     json_decref(json);
     return messages;
@@ -172,18 +169,16 @@ TEST_IN_WORKSPACE(test_reports)
     };
     size_t reports = 0;
     for (size_t i = 0; i < CASES; i++) {
-        char folder[16], path[32];
+        char folder[16];
         if (cases[i].refusal)
             continue;
         print_message("%s\n", cases[i].name);
         snprintf(folder, sizeof folder, "d%zu", i);
-        snprintf(path, sizeof path, "%s/bad.csv", folder);
-        write_case(place, path, &cases[i]);
-        char scene[1000];
+        write_case(place, filled("%s/bad.csv", folder), &cases[i]);
         size_t which = reports++ % 3;
-        if (which > 0)
-            snprintf(scene, sizeof scene, "material: %s\n%s", materials[which - 1], rest);
-        free(report(place, folder, which > 0 ? scene : scene_of_reports, 0, which == 0));
+        free(report(place, folder,
+                    which > 0 ? filled("material: %s\n%s", materials[which - 1], rest) : scene_of_reports, 0,
+                    which == 0));
     }
 }
 
@@ -192,20 +187,16 @@ TEST_IN_WORKSPACE(test_refusals)
 {
     size_t refused = 0;
     for (size_t i = 0; i < CASES; i++) {
-        char path[32];
         if (!cases[i].refusal)
             continue;
-        snprintf(path, sizeof path, "refused/bad-%zu.csv", i);
-        write_case(place, path, &cases[i]);
+        write_case(place, filled("refused/bad-%zu.csv", i), &cases[i]);
         refused++;
     }
     char *messages = report(place, "refused", scene_of_reports, refused, false);
     for (size_t i = 0; i < CASES; i++) {
-        char start[64];
         if (!cases[i].refusal)
             continue;
-        snprintf(start, sizeof start, "surface 'bad-%zu' refused: bad-%zu.csv: ", i, i);
-        const char *at = strstr(messages, start);
+        const char *at = strstr(messages, filled("surface 'bad-%zu' refused: bad-%zu.csv: ", i, i));
         if (!at)
             fail_msg("%s: not refused in %s", cases[i].name, messages);
         char *line = strndup(at, strcspn(at, "\n"));

@@ -44,11 +44,9 @@ static struct process run_bounded(const char *place, const char *const *argument
 /* Frees them. */
 static void write_bytes(const char *place, const char *name, struct text *bytes)
 {
-    char path[4096];
     struct status status = {0};
     assert_false(bytes->failed);
-    snprintf(path, sizeof path, "%s/%s", place, name);
-    if (text_write_file(path, text_string(bytes), bytes->length, &status) != STATUS_OK)
+    if (text_write_file(directory_path(place, name), text_string(bytes), bytes->length, &status) != STATUS_OK)
         fail_msg("%s", status.message);
     text_free(bytes);
 }
@@ -66,26 +64,6 @@ static const char *limit_message(enum limit limit)
     static struct limit_words words;
     words = limit_words(limit);
     return words.text;
-}
-
-static struct text zip_with_main(const char *bytes, size_t length)
-{
-    const struct member members[] = {{"main.xml", bytes, length}, {NULL, NULL, 0}};
-    return zip(members, true);
-}
-
-/* 20 KB of elements in elements, and a line of 3 MB. */
-TEST_IN_WORKSPACE(test_deep_and_long)
-{
-    struct text xml = {0};
-    for (size_t i = 0; i < 4200000 / 3; i++)
-        text_add_bytes(&xml, "<a>", 3);
-    struct text text = zip_with_main(xml.data, xml.length);
-    text_free(&xml);
-    expect_refused(place, &text, limit_message(LIMIT_XML_DEPTH));
-    for (size_t i = 0; i < 1500000; i++)
-        text_add_bytes(&text, "1 ", 2);
-    expect_refused(place, &text, limit_message(LIMIT_LINE_BYTES));
 }
 
 /* 64 entries of one stream of 4 MiB; and the same where each stream begins within the one before. */
@@ -212,26 +190,6 @@ TEST_IN_WORKSPACE(test_points_as_announced)
     text_free(&heights);
 }
 
-/* 2 GB of 2 MB. */
-TEST_IN_WORKSPACE(test_endless_gzip)
-{
-    enum { SIZE = 16 << 20 };
-    char *blanks = malloc(SIZE);
-    assert_non_null(blanks);
-    memset(blanks, '\n', SIZE);
-    struct text member = gzip(blanks, SIZE), text = {0};
-    free(blanks);
-    for (size_t i = 0; i <= limit_most(LIMIT_UNPACKED_BYTES) / SIZE; i++)
-        put_copy(&text, &member);
-    text_free(&member);
-    if (memory == RLIM_INFINITY) {
-        print_message("skipped: no limit of the memory here\n");
-        text_free(&text);
-        skip();
-    }
-    expect_refused(place, &text, limit_message(LIMIT_UNPACKED_RATIO));
-}
-
 /* Headers that say more than any file holds. */
 TEST_IN_WORKSPACE(test_lying_headers)
 {
@@ -259,9 +217,7 @@ TEST_IN_WORKSPACE(test_lying_headers)
 TEST_IN_WORKSPACE(test_endless_input)
 {
     workspace_write(place, "large.csv", "1 2\n");
-    char path[4096];
-    snprintf(path, sizeof path, "%s/large.csv", place);
-    assert_int_equal(truncate(path, (off_t)limit_most(LIMIT_FILE_BYTES) + 1), 0);
+    assert_int_equal(truncate(directory_path(place, "large.csv"), (off_t)limit_most(LIMIT_FILE_BYTES) + 1), 0);
     process_expect_failure(RUN(place, "inspect", "large.csv"), 4, 1, limit_message(LIMIT_FILE_BYTES), __FILE__,
                            __LINE__);
     if (memory == RLIM_INFINITY) {
@@ -283,26 +239,16 @@ static void make_socket(const char *place, const char *name)
     close(descriptor);
 }
 
-static void in_place(char path[4096], const char *place, const char *name)
-{
-    snprintf(path, 4096, "%s/%s", place, name);
-}
-
 static void make_pipe(const char *place, const char *name)
 {
-    char path[4096];
-    in_place(path, place, name);
-    assert_int_equal(mkfifo(path, 0666), 0);
+    assert_int_equal(mkfifo(directory_path(place, name), 0666), 0);
 }
 
 static void make_link(const char *place, const char *name, const char *to)
 {
-    char path[4096];
-    in_place(path, place, name);
-    assert_int_equal(symlink(to, path), 0);
+    assert_int_equal(symlink(to, directory_path(place, name)), 0);
 }
 
-/* Pipes, sockets, devices and links in circles lie in a directory; folders in folders lead nowhere. */
 /* Rows are counted over all that a scene names. */
 TEST_IN_WORKSPACE(test_measured_again_and_again)
 {
@@ -324,6 +270,7 @@ TEST_IN_WORKSPACE(test_measured_again_and_again)
     text_free(&rows);
 }
 
+/* Pipes, sockets, devices and links in circles lie in a directory; folders in folders lead nowhere. */
 TEST_IN_WORKSPACE(test_no_files)
 {
     char path[4096];
@@ -342,7 +289,7 @@ TEST_IN_WORKSPACE(test_no_files)
         make_link(place, NAME("circle"), ".");
         make_link(place, NAME("up"), "..");
     }
-    in_place(path, place, "d/deep");
+    snprintf(path, sizeof path, "%s/d/deep", place);
     for (size_t depth = 0; depth < 1000; depth++) {
         assert_true(strlen(path) + 3 < sizeof path);
         assert_int_equal(mkdir(path, 0777), 0);
@@ -369,13 +316,11 @@ TEST_IN_WORKSPACE(test_no_files)
 /* A file that is replaced by a pipe after the scene was read is not waited for either: all reading goes this way. */
 TEST_IN_WORKSPACE(test_reading_a_pipe)
 {
-    char path[4096];
     struct text text = {0};
     struct status status = {0};
     make_pipe(place, "pipe");
-    in_place(path, place, "pipe");
     alarm(250);
-    assert_int_equal(text_read_file(&text, path, &status), STATUS_IO);
+    assert_int_equal(text_read_file(&text, directory_path(place, "pipe"), &status), STATUS_IO);
     alarm(0);
     expect_part(status.message, "pipe' is no regular file");
     text_free(&text);

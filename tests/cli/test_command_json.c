@@ -67,10 +67,8 @@ static size_t check_described(const char *document, json_t *json)
     json_t *value;
     json_object_foreach(json, key, value)
     {
-        char quoted[96];
-        snprintf(quoted, sizeof quoted, "`%s`", key);
         if (!is_row_name(key))
-            expect_part(document, quoted);
+            expect_part(document, filled("`%s`", key));
         keys += 1 + check_described(document, value);
     }
     if (json_is_array(json))
@@ -151,15 +149,11 @@ TEST_IN_WORKSPACE(test_plan)
         assert_int_equal(strcmp(runs, "run") == 0, json_is_true(json_object_get(row, "runs")));
         expect_part(line, text_of(row, "reason"));
     }
-    char about[32];
-    snprintf(about, sizeof about, ": about %.2g s\n", number_of(json, "seconds"));
-    expect_part(text.out, about);
+    expect_part(text.out, filled(": about %.2g s\n", number_of(json, "seconds")));
     for (size_t m = 0; m < model_count; m++) {
         const json_t *model = find(json_object_get(json, "models"), "model", model_rows[m]->name);
-        char line[64];
-        snprintf(line, sizeof line, "\n%-31s %-8s ", model_rows[m]->label,
-                 json_is_true(json_object_get(model, "runs")) ? "run" : "skipped");
-        expect_part(text.out, line);
+        expect_part(text.out, filled("\n%-31s %-8s ", model_rows[m]->label,
+                                     json_is_true(json_object_get(model, "runs")) ? "run" : "skipped"));
     }
     assert_int_equal(json_integer_value(json_object_get(json, "loads")), 7);
     assert_int_equal(json_integer_value(json_object_get(json, "targets")), 2);

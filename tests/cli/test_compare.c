@@ -35,17 +35,15 @@ static json_t *compare(const char *place, const char *a, const char *b, const ch
 /** Makes the report of two surfaces of three scans each, those of a from `seed` on. */
 static void make_report(const char *place, const char *out, unsigned seed, const char *more)
 {
-    char path[64], scene[512];
     for (unsigned i = 0; i < 6; i++) {
-        snprintf(path, sizeof path, "d/%c%u.csv", i < 3 ? 'a' : 'b', i);
-        workspace_scan(place, path, 200, i < 3 ? seed + i : 100 + i);
+        workspace_scan(place, filled("d/%c%u.csv", i < 3 ? 'a' : 'b', i), 200, i < 3 ? seed + i : 100 + i);
     }
-    snprintf(scene, sizeof scene,
-             "models: [corrected-persson]\nnominal_area: 1 mm2\nload: {from: 1 N, to: 20 N, points: 9}\n"
-             "effects: [plasticity, separation, electrical, uncertainty, film]\nfilm: 1e-12\nbaseline: b\n"
-             "surfaces: [{name: a, file: 'a*.csv'}, {name: b, file: 'b*.csv'}]\n%s\n",
-             more);
-    workspace_write(place, "d/scene.yaml", scene);
+    workspace_write(
+        place, "d/scene.yaml",
+        filled("models: [corrected-persson]\nnominal_area: 1 mm2\nload: {from: 1 N, to: 20 N, points: 9}\n"
+               "effects: [plasticity, separation, electrical, uncertainty, film]\nfilm: 1e-12\nbaseline: b\n"
+               "surfaces: [{name: a, file: 'a*.csv'}, {name: b, file: 'b*.csv'}]\n%s\n",
+               more));
     run_to_exit(place, 0, "report", "d", "-o", out, "--no-cost", "--brief");
 }
 

@@ -11,9 +11,7 @@
 
 static void write_scene(const char *place, const char *text)
 {
-    char scene[512];
-    snprintf(scene, sizeof scene, "material: tin\nsurfaces: [{name: a, file: a.csv}]\n%s", text);
-    workspace_write(place, "d/scene.yaml", scene);
+    workspace_write(place, "d/scene.yaml", filled("material: tin\nsurfaces: [{name: a, file: a.csv}]\n%s", text));
 }
 
 static void write_profile(const char *place, const char *scene)
@@ -116,10 +114,8 @@ TEST_IN_WORKSPACE(test_stiffness)
     static const char *const effects[] = {"[separation, stiffness]", "[plasticity, separation, electrical, stiffness]"};
     struct table t[2], r;
     for (int k = 0; k < 2; k++) {
-        char scene[200];
-        snprintf(scene, sizeof scene, "effects: %s\ndirect: {grid: 64, seeds: 2, loads: [1e-3], hardness: 400 MPa}\n",
-                 effects[k]);
-        write_profile(place, scene);
+        write_profile(
+            place, filled("effects: %s\ndirect: {grid: 64, seeds: 2, loads: [1e-3], hardness: 400 MPa}\n", effects[k]));
         report(place, "out", "1");
         t[k] = workspace_table(place, "out/data/direct.csv");
     }
@@ -258,9 +254,7 @@ TEST_IN_WORKSPACE(test_key)
     };
     workspace_scan(place, "d/a.csv", 400, 3);
     for (size_t w = 0; w < sizeof wrong / sizeof *wrong; w++) {
-        char scene[128];
-        snprintf(scene, sizeof scene, "direct: %s\n", wrong[w].key);
-        write_scene(place, scene);
+        write_scene(place, filled("direct: %s\n", wrong[w].key));
         expect_failure(place, 3, 1, wrong[w].message, "plan", "d");
     }
 }

@@ -61,9 +61,7 @@ static void write_surface(const char *place, const char *path, shape *height)
 /** Reports d into out, in which every number is one. */
 static void report(const char *place, int status, const char *direct)
 {
-    char scene[512];
-    snprintf(scene, sizeof scene, SCENE "direct: {%s}\n", direct);
-    workspace_write(place, "d/scene.yaml", scene);
+    workspace_write(place, "d/scene.yaml", filled(SCENE "direct: {%s}\n", direct));
     struct process run = expect_exit(place, status, "report", "d", "-o", "out", "--no-cost");
     process_expect_numbers(run.out, "stdout");
     process_expect_numbers(run.err, "stderr");

@@ -62,9 +62,8 @@ static char *read_chapter(const char *document, const char *file)
 /** The columns of a table in the chapter of its name. */
 static size_t check_columns(const char *document, const char *place, const char *file)
 {
-    char path[NAME], name[NAME];
-    snprintf(path, sizeof path, "out/data/%s", file);
-    char *table = workspace_read(place, path), *rest = table;
+    char name[NAME];
+    char *table = workspace_read(place, filled("out/data/%s", file)), *rest = table;
     char *chapter = read_chapter(document, file);
     table[strcspn(table, "\n")] = '\0';
     size_t columns = 0;
@@ -113,9 +112,7 @@ static size_t check_sections(const char *document, const char *place)
     char *report = workspace_read(place, "out/report.md");
     size_t sections = 0;
     for (char *at = report; (at = strstr(at, "\n## ")); at++) {
-        char heading[NAME];
-        snprintf(heading, sizeof heading, "%.*s", (int)strcspn(at + 4, "\n"), at + 4);
-        expect_described(document, "| ", heading, " |");
+        expect_described(document, "| ", filled("%.*s", (int)strcspn(at + 4, "\n"), at + 4), " |");
         sections++;
     }
     free(report);
@@ -181,10 +178,9 @@ TEST_IN_WORKSPACE(tutorial_quotes_the_report)
     document = workspace_read(PROJECT_SOURCE, "docs/tutorial.md"); /* and the columns that it names are there */
     size_t columns = 0;
     for (const char *at = document; (at = strstr(at, "column `")); columns++) {
-        char column[NAME], file[NAME], path[NAME + 16];
+        char column[NAME], file[NAME];
         assert_int_equal(sscanf(at, "column `%99[^`]` of `data/%99[^`]`", column, file), 2);
-        snprintf(path, sizeof path, "out/data/%s", file);
-        struct table table = workspace_table(place, path);
+        struct table table = workspace_table(place, filled("out/data/%s", file));
         assert_non_null(table_text(&table, 0, column)); /* fails of itself where there is none */
         table_free(&table);
         at++;

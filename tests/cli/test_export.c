@@ -103,14 +103,12 @@ static size_t read_table(double pressure[ROWS], double value[ROWS], const char *
 
 static void make_scene(const char *place, int points, const char *more)
 {
-    char text[1024];
-    snprintf(text, sizeof text,
-             "material: copper\nmodels: [cmy]\nload: {from: 0.1 MPa, to: 100 MPa, points: %d}\n"
-             "surfaces:\n  - {name: plain, file: [a.csv, b.csv, c.csv]}\n"
-             "  - {name: \"*STEP $#%%!\", file: [b.csv, c.csv]}\n"
-             "  - {name: -rf, file: c.csv}\n%s",
-             points, more);
-    workspace_write(place, "d/scene.yaml", text);
+    workspace_write(place, "d/scene.yaml",
+                    filled("material: copper\nmodels: [cmy]\nload: {from: 0.1 MPa, to: 100 MPa, points: %d}\n"
+                           "surfaces:\n  - {name: plain, file: [a.csv, b.csv, c.csv]}\n"
+                           "  - {name: \"*STEP $#%%!\", file: [b.csv, c.csv]}\n"
+                           "  - {name: -rf, file: c.csv}\n%s",
+                           points, more));
     workspace_scan(place, "d/a.csv", 300, 1);
     workspace_scan(place, "d/b.csv", 300, 2);
     workspace_scan(place, "d/c.csv", 300, 3);
@@ -127,8 +125,7 @@ TEST_IN_WORKSPACE(each_is_read_back)
     for (size_t f = 0; f < sizeof formats / sizeof *formats; f++) {
         char path[64], column[64];
         double pressure[ROWS], value[ROWS];
-        snprintf(path, sizeof path, "o/export/plain.%s", formats[f].file);
-        char *text = workspace_read(place, path);
+        char *text = workspace_read(place, filled("o/export/plain.%s", formats[f].file));
         expect_parts(text, "surface: plain\n", "it holds from 100000 Pa to ", " Pa", "W/", "S/", "[Pa]");
         for (int t = 0; t < TABLES; t++) {
             assert_int_equal(read_table(pressure, value, text, &formats[f].table[t]), POINTS);
@@ -141,8 +138,7 @@ TEST_IN_WORKSPACE(each_is_read_back)
             }
         }
         free(text);
-        snprintf(path, sizeof path, "o/export/_STEP_____~2.%s", formats[f].file);
-        text = workspace_read(place, path);
+        text = workspace_read(place, filled("o/export/_STEP_____~2.%s", formats[f].file));
         expect_part(text, "surface: _STEP ____\n"); /* nothing that any program would compute */
         free(text);
         snprintf(path, sizeof path, "o/export/_rf~3.%s", formats[f].file); /* no name that is read as an option */

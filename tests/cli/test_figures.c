@@ -13,9 +13,7 @@
 /** A file of a chart. To be freed. */
 static char *file_of(const char *place, const char *out, const char *name, const char *ending)
 {
-    char path[100];
-    snprintf(path, sizeof path, "%s/figures/%s.%s", out, name, ending);
-    return workspace_read(place, path);
+    return workspace_read(place, filled("%s/figures/%s.%s", out, name, ending));
 }
 
 /** The numbers that panels have in a script, as a caption lists them. */
@@ -70,10 +68,8 @@ static void expect_flags(const char *place, const char *out, const char *name, c
 /** Makes a report and holds all its captions against its charts. */
 static void expect_captions(const char *place, const char *directory, const char *out)
 {
-    char path[100];
     run_to_exit(place, 0, "report", directory, "-o", out);
-    snprintf(path, sizeof path, "%s/view.json", out);
-    json_t *view = workspace_json(place, path), *figure;
+    json_t *view = workspace_json(place, filled("%s/view.json", out)), *figure;
     const char *name;
     json_object_foreach(json_object_get(view, "figures"), name, figure) expect_flags(place, out, name, figure);
     json_decref(view);
@@ -127,12 +123,11 @@ TEST_IN_WORKSPACE(direct_solutions_are_of_their_surface)
     workspace_scan(place, "d/a.csv", 400, 3);
     workspace_scan(place, "d/b.csv", 400, 4);
     for (int some = 0; some < 2; some++) {
-        char scene[300], colour[8] = "", open_colour[8] = "";
-        snprintf(scene, sizeof scene,
-                 "material: tin\nbaseline: b\nmodels: [strip, gw]\neffects: [separation, electrical]\n"
-                 "direct: {grid: 64, seeds: 2, loads: [%s6e-3, 1e-2]}\n",
-                 some ? "2.5e-4, 3e-4, " : "");
-        workspace_write(place, "d/scene.yaml", scene);
+        char colour[8] = "", open_colour[8] = "";
+        workspace_write(place, "d/scene.yaml",
+                        filled("material: tin\nbaseline: b\nmodels: [strip, gw]\neffects: [separation, electrical]\n"
+                               "direct: {grid: 64, seeds: 2, loads: [%s6e-3, 1e-2]}\n",
+                               some ? "2.5e-4, 3e-4, " : ""));
         run_to_exit(place, 0, "report", "d", "-o", "out", "--no-cost");
         struct table table = workspace_table(place, "out/data/direct.csv");
         size_t few = 0, many = 0;
@@ -150,9 +145,7 @@ TEST_IN_WORKSPACE(direct_solutions_are_of_their_surface)
         expect_part(script, "'direct solution of b'");
         const char *line = strstr(data, "# b\n");
         assert_non_null(line);
-        char own[60];
-        snprintf(own, sizeof own, "lines lc rgb '%s' lw 2.6 dt 1 title 'b'", colour);
-        expect_part(script, own);
+        expect_part(script, filled("lines lc rgb '%s' lw 2.6 dt 1 title 'b'", colour));
         free(script);
         free(data);
         script = file_of(place, "out", "direct", "gp");
@@ -173,14 +166,13 @@ TEST_IN_WORKSPACE(a_temperature_that_hardly_changes)
     static const char *const lightest[] = {"3e4", "5e4"};
     workspace_scan(place, "d/a.csv", 400, 1);
     for (size_t l = 0; l < sizeof lightest / sizeof *lightest; l++) {
-        char scene[400];
-        snprintf(scene, sizeof scene,
-                 "material: copper\nnominal_area: 1e3 m2\ncurrent: 1 A\ngap: {gas: helium, temperature: 1000 K}\n"
-                 "plating: {metal: tin, thickness: 3 um, resistivity: 1.1e-7 ohm m}\n"
-                 "load: {from: %s N, to: 1e9 N, points: 41}\n"
-                 "effects: [plasticity, separation, thermal, electrical, gap, plating, heating]\n",
-                 lightest[l]);
-        workspace_write(place, "d/scene.yaml", scene);
+        workspace_write(
+            place, "d/scene.yaml",
+            filled("material: copper\nnominal_area: 1e3 m2\ncurrent: 1 A\ngap: {gas: helium, temperature: 1000 K}\n"
+                   "plating: {metal: tin, thickness: 3 um, resistivity: 1.1e-7 ohm m}\n"
+                   "load: {from: %s N, to: 1e9 N, points: 41}\n"
+                   "effects: [plasticity, separation, thermal, electrical, gap, plating, heating]\n",
+                   lightest[l]));
         run_to_exit(place, 0, "report", "d", "-o", "out", "--no-cost");
         expect_in_file(place, "out/figures/joint.gp", "set yrange [654.165:799.535]");
     }

@@ -144,9 +144,7 @@ static bool tag_allowed(const char *name, size_t length)
         " !doctype html head meta title style body main nav header footer details summary h1 h2 h3 h4 p ul ol li a b i "
         "em "
         "strong code pre br hr div span table thead tbody tr th td figure figcaption sup sub label input script img ";
-    char word[40];
-    snprintf(word, sizeof word, " %.*s ", (int)length, name);
-    return strcasestr(allowed, word);
+    return strcasestr(allowed, filled(" %.*s ", (int)length, name));
 }
 
 /** Goes over the tags: each is known, closed where it must be in the order opened, and has no attribute that runs. */
@@ -223,11 +221,9 @@ static void assert_tables_whole(const char *markdown)
 /* Every file below `path`; returns how many SVG there are. */
 static size_t assert_files(const char *place, const char *path)
 {
-    char full[1024];
     struct dirent *entry;
     size_t drawings = 0;
-    snprintf(full, sizeof full, "%s/%s", place, path);
-    DIR *directory = opendir(full);
+    DIR *directory = opendir(filled("%s/%s", place, path));
     assert_non_null(directory);
     while ((entry = readdir(directory))) {
         char name[512];
@@ -236,8 +232,7 @@ static size_t assert_files(const char *place, const char *path)
             continue;
         assert_true(strlen(path) + strlen(entry->d_name) + 2 < sizeof name);
         strcpy(stpcpy(stpcpy(name, path), "/"), entry->d_name);
-        snprintf(full, sizeof full, "%s/%s", place, name);
-        assert_int_equal(lstat(full, &info), 0);
+        assert_int_equal(lstat(filled("%s/%s", place, name), &info), 0);
         if (S_ISDIR(info.st_mode)) {
             drawings += assert_files(place, name);
             continue;
@@ -268,19 +263,14 @@ static size_t assert_files(const char *place, const char *path)
 static void write_scans(const char *place)
 {
     for (unsigned i = 0; i < NAMES; i++) {
-        char path[128];
-        snprintf(path, sizeof path, "d/%s.csv", names[i].name);
-        workspace_scan(place, path, 100, i + 1);
+        workspace_scan(place, filled("d/%s.csv", names[i].name), 100, i + 1);
     }
 }
 
 static void assert_process(struct process process, const char *what)
 {
-    char where[64];
-    snprintf(where, sizeof where, "stdout of %s", what);
-    process_expect_clean(process.out, process.out_length, where, false);
-    snprintf(where, sizeof where, "stderr of %s", what);
-    process_expect_clean(process.err, strlen(process.err), where, false);
+    process_expect_clean(process.out, process.out_length, filled("stdout of %s", what), false);
+    process_expect_clean(process.err, strlen(process.err), filled("stderr of %s", what), false);
     process_free(&process);
 }
 

@@ -9,12 +9,10 @@
 /** Fails the test unless the scene of d has these surfaces: "name=file|file\n", a line each. */
 static void expect_surfaces(const char *place, const char *expected)
 {
-    char directory[4096];
     struct scene scene;
     struct status status = {0};
     struct text found = {0};
-    snprintf(directory, sizeof directory, "%s/d", place);
-    if (scene_read(&scene, directory, NULL, &status) != STATUS_OK)
+    if (scene_read(&scene, filled("%s/d", place), NULL, &status) != STATUS_OK)
         fail_msg("%s", status.message);
     assert_non_null(scene.path);
     for (size_t i = 0; i < scene.surface_count; i++) {

@@ -18,9 +18,7 @@ static char *install(const char *place, const char *prefix)
 
 static int unlink_in(const char *place, const char *path)
 {
-    char full[512];
-    snprintf(full, sizeof full, "%s/%s", place, path);
-    return unlink(full);
+    return unlink(filled("%s/%s", place, path));
 }
 
 static void run_installed(const char *place, const char *program, const char *output)
@@ -92,14 +90,12 @@ TEST_IN_WORKSPACE(test_install)
 static void expect_table(const char *place, const char *printed)
 {
     run_to_exit(place, 0, "report", "d", "-o", "out", "--no-cost", "--brief");
-    char line[128];
     struct table table = workspace_table(place, "out/data/contact.csv");
     for (size_t row = 0; row < table.rows; row++) {
         const char *ecr = table_text(&table, row, "ecr_ohm_m2"), *tcr = table_text(&table, row, "tcr_K_m2_per_W");
-        snprintf(line, sizeof line, "%-12.5g %-12.5g %-12.5g %.5g\n", table_number(&table, row, "pressure_Pa"),
-                 table_number(&table, row, "area_ratio"), *ecr ? strtod(ecr, NULL) : NAN,
-                 *tcr ? strtod(tcr, NULL) : NAN);
-        expect_part(printed, line);
+        expect_part(printed, filled("%-12.5g %-12.5g %-12.5g %.5g\n", table_number(&table, row, "pressure_Pa"),
+                                    table_number(&table, row, "area_ratio"), *ecr ? strtod(ecr, NULL) : NAN,
+                                    *tcr ? strtod(tcr, NULL) : NAN));
     }
     assert_int_equal(table.rows, 3); /* the model ends before the other two of the loads */
     expect_part(printed, " nan          nan  beyond the model's range\n");

@@ -97,10 +97,9 @@ static char *hang_gnuplot(const char *place)
 /** Has the process with this id a descriptor of the hidden directory, which is its lock? */
 static bool holds_staging(const char *id)
 {
-    char path[64], leads[512];
+    char leads[512];
     bool found = false;
-    snprintf(path, sizeof path, "/proc/%ld/fd", strtol(id, NULL, 10));
-    DIR *open = opendir(path);
+    DIR *open = opendir(filled("/proc/%ld/fd", strtol(id, NULL, 10)));
     assert_non_null(open);
     for (const struct dirent *entry; (entry = readdir(open));) {
         ssize_t length = readlinkat(dirfd(open), entry->d_name, leads, sizeof leads - 1);

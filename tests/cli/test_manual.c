@@ -57,14 +57,12 @@ static size_t check_options(const char *manual, const char *replies, const struc
 {
     size_t options = 0;
     for (const struct argp_option *option = argp->options; option && option->name; option++, options++) {
-        char term[1024], completed[96], letter[8] = "";
+        char letter[8] = "";
         if (option->key > ' ' && option->key < 127)
             snprintf(letter, sizeof letter, "-%c, ", option->key);
-        snprintf(term, sizeof term, "\n.TP\n%s--%s%s%s\n%s\n", letter, option->name, option->arg ? "=" : "",
-                 option->arg ? option->arg : "", option->doc);
-        expect_part(manual, term);
-        snprintf(completed, sizeof completed, "--%s%s\n", option->name, option->arg ? "=" : "");
-        expect_part(replies, completed);
+        expect_part(manual, filled("\n.TP\n%s--%s%s%s\n%s\n", letter, option->name, option->arg ? "=" : "",
+                                   option->arg ? option->arg : "", option->doc));
+        expect_part(replies, filled("--%s%s\n", option->name, option->arg ? "=" : ""));
     }
     for (const struct argp_child *child = argp->children; child && child->argp; child++)
         options += check_options(manual, replies, child->argp);

@@ -79,7 +79,6 @@ TEST_IN_WORKSPACE(test_counted_notes)
     struct text scene = {0};
     text_add(&scene, "surfaces:\n  - name: s\n    file: [");
     for (unsigned i = 0; i < 12; i++) {
-        char path[32];
         struct text scan = {0};
         uint64_t seed = i + 1;
         text_add(&scan, "x [um],z [um],more\n");
@@ -87,8 +86,7 @@ TEST_IN_WORKSPACE(test_counted_notes)
             seed = seed * 6364136223846793005u + 1442695040888963407u;
             text_add(&scan, "%d,%.4f,1\n", k, (double)(seed >> 40) * 1e-6);
         }
-        snprintf(path, sizeof path, "d/%u.csv", 10 + i);
-        workspace_write(place, path, text_string(&scan));
+        workspace_write(place, filled("d/%u.csv", 10 + i), text_string(&scan));
         text_add(&scene, "%s%u.csv", i > 0 ? ", " : "", 10 + i);
         text_free(&scan);
     }
@@ -97,9 +95,7 @@ TEST_IN_WORKSPACE(test_counted_notes)
     text_free(&scene);
     static const char note[] = "3 columns: column 1 read as x, column 2 as z, the others ignored";
     struct process process = expect_exit(place, 0, "plan", "d");
-    char expected[300];
-    snprintf(expected, sizeof expected, "surface 's': 10.csv: %s (and of 11 more scans)\n", note);
-    expect_part(process.err, expected);
+    expect_part(process.err, filled("surface 's': 10.csv: %s (and of 11 more scans)\n", note));
     assert_null(strstr(strstr(process.err, note) + 1, note));
     process_free(&process);
 }

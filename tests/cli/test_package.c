@@ -8,9 +8,7 @@
 
 static bool is_there(const char *place, const char *program)
 {
-    char line[64];
-    snprintf(line, sizeof line, "command -v %s", program);
-    return workspace_can_run(place, line);
+    return workspace_can_run(place, filled("command -v %s", program));
 }
 
 TEST_IN_WORKSPACE(test_package)

@@ -14,9 +14,7 @@
 /** The first page of a report. To be freed. */
 static char *first_page(const char *place, const char *out)
 {
-    char path[64];
-    snprintf(path, sizeof path, "%s/report.md", out);
-    char *page = workspace_read(place, path), *end = strstr(page, "\n---\n");
+    char *page = workspace_read(place, filled("%s/report.md", out)), *end = strstr(page, "\n---\n");
     assert_non_null(end);
     *end = '\0';
     return page;
@@ -26,9 +24,7 @@ static char *first_page(const char *place, const char *out)
 static void view_text_of(char *text, size_t size, const char *place, const char *out, const char *name,
                          const char *part)
 {
-    char path[64];
-    snprintf(path, sizeof path, "%s/view.json", out);
-    json_t *view = workspace_json(place, path), *value = json_object_get(view, name);
+    json_t *view = workspace_json(place, filled("%s/view.json", out)), *value = json_object_get(view, name);
     if (part)
         value = json_object_get(json_is_array(value) ? json_array_get(value, 0) : value, part);
     if (!json_is_string(value))
@@ -184,8 +180,7 @@ static size_t sheets_of(const char *place)
     run_list(place, print);
     struct text pdf = {0};
     struct status status = {0};
-    snprintf(to, sizeof to, "%s/out.pdf", place);
-    assert_int_equal(text_read_file(&pdf, to, &status), STATUS_OK);
+    assert_int_equal(text_read_file(&pdf, filled("%s/out.pdf", place), &status), STATUS_OK);
     size_t sheets = 0;
     for (size_t i = 0; i + sizeof mark < pdf.length; i++)
         sheets += memcmp(pdf.data + i, mark, sizeof mark - 1) == 0 && pdf.data[i + sizeof mark - 1] != 's';
@@ -197,11 +192,10 @@ static size_t sheets_of(const char *place)
 TEST_IN_WORKSPACE(no_longer_than_that)
 {
     static const char *const runs[] = {"chapter6", "connector", "thermal-interface"};
-    char program[4096], directory[4200];
+    char program[4096];
     bool prints = program_find(program, sizeof program, "chromium");
     for (size_t k = 0; k < sizeof runs / sizeof *runs; k++) {
-        snprintf(directory, sizeof directory, PROJECT_SOURCE "/surfaces/%s", runs[k]);
-        run_to_exit(place, 0, "report", directory, "-o", "out");
+        run_to_exit(place, 0, "report", filled(PROJECT_SOURCE "/surfaces/%s", runs[k]), "-o", "out");
         char *whole = workspace_read(place, "out/report.md"), *first = first_page(place, "out");
         const struct size all = size_of(whole), page = size_of(first);
         assert_in_range(all.words, 300, 1000);

@@ -118,9 +118,7 @@ TEST_IN_WORKSPACE(test_terminal)
     static const char *const stages[] = {"stage ", "read scans ", "strips ", "multiscale elastic ",
                                          "GW ",    "gnuplot ",    "total ",  "largest memory "};
     for (size_t i = 0; i < sizeof stages / sizeof *stages; i++) {
-        char start[64];
-        snprintf(start, sizeof start, "\n%s", stages[i]);
-        expect_part(process.err, start);
+        expect_part(process.err, filled("\n%s", stages[i]));
     }
     assert_true(strtod(strstr(process.err, "\nstrips ") + strlen("\nstrips "), NULL) > 0);
     assert_null(strchr(process.err, '\r')); /* progress is for terminals only */
@@ -218,12 +216,10 @@ TEST_IN_WORKSPACE(test_unloading)
             height_um += 0.2 * (walk_um - height_um);
             text_add(&scan, "%zu,%.6f\n", i, height_um);
         }
-        snprintf(text, sizeof text, "d/a/%zu.csv", k);
-        workspace_write(place, text, text_string(&scan));
+        workspace_write(place, filled("d/a/%zu.csv", k), text_string(&scan));
         text_free(&scan);
     }
-    snprintf(text, sizeof text, scene, "effects: electrical\n");
-    workspace_write(place, "d/scene.yaml", text);
+    workspace_write(place, "d/scene.yaml", filled(scene, "effects: electrical\n"));
     struct process plan = expect_exit(place, 0, "plan", "d");
     expect_part(plan.out, "runs only where effects lists it");
     process_free(&plan);
@@ -282,7 +278,7 @@ TEST_IN_WORKSPACE(test_measured)
         "  - {name: c, file: a.csv, measured: {file: ecr.csv}}\n";
     static const size_t order[] = {20, 50, 80, 65, 35, 5};
     enum { POINTS = sizeof order / sizeof *order, TURN = 2 };
-    char text[600], surfaces[400];
+    char text[600];
     workspace_scan(place, "d/a.csv", 300, 1);
     snprintf(text, sizeof text, scene, "");
     workspace_write(place, "d/scene.yaml", text);
@@ -313,8 +309,7 @@ TEST_IN_WORKSPACE(test_measured)
     text_free(&csv);
     text_free(&run);
 
-    snprintf(text, sizeof text, scene, "measured: {file: ecr.csv}\n");
-    workspace_write(place, "d/scene.yaml", text);
+    workspace_write(place, "d/scene.yaml", filled(scene, "measured: {file: ecr.csv}\n"));
     run_to_exit(place, 0, "report", "d", "--no-cost");
     expect_in_file(place, "out/d/report.md", "GW is nearest to the 6 points measured on *a*", "GW 0.500, ×÷ 2.00",
                    "](figures/measured.svg)");
@@ -338,8 +333,7 @@ TEST_IN_WORKSPACE(test_measured)
     assert_true(scale > found);
     free(data);
 
-    snprintf(surfaces, sizeof surfaces, apart, target_ohm);
-    snprintf(text, sizeof text, scene, surfaces);
+    snprintf(text, sizeof text, scene, filled(apart, target_ohm));
     workspace_write(place, "d/scene.yaml", text);
     run_to_exit(place, 0, "report", "d", "--no-cost");
     expect_in_file(
@@ -355,8 +349,7 @@ TEST_IN_WORKSPACE(test_measured)
     workspace_write(place, "d/scene.yaml", text);
     expect_failure(place, 3, 1, "the baseline, 'a', has 'measured' of its own and the scene's; remove either", "report",
                    "d");
-    snprintf(text, sizeof text, scene, "measured: {file: ecr.csv, load_unit: N}\n");
-    workspace_write(place, "d/scene.yaml", text);
+    workspace_write(place, "d/scene.yaml", filled(scene, "measured: {file: ecr.csv, load_unit: N}\n"));
     expect_failure(place, 3, 1, "ecr.csv:1: the unit is 'mN' here, but the scene's load_unit says 'N'", "report", "d");
     workspace_write(place, "d/ecr.csv", "load,ecr\n1,4.8\n");
     expect_failure(place, 3, 1, "add 'resistance_unit' to 'measured' in the scene", "report", "d");

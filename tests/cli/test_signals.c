@@ -36,9 +36,7 @@ static pid_t start(char *lines)
 
 static void begin(pid_t process)
 {
-    char id[32];
-    snprintf(id, sizeof id, "%d", (int)process);
-    directory_write(&place, "begun.new", id);
+    directory_write(&place, "begun.new", filled("%d", (int)process));
     if (rename(directory_path(&place, "begun.new"), directory_path(&place, "begun")) != 0)
         _exit(71);
 }
@@ -57,9 +55,7 @@ static int deaf(int argc, char **argv)
     temporary_note("", "out", " is as it was before");
     begin(start(stubborn));
     for (int i = 0;; i = (i + 1) % 100) {
-        char path[300];
-        snprintf(path, sizeof path, "data/%d", i);
-        int file = openat(staging.directory, path, O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+        int file = openat(staging.directory, filled("data/%d", i), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
         if (file >= 0)
             close(file);
         support_pause(); /* what comes without end is never all removed */

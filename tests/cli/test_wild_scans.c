@@ -95,9 +95,7 @@ static void write_surface(const char *place, size_t surface)
         spacing_m = pow(10, between(-7, -5));
     }
     for (size_t scan = 0; scan < scans; scan++) {
-        char path[80];
-        snprintf(path, sizeof path, "in/s%zu/scan%zu.csv", surface, scan);
-        write_scan(place, path, points, kind, height_m, spacing_m);
+        write_scan(place, filled("in/s%zu/scan%zu.csv", surface, scan), points, kind, height_m, spacing_m);
         if (once_in(3))
             height_m *= pow(10, once_in(3) ? between(-15, 5) : between(-1, 1));
         if (once_in(6))
@@ -147,12 +145,13 @@ static size_t number_of(const char *name, size_t usual)
     return said ? strtoul(said, NULL, 10) : usual;
 }
 
-TEST_WITH(folders_are_reported_or_refused, workspace_make, workspace_remove)
+TEST_WITH(folders_are_reported_or_refused, directory_setup, directory_teardown)
 {
     size_t first = number_of("ROUGHCONTACT_WILD_FIRST", 1), count = number_of("ROUGHCONTACT_WILD", 300);
     for (size_t seed = first; seed < first + count; seed++) {
         expect_reported_or_refused(*state, seed);
-        assert_true(workspace_remove(state) == 0 && workspace_make(state) == 0); /* the next begins with an empty one */
+        assert_true(directory_teardown(state) == 0 &&
+                    directory_setup(state) == 0); /* the next begins with an empty one */
     }
 }
 

@@ -159,7 +159,7 @@ TEST_CASE(passes_over_closed_scales)
         free(scales);
         spectrum_free(&spectrum);
     }
-    assert_true(visits < 0.6 * (double)all && visits < 1.3 * (double)opens);
+    assert_true((double)visits < 0.6 * (double)all && (double)visits < 1.3 * (double)opens);
 }
 
 /** Where scales just yield, less steep ones can stay open longer: those are not passed over. */

@@ -379,7 +379,7 @@ TEST_CASE(few_points_at_the_hardness)
     if (direct_contact_solve(&contact, &load, &effort, &status) != STATUS_OK)
         fail_msg("%s", status.message);
     struct direct_quantities found = direct_quantities_of(&contact, &load);
-    assert_true(found.contact_points > 0.6 * N * N);
+    assert_true((double)found.contact_points > 0.6 * N * N);
     assert_in_range(overlap_of(&contact, load.hardness).capped_points, 1, 19);
     assert_true(effort.convolutions < 200);
     assert_true(violation_of(&contact, &load) < 1.1e-6);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The documents against the program: what they name exists, and what exists is named. */
 #include "base/limits.h"
+#include "base/text.h"
 #include "contact/model.h"
 #include "material/material.h"
 #include "scan/format.h"
@@ -19,30 +20,14 @@ static const char *const documents[] = {"README.md",        "docs/equations.md",
                                         "docs/report.md",   "docs/CONTRIBUTING.md", "docs/tutorial.md",
                                         "docs/commands.md", "docs/limits.md"};
 
-/** A file of the project as text, NULL where there is none. To be freed. */
-static char *read_project(const char *path)
-{
-    char full[8192];
-    snprintf(full, sizeof full, "%s/%s", PROJECT_SOURCE, path);
-    FILE *file = fopen(full, "r");
-    if (!file)
-        return NULL;
-    char *text = NULL;
-    size_t size = 0;
-    if (getdelim(&text, &size, '\0', file) < 0) {
-        free(text);
-        text = NULL;
-    }
-    fclose(file);
-    return text;
-}
-
+/** A file of the project as text, to be freed. */
 static char *read_document(const char *path)
 {
-    char *text = read_project(path);
-    if (!text)
-        fail_msg("cannot read %s", path);
-    return text;
+    struct text text = {0};
+    struct status status = {0};
+    if (text_read_file(&text, filled("%s/%s", PROJECT_SOURCE, path), &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    return text.data;
 }
 
 static bool is_word_char(char c)
@@ -60,48 +45,15 @@ static const char *find_word(const char *at, const char *end, const char *word)
     return NULL;
 }
 
-/** Is `number` (of the thesis's chapter 4) written between `at` and `end`, by itself and not within a range's length?
- */
-static bool has_number(const char *at, const char *end, int number)
+/** Has the source a function or a value called `name` at the outermost level? */
+static bool defines(const char *source, const char *name)
 {
-    char text[16];
-    size_t length = (size_t)snprintf(text, sizeof text, "4.%d", number);
-    for (; (at = strstr(at, text)) && at < end; at++)
-        if (!is_word_char(at[-1]) && at[-1] != '.' && !(at[length] >= '0' && at[length] <= '9'))
-            return true;
-    return false;
-}
-
-/** A definition or declaration: from the comment above it to its end. */
-struct passage {
-    const char *start, *end;
-};
-
-/** Finds a function or a value called `name` at the outermost level; `with_body`: no mere declaration of a function. */
-static bool find_definition(struct passage *out, const char *text, const char *name, bool with_body)
-{
-    for (const char *at = text; (at = find_word(at, NULL, name)); at++) {
-        const char *line = at, *above;
-        while (line > text && line[-1] != '\n')
+    for (const char *at = source; (at = find_word(at, NULL, name)); at++) {
+        const char *line = at;
+        while (line > source && line[-1] != '\n')
             line--;
-        const char *after = at + strlen(name);
-        bool value = *after == '[' || strncmp(after, " =", 2) == 0 || (!with_body && *after == ';');
-        bool function = *after == '(';
-        if (!(is_word_char(*line) || *line == '}') || !(value || function))
-            continue;
-        const char *close = strstr(at, "\n}"), *stop = strchr(at, ';'), *open = strchr(at, '{');
-        if (function && with_body && !(open && (!stop || open < stop)))
-            continue;
-        out->end = open && (!stop || open < stop) && close ? close : stop ? stop : at + strlen(at);
-        const char *rest = strchr(out->end, '\n'); /* a comment behind it */
-        out->end = rest ? rest : out->end;
-        for (out->start = line; out->start > text; out->start = above) {
-            for (above = out->start - 1; above > text && above[-1] != '\n';)
-                above--;
-            if (strncmp(above, "/*", 2) != 0 && strncmp(above, " *", 2) != 0)
-                break;
-        }
-        return true;
+        if ((is_word_char(*line) || *line == '}') && strchr("([ ;", at[strlen(name)]))
+            return true;
     }
     return false;
 }
@@ -134,8 +86,45 @@ static bool next_span(struct span *out, const char *at)
     return true;
 }
 
-/** Calls `each` for every `name` that a document places `in` a file of src/, and returns how many there were. */
-static size_t each_place(const char *text, void (*each)(const char *name, const char *path, const char *at))
+/** Numbers of the thesis's chapter 4 in the first cell of the table row that `at` stands in; starred[n]: printed with
+ * an erratum. */
+static void row_numbers(const char *text, const char *at, bool there[EQUATIONS + 1], bool starred[EQUATIONS + 1])
+{
+    while (at > text && at[-1] != '\n')
+        at--;
+    const char *end = *at == '|' ? strchr(at + 1, '|') : at;
+    for (int n = 1; n <= EQUATIONS; n++) {
+        char number[16];
+        snprintf(number, sizeof number, "4.%d", n);
+        const char *found = find_word(at, end, number);
+        there[n] = found;
+        starred[n] = found && found[strlen(number)] == '*';
+    }
+}
+
+/** The file has the name, and it or its header the numbers of the row at `at`. */
+static void check_place(const char *text, const char *at, const char *name, const char *path)
+{
+    bool there[EQUATIONS + 1], starred[EQUATIONS + 1];
+    char header_path[NAME], number[16], *source = read_document(path);
+    if (!defines(source, name))
+        fail_msg("%s has no %s", path, name);
+    row_numbers(text, at, there, starred);
+    snprintf(header_path, sizeof header_path, "%.*sh", (int)strlen(path) - 1, path);
+    for (int n = 1; n <= EQUATIONS; n++) {
+        snprintf(number, sizeof number, "4.%d", n);
+        if (!there[n] || find_word(source, NULL, number))
+            continue;
+        char *header = read_document(header_path);
+        if (!find_word(header, NULL, number))
+            fail_msg("%s in %s does not carry the number %s", name, path, number);
+        free(header);
+    }
+    free(source);
+}
+
+/** Checks every `name` that a document places `in` a file of src/, and returns how many there were. */
+static size_t check_places(const char *text)
 {
     char names[NAMES_MOST][NAME], between[NAME], word[NAME];
     size_t pending = 0, places = 0;
@@ -157,22 +146,10 @@ static size_t each_place(const char *text, void (*each)(const char *name, const 
             continue;
         }
         for (size_t i = 0; i < pending && strcmp(between, " in ") == 0; i++, places++)
-            each(names[i], word, span.start);
+            check_place(text, span.start, names[i], word);
         pending = 0;
     }
     return places;
-}
-
-static void check_place(const char *name, const char *path, const char *at)
-{
-    struct passage passage;
-    char *source = read_project(path);
-    (void)at;
-    if (!source)
-        fail_msg("there is no %s, where %s is said to be", path, name);
-    if (!find_definition(&passage, source, name, true))
-        fail_msg("%s has no %s", path, name);
-    free(source);
 }
 
 TEST_CASE(places_exist)
@@ -180,58 +157,10 @@ TEST_CASE(places_exist)
     size_t places = 0;
     for (size_t d = 0; d < sizeof documents / sizeof *documents; d++) {
         char *text = read_document(documents[d]);
-        places += each_place(text, check_place);
+        places += check_places(text);
         free(text);
     }
     assert_true(places > 80); /* else the search finds nothing any more */
-}
-
-/** Numbers in the first cell of the table row that `at` stands in; starred[n]: printed with an erratum. */
-static void row_numbers(const char *text, const char *at, bool there[EQUATIONS + 1], bool starred[EQUATIONS + 1])
-{
-    while (at > text && at[-1] != '\n')
-        at--;
-    const char *end = *at == '|' ? strchr(at + 1, '|') : at;
-    for (int n = 1; n <= EQUATIONS; n++) {
-        char number[16];
-        snprintf(number, sizeof number, "4.%d", n);
-        const char *found = find_word(at, end, number);
-        there[n] = found;
-        starred[n] = found && found[strlen(number)] == '*';
-    }
-}
-
-static const char *equations; /* the document while each_place() goes through it */
-static size_t lacking;
-
-/** Is the number written at the function, in its comment there or in the header's, or within it? */
-static void check_number(const char *name, const char *path, const char *at)
-{
-    bool there[EQUATIONS + 1], starred[EQUATIONS + 1];
-    char header_path[NAME];
-    snprintf(header_path, sizeof header_path, "%s", path);
-    header_path[strlen(header_path) - 1] = 'h';
-    char *source = read_document(path), *header = read_project(header_path);
-    struct passage own = {source, source}, declared = {source, source};
-    assert_true(find_definition(&own, source, name, true));
-    if (header && !find_definition(&declared, header, name, false))
-        declared = own;
-    row_numbers(equations, at, there, starred);
-    for (int n = 1; n <= EQUATIONS; n++)
-        if (there[n] && !has_number(own.start, own.end, n) && !has_number(declared.start, declared.end, n))
-            print_error("%s in %s does not carry the number 4.%d\n", name, path, n), lacking++;
-    free(source);
-    free(header);
-}
-
-TEST_CASE(functions_carry_their_numbers)
-{
-    char *text = read_document("docs/equations.md");
-    equations = text;
-    lacking = 0;
-    assert_true(each_place(text, check_number) > 80);
-    assert_int_equal(lacking, 0);
-    free(text);
 }
 
 /** Every equation of the thesis has its row, and those with a star, and no others, an erratum. */
@@ -262,9 +191,7 @@ TEST_CASE(equations_are_complete)
 
 static void expect_there(const char *document, const char *folder, const char *target, size_t length)
 {
-    char full[8192];
-    snprintf(full, sizeof full, "%s/%s%.*s", PROJECT_SOURCE, folder, (int)length, target);
-    if (access(full, R_OK) != 0)
+    if (access(filled("%s/%s%.*s", PROJECT_SOURCE, folder, (int)length, target), R_OK) != 0)
         fail_msg("%s names %.*s, which is not there", document, (int)length, target);
 }
 
@@ -303,9 +230,7 @@ TEST_CASE(paths_exist)
 /** Fails unless `document` names `name` between backticks. */
 static void expect_named(const char *document, const char *text, const char *name)
 {
-    char quoted[NAME];
-    snprintf(quoted, sizeof quoted, "`%s`", name);
-    if (!strstr(text, quoted))
+    if (!strstr(text, filled("`%s`", name)))
         fail_msg("%s does not name %s", document, name);
 }
 
@@ -439,8 +364,7 @@ TEST_CASE(rooms_use_only_those_before)
     for (size_t room = 0; room < rooms.count; room++) {
         char path[4096 + NAME];
         assert_string_equal(rooms.name[room], again.name[room]);
-        snprintf(path, sizeof path, "%s/src/%s", PROJECT_SOURCE, rooms.name[room]);
-        DIR *directory = opendir(path);
+        DIR *directory = opendir(filled("%s/src/%s", PROJECT_SOURCE, rooms.name[room]));
         if (!directory)
             fail_msg("there is no room src/%s", rooms.name[room]);
         for (const struct dirent *entry; (entry = readdir(directory));) {
@@ -455,9 +379,7 @@ TEST_CASE(rooms_use_only_those_before)
     }
     assert_true(files > 100);
     /* and no room is missing from the order */
-    char path[4096 + NAME];
-    snprintf(path, sizeof path, "%s/src", PROJECT_SOURCE);
-    DIR *directory = opendir(path);
+    DIR *directory = opendir(filled("%s/src", PROJECT_SOURCE));
     assert_non_null(directory);
     for (const struct dirent *entry; (entry = readdir(directory));)
         if (entry->d_name[0] != '.' && entry->d_type == DT_DIR &&

@@ -9,20 +9,18 @@ static json_t *results[EXAMPLES], *schema, *defs;
 
 static int reports_setup(void **state)
 {
-    char path[TEXT];
-    workspace_make(state);
+    directory_setup(state);
     schema = workspace_json(PROJECT_SOURCE, "docs/results.schema.json");
     defs = json_object_get(schema, "$defs");
     for (size_t e = 0; e < EXAMPLES; e++) {
-        snprintf(path, sizeof path, "%s/surfaces/%s", PROJECT_SOURCE, examples[e]);
-        run_to_exit(*state, 0, "report", path, "-o", examples[e], "--no-cost", "--brief");
-        snprintf(path, sizeof path, "%s/results.json", examples[e]);
-        results[e] = workspace_json(*state, path);
+        run_to_exit(*state, 0, "report", filled("%s/surfaces/%s", PROJECT_SOURCE, examples[e]), "-o", examples[e],
+                    "--no-cost", "--brief");
+        results[e] = workspace_json(*state, filled("%s/results.json", examples[e]));
     }
     return 0;
 }
 
-TEST_GROUP(reports_setup, workspace_remove)
+TEST_GROUP(reports_setup, directory_teardown)
 
 /** Is the value one of these, or of a type of these? */
 static bool is_any(const json_t *told, const json_t *value, bool by_type)
@@ -40,8 +38,8 @@ static bool is_any(const json_t *told, const json_t *value, bool by_type)
 /** Does the value, found at `where`, hold to the rule? If not, `fault` says where and which keyword is broken. */
 static bool holds(const json_t *rule, json_t *value, const char *where, char fault[TEXT])
 {
-    const char *word, *key;
     char inner[TEXT];
+    const char *word, *key;
     json_t *told, *part;
     size_t i;
     assert_non_null(rule);

@@ -14,9 +14,7 @@ static struct roughcontact_scan *read_scan(const char *place, const char *path)
 {
     struct roughcontact_status status;
     struct roughcontact_scan *scan;
-    char full[512];
-    snprintf(full, sizeof full, "%s/%s", place, path);
-    if (roughcontact_scan_read_file(&scan, full, NULL, &status) != ROUGHCONTACT_OK)
+    if (roughcontact_scan_read_file(&scan, filled("%s/%s", place, path), NULL, &status) != ROUGHCONTACT_OK)
         fail_msg("%s", status.message);
     return scan;
 }
@@ -111,7 +109,7 @@ static size_t expect_curve(const struct table *table, size_t first, const struct
     assert_null(roughcontact_curve_point(curve, count));
     assert_true(met > count / 4);
     roughcontact_curve_free(curve);
-    return row - first + isfinite(load_of(table, row, model));
+    return row - first + (isfinite(load_of(table, row, model)) ? 1 : 0);
 }
 
 static void expect_surface(const struct table *table, const struct table *amplitudes,
@@ -148,9 +146,7 @@ static void expect_surface(const struct table *table, const struct table *amplit
 
 static struct table report_table(const char *place, const char *name)
 {
-    char path[512];
-    snprintf(path, sizeof path, "%s/out/data/%s", place, name);
-    return table_read_path(path);
+    return table_read_path(filled("%s/out/data/%s", place, name));
 }
 
 /** Reports d/a.csv with every model under `scene`, and asks the library for all of the same. */

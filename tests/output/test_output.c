@@ -15,14 +15,6 @@
 #include <sys/wait.h>
 #include <sys/xattr.h>
 
-#define PLACE_CASE(name)                                                                                               \
-    static void name##_in(const struct directory *place);                                                              \
-    TEST_WITH(name, directory_setup, directory_teardown)                                                               \
-    {                                                                                                                  \
-        name##_in(*state);                                                                                             \
-    }                                                                                                                  \
-    static void name##_in(const struct directory *place)
-
 static int on_no_disk(void **state)
 {
     (void)state;
@@ -59,10 +51,8 @@ static void begin(struct output *output, const struct directory *place, const ch
 /* Writes a file into the staging directory. */
 static void stage(const struct output *output, const char *name, const char *word)
 {
-    char path[PATH_MAX + 64];
     struct status status = {0};
-    snprintf(path, sizeof path, "%s/%s", output->staging, name);
-    assert_int_equal(text_write_file(path, word, strlen(word), &status), STATUS_OK);
+    assert_int_equal(text_write_file(filled("%s/%s", output->staging, name), word, strlen(word), &status), STATUS_OK);
 }
 
 static const char *const reports_files[] = {"report.md", "report.html", "results.json", "data/contact.csv",
@@ -88,17 +78,13 @@ static void commit(struct output *output)
 /* All of the report at `target` is of one word, this one or (NULL) "one" or "two". */
 static void assert_whole(const struct directory *place, const char *target, const char *word)
 {
-    char name[256];
-    snprintf(name, sizeof name, "%s/results.json", target);
-    struct text text = directory_read(place, name);
+    struct text text = directory_read(place, filled("%s/results.json", target));
     if (!word)
         word = strcmp(text_string(&text), "one") == 0 ? "one" : "two";
     for (size_t i = 0; i < REPORTS_FILES; i++) {
-        snprintf(name, sizeof name, "%s/%s", target, reports_files[i]);
-        directory_holds(place, name, word);
+        directory_holds(place, filled("%s/%s", target, reports_files[i]), word);
     }
-    snprintf(name, sizeof name, "%s/manifest.txt", target);
-    assert_true(directory_has(place, name));
+    assert_true(directory_has(place, filled("%s/manifest.txt", target)));
     text_free(&text);
 }
 
@@ -137,18 +123,14 @@ enum { USERS_FILES = sizeof users_files / sizeof *users_files, FEW = 2 };
 static void write_users_files(const struct directory *place, const char *target, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
-        char name[128];
-        snprintf(name, sizeof name, "%s/%s", target, users_files[i]);
-        directory_write(place, name, users_files[i]);
+        directory_write(place, filled("%s/%s", target, users_files[i]), users_files[i]);
     }
 }
 
 static void assert_users_files(const struct directory *place, const char *target, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
-        char name[128];
-        snprintf(name, sizeof name, "%s/%s", target, users_files[i]);
-        directory_holds(place, name, users_files[i]);
+        directory_holds(place, filled("%s/%s", target, users_files[i]), users_files[i]);
     }
 }
 
@@ -320,7 +302,7 @@ TEST_CASE(test_stories)
     }
 }
 
-PLACE_CASE(test_a_file_of_the_user_is_no_copy)
+TEST_IN_DIRECTORY(test_a_file_of_the_user_is_no_copy)
 {
     struct stat before, after;
     publish(place, "out", "one");
@@ -333,7 +315,7 @@ PLACE_CASE(test_a_file_of_the_user_is_no_copy)
 }
 
 /* Links, pipes and directories (or, of a folder, a file) under the names of the report's own files and folders. */
-PLACE_CASE(test_what_is_no_file_is_never_replaced)
+TEST_IN_DIRECTORY(test_what_is_no_file_is_never_replaced)
 {
     static const struct {
         const char *name, *kinds, *words;
@@ -365,7 +347,7 @@ PLACE_CASE(test_what_is_no_file_is_never_replaced)
 }
 
 /* A manifest reaches nothing outside OUT, whatever it says. */
-PLACE_CASE(test_a_hostile_manifest_removes_nothing_else)
+TEST_IN_DIRECTORY(test_a_hostile_manifest_removes_nothing_else)
 {
     publish(place, "out", "one");
     struct text text = directory_read(place, "out/manifest.txt");
@@ -647,7 +629,7 @@ static int publish_without(const struct directory *place, unsigned call, unsigne
     return WEXITSTATUS(state);
 }
 
-PLACE_CASE(test_file_systems_that_can_do_less)
+TEST_IN_DIRECTORY(test_file_systems_that_can_do_less)
 {
     static const unsigned reasons[] = {EINVAL, ENOSYS};
     for (size_t i = 0; i < sizeof reasons / sizeof *reasons; i++) { /* no exchange: with two renames */
@@ -706,14 +688,13 @@ static void begin_and_fill(const struct directory *place)
 {
     struct output output;
     begin(&output, place, "a");
-    char link[PATH_MAX + 16];
     fill(&output, "half");
-    snprintf(link, sizeof link, "%s/notes.md", output.staging);
-    if (linkat(AT_FDCWD, directory_path(place, "out/notes.md"), AT_FDCWD, link, 0) != 0)
+    if (linkat(AT_FDCWD, directory_path(place, "out/notes.md"), AT_FDCWD, filled("%s/notes.md", output.staging), 0) !=
+        0)
         _exit(1);
 }
 
-PLACE_CASE(test_what_killed_runs_left_is_cleared_away)
+TEST_IN_DIRECTORY(test_what_killed_runs_left_is_cleared_away)
 {
     publish(place, "out", "one");
     write_users_files(place, "out", USERS_FILES);
@@ -724,7 +705,7 @@ PLACE_CASE(test_what_killed_runs_left_is_cleared_away)
     play(place, "publish other one|entries . 2|holds out/report.md two|stay out");
 }
 
-PLACE_CASE(test_what_a_living_run_makes_stays)
+TEST_IN_DIRECTORY(test_what_a_living_run_makes_stays)
 {
     struct output output;
     begin(&output, place, "out");
@@ -743,7 +724,7 @@ PLACE_CASE(test_what_a_living_run_makes_stays)
 
 /* Killed while the report before was cleared away, and somebody had put something there: that stays, where it is seen,
  * and what is in OUT too goes. */
-PLACE_CASE(test_what_came_before_a_kill_stays)
+TEST_IN_DIRECTORY(test_what_came_before_a_kill_stays)
 {
     struct output output;
     char done[PATH_MAX + 64], left[PATH_MAX + 64];
@@ -774,7 +755,7 @@ PLACE_CASE(test_what_came_before_a_kill_stays)
 
 /* What an archive may bring along: a directory that looks left by a killed run, once as it was in earlier versions,
  * once with every lock there could be, and an OUT whose folder leads elsewhere. Nothing comes there. */
-PLACE_CASE(test_a_forged_leftover_leads_nowhere)
+TEST_IN_DIRECTORY(test_a_forged_leftover_leads_nowhere)
 {
     struct stat info;
     char lock[128];
@@ -821,14 +802,14 @@ static void run_side_by_side(const struct directory *place, int runs, int times,
         assert_int_equal(exit_of(children[k]), 0);
 }
 
-PLACE_CASE(test_runs_side_by_side_do_not_disturb_each_other)
+TEST_IN_DIRECTORY(test_runs_side_by_side_do_not_disturb_each_other)
 {
     run_side_by_side(place, 4, 40, false);
     play(place, "entries . 4|report a a|report b b|report c c|report d d");
 }
 
 /* Each report is whole, the user's files outlive both, nothing is left. */
-PLACE_CASE(test_runs_into_one_out)
+TEST_IN_DIRECTORY(test_runs_into_one_out)
 {
     publish(place, "out", "one");
     write_users_files(place, "out", FEW);
@@ -854,7 +835,7 @@ TEST_CASE(test_a_mount_point_is_refused)
 }
 
 /* Of all its directories, with extended attributes, if there are any. */
-PLACE_CASE(test_the_attributes_of_out_stay)
+TEST_IN_DIRECTORY(test_the_attributes_of_out_stay)
 {
     static const mode_t modes[] = {0700, 0755, 0770, 01777, 0711};
     static const char *const folders[] = {"out", "out/data", "out/figures"};
@@ -883,7 +864,7 @@ PLACE_CASE(test_the_attributes_of_out_stay)
 }
 
 /* Below a directory whose group its entries take: stale directories have that bit too, and OUT as any other. */
-PLACE_CASE(test_a_set_group_id_directory)
+TEST_IN_DIRECTORY(test_a_set_group_id_directory)
 {
     assert_int_equal(chmod(place->path, 02700), 0);
     assert_int_equal(mkdir(directory_path(place, "plain"), 0777), 0);
@@ -897,7 +878,7 @@ PLACE_CASE(test_a_set_group_id_directory)
 }
 
 /* A disk that is full, whenever that shows: no inode for the n-th entry. */
-PLACE_CASE(test_a_full_disk_leaves_the_report_before)
+TEST_IN_DIRECTORY(test_a_full_disk_leaves_the_report_before)
 {
     enum { MOST = 60 };
     pid_t child = divide();
@@ -907,7 +888,6 @@ PLACE_CASE(test_a_full_disk_leaves_the_report_before)
             _exit(77);
         for (int inodes = 2; inodes < MOST; inodes++) {
             struct directory disk;
-            char options[64];
             struct output output;
             struct status status = {0};
             if (mount("tmpfs", place->path, "tmpfs", 0, "size=4m") != 0)
@@ -915,8 +895,7 @@ PLACE_CASE(test_a_full_disk_leaves_the_report_before)
             snprintf(disk.path, sizeof disk.path, "%s", place->path);
             publish(&disk, "out", "one"); /* takes 9 */
             write_users_files(&disk, "out", FEW);
-            snprintf(options, sizeof options, "nr_inodes=%d", 11 + inodes);
-            if (mount("tmpfs", disk.path, "tmpfs", MS_REMOUNT, options) != 0)
+            if (mount("tmpfs", disk.path, "tmpfs", MS_REMOUNT, filled("nr_inodes=%d", 11 + inodes)) != 0)
                 _exit(77);
             enum status_code rc = output_begin(&output, directory_path(&disk, "out"), &status);
             for (int i = 0; i < 3 && rc == STATUS_OK; i++) {
@@ -947,7 +926,7 @@ PLACE_CASE(test_a_full_disk_leaves_the_report_before)
 }
 
 /* As another user than the one whose directories these are. */
-PLACE_CASE(test_what_others_own_is_refused)
+TEST_IN_DIRECTORY(test_what_others_own_is_refused)
 {
     enum { NOBODY = 65534 };
     if (geteuid() != 0)

@@ -36,11 +36,8 @@ static int place_setup(void **state)
     place = directory_make();
     static const char *const folders[] = {"in", "few"};
     for (size_t i = 0; i < 2; i++) {
-        char name[64];
-        snprintf(name, sizeof name, "%s/smooth.csv", folders[i]);
-        pipeline_rough(&place, name, 120, 0.3, 1);
-        snprintf(name, sizeof name, "%s/bowl.csv", folders[i]);
-        pipeline_bowl(&place, name, 121);
+        pipeline_rough(&place, filled("%s/smooth.csv", folders[i]), 120, 0.3, 1);
+        pipeline_bowl(&place, filled("%s/bowl.csv", folders[i]), 121);
     }
     pipeline_rough(&place, "in/rough-1.csv", 120, 1, 2);
     pipeline_rough(&place, "in/rough-2.csv", 120, 1, 3);

@@ -57,9 +57,7 @@ static inline enum status_code pipeline_try(struct run_outcome *outcome, const s
 {
     const struct scene_overrides none = {0};
     struct scene scene;
-    char directory[4096];
-    snprintf(directory, sizeof directory, "%s", directory_path(place, in));
-    if (scene_read(&scene, directory, &none, status) != STATUS_OK)
+    if (scene_read(&scene, filled("%s", directory_path(place, in)), &none, status) != STATUS_OK)
         fail_msg("%s", status->message);
     enum status_code rc = run_report(outcome, &scene, &options, status);
     scene_free(&scene);
@@ -70,9 +68,7 @@ static inline enum status_code pipeline_try(struct run_outcome *outcome, const s
 static inline enum status_code pipeline_into(struct run_outcome *outcome, const struct directory *place, const char *in,
                                              const char *out, struct run_options options, struct status *status)
 {
-    char target[4096];
-    snprintf(target, sizeof target, "%s", directory_path(place, out));
-    options.output = target;
+    options.output = filled("%s", directory_path(place, out));
     options.templates = options.templates ? options.templates : PROJECT_SOURCE "/templates";
     options.no_cost = true;
     options.jobs = options.jobs ? options.jobs : 1;

@@ -30,9 +30,8 @@ TEST_IN_DIRECTORY(each_surface_has_its_own_bodies)
     struct table all = directory_table(place, "all/data/contact.csv");
     size_t compared = 0;
     for (int s = 0; s < 3; s++) {
-        char text[512];
-        snprintf(text, sizeof text, LOADS "%ssurfaces: [{name: %s, file: %s.csv}]\n", own[s], names[s], names[s]);
-        directory_write(place, "in/scene.yaml", text);
+        directory_write(place, "in/scene.yaml",
+                        filled(LOADS "%ssurfaces: [{name: %s, file: %s.csv}]\n", own[s], names[s], names[s]));
         assert_int_equal(pipeline_run(place, "in", "alone", 1), 0);
         struct table alone = directory_table(place, "alone/data/contact.csv");
         size_t row = 0;
@@ -54,14 +53,13 @@ TEST_IN_DIRECTORY(bodies_are_completed)
     const struct material *tin = material_find("tin"), *copper = material_find("copper");
     struct scene scene;
     struct status status = {0};
-    char directory[4096];
     write_scans(place);
     directory_write(place, "in/scene.yaml",
                     "material: tin\ncounterface: same\nhardness: 50 MPa\nsurfaces:\n  - {name: a, file: a.csv}\n"
                     "  - {name: b, file: b.csv, material: copper}\n"
                     "  - {name: c, file: c.csv, counterface: rigid, hardness: 90 MPa}\n");
-    snprintf(directory, sizeof directory, "%s", directory_path(place, "in"));
-    assert_int_equal(scene_read(&scene, directory, &(struct scene_overrides){.material = "silver"}, &status),
+    assert_int_equal(scene_read(&scene, filled("%s", directory_path(place, "in")),
+                                &(struct scene_overrides){.material = "silver"}, &status),
                      STATUS_OK); /* the command line's is the scene's */
     const struct material *silver = material_find("silver");
     const struct material_pair expected[] = {material_pair(silver, MATERIAL_COUNTERFACE_ELASTIC, silver),
@@ -115,12 +113,10 @@ TEST_IN_DIRECTORY(loads_are_shown_as_given)
 TEST_IN_DIRECTORY(without_a_material)
 {
     static const char loads[] = "load: {from: 1e-5, to: 1e-2, points: 5}\n";
-    char text[128];
     pipeline_rough(place, "in/a.csv", 400, 1, 5);
     directory_write(place, "in/scene.yaml", loads);
     assert_int_equal(pipeline_run(place, "in", "none", 1), 0);
-    snprintf(text, sizeof text, "material: copper\neffects: [separation]\n%s", loads);
-    directory_write(place, "in/scene.yaml", text);
+    directory_write(place, "in/scene.yaml", filled("material: copper\neffects: [separation]\n%s", loads));
     assert_int_equal(pipeline_run(place, "in", "some", 1), 0);
     struct table none = directory_table(place, "none/data/contact.csv"),
                  some = directory_table(place, "some/data/contact.csv");
@@ -159,11 +155,12 @@ TEST_IN_DIRECTORY(whose_mean_free_path)
     for (int k = 0; k < 2; k++) {
         struct scene scene;
         struct status status = {0};
-        char text[200], directory[4096];
+        char text[200];
         snprintf(text, sizeof text, "material: tin\neffects: [scale-dependent]\nmean_free_path: %s\n", kinds[k]);
         directory_write(place, "in/scene.yaml", text);
-        snprintf(directory, sizeof directory, "%s", directory_path(place, "in"));
-        assert_int_equal(scene_read(&scene, directory, &(struct scene_overrides){0}, &status), STATUS_OK);
+        assert_int_equal(
+            scene_read(&scene, filled("%s", directory_path(place, "in")), &(struct scene_overrides){0}, &status),
+            STATUS_OK);
         assert_near(scene_pair(&scene.surfaces[0].bodies).mean_free_path_m[0], expected_nm[k] * 1e-9, 1e-5);
         scene_free(&scene);
         assert_int_equal(pipeline_run(place, "in", "out", 1), 0);

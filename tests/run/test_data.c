@@ -15,10 +15,8 @@ static void write_scene(const struct directory *place, const char *more)
 
 static void make_surfaces(const struct directory *place, int count)
 {
-    char name[64];
     for (int i = 0; i < count; i++) {
-        snprintf(name, sizeof name, "in/%03d.csv", i);
-        pipeline_rough(place, name, POINTS, 1 + i / 50.0, (unsigned long)i + 1);
+        pipeline_rough(place, filled("in/%03d.csv", i), POINTS, 1 + i / 50.0, (unsigned long)i + 1);
     }
 }
 

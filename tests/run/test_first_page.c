@@ -193,12 +193,11 @@ TEST_IN_PLACE(test_where_the_page_stands)
 /* Of more than eight surfaces the charts show eight: best, worst and baseline by name, the others as such. */
 TEST_IN_PLACE(test_the_best_and_the_worst_are_shown)
 {
-    char name[40], best[8] = "", worst[8] = "";
+    char best[8] = "", worst[8] = "";
     double ecr[2] = {INFINITY, 0};
     mkdir(directory_path(place, "many"), 0777);
     for (unsigned long i = 0; i < 11; i++) {
-        snprintf(name, sizeof name, "many/s%lu.csv", i);
-        pipeline_rough(place, name, 120, 0.1 * (double)(1 + i * 7 % 11), i + 1);
+        pipeline_rough(place, filled("many/s%lu.csv", i), 120, 0.1 * (double)(1 + i * 7 % 11), i + 1);
     }
     directory_write(place, "many/scene.yaml",
                     "models: [corrected-persson]\nmaterial: tin\neffects: [plasticity, electrical]\nbaseline: s5\n"

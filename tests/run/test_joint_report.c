@@ -41,9 +41,7 @@ static struct text report_on(const struct directory *place, const char *scene)
 /** The same of that material. */
 static struct text report_of(const struct directory *place, const char *more)
 {
-    char scene[1024];
-    snprintf(scene, sizeof scene, MATERIAL "%s", more);
-    return report_on(place, scene);
+    return report_on(place, filled(MATERIAL "%s", more));
 }
 
 /** NaN: the cell is empty. */
@@ -97,7 +95,7 @@ TEST_IN_PLACE(columns_follow_from_the_others)
         expect(voltage, 20 * joint / 2e-6);
         expect(number(&contact, i, "contact_temperature_K"),
                sqrt(320. * 320 + voltage * voltage / (4 * heating_lorenz_number())));
-        plated += isfinite(factor);
+        plated += isfinite(factor) ? 1 : 0;
         hot += voltage > 1e-3;
     }
     assert_true(gaps > 100 && equal > 50 && own > 30 && plated > 80 && hot > 10);
@@ -199,14 +197,12 @@ TEST_IN_PLACE(intervals_hold_all_that_scatters)
     pipeline_rough(place, "in/a3.csv", 600, 1.5, 6);
     for (size_t k = 0; k < 2 * sizeof rows / sizeof *rows; k++) {
         size_t row = k / 2;
-        char scene[1024];
-        snprintf(scene, sizeof scene,
-                 "material: {E: 50 GPa, nu: 0.3, resistivity: 1.1e-7, conductivity: 60}\nnominal_area: 2 mm2\n"
-                 "load: {from: 1e-6, to: 1e-4, points: 5}\nmodels: [%s]\n%s"
-                 "effects: [separation, electrical, thermal, uncertainty]\n"
-                 "surfaces: [{name: a, file: [a.csv, a2.csv, a3.csv]}, {name: b, file: b.csv}]\n",
-                 models[k % 2], rows[row].more);
-        json_t *results = results_of(place, scene);
+        json_t *results = results_of(
+            place, filled("material: {E: 50 GPa, nu: 0.3, resistivity: 1.1e-7, conductivity: 60}\nnominal_area: 2 mm2\n"
+                          "load: {from: 1e-6, to: 1e-4, points: 5}\nmodels: [%s]\n%s"
+                          "effects: [separation, electrical, thermal, uncertainty]\n"
+                          "surfaces: [{name: a, file: [a.csv, a2.csv, a3.csv]}, {name: b, file: b.csv}]\n",
+                          models[k % 2], rows[row].more));
         for (size_t surface = 0; surface < 2; surface++)
             for (size_t side = 0; side < 2; side++) {
                 double own = rows[row].same ? end_of(results, surface, rows[row].quantity, side) : 1;
@@ -323,10 +319,8 @@ TEST_IN_PLACE(a_plating_has_its_hardness)
         json_decref(results);
     }
     for (int given = 0; given < 2; given++) { /* as if the scene gave it */
-        char scene[512];
-        snprintf(scene, sizeof scene, BRONZE "plating: {metal: tin, thickness: 20 um}\n%s",
-                 given ? "hardness: 100 MPa\n" : "");
-        json_decref(results_of(place, scene));
+        json_decref(results_of(
+            place, filled(BRONZE "plating: {metal: tin, thickness: 20 um}\n%s", given ? "hardness: 100 MPa\n" : "")));
         struct table contact = directory_table(place, "out/data/contact.csv");
         for (size_t i = 0; i < contact.rows; i++)
             area[given] += number(&contact, i, "area_ratio");
@@ -426,13 +420,11 @@ TEST_IN_PLACE(one_hardness_for_the_others)
     struct text report = report_of(place, "film: 0\nnominal_area: 1 mm2\noperating_load: 1e-6\n"
                                           "hardness: {c1: 60 MPa, c2: -0.2}\n");
     struct table contact = directory_table(place, "out/data/contact.csv");
-    char says[80];
     size_t checked = 0;
     for (size_t i = 0; i < contact.rows; i++)
         if (strcmp(table_text(&contact, i, "model"), "cmy") == 0 && number(&contact, i, "load_over_AnEp") == 1e-6) {
             double hardness_MPa = 60 * pow(sqrt(2 * M_PI) * number(&contact, i, "spot_radius_m") / 1e-6, -0.2);
-            snprintf(says, sizeof says, "all else %.4g MPa, theirs at the operating load", hardness_MPa);
-            expect_parts(text_string(&report), says);
+            expect_parts(text_string(&report), filled("all else %.4g MPa, theirs at the operating load", hardness_MPa));
             checked++;
         }
     assert_int_equal(checked, 2);

@@ -25,7 +25,6 @@ static void write_scans(const struct directory *place, const char *prefix, doubl
 {
     for (unsigned long seed = 1; seed <= SCANS; seed++) {
         double height_m[POINTS];
-        char name[40];
         struct status status = {0};
         struct text csv = {0};
         struct synth_def def = synth_def_default();
@@ -36,18 +35,15 @@ static void write_scans(const struct directory *place, const char *prefix, doubl
         text_add(&csv, "x [um],z [um]\n");
         for (size_t i = 0; i < POINTS; i++)
             text_add(&csv, "%.15g,%.15g\n", 0.5 * apart * (double)i, times * height_m[i] * 1e6);
-        snprintf(name, sizeof name, "in/%s%lu.csv", prefix, seed);
-        directory_write(place, name, text_string(&csv));
+        directory_write(place, filled("in/%s%lu.csv", prefix, seed), text_string(&csv));
         text_free(&csv);
     }
 }
 
 static double lay_number(const struct directory *place, const char *out, const char *key)
 {
-    char name[100];
     json_error_t error;
-    snprintf(name, sizeof name, "%s/results.json", out);
-    json_t *root = json_load_file(directory_path(place, name), 0, &error);
+    json_t *root = json_load_file(directory_path(place, filled("%s/results.json", out)), 0, &error);
     const json_t *surface = json_array_get(json_object_get(root, "surfaces"), 0);
     double value = json_number_value(json_object_get(json_object_get(surface, "lay"), key));
     json_decref(root);

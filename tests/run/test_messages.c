@@ -15,9 +15,7 @@ static char names[SURFACES][32], refusals[SURFACES][200];
 
 static void note_it(size_t i)
 {
-    char line[64];
-    snprintf(line, sizeof line, "holds from %g to 20 um", 1.5 + (double)i);
-    note_add(&records[i].summary.notes, NULL, "%s", line);
+    note_add(&records[i].summary.notes, NULL, "holds from %g to 20 um", 1.5 + (double)i);
     if (i % 2)
         note_add(&records[i].summary.notes, NULL, "%s", "looks like 'a.csv', too");
 }

@@ -113,9 +113,7 @@ static struct run_outcome report_of(const struct directory *place, const char *s
     snprintf(target, sizeof target, "%s", directory_path(place, "out"));
     mkdir(directory_path(place, "in"), 0777);
     for (int i = 0; i < 5; i++) {
-        char name[16];
-        snprintf(name, sizeof name, "in/%c.csv", 'a' + i);
-        pipeline_rough(place, name, 128, i < 3 ? 2 : 2.0 * i, (unsigned long)i + 1);
+        pipeline_rough(place, filled("in/%c.csv", 'a' + i), 128, i < 3 ? 2 : 2.0 * i, (unsigned long)i + 1);
     }
     directory_write(place, "in/scene.yaml", scene);
     struct run_options options = {.output = target,

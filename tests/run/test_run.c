@@ -93,6 +93,31 @@ PLACED(test_a_signal_halfway_stops_the_run)
     assert_near(evaluated, 1, 0); /* no other surface was begun */
 }
 
+/* How far the threads are is told by one at a time. */
+static atomic_int telling;
+static atomic_bool at_once;
+static double told;
+
+static void tell_slowly(const char *stage, const char *name, double done, double all)
+{
+    (void)stage, (void)name;
+    at_once |= atomic_fetch_add(&telling, 1) > 0 || !(done == 0 || done > told || done == all);
+    told = done;
+    usleep(50000);
+    telling--;
+}
+
+PLACED(test_threads_tell_one_at_a_time)
+{
+    struct run_outcome outcome;
+    struct status status = {0};
+    const struct run_options options = {.jobs = 3, .progress = tell_slowly};
+    assert_int_equal(pipeline_into(&outcome, *state, "in", "out", options, &status), STATUS_OK);
+    run_outcome_free(&outcome);
+    assert_near(told, 3, 0);
+    assert_false(at_once);
+}
+
 PLACED(test_the_baseline_and_the_order_do_not_depend_on_file_names)
 {
     directory_write(*state, "in/scene.yaml", "material: tin\neffects: [electrical]\n");

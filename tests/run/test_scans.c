@@ -10,11 +10,9 @@ enum { POINTS = 256, SCANS = 5 };
 /* A scene with these lines before its surfaces. */
 static void write_scene(const struct directory *place, const char *in, const char *more, const char *surfaces)
 {
-    char path[256];
     struct text text = {0};
     text_add(&text, "material: tin\nload: {from: 1e-6, to: 1e-3, points: 7}\n%ssurfaces: [%s]\n", more, surfaces);
-    snprintf(path, sizeof path, "%s/scene.yaml", in);
-    directory_write(place, path, text_string(&text));
+    directory_write(place, filled("%s/scene.yaml", in), text_string(&text));
     text_free(&text);
 }
 
@@ -64,15 +62,10 @@ TEST_IN_DIRECTORY(the_mean_of_five_reports)
     static const char *const columns[] = {"area_ratio", "ecr_ohm_m2", "separation_over_sigma",
                                           "adjusted_separation_over_sigma"};
     struct table alone[SCANS];
-    char name[64], surface[64];
     for (int s = 0; s < SCANS; s++) {
-        snprintf(name, sizeof name, "in/%d.csv", s);
-        rough(place, name, POINTS, 1, (unsigned long)s + 1);
-        snprintf(surface, sizeof surface, "{name: m, file: %d.csv}", s);
-        snprintf(name, sizeof name, "alone-%d", s);
-        report(place, name, no_strips, surface);
-        snprintf(name, sizeof name, "alone-%d/data/contact.csv", s);
-        alone[s] = directory_table(place, name);
+        rough(place, filled("in/%d.csv", s), POINTS, 1, (unsigned long)s + 1);
+        report(place, filled("alone-%d", s), no_strips, filled("{name: m, file: %d.csv}", s));
+        alone[s] = directory_table(place, filled("alone-%d/data/contact.csv", s));
     }
     report(place, "all", no_strips, "{name: m, file: [0.csv, 1.csv, 2.csv, 3.csv, 4.csv]}");
     struct table all = directory_table(place, "all/data/contact.csv");
@@ -168,10 +161,8 @@ TEST_IN_DIRECTORY(intervals_in_the_data)
             const char *surface = table_text(&bands, r, "surface"), *model = table_text(&bands, r, "model");
             bool statistical = strcmp(model, "gw") == 0 || strcmp(model, "jg") == 0,
                  several = strcmp(surface, "two") == 0;
-            char low_name[64], high_name[64];
-            snprintf(low_name, sizeof low_name, "%s_mean_low_95", names[q]);
-            snprintf(high_name, sizeof high_name, "%s_mean_high_95", names[q]);
-            double low = cell(&bands, r, low_name), high = cell(&bands, r, high_name);
+            double low = cell(&bands, r, filled("%s_mean_low_95", names[q])),
+                   high = cell(&bands, r, filled("%s_mean_high_95", names[q]));
             assert_int_equal(isnan(low), isnan(high));
             if (strcmp(model, "cmy") == 0 && q == 0)
                 alike += isnan(low) != 0;
@@ -277,9 +268,7 @@ TEST_IN_DIRECTORY(few_longest_waves)
 /** Degrees of freedom of a surface's resistance in results.json, and the width of its interval (of ln). */
 static double degrees_of(const struct directory *place, const char *out, double *width)
 {
-    char path[64];
-    snprintf(path, sizeof path, "%s/results.json", out);
-    json_t *results = json_load_file(directory_path(place, path), 0, NULL);
+    json_t *results = json_load_file(directory_path(place, filled("%s/results.json", out)), 0, NULL);
     double degrees = NAN, low, high;
     assert_int_equal(json_unpack(json_array_get(json_object_get(results, "surfaces"), 0),
                                  "{s:{s:{s:{s:{s:F, s:[F, F]}}}}}", "models", "strip", "at_middle_load", "ecr_ohm_m2",
@@ -302,20 +291,16 @@ TEST_IN_DIRECTORY(two_rough_bodies)
                  {"a0.csv", "b*.csv", 4},
                  {"a0.csv", "b0.csv", 4},
                  {"a*.csv", "b0.csv", 4}};
-    char name[16], more[200], surface[64];
     for (unsigned long i = 0; i < 3; i++) {
-        snprintf(name, sizeof name, "in/a%lu.csv", i);
-        rough(place, name, POINTS, 1, i + 1);
-        snprintf(name, sizeof name, "in/b%lu.csv", i);
-        rough(place, name, POINTS, 1, i + 11);
+        rough(place, filled("in/a%lu.csv", i), POINTS, 1, i + 1);
+        rough(place, filled("in/b%lu.csv", i), POINTS, 1, i + 11);
     }
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         double width;
-        snprintf(more, sizeof more,
-                 "effects: [separation, electrical, uncertainty]\nmodels: [strip]\ncounterface: {surface: '%s'}\n",
-                 cases[k].other);
-        snprintf(surface, sizeof surface, "{name: m, file: '%s'}", cases[k].own);
-        report(place, "out", more, surface);
+        report(place, "out",
+               filled("effects: [separation, electrical, uncertainty]\nmodels: [strip]\ncounterface: {surface: '%s'}\n",
+                      cases[k].other),
+               filled("{name: m, file: '%s'}", cases[k].own));
         assert_near(degrees_of(place, "out", &width), cases[k].degrees, 0);
         assert_true(width > 2 * 1.9 * 0.5 && width < 20);
         expect_in_file(place, "out/report.md", "(95 % ");
@@ -349,10 +334,8 @@ TEST_IN_DIRECTORY(a_scan_that_changes)
  * kind. */
 TEST_IN_DIRECTORY(many_scans)
 {
-    char name[16];
     for (unsigned long i = 0; i < 26; i++) {
-        snprintf(name, sizeof name, "in/%02lu.csv", i);
-        rough(place, name, 64, 1, i + 1);
+        rough(place, filled("in/%02lu.csv", i), 64, 1, i + 1);
     }
     for (int many = 0; many < 2; many++) {
         double width;
@@ -386,10 +369,8 @@ TEST_IN_DIRECTORY(one_scan_each)
  * scans. */
 TEST_IN_DIRECTORY(ranked_in_words)
 {
-    char name[64];
     for (int s = 0; s < 9; s++) {
-        snprintf(name, sizeof name, "in/%c%d.csv", "abc"[s / 3], s % 3);
-        rough(place, name, POINTS, s < 6 ? 1 : 100, (unsigned long)s + 1);
+        rough(place, filled("in/%c%d.csv", "abc"[s / 3], s % 3), POINTS, s < 6 ? 1 : 100, (unsigned long)s + 1);
     }
     static const char more[] = "effects: [separation, electrical]\nmodels: [gw]\n";
     report(place, "three", more,
@@ -416,10 +397,12 @@ static double first_p(const struct directory *place, const char *report)
 /** Holm's adjustment: the same two surfaces, best and next, beside a third far from both have a larger p. */
 TEST_IN_DIRECTORY(more_pairs_ask_for_more)
 {
-    char name[64];
     for (int s = 0; s < 6; s++) {
-        snprintf(name, sizeof name, "in/%c%d.csv", "abc"[s / 2], s % 2);
-        rough(place, name, POINTS, s < 2 ? 1 : s < 4 ? 20 : 300, (unsigned long)s + 1);
+        rough(place, filled("in/%c%d.csv", "abc"[s / 2], s % 2), POINTS,
+              s < 2   ? 1
+              : s < 4 ? 20
+                      : 300,
+              (unsigned long)s + 1);
     }
     static const char more[] = "effects: [separation, electrical]\nmodels: [gw]\n";
     report(place, "two", more, "{name: a, file: [a0.csv, a1.csv]}, {name: b, file: [b0.csv, b1.csv]}");
@@ -458,10 +441,8 @@ TEST_IN_DIRECTORY(bad_scans_of_several)
     static const char *const folders[] = {"good", "bad"};
     struct run_outcome good, bad;
     for (int f = 0; f < 2; f++) {
-        char path[64];
         for (unsigned s = 0; s < 3; s++) {
-            snprintf(path, sizeof path, "%s/%c.csv", folders[f], "ace"[s]);
-            rough(place, path, POINTS, 1, 7 + s);
+            rough(place, filled("%s/%c.csv", folders[f], "ace"[s]), POINTS, 1, 7 + s);
         }
         write_scene(place, folders[f], listed, "{name: s, file: [\"*.csv\"]}");
     }

@@ -24,14 +24,12 @@ static void write_scan(const struct directory *place, const char *name, const do
 
 static void write_scene(const struct directory *place, const char *in, const char *more)
 {
-    char path[64], text[400];
-    snprintf(path, sizeof path, "%s/scene.yaml", in);
-    snprintf(text, sizeof text,
-             "models: [multiscale, statistical, corrected-persson, strip, cmy]\n"
-             "effects: [plasticity, electrical]\nlevel: line\nwindow: none\nload: {from: 1e-6, to: 1e-2, points: "
-             "%d}\noperating_load: 1e-4\n%s",
-             LOADS, more);
-    directory_write(place, path, text);
+    directory_write(
+        place, filled("%s/scene.yaml", in),
+        filled("models: [multiscale, statistical, corrected-persson, strip, cmy]\n"
+               "effects: [plasticity, electrical]\nlevel: line\nwindow: none\nload: {from: 1e-6, to: 1e-2, points: "
+               "%d}\noperating_load: 1e-4\n%s",
+               LOADS, more));
 }
 
 static int place_setup(void **state)
@@ -55,9 +53,7 @@ static void level(double *height_m, size_t points)
 /** Value at the middle load of a model in a report of one surface; NaN: no row or an empty cell. */
 static double at_middle(const struct directory *place, const char *out, const char *model, const char *column)
 {
-    char name[64];
-    snprintf(name, sizeof name, "%s/data/contact.csv", out);
-    struct table table = table_read_path(directory_path(place, name));
+    struct table table = table_read_path(directory_path(place, filled("%s/data/contact.csv", out)));
     double value = NAN;
     size_t index = 0;
     for (size_t row = 0; row < table.rows; row++) {
@@ -142,18 +138,15 @@ TEST_IN_PLACE(factors_are_those_of_separate_reports)
 static void make_report(const struct directory *place, const char *in, const char *how, const double *height_m,
                         size_t points)
 {
-    char name[64], scene[400];
-    snprintf(name, sizeof name, "%s/a.csv", in);
-    write_scan(place, name, height_m, points);
+    char scene[400];
+    write_scan(place, filled("%s/a.csv", in), height_m, points);
     snprintf(
         scene, sizeof scene,
         "models: [multiscale, corrected-persson, cmy]\neffects: [plasticity, electrical]\n%s\nmoments: difference\n"
         "load: {from: 1e-6, to: 1e-2, points: %d}\noperating_load: 1e-4\n" METAL("1.4e7"),
         how, LOADS);
-    snprintf(name, sizeof name, "%s/scene.yaml", in);
-    directory_write(place, name, scene);
-    snprintf(name, sizeof name, "out-%s", in);
-    assert_int_equal(pipeline_run(place, in, name, 1), 0);
+    directory_write(place, filled("%s/scene.yaml", in), scene);
+    assert_int_equal(pipeline_run(place, in, filled("out-%s", in), 1), 0);
 }
 
 /** A scan that closes on itself keeps its window and levelling when its cut-off is doubled, and is smoothed around its

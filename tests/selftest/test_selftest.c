@@ -136,15 +136,12 @@ struct numbers {
 
 static void read_numbers(struct numbers *numbers, const char *folder)
 {
-    char path[4096];
-    snprintf(path, sizeof path, "%s/%s", TEST_DATA, folder);
-    DIR *directory = opendir(path);
+    DIR *directory = opendir(filled("%s/%s", TEST_DATA, folder));
     assert_non_null(directory);
     for (const struct dirent *entry; (entry = readdir(directory));) {
         if (!strstr(entry->d_name, ".csv"))
             continue;
-        snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
-        struct table golden = table_read(path);
+        struct table golden = table_read(filled("%s/%s", folder, entry->d_name));
         for (size_t cell = golden.columns; cell < (golden.rows + 1) * golden.columns; cell++) {
             char *end;
             double value = strtod(golden.cell[cell], &end);
