@@ -20,11 +20,11 @@ static const double piece_penalty = 4;      /* ln J each */
 static const double least_gamma = 0.5, most_gamma = 2.28;
 static const double steep_gamma = 1.75; /* above: longer waves leak into a record's first harmonics */
 static const double least_width_decades = 0.5, law_width_decades = 1, most_misfit_decades = 0.1;
-static const double line_decades = 0.2;
+static const double line_decades = 0.2, line_errors = 4;
 static const double line_level = 0.02;      /* of files without lines, so many may have one */
 static const double line_side_level = 0.05; /* of bins beside a cut-off */
 static const double line_valley_decades = 0.8;
-static const double line_scatter = 3; /* variance of log-normal amplitudes' bins over that of Gaussian heights' */
+static const double line_scatter = 1.3; /* a harmonic's variance over that of Gaussian heights: log-normal amplitudes */
 static const double knee_gamma_s = 0.04, knee_amplitude_s_decades = 0.02;
 enum { PIECE_BINS = 3, CANDIDATE_BINS = 4, KNEE_BINS = 2, LINE_RUN = 3 };
 
@@ -206,7 +206,7 @@ static enum status_code divide(struct pieces *pieces, const struct selection *se
 }
 
 /** May bin j be a line: does it stand above its neighbours' middle, as the last bin before a cut-off does too? */
-static bool stands_out(const struct power_law_band *band, size_t j, double z)
+static bool stands_out(const struct power_law_band *band, size_t j)
 {
     double between[3];
     size_t count = 0;
@@ -216,20 +216,21 @@ static bool stands_out(const struct power_law_band *band, size_t j, double z)
     if (count < 2 || !isfinite(band->bin[j].y))
         return false;
     gsl_sort(between, 1, count);
-    double threshold = fmax(line_decades, z * sqrt(line_scatter * band->bin[j].variance));
+    double threshold = fmax(line_decades, line_errors * sqrt(band->bin[j].variance));
     return band->bin[j].y - gsl_stats_median_from_sorted_data(between, 1, count) > threshold;
 }
 
-/** Marks the bins that are `out`, but for longer runs, which are knees. The tapers carry a line into the bins beside
- * it. */
-static void mark_lines(struct power_law_band *band, const bool out[LOG_BIN_MOST])
+/** Marks the runs of bins that are `out` of which one is a line, but for longer runs, which are knees. The tapers carry
+ * a line into the bins beside it. */
+static void mark_lines(struct power_law_band *band, const bool out[LOG_BIN_MOST], const bool line[LOG_BIN_MOST])
 {
     for (size_t j = 0; j < band->bins; j++)
         band->use[j] = POWER_LAW_BAND_OUTSIDE;
     for (size_t j = 0, end; j<band->bins; j = end> j ? end : j + 1) {
+        bool lines = false;
         for (end = j; end < band->bins && out[end]; end++)
-            ;
-        if (end == j || end - j > LINE_RUN)
+            lines = lines || line[end];
+        if (!lines || end - j > LINE_RUN)
             continue;
         for (size_t i = j > 0 ? j - 1 : 0; i <= end && i < band->bins; i++)
             band->use[i] = i >= j && i < end ? POWER_LAW_BAND_LINE : POWER_LAW_BAND_BESIDE;
@@ -249,22 +250,29 @@ static struct selection bins_outside(const struct power_law_band *band)
 }
 
 /** Does the highest harmonic of a bin stand above the straight line through others, first ... end - 1, by so much that
- * chance lets one do so at `level`? The error is that of a harmonic, of the line, and what is called one law. */
+ * chance lets one do so at `level`? The error is that of a harmonic, of the line, and what is called one law. Of too
+ * few for a piece the mean is taken. */
 static bool stands_above(const struct selection *selection, size_t first, size_t end, const struct log_bin *bin,
                          double most_slope, double scans, double level)
 {
+    if (end == first)
+        return false;
     double one_law = one_law_decades * one_law_decades;
     struct line line = line_through(selection, first, end - 1, one_law);
-    double away = bin->peak_x - line.x_mean, excess = bin->peak_y - line.y_mean - fmin(line.slope, most_slope) * away;
-    double variance = log_bin_variance(scans) + one_law + 1 / line.weight + away * away / line.x_spread;
+    double variance = line_scatter * log_bin_variance(scans) + one_law + 1 / line.weight;
+    double away = bin->peak_x - line.x_mean, excess = bin->peak_y - line.y_mean;
+    if (end - first >= PIECE_BINS) {
+        variance += away * away / line.x_spread;
+        excess -= fmin(line.slope, most_slope) * away;
+    }
     return excess > gsl_cdf_ugaussian_Qinv(level) * sqrt(variance);
 }
 
 /** Is bin j a line, to judge by piece k of the bins that are none, which begins before it? Beside a cut-off every bin
  * stands above the middle of its neighbours; a line stands above what is on its left carried on, and on its right:
- * the piece's bins there, where these are too few the next piece, and where there is none the whole of this one. What
- * is steeper than any law on its right may be a cut-off's flank or another line's: then the line also has a valley
- * there. */
+ * the piece's bins there, where these are too few the next piece, and where there is none the few on its left, and the
+ * whole of this one on its right. What is steeper than any law on its right may be a cut-off's flank or another line's:
+ * then the line also has a valley there. */
 static bool is_line(const struct power_law_band *band, const struct selection *rest, const struct pieces *pieces,
                     size_t k, size_t j, double scans)
 {
@@ -281,7 +289,7 @@ static bool is_line(const struct power_law_band *band, const struct selection *r
     size_t left_end = here, right_first = here;
     if (here - first < PIECE_BINS) {
         left = k > 0 ? pieces->first[k - 1] : first;
-        left_end = k > 0 ? first : end;
+        left_end = k > 0 ? first : here;
     }
     if (end - here < PIECE_BINS) {
         right_first = k + 1 < pieces->count ? end : first;
@@ -292,14 +300,13 @@ static bool is_line(const struct power_law_band *band, const struct selection *r
            stands_above(rest, right_first, right, bin, most_slope, scans, side_level);
 }
 
-/** Marks the lines: bins that stand out, and then above the straight pieces of the rest. */
+/** Marks the lines: runs of bins that stand out, of which one then stands above the straight pieces of the rest. */
 static enum status_code find_lines(struct power_law_band *band, double scans, struct status *status)
 {
     bool out[LOG_BIN_MOST] = {false}, line[LOG_BIN_MOST] = {false};
-    double z = gsl_cdf_ugaussian_Qinv(line_level / fmax(1, (double)band->bins));
     for (size_t j = 0; j < band->bins; j++)
-        out[j] = stands_out(band, j, z);
-    mark_lines(band, out);
+        out[j] = stands_out(band, j);
+    mark_lines(band, out, out);
     struct selection rest = bins_outside(band);
     struct pieces pieces;
     if (rest.count < band->bins && rest.count >= (size_t)2 * PIECE_BINS) {
@@ -311,7 +318,7 @@ static enum status_code find_lines(struct power_law_band *band, double scans, st
             line[j] = band->use[j] == POWER_LAW_BAND_LINE && is_line(band, &rest, &pieces, k, j, scans);
         }
     }
-    mark_lines(band, line);
+    mark_lines(band, out, line);
     return STATUS_OK;
 }
 
