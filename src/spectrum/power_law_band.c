@@ -20,11 +20,11 @@ static const double piece_penalty = 4;      /* ln J each */
 static const double least_gamma = 0.5, most_gamma = 2.28;
 static const double steep_gamma = 1.75; /* above: longer waves leak into a record's first harmonics */
 static const double least_width_decades = 0.5, law_width_decades = 1, most_misfit_decades = 0.1;
-static const double line_decades = 0.2, line_errors = 4;
+static const double line_decades = 0.2;
 static const double line_level = 0.02;      /* of files without lines, so many may have one */
 static const double line_side_level = 0.05; /* of bins beside a cut-off */
 static const double line_valley_decades = 0.8;
-static const double line_scatter = 1.3; /* a harmonic's variance over that of Gaussian heights: log-normal amplitudes */
+static const double line_scatter = 3; /* variance of log-normal amplitudes' bins over that of Gaussian heights' */
 static const double knee_gamma_s = 0.04, knee_amplitude_s_decades = 0.02;
 enum { PIECE_BINS = 3, CANDIDATE_BINS = 4, KNEE_BINS = 2, LINE_RUN = 3 };
 
@@ -206,7 +206,7 @@ static enum status_code divide(struct pieces *pieces, const struct selection *se
 }
 
 /** May bin j be a line: does it stand above its neighbours' middle, as the last bin before a cut-off does too? */
-static bool stands_out(const struct power_law_band *band, size_t j)
+static bool stands_out(const struct power_law_band *band, size_t j, double z)
 {
     double between[3];
     size_t count = 0;
@@ -216,7 +216,7 @@ static bool stands_out(const struct power_law_band *band, size_t j)
     if (count < 2 || !isfinite(band->bin[j].y))
         return false;
     gsl_sort(between, 1, count);
-    double threshold = fmax(line_decades, line_errors * sqrt(band->bin[j].variance));
+    double threshold = fmax(line_decades, z * sqrt(line_scatter * band->bin[j].variance));
     return band->bin[j].y - gsl_stats_median_from_sorted_data(between, 1, count) > threshold;
 }
 
@@ -259,7 +259,7 @@ static bool stands_above(const struct selection *selection, size_t first, size_t
         return false;
     double one_law = one_law_decades * one_law_decades;
     struct line line = line_through(selection, first, end - 1, one_law);
-    double variance = line_scatter * log_bin_variance(scans) + one_law + 1 / line.weight;
+    double variance = log_bin_variance(scans) + one_law + 1 / line.weight;
     double away = bin->peak_x - line.x_mean, excess = bin->peak_y - line.y_mean;
     if (end - first >= PIECE_BINS) {
         variance += away * away / line.x_spread;
@@ -304,8 +304,9 @@ static bool is_line(const struct power_law_band *band, const struct selection *r
 static enum status_code find_lines(struct power_law_band *band, double scans, struct status *status)
 {
     bool out[LOG_BIN_MOST] = {false}, line[LOG_BIN_MOST] = {false};
+    double z = gsl_cdf_ugaussian_Qinv(line_level / fmax(1, (double)band->bins));
     for (size_t j = 0; j < band->bins; j++)
-        out[j] = stands_out(band, j);
+        out[j] = stands_out(band, j, z);
     mark_lines(band, out, out);
     struct selection rest = bins_outside(band);
     struct pieces pieces;
