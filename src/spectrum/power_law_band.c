@@ -23,8 +23,8 @@ static const double least_width_decades = 0.5, law_width_decades = 1, most_misfi
 static const double line_decades = 0.2;
 static const double line_level = 0.02;      /* of files without lines, so many may have one */
 static const double line_side_level = 0.05; /* of bins beside a cut-off */
-static const double line_valley_decades = 0.8;
-static const double line_scatter = 3; /* variance of log-normal amplitudes' bins over that of Gaussian heights' */
+static const double line_valley_decades = 0.3;
+static const double line_scatter = 2; /* variance of log-normal amplitudes' bins over that of Gaussian heights' */
 static const double knee_gamma_s = 0.04, knee_amplitude_s_decades = 0.02;
 enum { PIECE_BINS = 3, CANDIDATE_BINS = 4, KNEE_BINS = 2, LINE_RUN = 3 };
 
@@ -251,9 +251,9 @@ static struct selection bins_outside(const struct power_law_band *band)
 
 /** Does the highest harmonic of a bin stand above the straight line through others, first ... end - 1, by so much that
  * chance lets one do so at `level`? The error is that of a harmonic, of the line, and what is called one law. Of too
- * few for a piece the mean is taken. */
+ * few for a piece, and of what is steeper than any law, a cut-off's flank or another line's, the mean is taken. */
 static bool stands_above(const struct selection *selection, size_t first, size_t end, const struct log_bin *bin,
-                         double most_slope, double scans, double level)
+                         double scans, double level)
 {
     if (end == first)
         return false;
@@ -261,31 +261,32 @@ static bool stands_above(const struct selection *selection, size_t first, size_t
     struct line line = line_through(selection, first, end - 1, one_law);
     double variance = log_bin_variance(scans) + one_law + 1 / line.weight;
     double away = bin->peak_x - line.x_mean, excess = bin->peak_y - line.y_mean;
-    if (end - first >= PIECE_BINS) {
+    if (end - first >= PIECE_BINS && line.slope <= most_gamma) {
         variance += away * away / line.x_spread;
-        excess -= fmin(line.slope, most_slope) * away;
+        excess -= line.slope * away;
     }
     return excess > gsl_cdf_ugaussian_Qinv(level) * sqrt(variance);
 }
 
 /** Is bin j a line, to judge by piece k of the bins that are none, which begins before it? Beside a cut-off every bin
- * stands above the middle of its neighbours; a line stands above what is on its left carried on, and on its right:
- * the piece's bins there, where these are too few the next piece, and where there is none the few on its left, and the
- * whole of this one on its right. What is steeper than any law on its right may be a cut-off's flank or another line's:
- * then the line also has a valley there. */
+ * stands above the middle of its neighbours; a line has a valley on its right, deeper than any law falls, and stands
+ * above what is on its left carried on, and on its right: the piece's bins there, where these are too few the next
+ * piece, and where there is none the few on its left, and the whole of this one on its right. A piece steeper than any
+ * law is a cut-off's flank and tells nothing: then either side must tell alone. */
 static bool is_line(const struct power_law_band *band, const struct selection *rest, const struct pieces *pieces,
                     size_t k, size_t j, double scans)
 {
     const struct log_bin *bin = &band->bin[j];
-    double file_level = line_level / (double)band->bin[band->bins - 1].last, most_slope = INFINITY;
+    double file_level = line_level / (double)band->bin[band->bins - 1].last;
     double side_level = line_side_level / (double)(bin->last + 1 - bin->first);
     size_t first = pieces->first[k], end = pieces->first[k + 1], here = first, left = first, right = end, beside = j;
+    if (line_through(rest, first, end - 1, one_law_decades * one_law_decades).slope > most_gamma)
+        side_level = file_level;
     while (here < end && rest->index[here] < j)
         here++;
     while (beside + 1 < band->bins && band->use[beside] == POWER_LAW_BAND_LINE)
         beside++;
-    if (bin->peak_y - band->bin[beside].y > line_valley_decades)
-        most_slope = most_gamma;
+    const struct log_bin *valley = &band->bin[beside];
     size_t left_end = here, right_first = here;
     if (here - first < PIECE_BINS) {
         left = k > 0 ? pieces->first[k - 1] : first;
@@ -295,9 +296,10 @@ static bool is_line(const struct power_law_band *band, const struct selection *r
         right_first = k + 1 < pieces->count ? end : first;
         right = k + 1 < pieces->count ? pieces->first[k + 2] : end;
     }
-    return stands_above(rest, first, end, bin, INFINITY, scans, file_level) &&
-           stands_above(rest, left, left_end, bin, INFINITY, scans, side_level) &&
-           stands_above(rest, right_first, right, bin, most_slope, scans, side_level);
+    return bin->peak_y - valley->y > line_valley_decades + most_gamma * (bin->peak_x - valley->x) &&
+           stands_above(rest, first, end, bin, scans, file_level) &&
+           stands_above(rest, left, left_end, bin, scans, side_level) &&
+           stands_above(rest, right_first, right, bin, scans, side_level);
 }
 
 /** Marks the lines: runs of bins that stand out, of which one then stands above the straight pieces of the rest. */
@@ -307,6 +309,9 @@ static enum status_code find_lines(struct power_law_band *band, double scans, st
     double z = gsl_cdf_ugaussian_Qinv(line_level / fmax(1, (double)band->bins));
     for (size_t j = 0; j < band->bins; j++)
         out[j] = stands_out(band, j, z);
+    for (size_t j = 1; j + 1 < band->bins; j++) /* between two, and no valley */
+        out[j] = out[j] || (out[j - 1] && out[j + 1] &&
+                            band->bin[j].y > fmin(band->bin[j - 1].y, band->bin[j + 1].y) - line_decades);
     mark_lines(band, out, out);
     struct selection rest = bins_outside(band);
     struct pieces pieces;
