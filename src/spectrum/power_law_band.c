@@ -14,17 +14,16 @@
 
 const char *const power_law_band_class_names[] = {"no power law found", "narrow", "law"};
 
-static const double one_law_decades = 0.05; /* what is called one power law: long scans do not split on less */
-static const double piece_penalty = 4;      /* ln J each */
+static const double one_law_square = 0.05 * 0.05; /* decades²; one power law: long scans do not split on less */
+static const double piece_penalty = 4;            /* ln J each */
 /* below: plateau or noise; above: a filter's flank, 0.08 beyond 2.2, at which half of all laws are found higher */
 static const double least_gamma = 0.5, most_gamma = 2.28;
 static const double steep_gamma = 1.75; /* above: longer waves leak into a record's first harmonics */
 static const double least_width_decades = 0.5, law_width_decades = 1, most_misfit_decades = 0.1;
-static const double line_decades = 0.2;
+static const double line_decades = 0.2, line_valley_decades = 0.3;
 static const double line_level = 0.02;      /* of files without lines, so many may have one */
 static const double line_side_level = 0.05; /* of bins beside a cut-off */
-static const double line_valley_decades = 0.3;
-static const double line_scatter = 2; /* variance of log-normal amplitudes' bins over that of Gaussian heights' */
+static const double line_scatter = 2;       /* variance of log-normal amplitudes' bins over that of Gaussian heights' */
 static const double knee_gamma_s = 0.04, knee_amplitude_s_decades = 0.02;
 enum { PIECE_BINS = 3, CANDIDATE_BINS = 4, KNEE_BINS = 2, LINE_RUN = 3 };
 
@@ -165,11 +164,9 @@ static void programme_fill(struct programme *programme, const struct selection *
     size_t bins = selection->count;
     for (size_t i = 0; i < bins; i++)
         for (size_t j = i; j < bins; j++)
-            programme->piece[i][j] = j - i + 1 < PIECE_BINS
-                                         ? INFINITY
-                                         : line_through(selection, i, j, one_law_decades * one_law_decades).residual;
-    for (size_t j = 0; j < bins; j++)
-        programme->least[0][j] = programme->piece[0][j];
+            programme->piece[i][j] =
+                j - i + 1 < PIECE_BINS ? INFINITY : line_through(selection, i, j, one_law_square).residual;
+    memcpy(programme->least[0], programme->piece[0], sizeof programme->least[0]);
     for (size_t k = 1; k < POWER_LAW_BAND_PIECES; k++)
         for (size_t j = 0; j < bins; j++) {
             programme->least[k][j] = INFINITY;
@@ -225,7 +222,7 @@ static bool stands_out(const struct power_law_band *band, size_t j, double z)
 static void mark_lines(struct power_law_band *band, const bool out[LOG_BIN_MOST], const bool line[LOG_BIN_MOST])
 {
     for (size_t j = 0; j < band->bins; j++)
-        band->use[j] = POWER_LAW_BAND_OUTSIDE;
+        band->use[j] = isfinite(band->bin[j].y) ? POWER_LAW_BAND_OUTSIDE : POWER_LAW_BAND_EMPTY;
     for (size_t j = 0, end; j<band->bins; j = end> j ? end : j + 1) {
         bool lines = false;
         for (end = j; end < band->bins && out[end]; end++)
@@ -233,11 +230,9 @@ static void mark_lines(struct power_law_band *band, const bool out[LOG_BIN_MOST]
         if (!lines || end - j > LINE_RUN)
             continue;
         for (size_t i = j > 0 ? j - 1 : 0; i <= end && i < band->bins; i++)
-            band->use[i] = i >= j && i < end ? POWER_LAW_BAND_LINE : POWER_LAW_BAND_BESIDE;
+            if (band->use[i] != POWER_LAW_BAND_EMPTY)
+                band->use[i] = i >= j && i < end ? POWER_LAW_BAND_LINE : POWER_LAW_BAND_BESIDE;
     }
-    for (size_t j = 0; j < band->bins; j++)
-        if (!isfinite(band->bin[j].y))
-            band->use[j] = POWER_LAW_BAND_EMPTY;
 }
 
 static struct selection bins_outside(const struct power_law_band *band)
@@ -257,9 +252,8 @@ static bool stands_above(const struct selection *selection, size_t first, size_t
 {
     if (end == first)
         return false;
-    double one_law = one_law_decades * one_law_decades;
-    struct line line = line_through(selection, first, end - 1, one_law);
-    double variance = log_bin_variance(scans) + one_law + 1 / line.weight;
+    struct line line = line_through(selection, first, end - 1, one_law_square);
+    double variance = log_bin_variance(scans) + one_law_square + 1 / line.weight;
     double away = bin->peak_x - line.x_mean, excess = bin->peak_y - line.y_mean;
     if (end - first >= PIECE_BINS && line.slope <= most_gamma) {
         variance += away * away / line.x_spread;
@@ -270,31 +264,29 @@ static bool stands_above(const struct selection *selection, size_t first, size_t
 
 /** Is bin j a line, to judge by piece k of the bins that are none, which begins before it? Beside a cut-off every bin
  * stands above the middle of its neighbours; a line has a valley on its right, deeper than any law falls, and stands
- * above what is on its left carried on, and on its right: the piece's bins there, where these are too few the next
- * piece, and where there is none the few on its left, and the whole of this one on its right. A piece steeper than any
- * law is a cut-off's flank and tells nothing: then either side must tell alone. */
+ * above what is on its left, carried on, and on its right: the piece's bins there, else the next piece, else the few
+ * bins on its left, and this whole piece. One steeper than any law tells nothing: then either side must tell alone. */
 static bool is_line(const struct power_law_band *band, const struct selection *rest, const struct pieces *pieces,
                     size_t k, size_t j, double scans)
 {
     const struct log_bin *bin = &band->bin[j];
     double file_level = line_level / (double)band->bin[band->bins - 1].last;
-    double side_level = line_side_level / (double)(bin->last + 1 - bin->first);
     size_t first = pieces->first[k], end = pieces->first[k + 1], here = first, left = first, right = end, beside = j;
-    if (line_through(rest, first, end - 1, one_law_decades * one_law_decades).slope > most_gamma)
-        side_level = file_level;
+    bool flank = line_through(rest, first, end - 1, one_law_square).slope > most_gamma;
+    double side_level = flank ? file_level : line_side_level / (double)(bin->last + 1 - bin->first);
     while (here < end && rest->index[here] < j)
         here++;
     while (beside + 1 < band->bins && band->use[beside] == POWER_LAW_BAND_LINE)
         beside++;
     const struct log_bin *valley = &band->bin[beside];
     size_t left_end = here, right_first = here;
-    if (here - first < PIECE_BINS) {
-        left = k > 0 ? pieces->first[k - 1] : first;
-        left_end = k > 0 ? first : here;
+    if (here - first < PIECE_BINS && k > 0) {
+        left = pieces->first[k - 1];
+        left_end = first;
     }
     if (end - here < PIECE_BINS) {
         right_first = k + 1 < pieces->count ? end : first;
-        right = k + 1 < pieces->count ? pieces->first[k + 2] : end;
+        right = pieces->first[k + 1 < pieces->count ? k + 2 : k + 1];
     }
     return bin->peak_y - valley->y > line_valley_decades + most_gamma * (bin->peak_x - valley->x) &&
            stands_above(rest, first, end, bin, scans, file_level) &&
@@ -334,17 +326,14 @@ static enum status_code gather(struct power_law_band *band, struct selection *se
                                struct status *status)
 {
     assert(spectrum->scans >= 1 && spectrum->length_m > 0);
-    *band = (struct power_law_band){.fit = {.gamma = NAN,
+    *band = (struct power_law_band){.amplitude_m = NAN, .psd_m3 = NAN, .alpha = NAN, .slope_share = NAN};
+    band->fit = (struct power_law_band_fit){.gamma = NAN,
                                             .gamma_s = NAN,
                                             .log10_amplitude = NAN,
                                             .log10_amplitude_s = NAN,
                                             .wavelength_m = NAN,
                                             .misfit_decades = NAN,
-                                            .band_m = {NAN, NAN}},
-                                    .amplitude_m = NAN,
-                                    .psd_m3 = NAN,
-                                    .alpha = NAN,
-                                    .slope_share = NAN};
+                                            .band_m = {NAN, NAN}};
     band->bins =
         log_bin_fill(band->bin, spectrum->square_m2, spectrum->count, spectrum->length_m, spectrum->scans, split);
     if (find_lines(band, spectrum->scans, status) != STATUS_OK)
@@ -397,8 +386,8 @@ struct candidate {
 static bool candidate_of(struct candidate *out, const struct selection *selection, const struct pieces *pieces,
                          size_t k)
 {
-    double misfit_square = one_law_decades * one_law_decades;
-    bool steep = line_through(selection, pieces->first[k], pieces->first[k + 1] - 1, misfit_square).slope > steep_gamma;
+    bool steep =
+        line_through(selection, pieces->first[k], pieces->first[k + 1] - 1, one_law_square).slope > steep_gamma;
     *out = (struct candidate){.piece = k, .knee = {k > 0 || steep, k + 1 < pieces->count}};
     for (size_t trim = KNEE_BINS + 1; trim-- > 0;) {
         size_t first = pieces->first[k] + (out->knee[0] ? trim : 0), end = pieces->first[k + 1];
@@ -410,7 +399,7 @@ static bool candidate_of(struct candidate *out, const struct selection *selectio
         out->width_decades =
             log10((double)bin_at(selection, out->last)->last / (double)bin_at(selection, first)->first);
         if (out->width_decades >= least_width_decades) {
-            out->gamma = line_through(selection, out->first, out->last, misfit_square).slope;
+            out->gamma = line_through(selection, out->first, out->last, one_law_square).slope;
             return out->gamma >= least_gamma && out->gamma <= most_gamma;
         }
     }
@@ -458,7 +447,7 @@ static void describe_pieces(struct power_law_band *band, const struct selection 
     for (size_t k = 0; k < pieces->count; k++) {
         size_t first = pieces->first[k], last = pieces->first[k + 1] - 1;
         struct power_law_band_piece *piece = &band->piece[k];
-        piece->gamma = line_through(selection, first, last, one_law_decades * one_law_decades).slope;
+        piece->gamma = line_through(selection, first, last, one_law_square).slope;
         piece->candidate_gamma = NAN;
         piece->band_m[0] = length_m / (double)bin_at(selection, last)->last;
         piece->band_m[1] = length_m / (double)bin_at(selection, first)->first;
@@ -482,10 +471,8 @@ enum status_code power_law_band_find(struct power_law_band *out, const struct po
     struct candidate candidate[POWER_LAW_BAND_PIECES] = {0};
     size_t candidates = 0;
     for (size_t k = 0; k < pieces.count; k++)
-        if (candidate_of(&candidate[candidates], &selection, &pieces, k)) {
-            out->piece[k].candidate_gamma = candidate[candidates].gamma;
-            candidates++;
-        }
+        if (candidate_of(&candidate[candidates], &selection, &pieces, k))
+            out->piece[k].candidate_gamma = candidate[candidates++].gamma;
     qsort(candidate, candidates, sizeof *candidate, wider_first);
     for (size_t c = 0; c < candidates; c++) {
         struct selection used = part_of(&selection, candidate[c].first, candidate[c].last - candidate[c].first + 1);
