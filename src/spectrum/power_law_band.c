@@ -14,17 +14,16 @@
 
 const char *const power_law_band_class_names[] = {"no power law found", "narrow", "law"};
 
-static const double one_law_decades = 0.05; /* what is called one power law: long scans do not split on less */
-static const double piece_penalty = 4;      /* ln J each */
+static const double one_law_square = 0.05 * 0.05; /* decades²; one power law: long scans do not split on less */
+static const double piece_penalty = 4;            /* ln J each */
 /* below: plateau or noise; above: a filter's flank, 0.08 beyond 2.2, at which half of all laws are found higher */
 static const double least_gamma = 0.5, most_gamma = 2.28;
 static const double steep_gamma = 1.75; /* above: longer waves leak into a record's first harmonics */
 static const double least_width_decades = 0.5, law_width_decades = 1, most_misfit_decades = 0.1;
-static const double line_decades = 0.2;
+static const double line_decades = 0.2, line_valley_decades = 0.3;
 static const double line_level = 0.02;      /* of files without lines, so many may have one */
 static const double line_side_level = 0.05; /* of bins beside a cut-off */
-static const double line_valley_decades = 0.8;
-static const double line_scatter = 3; /* variance of log-normal amplitudes' bins over that of Gaussian heights' */
+static const double line_scatter = 2;       /* variance of log-normal amplitudes' bins over that of Gaussian heights' */
 static const double knee_gamma_s = 0.04, knee_amplitude_s_decades = 0.02;
 enum { PIECE_BINS = 3, CANDIDATE_BINS = 4, KNEE_BINS = 2, LINE_RUN = 3 };
 
@@ -165,11 +164,9 @@ static void programme_fill(struct programme *programme, const struct selection *
     size_t bins = selection->count;
     for (size_t i = 0; i < bins; i++)
         for (size_t j = i; j < bins; j++)
-            programme->piece[i][j] = j - i + 1 < PIECE_BINS
-                                         ? INFINITY
-                                         : line_through(selection, i, j, one_law_decades * one_law_decades).residual;
-    for (size_t j = 0; j < bins; j++)
-        programme->least[0][j] = programme->piece[0][j];
+            programme->piece[i][j] =
+                j - i + 1 < PIECE_BINS ? INFINITY : line_through(selection, i, j, one_law_square).residual;
+    memcpy(programme->least[0], programme->piece[0], sizeof programme->least[0]);
     for (size_t k = 1; k < POWER_LAW_BAND_PIECES; k++)
         for (size_t j = 0; j < bins; j++) {
             programme->least[k][j] = INFINITY;
@@ -220,23 +217,22 @@ static bool stands_out(const struct power_law_band *band, size_t j, double z)
     return band->bin[j].y - gsl_stats_median_from_sorted_data(between, 1, count) > threshold;
 }
 
-/** Marks the bins that are `out`, but for longer runs, which are knees. The tapers carry a line into the bins beside
- * it. */
-static void mark_lines(struct power_law_band *band, const bool out[LOG_BIN_MOST])
+/** Marks the runs of bins that are `out` of which one is a line, but for longer runs, which are knees. The tapers carry
+ * a line into the bins beside it. */
+static void mark_lines(struct power_law_band *band, const bool out[LOG_BIN_MOST], const bool line[LOG_BIN_MOST])
 {
     for (size_t j = 0; j < band->bins; j++)
-        band->use[j] = POWER_LAW_BAND_OUTSIDE;
+        band->use[j] = isfinite(band->bin[j].y) ? POWER_LAW_BAND_OUTSIDE : POWER_LAW_BAND_EMPTY;
     for (size_t j = 0, end; j<band->bins; j = end> j ? end : j + 1) {
+        bool lines = false;
         for (end = j; end < band->bins && out[end]; end++)
-            ;
-        if (end == j || end - j > LINE_RUN)
+            lines = lines || line[end];
+        if (!lines || end - j > LINE_RUN)
             continue;
         for (size_t i = j > 0 ? j - 1 : 0; i <= end && i < band->bins; i++)
-            band->use[i] = i >= j && i < end ? POWER_LAW_BAND_LINE : POWER_LAW_BAND_BESIDE;
+            if (band->use[i] != POWER_LAW_BAND_EMPTY)
+                band->use[i] = i >= j && i < end ? POWER_LAW_BAND_LINE : POWER_LAW_BAND_BESIDE;
     }
-    for (size_t j = 0; j < band->bins; j++)
-        if (!isfinite(band->bin[j].y))
-            band->use[j] = POWER_LAW_BAND_EMPTY;
 }
 
 static struct selection bins_outside(const struct power_law_band *band)
@@ -249,57 +245,66 @@ static struct selection bins_outside(const struct power_law_band *band)
 }
 
 /** Does the highest harmonic of a bin stand above the straight line through others, first ... end - 1, by so much that
- * chance lets one do so at `level`? The error is that of a harmonic, of the line, and what is called one law. */
+ * chance lets one do so at `level`? The error is that of a harmonic, of the line, and what is called one law. Of too
+ * few for a piece, and of what is steeper than any law, a cut-off's flank or another line's, the mean is taken. */
 static bool stands_above(const struct selection *selection, size_t first, size_t end, const struct log_bin *bin,
-                         double most_slope, double scans, double level)
+                         double scans, double level)
 {
-    double one_law = one_law_decades * one_law_decades;
-    struct line line = line_through(selection, first, end - 1, one_law);
-    double away = bin->peak_x - line.x_mean, excess = bin->peak_y - line.y_mean - fmin(line.slope, most_slope) * away;
-    double variance = log_bin_variance(scans) + one_law + 1 / line.weight + away * away / line.x_spread;
+    if (end == first)
+        return false;
+    struct line line = line_through(selection, first, end - 1, one_law_square);
+    double variance = log_bin_variance(scans) + one_law_square + 1 / line.weight;
+    double away = bin->peak_x - line.x_mean, excess = bin->peak_y - line.y_mean;
+    if (end - first >= PIECE_BINS && line.slope <= most_gamma) {
+        variance += away * away / line.x_spread;
+        excess -= line.slope * away;
+    }
     return excess > gsl_cdf_ugaussian_Qinv(level) * sqrt(variance);
 }
 
 /** Is bin j a line, to judge by piece k of the bins that are none, which begins before it? Beside a cut-off every bin
- * stands above the middle of its neighbours; a line stands above what is on its left carried on, and on its right:
- * the piece's bins there, where these are too few the next piece, and where there is none the whole of this one. What
- * is steeper than any law on its right may be a cut-off's flank or another line's: then the line also has a valley
- * there. */
+ * stands above the middle of its neighbours; a line has a valley on its right, deeper than any law falls, and stands
+ * above what is on its left, carried on, and on its right: the piece's bins there, else the next piece, else the few
+ * bins on its left, and this whole piece. One steeper than any law tells nothing: then either side must tell alone. */
 static bool is_line(const struct power_law_band *band, const struct selection *rest, const struct pieces *pieces,
                     size_t k, size_t j, double scans)
 {
     const struct log_bin *bin = &band->bin[j];
-    double file_level = line_level / (double)band->bin[band->bins - 1].last, most_slope = INFINITY;
-    double side_level = line_side_level / (double)(bin->last + 1 - bin->first);
+    double file_level = line_level / (double)band->bin[band->bins - 1].last;
     size_t first = pieces->first[k], end = pieces->first[k + 1], here = first, left = first, right = end, beside = j;
+    bool flank = line_through(rest, first, end - 1, one_law_square).slope > most_gamma;
+    double side_level = flank ? file_level : line_side_level / (double)(bin->last + 1 - bin->first);
     while (here < end && rest->index[here] < j)
         here++;
     while (beside + 1 < band->bins && band->use[beside] == POWER_LAW_BAND_LINE)
         beside++;
-    if (bin->peak_y - band->bin[beside].y > line_valley_decades)
-        most_slope = most_gamma;
+    const struct log_bin *valley = &band->bin[beside];
     size_t left_end = here, right_first = here;
-    if (here - first < PIECE_BINS) {
-        left = k > 0 ? pieces->first[k - 1] : first;
-        left_end = k > 0 ? first : end;
+    if (here - first < PIECE_BINS && k > 0) {
+        left = pieces->first[k - 1];
+        left_end = first;
     }
     if (end - here < PIECE_BINS) {
         right_first = k + 1 < pieces->count ? end : first;
-        right = k + 1 < pieces->count ? pieces->first[k + 2] : end;
+        right = pieces->first[k + 1 < pieces->count ? k + 2 : k + 1];
     }
-    return stands_above(rest, first, end, bin, INFINITY, scans, file_level) &&
-           stands_above(rest, left, left_end, bin, INFINITY, scans, side_level) &&
-           stands_above(rest, right_first, right, bin, most_slope, scans, side_level);
+    return bin->peak_y - valley->y > line_valley_decades + most_gamma * (bin->peak_x - valley->x) &&
+           stands_above(rest, first, end, bin, scans, file_level) &&
+           stands_above(rest, left, left_end, bin, scans, side_level) &&
+           stands_above(rest, right_first, right, bin, scans, side_level);
 }
 
-/** Marks the lines: bins that stand out, and then above the straight pieces of the rest. */
+/** Marks the lines: runs of bins that stand out, of which one then stands above the straight pieces of the rest. */
 static enum status_code find_lines(struct power_law_band *band, double scans, struct status *status)
 {
     bool out[LOG_BIN_MOST] = {false}, line[LOG_BIN_MOST] = {false};
     double z = gsl_cdf_ugaussian_Qinv(line_level / fmax(1, (double)band->bins));
     for (size_t j = 0; j < band->bins; j++)
         out[j] = stands_out(band, j, z);
-    mark_lines(band, out);
+    for (size_t j = 1; j + 1 < band->bins; j++) /* between two, and no valley */
+        out[j] = out[j] || (out[j - 1] && out[j + 1] &&
+                            band->bin[j].y > fmin(band->bin[j - 1].y, band->bin[j + 1].y) - line_decades);
+    mark_lines(band, out, out);
     struct selection rest = bins_outside(band);
     struct pieces pieces;
     if (rest.count < band->bins && rest.count >= (size_t)2 * PIECE_BINS) {
@@ -311,7 +316,7 @@ static enum status_code find_lines(struct power_law_band *band, double scans, st
             line[j] = band->use[j] == POWER_LAW_BAND_LINE && is_line(band, &rest, &pieces, k, j, scans);
         }
     }
-    mark_lines(band, line);
+    mark_lines(band, out, line);
     return STATUS_OK;
 }
 
@@ -321,17 +326,14 @@ static enum status_code gather(struct power_law_band *band, struct selection *se
                                struct status *status)
 {
     assert(spectrum->scans >= 1 && spectrum->length_m > 0);
-    *band = (struct power_law_band){.fit = {.gamma = NAN,
+    *band = (struct power_law_band){.amplitude_m = NAN, .psd_m3 = NAN, .alpha = NAN, .slope_share = NAN};
+    band->fit = (struct power_law_band_fit){.gamma = NAN,
                                             .gamma_s = NAN,
                                             .log10_amplitude = NAN,
                                             .log10_amplitude_s = NAN,
                                             .wavelength_m = NAN,
                                             .misfit_decades = NAN,
-                                            .band_m = {NAN, NAN}},
-                                    .amplitude_m = NAN,
-                                    .psd_m3 = NAN,
-                                    .alpha = NAN,
-                                    .slope_share = NAN};
+                                            .band_m = {NAN, NAN}};
     band->bins =
         log_bin_fill(band->bin, spectrum->square_m2, spectrum->count, spectrum->length_m, spectrum->scans, split);
     if (find_lines(band, spectrum->scans, status) != STATUS_OK)
@@ -384,8 +386,8 @@ struct candidate {
 static bool candidate_of(struct candidate *out, const struct selection *selection, const struct pieces *pieces,
                          size_t k)
 {
-    double misfit_square = one_law_decades * one_law_decades;
-    bool steep = line_through(selection, pieces->first[k], pieces->first[k + 1] - 1, misfit_square).slope > steep_gamma;
+    bool steep =
+        line_through(selection, pieces->first[k], pieces->first[k + 1] - 1, one_law_square).slope > steep_gamma;
     *out = (struct candidate){.piece = k, .knee = {k > 0 || steep, k + 1 < pieces->count}};
     for (size_t trim = KNEE_BINS + 1; trim-- > 0;) {
         size_t first = pieces->first[k] + (out->knee[0] ? trim : 0), end = pieces->first[k + 1];
@@ -397,7 +399,7 @@ static bool candidate_of(struct candidate *out, const struct selection *selectio
         out->width_decades =
             log10((double)bin_at(selection, out->last)->last / (double)bin_at(selection, first)->first);
         if (out->width_decades >= least_width_decades) {
-            out->gamma = line_through(selection, out->first, out->last, misfit_square).slope;
+            out->gamma = line_through(selection, out->first, out->last, one_law_square).slope;
             return out->gamma >= least_gamma && out->gamma <= most_gamma;
         }
     }
@@ -445,7 +447,7 @@ static void describe_pieces(struct power_law_band *band, const struct selection 
     for (size_t k = 0; k < pieces->count; k++) {
         size_t first = pieces->first[k], last = pieces->first[k + 1] - 1;
         struct power_law_band_piece *piece = &band->piece[k];
-        piece->gamma = line_through(selection, first, last, one_law_decades * one_law_decades).slope;
+        piece->gamma = line_through(selection, first, last, one_law_square).slope;
         piece->candidate_gamma = NAN;
         piece->band_m[0] = length_m / (double)bin_at(selection, last)->last;
         piece->band_m[1] = length_m / (double)bin_at(selection, first)->first;
@@ -469,10 +471,8 @@ enum status_code power_law_band_find(struct power_law_band *out, const struct po
     struct candidate candidate[POWER_LAW_BAND_PIECES] = {0};
     size_t candidates = 0;
     for (size_t k = 0; k < pieces.count; k++)
-        if (candidate_of(&candidate[candidates], &selection, &pieces, k)) {
-            out->piece[k].candidate_gamma = candidate[candidates].gamma;
-            candidates++;
-        }
+        if (candidate_of(&candidate[candidates], &selection, &pieces, k))
+            out->piece[k].candidate_gamma = candidate[candidates++].gamma;
     qsort(candidate, candidates, sizeof *candidate, wider_first);
     for (size_t c = 0; c < candidates; c++) {
         struct selection used = part_of(&selection, candidate[c].first, candidate[c].last - candidate[c].first + 1);

@@ -79,12 +79,12 @@ struct power_law_band {
 
 /** Looks for the band.
  * 1. log_bin_fill() of the harmonics n >= 5.
- * 2. Lines: bins above the median of (y_{j-m} + y_{j+m})/2, m = 2, 3, 4, by more than max(0.2, z sqrt(3 v_j)), in a run
- *    of at most 3 such bins, whose highest harmonic also stands above the straight pieces of step 3 through the rest:
- * of those at its place, and of those on its left and on its right alone, so that a cut-off makes none. z is the
- *    quantile of 0.02 over the bins (Bonferroni); a harmonic's, of 0.02 over all, and on one side of 0.05 over those of
- *    the bin: of files without lines 2 % have one, however many scans are averaged. Three variances, as amplitudes that
- *    are log-normal have (`synth`). Lines are left out, and the bin on either side.
+ * 2. Lines: runs of at most 3 bins above the median of (y_{j-m} + y_{j+m})/2, m = 2, 3, 4, by more than max(0.2,
+ *    z sqrt(2 v_j)), or between two such and no valley of 0.2, of which one's highest harmonic also stands above the
+ *    pieces of step 3 through the rest (of one steeper than 2.28, above its mean): at its place, and of those on its
+ * left and right alone, by normal quantiles (Bonferroni) of 0.02 over all harmonics, on one side of 0.05 over the
+ * bin's, and above the bin after the run by 0.3 more than any law: of files without lines at most 2 % have one,
+ * whatever the scans and cut-offs. z: of 0.02 over the bins. Lines are left out, and the bin on either side.
  * 3. At most 6 straight pieces of at least 3 bins each, by dynamic programming: least sum of w r² + 4 ln J per piece, J
  *    bins, w = 1/(v + 0.05²) (Bellman 1961, doi:10.1145/366573.366611, with a penalty on pieces).
  * 4. A piece's end that is a knee loses 2 bins (1, 0 where less than 0.5 decade or 4 bins would stay). So does the long

@@ -25,12 +25,12 @@ static const struct {
     {"alicona_al3d-1.al3d", POWER_LAW_BAND_NONE, NAN, NAN, NAN},
     {"dabam-013.dat", POWER_LAW_BAND_NONE, NAN, NAN, NAN},
     {"stylus_nounits_xy-4.txt", POWER_LAW_BAND_LAW, 1.92, 2e-6, 124e-6},
-    {"mitutoyo_sj_2.csv", POWER_LAW_BAND_NARROW, 1.26, 25.2e-6, 200e-6},
+    {"mitutoyo_sj_2.csv", POWER_LAW_BAND_NARROW, 1.99, 7.96e-6, 39.8e-6},
     {"npl_edm.prf", POWER_LAW_BAND_NARROW, 1.15, 11.2e-6, 56e-6},
     /* printed with enough digits to see the digitiser's 12.9 nm under the tilt, which spoil the shortest waves */
     {"nist_npl_edm.xml", POWER_LAW_BAND_NARROW, 1.08, 14.1e-6, 56e-6},
     {"mahr_gd25_m1.prf", POWER_LAW_BAND_NARROW, 0.55, 2.23e-6, 22.3e-6},
-    {"WAAM Profile.txt", POWER_LAW_BAND_LAW, 0.90, 3.13e-3, 49.4e-3},
+    {"WAAM Profile.txt", POWER_LAW_BAND_NARROW, 0.65, 6.33e-3, 49.4e-3},
     {"dektak_stylus.csv", POWER_LAW_BAND_NARROW, 1.54, 79e-6, 300e-6},
     {"digitalsurf_sur-2.sur", POWER_LAW_BAND_NARROW, 1.10, 7e-6, 24e-6},
 };
