@@ -16,6 +16,7 @@ struct tally {
 struct finding {
     const struct view_source *source;
     const struct check *row;
+    double law_m; /* wavelength that power laws are held against each other at */
     size_t m;
     struct tally own, first /* the smoothest surface's part of it */, all;
     double least, most; /* least > most: none */
@@ -76,15 +77,21 @@ static const struct surface_record *record_of(const struct finding *f, size_t k)
     return &f->source->results->surfaces[f->source->results->by_roughness[k]];
 }
 
+static void add(struct tally *out, bool good)
+{
+    out->good += good;
+    out->bad += !good;
+}
+
 /** One case: x should be less than y by more than `slack`; or more, where it `falls`. */
 static void add_case(struct tally *out, double x, double y, double slack, bool falls)
 {
     if (!isfinite(x) || !isfinite(y))
         return;
-    bool tie = fabs(x - y) <= slack;
-    out->ties += tie;
-    out->good += !tie && (x < y) != falls;
-    out->bad += !tie && (x < y) == falls;
+    if (fabs(x - y) <= slack)
+        out->ties++;
+    else
+        add(out, (x < y) != falls);
 }
 
 /** What is off by no more than the run's tolerance is alike. */
@@ -173,7 +180,6 @@ static double number_of(const struct finding *f, size_t m, size_t k)
     const struct curve_summary *curve = surface_model(summary, m);
     const struct power_law *law = &summary->power_law;
     const struct model_curve *curves = record_of(f, k)->curves;
-    const size_t loads = f->source->results->load_count;
     double most = NAN, sum = 0, count = 0;
     switch (f->row->number) {
     case FIELD:
@@ -187,8 +193,7 @@ static double number_of(const struct finding *f, size_t m, size_t k)
     case LAW_GAMMA:
         return power_law_holds(law) ? law->gamma : NAN;
     case LAW_AMPLITUDE:
-        return power_law_holds(law) ? log10(power_law_amplitude(law, results_law_wavelength_m(f->source->results)))
-                                    : NAN;
+        return power_law_holds(law) ? log10(power_law_amplitude(law, f->law_m)) : NAN;
     case TIMES:
     case TIMES_APART:
         return pow(10, mean_of(f, k, f->row->quantity, f->row->number == TIMES ? DECADES : DECADES_APART));
@@ -198,17 +203,17 @@ static double number_of(const struct finding *f, size_t m, size_t k)
         most = curves && other_model(f) < model_count ? curves[other_model(f)].kink.load : 0;
         return most > 0 ? most / curve->full_load : NAN;
     case SPREAD:
-        for (size_t i = 0; i < loads; i++)
-            most = fmax(most, spread_at(f, m, i)); /* of a number and NaN, the number */
-        return most;
     case MEAN_SPREAD:
-        for (size_t i = 0; i < loads; i++)
+        for (size_t i = 0; i < f->source->results->load_count; i++) {
+            const double spread = spread_at(f, m, i);
+            most = fmax(most, spread); /* of a number and NaN, the number */
             if (isfinite(spread_at(f, f->m, i)) && isfinite(spread_at(f, other_model(f), i))) {
-                sum += log10(spread_at(f, m, i));
+                sum += log10(spread);
                 count++;
             }
+        }
     }
-    return sum / count;
+    return f->row->number == SPREAD ? most : sum / count;
 }
 
 /** Does a number lie within its bounds? */
@@ -216,17 +221,15 @@ static void check_number(struct finding *f, size_t k)
 {
     double value = (f->row->scale == 0 ? 1 : f->row->scale) * number_of(f, f->m, k);
     widen(f, value);
-    bool good = value > f->row->low && value < f->row->high;
-    f->own.good += isfinite(value) && good;
-    f->own.bad += isfinite(value) && !good;
+    if (isfinite(value))
+        add(&f->own, value > f->row->low && value < f->row->high);
 }
 
 /** Standard error of a power law's number. */
 static double error_of(const struct finding *f, size_t k)
 {
     const struct power_law *law = &record_of(f, k)->summary.power_law;
-    return f->row->number == LAW_GAMMA ? law->gamma_error
-                                       : power_law_error_decades(law, results_law_wavelength_m(f->source->results));
+    return f->row->number == LAW_GAMMA ? law->gamma_error : power_law_error_decades(law, f->law_m);
 }
 
 /** Is a number less than the other's, beyond the tolerance, or the errors of both laws? */
@@ -295,8 +298,7 @@ static void check_sweeps(struct finding *f, size_t k)
         for (size_t v = 0; v < convergence_sweeps[s].count; v++) {
             bool should = s == CONVERGENCE_ALPHA || convergence_sweeps[s].values[v] >= 1;
             bool does = comparison_converges(f->source->results, (enum convergence_sweep)s, f->m, v);
-            f->own.good += does == should;
-            f->own.bad += does != should;
+            add(&f->own, does == should);
         }
 }
 
@@ -384,9 +386,10 @@ static void conclude(struct finding *f)
         f->all = (struct tally){f->all.good + own.good, f->all.bad + own.bad, f->all.ties + own.ties};
         return;
     }
-    f->all.good += asked && good;
-    f->all.bad += asked && !good;
-    f->least = asked ? f->least : INFINITY;
+    if (asked)
+        add(&f->all, good);
+    else
+        f->least = INFINITY;
 }
 
 static void check_model(struct finding *f, json_t *numbers, size_t m)
@@ -420,11 +423,12 @@ void view_findings(json_t *out, const struct view_source *source)
         }
     if (!source->results->convergence || !speaks)
         return;
+    const double law_m = results_law_wavelength_m(source->results);
     json_t *list = view_list(out, "findings");
     view_flag(out, "has_findings", true);
     for (size_t i = 0; i < sizeof checks / sizeof *checks; i++) {
         const struct check *row = &checks[i];
-        struct finding finding = {.source = source, .row = row};
+        struct finding finding = {.source = source, .row = row, .law_m = law_m};
         if ((row->effects & ~plan->running) || (row->models & ~kinds) || source->results->usable_count < row->surfaces)
             continue;
         json_t *item = view_item(list), *numbers = view_list(item, "numbers");

@@ -100,6 +100,7 @@ static void change_jg(struct surface_record *record, size_t index)
     for (size_t i = 0; i < MADE_UP_LOADS; i++) {
         double *jg = values_of(record, "jg", i);
         jg[QUANTITY_ECR] *= index == 2 ? 2 : 1;
+        jg[QUANTITY_STIFFNESS] *= index == 2 ? 5 : 1;
         jg[QUANTITY_ADJUSTED] = values_of(record, "multiscale-plastic", i)[QUANTITY_SEPARATION];
     }
 }
@@ -111,9 +112,27 @@ PLACED(test_families_apart)
     assert_found("family_ecr", "2 of 3");
     assert_found("adjustment", "3 of 3");
     assert_found("same_order", "3 of 3: 1.0");
+    assert_found("stiffer", "2 of 3: 0.44 to 2.0");
     assert_found("sensitive", "1 of 1");
+    assert_found("together", "0 of 1: 0.48"); /* 0.70 is not twice that */
     assert_found("beta", "3 of 3: 5.0 to 7.0");
     assert_found("beta_rank", "1 of 1"); /* 7, 5, 6 */
+}
+
+/** The rougher, the smaller the gap over sigma: 3, 2, 0. */
+static void turn_gaps(struct surface_record *record, size_t index)
+{
+    static const double gap[MADE_UP_USABLE] = {2, 3, 0};
+    for (size_t i = 0; index < MADE_UP_USABLE && i < MADE_UP_LOADS; i++)
+        values_of(record, "jg", i)[QUANTITY_ADJUSTED] = gap[index] * record->summary.asperities.sigma_m;
+}
+
+PLACED(test_gaps_turned_round)
+{
+    make("multiscale-plastic", "jg", turn_gaps);
+    assert_found("smoothest", "0 of 1: 100"); /* it is not alone */
+    assert_found("adjustment", "0 of 3");
+    assert_found("separation_rank", "0 of 2");
 }
 
 /* One point of the rougher neighbour out of order in each quantity. */
@@ -146,7 +165,7 @@ static void make_equal(struct surface_record *record, size_t index)
         double *elastic = values_of(record, "gw", i), *plastic = values_of(record, "jg", i);
         elastic[QUANTITY_AREA] = 0.01 * (double)(i + 1);
         elastic[QUANTITY_ECR] = plastic[QUANTITY_ECR] = 1e-10;
-        elastic[QUANTITY_ADJUSTED] = plastic[QUANTITY_ADJUSTED] = 0.5 * record->summary.roughness.rq_m;
+        elastic[QUANTITY_ADJUSTED] = plastic[QUANTITY_ADJUSTED] = 1e-22 * (double)index; /* nothing, beside σ */
         plastic[QUANTITY_AREA] = elastic[QUANTITY_AREA] * (i == 0 ? 1 - 1e-9 : i == 1 ? 1 - 1e-7 : 1.5);
     }
     record->curves[made_up_model("jg")].full_load = record->curves[made_up_model("gw")].full_load;
