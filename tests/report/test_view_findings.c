@@ -229,6 +229,16 @@ PLACED(test_spreads)
     assert_found("together", "0 of 0");
 }
 
+/* γ is 1.6, 1.4, 1.2: what lies within the errors of both laws is alike. */
+PLACED(test_laws_within_their_errors)
+{
+    make("multiscale-elastic", "multiscale-plastic", NULL);
+    assert_found("gamma_rank", "2 of 2");
+    made_up_surface(&made, 2)->power_law.gamma_error = 0.3;
+    made_up_again(&made);
+    assert_found("gamma_rank", "1 of 1, 1 alike");
+}
+
 /* A row of the checks has its sentence, and a sentence its row: the template names every finding once. */
 PLACED(test_every_finding_has_its_sentence)
 {
