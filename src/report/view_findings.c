@@ -1,338 +1,305 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The findings of the thesis's chapter 6, each checked on these surfaces by the thesis's models. A further one is a
- * function, a row of `checks`, and its words in templates/findings.md. */
+/* The findings of the thesis's chapter 6, each checked on these surfaces by the thesis's models. A further one is a row
+ * of `checks`, which says what is held against what, and its words in templates/findings.md. */
 #include "report/view.h"
 
 #include <math.h>
+#include <stddef.h>
 
-/** A check at work on a model, and what it found of all: cases that bear the finding out, all cases, those that are
- * alike and speak for neither; and the range of a number of the model's. */
+/** Cases that bear a finding out, that speak against it, and that are alike and speak for neither. */
+struct tally {
+    size_t good, bad, ties;
+};
+
+/** A check at work on a model, and what it found: of the model, `own`, and the range of a number of the model's; of
+ * all models. */
 struct finding {
     const struct view_source *source;
     const struct check *row;
+    double law_m; /* wavelength that power laws are held against each other at */
     size_t m;
-    const char *label;  /* of the number: whose it is */
+    struct tally own, first /* the smoothest surface's part of it */, all;
     double least, most; /* least > most: none */
-    size_t good, all, ties;
 };
 
-/** What a check needs besides surfaces: models of the thesis that run. */
-enum need { NEEDS_ANY, NEEDS_SCALES, NEEDS_ADJUSTED, NEEDS_FAMILIES };
+/** Models of the thesis that have to run for a check, bits; of one kind alone: those that it looks at. */
+enum { SCALES = 1, ASPERITIES = 2, FAMILIES = SCALES | ASPERITIES };
 
-/** A number of a curve's summary, or of a surface's power law. */
+/** What a curve is held against: that of the next rougher surface, of the elastic model or of the multiscale one of the
+ * same law. */
+enum with { NEIGHBOUR, ELASTIC, COUNTERPART };
+
+/** A number of a surface or of a model's curve. */
 enum number {
-    AREA_SLOPE,
-    GAP_AT_FULL,
-    STATISTICAL_GAP,
-    ELBOW_SHARE, /* of the load to full contact; none at the first load or below */
-    SCALE_DEPENDENCE,
-    LAW_FACTOR,
-    BETA,
+    FIELD, /* of the curve's summary */
+    ELBOW, /* its load over that of full contact; none at the first load or below */
+    FROM_LAW,
+    CONVERGES, /* 1 or 0; none where nothing tells */
     LAW_GAMMA,
-    LAW_AMPLITUDE
+    LAW_AMPLITUDE, /* log10 */
+    TIMES,         /* the other curve over this one, in the mean over the loads */
+    TIMES_APART,   /* the same, never below 1 */
+    STEP,          /* log10 of the resistance of the other curve over this one's, in the mean over the loads */
+    SHOULDER,      /* where the other curve's resistance bends over where contact of this one is full */
+    SPREAD,        /* most over least of all surfaces, at the load where it is largest */
+    MEAN_SPREAD    /* log10, in the mean over the loads at which both models have one */
+};
+
+/** What a check is: bits. */
+enum {
+    ONCE = 1,       /* about the surfaces, no model */
+    WHOLE = 2,      /* about all surfaces together, not about each or each pair */
+    FALLS = 4,      /* the other's number is the smaller */
+    HIGH = 8,       /* in the last decade of load before one contact is full */
+    NO_ORDER = 16,  /* the finding is that cases go both ways */
+    BUT_FIRST = 32, /* that the smoothest surface's alone go the other way; shown: how many of those, in % */
+    EVEN = 64       /* that the largest of two numbers or more is at most twice the least */
 };
 
 struct check {
-    const char *part; /* of the thesis */
-    const char *name; /* a flag, for the template's words */
-    unsigned effects; /* EFFECT_BITs it needs */
-    enum need needs;
-    size_t surfaces;                    /* that it takes at least */
-    void (*check)(struct finding *out); /* called for every model that speaks; or: */
-    bool once;                          /* it is about the surfaces alone */
-    enum quantity quantity;             /* that check_yield(), check_rank(), check_distances() look at */
-    enum number number;                 /* that check_numbers() and check_laws() look at; of the former: */
-    double scale, low, high;            /* shown times the scale (0: 1); the finding is that it lies from low to high */
+    const char *part;                             /* of the thesis */
+    const char *name;                             /* a flag, for the template's words */
+    unsigned effects;                             /* EFFECT_BITs it needs */
+    unsigned models;                              /* that it needs: the bits above */
+    size_t surfaces;                              /* that it takes at least */
+    void (*check)(struct finding *out, size_t k); /* the kind: called for the k-th smoothest surface */
+    enum with with;
+    unsigned is;
+    enum quantity quantity, than; /* than: it should be closer in `quantity` than in that one */
+    enum number number;
+    size_t field;
+    double scale;     /* a number is shown times that; 0: it is not */
+    double low, high; /* the finding is that it, so scaled, lies between */
 };
 
-static bool speaks(const struct view_source *source, size_t m)
+static const struct surface_record *record_of(const struct finding *f, size_t k)
 {
-    return model_rows[m]->in_findings && plan_runs_model(source->results->plan, m);
+    return &f->source->results->surfaces[f->source->results->by_roughness[k]];
 }
 
-static const struct surface_summary *smoothest(const struct finding *f, size_t k)
+static void add(struct tally *out, bool good)
 {
-    return view_summary(f->source, f->source->results->by_roughness[k]);
+    out->good += good;
+    out->bad += !good;
 }
 
-/** What is known of the model on the k-th smoothest surface; NULL: nothing. */
-static const struct curve_summary *curve_of(const struct finding *f, size_t k)
-{
-    const struct curve_summary *curve = surface_model(smoothest(f, k), f->m);
-    return curve->exists ? curve : NULL;
-}
-
-static const struct comparison_model *compared(const struct finding *f)
-{
-    return &f->source->comparison->models[f->m];
-}
-
-static void add_tally(struct finding *out, const struct comparison_tally *tally)
-{
-    out->good += tally->agreeing;
-    out->all += tally->agreeing + tally->opposed;
-    out->ties += tally->ties;
-}
-
-/** One case: x should be less than y by more than `slack`. */
-static void add_case(struct finding *out, double x, double y, double slack)
+/** One case: x should be less than y by more than `slack`; or more, where it `falls`. */
+static void add_case(struct tally *out, double x, double y, double slack, bool falls)
 {
     if (!isfinite(x) || !isfinite(y))
         return;
-    bool tie = fabs(x - y) <= slack;
-    out->ties += tie;
-    out->all += !tie;
-    out->good += !tie && x < y;
+    if (fabs(x - y) <= slack)
+        out->ties++;
+    else
+        add(out, (x < y) != falls);
 }
 
-static void widen(struct finding *out, double value)
+/** What is off by no more than the run's tolerance is alike. */
+static double slack_of(const struct finding *f, double x, double y)
 {
-    out->least = fmin(out->least, value);
-    out->most = fmax(out->most, value);
+    return f->source->results->scene->tolerance * fmax(fabs(x), fabs(y));
 }
 
-static double number_of(const struct curve_summary *curve, enum number number)
+static void widen(struct finding *f, double value)
 {
-    switch (number) {
-    case AREA_SLOPE:
-        return curve->area_slope;
-    case GAP_AT_FULL:
-        return isnan(curve->beta) ? curve->gap_at_full : NAN; /* β makes it 0, which proves nothing */
-    case STATISTICAL_GAP:
-        return -curve->beta / 2; /* delta_full/sigma, by the definition of beta (4.54) */
-    case LAW_FACTOR:
-        return fmax(curve->law_factor, 1 / curve->law_factor);
-    case ELBOW_SHARE:
-        return curve->elbow_load > curve->first_load ? curve->elbow_load / curve->full_load : NAN;
-    case SCALE_DEPENDENCE:
-        return curve->sd_most;
-    default:
-        return curve->beta;
-    }
+    if (f->row->scale == 0 || !isfinite(value))
+        return;
+    f->least = fmin(f->least, value);
+    f->most = fmax(f->most, value);
 }
 
-/** A number of the model over the surfaces. */
-static void check_numbers(struct finding *f)
+/** Index of the model that the check's model is held against; model_count: there is none. */
+static size_t other_model(const struct finding *f)
 {
-    for (size_t k = 0; k < f->source->results->usable_count; k++) {
-        const struct curve_summary *curve = curve_of(f, k);
-        double value = curve ? number_of(curve, f->row->number) : NAN;
-        if (!isfinite(value))
-            continue;
-        widen(f, value);
-        f->all++;
-        f->good += value >= f->row->low && value <= f->row->high;
-    }
+    const struct model_row *model = model_rows[f->m];
+    return f->row->with == NEIGHBOUR ? f->m
+                                     : model_index(f->row->with == ELASTIC ? model->elastic : model->counterpart);
 }
 
-/** What yielding does to a quantity; of the load: is contact full sooner? */
-static void check_yield(struct finding *f)
+/** The surface that the k-th smoothest one is held against. */
+static size_t beside(const struct finding *f, size_t k)
 {
-    const struct comparison_plastic *plastic = &compared(f)->plastic;
-    const enum quantity quantity = f->row->quantity;
-    add_tally(f, quantity == QUANTITY_LOAD ? &plastic->sooner : &plastic->changes[quantity]);
-    if (quantity == QUANTITY_AREA && plastic->most > 0) {
-        f->least = plastic->least;
-        f->most = plastic->most;
-    }
+    return f->row->with == NEIGHBOUR ? k + 1 : k;
 }
 
-/** Of the multiscale and the statistical model of one law on every surface: does the adjustment bring the gaps closer,
- * is ECR closer than the area, is it within half a decade, so that both round to the same order of magnitude? */
-static void check_distances(struct finding *f)
-{
-    const enum quantity quantity = f->row->quantity;
-    for (size_t k = 0; k < f->source->results->usable_count; k++) {
-        const struct comparison_gap *gap = &compared(f)->gaps[f->source->results->by_roughness[k]];
-        double x = quantity == QUANTITY_SEPARATION ? gap->adjusted : gap->ecr;
-        double y = quantity == QUANTITY_SEPARATION ? gap->plain : quantity == QUANTITY_AREA ? gap->area : 0.5;
-        add_case(f, x, y, f->source->results->scene->tolerance * fmax(x, y));
-    }
-}
-
-/** The multiscale model over the statistical one of its law on every surface: is it stiffer, are their gaps of one
- * order of magnitude, in the mean over the loads? */
-static void check_factors(struct finding *f)
-{
-    const bool stiffness = f->row->quantity == QUANTITY_STIFFNESS;
-    for (size_t k = 0; k < f->source->results->usable_count; k++) {
-        const struct comparison_gap *gap = &compared(f)->gaps[f->source->results->by_roughness[k]];
-        double decades = stiffness ? gap->stiffness : gap->separation;
-        if (!isfinite(decades))
-            continue;
-        f->all++;
-        f->good += stiffness ? decades > 0 : decades < 1;
-        widen(f, pow(10, decades));
-    }
-}
-
-/** Does the resistance of an elastic stack bend where contact of the plastic one is full, within half a decade? */
-static void check_shoulder(struct finding *f)
+/** What a model says of the k-th smoothest surface at place `i` of its loads; NULL: nothing, as where a statistical
+ * curve closes with a load of its own. */
+static const struct contact_point *point_at(const struct finding *f, size_t m, size_t k, size_t i)
 {
     const struct results *results = f->source->results;
-    size_t elastic = model_index(model_rows[f->m]->elastic);
-    for (size_t k = 0; elastic < model_count && k < results->usable_count; k++) {
-        const struct model_curve *curves = results->surfaces[results->by_roughness[k]].curves;
-        const struct curve_summary *plastic = curve_of(f, k);
-        if (!curves || !plastic || !(curves[elastic].kink.load > 0))
+    if (m >= model_count || k >= results->usable_count || !record_of(f, k)->curves)
+        return NULL;
+    const struct model_curve *curve = &record_of(f, k)->curves[m];
+    const double load = results_loads(results, results->by_roughness[k])[i];
+    return i < curve->count && curve->points[i].value[QUANTITY_LOAD] == load ? &curve->points[i] : NULL;
+}
+
+enum mean { DECADES, DECADES_APART, APART };
+
+/** Mean over the loads of the other curve's quantity over the model's, in decades, where both are above 0 (of areas:
+ * and conduct); or of how far they lie apart. The multiscale models know one separation, however it is adjusted. NaN:
+ * none. */
+static double mean_of(const struct finding *f, size_t k, enum quantity quantity, enum mean mean)
+{
+    const enum quantity other = quantity == QUANTITY_ADJUSTED ? QUANTITY_SEPARATION : quantity;
+    double sum = 0, count = 0;
+    for (size_t i = 0; i < f->source->results->load_count; i++) {
+        const struct contact_point *a = point_at(f, f->m, k, i), *b = point_at(f, other_model(f), beside(f, k), i);
+        if (!a || !b)
             continue;
-        double ratio = curves[elastic].kink.load / plastic->full_load;
-        f->label = model_rows[elastic]->label;
-        widen(f, ratio);
-        add_case(f, fabs(log10(ratio)), 0.5, 0);
+        double x = a->value[quantity], y = b->value[other];
+        bool full = quantity == QUANTITY_AREA && !(a->value[QUANTITY_ECR] > 0 && b->value[QUANTITY_ECR] > 0);
+        if (mean != APART && (full || !(x > 0 && y > 0)))
+            continue;
+        double step = mean == APART ? y - x : log10(y / x);
+        sum += mean == DECADES ? step : fabs(step);
+        count++;
+    }
+    return sum / count;
+}
+
+/** Most over least of an area or a resistance at load `i`; NaN where not all surfaces are in partial contact there. */
+static double spread_at(const struct finding *f, size_t m, size_t i)
+{
+    const struct results *results = f->source->results;
+    const enum quantity quantity = f->row->quantity == QUANTITY_AREA ? QUANTITY_AREA : results_criterion(results);
+    double least = INFINITY, most = 0;
+    for (size_t k = 0; k < results->usable_count; k++) {
+        const struct contact_point *point = point_at(f, m, k, i);
+        if (!point || !(point->value[QUANTITY_AREA] < 1) || !(point->value[quantity] > 0))
+            return NAN;
+        least = fmin(least, point->value[quantity]);
+        most = fmax(most, point->value[quantity]);
+    }
+    return most / least;
+}
+
+static double number_of(const struct finding *f, size_t m, size_t k)
+{
+    const struct surface_summary *summary = &record_of(f, k)->summary;
+    const struct curve_summary *curve = surface_model(summary, m);
+    const struct power_law *law = &summary->power_law;
+    const struct model_curve *curves = record_of(f, k)->curves;
+    double most = NAN, sum = 0, count = 0;
+    switch (f->row->number) {
+    case FIELD:
+        return curve->exists ? *(const double *)(const void *)((const char *)curve + f->row->field) : NAN;
+    case ELBOW:
+        return curve->elbow_load > curve->first_load ? curve->elbow_load / curve->full_load : NAN;
+    case FROM_LAW:
+        return fmax(curve->law_factor, 1 / curve->law_factor);
+    case CONVERGES:
+        return surface_tells_gamma(summary) ? !surface_diverges(summary) : NAN;
+    case LAW_GAMMA:
+        return power_law_holds(law) ? law->gamma : NAN;
+    case LAW_AMPLITUDE:
+        return power_law_holds(law) ? log10(power_law_amplitude(law, f->law_m)) : NAN;
+    case TIMES:
+    case TIMES_APART:
+        return pow(10, mean_of(f, k, f->row->quantity, f->row->number == TIMES ? DECADES : DECADES_APART));
+    case STEP:
+        return mean_of(f, k, results_criterion(f->source->results), DECADES);
+    case SHOULDER:
+        most = curves && other_model(f) < model_count ? curves[other_model(f)].kink.load : 0;
+        return most > 0 ? most / curve->full_load : NAN;
+    case SPREAD:
+    case MEAN_SPREAD:
+        for (size_t i = 0; i < f->source->results->load_count; i++) {
+            const double spread = spread_at(f, m, i);
+            most = fmax(most, spread); /* of a number and NaN, the number */
+            if (isfinite(spread_at(f, f->m, i)) && isfinite(spread_at(f, other_model(f), i))) {
+                sum += log10(spread);
+                count++;
+            }
+        }
+    }
+    return f->row->number == SPREAD ? most : sum / count;
+}
+
+/** Does a number lie within its bounds? */
+static void check_number(struct finding *f, size_t k)
+{
+    double value = (f->row->scale == 0 ? 1 : f->row->scale) * number_of(f, f->m, k);
+    widen(f, value);
+    if (isfinite(value))
+        add(&f->own, value > f->row->low && value < f->row->high);
+}
+
+/** Standard error of a power law's number. */
+static double error_of(const struct finding *f, size_t k)
+{
+    const struct power_law *law = &record_of(f, k)->summary.power_law;
+    return f->row->number == LAW_GAMMA ? law->gamma_error : power_law_error_decades(law, f->law_m);
+}
+
+/** Is a number less than the other's, beyond the tolerance, or the errors of both laws? */
+static void check_order(struct finding *f, size_t k)
+{
+    const size_t other = other_model(f), next = beside(f, k);
+    if (other == model_count || next >= f->source->results->usable_count ||
+        (f->row->with != NEIGHBOUR && !record_of(f, k)->curves))
+        return;
+    double x = number_of(f, f->m, k), y = number_of(f, other, next);
+    double slack = f->row->is & ONCE    ? hypot(error_of(f, k), error_of(f, next))
+                   : f->row->is & WHOLE ? slack_of(f, 1, 0) /* of decades */
+                                        : slack_of(f, x, y);
+    add_case(&f->own, x, y, slack, f->row->is & FALLS);
+}
+
+/** Is it in the last decade of load before contact is full? */
+static bool is_high(const struct finding *f, size_t k, const struct contact_point *point)
+{
+    return point->value[QUANTITY_LOAD] >= 0.1 * surface_model(&record_of(f, k)->summary, f->m)->full_load;
+}
+
+/** Load by load, has the curve the larger area, the smaller gap or resistance than the other? Loads at which both
+ * contacts are full are no cases. */
+static void check_loads(struct finding *f, size_t k)
+{
+    const enum quantity quantity = f->row->quantity;
+    const struct quantity_row *row = &quantity_rows[quantity];
+    const double least = row->sigma_column ? 1 : 0; /* what a difference of gaps is small against */
+    const size_t next = beside(f, k);
+    for (size_t i = 0; i < f->source->results->load_count; i++) {
+        const struct contact_point *a = point_at(f, f->m, k, i), *b = point_at(f, other_model(f), next, i);
+        if (!a || !b || (a->value[QUANTITY_AREA] == 1 && b->value[QUANTITY_AREA] == 1) ||
+            ((f->row->is & HIGH) && !is_high(f, k, a) && !is_high(f, next, b)))
+            continue;
+        double x = comparison_value(a, quantity, f->m, record_of(f, k)->summary.asperities.sigma_m);
+        double y = comparison_value(b, quantity, f->m, record_of(f, next)->summary.asperities.sigma_m);
+        add_case(&f->own, x, y, fmax(slack_of(f, x, y), slack_of(f, least, 0)), row->is & QUANTITY_RISES);
+        widen(f, x / y);
     }
 }
 
-static void check_gamma(struct finding *f)
+/** Is the other curve closer in a quantity than in another, or than so many decades, in the mean over the loads? */
+static void check_closer(struct finding *f, size_t k)
 {
-    for (size_t k = 0; k < f->source->results->usable_count; k++) {
-        f->all += surface_tells_gamma(smoothest(f, k));
-        f->good += surface_tells_gamma(smoothest(f, k)) && !surface_diverges(smoothest(f, k));
-    }
+    const enum mean mean = quantity_rows[f->row->quantity].sigma_column ? APART : DECADES_APART;
+    double x = mean_of(f, k, f->row->quantity, mean);
+    double y = f->row->than ? mean_of(f, k, f->row->than, mean) : f->row->high;
+    add_case(&f->own, x, y, slack_of(f, x, y), false);
 }
 
-static void check_convergence(struct finding *f)
+/** Do the resistances of the two smoothest surfaces lie less than half as far apart as other neighbours' do? */
+static void check_together(struct finding *f, size_t k)
 {
-    for (int s = 0; s < CONVERGENCE_SWEEP_COUNT && model_rows[f->m]->stacks_scales; s++)
+    double first = number_of(f, f->m, 0);
+    widen(f, first);
+    if (k > 0)
+        add_case(&f->own, 2 * fabs(first), fabs(number_of(f, f->m, k)), 0, false);
+}
+
+/** Does the area converge where γ ≥ 1, whatever α is? */
+static void check_sweeps(struct finding *f, size_t k)
+{
+    (void)k;
+    for (int s = 0; s < CONVERGENCE_SWEEP_COUNT; s++)
         for (size_t v = 0; v < convergence_sweeps[s].count; v++) {
             bool should = s == CONVERGENCE_ALPHA || convergence_sweeps[s].values[v] >= 1;
-            f->good += comparison_converges(f->source->results, (enum convergence_sweep)s, f->m, v) == should;
-            f->all++;
+            bool does = comparison_converges(f->source->results, (enum convergence_sweep)s, f->m, v);
+            add(&f->own, does == should);
         }
-}
-
-/** No order is found where neighbours go both ways. */
-static void add_no_order(struct finding *out, size_t one_way, size_t other_way)
-{
-    out->all += one_way + other_way > 1;
-    out->good += one_way > 0 && other_way > 0;
-}
-
-/** Neighbours in roughness, load by load: of the separation the finding is that they go both ways. */
-static void check_rank(struct finding *f)
-{
-    const struct comparison_tally *tally = &compared(f)->rank[f->row->quantity];
-    if (f->row->quantity == QUANTITY_SEPARATION)
-        add_no_order(f, tally->agreeing, tally->opposed);
-    else
-        add_tally(f, tally);
-}
-
-/** The gaps of neighbours in the last decade of load before one of them is full. */
-static void check_high_rank(struct finding *f)
-{
-    add_tally(f, &compared(f)->high_rank[f->row->quantity]);
-}
-
-/** Do statistical gaps follow roughness but for that of the smoothest surface? The number: at how many of its loads
- * not, in %. */
-static void check_smoothest(struct finding *f)
-{
-    const struct comparison_tally *all = &compared(f)->rank[f->row->quantity],
-                                  *first = &compared(f)->smoothest[f->row->quantity];
-    size_t agreeing = all->agreeing - first->agreeing, opposed = all->opposed - first->opposed,
-           cases = first->agreeing + first->opposed;
-    if (!model_rows[f->m]->asperity_model || cases == 0 || agreeing + opposed == 0)
-        return;
-    f->all++;
-    f->good += first->opposed > first->agreeing && agreeing > opposed;
-    widen(f, 100 * (double)first->opposed / (double)cases);
-}
-
-/** Statistical resistances of the two smoothest surfaces lie less than half as far apart as other neighbours' do. */
-static void check_together(struct finding *f)
-{
-    const double *steps = compared(f)->steps;
-    if (!model_rows[f->m]->asperity_model || !isfinite(steps[0]))
-        return;
-    for (size_t k = 1; k + 1 < f->source->results->usable_count; k++)
-        add_case(f, 2 * fabs(steps[0]), fabs(steps[k]), 0);
-    widen(f, steps[0]);
-}
-
-static void check_beta_rank(struct finding *f)
-{
-    struct finding own = {0};
-    for (size_t k = 1; k < f->source->results->usable_count; k++) {
-        const struct curve_summary *smooth = curve_of(f, k - 1), *rough = curve_of(f, k);
-        if (smooth && rough)
-            add_case(&own, rough->beta, smooth->beta, f->source->results->scene->tolerance * fabs(smooth->beta));
-    }
-    add_no_order(f, own.good, own.all - own.good);
-}
-
-/** From the smoother to the rougher neighbour, beyond the errors of both: falls γ; has Δ no order? */
-static void check_laws(struct finding *f)
-{
-    const double at_m = results_law_wavelength_m(f->source->results);
-    struct finding own = {0};
-    for (size_t k = 1; k < f->source->results->usable_count; k++) {
-        const struct power_law *smooth = &smoothest(f, k - 1)->power_law, *rough = &smoothest(f, k)->power_law;
-        if (!power_law_holds(smooth) || !power_law_holds(rough))
-            continue;
-        if (f->row->number == LAW_AMPLITUDE)
-            add_case(&own, log10(power_law_amplitude(rough, at_m)), log10(power_law_amplitude(smooth, at_m)),
-                     hypot(power_law_error_decades(rough, at_m), power_law_error_decades(smooth, at_m)));
-        else
-            add_case(f, rough->gamma, smooth->gamma, hypot(rough->gamma_error, smooth->gamma_error));
-    }
-    add_no_order(f, own.good, own.all - own.good);
-}
-
-/** The spread between the surfaces: of areas, each plastic model's against its elastic partner's; of resistances, each
- * statistical model's against the multiscale one's of its law. */
-static void check_spread(struct finding *f)
-{
-    const struct results *results = f->source->results;
-    bool areas = f->row->quantity == QUANTITY_AREA;
-    enum comparison_spread of = areas ? COMPARISON_AREAS : COMPARISON_RESISTANCES;
-    size_t partner = model_index(areas ? model_rows[f->m]->elastic : model_rows[f->m]->counterpart);
-    if (partner == model_count)
-        return;
-    const struct comparison_model *own = compared(f), *other = &f->source->comparison->models[partner];
-    double x = comparison_mean_spread(results, own, other, of), y = comparison_mean_spread(results, other, own, of);
-    add_case(f, areas ? x : y, areas ? y : x, results->scene->tolerance);
-}
-
-/** The same order of magnitude: within a factor of 10, at the load where it is largest. */
-static void check_magnitude(struct finding *f)
-{
-    double most = comparison_largest_spread(f->source->results, compared(f), COMPARISON_AREAS);
-    f->all += isnan(most) ? 0 : 1;
-    f->good += most < 10;
-    widen(f, most);
-}
-
-/** Neighbouring resistance curves keep nearly the same distance when the widest is at most twice the narrowest. */
-static void check_equal_steps(struct finding *f)
-{
-    const double *steps = compared(f)->steps;
-    struct finding own = {.least = INFINITY, .most = -INFINITY};
-    for (size_t k = 0; model_rows[f->m]->stacks_scales && k + 1 < f->source->results->usable_count; k++)
-        if (isfinite(steps[k])) {
-            widen(&own, steps[k]);
-            own.all++;
-        }
-    if (own.all < 2)
-        return;
-    f->least = own.least;
-    f->most = own.most;
-    f->all++;
-    f->good += own.least > 0 && own.most <= 2 * own.least;
-}
-
-static bool has(const struct view_source *source, enum need need)
-{
-    bool any = false, scales = false, asperities = false;
-    for (size_t m = 0; m < model_count; m++) {
-        any = any || speaks(source, m);
-        scales = scales || (speaks(source, m) && model_rows[m]->stacks_scales);
-        asperities = asperities || (speaks(source, m) && model_rows[m]->asperity_model);
-    }
-    return need == NEEDS_ANY        ? any
-           : need == NEEDS_SCALES   ? scales
-           : need == NEEDS_ADJUSTED ? asperities
-                                    : scales && asperities;
 }
 
 enum {
@@ -345,87 +312,140 @@ enum {
     STIFFNESS = EFFECT_BIT(EFFECT_STIFFNESS),
 };
 
+#define OF(name) .field = offsetof(struct curve_summary, name)
+
 static const struct check checks[] = {
-    {"6.2", "convergence_by_gamma", CONVERGENCE, NEEDS_SCALES, 1, .check = check_convergence},
-    {"6.2", "gamma", 0, NEEDS_SCALES, 1, .check = check_gamma, .once = true},
-    {"6.3.1", "linear", 0, NEEDS_ANY, 1, check_numbers, .number = AREA_SLOPE, .low = 0.9, .high = 1.1},
-    {"6.3.1", "plastic_area", PLASTIC, NEEDS_ANY, 1, check_yield, .quantity = QUANTITY_AREA},
-    {"6.3.2", "closed", SEPARATION, NEEDS_SCALES, 1, check_numbers, .number = GAP_AT_FULL, .low = -INFINITY,
+    {"6.2", "convergence_by_gamma", CONVERGENCE, SCALES, 1, check_sweeps, .is = WHOLE},
+    {"6.2", "gamma", 0, SCALES, 1, check_number, .is = ONCE, .number = CONVERGES, .low = 0.5, .high = INFINITY},
+    {"6.3.1", "linear", 0, 0, 1, check_number, OF(area_slope), .scale = 1, .low = 0.9, .high = 1.1},
+    {"6.3.1", "plastic_area", PLASTIC, 0, 1, check_loads, ELASTIC, .quantity = QUANTITY_AREA, .scale = 1},
+    {"6.3.2", "closed", SEPARATION, SCALES, 1, check_number, OF(gap_at_full), .scale = 1, .low = -INFINITY,
      .high = 0.01},
-    {"6.3.2", "plastic_gap", PLASTIC | SEPARATION, NEEDS_ANY, 1, check_yield, .quantity = QUANTITY_SEPARATION},
-    {"6.3.2", "adjustment", SEPARATION, NEEDS_FAMILIES, 1, check_distances, .quantity = QUANTITY_SEPARATION},
-    {"6.3.2", "statistical_gap", SEPARATION, NEEDS_ADJUSTED, 1, check_numbers, .number = STATISTICAL_GAP, .low = 0,
-     .high = INFINITY},
-    {"6.3.2", "same_order", SEPARATION, NEEDS_FAMILIES, 1, check_factors, .quantity = QUANTITY_SEPARATION},
-    {"6.3.2", "stiffer", STIFFNESS, NEEDS_FAMILIES, 1, check_factors, .quantity = QUANTITY_STIFFNESS},
-    {"6.3.3", "elbow", ELECTRICAL, NEEDS_ANY, 1, check_numbers, .number = ELBOW_SHARE, .scale = 100, .low = 0.1,
-     .high = INFINITY},
-    {"6.3.3", "plastic_ecr", PLASTIC | ELECTRICAL, NEEDS_ANY, 1, check_yield, .quantity = QUANTITY_ECR},
-    {"6.3.3", "families", ELECTRICAL, NEEDS_FAMILIES, 1, check_distances, .quantity = QUANTITY_AREA},
-    {"6.3.4", "scale_dependence", SCALE_DEPENDENT, NEEDS_ANY, 1, check_numbers, .number = SCALE_DEPENDENCE,
-     .scale = 100, .low = -INFINITY, .high = 0.05},
-    {"6.4", "gamma_rank", 0, NEEDS_ANY, 2, check_laws, true, .number = LAW_GAMMA},
-    {"6.4", "amplitude_rank", 0, NEEDS_ANY, 3, check_laws, true, .number = LAW_AMPLITUDE},
-    {"6.4", "law", 0, NEEDS_SCALES, 1, check_numbers, .number = LAW_FACTOR, .low = 2, .high = INFINITY},
-    {"6.4.1", "area_rank", 0, NEEDS_ANY, 2, check_rank, .quantity = QUANTITY_AREA},
-    {"6.4.1", "magnitude", 0, NEEDS_ANY, 2, .check = check_magnitude},
-    {"6.4.1", "spread", PLASTIC, NEEDS_ANY, 2, check_spread, .quantity = QUANTITY_AREA},
-    {"6.4.1", "sooner", PLASTIC, NEEDS_ANY, 1, check_yield, .quantity = QUANTITY_LOAD},
-    {"6.4.2", "separation_rank", SEPARATION, NEEDS_ANY, 2, check_rank, .quantity = QUANTITY_SEPARATION},
-    {"6.4.2", "high_rank", SEPARATION, NEEDS_ANY, 2, check_high_rank, .quantity = QUANTITY_SEPARATION},
-    {"6.4.2", "smoothest", SEPARATION, NEEDS_ADJUSTED, 3, check_smoothest, .quantity = QUANTITY_SEPARATION},
-    {"6.4.2", "beta", SEPARATION, NEEDS_ADJUSTED, 1, check_numbers, .number = BETA, .low = 4, .high = 12},
-    {"6.4.2", "beta_rank", SEPARATION, NEEDS_ADJUSTED, 3, .check = check_beta_rank},
-    {"6.4.3", "ecr_rank", ELECTRICAL, NEEDS_ANY, 2, check_rank, .quantity = QUANTITY_ECR},
-    {"6.4.3", "equal_steps", ELECTRICAL, NEEDS_SCALES, 3, .check = check_equal_steps},
-    {"6.4.3", "shoulder", ELECTRICAL | PLASTIC, NEEDS_SCALES, 1, .check = check_shoulder},
-    {"6.4.4", "tcr_rank", THERMAL, NEEDS_ANY, 2, check_rank, .quantity = QUANTITY_TCR},
-    {"6.4.4", "sensitive", THERMAL, NEEDS_FAMILIES, 2, check_spread, .quantity = QUANTITY_TCR},
-    {"6.4.4", "together", THERMAL, NEEDS_ADJUSTED, 3, .check = check_together},
-    {"6.4.4", "family_ecr", ELECTRICAL, NEEDS_FAMILIES, 2, check_distances, .quantity = QUANTITY_ECR},
+    {"6.3.2", "plastic_gap", PLASTIC | SEPARATION, 0, 1, check_loads, ELASTIC, .quantity = QUANTITY_SEPARATION},
+    {"6.3.2", "adjustment", SEPARATION, FAMILIES, 1, check_closer, COUNTERPART, .quantity = QUANTITY_ADJUSTED,
+     .than = QUANTITY_SEPARATION},
+    {"6.3.2", "statistical_gap", SEPARATION, ASPERITIES, 1, check_number, OF(beta), .scale = -0.5, .low = 0,
+     .high = INFINITY}, /* δ_full/σ, by the definition of β (4.54) */
+    {"6.3.2", "same_order", SEPARATION, FAMILIES, 1, check_number, COUNTERPART, .quantity = QUANTITY_ADJUSTED,
+     .number = TIMES_APART, .scale = 1, .high = 10},
+    {"6.3.2", "stiffer", STIFFNESS, FAMILIES, 1, check_number, COUNTERPART, .quantity = QUANTITY_STIFFNESS,
+     .number = TIMES, .scale = 1, .low = 1, .high = INFINITY},
+    {"6.3.3", "elbow", ELECTRICAL, 0, 1, check_number, .number = ELBOW, .scale = 100, .low = 10, .high = INFINITY},
+    {"6.3.3", "plastic_ecr", PLASTIC | ELECTRICAL, 0, 1, check_loads, ELASTIC, .quantity = QUANTITY_ECR},
+    {"6.3.3", "families", ELECTRICAL, FAMILIES, 1, check_closer, COUNTERPART, .quantity = QUANTITY_ECR,
+     .than = QUANTITY_AREA},
+    {"6.3.4", "scale_dependence", SCALE_DEPENDENT, 0, 1, check_number, OF(sd_most), .scale = 100, .low = -INFINITY,
+     .high = 5},
+    {"6.4", "gamma_rank", 0, 0, 2, check_order, .is = ONCE | FALLS, .number = LAW_GAMMA},
+    {"6.4", "amplitude_rank", 0, 0, 3, check_order, .is = ONCE | NO_ORDER, .number = LAW_AMPLITUDE},
+    {"6.4", "law", 0, SCALES, 1, check_number, .number = FROM_LAW, .scale = 1, .low = 2, .high = INFINITY},
+    {"6.4.1", "area_rank", 0, 0, 2, check_loads, .quantity = QUANTITY_AREA},
+    {"6.4.1", "magnitude", 0, 0, 2, check_number, .is = WHOLE, .quantity = QUANTITY_AREA, .number = SPREAD, .scale = 1,
+     .high = 10},
+    {"6.4.1", "spread", PLASTIC, 0, 2, check_order, ELASTIC, WHOLE, .quantity = QUANTITY_AREA, .number = MEAN_SPREAD},
+    {"6.4.1", "sooner", PLASTIC, 0, 1, check_order, ELASTIC, OF(full_load)},
+    {"6.4.2", "separation_rank", SEPARATION, 0, 2, check_loads, .is = NO_ORDER, .quantity = QUANTITY_SEPARATION},
+    {"6.4.2", "high_rank", SEPARATION, 0, 2, check_loads, .is = HIGH, .quantity = QUANTITY_SEPARATION},
+    {"6.4.2", "smoothest", SEPARATION, ASPERITIES, 3, check_loads, .is = BUT_FIRST, .quantity = QUANTITY_SEPARATION},
+    {"6.4.2", "beta", SEPARATION, ASPERITIES, 1, check_number, OF(beta), .scale = 1, .low = 4, .high = 12},
+    {"6.4.2", "beta_rank", SEPARATION, ASPERITIES, 3, check_order, .is = NO_ORDER, OF(beta)},
+    {"6.4.3", "ecr_rank", ELECTRICAL, 0, 2, check_loads, .quantity = QUANTITY_ECR},
+    {"6.4.3", "equal_steps", ELECTRICAL, SCALES, 3, check_number, .is = EVEN, .number = STEP, .scale = 1,
+     .low = -INFINITY, .high = INFINITY},
+    {"6.4.3", "shoulder", ELECTRICAL | PLASTIC, SCALES, 1, check_number, ELASTIC, .number = SHOULDER, .scale = 1,
+     .low = 0.316227766, .high = 3.16227766}, /* half a decade */
+    {"6.4.4", "tcr_rank", THERMAL, 0, 2, check_loads, .quantity = QUANTITY_TCR},
+    {"6.4.4", "sensitive", THERMAL, FAMILIES, 2, check_order, COUNTERPART, WHOLE | FALLS, .quantity = QUANTITY_TCR,
+     .number = MEAN_SPREAD},
+    {"6.4.4", "together", THERMAL, ASPERITIES, 3, check_together, .number = STEP, .scale = 1},
+    {"6.4.4", "family_ecr", ELECTRICAL, FAMILIES, 2, check_closer, COUNTERPART, .quantity = QUANTITY_ECR, .high = 0.5},
 };
 
-static void check_model(struct finding *out, json_t *numbers, size_t m)
+static unsigned kind_of(size_t m)
 {
-    double scale = out->row->scale > 0 ? out->row->scale : 1;
-    out->m = m;
-    out->label = model_rows[m]->label;
-    out->least = INFINITY;
-    out->most = -INFINITY;
-    out->row->check(out);
-    if (!(out->least <= out->most))
+    return model_rows[m]->stacks_scales ? SCALES : ASPERITIES;
+}
+
+/** Adds the cases of a model to those of all: each of them, or one, which is what they say together. */
+static void conclude(struct finding *f)
+{
+    const struct tally own = f->own, first = f->first;
+    size_t cases = first.good + first.bad, others = own.good + own.bad - cases;
+    bool asked = true, good;
+    if (f->row->is & NO_ORDER) {
+        asked = own.good + own.bad > 1;
+        good = own.good > 0 && own.bad > 0;
+    } else if (f->row->is & BUT_FIRST) {
+        asked = cases > 0 && others > 0;
+        good = first.bad > first.good && 2 * (own.good - first.good) > others;
+        f->least = f->most = 100 * (double)first.bad / (double)cases;
+    } else if (f->row->is & EVEN) {
+        asked = own.good > 1;
+        good = f->least > 0 && f->most <= 2 * f->least;
+    } else {
+        f->all = (struct tally){f->all.good + own.good, f->all.bad + own.bad, f->all.ties + own.ties};
+        return;
+    }
+    if (asked)
+        add(&f->all, good);
+    else
+        f->least = INFINITY;
+}
+
+static void check_model(struct finding *f, json_t *numbers, size_t m)
+{
+    const bool others = f->row->number == SHOULDER;
+    f->m = m;
+    f->own = f->first = (struct tally){0};
+    f->least = INFINITY;
+    f->most = -INFINITY;
+    for (size_t k = 0; k < (f->row->is & WHOLE ? 1 : f->source->results->usable_count); k++) {
+        f->row->check(f, k);
+        f->first = k == 0 ? f->own : f->first;
+    }
+    conclude(f);
+    if (!(f->least <= f->most))
         return;
     json_t *item = view_item(numbers);
-    view_text(item, "label", out->label);
-    view_range(item, "range", out->least * scale, out->most * scale, 2, "");
+    view_text(item, "label", model_rows[others ? other_model(f) : m]->label);
+    view_range(item, "range", f->least, f->most, 2, "");
 }
 
 void view_findings(json_t *out, const struct view_source *source)
 {
-    if (!source->results->convergence || !has(source, NEEDS_ANY))
+    const struct plan *plan = source->results->plan;
+    uint64_t speaks = 0;
+    unsigned kinds = 0;
+    for (size_t m = 0; m < model_count; m++)
+        if (model_rows[m]->in_findings && plan_runs_model(plan, m)) {
+            speaks |= MODEL_BIT(m);
+            kinds |= kind_of(m);
+        }
+    if (!source->results->convergence || !speaks)
         return;
+    const double law_m = results_law_wavelength_m(source->results);
     json_t *list = view_list(out, "findings");
     view_flag(out, "has_findings", true);
     for (size_t i = 0; i < sizeof checks / sizeof *checks; i++) {
         const struct check *row = &checks[i];
-        struct finding finding = {.source = source, .row = row};
-        if ((row->effects & ~source->results->plan->running) || !has(source, row->needs) ||
-            source->results->usable_count < row->surfaces)
+        struct finding finding = {.source = source, .row = row, .law_m = law_m};
+        if ((row->effects & ~plan->running) || (row->models & ~kinds) || source->results->usable_count < row->surfaces)
             continue;
         json_t *item = view_item(list), *numbers = view_list(item, "numbers");
-        for (size_t m = 0, called = 0; m < model_count && !(row->once && called > 0); m++)
-            if (speaks(source, m) && ++called)
+        for (size_t m = 0, called = 0; m < model_count && !((row->is & ONCE) && called > 0); m++)
+            if ((speaks & MODEL_BIT(m)) && (!row->models || (row->models & kind_of(m))) && ++called)
                 check_model(&finding, numbers, m);
+        const size_t good = finding.all.good, all = good + finding.all.bad;
         view_separate(numbers);
         view_text(item, "part", row->part);
         view_flag(item, row->name, true);
-        view_count(item, "good", finding.good);
-        view_count(item, "all", finding.all);
-        if (finding.ties > 0)
-            view_count(item, "ties", finding.ties);
-        view_flag(item, "holds", finding.all > 0 && finding.good == finding.all);
-        view_flag(item, "in_part", finding.good < finding.all && 2 * finding.good >= finding.all);
-        view_flag(item, "fails", 2 * finding.good < finding.all);
-        view_flag(item, "not_tested", finding.all == 0);
+        view_count(item, "good", good);
+        view_count(item, "all", all);
+        if (finding.all.ties > 0)
+            view_count(item, "ties", finding.all.ties);
+        view_flag(item, "holds", all > 0 && good == all);
+        view_flag(item, "in_part", good < all && 2 * good >= all);
+        view_flag(item, "fails", 2 * good < all);
+        view_flag(item, "not_tested", all == 0);
     }
 }

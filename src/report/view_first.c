@@ -165,7 +165,7 @@ static const char *name_of(const struct view_source *source, enum quantity quant
 /** Do the surfaces that have a number have the same, to what the run resolves? */
 static bool are_alike(const struct view_source *source, enum quantity quantity)
 {
-    const struct comparison_extent *extent = &source->comparison->models[source->leading].extremes[quantity];
+    const struct comparison_extent *extent = &source->comparison->extremes[quantity];
     return extent->count > 1 && extent->most - extent->least <= 2 * source->results->scene->tolerance * extent->least;
 }
 
@@ -209,7 +209,7 @@ static void put_untested(json_t *out, const struct view_source *source)
 static void put_ranking(json_t *out, const struct view_source *source)
 {
     const struct comparison_ranking *ranking = &source->comparison->ranking;
-    const struct comparison_extent *extremes = source->comparison->models[source->leading].extremes;
+    const struct comparison_extent *extremes = source->comparison->extremes;
     const enum quantity asked = source->asked.quantity;
     bool pressed = asked == QUANTITY_AREA && area_is_pressed(source), alike = pressed || are_alike(source, asked);
     const enum quantity quantity = alike ? asked : ranking->criterion;

@@ -1,55 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the curves say when they are held against each other: the figures behind the report's checks. One pass over the
- * surfaces from smoothest to roughest. */
+/* What the surfaces say when they are held against each other at the middle load: which is better, and by how much. */
 #ifndef RESULTS_COMPARISON_H
 #define RESULTS_COMPARISON_H
 
 #include "results/results.h"
 #include "statistics/ranking.h"
 
-/** How the cases of a question came out. Values that differ by no more than the run's tolerance are ties: they speak
- * neither for nor against. */
-struct comparison_tally {
-    size_t agreeing, opposed, ties;
-};
-
-/** A plastic model against its elastic partner, load by load where not both are in full contact. */
-struct comparison_plastic {
-    struct comparison_tally changes[QUANTITY_COUNT]; /* plastic area the larger; gap as shown, resistance the smaller */
-    double least, most;                              /* ratio of the areas; both 0: not compared */
-    struct comparison_tally sooner;                  /* plastic full contact at the lower load; one case a surface */
-};
-
-/** Multiscale against statistical model of one material law on one surface, over their common loads; NaN: not both
- * computed. */
-struct comparison_gap {
-    double area, ecr;       /* mean |log10 ratio| */
-    double plain, adjusted; /* mean distance of delta, and of delta_ADJ (4.54), from the multiscale H; in sigma */
-    double separation;      /* mean |log10(H/delta_ADJ)| */
-    double stiffness;       /* mean log10 of the multiscale stiffness over the statistical one */
-};
-
 /** Least and largest value over the surfaces that have one. */
 struct comparison_extent {
     double least, most;
     size_t count; /* 0: none, and the rest says nothing */
-};
-
-/** What the surfaces have in common at a load. */
-enum comparison_spread { COMPARISON_AREAS, COMPARISON_RESISTANCES, COMPARISON_SPREADS };
-
-/** What one model adds to the comparison. The arrays are the comparison's. */
-struct comparison_model {
-    struct comparison_tally rank[QUANTITY_COUNT]; /* neighbours in roughness, load by load: the smoother one has the
-                                                     larger area, the smaller shown separation/sigma and resistance */
-    struct comparison_tally smoothest[QUANTITY_COUNT];       /* those of them of the two smoothest surfaces */
-    struct comparison_tally high_rank[QUANTITY_COUNT];       /* those in the last decade of load before one is full */
-    struct comparison_plastic plastic;                       /* against its elastic partner */
-    struct comparison_gap *gaps;                             /* against its counterpart, one a surface of the scene */
-    struct comparison_extent extremes[QUANTITY_COUNT];       /* of the surfaces, at the middle load */
-    struct comparison_extent (*extents)[COMPARISON_SPREADS]; /* one a load of the list, of those in partial contact */
-    double *steps; /* mean log10 of the resistance of the (k+1)-th smoothest surface over the k-th's, over their common
-                      loads of partial contact; one a pair of neighbours; NaN: none */
 };
 
 /** How two surfaces compare, by Welch's test. */
@@ -73,11 +33,8 @@ struct comparison_ranking {
 
 struct comparison {
     struct comparison_ranking ranking;
-    struct comparison_model *models; /* model_count of them; owned */
-    size_t leading;                  /* the model the summary speaks of: the running one of the greatest precedence */
-    struct comparison_gap *gaps;     /* the models' arrays, one after another; owned, as are: */
-    struct comparison_extent (*extents)[COMPARISON_SPREADS];
-    double *steps;
+    size_t leading; /* the model the summary speaks of: the running one of the greatest precedence */
+    struct comparison_extent extremes[QUANTITY_COUNT]; /* of the surfaces in it, at the middle load, as shown */
 };
 
 /** End it with comparison_free() whatever comes back. Errors: STATUS_IO, STATUS_MEMORY. */
@@ -100,14 +57,6 @@ struct contact_point comparison_middle(const struct results *results, size_t mod
 double comparison_heights_factor(const struct results *results, size_t surface, enum quantity quantity);
 /** Value of a quantity of a model's point, as tables and charts show it. */
 double comparison_value(const struct contact_point *point, enum quantity quantity, size_t model, double sigma_m);
-
-/** Mean log10(most/least) over the surfaces, over the loads at which all of them are in partial contact in model `a`
- * and in model `b`; NaN where there is no such load. */
-double comparison_mean_spread(const struct results *results, const struct comparison_model *a,
-                              const struct comparison_model *b, enum comparison_spread of);
-/** The largest of most/least over the loads at which all surfaces are in partial contact; NaN where there is none. */
-double comparison_largest_spread(const struct results *results, const struct comparison_model *model,
-                                 enum comparison_spread of);
 
 /** Has a sweep's curve converged: does the last halving of the wavelength change the area by less than 0.1 %? */
 bool comparison_converges(const struct results *results, enum convergence_sweep sweep, size_t model, size_t value);
