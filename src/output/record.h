@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Records: what there is to say of a thing, a field a row of a const table, under one key in data/ and in JSON; and the
- * two places where a record can go, a line of a CSV file or an object of JSON. */
+/* Records: what there is to say of a thing, a field a row of a const table, under one key whether it goes into a row of
+ * data/ (tables.c) or into an object of JSON; and how JSON has a number, a text and what is missing. */
 #ifndef OUTPUT_RECORD_H
 #define OUTPUT_RECORD_H
 
@@ -28,13 +28,15 @@ struct record_field {
     size_t offset; /* in what the record is of */
 };
 
+/** RECORD_FIELD(struct surface_summary, NUMBER, "rq_m", roughness.rq_m, ALWAYS) */
 #define RECORD_FIELD(of, kind, key, member, when)                                                                      \
     {                                                                                                                  \
         key, RECORD_##kind, RECORD_##when, offsetof(of, member)                                                        \
     }
 
-/** The fields as an object. */
+/** The fields that are in JSON, as an object. */
 json_t *record_json(const struct record_field *fields, const void *of);
+
 /** An estimate as it is told, with the 95 % intervals of the surface's mean and of another scan; the deviation is of
  * the logarithm where the mean is geometric. */
 struct record_estimate {

@@ -8,42 +8,40 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define FIELD(...) RECORD_FIELD(struct surface_summary, __VA_ARGS__)
+#define SURFACE(...) RECORD_FIELD(struct surface_summary, __VA_ARGS__)
 const struct record_field surface_fields[] = {
-    FIELD(COUNT, "points", points, ALWAYS),
-    FIELD(NUMBER, "spacing_m", spacing_m, ALWAYS),
-    FIELD(NUMBER, "scan_length_m", length_m, ALWAYS),
-    FIELD(NUMBER, "rq_m", roughness.rq_m, ALWAYS),
-    FIELD(NUMBER, "ra_m", roughness.ra_m, ALWAYS),
-    FIELD(NUMBER, "pv_m", roughness.pv_m, JSON),
-    FIELD(NUMBER, "m0_m2", roughness.m0_m2, ALWAYS),
-    FIELD(NUMBER, "m2", roughness.m2, ALWAYS),
-    FIELD(NUMBER, "m4_per_m2", roughness.m4_per_m2, ALWAYS),
-    FIELD(NUMBER, "nayak", asperities.nayak, ALWAYS),
-    FIELD(NUMBER, "asperity_density_per_m2", asperities.density_per_m2, JSON | RECORD_ASPERITIES),
-    FIELD(NUMBER, "asperity_radius_m", asperities.radius_m, JSON | RECORD_ASPERITIES),
-    FIELD(NUMBER, "asperity_sigma_m", asperities.sigma_s_m, JSON | RECORD_ASPERITIES),
-    FIELD(NUMBER, "asperity_offset_m", asperities.offset_m, JSON | RECORD_ASPERITIES),
-    FIELD(NUMBER, "alpha_SI", power_law.alpha, ALWAYS),
-    FIELD(NUMBER, "gamma", power_law.gamma, ALWAYS),
-    FIELD(NUMBER, "gamma_stderr", power_law.gamma_error, ALWAYS),
-    FIELD(NUMBER, "fit_amplitude_m", power_law.amplitude_m, ALWAYS),
-    FIELD(NUMBER, "fit_amplitude_stderr_decades", power_law.amplitude_error_decades, ALWAYS),
-    FIELD(NUMBER, "fit_wavelength_m", power_law.wavelength_m, ALWAYS),
-    FIELD(NUMBER, "fit_low_m", power_law.band_m[0], ALWAYS),
-    FIELD(NUMBER, "fit_high_m", power_law.band_m[1], ALWAYS),
-    FIELD(NUMBER, "fit_misfit_decades", power_law.misfit_decades, ALWAYS),
-    FIELD(NUMBER, "fit_psd_m3", power_law.psd_m3, JSON),
+    SURFACE(COUNT, "points", points, ALWAYS),
+    SURFACE(NUMBER, "spacing_m", spacing_m, ALWAYS),
+    SURFACE(NUMBER, "scan_length_m", length_m, ALWAYS),
+    SURFACE(NUMBER, "rq_m", roughness.rq_m, ALWAYS),
+    SURFACE(NUMBER, "ra_m", roughness.ra_m, ALWAYS),
+    SURFACE(NUMBER, "pv_m", roughness.pv_m, JSON),
+    SURFACE(NUMBER, "m0_m2", roughness.m0_m2, ALWAYS),
+    SURFACE(NUMBER, "m2", roughness.m2, ALWAYS),
+    SURFACE(NUMBER, "m4_per_m2", roughness.m4_per_m2, ALWAYS),
+    SURFACE(NUMBER, "nayak", asperities.nayak, ALWAYS),
+    SURFACE(NUMBER, "asperity_density_per_m2", asperities.density_per_m2, JSON | RECORD_ASPERITIES),
+    SURFACE(NUMBER, "asperity_radius_m", asperities.radius_m, JSON | RECORD_ASPERITIES),
+    SURFACE(NUMBER, "asperity_sigma_m", asperities.sigma_s_m, JSON | RECORD_ASPERITIES),
+    SURFACE(NUMBER, "asperity_offset_m", asperities.offset_m, JSON | RECORD_ASPERITIES),
+    SURFACE(NUMBER, "alpha_SI", power_law.alpha, ALWAYS),
+    SURFACE(NUMBER, "gamma", power_law.gamma, ALWAYS),
+    SURFACE(NUMBER, "gamma_stderr", power_law.gamma_error, ALWAYS),
+    SURFACE(NUMBER, "fit_amplitude_m", power_law.amplitude_m, ALWAYS),
+    SURFACE(NUMBER, "fit_amplitude_stderr_decades", power_law.amplitude_error_decades, ALWAYS),
+    SURFACE(NUMBER, "fit_wavelength_m", power_law.wavelength_m, ALWAYS),
+    SURFACE(NUMBER, "fit_low_m", power_law.band_m[0], ALWAYS),
+    SURFACE(NUMBER, "fit_high_m", power_law.band_m[1], ALWAYS),
+    SURFACE(NUMBER, "fit_misfit_decades", power_law.misfit_decades, ALWAYS),
+    SURFACE(NUMBER, "fit_psd_m3", power_law.psd_m3, JSON),
     {0},
 };
-#undef FIELD
 
-#define FIELD(...) RECORD_FIELD(struct repeats, __VA_ARGS__)
+#define REPEATS(...) RECORD_FIELD(struct repeats, __VA_ARGS__)
 const struct record_field repeats_fields[] = {
-    FIELD(COUNT, "scans_run_alone", count, JSON), FIELD(COUNT, "files", scans, JSON),
-    FIELD(ESTIMATE, "rq_m", rq_m, JSON),          FIELD(ESTIMATE, "gamma", gamma, JSON),
-    FIELD(ESTIMATE, "fit_psd_m3", psd_m3, JSON),  {0}};
-#undef FIELD
+    REPEATS(COUNT, "scans_run_alone", count, JSON), REPEATS(COUNT, "files", scans, JSON),
+    REPEATS(ESTIMATE, "rq_m", rq_m, JSON),          REPEATS(ESTIMATE, "gamma", gamma, JSON),
+    REPEATS(ESTIMATE, "fit_psd_m3", psd_m3, JSON),  {0}};
 
 enum {
     SWEEP_ROWS = 200,
@@ -437,23 +435,22 @@ struct answer_row {
     double load_N, load, interval[2], value, spots;
 };
 
-#define FIELD(...) RECORD_FIELD(struct answer_row, __VA_ARGS__)
-const struct record_field answer_fields[] = {FIELD(TEXT, "surface", surface, ALWAYS),
-                                             FIELD(TEXT, "model", model, ALWAYS),
-                                             FIELD(TEXT, "target", target, ALWAYS),
-                                             FIELD(TEXT, "note", note, JSON),
-                                             FIELD(NUMBER, "load_N", load_N, ALWAYS),
-                                             FIELD(NUMBER, "load_over_AnEp", load, ALWAYS),
-                                             FIELD(NUMBER, "low", interval[0], CSV),
-                                             FIELD(NUMBER, "high", interval[1], CSV),
-                                             FIELD(TEXT, "note", note, CSV),
-                                             FIELD(PAIR, "load_over_AnEp_95", interval, JSON),
-                                             FIELD(TEXT, "quantity", quantity, JSON),
-                                             FIELD(NUMBER, "value", value, JSON),
-                                             FIELD(NUMBER, "spots", spots, JSON),
-                                             FIELD(TEXT, "spots_by", spots_by, JSON),
+#define ANSWER(...) RECORD_FIELD(struct answer_row, __VA_ARGS__)
+const struct record_field answer_fields[] = {ANSWER(TEXT, "surface", surface, ALWAYS),
+                                             ANSWER(TEXT, "model", model, ALWAYS),
+                                             ANSWER(TEXT, "target", target, ALWAYS),
+                                             ANSWER(TEXT, "note", note, JSON),
+                                             ANSWER(NUMBER, "load_N", load_N, ALWAYS),
+                                             ANSWER(NUMBER, "load_over_AnEp", load, ALWAYS),
+                                             ANSWER(NUMBER, "low", interval[0], CSV),
+                                             ANSWER(NUMBER, "high", interval[1], CSV),
+                                             ANSWER(TEXT, "note", note, CSV),
+                                             ANSWER(PAIR, "load_over_AnEp_95", interval, JSON),
+                                             ANSWER(TEXT, "quantity", quantity, JSON),
+                                             ANSWER(NUMBER, "value", value, JSON),
+                                             ANSWER(NUMBER, "spots", spots, JSON),
+                                             ANSWER(TEXT, "spots_by", spots_by, JSON),
                                              {0}};
-#undef FIELD
 
 /** What one model says of one target. */
 static void put_answer(struct table *table, const struct results *results, const struct surface_summary *s, size_t m,
