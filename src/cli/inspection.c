@@ -110,20 +110,15 @@ static const char *warning_at(const struct inspection *inspection, size_t i)
     return i < inspection->profile.note_count ? inspection->profile.notes[i] : NULL;
 }
 
-static void add_real(json_t *object, const char *key, double value)
-{
-    json_object_set_new(object, key, json_finite(value));
-}
-
 static void add_parameters(json_t *object, const struct parameters *parameters)
 {
     char key[32];
     for (size_t p = 0; p < PARAMETERS_COUNT; p++) {
         snprintf(key, sizeof key, "%c%s", parameters->letter, parameters_rows[p].name);
-        add_real(object, key, parameters->value[p]);
+        json_set(object, key, parameters->value[p]);
     }
     snprintf(key, sizeof key, "%c_evaluation_length_m", parameters->letter);
-    add_real(object, key, parameters->evaluation_length_m);
+    json_set(object, key, parameters->evaluation_length_m);
     snprintf(key, sizeof key, "%c_sampling_lengths", parameters->letter);
     json_object_set_new(object, key, json_integer((json_int_t)parameters->sampling_lengths));
 }
@@ -155,8 +150,8 @@ void inspection_add_json(json_t *object, const struct inspection *inspection)
     if (!inspection->has_parameters)
         return;
     json_t *parameters = json_object();
-    add_real(parameters, "lambda_s_m", options->lambda_s_m > 0 ? options->lambda_s_m : NAN);
-    add_real(parameters, "lambda_c_m", options->lambda_c_m > 0 ? options->lambda_c_m : NAN);
+    json_set(parameters, "lambda_s_m", options->lambda_s_m > 0 ? options->lambda_s_m : NAN);
+    json_set(parameters, "lambda_c_m", options->lambda_c_m > 0 ? options->lambda_c_m : NAN);
     json_object_set_new(parameters, "slope", json_string("7-point"));
     add_parameters(parameters, &inspection->primary);
     if (inspection->has_filtered)

@@ -9,46 +9,6 @@
 #include <math.h>
 #include <string.h>
 
-json_t *json_shown(const char *hostile)
-{
-    struct text shown = {0};
-    text_add_shown(&shown, hostile ? hostile : "");
-    json_t *json = hostile ? json_string(text_string(&shown)) : json_null();
-    text_free(&shown);
-    return json;
-}
-
-json_t *json_lines(const char *lines)
-{
-    json_t *array = json_array();
-    for (size_t length; *lines; lines += length + (lines[length] == '\n')) {
-        struct text line = {0};
-        length = strcspn(lines, "\n");
-        text_add_bytes(&line, lines, length);
-        json_array_append_new(array, json_shown(text_string(&line)));
-        text_free(&line);
-    }
-    return array;
-}
-
-json_t *json_finite(double value)
-{
-    return isfinite(value) ? json_real(value) : json_null();
-}
-
-static void set(json_t *object, const char *key, double value)
-{
-    json_object_set_new(object, key, json_finite(value));
-}
-
-static void set_all(json_t *object, const char *key, const double *values, size_t count)
-{
-    json_t *array = json_array();
-    for (size_t i = 0; i < count; i++)
-        json_array_append_new(array, json_finite(values[i]));
-    json_object_set_new(object, key, array);
-}
-
 static void set_count(json_t *object, const char *key, size_t count)
 {
     json_object_set_new(object, key, json_integer((json_int_t)count));
@@ -65,7 +25,7 @@ static json_t *material_json(const struct material *material)
     for (size_t i = 0; i < material_property_count; i++) {
         double value = material_value(material, &material_properties[i]);
         if (!material_properties[i].optional || value > 0)
-            set(json, material_properties[i].key, value);
+            json_set(json, material_properties[i].key, value);
     }
     json_object_set_new(json, "source", json_shown(material->source));
     return json;
@@ -90,24 +50,24 @@ static json_t *joint_json(const struct results *results)
         set_word(json, "gap", names[joint->fill]);
     }
     if (gap && joint->fill == JOINT_GAS) {
-        set(json, "gap_pressure_Pa", joint->pressure_Pa);
-        set(json, "accommodation", joint->accommodation);
+        json_set(json, "gap_pressure_Pa", joint->pressure_Pa);
+        json_set(json, "accommodation", joint->accommodation);
     }
     if (gap && joint->fill == JOINT_MEDIUM)
-        set(json, "gap_conductivity_W_per_mK", joint->conductivity_W_per_mK);
+        json_set(json, "gap_conductivity_W_per_mK", joint->conductivity_W_per_mK);
     if (gap && joint->bond_line_m > 0)
-        set(json, "bond_line_m", joint->bond_line_m);
+        json_set(json, "bond_line_m", joint->bond_line_m);
     if (gap || heating)
-        set(json, "temperature_K", joint->temperature_K);
+        json_set(json, "temperature_K", joint->temperature_K);
     if (plan_runs(results->plan, EFFECT_FILM))
-        set(json, "film_ohm_m2", joint->film_ohm_m2);
+        json_set(json, "film_ohm_m2", joint->film_ohm_m2);
     if (plan_runs(results->plan, EFFECT_PLATING)) {
-        set(json, "plating_thickness_m", joint->plating_thickness_m);
-        set(json, "plating_resistivity_ohm_m", joint->plating_ohm_m);
+        json_set(json, "plating_thickness_m", joint->plating_thickness_m);
+        json_set(json, "plating_resistivity_ohm_m", joint->plating_ohm_m);
         json_object_set_new(json, "plated_sides", json_integer(joint->both_plated ? 2 : 1));
     }
     if (heating)
-        set(json, "current_A", joint->current_A);
+        json_set(json, "current_A", joint->current_A);
     return json;
 }
 
@@ -128,21 +88,21 @@ static json_t *scene_json(const struct results *results)
     json_t *json = json_pack("{s:o, s:o, s:o, s:o}", "title", json_shown(scene->title), "models", models, "effects",
                              effects, "material", pair.unknown ? json_null() : material_json(&bodies->material));
     json_object_set_new(json, "counterface", counterface_json(bodies));
-    set(json, "nominal_area_m2", scene->nominal_area_m2);
-    set_all(json, "loads_over_AnEp", results->loads, results->loads_apart ? 0 : results->load_count);
+    json_set(json, "nominal_area_m2", scene->nominal_area_m2);
+    json_set_all(json, "loads_over_AnEp", results->loads, results->loads_apart ? 0 : results->load_count);
     if (scene->load.unit_text[0])
         json_object_set_new(json, "load_unit", json_shown(scene->load.unit_text));
     if (results->usable_count > 0)
-        set(json, "operating_load_over_AnEp", results_operating_load(results, results->baseline));
+        json_set(json, "operating_load_over_AnEp", results_operating_load(results, results->baseline));
     if (plan_runs(results->plan, EFFECT_UNLOADING))
-        set(json, "unload_from_over_AnEp", scene_load_of(&scene->unload_from, scene, &pair));
+        json_set(json, "unload_from_over_AnEp", scene_load_of(&scene->unload_from, scene, &pair));
     if (scene->called & results->plan->running)
         json_object_set_new(json, "joint", joint_json(results));
     if (scene->mean_free_path == SCENE_MEAN_FREE_PATH_ELECTRON)
         set_word(json, "mean_free_path", "electron");
-    set(json, "effective_modulus_Pa", pair.unknown ? NAN : pair.effective_modulus_Pa);
-    set(json, "hardness_Pa", pair.unknown ? NAN : pair.hardness_Pa);
-    set(json, "tolerance", scene->tolerance);
+    json_set(json, "effective_modulus_Pa", pair.unknown ? NAN : pair.effective_modulus_Pa);
+    json_set(json, "hardness_Pa", pair.unknown ? NAN : pair.hardness_Pa);
+    json_set(json, "tolerance", scene->tolerance);
     set_word(json, "level", level_names[scene->level]);
     set_word(json, "window", spectrum_window_names[scene->window]);
     set_word(json, "moments", roughness_moments_names[scene->moments]);
@@ -152,10 +112,10 @@ static json_t *scene_json(const struct results *results)
     if (scene_bins_spectra(scene))
         set_word(json, "curves", "in data/contact.csv alone");
     set_word(json, "direction", scan_direction_names[scene->direction]);
-    set(json, "max_missing", scene->max_missing);
-    set(json, "lambda_s_m", scene->lambda_s_m);
-    set(json, "lambda_c_m", scene->lambda_c_m);
-    set(json, "tip_radius_m", scene->tip_radius_m);
+    json_set(json, "max_missing", scene->max_missing);
+    json_set(json, "lambda_s_m", scene->lambda_s_m);
+    json_set(json, "lambda_c_m", scene->lambda_c_m);
+    json_set(json, "tip_radius_m", scene->tip_radius_m);
     json_object_set_new(json, "baseline", json_shown(results->surfaces[results->baseline].summary.scene->name));
     if (scene->measured.file_count == 1)
         json_object_set_new(json, "measured_file", json_shown(scene->measured.files[0]));
@@ -164,14 +124,13 @@ static json_t *scene_json(const struct results *results)
                             json_pack("{s:o, s:s}", "file", json_shown(scene->counterface_surface.files[0]), "sha256",
                                       results->counterface->summary.hash));
     set_word(json, "fit", power_law_method_names[scene->fit]);
-    set_all(json, "fit_band_m", scene->fit_band_m, 2);
-    json_t *convergence = json_object();
-    set(convergence, "alpha", scene->convergence.alpha);
-    set(convergence, "gamma", scene->convergence.gamma);
-    set(convergence, "load_over_AnEp", scene->convergence.load);
-    set(convergence, "scan_length_m", scene->convergence.scan_length_m);
-    set_count(convergence, "scales", scene->convergence.scales);
-    json_object_set_new(json, "convergence", convergence);
+    json_set_all(json, "fit_band_m", scene->fit_band_m, 2);
+#define FIELD(...) RECORD_FIELD(struct scene_convergence, __VA_ARGS__)
+    static const struct record_field convergence[] = {
+        FIELD(NUMBER, "alpha", alpha, JSON),         FIELD(NUMBER, "gamma", gamma, JSON),
+        FIELD(NUMBER, "load_over_AnEp", load, JSON), FIELD(NUMBER, "scan_length_m", scan_length_m, JSON),
+        FIELD(COUNT, "scales", scales, JSON),        {0}};
+    json_object_set_new(json, "convergence", record_json(convergence, &scene->convergence));
     return json;
 }
 
@@ -192,44 +151,16 @@ static json_t *curve_json(const struct model_curve *curve, const struct curve_su
                           const struct plan *plan)
 {
     json_t *json = json_object();
-    set(json, "full_contact_load_over_AnEp", model->full_load);
-    set(json, "beta", model->beta);
-    set(json, "beta_from_multiscale", model->beta_multiscale);
-    set(json, "area_load_slope", model->area_slope);
-    set(json, "largest_load_share_beyond_fit", model->most_beyond_fit);
+    json_set(json, "full_contact_load_over_AnEp", model->full_load);
+    json_set(json, "beta", model->beta);
+    json_set(json, "beta_from_multiscale", model->beta_multiscale);
+    json_set(json, "area_load_slope", model->area_slope);
+    json_set(json, "largest_load_share_beyond_fit", model->most_beyond_fit);
     set_count(json, "evaluations", model->evaluations);
     set_count(json, "areas_limited", model->clamped);
-    set(json, "largest_load_share_clamped_at_radius", model->most_radius_clamped);
+    json_set(json, "largest_load_share_clamped_at_radius", model->most_radius_clamped);
     if (!scene_bins_spectra(scene)) /* else contact.csv alone has them */
         add_points(json, curve, plan);
-    return json;
-}
-
-/** A number with the 95 % intervals of the surface's mean and of another scan; the deviation is of the logarithm where
- * the mean is geometric. */
-static void set_estimate(json_t *object, const char *key, const struct estimate *estimate)
-{
-    json_t *json = json_pack("{s:I, s:b}", "scans", (json_int_t)estimate->count, "geometric", estimate->logarithmic);
-    const double mean_95[] = {estimate_end(estimate, 0), estimate_end(estimate, 1)};
-    const double next_95[] = {estimate_next_end(estimate, 0), estimate_next_end(estimate, 1)};
-    set(json, "mean", estimate_value(estimate));
-    set(json, "standard_deviation", estimate->sd);
-    set(json, "standard_error", estimate->s);
-    set(json, "degrees_of_freedom", estimate->degrees);
-    set(json, "effective", estimate->effective);
-    set_all(json, "mean_95", mean_95, 2);
-    set_all(json, "next_scan_95", next_95, 2);
-    json_object_set_new(object, key, json);
-}
-
-/** What repeated scans say apart. */
-static json_t *repeats_json(const struct repeats *spread)
-{
-    json_t *json =
-        json_pack("{s:I, s:I}", "scans_run_alone", (json_int_t)spread->count, "files", (json_int_t)spread->scans);
-    set_estimate(json, "rq_m", &spread->rq_m);
-    set_estimate(json, "gamma", &spread->gamma);
-    set_estimate(json, "fit_psd_m3", &spread->psd_m3);
     return json;
 }
 
@@ -237,13 +168,10 @@ static json_t *repeats_json(const struct repeats *spread)
 static void set_intervals(json_t *object, const struct curve_summary *model)
 {
     json_t *json = json_object();
-    for (int q = 0; q < CURVE_ESTIMATES; q++) {
-        const char *key = q == CURVE_FULL_LOAD ? "full_contact_load_over_AnEp"
-                          : q == CURVE_BETA    ? "beta"
-                                               : quantity_shown_name((enum quantity)q);
-        if ((q >= QUANTITY_COUNT || (quantity_rows[q].is & QUANTITY_BANDED)) &&
-            curve_summary_estimate(model, q)->count > 0)
-            set_estimate(json, key, curve_summary_estimate(model, q));
+    for (int which = 0; which < CURVE_ESTIMATES; which++) {
+        const struct estimate *estimate = curve_summary_estimate(model, which);
+        if (tables_estimate_key(which) && estimate->count > 0)
+            json_object_set_new(json, tables_estimate_key(which), record_estimate_json(estimate));
     }
     if (json_object_size(json) > 0)
         json_object_set(object, "at_middle_load", json);
@@ -258,7 +186,7 @@ static void set_operating(json_t *object, const struct results *results, size_t 
     json_t *json = json_object();
     for (int q = 0; q < QUANTITY_COUNT; q++)
         if (results->plan->wanted & QUANTITY_BIT(q))
-            set(json, quantity_shown_name((enum quantity)q), comparison_value(&at, (enum quantity)q, m, sigma_m));
+            json_set(json, quantity_shown_name((enum quantity)q), comparison_value(&at, (enum quantity)q, m, sigma_m));
     json_object_set_new(object, "operating", json);
 }
 
@@ -285,9 +213,9 @@ static json_t *fit_json(const struct surface_record *record, enum power_law_meth
     if (method == POWER_LAW_THESIS)
         return json;
     double line_m[LOG_BIN_MOST];
-    set_all(json, "knees_m", band->knee_m, band->pieces > 0 ? band->pieces - 1 : 0);
-    set_all(json, "lines_m", line_m, power_law_band_lines(line_m, band));
-    set(json, "share_of_m2", band->slope_share);
+    json_set_all(json, "knees_m", band->knee_m, band->pieces > 0 ? band->pieces - 1 : 0);
+    json_set_all(json, "lines_m", line_m, power_law_band_lines(line_m, band));
+    json_set(json, "share_of_m2", band->slope_share);
     return json;
 }
 
@@ -303,14 +231,14 @@ static json_t *files_json(char *const *names, size_t count)
 static json_t *lay_json(const struct surface_summary *s, const struct plan *plan)
 {
     json_t *json = json_object();
-    set(json, "r", s->has_lay ? s->lay : NAN);
-    set(json, "kappa", surface_kappa(s));
+    json_set(json, "r", s->has_lay ? s->lay : NAN);
+    json_set(json, "kappa", surface_kappa(s));
     if (s->scene->along_count > 0)
         json_object_set_new(json, "along", files_json(s->scene->along, s->scene->along_count));
     if (s->perfect_lay[0] != 0) {
         set_word(json, "perfect_lay_model", model_rows[plan_leading_model(plan)]->name);
-        set(json, "perfect_lay_area_factor", s->perfect_lay[0]);
-        set(json, "perfect_lay_ecr_factor", s->perfect_lay[1]);
+        json_set(json, "perfect_lay_area_factor", s->perfect_lay[0]);
+        json_set(json, "perfect_lay_ecr_factor", s->perfect_lay[1]);
     }
     return json;
 }
@@ -330,17 +258,17 @@ static json_t *measured_json(const struct results *results, size_t index)
     json_object_set_new(json, "units_of_file",
                         json_pack("[o, o]", json_shown(measured->load_unit), json_shown(measured->resistance_unit)));
     set_count(json, "points", measured->count);
-    set(json, "conductance_factor", estimate_value(&answers->fit));
-    set_all(json, "conductance_factor_95", ends, 2);
-    set_all(json, "load_over_AnEp", measured->load, measured->count);
-    set_all(json, quantity, measured->resistance, measured->count);
-    set_all(json, "error", measured->error, measured->count);
+    json_set(json, "conductance_factor", estimate_value(&answers->fit));
+    json_set_all(json, "conductance_factor_95", ends, 2);
+    json_set_all(json, "load_over_AnEp", measured->load, measured->count);
+    json_set_all(json, quantity, measured->resistance, measured->count);
+    json_set_all(json, "error", measured->error, measured->count);
     for (size_t m = 0; m < model_count; m++) {
         struct measured_distance distance = measured_compare(measured, answers, m);
         json_t *model = distance.points > 0 ? json_object() : NULL; /* of NULL nothing is set */
-        set(model, "rms_decades", distance.rms_decades);
-        set(model, "bias_decades", distance.bias_decades);
-        set_all(model, quantity, answers->resistance + m * measured->count, measured->count);
+        json_set(model, "rms_decades", distance.rms_decades);
+        json_set(model, "bias_decades", distance.bias_decades);
+        json_set_all(model, quantity, answers->resistance + m * measured->count, measured->count);
         json_object_set_new(models, model_rows[m]->name, model);
     }
     return json;
@@ -366,25 +294,23 @@ static json_t *surface_json(const struct results *results, size_t index)
     if (s->scene->bodies.material_given || s->scene->bodies.counterface_given) {
         json_object_set_new(json, "material", material_json(&s->scene->bodies.material));
         json_object_set_new(json, "counterface", counterface_json(&s->scene->bodies));
-        set(json, "effective_modulus_Pa", s->pair.effective_modulus_Pa);
+        json_set(json, "effective_modulus_Pa", s->pair.effective_modulus_Pa);
     }
     if (s->pair.hardness_Pa > 0 && s->pair.hardness_Pa != scene_pair(&scene->bodies).hardness_Pa)
-        set(json, "hardness_Pa", s->pair.hardness_Pa);
-    set_count(json, "points", s->points);
-    for (size_t c = 0; c < cell_column_count; c++)
-        set(json, cell_columns[c].name, cell_column_of(s, c));
-    set(json, "heights_factor_ecr", comparison_heights_factor(results, index, QUANTITY_ECR));
-    set(json, "rsk", roughness_skewness(&s->roughness));
-    set(json, "rku", roughness_kurtosis(&s->roughness));
+        json_set(json, "hardness_Pa", s->pair.hardness_Pa);
+    json_object_update_new(json, record_json(surface_fields, s));
+    json_set(json, "heights_factor_ecr", comparison_heights_factor(results, index, QUANTITY_ECR));
+    json_set(json, "rsk", roughness_skewness(&s->roughness));
+    json_set(json, "rku", roughness_kurtosis(&s->roughness));
     json_object_set_new(json, "fit", fit_json(record, scene->fit));
     json_object_set_new(json, "lay", lay_json(s, results->plan));
     set_count(json, "scans", s->scans);
     set_count(json, "scans_periodic", s->periodic);
     set_count(json, "scans_windowed", s->windowed);
-    set(json, "scans_independent", s->independent);
-    set(json, "longest_waves", s->longest_waves);
+    json_set(json, "scans_independent", s->independent);
+    json_set(json, "longest_waves", s->longest_waves);
     if (s->repeats.scans > 1)
-        json_object_set_new(json, "spread", repeats_json(&s->repeats));
+        json_object_set_new(json, "spread", record_json(repeats_fields, &s->repeats));
     if (results_measured(results, index))
         json_object_set_new(json, "measured", measured_json(results, index));
     json_object_set_new(json, "notes", notes_json(&s->notes));
@@ -400,8 +326,9 @@ static json_t *direct_curve_json(const struct direct_study *study, const struct 
     const struct material_pair *pair = results_pair(results, study->surface);
     double value[SCENE_DIRECT_LOADS], error[SCENE_DIRECT_LOADS];
     json_t *json = json_pack("{s:s, s:I}", "heights", direct_study_heights(study), "seeds", (json_int_t)curve->seeds);
-    set(json, "hardness_Pa", kind == DIRECT_STUDY_CAPPED ? study->plan.hardness * pair->effective_modulus_Pa : NAN);
-    set_all(json, quantity_rows[QUANTITY_LOAD].name, study->plan.load, curve->loads);
+    json_set(json, "hardness_Pa",
+             kind == DIRECT_STUDY_CAPPED ? study->plan.hardness * pair->effective_modulus_Pa : NAN);
+    json_set_all(json, quantity_rows[QUANTITY_LOAD].name, study->plan.load, curve->loads);
     for (int q = 0; q < QUANTITY_COUNT; q++) {
         const char *name = quantity_rows[q].name;
         char error_name[64];
@@ -410,8 +337,8 @@ static json_t *direct_curve_json(const struct direct_study *study, const struct 
         for (size_t i = 0; i < curve->loads; i++)
             value[i] = direct_study_value(study, pair, kind, (enum quantity)q, i, &error[i]);
         snprintf(error_name, sizeof error_name, "%s_stderr", name);
-        set_all(json, name, value, curve->loads);
-        set_all(json, error_name, error, curve->loads);
+        json_set_all(json, name, value, curve->loads);
+        json_set_all(json, error_name, error, curve->loads);
     }
     return json;
 }
@@ -435,18 +362,18 @@ static json_t *direct_json(const struct direct_study *study, const struct result
                 continue;
             for (size_t i = 0; i < loads; i++)
                 ratio[i] = direct_study_ratio(study, results_pair(results, study->surface), m, (enum quantity)q, i);
-            set_all(model, quantity_rows[q].short_symbol, ratio, loads);
+            json_set_all(model, quantity_rows[q].short_symbol, ratio, loads);
         }
         json_object_set_new(ratios, model_rows[m]->name, model);
     }
     json_t *json = json_pack("{s:o, s:s, s:I, s:I, s:o, s:o}", "surface", json_shown(surface->scene->name), "source",
                              plan->side > 0 ? "map" : "law", "grid", (json_int_t)plan->grid, "contacts_solved",
                              (json_int_t)study->solutions, "solutions", solutions, "model_over_direct", ratios);
-    set(json, "cell_m", plan->length_m);
-    set(json, "lambda_s_m", plan->lambda_s_m);
-    set(json, "alpha_SI", plan->side > 0 ? NAN : plan->law.alpha);
-    set(json, "gamma", plan->side > 0 ? NAN : plan->law.gamma);
-    set(json, "roll_off_m", plan->side > 0 ? NAN : plan->length_m / plan->law.roll_off);
+    json_set(json, "cell_m", plan->length_m);
+    json_set(json, "lambda_s_m", plan->lambda_s_m);
+    json_set(json, "alpha_SI", plan->side > 0 ? NAN : plan->law.alpha);
+    json_set(json, "gamma", plan->side > 0 ? NAN : plan->law.gamma);
+    json_set(json, "roll_off_m", plan->side > 0 ? NAN : plan->length_m / plan->law.roll_off);
     return json;
 }
 
@@ -459,43 +386,6 @@ static json_t *work_json(const struct results *results)
     for (int r = 0; r < EFFECTS_ROWS; r++)
         json_object_set_new(json, rows[r].name, json_pack("{s:I}", "evaluations", (json_int_t)rows[r].evaluations));
     return json;
-}
-
-/** What one model says of one target. */
-static json_t *answer_json(const struct results *results, size_t surface, size_t m, size_t t)
-{
-    const struct scene_asked *target = &results->scene->targets[t];
-    const struct surface_summary *s = &results->surfaces[surface].summary;
-    const struct answer *answer = &s->answers[t * model_count + m];
-    bool met = answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST;
-    double area_m2 = results->scene->nominal_area_m2;
-    struct text note = {0}, asked = {0};
-    text_add(&asked, "%s %s", target->how->key, target->text);
-    answers_note(&note, answer, area_m2, 1, "");
-    json_t *json =
-        json_pack("{s:o, s:s, s:o, s:o}", "surface", json_shown(s->scene->name), "model", model_rows[m]->name, "target",
-                  json_shown(text_string(&asked)), "note", json_shown(text_string(&note)));
-    set(json, "load_N", met ? answer->load * scene_load_divisor(results->scene, UNIT_FORCE, &s->pair) : NAN);
-    set(json, "load_over_AnEp", met ? answer->load : NAN);
-    set_all(json, "load_over_AnEp_95", (const double[]){answer->low, answer->high}, 2);
-    set_word(json, "quantity", quantity_rows[target->quantity].name);
-    set(json, "value", target->value);
-    set(json, "spots", answer->spots_per_m2 * area_m2);
-    json_object_set_new(json, "spots_by",
-                        isnan(answer->spots_per_m2) ? json_null() : json_string(model_rows[answer->counted_by]->name));
-    text_free(&note);
-    text_free(&asked);
-    return json;
-}
-
-static json_t *answers_json(const struct results *results)
-{
-    json_t *answers = json_array();
-    for (size_t i = 0; i < results->surface_count; i++)
-        for (size_t m = 0; m < model_count && results->surfaces[i].summary.usable; m++)
-            for (size_t t = 0; t < results->scene->target_count && plan_runs_model(results->plan, m); t++)
-                json_array_append_new(answers, answer_json(results, i, m, t));
-    return answers;
 }
 
 /** The surfaces held against each other in the leading model, the best first. */
@@ -512,9 +402,9 @@ static json_t *comparison_json(const struct results *results, const struct compa
             const struct comparison_pair *pair = comparison_pair_of(ranking, i, j);
             json_t *json = json_pack("{s:I, s:I, s:s}", "better", (json_int_t)i, "other", (json_int_t)j, "verdict",
                                      verdicts[pair->verdict]);
-            set(json, "ratio", pair->ratio);
-            set_all(json, "ratio_95", (const double[]){pair->low, pair->high}, 2);
-            set(json, "p", pair->p);
+            json_set(json, "ratio", pair->ratio);
+            json_set_all(json, "ratio_95", (const double[]){pair->low, pair->high}, 2);
+            json_set(json, "p", pair->p);
             json_array_append_new(pairs, json);
         }
     }
@@ -541,8 +431,8 @@ static json_t *limits_json(const struct results *results)
                 json_pack("{s:o, s:s, s:o, s:s, s:s}", "surface", json_shown(s->scene->name), "model",
                           model_rows[plan_leading_model(results->plan)]->name, "limit", json_shown(text_string(&asked)),
                           "verdict", verdicts[check->verdict], "quantity", quantity_rows[limit->quantity].name);
-            set(json, "value", check->value);
-            set_all(json, "interval_95", (const double[]){check->low, check->high}, 2);
+            json_set(json, "value", check->value);
+            json_set_all(json, "interval_95", (const double[]){check->low, check->high}, 2);
             json_array_append_new(limits, json);
             text_free(&asked);
         }
@@ -570,7 +460,7 @@ json_t *json_outline(const struct results *results)
         if (strcmp(json_string_value(json_object_get(limit, "verdict")), "misses") == 0)
             json_array_append(missed, limit);
     }
-    return json_pack("{s:o, s:o, s:o, s:o}", "refused", refused_json(results), "answers", answers_json(results),
+    return json_pack("{s:o, s:o, s:o, s:o}", "refused", refused_json(results), "answers", tables_answers_json(results),
                      "limits", limits, "missed_limits", missed);
 }
 
@@ -622,7 +512,7 @@ enum status_code json_write(const struct results *results, const struct comparis
               print_surfaces(file, results) && print(file, ",\n\"refused\": ", refused_json(results)) &&
               print(file, ",\n\"comparison\": ", comparison_json(results, &comparison->ranking)) &&
               (!scene->passed_over || print(file, ",\n\"passed_over\": ", json_lines(scene->passed_over))) &&
-              (scene->target_count == 0 || print(file, ",\n\"answers\": ", answers_json(results))) &&
+              (scene->target_count == 0 || print(file, ",\n\"answers\": ", tables_answers_json(results))) &&
               (scene->limit_count == 0 || print(file, ",\n\"limits\": ", limits_json(results))) &&
               (results->direct_count == 0 || print(file, ",\n\"direct\": ", studies_json(results))) &&
               print(file, ",\n\"work\": ", work_json(results)) && fputs("}\n", file) >= 0;

@@ -3,8 +3,8 @@
 #ifndef OUTPUT_JSON_H
 #define OUTPUT_JSON_H
 
+#include "output/record.h"
 #include "results/comparison.h"
-#include <jansson.h>
 
 /** Writes results.json (docs/results.schema.json) into `directory`. Errors: STATUS_IO, STATUS_MEMORY. */
 MUST_CHECK enum status_code json_write(const struct results *results, const struct comparison *comparison,
@@ -13,14 +13,5 @@ MUST_CHECK enum status_code json_write(const struct results *results, const stru
 /** In short, for a script, as in results.json: `refused`, `answers`, `limits`, and the `missed_limits` among them. To
  * be released with json_decref(); NULL: out of memory. */
 json_t *json_outline(const struct results *results);
-
-/* Parts of any JSON that is printed or written. */
-
-/** `hostile` as it may be shown: JSON is UTF-8, a file name need not be. NULL: null. */
-json_t *json_shown(const char *hostile);
-/** The lines of a text, each as it may be shown. */
-json_t *json_lines(const char *lines);
-/** A number; null for NaN, and for what is without end. */
-json_t *json_finite(double value);
 
 #endif

@@ -8,44 +8,40 @@
 #include <stdlib.h>
 #include <string.h>
 
-const struct cell_column cell_columns[] = {
-#define COLUMN(name, member, in_table)                                                                                 \
-    {                                                                                                                  \
-        name, offsetof(struct surface_summary, member), in_table                                                       \
-    }
-    COLUMN("spacing_m", spacing_m, CELL_ALWAYS),
-    COLUMN("scan_length_m", length_m, CELL_ALWAYS),
-    COLUMN("rq_m", roughness.rq_m, CELL_ALWAYS),
-    COLUMN("ra_m", roughness.ra_m, CELL_ALWAYS),
-    COLUMN("pv_m", roughness.pv_m, CELL_JSON),
-    COLUMN("m0_m2", roughness.m0_m2, CELL_ALWAYS),
-    COLUMN("m2", roughness.m2, CELL_ALWAYS),
-    COLUMN("m4_per_m2", roughness.m4_per_m2, CELL_ALWAYS),
-    COLUMN("nayak", asperities.nayak, CELL_ALWAYS),
-    COLUMN("asperity_density_per_m2", asperities.density_per_m2, CELL_OF_ASPERITIES),
-    COLUMN("asperity_radius_m", asperities.radius_m, CELL_OF_ASPERITIES),
-    COLUMN("asperity_sigma_m", asperities.sigma_s_m, CELL_OF_ASPERITIES),
-    COLUMN("asperity_offset_m", asperities.offset_m, CELL_OF_ASPERITIES),
-    COLUMN("alpha_SI", power_law.alpha, CELL_ALWAYS),
-    COLUMN("gamma", power_law.gamma, CELL_ALWAYS),
-    COLUMN("gamma_stderr", power_law.gamma_error, CELL_ALWAYS),
-    COLUMN("fit_amplitude_m", power_law.amplitude_m, CELL_ALWAYS),
-    COLUMN("fit_amplitude_stderr_decades", power_law.amplitude_error_decades, CELL_ALWAYS),
-    COLUMN("fit_wavelength_m", power_law.wavelength_m, CELL_ALWAYS),
-    COLUMN("fit_low_m", power_law.band_m[0], CELL_ALWAYS),
-    COLUMN("fit_high_m", power_law.band_m[1], CELL_ALWAYS),
-    COLUMN("fit_misfit_decades", power_law.misfit_decades, CELL_ALWAYS),
-    COLUMN("fit_psd_m3", power_law.psd_m3, CELL_JSON),
-#undef COLUMN
+#define SURFACE(...) RECORD_FIELD(struct surface_summary, __VA_ARGS__)
+const struct record_field surface_fields[] = {
+    SURFACE(COUNT, "points", points, ALWAYS),
+    SURFACE(NUMBER, "spacing_m", spacing_m, ALWAYS),
+    SURFACE(NUMBER, "scan_length_m", length_m, ALWAYS),
+    SURFACE(NUMBER, "rq_m", roughness.rq_m, ALWAYS),
+    SURFACE(NUMBER, "ra_m", roughness.ra_m, ALWAYS),
+    SURFACE(NUMBER, "pv_m", roughness.pv_m, JSON),
+    SURFACE(NUMBER, "m0_m2", roughness.m0_m2, ALWAYS),
+    SURFACE(NUMBER, "m2", roughness.m2, ALWAYS),
+    SURFACE(NUMBER, "m4_per_m2", roughness.m4_per_m2, ALWAYS),
+    SURFACE(NUMBER, "nayak", asperities.nayak, ALWAYS),
+    SURFACE(NUMBER, "asperity_density_per_m2", asperities.density_per_m2, JSON | RECORD_ASPERITIES),
+    SURFACE(NUMBER, "asperity_radius_m", asperities.radius_m, JSON | RECORD_ASPERITIES),
+    SURFACE(NUMBER, "asperity_sigma_m", asperities.sigma_s_m, JSON | RECORD_ASPERITIES),
+    SURFACE(NUMBER, "asperity_offset_m", asperities.offset_m, JSON | RECORD_ASPERITIES),
+    SURFACE(NUMBER, "alpha_SI", power_law.alpha, ALWAYS),
+    SURFACE(NUMBER, "gamma", power_law.gamma, ALWAYS),
+    SURFACE(NUMBER, "gamma_stderr", power_law.gamma_error, ALWAYS),
+    SURFACE(NUMBER, "fit_amplitude_m", power_law.amplitude_m, ALWAYS),
+    SURFACE(NUMBER, "fit_amplitude_stderr_decades", power_law.amplitude_error_decades, ALWAYS),
+    SURFACE(NUMBER, "fit_wavelength_m", power_law.wavelength_m, ALWAYS),
+    SURFACE(NUMBER, "fit_low_m", power_law.band_m[0], ALWAYS),
+    SURFACE(NUMBER, "fit_high_m", power_law.band_m[1], ALWAYS),
+    SURFACE(NUMBER, "fit_misfit_decades", power_law.misfit_decades, ALWAYS),
+    SURFACE(NUMBER, "fit_psd_m3", power_law.psd_m3, JSON),
+    {0},
 };
-const size_t cell_column_count = sizeof cell_columns / sizeof *cell_columns;
 
-double cell_column_of(const struct surface_summary *surface, size_t column)
-{
-    double value;
-    memcpy(&value, (const char *)surface + cell_columns[column].offset, sizeof value);
-    return value;
-}
+#define REPEATS(...) RECORD_FIELD(struct repeats, __VA_ARGS__)
+const struct record_field repeats_fields[] = {
+    REPEATS(COUNT, "scans_run_alone", count, JSON), REPEATS(COUNT, "files", scans, JSON),
+    REPEATS(ESTIMATE, "rq_m", rq_m, JSON),          REPEATS(ESTIMATE, "gamma", gamma, JSON),
+    REPEATS(ESTIMATE, "fit_psd_m3", psd_m3, JSON),  {0}};
 
 enum {
     SWEEP_ROWS = 200,
@@ -67,6 +63,7 @@ struct table {
     struct text rows;          /* not written yet */
     struct table *whole;       /* of a part: the table that other threads write too; NULL: this is it */
     struct threads_turn *turn; /* of a part; NULL: no other thread writes */
+    json_t *objects;           /* records go there instead; NULL: rows are written */
 };
 
 static struct table table_make(const struct results *results, const char *directory, const char *name)
@@ -171,6 +168,22 @@ static void put_text(struct table *table, const char *name, const char *text)
     text_add_csv(&table->rows, text);
 }
 
+/** A row's cells that are a record: what is always in tables, and under the conditions `when`. */
+static void put_fields(struct table *table, const struct record_field *fields, const void *of, unsigned when)
+{
+    for (const struct record_field *field = fields; field->key; field++) {
+        const void *at = (const char *)of + field->offset;
+        if (!(field->when & (when | RECORD_CSV)))
+            continue;
+        if (field->kind == RECORD_NUMBER)
+            put_number(table, field->key, *(const double *)at);
+        else if (field->kind == RECORD_COUNT)
+            put_count(table, field->key, *(const size_t *)at);
+        else
+            put_text(table, field->key, *(const char *const *)at);
+    }
+}
+
 /** Writes what is held; of a surface's part the file stays open. */
 static enum status_code table_close(struct table *table, struct status *status)
 {
@@ -186,30 +199,24 @@ static enum status_code table_close(struct table *table, struct status *status)
     return status->code;
 }
 
-static void fill_surfaces(struct table *table, const struct results *results)
+static void fill_surface(struct table *table, const struct results *results, size_t index)
 {
     const struct plan *plan = results->plan;
-    const int most = plan_uses_asperities(plan) ? CELL_OF_ASPERITIES : CELL_ALWAYS;
-    for (size_t i = 0; i < results->surface_count; i++) {
-        const struct surface_summary *s = &results->surfaces[i].summary;
-        if (!s->usable)
-            continue;
-        put_text(table, "surface", s->scene->name);
-        struct text files = {0};
-        for (size_t f = 0; f < s->scene->file_count; f++)
-            text_add(&files, "%s%s", f > 0 ? ";" : "", s->scene->files[f]);
-        put_text(table, "files", text_string(&files));
-        text_free(&files);
-        put_count(table, "points", s->points);
-        for (size_t c = 0; c < cell_column_count; c++)
-            if ((int)cell_columns[c].in_table <= most)
-                put_number(table, cell_columns[c].name, cell_column_of(s, c));
-        put_number(table, "heights_factor_ecr", comparison_heights_factor(results, i, QUANTITY_ECR));
-        for (size_t m = 0; m < model_count; m++)
-            if (plan_runs_model(plan, m) && (model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_ADJUSTED)))
-                put(table, "beta_", model_rows[m]->name, surface_model(s, m)->exists ? surface_model(s, m)->beta : NAN);
-        end_row(table);
-    }
+    const struct surface_summary *s = &results->surfaces[index].summary;
+    struct text files = {0};
+    if (!s->usable)
+        return;
+    for (size_t f = 0; f < s->scene->file_count; f++)
+        text_add(&files, "%s%s", f > 0 ? ";" : "", s->scene->files[f]);
+    put_text(table, "surface", s->scene->name);
+    put_text(table, "files", text_string(&files));
+    put_fields(table, surface_fields, s, plan_uses_asperities(plan) ? RECORD_ASPERITIES : 0);
+    put_number(table, "heights_factor_ecr", comparison_heights_factor(results, index, QUANTITY_ECR));
+    for (size_t m = 0; m < model_count; m++)
+        if (plan_runs_model(plan, m) && (model_rows[m]->quantities & QUANTITY_BIT(QUANTITY_ADJUSTED)))
+            put(table, "beta_", model_rows[m]->name, surface_model(s, m)->exists ? surface_model(s, m)->beta : NAN);
+    end_row(table);
+    text_free(&files);
 }
 
 /** A row a harmonic, or a bin of them, of harmonics `first` to before `end`. */
@@ -333,172 +340,186 @@ static enum status_code write_curves(const struct results *results, const char *
     return curve_tables_close(all, status);
 }
 
-static void fill_convergence(struct table *table, const struct results *results)
+static void fill_convergence(struct table *table, const struct results *results, size_t sweep)
 {
     const struct scene_convergence *study = &results->scene->convergence;
     size_t index[SWEEP_ROWS], count = results_sweep_scales(index, SWEEP_ROWS, study->scales);
-    for (int s = 0; s < CONVERGENCE_SWEEP_COUNT; s++)
-        for (size_t v = 0; v < convergence_sweeps[s].count; v++)
-            for (size_t m = 0; m < model_count; m++) {
-                if (!plan_runs_model(results->plan, m) || !model_rows[m]->stacks_scales)
-                    continue;
-                const double *area = results_sweep(results, (enum convergence_sweep)s, m, v);
-                for (size_t k = 0; k < count; k++) {
-                    put_word(table, "sweep", convergence_sweeps[s].name);
-                    put_number(table, "value", convergence_sweeps[s].values[v]);
-                    put_word(table, "model", model_rows[m]->name);
-                    put_number(table, "wavelength_m", study->scan_length_m / (double)(index[k] + 1));
-                    put_number(table, "area_ratio", area[index[k]]);
-                    end_row(table);
-                }
-            }
-}
-
-static void fill_cost(struct table *table, const struct results *results)
-{
-    const struct benchmark *benchmark = results->benchmark;
-    for (size_t i = 0; i < benchmark->count; i++) {
-        const struct benchmark_row *row = &benchmark->rows[i];
-        put_word(table, "study", row->study);
-        put_word(table, "method", row->method);
-        begin_cell(table, "setting", "");
-        text_add(&table->rows, "%g", row->setting);
-        put_count(table, "evaluations", row->evaluations);
-        put_number(table, "seconds", row->seconds);
-        put_number(table, "max_relative_error", row->error);
-        end_row(table);
-    }
-}
-
-/** Scans, the sum of their weights, mean, standard deviation of one of them (of the logarithm where the mean is
- * geometric), ends of the 95 % interval of the mean, and of another scan's. */
-static void put_spread_number(struct table *table, const struct surface_summary *surface, const char *quantity,
-                              const struct estimate *estimate)
-{
-    if (estimate->count == 0)
-        return;
-    put_text(table, "surface", surface->scene->name);
-    put_word(table, "quantity", quantity);
-    put_count(table, "scans", estimate->count);
-    put_number(table, "effective", estimate->effective);
-    put_number(table, "mean", estimate_value(estimate));
-    put_number(table, "standard_deviation", estimate->sd);
-    put_number(table, "mean_low_95", estimate_end(estimate, 0));
-    put_number(table, "mean_high_95", estimate_end(estimate, 1));
-    put_number(table, "next_scan_low_95", estimate_next_end(estimate, 0));
-    put_number(table, "next_scan_high_95", estimate_next_end(estimate, 1));
-    end_row(table);
-}
-
-static void fill_spread(struct table *table, const struct results *results)
-{
-    for (size_t i = 0; i < results->surface_count; i++) {
-        const struct surface_summary *s = &results->surfaces[i].summary;
-        if (!s->usable)
-            continue;
-        const struct repeats *repeats = &s->repeats;
-        char quantity[80];
-        if (repeats->scans > 1) {
-            put_spread_number(table, s, "rq_m", &repeats->rq_m);
-            put_spread_number(table, s, "gamma", &repeats->gamma);
-            put_spread_number(table, s, "fit_psd_m3", &repeats->psd_m3);
-        }
+    for (size_t v = 0; v < convergence_sweeps[sweep].count; v++)
         for (size_t m = 0; m < model_count; m++) {
-            snprintf(quantity, sizeof quantity, "beta_%s", model_rows[m]->name);
-            put_spread_number(table, s, quantity, curve_summary_estimate(surface_model(s, m), CURVE_BETA));
-            snprintf(quantity, sizeof quantity, "full_contact_load_over_AnEp_%s", model_rows[m]->name);
-            put_spread_number(table, s, quantity, curve_summary_estimate(surface_model(s, m), CURVE_FULL_LOAD));
-            for (int q = 0; q < QUANTITY_COUNT; q++) {
-                snprintf(quantity, sizeof quantity, "%s_at_middle_load_%s", quantity_shown_name((enum quantity)q),
-                         model_rows[m]->name);
-                if (quantity_rows[q].is & QUANTITY_BANDED)
-                    put_spread_number(table, s, quantity, curve_summary_estimate(surface_model(s, m), q));
-            }
-        }
-    }
-}
-
-static void fill_sensitivity(struct table *table, const struct results *results)
-{
-    bool ecr = plan_runs(results->plan, EFFECT_ELECTRICAL);
-    for (size_t i = 0; i < results->surface_count; i++)
-        for (size_t m = 0; m < model_count; m++) {
-            const struct surface_summary *s = &results->surfaces[i].summary;
-            if (!s->usable || !surface_model(s, m)->exists)
+            if (!plan_runs_model(results->plan, m) || !model_rows[m]->stacks_scales)
                 continue;
-            for (int c = 0; c < SENSITIVITY_CHANGES; c++) {
-                if (sensitivity_changes[c].plastic && !model_rows[m]->plastic)
-                    continue;
-                put_text(table, "surface", s->scene->name);
+            const double *area = results_sweep(results, (enum convergence_sweep)sweep, m, v);
+            for (size_t k = 0; k < count; k++) {
+                put_word(table, "sweep", convergence_sweeps[sweep].name);
+                put_number(table, "value", convergence_sweeps[sweep].values[v]);
                 put_word(table, "model", model_rows[m]->name);
-                put_word(table, "change", sensitivity_changes[c].name);
-                put_number(table, "area_factor", surface_model(s, m)->sensitivity.area[c]);
-                if (ecr)
-                    put_number(table, "ecr_factor", surface_model(s, m)->sensitivity.ecr[c]);
+                put_number(table, "wavelength_m", study->scan_length_m / (double)(index[k] + 1));
+                put_number(table, "area_ratio", area[index[k]]);
                 end_row(table);
             }
         }
 }
 
-static void put_answer(struct table *table, const struct results *results, size_t surface, size_t m, size_t t)
+static void fill_cost(struct table *table, const struct results *results, size_t index)
+{
+    const struct benchmark_row *row = &results->benchmark->rows[index];
+    put_word(table, "study", row->study);
+    put_word(table, "method", row->method);
+    begin_cell(table, "setting", "");
+    text_add(&table->rows, "%g", row->setting);
+    put_count(table, "evaluations", row->evaluations);
+    put_number(table, "seconds", row->seconds);
+    put_number(table, "max_relative_error", row->error);
+    end_row(table);
+}
+
+const char *tables_estimate_key(int which)
+{
+    return which == CURVE_FULL_LOAD                    ? "full_contact_load_over_AnEp"
+           : which == CURVE_BETA                       ? "beta"
+           : quantity_rows[which].is & QUANTITY_BANDED ? quantity_shown_name((enum quantity)which)
+                                                       : NULL;
+}
+
+static void put_estimate(struct table *table, const char *surface, const char *quantity,
+                         const struct estimate *estimate)
+{
+    const struct record_estimate record = record_estimate(estimate);
+    if (estimate->count == 0)
+        return;
+    put_text(table, "surface", surface);
+    put_word(table, "quantity", quantity);
+    put_fields(table, record_estimate_fields, &record, 0);
+    end_row(table);
+}
+
+static void fill_spread(struct table *table, const struct results *results, size_t index)
+{
+    const struct surface_summary *s = &results->surfaces[index].summary;
+    if (!s->usable)
+        return;
+    for (const struct record_field *field = repeats_fields; field->key && s->repeats.scans > 1; field++)
+        if (field->kind == RECORD_ESTIMATE)
+            put_estimate(table, s->scene->name, field->key, (const void *)((const char *)&s->repeats + field->offset));
+    for (size_t m = 0; m < model_count; m++)
+        for (int i = 0; i < CURVE_ESTIMATES; i++) {
+            int which = i < 2 ? CURVE_BETA - i : i - 2; /* of the curve first */
+            const char *key = tables_estimate_key(which);
+            char quantity[80];
+            snprintf(quantity, sizeof quantity, "%s%s_%s", key ? key : "",
+                     which < QUANTITY_COUNT ? "_at_middle_load" : "", model_rows[m]->name);
+            if (key)
+                put_estimate(table, s->scene->name, quantity, curve_summary_estimate(surface_model(s, m), which));
+        }
+}
+
+static void fill_sensitivity(struct table *table, const struct results *results, size_t index)
+{
+    const struct surface_summary *s = &results->surfaces[index].summary;
+    for (size_t m = 0; m < model_count; m++)
+        for (int c = 0; c < SENSITIVITY_CHANGES && s->usable && surface_model(s, m)->exists; c++) {
+            if (sensitivity_changes[c].plastic && !model_rows[m]->plastic)
+                continue;
+            put_text(table, "surface", s->scene->name);
+            put_word(table, "model", model_rows[m]->name);
+            put_word(table, "change", sensitivity_changes[c].name);
+            put_number(table, "area_factor", surface_model(s, m)->sensitivity.area[c]);
+            if (plan_runs(results->plan, EFFECT_ELECTRICAL))
+                put_number(table, "ecr_factor", surface_model(s, m)->sensitivity.ecr[c]);
+            end_row(table);
+        }
+}
+
+struct answer_row {
+    const char *surface, *model, *target, *note, *quantity, *spots_by;
+    double load_N, load, interval[2], value, spots;
+};
+
+#define ANSWER(...) RECORD_FIELD(struct answer_row, __VA_ARGS__)
+const struct record_field answer_fields[] = {ANSWER(TEXT, "surface", surface, ALWAYS),
+                                             ANSWER(TEXT, "model", model, ALWAYS),
+                                             ANSWER(TEXT, "target", target, ALWAYS),
+                                             ANSWER(TEXT, "note", note, JSON),
+                                             ANSWER(NUMBER, "load_N", load_N, ALWAYS),
+                                             ANSWER(NUMBER, "load_over_AnEp", load, ALWAYS),
+                                             ANSWER(NUMBER, "low", interval[0], CSV),
+                                             ANSWER(NUMBER, "high", interval[1], CSV),
+                                             ANSWER(TEXT, "note", note, CSV),
+                                             ANSWER(PAIR, "load_over_AnEp_95", interval, JSON),
+                                             ANSWER(TEXT, "quantity", quantity, JSON),
+                                             ANSWER(NUMBER, "value", value, JSON),
+                                             ANSWER(NUMBER, "spots", spots, JSON),
+                                             ANSWER(TEXT, "spots_by", spots_by, JSON),
+                                             {0}};
+
+/** What one model says of one target. */
+static void put_answer(struct table *table, const struct results *results, const struct surface_summary *s, size_t m,
+                       size_t t)
 {
     const struct scene_asked *target = &results->scene->targets[t];
-    const struct surface_summary *s = &results->surfaces[surface].summary;
     const struct answer *answer = &s->answers[t * model_count + m];
     bool met = answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST;
-    double force_N = scene_load_divisor(results->scene, UNIT_FORCE, &s->pair),
-           area_m2 = results->scene->nominal_area_m2;
+    double load = met ? answer->load : NAN, area_m2 = results->scene->nominal_area_m2;
     struct text asked = {0}, note = {0};
-    put_text(table, "surface", s->scene->name);
     text_add(&asked, "%s %s", target->how->key, target->text);
     answers_note(&note, answer, area_m2, 1, "");
-    put_word(table, "model", model_rows[m]->name);
-    put_text(table, "target", text_string(&asked));
-    put_number(table, "load_N", met ? answer->load * force_N : NAN);
-    put_number(table, "load_over_AnEp", met ? answer->load : NAN);
-    put_number(table, "low", answer->low);
-    put_number(table, "high", answer->high);
-    put_text(table, "note", text_string(&note));
-    end_row(table);
+    const struct answer_row row = {
+        .surface = s->scene->name,
+        .model = model_rows[m]->name,
+        .target = text_string(&asked),
+        .note = text_string(&note),
+        .load_N = load * scene_load_divisor(results->scene, UNIT_FORCE, &s->pair),
+        .load = load,
+        .interval = {answer->low, answer->high},
+        .quantity = quantity_rows[target->quantity].name,
+        .value = target->value,
+        .spots = answer->spots_per_m2 * area_m2,
+        .spots_by = isnan(answer->spots_per_m2) ? NULL : model_rows[answer->counted_by]->name,
+    };
+    if (table->objects)
+        json_array_append_new(table->objects, record_json(answer_fields, &row));
+    else {
+        put_fields(table, answer_fields, &row, 0);
+        end_row(table);
+    }
     text_free(&asked);
     text_free(&note);
 }
 
-static void fill_answers(struct table *table, const struct results *results)
+static void fill_answers(struct table *table, const struct results *results, size_t index)
 {
-    for (size_t i = 0; i < results->surface_count; i++)
-        for (size_t m = 0; m < model_count && results->surfaces[i].summary.usable; m++)
-            for (size_t t = 0; t < results->scene->target_count && plan_runs_model(results->plan, m); t++)
-                put_answer(table, results, i, m, t);
+    const struct surface_summary *s = &results->surfaces[index].summary;
+    for (size_t m = 0; m < model_count && s->usable; m++)
+        for (size_t t = 0; t < results->scene->target_count && plan_runs_model(results->plan, m); t++)
+            put_answer(table, results, s, m, t);
 }
 
-static void fill_unloading(struct table *table, const struct results *results)
+static void fill_unloading(struct table *table, const struct results *results, size_t index)
 {
-    for (size_t s = 0; s < results->surface_count; s++) {
-        const struct surface_summary *summary = &results->surfaces[s].summary;
-        const struct surface_unloading *unloading = summary->unloading;
-        for (size_t i = 0; unloading && i < unloading->ratio.count; i++) {
-            const struct contact_point *point = &unloading->points[i];
-            double load = point->value[QUANTITY_LOAD];
-            put_text(table, "surface", summary->scene->name);
-            put_word(table, "model", model_rows[unloading->model]->name);
-            put_number(table, "load_over_AnEp", load);
-            put_number(table, "largest_load_over_AnEp", unloading->largest_load);
-            for (int q = 0; q < QUANTITY_COUNT; q++)
-                if ((quantity_rows[q].is & QUANTITY_BANDED) && !quantity_rows[q].from &&
-                    (plan_quantities(results->plan) & QUANTITY_BIT(q))) {
-                    put_number(table, quantity_rows[q].name, point->value[q]);
-                    put(table, quantity_rows[q].name, "_over_loading",
-                        unloading_factor(&unloading->ratio, (enum quantity)q, load / unloading->largest_load));
-                }
-            end_row(table);
-        }
+    const struct surface_summary *summary = &results->surfaces[index].summary;
+    const struct surface_unloading *unloading = summary->unloading;
+    for (size_t i = 0; unloading && i < unloading->ratio.count; i++) {
+        const struct contact_point *point = &unloading->points[i];
+        double load = point->value[QUANTITY_LOAD];
+        put_text(table, "surface", summary->scene->name);
+        put_word(table, "model", model_rows[unloading->model]->name);
+        put_number(table, "load_over_AnEp", load);
+        put_number(table, "largest_load_over_AnEp", unloading->largest_load);
+        for (int q = 0; q < QUANTITY_COUNT; q++)
+            if ((quantity_rows[q].is & QUANTITY_BANDED) && !quantity_rows[q].from &&
+                (plan_quantities(results->plan) & QUANTITY_BIT(q))) {
+                put_number(table, quantity_rows[q].name, point->value[q]);
+                put(table, quantity_rows[q].name, "_over_loading",
+                    unloading_factor(&unloading->ratio, (enum quantity)q, load / unloading->largest_load));
+            }
+        end_row(table);
     }
 }
 
-static void put_direct(struct table *table, const struct results *results, const struct direct_study *study,
-                       enum direct_study_kind kind)
+static void fill_direct(struct table *table, const struct results *results, size_t index)
 {
+    const struct direct_study *study = &results->direct[index / DIRECT_STUDY_KINDS];
+    enum direct_study_kind kind = index % DIRECT_STUDY_KINDS;
     const struct direct_study_curve *curve = &study->curves[kind];
     for (size_t i = 0; curve->points && i < curve->loads; i++) {
         put_text(table, "surface", results->surfaces[study->surface].summary.scene->name);
@@ -526,55 +547,55 @@ static void put_direct(struct table *table, const struct results *results, const
     }
 }
 
-static void fill_direct(struct table *table, const struct results *results)
+static void fill_direct_ratio(struct table *table, const struct results *results, size_t index)
 {
-    for (size_t k = 0; k < results->direct_count; k++)
-        for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++)
-            put_direct(table, results, &results->direct[k], (enum direct_study_kind)kind);
+    const struct direct_study *study = &results->direct[index];
+    const struct material_pair *pair = results_pair(results, study->surface);
+    for (size_t m = 0; m < model_count; m++)
+        for (size_t i = 0; study->models[m].exists && i < study->curves[direct_study_kind_of(study, m)].loads; i++) {
+            put_text(table, "surface", results->surfaces[study->surface].summary.scene->name);
+            put_word(table, "model", model_rows[m]->name);
+            put_number(table, "load_over_AnEp", study->plan.load[i]);
+            for (int q = 0; q < QUANTITY_COUNT; q++)
+                if (quantity_rows[q].solved.ratio && (results->plan->wanted & QUANTITY_BIT(q)))
+                    put_number(table, quantity_rows[q].solved.ratio,
+                               direct_study_ratio(study, pair, m, (enum quantity)q, i));
+            end_row(table);
+        }
 }
 
-static void fill_direct_ratio(struct table *table, const struct results *results)
+json_t *tables_answers_json(const struct results *results)
 {
-    for (size_t k = 0; k < results->direct_count; k++)
-        for (size_t m = 0; m < model_count; m++) {
-            const struct direct_study *study = &results->direct[k];
-            size_t loads = study->curves[direct_study_kind_of(study, m)].loads;
-            for (size_t i = 0; study->models[m].exists && i < loads; i++) {
-                put_text(table, "surface", results->surfaces[study->surface].summary.scene->name);
-                put_word(table, "model", model_rows[m]->name);
-                put_number(table, "load_over_AnEp", study->plan.load[i]);
-                for (int q = 0; q < QUANTITY_COUNT; q++)
-                    if (quantity_rows[q].solved.ratio && (results->plan->wanted & QUANTITY_BIT(q)))
-                        put_number(
-                            table, quantity_rows[q].solved.ratio,
-                            direct_study_ratio(study, results_pair(results, study->surface), m, (enum quantity)q, i));
-                end_row(table);
-            }
-        }
+    struct table table = {.objects = json_array()};
+    for (size_t i = 0; i < results->surface_count; i++)
+        fill_answers(&table, results, i);
+    return table.objects;
 }
 
 enum status_code tables_write(const struct results *results, const char *directory, struct status *status)
 {
+    const struct plan *plan = results->plan;
+    const size_t surfaces = results->surface_count, studies = results->direct_count;
     const struct {
         const char *name;
-        bool wanted;
-        void (*fill)(struct table *table, const struct results *results);
+        size_t count; /* of what it has rows of; 0: there is no such table */
+        void (*fill)(struct table *table, const struct results *results, size_t index);
     } files[] = {
-        {"surfaces.csv", true, fill_surfaces},
-        {"sensitivity.csv", true, fill_sensitivity},
-        {"answers.csv", results->scene->target_count > 0, fill_answers},
-        {"unloading.csv", plan_runs(results->plan, EFFECT_UNLOADING), fill_unloading},
-        {"convergence.csv", results->convergence != NULL, fill_convergence},
-        {"direct.csv", results->direct != NULL, fill_direct},
-        {"direct_ratio.csv", results->direct != NULL, fill_direct_ratio},
-        {"cost.csv", results->benchmark != NULL, fill_cost},
-        {"spread.csv", results_intervals(results), fill_spread},
+        {"surfaces.csv", surfaces, fill_surface},
+        {"sensitivity.csv", surfaces, fill_sensitivity},
+        {"answers.csv", surfaces, fill_answers},
+        {"unloading.csv", plan_runs(plan, EFFECT_UNLOADING) ? surfaces : 0, fill_unloading},
+        {"convergence.csv", results->convergence ? CONVERGENCE_SWEEP_COUNT : 0, fill_convergence},
+        {"direct.csv", studies * DIRECT_STUDY_KINDS, fill_direct},
+        {"direct_ratio.csv", studies, fill_direct_ratio},
+        {"cost.csv", results->benchmark ? results->benchmark->count : 0, fill_cost},
+        {"spread.csv", results_intervals(results) ? surfaces : 0, fill_spread},
     };
     enum status_code rc = scene_bins_spectra(results->scene) ? STATUS_OK : write_curves(results, directory, status);
     for (size_t f = 0; f < sizeof files / sizeof *files && rc == STATUS_OK; f++) {
         struct table table = table_make(results, directory, files[f].name);
-        if (files[f].wanted)
-            files[f].fill(&table, results);
+        for (size_t i = 0; i < files[f].count; i++)
+            files[f].fill(&table, results, i);
         rc = table_close(&table, status);
     }
     return rc;

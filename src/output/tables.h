@@ -5,7 +5,7 @@
 #define OUTPUT_TABLES_H
 
 #include "base/threads.h"
-#include "results/results.h"
+#include "output/record.h"
 
 /** spectrum.csv, contact.csv and, where a curve has an interval, bands.csv below `directory`, surface by surface. */
 struct curve_tables;
@@ -26,14 +26,12 @@ MUST_CHECK enum status_code curve_tables_close(struct curve_tables *tables, stru
  */
 MUST_CHECK enum status_code tables_write(const struct results *results, const char *directory, struct status *status);
 
-/** What is said of a surface, number by number, under one name in surfaces.csv and results.json. */
-struct cell_column {
-    const char *name;
-    size_t offset;                                                /* in struct surface_summary */
-    enum { CELL_ALWAYS, CELL_OF_ASPERITIES, CELL_JSON } in_table; /* only when a model works on them; or never */
-};
-extern const struct cell_column cell_columns[];
-extern const size_t cell_column_count;
-double cell_column_of(const struct surface_summary *surface, size_t column);
+/** The answers to the scene's targets, as objects. */
+json_t *tables_answers_json(const struct results *results);
+
+/** What is said of a surface, of its repeated scans and of an answer, in data/ and in results.json. */
+extern const struct record_field surface_fields[], repeats_fields[], answer_fields[];
+/** Number `which` of a curve that may be known by an interval (curve_summary_estimate()); NULL: it never is. */
+const char *tables_estimate_key(int which);
 
 #endif

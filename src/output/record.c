@@ -1,0 +1,108 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "output/record.h"
+
+#include <math.h>
+#include <string.h>
+
+json_t *json_shown(const char *hostile)
+{
+    struct text shown = {0};
+    text_add_shown(&shown, hostile ? hostile : "");
+    json_t *json = hostile ? json_string(text_string(&shown)) : json_null();
+    text_free(&shown);
+    return json;
+}
+
+json_t *json_lines(const char *lines)
+{
+    json_t *array = json_array();
+    for (size_t length; *lines; lines += length + (lines[length] == '\n')) {
+        struct text line = {0};
+        length = strcspn(lines, "\n");
+        text_add_bytes(&line, lines, length);
+        json_array_append_new(array, json_shown(text_string(&line)));
+        text_free(&line);
+    }
+    return array;
+}
+
+json_t *json_finite(double value)
+{
+    return isfinite(value) ? json_real(value) : json_null();
+}
+
+void json_set(json_t *object, const char *key, double value)
+{
+    json_object_set_new(object, key, json_finite(value));
+}
+
+json_t *json_numbers(const double *values, size_t count)
+{
+    json_t *array = json_array();
+    for (size_t i = 0; i < count; i++)
+        json_array_append_new(array, json_finite(values[i]));
+    return array;
+}
+
+void json_set_all(json_t *object, const char *key, const double *values, size_t count)
+{
+    json_object_set_new(object, key, json_numbers(values, count));
+}
+
+static json_t *value_json(enum record_kind kind, const void *at)
+{
+    switch (kind) {
+    case RECORD_COUNT:
+        return json_integer((json_int_t) * (const size_t *)at);
+    case RECORD_TEXT:
+        return json_shown(*(const char *const *)at);
+    case RECORD_PAIR:
+        return json_numbers(at, 2);
+    case RECORD_FLAG:
+        return json_boolean(*(const bool *)at);
+    case RECORD_ESTIMATE:
+        return record_estimate_json(at);
+    default:
+        return json_finite(*(const double *)at);
+    }
+}
+
+json_t *record_json(const struct record_field *fields, const void *of)
+{
+    json_t *json = json_object();
+    for (const struct record_field *field = fields; field->key; field++)
+        if (field->when & RECORD_JSON)
+            json_object_set_new(json, field->key, value_json(field->kind, (const char *)of + field->offset));
+    return json;
+}
+
+#define FIELD(...) RECORD_FIELD(struct record_estimate, __VA_ARGS__)
+const struct record_field record_estimate_fields[] = {FIELD(COUNT, "scans", estimate.count, ALWAYS),
+                                                      FIELD(FLAG, "geometric", estimate.logarithmic, JSON),
+                                                      FIELD(NUMBER, "effective", estimate.effective, CSV),
+                                                      FIELD(NUMBER, "mean", value, ALWAYS),
+                                                      FIELD(NUMBER, "standard_deviation", estimate.sd, ALWAYS),
+                                                      FIELD(NUMBER, "standard_error", estimate.s, JSON),
+                                                      FIELD(NUMBER, "degrees_of_freedom", estimate.degrees, JSON),
+                                                      FIELD(NUMBER, "effective", estimate.effective, JSON),
+                                                      FIELD(PAIR, "mean_95", mean_95, JSON),
+                                                      FIELD(PAIR, "next_scan_95", next_95, JSON),
+                                                      FIELD(NUMBER, "mean_low_95", mean_95[0], CSV),
+                                                      FIELD(NUMBER, "mean_high_95", mean_95[1], CSV),
+                                                      FIELD(NUMBER, "next_scan_low_95", next_95[0], CSV),
+                                                      FIELD(NUMBER, "next_scan_high_95", next_95[1], CSV),
+                                                      {0}};
+
+struct record_estimate record_estimate(const struct estimate *estimate)
+{
+    return (struct record_estimate){.estimate = *estimate,
+                                    .value = estimate_value(estimate),
+                                    .mean_95 = {estimate_end(estimate, 0), estimate_end(estimate, 1)},
+                                    .next_95 = {estimate_next_end(estimate, 0), estimate_next_end(estimate, 1)}};
+}
+
+json_t *record_estimate_json(const struct estimate *estimate)
+{
+    const struct record_estimate record = record_estimate(estimate);
+    return record_json(record_estimate_fields, &record);
+}

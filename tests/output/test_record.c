@@ -1,0 +1,124 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "output/tables.h"
+#include "run/pipeline.h"
+
+#include <math.h>
+
+static int place_setup(void **state)
+{
+    static struct directory place;
+    place = directory_make();
+    pipeline_rough(&place, "in/rough-1.csv", 120, 1, 2);
+    pipeline_rough(&place, "in/rough-2.csv", 120, 1, 3);
+    directory_write(&place, "in/scene.yaml",
+                    "material: tin\nnominal_area: 1 mm2\nload: {from: 1e-5, to: 0.5, points: 11}\n"
+                    "models: [gw, strip]\ntargets: [{ecr: 1 mohm}]\n"
+                    "surfaces: [{name: rough, file: [rough-1.csv, rough-2.csv]}]\n");
+    assert_int_equal(pipeline_run(&place, "in", "out", 1), 0);
+    *state = &place;
+    return 0;
+}
+
+/** The columns from `first` on are the fields that are in tables, and no more where the record is the `whole` row. */
+static void assert_columns(const void *place, const char *name, size_t first, const struct record_field *fields,
+                           bool whole)
+{
+    struct table table = directory_table(place, name);
+    size_t column = first;
+    for (; fields->key; fields++)
+        if (fields->when & (RECORD_CSV | RECORD_ASPERITIES)) {
+            assert_true(column < table.columns);
+            assert_string_equal(table.cell[column++], fields->key);
+        }
+    assert_true(!whole || column == table.columns);
+    table_free(&table);
+}
+
+/** The keys from the first field's on are the fields that are in JSON, and no others where it is the `whole` object. */
+static void assert_keys(json_t *object, const struct record_field *fields, bool whole)
+{
+    void *at = json_object_iter(object);
+    while (fields->key && !(fields->when & RECORD_JSON))
+        fields++;
+    while (!whole && at && strcmp(json_object_iter_key(at), fields->key) != 0)
+        at = json_object_iter_next(object, at);
+    for (; fields->key; fields++)
+        if (fields->when & RECORD_JSON) {
+            assert_non_null(at);
+            assert_string_equal(json_object_iter_key(at), fields->key);
+            at = json_object_iter_next(object, at);
+        }
+    assert_true(!whole || !at);
+}
+
+/* A record's columns and its keys come from one table. */
+TEST_CASE(test_a_table_of_fields_is_header_and_keys)
+{
+    json_t *root = json_load_file(directory_path(*state, "out/results.json"), 0, NULL);
+    json_t *surface = json_array_get(json_object_get(root, "surfaces"), 0);
+    json_t *spread = json_object_get(surface, "spread");
+    assert_columns(*state, "out/data/surfaces.csv", 2, surface_fields, false);
+    assert_keys(surface, surface_fields, false);
+    assert_columns(*state, "out/data/answers.csv", 0, answer_fields, true);
+    assert_keys(json_array_get(json_object_get(root, "answers"), 0), answer_fields, true);
+    assert_columns(*state, "out/data/spread.csv", 2, record_estimate_fields, true);
+    assert_keys(json_object_get(spread, "rq_m"), record_estimate_fields, true);
+    assert_keys(spread, repeats_fields, true);
+    json_decref(root);
+}
+
+/* And the estimates have the same names in spread.csv and in results.json. */
+TEST_CASE(test_estimates_have_one_name)
+{
+    struct table spread = directory_table(*state, "out/data/spread.csv");
+    json_t *root = json_load_file(directory_path(*state, "out/results.json"), 0, NULL);
+    json_t *surface = json_array_get(json_object_get(root, "surfaces"), 0);
+    size_t found = 0;
+    for (size_t row = 0; row < spread.rows; row++) {
+        struct text quantity = {0};
+        const char *given = table_text(&spread, row, "quantity"), *end = strstr(given, "_gw");
+        text_add_bytes(&quantity, given, end ? (size_t)(end - given) : strlen(given));
+        char *middle = strstr(quantity.data, "_at_middle_load");
+        if (middle)
+            *middle = '\0';
+        json_t *of = json_object_get(json_object_get(json_object_get(surface, "models"), "gw"), "at_middle_load");
+        json_t *estimate = json_object_get(end ? of : json_object_get(surface, "spread"), quantity.data);
+        if (estimate) {
+            assert_near(json_number_value(json_object_get(estimate, "mean")), table_number(&spread, row, "mean"), 0);
+            found++;
+        }
+        assert_true(estimate || (!end && strstr(given, "_strip")));
+        text_free(&quantity);
+    }
+    assert_true(found > 5);
+    table_free(&spread);
+    json_decref(root);
+}
+
+/* One function writes a number, one a text, one what is missing. */
+TEST_CASE(test_every_kind_of_field)
+{
+    struct record {
+        double number, none, endless, pair[2];
+        const char *text, *missing;
+        size_t count;
+        bool flag;
+    };
+    const struct record record = {1.5, NAN, INFINITY, {1, NAN}, "a\x01", NULL, 3, true};
+#define FIELD(...) RECORD_FIELD(struct record, __VA_ARGS__)
+    static const struct record_field fields[] = {
+        FIELD(NUMBER, "number", number, ALWAYS), FIELD(NUMBER, "none", none, ALWAYS),
+        FIELD(NUMBER, "endless", endless, JSON), FIELD(PAIR, "pair", pair, JSON),
+        FIELD(TEXT, "text", text, ALWAYS),       FIELD(TEXT, "missing", missing, JSON),
+        FIELD(COUNT, "count", count, JSON),      FIELD(FLAG, "flag", flag, JSON),
+        FIELD(NUMBER, "elsewhere", number, CSV), {0}};
+#undef FIELD
+    json_t *json = record_json(fields, &record),
+           *expected = json_pack("{s:f, s:n, s:n, s:[f, n], s:s, s:n, s:i, s:b}", "number", 1.5, "none", "endless",
+                                 "pair", 1.0, "text", "a\\x01", "missing", "count", 3, "flag", true);
+    assert_true(json_equal(json, expected));
+    json_decref(json);
+    json_decref(expected);
+}
+
+TEST_GROUP(place_setup, directory_teardown)
