@@ -210,9 +210,10 @@ void joint_model_sd(double out[QUANTITY_COUNT], const struct contact_point *poin
     struct contact_point rougher = *point;
     for (int q = 0; q < QUANTITY_COUNT; q++) {
         out[q] = model_surface_sd(row, (enum quantity)q, longest_waves);
-        if (q == QUANTITY_AREA && row->plastic && out[q] > 0)
-            out[q] =
-                hypot(bearing_area_sd, out[q] * model_elastic_share(row, point, pressure_Pa / task->pair->hardness_Pa));
+        if (q == QUANTITY_AREA && row->plastic && out[q] > 0) { /* what exp(sd) times the elastic area makes of it */
+            double share = model_elastic_share(row, point, pressure_Pa / task->pair->hardness_Pa);
+            out[q] = hypot(bearing_area_sd, log1p(share * expm1(4 * out[q])) / 4);
+        }
         rougher.value[q] *= exp(q == QUANTITY_AREA ? -out[q] : out[q]);
     }
     if (!(model_sd(row, QUANTITY_AREA) > 0))

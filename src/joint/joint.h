@@ -72,9 +72,9 @@ void joint_apply(struct contact_point *points, const struct contact_spots *spots
                  const struct joint_task *task);
 
 /** Standard deviations of the logarithm of all quantities at a point that come of the model's own error
- * (model_surface_sd(), of the area its elastic share and bearing_area_sd): of what the joint makes of area, gap and
- * resistance, of all of them together, as on a rougher surface, with less area, a wider gap and more resistance. 0: not
- * counted in; what is NaN there is not known. */
+ * (model_surface_sd(), of a plastic area what bearing_area() makes of it, and bearing_area_sd): of what the joint makes
+ * of area, gap and resistance, of all of them together, as on a rougher surface, with less area, a wider gap and more
+ * resistance. 0: not counted in; what is NaN there is not known. */
 void joint_model_sd(double out[QUANTITY_COUNT], const struct contact_point *point, const struct model_row *row,
                     const struct joint_task *task, double longest_waves);
 
