@@ -470,7 +470,7 @@ const struct scene_key scene_keys[] = {
      .at = AT(operating), LOADS},
     {"unload_from", "with the effect unloading: the largest load that the contact has seen", read_one_load,
      .at = AT(unload_from), LOADS},
-    {"targets", "a list of {ecr, tcr, conductance, area or temperature: value}: the load that each takes",
+    {"targets", "a list of {ecr, tcr, conductance, gap, area or temperature: value}: the load that each takes",
      scene_asked_read, .at = 0},
     {"limits",
      "a mapping of such quantities, each {most: value} or {least: value}, at the operating load; `report --check` ends "

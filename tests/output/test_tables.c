@@ -14,7 +14,7 @@ static const char surfaces_columns[] =
 static const char spectrum_columns[] = "surface,wavelength_m,amplitude_m,fit_m";
 static const char contact_columns[] =
     "surface,model,load_over_AnEp,pressure_Pa,area_ratio,separation_m,separation_over_sigma,"
-    "adjusted_separation_over_sigma,ecr_ohm_m2,tcr_K_m2_per_W,tcr_sd_K_m2_per_W";
+    "adjusted_separation_over_sigma,ecr_ohm_m2,tcr_K_m2_per_W,tcr_sd_K_m2_per_W,gap_m";
 static const char convergence_columns[] = "sweep,value,model,wavelength_m,area_ratio";
 
 static const char everything[] =
@@ -282,7 +282,7 @@ TEST_CASE(test_what_does_not_run_leaves_nothing)
          false},
         {"models: [multiscale]\nconvergence: {scales: 9}\n",
          "surface,model,load_over_AnEp,pressure_Pa,area_ratio,separation_m,separation_over_sigma,ecr_ohm_m2,"
-         "tcr_K_m2_per_W,tcr_sd_K_m2_per_W",
+         "tcr_K_m2_per_W,tcr_sd_K_m2_per_W,gap_m",
          "multiscale-elastic multiscale-plastic", false, true},
         {"models: [statistical]\nconvergence: {scales: 9}\n", NULL, "gw jg", true, false},
     };
