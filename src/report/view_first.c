@@ -505,13 +505,20 @@ static enum limit_verdict worst_verdict(const struct view_source *source, size_t
     return worst;
 }
 
+/** A row of the table of all surfaces. */
 static void put_row(json_t *row, const struct view_source *source, size_t surface, bool lettered)
 {
     const struct comparison_ranking *ranking = &source->comparison->ranking;
     const struct contact_point at = comparison_middle(source->results, source->leading, surface);
     view_text(row, "surface", view_name(source, surface));
     view_number(row, "rq_um", view_summary(source, surface)->roughness.rq_m * 1e6, 3, "");
+    view_law(row, &view_summary(source, surface)->power_law);
     view_number(row, "area_percent", 100 * at.value[QUANTITY_AREA], DIGITS, "");
+    const struct quantity_unit gap = quantity_unit(QUANTITY_MEAN_GAP);
+    const struct estimate *known =
+        curve_summary_estimate(surface_model(view_summary(source, surface), source->leading), QUANTITY_MEAN_GAP);
+    view_number(row, "gap", gap.scale * at.value[QUANTITY_MEAN_GAP], DIGITS, "");
+    view_interval(row, "gap_interval", gap.scale * estimate_end(known, 0), gap.scale * estimate_end(known, 1), DIGITS);
     put_value(view_part(row, "value"), source, surface);
     if (source->asked.target)
         put_answer(view_part(row, "answer"), source, answer_of(source, surface, source->leading), surface);
@@ -535,6 +542,10 @@ static void put_table(json_t *out, const struct view_source *source)
             put_row(view_item(rows), source, i, lettered);
     view_flag(out, "has_limits", results->scene->limit_count > 0);
     view_flag(out, "has_letters", lettered);
+    view_flag(out, "has_area", !source->asked.target && source->asked.quantity != QUANTITY_AREA);
+    view_flag(out, "has_gap",
+              results->scene->limit_count == 0 && source->asked.quantity != QUANTITY_MEAN_GAP &&
+                  (plan_quantities(results->plan) & QUANTITY_BIT(QUANTITY_MEAN_GAP)));
     if (results->usable_count > VIEW_ROWS)
         view_count(out, "rows_left_out", results->usable_count - VIEW_ROWS);
     if (results->usable_count < results->surface_count)

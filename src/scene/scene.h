@@ -74,6 +74,7 @@ struct scene_convergence {
     double load;         /* P/(A_n E') */
     double scan_length_m;
     size_t scales;
+    bool given; /* the scene has the key */
 };
 
 /** Which mean free path the scale dependence of TCR takes where a material does not give one. */
@@ -166,6 +167,7 @@ struct scene {
     enum roughness_moments moments;
     enum sinusoid_fit_id closure;
     enum scene_data data;
+    char *template; /* a file of DIR that the report is filled from; NULL: the program's */
     char *baseline; /* surface name, NULL: the second smoothest */
     struct scene_convergence convergence;
     struct scene_direct direct;

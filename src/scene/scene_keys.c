@@ -249,6 +249,8 @@ static bool read_convergence(struct scene_source *source, const struct scene_key
         {"scales", NULL, SCENE_WHOLE(BENCHMARK(scales), 1, 1e6)},
     };
     size_t lines[SCENE_COUNT(keys)];
+    struct scene_convergence *convergence = field;
+    convergence->given = true;
     return scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys), lines, field);
 }
 
@@ -506,6 +508,9 @@ const struct scene_key scene_keys[] = {
      SCENE_QUANTITY(AT(lambda_c_m), UNIT_DISTANCE, 1e-12, 1e3), .word = "none", .alias = "lambda_c_m"},
     {"tip_radius", "of the stylus: warns where the surface is sharper; default: none",
      SCENE_QUANTITY(AT(tip_radius_m), UNIT_DISTANCE, 1e-12, 1.0), .word = "none", .alias = "tip_radius_m"},
+    {"template",
+     "a file in DIR that the report is filled from (docs/templates.md), below `--template`; default: the program's",
+     scene_source_text, .at = AT(template)},
     {"baseline", "the surface of the one-surface comparison; default: the second smoothest", scene_source_text,
      .at = AT(baseline)},
     {"direct",
