@@ -10,8 +10,8 @@ struct benchmark_row {
     size_t model;
     double tolerance;
     uint64_t evaluations; /* of the law or of scales; the same on every machine */
-    double seconds;       /* of one core, least of several runs; without the strips or squares that it takes ratios of */
-    double error;         /* largest relative error over the quantities and loads, against the finest */
+    double seconds; /* of one core, least of several runs; without the strips or squares that it takes ratios of */
+    double error;   /* largest relative error over the quantities and loads, against the finest */
 };
 
 enum { BENCHMARK_STEPS = 4, BENCHMARK_ROWS = 64 * BENCHMARK_STEPS };

@@ -185,6 +185,70 @@ static bool area_is_pressed(const struct view_source *source)
     return true;
 }
 
+/** Most over least of a model's answers in order of roughness; *rises: each is above the one before. 0: one has none.
+ */
+static double spread_of(const struct view_source *source, size_t m, bool *rises)
+{
+    double least = INFINITY, most = 0, before = -INFINITY;
+    *rises = true;
+    for (size_t k = 0; k < source->results->usable_count; k++) {
+        double value = value_of(source, m, source->results->by_roughness[k]);
+        if (!(value > 0 && isfinite(value)))
+            return 0;
+        *rises = *rises && value > before * (1 + source->results->scene->tolerance);
+        least = fmin(least, value);
+        most = fmax(most, value);
+        before = value;
+    }
+    return most / least;
+}
+
+/** A model's answers from the smoothest surface to the roughest: all of four, else the two ends. */
+static void put_in_order(json_t *item, const struct view_source *source, size_t m)
+{
+    struct text text = {0};
+    const size_t count = source->results->usable_count;
+    for (size_t k = 0; k<count; k += count> 4 ? count - 1 : 1) {
+        text_add(&text, k == 0 ? "" : count > 4 ? "\u00a0…\u00a0" : ", ");
+        number_format(&text, value_of(source, m, source->results->by_roughness[k]), 3);
+    }
+    text_add(&text, source->asked.unit[0] ? "\u00a0%s" : "%s", source->asked.unit);
+    view_text(item, "values", text_string(&text));
+    text_free(&text);
+}
+
+/** Where all models of the thesis run: by which the answer rises from the smoothest surface to the roughest, and by how
+ * much by the one that spreads it most, and by the leading one. */
+static void put_by_roughness(json_t *out, const struct view_source *source)
+{
+    const struct results *results = source->results;
+    bool rises, all = results->usable_count > 1;
+    size_t widest = model_count;
+    double most = 0;
+    for (size_t m = 0; m < model_count; m++)
+        all = all && (model_rows[m]->thesis_place == 0 || plan_runs_model(results->plan, m));
+    if (!all)
+        return;
+    for (size_t m = 0; m < model_count; m++)
+        if (model_rows[m]->thesis_place > 0 && model_rows[m]->plastic == model_rows[source->leading]->plastic &&
+            spread_of(source, m, &rises) > most && rises) {
+            most = spread_of(source, m, &rises);
+            widest = m;
+        }
+    json_t *item = view_part(out, "by_roughness"), *rising = view_list(item, "rising"),
+           *others = view_list(item, "others");
+    for (size_t m = 0; m < model_count; m++)
+        if ((model_rows[m]->thesis_place > 0 || m == source->leading) && spread_of(source, m, &rises) > 0) {
+            json_t *row = view_item(rises ? rising : others);
+            view_text(row, "label", model_rows[m]->label);
+            if (m == widest || m == source->leading)
+                put_in_order(row, source, m);
+        }
+    view_flag(item, "has_rising", json_array_size(rising) > 0);
+    view_separate(rising);
+    view_separate(others);
+}
+
 /** The surfaces that have no place in the ranking: some by name, the others counted. */
 static void put_untested(json_t *out, const struct view_source *source)
 {
@@ -660,6 +724,7 @@ void view_first_page(json_t *out, const struct view_source *source)
     put_other_targets(out, source);
     put_spots(out, source);
     put_ranking(out, source);
+    put_by_roughness(out, source);
     for (size_t i = 0; i < results->surface_count; i++)
         if (results_measured(results, i) && json_array_size(view_list(out, "measured")) < VIEW_ROWS)
             put_measured_on(view_item(view_list(out, "measured")), source, i);

@@ -112,7 +112,7 @@ static enum cell empty_in_contact(const struct table *table, size_t row, const c
     unsigned quantity = quantity_of(column);
     return quantity && !(quantity_with_made(model->quantities) & quantity) ? CELL_EMPTY
            : quantity_with_made(model->may_be_empty) & quantity            ? CELL_EITHER
-                                                       : CELL_NUMBER;
+                                                                           : CELL_NUMBER;
 }
 
 static enum cell empty_in_surfaces(const struct table *table, size_t row, const char *column)

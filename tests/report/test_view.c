@@ -733,7 +733,8 @@ TEST_CASE(bodies_are_those_of_the_surfaces)
     made_up_surface(&made, 1)->pair.hardness_Pa = NAN;
     made_up_again(&made);
     report = report_of(&made);
-    assert_says(&report, "Bodies: gold against a rigid flat on *beta* and 1 more; silver against a rigid flat on *alpha*. ");
+    assert_says(&report,
+                "Bodies: gold against a rigid flat on *beta* and 1 more; silver against a rigid flat on *alpha*. ");
     assert_says(&report, "| 100 | 284 |\n");
     assert_says(&report, "| 100 | – |\n");
     assert_silent(&report, "hardness  MPa");
