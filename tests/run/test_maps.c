@@ -98,7 +98,7 @@ TEST_IN_DIRECTORY(what_leads)
 }
 
 /** Two maps of one spacing are pressed together as they are; of two spacings, or against a line scan, their rows are.
- */
+ * What leads has an interval, in the last two cases that of a row's records and quarters. */
 TEST_IN_DIRECTORY(two_rough_bodies)
 {
     write_map(place, "in/a.csv", 1, 1);
@@ -108,9 +108,15 @@ TEST_IN_DIRECTORY(two_rough_bodies)
     static const char *const others[] = {"b.csv", "c.csv", "line.csv"};
     for (int k = 0; k < 3; k++) {
         struct text scene = {0};
-        text_add(&scene, MATERIAL "surfaces: [" MAP("a") "]\ncounterface: {surface: %s}\n", others[k]);
+        text_add(&scene,
+                 "material: bronze\nload: {from: 1e-5, to: 1e-2, points: 9}\nsurfaces: [" MAP(
+                     "a") "]\n"
+                          "counterface: {surface: %s}\n",
+                 others[k]);
         run_scene(place, "pair", text_string(&scene));
-        assert_true((rows_of(place, "pair/data/contact.csv", "direct") > 5) == (k == 0));
+        assert_true((rows_of(place, "pair/data/contact.csv", "direct-plastic") > 5) == (k == 0));
+        assert_true((rows_of(place, "pair/data/bands.csv", "direct-plastic") > 5) == (k == 0));
+        assert_true((rows_of(place, "pair/data/bands.csv", "strip-plastic") > 5) == (k > 0));
         text_free(&scene);
     }
 }
