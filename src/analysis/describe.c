@@ -71,10 +71,12 @@ enum status_code describe_repeats(struct surface_record *record, struct status *
     return repeats_rq(&repeats->rq_m, set, status);
 }
 
-/** Keeps the heights of the first scan where records like it may be simulated. */
+/** Keeps the heights of the first scan, or of a row in the middle of the first map, where records like it may be
+ * simulated. */
 static void keep_first(struct surface_record *record, const struct power_law_scans *scans, const struct scene *scene)
 {
-    struct member *part = &record->ensemble.members[0];
+    const struct ensemble *set = &record->ensemble;
+    struct member *part = &set->members[set->members[0].is_row ? set->count / 2 : 0];
     if (!part->height_m || part->points < SIMULATED_RECORD_LEAST_POINTS ||
         !(scene->effects_auto || (scene->effects & EFFECT_BIT(EFFECT_UNCERTAINTY))) ||
         (scans->scan_count > 0 && !simulated_record_possible(scans->scan[0].amplitude_m, part->points)))
@@ -106,7 +108,7 @@ enum status_code describe_conclude(struct surface_record *record, struct power_l
         return status->code;
     if (set->keeps_heights && record->strips.rows.rows == 0)
         note_add(&record->summary.notes, NULL, "no strip transfer: its scans differ in spacing or points");
-    if (set->count == 1 || paired)
+    if (set->count == 1 || set->scan_count == 1 || paired)
         keep_first(record, scans, scene);
     if (set->count == 1) { /* the surface itself */
         ensemble_free(set);
@@ -297,7 +299,7 @@ static enum status_code conclude(struct surface_record *record, struct power_law
                         describe_counterface(record, scans, counterface, status) != STATUS_OK))
         return status->code;
     if (record->summary.scene != &scene->counterface_surface &&
-        (record->ensemble.count > 1 || (counterface && !counterface->height_m))) {
+        (record->ensemble.scan_count > 1 || (counterface && !counterface->height_m))) {
         free(record->height_m); /* scans, or pairs of them, speak for themselves */
         record->height_m = NULL;
         record->summary.single_points = 0;

@@ -120,7 +120,7 @@ static void decide_uncertainty(struct plan *plan, const struct surface_record *s
 {
     struct plan_effect *effect = &plan->effects[EFFECT_UNCERTAINTY];
     size_t single = 0;
-    for (size_t i = 0; i < count; i++)
+    for (size_t i = 0; i < count && !model_rows[plan_leading_model(plan)]->uses_map; i++)
         single += surfaces[i].summary.usable && surfaces[i].summary.single_points > 0;
     snprintf(effect->reason, sizeof effect->reason, "%zu surface%s with one scan that records can be simulated of",
              single, single == 1 ? "" : "s");

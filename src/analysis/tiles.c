@@ -12,11 +12,12 @@ const double tiles_budget = 5e10;
 
 enum { LEAST_SIDE = 32, LEAST_POINTS = 12 /* in contact of what is not mirrored */ };
 
-static const double tolerance = 1e-5; /* moves no number by 1 % */
-static const double enough = 0.97;    /* of area, from which on no heavier load is solved */
+static const double tolerance = 1e-5;             /* moves no number by 1 % */
+static const double coarse = 0.9, closest = 1.15; /* steps of logit A, and loads */
+static const double enough = 0.97;                /* of area, from which on no heavier load is solved */
 static const double pairs_elastic =
-                        1100, /* of transforms that a square takes, with what tells its error, as measured */
-    pairs_capped = 1100;
+                        1300, /* of transforms that a square takes, with what tells its error, as measured */
+    pairs_capped = 1300;
 
 void tiles_free(struct tiles *tiles)
 {
@@ -182,36 +183,69 @@ static enum status_code spectrum_of_all(struct spectrum *out, const struct tiles
 
 /** What one map is solved for. */
 struct ladder {
-    double load[TRANSFER_CAPPED];
-    size_t loads;
+    double load[TRANSFER_LOADS];
+    size_t loads, least; /* points in contact, below which it tells nothing */
     double hardness;
     const size_t *only; /* these `count` loads; NULL: all */
     size_t count;
     const atomic_bool *stop;
 };
 
-/** Solves a map at the loads of the ladder; the others, and what tells nothing, become NaN. */
-static enum status_code solve(struct transfer_point *out, const struct direct_map *map, const struct ladder *ladder,
-                              uint64_t *transforms, struct status *status)
+static enum status_code solve_load(struct transfer_point *out, struct direct_contact *contact, double load,
+                                   const struct ladder *ladder, uint64_t *transforms, struct status *status)
+{
+    const struct direct_ladder_def one = {&load, 1, ladder->hardness, tolerance, true, ladder->stop};
+    struct direct_point point;
+    *out = (struct transfer_point){load, NAN, NAN, NAN};
+    if (direct_ladder_run(&point, contact, &one, status) != STATUS_OK)
+        return status->code;
+    *transforms += point.convolutions * contact->kernel.points;
+    if (point.exists && point.quantities.contact_points >= ladder->least)
+        *out = (struct transfer_point){load, point.quantities.area_ratio, point.quantities.gap_m, point.constriction_m};
+    return STATUS_OK;
+}
+
+/** Where contact grows by more from one load to the next than a line tells, the first of them; 0: nowhere. */
+static size_t coarsest(const struct transfer_point *point, size_t loads)
+{
+    size_t at = 0;
+    double most = coarse;
+    for (size_t k = 1; k < loads; k++) {
+        double area[2] = {fmin(point[k - 1].area_ratio, enough), fmin(point[k].area_ratio, enough)};
+        double grown = log(area[1] / area[0] * (1 - area[0]) / (1 - area[1]));
+        if (isnan(point[k - 1].area_ratio) || point[k].load < closest * point[k - 1].load || !(grown > most))
+            continue;
+        most = grown;
+        at = k;
+    }
+    return at;
+}
+
+/** Solves a map at the loads of the ladder, to which it adds some if `refine`; the others, and what tells nothing,
+ * become NaN. */
+static enum status_code solve(struct transfer_point *out, const struct direct_map *map, struct ladder *ladder,
+                              bool refine, uint64_t *transforms, struct status *status)
 {
     struct direct_contact contact;
-    size_t least = LEAST_POINTS * (map->mirrored ? 4 : 1), all = ladder->only ? ladder->count : ladder->loads;
+    size_t all = ladder->only ? ladder->count : ladder->loads, at;
+    ladder->least = LEAST_POINTS * (map->mirrored ? 4 : 1);
     for (size_t i = 0; i < ladder->loads; i++)
         out[i] = (struct transfer_point){ladder->load[i], NAN, NAN, NAN};
     if (direct_contact_make(&contact, map->height_m, map->n, map->n, map->spacing_m, status) != STATUS_OK)
         return status->code;
     for (size_t k = 0; k < all && status->code == STATUS_OK; k++) {
         size_t i = ladder->only ? ladder->only[k] : k;
-        const struct direct_ladder_def one = {&ladder->load[i], 1, ladder->hardness, tolerance, true, ladder->stop};
-        struct direct_point point;
-        if (direct_ladder_run(&point, &contact, &one, status) != STATUS_OK)
+        if (solve_load(&out[i], &contact, ladder->load[i], ladder, transforms, status) != STATUS_OK ||
+            out[i].area_ratio > enough)
             break;
-        *transforms += point.convolutions * map->n * map->n;
-        if (point.exists && point.quantities.contact_points >= least)
-            out[i] = (struct transfer_point){ladder->load[i], point.quantities.area_ratio, point.quantities.gap_m,
-                                             point.constriction_m};
-        if (point.quantities.area_ratio > enough)
-            break;
+    }
+    while (refine && status->code == STATUS_OK && ladder->loads < TRANSFER_LOADS &&
+           (at = coarsest(out, ladder->loads)) > 0) {
+        double load = sqrt(ladder->load[at - 1] * ladder->load[at]);
+        memmove(out + at + 1, out + at, (ladder->loads - at) * sizeof *out);
+        memmove(ladder->load + at + 1, ladder->load + at, (ladder->loads++ - at) * sizeof *ladder->load);
+        ladder->load[at] = load;
+        (void)solve_load(&out[at], &contact, load, ladder, transforms, status);
     }
     direct_contact_free(&contact);
     return status->code;
@@ -242,7 +276,7 @@ static enum status_code find_errors(struct transfer_errors *out, const struct di
                                     struct transfer_point *const *square, size_t count, struct ladder ladder,
                                     uint64_t *transforms, struct status *status)
 {
-    struct transfer_point part[DIRECT_MAP_PARTS][TRANSFER_CAPPED] = {0};
+    struct transfer_point part[DIRECT_MAP_PARTS][TRANSFER_LOADS] = {0};
     size_t only[TRANSFER_ERRORS];
     bool quartered = count < 4; /* a periodic map too: it is one of many of its surface */
     ladder.only = only;
@@ -256,7 +290,7 @@ static enum status_code find_errors(struct transfer_errors *out, const struct di
             continue;
         if (direct_map_take(&taken, map, (enum direct_map_part)p, status) != STATUS_OK)
             return status->code;
-        (void)solve(part[p], &taken, &ladder, transforms, status);
+        (void)solve(part[p], &taken, &ladder, false, transforms, status);
         direct_map_free(&taken);
         if (status->code != STATUS_OK)
             return status->code;
@@ -322,15 +356,15 @@ static enum status_code solve_squares(struct tiles *tiles, struct transfer_squar
         }
         if (s == 0) {
             gradient = sqrt(2 * spectrum_moment(&square[s].spectrum, 1));
-            for (size_t k = 0; k < TRANSFER_LOADS; k++)
+            for (size_t k = 0; k < TRANSFER_LADDER; k++)
                 ladder[0].load[k] = transfer_ladder[k] * gradient;
-            ladder[0].loads = TRANSFER_LOADS;
+            ladder[0].loads = TRANSFER_LADDER;
             ladder[1].loads = transfer_capped_loads(ladder[1].load, gradient, ladder[1].hardness);
         }
+        if (solve(square[s].elastic, own, &ladder[0], s == 0, &tiles->transforms, status) == STATUS_OK)
+            (void)solve(square[s].capped, own, &ladder[1], s == 0, &tiles->transforms, status);
         square[s].elastic_count = ladder[0].loads;
         square[s].capped_count = ladder[1].loads;
-        if (solve(square[s].elastic, own, &ladder[0], &tiles->transforms, status) == STATUS_OK)
-            (void)solve(square[s].capped, own, &ladder[1], &tiles->transforms, status);
         if (status->code == STATUS_OK)
             (void)take_bearing(square[s].bearing, own, status);
         direct_map_free(&map);

@@ -20,7 +20,8 @@ static const double height_seconds = 0.25e-6, record_seconds = 1.3e-3;
 
 bool uncertainty_holds(const struct plan *plan, size_t model)
 {
-    return plan_runs_model(plan, model) && (plan->all_uncertain || model == plan_leading_model(plan));
+    return plan_runs_model(plan, model) && !model_rows[model]->uses_map &&
+           (plan->all_uncertain || model == plan_leading_model(plan));
 }
 
 /** First, middle (where the summary stands) and last of the task's loads, each once; how many. */
