@@ -249,6 +249,20 @@ static void put_by_roughness(json_t *out, const struct view_source *source)
     view_separate(others);
 }
 
+/** What `accuracy` chose, and whether it is as good as that. */
+static void put_chosen(json_t *out, const struct view_source *source)
+{
+    const struct plan *plan = source->results->plan;
+    const double accuracy = source->results->scene->accuracy;
+    if (!(plan->chosen_rms > 0))
+        return;
+    json_t *item = view_part(out, "chosen");
+    view_number(item, "percent", 100 * accuracy, DIGITS, "");
+    view_number(item, "factor", exp(plan->chosen_rms), DIGITS, "");
+    view_flag(item, "met", expm1(plan->chosen_rms) <= accuracy);
+    view_flag(item, "one_scan", plan->one_scan);
+}
+
 /** The surfaces that have no place in the ranking: some by name, the others counted. */
 static void put_untested(json_t *out, const struct view_source *source)
 {
@@ -725,6 +739,7 @@ void view_first_page(json_t *out, const struct view_source *source)
     put_spots(out, source);
     put_ranking(out, source);
     put_by_roughness(out, source);
+    put_chosen(out, source);
     for (size_t i = 0; i < results->surface_count; i++)
         if (results_measured(results, i) && json_array_size(view_list(out, "measured")) < VIEW_ROWS)
             put_measured_on(view_item(view_list(out, "measured")), source, i);

@@ -25,6 +25,7 @@ static struct scene default_scene(void)
         .nominal_area_m2 = NAN,
         .load = {.from = 1e-6, .to = 0.1, .points = 121, .kind = UNIT_NUMBER},
         .tolerance = 1e-6,
+        .accuracy = NAN,
         .level = LEVEL_LINE,
         .max_missing = 0.1,
         .window = SPECTRUM_WINDOW_AUTO,
@@ -103,6 +104,7 @@ static bool override_values(struct scene *scene, struct scene_source *source, co
     } all[] = {{"material", overrides->material},
                {"effects", overrides->effects},
                {"tolerance", overrides->tolerance},
+               {"accuracy", overrides->accuracy},
                {"export", overrides->exports}};
     for (size_t i = 0; i < SCENE_COUNT(all); i++)
         for (size_t k = 0; k < scene_key_count && all[i].text; k++)

@@ -479,6 +479,10 @@ const struct scene_key scene_keys[] = {
      "with 5 where one is missed",
      scene_asked_read, .at = 0},
     {"tolerance", "relative, of every reported number; default: 1e-6", SCENE_NUMBER(AT(tolerance), 1e-14, 0.1)},
+    {"accuracy",
+     "that the answer is to be expected within, as 30 %: of the models that docs/validation.md finds as good the "
+     "cheapest runs alone; default: none is asked, and all run",
+     SCENE_QUANTITY(AT(accuracy), UNIT_NUMBER | UNIT_PERCENT, 1e-3, 1e3)},
     {"level", "what is taken out of a scan; default: line, of a periodic record the mean alone",
      SCENE_CHOICE(AT(level), level_names)},
     {"window", "of the spectrum; default: auto, none for a periodic record, else Hann",
