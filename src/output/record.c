@@ -49,7 +49,7 @@ void json_set_all(json_t *object, const char *key, const double *values, size_t 
     json_object_set_new(object, key, json_numbers(values, count));
 }
 
-static json_t *value_json(enum record_kind kind, const void *at)
+json_t *record_value_json(enum record_kind kind, const void *at)
 {
     switch (kind) {
     case RECORD_COUNT:
@@ -72,7 +72,7 @@ json_t *record_json(const struct record_field *fields, const void *of)
     json_t *json = json_object();
     for (const struct record_field *field = fields; field->key; field++)
         if (field->when & RECORD_JSON)
-            json_object_set_new(json, field->key, value_json(field->kind, (const char *)of + field->offset));
+            json_object_set_new(json, field->key, record_value_json(field->kind, (const char *)of + field->offset));
     return json;
 }
 

@@ -34,6 +34,8 @@ struct record_field {
         key, RECORD_##kind, RECORD_##when, offsetof(of, member)                                                        \
     }
 
+/** A value of that kind. */
+json_t *record_value_json(enum record_kind kind, const void *at);
 /** The fields that are in JSON, as an object. */
 json_t *record_json(const struct record_field *fields, const void *of);
 

@@ -157,6 +157,26 @@ TEST_CASE(documents_are_made_of_the_keys)
         text_add(&manual, "\n%s", k + 1 < scene_key_count ? ".TP\n" : "");
         text_free(&values);
     }
+    struct scene scene = {0};
+    struct text schema = {0};
+    struct scene_said said;
+    for (size_t k = 0; scene_said(&said, &scene, k); k++) {
+        const struct scene_key *key = &scene_keys[k];
+        if (said.kind == SCENE_SAID_APART)
+            continue;
+        text_add(&schema, "    \"%s\": {", said.key);
+        if (said.kind != SCENE_SAID_TEXT)
+            text_add(&schema, "\"$ref\": \"#/$defs/%s\"", said.kind == SCENE_SAID_NUMBER ? "number" : "count");
+        else if (key->choice_count == 0)
+            text_add(&schema, "\"type\": [\"string\", \"null\"]");
+        for (size_t c = 0; c < key->choice_count; c++)
+            text_add(&schema, "%s\"%s\"%s", c == 0 ? "\"enum\": [" : ", ", key->choices[c],
+                     c + 1 == key->choice_count ? "]" : "");
+        text_add(&schema, "},\n");
+    }
+    check_made("docs/results.schema.json", "\"flatness_m\": {\"$ref\": \"#/$defs/numbers\"},\n", &schema,
+               "    \"models\": {");
+    text_free(&schema);
     check_made("docs/scene.md", "| key | may be | what it says |\n|---|---|---|\n", &page, "\n**Quantities**");
     check_made("docs/roughcontact.1", "14 MPa, 10 %.\n.TP\n", &manual, ".SH EXIT STATUS\n");
     text_free(&page);
