@@ -56,6 +56,8 @@ json_t *record_value_json(enum record_kind kind, const void *at)
         return json_integer((json_int_t) * (const size_t *)at);
     case RECORD_TEXT:
         return json_shown(*(const char *const *)at);
+    case RECORD_CHARACTERS:
+        return json_shown(at);
     case RECORD_PAIR:
         return json_numbers(at, 2);
     case RECORD_FLAG:

@@ -12,9 +12,10 @@ enum record_kind {
     RECORD_COUNT,  /* size_t */
     RECORD_TEXT,   /* const char *, which may hold anything; NULL: an empty cell, null */
     /* in JSON alone: */
-    RECORD_PAIR,    /* two doubles one after another */
-    RECORD_FLAG,    /* bool */
-    RECORD_ESTIMATE /* struct estimate */
+    RECORD_CHARACTERS, /* an array of char: a text */
+    RECORD_PAIR,       /* two doubles one after another */
+    RECORD_FLAG,       /* bool */
+    RECORD_ESTIMATE    /* struct estimate */
 };
 
 /** Bits of a field's `when`: it is there in the kinds of record, and under the conditions, named. */

@@ -148,9 +148,7 @@ TEST_CASE(test_roughness_profile)
     assert_int_equal(with.filtered.sampling_lengths, 7);
     assert_memory_equal(with.primary.value, without.primary.value, sizeof with.primary.value);
     assert_true(parameters_value(&with.filtered, "q") < parameters_value(&with.primary, "q"));
-    json_t *object = json_object(), *parameters;
-    inspection_add_json(object, &with);
-    parameters = json_object_get(object, "parameters");
+    json_t *object = inspection_json("nist_npl_edm.xml", &with), *parameters = json_object_get(object, "parameters");
     assert_near(number(parameters, "lambda_c_m"), 8e-4, 1e-12);
     assert_true(json_is_null(json_object_get(parameters, "lambda_s_m")));
     assert_near(number(parameters, "Rq"), parameters_value(&with.filtered, "q"), 0);
