@@ -153,6 +153,46 @@ TEST_CASE(test_every_key_of_the_scene_is_told)
     json_decref(root);
 }
 
+/* What the view words, in a unit that its name ends in, is what results.json has in SI. */
+TEST_CASE(test_the_views_units)
+{
+    static const struct {
+        const char *shown, *key;
+        double scale;
+    } numbers[] = {{"rq_um", "rq_m", 1e6},
+                   {"ra_um", "ra_m", 1e6},
+                   {"length_mm", "scan_length_m", 1e3},
+                   {"spacing_um", "spacing_m", 1e6}};
+    json_t *root = read_json(*state, "out/results.json"), *view = read_json(*state, "out/view.json"), *row;
+    size_t i;
+    json_array_foreach(json_object_get(json_object_get(view, "surfaces"), "rows"), i, row)
+    {
+        const json_t *surface = json_surface(root, json_string_value(json_object_get(row, "surface")));
+        for (size_t n = 0; n < sizeof numbers / sizeof *numbers; n++) {
+            const char *shown = json_string_value(json_object_get(row, numbers[n].shown));
+            assert_near(strtod(shown, NULL),
+                        json_number_value(json_object_get(surface, numbers[n].key)) * numbers[n].scale,
+                        5e-3); /* three digits */
+        }
+        double low = NAN, high = NAN;
+        const char *band = json_string_value(json_object_get(row, "band_um"));
+        if (band && sscanf(band, "%lf to %lf", &low, &high) == 2) {
+            assert_near(low, json_number_value(json_object_get(surface, "fit_low_m")) * 1e6, 5e-3);
+            assert_near(high, json_number_value(json_object_get(surface, "fit_high_m")) * 1e6, 5e-3);
+        }
+    }
+    assert_int_equal(i, 3);
+    json_t *sources = json_object_get(json_object_get(view, "surfaces"), "bodies"),
+           *body = json_object_get(json_array_get(sources, 0), "body");
+    const json_t *scene = json_object_get(root, "scene");
+    assert_near(strtod(json_string_value(json_object_get(body, "modulus_GPa")), NULL),
+                json_number_value(json_object_get(scene, "effective_modulus_Pa")) * 1e-9, 5e-3);
+    assert_near(strtod(json_string_value(json_object_get(body, "hardness_MPa")), NULL),
+                json_number_value(json_object_get(scene, "hardness_Pa")) * 1e-6, 5e-3);
+    json_decref(view);
+    json_decref(root);
+}
+
 /* Single scans too are told apart by Welch's test, of all pairs: then 1 lies outside the interval of their ratio. */
 TEST_CASE(test_the_ratios)
 {
