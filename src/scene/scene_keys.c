@@ -544,12 +544,10 @@ bool scene_said(struct scene_said *out, const struct scene *scene, size_t k)
         return false;
     const struct scene_key *key = &scene_keys[k];
     const void *at = (const char *)scene + key->at;
-    bool of_effect = false;
-    for (int e = 0; e < EFFECT_COUNT; e++)
-        of_effect = of_effect || (effect_rows[e].key && strcmp(effect_rows[e].key, key->name) == 0);
     *out = (struct scene_said){.key = key->alias ? key->alias : key->name, .at = at};
-    if (of_effect)
-        return true;
+    for (int e = 0; e < EFFECT_COUNT; e++)
+        if (effect_rows[e].key && strcmp(effect_rows[e].key, key->name) == 0)
+            return true;
     if (key->read == scene_source_choice)
         out->at = &key->choices[*(const unsigned *)at];
     out->kind = key->read == scene_source_quantity                                   ? SCENE_SAID_NUMBER

@@ -5,6 +5,7 @@
 #include "cli/process.h"
 #include "contact/quantity.h"
 #include "material/material.h"
+#include "output/tables.h"
 #include "scene/scene_source.h"
 
 #include <stdio.h>
@@ -204,6 +205,40 @@ TEST_CASE(documents_are_made_of_the_quantities)
                "    \"operating\": {");
     text_free(&page);
     text_free(&schema);
+}
+
+/** The fields of a record that are in JSON, as properties of the schema; the last ends with `end`. */
+static void add_properties(struct text *out, const struct record_field *fields, const char *end)
+{
+    static const char *const kinds[] = {[RECORD_NUMBER] = "number",
+                                        [RECORD_COUNT] = "count",
+                                        [RECORD_PAIR] = "numbers",
+                                        [RECORD_ESTIMATE] = "estimate"};
+    const char *between = "";
+    for (; fields->key; fields++) {
+        if (!(fields->when & RECORD_JSON))
+            continue;
+        text_add(out, "%s    \"%s\": {", between, fields->key);
+        if (fields->kind == RECORD_FLAG || fields->kind == RECORD_TEXT)
+            text_add(out, fields->kind == RECORD_FLAG ? "\"type\": \"boolean\"}" : "\"type\": [\"string\", \"null\"]}");
+        else
+            text_add(out, "\"$ref\": \"#/$defs/%s\"}", kinds[fields->kind]);
+        between = ",\n";
+    }
+    text_add(out, "%s\n", end);
+}
+
+TEST_CASE(the_schema_is_made_of_the_fields)
+{
+    struct text surface = {0}, estimate = {0};
+    add_properties(&surface, surface_fields, ",");
+    check_made("docs/results.schema.json", "\"units\": {\"type\": \"string\"},\n", &surface,
+               "    \"material\": {\"$ref\": \"#/$defs/material\"},\n");
+    add_properties(&estimate, record_estimate_fields, "");
+    check_made("docs/results.schema.json", "\"mean_95\", \"next_scan_95\"],\n   \"properties\": {\n", &estimate,
+               "   }\n  },\n  \"material\": {");
+    text_free(&surface);
+    text_free(&estimate);
 }
 
 /** Does a scene's key say that each quantity's key may be asked for? */

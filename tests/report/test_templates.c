@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A name that a template fills in is one that it can have: a mistyped one would be filled with nothing, in silence. */
 #include "base/text.h"
+#include "chart/words.h"
 #include "support.h"
 
 #include <dirent.h>
@@ -220,4 +221,18 @@ TEST_CASE(words_are_asked_for)
     assert_true(lines > 70);
     text_free(&words);
     text_free(&source);
+}
+
+/** The words of a ratio mean the number that the program takes them for. */
+TEST_CASE(words_of_ratios_mean_them)
+{
+    static const char *const said[][2] = {
+        {"ratio.quarter", "a quarter of"}, {"ratio.third", "a third of"},  {"ratio.half", "half"},
+        {"ratio.twice", "twice"},          {"ratio.three", "three times"}, {"ratio.times", "0.7 times"}};
+    struct words words;
+    struct status status = {0};
+    assert_int_equal(words_read(&words, PROJECT_SOURCE "/templates", &status), STATUS_OK);
+    for (size_t i = 0; i < sizeof said / sizeof *said; i++)
+        assert_string_equal(words_say(&words, said[i][0], "number", "0.7", NULL), said[i][1]);
+    words_free(&words);
 }
