@@ -538,8 +538,7 @@ static void put_table(json_t *out, const struct view_source *source)
     view_flag(out, "has_letters", lettered);
     if (results->usable_count > VIEW_ROWS)
         view_count(out, "rows_left_out", results->usable_count - VIEW_ROWS);
-    if (results->usable_count < results->surface_count)
-        view_count(out, "refused_count", results->surface_count - results->usable_count);
+    view_some(out, "refused_count", results->surface_count - results->usable_count);
 }
 
 /** A limit's sentence: how many surfaces meet it. */
@@ -591,8 +590,7 @@ static void put_hardness(json_t *out, const struct view_source *source)
         const struct surface_summary *other = view_summary(source, source->results->by_roughness[k]);
         apart += other->hardness != summary->hardness || other->pair.hardness_Pa != summary->pair.hardness_Pa;
     }
-    if (apart > 0)
-        view_count(item, "apart", apart);
+    view_some(item, "apart", apart);
 }
 
 /** What of the maps the leading model has not: others stand in the same report, or the count of work was enough for
@@ -611,8 +609,7 @@ static void put_maps(json_t *out, const struct view_source *source)
     if (maps > 0 && maps < results->usable_count && dear == 0)
         view_count(out, "without_map", results->usable_count - maps);
     view_flag(out, "one_without_map", results->usable_count - maps == 1);
-    if (dear > 0)
-        view_count(out, "dear_maps", dear);
+    view_some(out, "dear_maps", dear);
     if (dear == 0 && squares < all && model_rows[source->leading]->uses_map) {
         view_count(out, "squares", squares);
         view_count(out, "all_squares", all);
