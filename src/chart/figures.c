@@ -49,6 +49,8 @@ struct source {
 
 /** The words of a name, filled in from names and texts in turn. */
 #define SAY(...) words_say(source->words, __VA_ARGS__, NULL)
+/** Begins a curve that looks so: members of a struct chart_curve. */
+#define CURVE(...) chart_curve(chart, &(struct chart_curve){__VA_ARGS__})
 
 static const char *surface_colour(size_t k)
 {
@@ -199,8 +201,7 @@ static void put_band(struct chart *chart, const struct surface_record *record, s
     const struct model_curve *curve = &record->curves[m];
     if (!record->bands || !record->bands[m])
         return;
-    chart_curve(chart,
-                &(struct chart_curve){.kind = CHART_BAND, .legend = "", .colour = colour, .notes = NOTE(FIGURE_BAND)});
+    CURVE(.kind = CHART_BAND, .legend = "", .colour = colour, .notes = NOTE(FIGURE_BAND));
     for (size_t i = 0; i < record->band_count && i < curve->count; i++) {
         double ends[2];
         if (record->bands[m][i].load != curve->points[i].value[QUANTITY_LOAD] ||
@@ -230,11 +231,9 @@ static void put_measured(struct chart *chart, const struct source *source, const
         const struct measured_run *run = &measured->runs[part / 2];
         bool branch = part % 2, both = run->turn + 1 < run->end && run->turn > run->first;
         const char *name = !both ? "measured" : branch ? "measured.unloading" : "measured.loading";
-        chart_curve(chart,
-                    &(struct chart_curve){.kind = CHART_BARS,
-                                          .legend = SAY(name),
-                                          .colour = results->usable_count > 1 ? surface_look(source, k).colour : ink,
-                                          .marker = both && branch ? 6 : 7});
+        CURVE(.kind = CHART_BARS, .legend = SAY(name),
+              .colour = results->usable_count > 1 ? surface_look(source, k).colour : ink,
+              .marker = both && branch ? 6 : 7);
         for (size_t i = branch ? run->turn + 1 : run->first; i < (branch ? run->end : run->turn + 1); i++)
             put_bar(chart, asked, scale * measured->load[i], measured->resistance[i], measured->error[i]);
     }
@@ -355,10 +354,8 @@ static void make_models(struct chart *chart, const struct source *source)
         double y = (double)(count - r);
         bool ends = rows[r].ends[0] > 0 && isfinite(rows[r].ends[1]);
         chart_name_row(chart, y, rows[r].label);
-        chart_curve(chart, &(struct chart_curve){.kind = CHART_DOTS,
-                                                 .legend = "",
-                                                 .colour = rows[r].colour,
-                                                 .notes = rows[r].colour == ink ? NOTE(FIGURE_DIRECT) : 0});
+        CURVE(.kind = CHART_DOTS, .legend = "", .colour = rows[r].colour,
+              .notes = rows[r].colour == ink ? NOTE(FIGURE_DIRECT) : 0);
         chart_row(chart, rows[r].value, y, ends ? rows[r].ends[0] : rows[r].value,
                   ends ? rows[r].ends[1] : rows[r].value);
     }
@@ -373,11 +370,8 @@ static void make_models(struct chart *chart, const struct source *source)
 /** Bins of the spectrum that the law was, or was not, fitted to. */
 static void put_bins(struct chart *chart, const struct power_law_band *band, bool used)
 {
-    chart_curve(chart, &(struct chart_curve){.kind = CHART_BARS,
-                                             .legend = "",
-                                             .colour = used ? ink : "#a0a0a8",
-                                             .marker = used ? 7 : 6,
-                                             .notes = NOTE(used ? FIGURE_BINS : FIGURE_OPEN_BINS)});
+    CURVE(.kind = CHART_BARS, .legend = "", .colour = used ? ink : "#a0a0a8", .marker = used ? 7 : 6,
+          .notes = NOTE(used ? FIGURE_BINS : FIGURE_OPEN_BINS));
     for (size_t j = 0; j < band->bins; j++) {
         double s = sqrt(band->bin[j].variance), y = band->bin[j].y;
         if ((band->use[j] == POWER_LAW_BAND_USED) == used)
@@ -396,7 +390,7 @@ static void put_profile(struct chart *chart, const struct source *source, const 
     if (!panel)
         return;
     panel->alone = true;
-    chart_curve(chart, &(struct chart_curve){.legend = "", .width = 1, .colour = colour});
+    CURVE(.legend = "", .width = 1, .colour = colour);
     for (size_t i = 0; i < record->preview_points; i++)
         chart_row(chart, record->preview_x_m[i] * 1e3, record->preview_z_m[i] * 1e6, 0, 0);
 }
@@ -414,7 +408,7 @@ static void put_spectrum(struct chart *chart, const struct source *source, const
                      isfinite(law->gamma) ? SAY("panel.spectrum", "gamma", gamma, "error", error) : SAY("panel.no_law"),
                      SAY("axis.wavelength"), SAY("axis.amplitude"), true, true))
         return;
-    chart_curve(chart, &(struct chart_curve){.legend = "", .width = 0.8, .colour = colour});
+    CURVE(.legend = "", .width = 0.8, .colour = colour);
     for (size_t i = 0; i < count; i++)
         chart_row(chart, 1e6 / spectrum_frequency(&record->spectrum, index[i]),
                   record->spectrum.amplitude_m[index[i]] * 1e6, 0, 0);
@@ -422,7 +416,7 @@ static void put_spectrum(struct chart *chart, const struct source *source, const
         put_bins(chart, record->band, true);
         put_bins(chart, record->band, false);
     }
-    chart_curve(chart, &(struct chart_curve){.legend = "", .colour = ink, .width = 2.4, .notes = NOTE(FIGURE_LAW)});
+    CURVE(.legend = "", .colour = ink, .width = 2.4, .notes = NOTE(FIGURE_LAW));
     for (int i = 0; i < 2; i++)
         chart_row(chart, law->band_m[i] * 1e6, power_law_amplitude(law, law->band_m[i]) * 1e6, 0, 0);
     for (size_t i = 0; record->band && i + 1 < record->band->pieces; i++) {
@@ -473,9 +467,8 @@ static void make_convergence(struct chart *chart, const struct source *source)
             for (size_t v = 0; v < sweep->count; v++) {
                 const double *area = results_sweep(results, (enum convergence_sweep)s, m, v);
                 snprintf(value, sizeof value, "%g", sweep->values[v]);
-                chart_curve(chart, &(struct chart_curve){.legend = SAY(parameter[s][0], "value", value),
-                                                         .dash = s == CONVERGENCE_GAMMA ? 4 : 1,
-                                                         .colour = sweep_colours[8 * v / (sweep->count - 1)]});
+                CURVE(.legend = SAY(parameter[s][0], "value", value), .dash = s == CONVERGENCE_GAMMA ? 4 : 1,
+                      .colour = sweep_colours[8 * v / (sweep->count - 1)]);
                 for (size_t k = 0; k < count; k++)
                     chart_row(chart, study->scan_length_m / (double)(index[k] + 1), area[index[k]], 0, 0);
             }
@@ -627,7 +620,7 @@ static void make_direct(struct chart *chart, const struct source *source)
         if (!panel)
             continue;
         panel->y_most = (struct chart_extent){0.1, 10};
-        chart_curve(chart, &(struct chart_curve){.kind = CHART_BAND, .legend = SAY("direct.error"), .colour = ink});
+        CURVE(.kind = CHART_BAND, .legend = SAY("direct.error"), .colour = ink);
         for (size_t i = 0; i < study->plan.loads; i++) {
             double error, value = direct_study_value(study, pair, DIRECT_STUDY_ELASTIC, quantity, i, &error);
             double share = fmax(isnan(error) ? 0 : error / value,
@@ -668,13 +661,11 @@ static void make_accuracy(struct chart *chart, const struct source *source)
             continue;
         first = own || first ? first : row;
         if (!before || strcmp(before->study, row->study) != 0 || strcmp(before->method, row->method) != 0)
-            chart_curve(chart, &(struct chart_curve){.legend = own ? SAY("accuracy.report")
-                                                                   : SAY("accuracy.rule", "model",
-                                                                         row->model ? row->model->label : "", "rule",
-                                                                         row->method),
-                                                     .width = own ? 3 : 1.4,
-                                                     .colour = own ? "#1257d0" : surface_colour(++methods),
-                                                     .notes = own ? 0 : NOTE(FIGURE_RULES)});
+            CURVE(.legend =
+                      own ? SAY("accuracy.report")
+                          : SAY("accuracy.rule", "model", row->model ? row->model->label : "", "rule", row->method),
+                  .width = own ? 3 : 1.4, .colour = own ? "#1257d0" : surface_colour(++methods),
+                  .notes = own ? 0 : NOTE(FIGURE_RULES));
         if (row->error >= 1e-16)
             chart_row(chart, row->seconds * 1e3, row->error, 0, 0);
     }

@@ -219,13 +219,11 @@ json_t *inspection_view(const char *path, const struct inspection *f)
     show(view, "amplitude_times", pow(10, law->amplitude_error_decades), 3);
     show(view, "wavelength_um", law->wavelength_m * 1e6, 3);
     show(view, "psd_m3", law->psd_m3, 3);
-    json_object_set_new(view, "map", json_boolean(f->scan.kind == SCAN_AREAL));
-    json_object_set_new(view, grids[f->profile.grid], json_true());
-    json_object_set_new(view, "periodic", json_boolean(f->profile.periodic));
-    json_object_set_new(view, "no_law", json_boolean(law->found == POWER_LAW_BAND_NONE));
-    json_object_set_new(view, "narrow", json_boolean(law->found == POWER_LAW_BAND_NARROW));
     snprintf(gamma, sizeof gamma, "%.3f +- %.3f", law->gamma, law->gamma_error);
-    json_object_set_new(view, "gamma", json_string(gamma));
+    json_object_update_new(view, json_pack("{s:b, s:b, s:b, s:b, s:b, s:s}", "map", f->scan.kind == SCAN_AREAL,
+                                           grids[f->profile.grid], true, "periodic", f->profile.periodic, "no_law",
+                                           law->found == POWER_LAW_BAND_NONE, "narrow",
+                                           law->found == POWER_LAW_BAND_NARROW, "gamma", gamma));
     if (f->has_parameters)
         show_parameters(parameters, &f->primary);
     if (f->has_filtered)
