@@ -134,7 +134,7 @@ void plan_make(struct plan *out, const struct scene *scene)
     for (int e = 0; e < EFFECT_COUNT; e++)
         decide(out, (enum effect)e, scene);
     out->wanted = quantity_wanted(out->running);
-    if (!isnan(scene->accuracy))
+    if (scene->accuracy > 0)
         choose_model(out, scene);
 }
 
