@@ -160,14 +160,15 @@ static enum status_code add_methods(struct benchmark *out, const struct model_ro
     return better.failed ? status_memory(status) : STATUS_OK;
 }
 
-static enum status_code integrals_of(struct benchmark *out, const struct benchmark_task *task,
-                                     const struct model_row *row, struct status *status)
+static enum status_code integrals_of(struct benchmark *out, const struct surface_record *surface,
+                                     const struct surface_task *asked, const struct model_row *row,
+                                     struct status *status)
 {
     enum asperity_model_id law = (enum asperity_model_id)(row->asperity_model - asperity_models);
     struct statistical model;
     uint64_t none = 0;
-    if (statistical_make(&model, &task->surface->summary.asperities, &task->surface->summary.pair, law,
-                         task->plan->wanted, task->scene->tolerance, INFINITY, &none, status) != STATUS_OK)
+    if (statistical_make(&model, &surface->summary.asperities, &surface->summary.pair, law, asked->plan->wanted,
+                         asked->scene->tolerance, INFINITY, &none, status) != STATUS_OK)
         return status->code;
     struct problem problem = {
         .asperity = model.asperity, .law = law, .sigma_s_m = model.surface.sigma_s_m, .lowest_d = model.full_d};
@@ -181,7 +182,8 @@ static enum status_code integrals_of(struct benchmark *out, const struct benchma
 
 /** The curves of all models that run, from the surface on. */
 struct curves_attempt {
-    const struct benchmark_task *task;
+    const struct surface_record *surface;
+    const struct surface_task *asked;
     struct spectrum spectrum; /* of the surface, no more of it than HARMONICS_MOST */
     double tolerance;
     struct contact_point *points; /* of every model */
@@ -192,16 +194,14 @@ struct curves_attempt {
 static void solve_curves(void *context)
 {
     struct curves_attempt *attempt = context;
-    const struct benchmark_task *of = attempt->task;
-    const struct surface_record *surface = of->surface;
-    struct model_task task = surface_model_task(surface, of->scene, of->plan, of->loads, of->load_count);
+    struct model_task task = surface_model_task(attempt->surface, attempt->asked);
     struct status status = {0};
     attempt->evaluations = 0;
     task.spectrum = &attempt->spectrum;
     task.tolerance = attempt->tolerance;
     for (size_t m = 0; m < model_count; m++) {
-        struct model_curve curve = {.points = attempt->points + m * (of->load_count + 1)};
-        if (!surface->curves[m].exists)
+        struct model_curve curve = {.points = attempt->points + m * (task.load_count + 1)};
+        if (!attempt->surface->curves[m].exists)
             continue;
         attempt->failed = attempt->failed || model_run(&curve, model_rows[m], &task, &status) != STATUS_OK;
         attempt->evaluations += curve.evaluations;
@@ -210,15 +210,16 @@ static void solve_curves(void *context)
 
 /** The curves of the report's own loads at rising tolerances; errors against the first, of every quantity that a chart
  * shows. The rows stand the other way round. */
-static enum status_code tolerances(struct benchmark *out, const struct benchmark_task *task, struct status *status)
+static enum status_code tolerances(struct benchmark *out, const struct surface_record *surface,
+                                   const struct surface_task *asked, struct status *status)
 {
     static const double tolerance[] = {1e-13, 1e-10, 1e-6, 1e-2};
     enum { STEPS = sizeof tolerance / sizeof *tolerance };
-    size_t count = model_count * (task->load_count + 1);
+    size_t count = model_count * (asked->load_count + 1);
     struct contact_point *best = calloc(2 * count, sizeof *best);
     if (!best)
         return status_memory(status);
-    struct curves_attempt attempt = {.task = task, .spectrum = task->surface->spectrum};
+    struct curves_attempt attempt = {.surface = surface, .asked = asked, .spectrum = surface->spectrum};
     if (attempt.spectrum.count > HARMONICS_MOST) {
         attempt.spectrum.count = HARMONICS_MOST;
         attempt.spectrum.has_nyquist = false;
@@ -242,14 +243,15 @@ static enum status_code tolerances(struct benchmark *out, const struct benchmark
     return attempt.failed ? status_memory(status) : STATUS_OK;
 }
 
-enum status_code benchmark_measure(struct benchmark *out, const struct benchmark_task *task, struct status *status)
+enum status_code benchmark_measure(struct benchmark *out, const struct surface_record *surface,
+                                   const struct surface_task *asked, struct status *status)
 {
     enum status_code rc = STATUS_OK;
     *out = (struct benchmark){0};
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++)
-        if (model_rows[m]->asperity_model && task->surface->curves[m].exists)
-            rc = integrals_of(out, task, model_rows[m], status);
+        if (model_rows[m]->asperity_model && surface->curves[m].exists)
+            rc = integrals_of(out, surface, asked, model_rows[m], status);
     if (rc == STATUS_OK)
-        rc = tolerances(out, task, status);
+        rc = tolerances(out, surface, asked, status);
     return rc;
 }

@@ -26,17 +26,8 @@ struct benchmark {
     double before; /* that the run had taken to its curves; 0: not known */
 };
 
-/** What is studied: one surface that has been through its models. */
-struct benchmark_task {
-    const struct surface_record *surface;
-    const struct scene *scene;
-    const struct plan *plan;
-    const double *loads;
-    size_t load_count;
-};
-
-/** Runs the studies for what the plan computes. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code benchmark_measure(struct benchmark *out, const struct benchmark_task *task,
-                                              struct status *status);
+/** Runs the studies on a surface that has been through the models `asked`. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code benchmark_measure(struct benchmark *out, const struct surface_record *surface,
+                                              const struct surface_task *asked, struct status *status);
 
 #endif

@@ -29,10 +29,12 @@ static bool is_nearly_gaussian(const struct roughness *roughness)
     return fabs(roughness_skewness(roughness)) < 0.5 && kurtosis >= 2.5 && kurtosis <= 4;
 }
 
-enum status_code direct_study_plan(struct surface_record *record, const struct scene *scene, const struct plan *plan,
-                                   const double *loads, size_t load_count, struct status *status)
+enum status_code direct_study_plan(struct surface_record *record, const struct surface_task *asked,
+                                   struct status *status)
 {
     struct surface_summary *surface = &record->summary;
+    const struct scene *scene = asked->scene;
+    const struct plan *plan = asked->plan;
     double hardness_Pa = !isnan(scene->direct.hardness_Pa) ? scene->direct.hardness_Pa : surface->pair.hardness_Pa;
     bool capped = plan_runs(plan, EFFECT_PLASTICITY) && hardness_Pa > 0;
     double resolved_m = 4 * surface->spacing_m; /* two points a wave is all a scan has, of which noise is half */
@@ -40,9 +42,9 @@ enum status_code direct_study_plan(struct surface_record *record, const struct s
     const struct direct_plan_task task = {
         .direct = &scene->direct,
         .divisor = scene_load_divisor(scene, scene->direct.kind, &surface->pair),
-        .operating = plan->operating_place > 0 ? plan->operating_place - 1 : load_count / 2,
-        .loads = loads,
-        .load_count = load_count,
+        .operating = plan->operating_place > 0 ? plan->operating_place - 1 : asked->load_count / 2,
+        .loads = asked->loads,
+        .load_count = asked->load_count,
         .map = surface->map,
         .length_m = surface->length_m / kappa,
         .spectrum = &record->spectrum,
@@ -102,7 +104,7 @@ static struct direct_ensemble_def ensemble_def(struct maker *maker, enum direct_
     bool capped = kind == DIRECT_STUDY_CAPPED;
     return (struct direct_ensemble_def){
         .ladder = {plan->load, capped ? plan->capped_loads : plan->loads, capped ? plan->hardness : INFINITY,
-                   contact_tolerance, plan->resistance, maker->task->stop},
+                   contact_tolerance, plan->resistance, maker->task->asked.stop},
         .map = plan->side > 0 ? &maker->map : NULL,
         .length_m = plan->length_m,
         .n = plan->grid,
@@ -147,7 +149,10 @@ static enum status_code run_models(struct maker *maker, struct status *status)
     study->models = calloc(model_count, sizeof *study->models);
     if (!study->models)
         return status_memory(status);
-    struct model_task ask = surface_model_task(task->surface, task->scene, task->plan, plan->load, plan->loads);
+    struct surface_task asked = task->asked;
+    asked.loads = plan->load;
+    asked.load_count = plan->loads;
+    struct model_task ask = surface_model_task(task->surface, &asked);
     ask.spectrum = &study->rows; /* of a surface whose waves all are known */
     ask.levelled = false;
     ask.asperities = has_asperities ? &asperities : NULL;
@@ -155,7 +160,7 @@ static enum status_code run_models(struct maker *maker, struct status *status)
     enum status_code rc = STATUS_OK;
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
         struct model_curve *curve = &study->models[m];
-        if (!plan_runs_model(task->plan, m))
+        if (!plan_runs_model(asked.plan, m))
             continue;
         curve->points = calloc(ask.load_count + 1, sizeof *curve->points);
         rc = curve->points ? model_run(curve, model_rows[m], &ask, status) : status_memory(status);

@@ -37,18 +37,15 @@ struct direct_study {
 
 /** How a described surface's contact will be solved, with the law matched: into summary.direct. Error: STATUS_MEMORY.
  */
-MUST_CHECK enum status_code direct_study_plan(struct surface_record *record, const struct scene *scene,
-                                              const struct plan *plan, const double *loads, size_t load_count,
+MUST_CHECK enum status_code direct_study_plan(struct surface_record *record, const struct surface_task *asked,
                                               struct status *status);
 
 /** What is solved. */
 struct direct_study_task {
     const struct surface_record *surface; /* described, with its direct_m; its plan is possible */
     size_t index;
-    const struct scene *scene;
-    const struct plan *plan;
-    unsigned threads; /* 0: one a processor; the result does not depend on it */
-    const atomic_bool *stop;
+    struct surface_task asked;                                /* but its loads: those of the plan are solved */
+    unsigned threads;                                         /* 0: one a processor; the result does not depend on it */
     void (*progress)(void *context, double done, double all); /* told of work done, from several threads; NULL: not */
     void *progress_context;
 };

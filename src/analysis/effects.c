@@ -33,11 +33,12 @@ static double bound_pressure(const struct surface_record *record)
     return fmax(most, pressure_over_hardness(&end, &summary->pair));
 }
 
-enum status_code effects_bound(struct surface_record *record, const struct scene *scene, const struct plan *plan,
-                               const double *loads, size_t load_count, struct status *status)
+enum status_code effects_bound(struct surface_record *record, const struct surface_task *asked, struct status *status)
 {
-    const double at[2] = {loads[0], loads[load_count - 1]};
-    const struct model_task task = surface_model_task(record, scene, plan, loads, load_count);
+    const struct scene *scene = asked->scene;
+    const struct plan *plan = asked->plan;
+    const double at[2] = {asked->loads[0], asked->loads[asked->load_count - 1]};
+    const struct model_task task = surface_model_task(record, asked);
     struct model_task ends = model_task_at(&task, at, at[1] > at[0] ? 2 : 1);
     double *most = &record->summary.scale_dependence;
     if (scene->effects_auto && plan_runs(plan, EFFECT_PLASTICITY))
@@ -179,11 +180,15 @@ static void decide_tiles(struct plan *plan, const struct surface_record *surface
                  lacking, lacking == 1 ? "is" : "are");
 }
 
-void effects_decide(struct plan *plan, const struct scene *scene, const struct surface_record *surfaces, size_t count)
+void effects_fit_models(struct plan *plan, const struct surface_record *surfaces, size_t count)
 {
     decide_strips(plan, surfaces, count);
     decide_tiles(plan, surfaces, count);
-    if (!scene->effects_auto || plan->decided)
+}
+
+void effects_decide(struct plan *plan, const struct scene *scene, const struct surface_record *surfaces, size_t count)
+{
+    if (!scene->effects_auto)
         return;
     unsigned open = plan->running & ~scene->effects; /* what is listed runs whatever it changes */
     if (open & EFFECT_BIT(EFFECT_PLASTICITY))

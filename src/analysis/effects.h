@@ -9,14 +9,15 @@
 /** Fills the bounds of a described surface, for an `auto` scene: what its spots bear, over the hardness, up to nearly
  * full contact and whatever its heights; and what scale dependence adds to TCR at the first and the last load. Error:
  * STATUS_MEMORY. */
-MUST_CHECK enum status_code effects_bound(struct surface_record *record, const struct scene *scene,
-                                          const struct plan *plan, const double *loads, size_t load_count,
+MUST_CHECK enum status_code effects_bound(struct surface_record *record, const struct surface_task *asked,
                                           struct status *status);
 
-/** Takes the effects out of an `auto` plan that no usable one of `count` surfaces (one, or all of a run) calls for, and
- * gives every effect its reason with the number that decided. A plan from a list of effects keeps what was listed, and
- * one that was decided what it has; but strips run only where there are any. */
+/** Takes the effects out of an `auto` plan that no usable one of the `count` surfaces of a run calls for, and gives
+ * every effect its reason with the number that decided. A plan from a list of effects keeps what was listed. */
 void effects_decide(struct plan *plan, const struct scene *scene, const struct surface_record *surfaces, size_t count);
+/** Takes the models out of a plan, or beside the others, that have no answer on all of these surfaces (one, or all of a
+ * run): strips, direct solutions of maps. */
+void effects_fit_models(struct plan *plan, const struct surface_record *surfaces, size_t count);
 
 /** One row of the account: an effect, or the base that always runs (the elastic models' area). */
 struct effects_row {

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "analysis/evaluate.h"
 
-#include "analysis/describe.h"
 #include "analysis/direct_study.h"
 #include "analysis/effects.h"
 #include "base/clock.h"
@@ -65,18 +64,18 @@ static enum status_code try_law(struct surface_record *record, const struct mode
 }
 
 /** What simulated records say of how far another place of a surface with one scan may answer. */
-static enum status_code run_uncertainty(struct surface_record *record, const struct scene *scene,
-                                        const struct plan *plan, const struct model_task *task, const atomic_bool *stop,
-                                        struct status *status)
+static enum status_code run_uncertainty(struct surface_record *record, const struct surface_task *asked,
+                                        const struct model_task *task, struct status *status)
 {
+    const struct plan *plan = asked->plan;
     struct surface_summary *summary = &record->summary;
     struct model_task counted = *task;
     counted.evaluations = &summary->simulated_evaluations;
     double started = clock_seconds(), waves = model_task_longest_waves(task);
-    const struct joint_task joint = surface_joint(record, scene, plan, task);
+    const struct joint_task joint = surface_joint(record, asked->scene, plan, task);
     const struct surface_record *const bodies[] = {record, record->counterface};
     struct uncertainty_scan scan = {
-        .how = record_conditioning_of(scene, false), .task = &counted, .joint = &joint, .stop = stop};
+        .how = record_conditioning_of(asked->scene, false), .task = &counted, .joint = &joint, .stop = asked->stop};
     for (size_t k = 0; k < 2 && bodies[k]; k++)
         scan.body[k] = (struct uncertainty_body){bodies[k]->height_m, bodies[k]->summary.single_points,
                                                  bodies[k]->summary.spacing_m / surface_kappa(summary)};
@@ -184,8 +183,8 @@ static enum status_code put_map_errors(struct surface_record *record, size_t m, 
 }
 
 /** One model: its curve, or the mean of its scans' curves; what lies in the joint; where it bends; what it hangs on. */
-static enum status_code run_model(struct surface_record *record, size_t m, const struct scene *scene,
-                                  const struct plan *plan, const struct model_task *task, struct status *status)
+static enum status_code run_model(struct surface_record *record, size_t m, const struct surface_task *asked,
+                                  const struct model_task *task, struct status *status)
 {
     struct model_curve *curve = &record->curves[m];
     struct curve_summary *model = record->summary.models[m];
@@ -196,7 +195,7 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     bool several = record->ensemble.scan_count > 1 && !model_rows[m]->uses_map;
     if (several && !(record->bands[m] = ensemble_band_make(task->loads, task->load_count)))
         return status_memory(status);
-    const struct joint_task joint = surface_joint(record, scene, plan, task);
+    const struct joint_task joint = surface_joint(record, asked->scene, asked->plan, task);
     struct ensemble_result result = {.joint = &joint, .band = record->bands[m]};
     if (ensemble_curve(curve, &result, &record->ensemble, model_rows[m], task, status) != STATUS_OK)
         return status->code;
@@ -292,9 +291,9 @@ static enum status_code solve_strips(struct surface_record *record, const struct
     return rc;
 }
 
-/** Solves the map that running models use. Where it has no answer the effects are decided once more. */
-static enum status_code solve_tiles(struct surface_record *record, const struct scene *scene, struct plan *plan,
-                                    const atomic_bool *stop, struct status *status)
+/** Solves the map that running models use. Where it has no answer these are taken out of the plan. */
+static enum status_code solve_tiles(struct surface_record *record, struct plan *plan, const atomic_bool *stop,
+                                    struct status *status)
 {
     struct surface_summary *summary = &record->summary;
     struct tiles *tiles = &record->tiles;
@@ -315,7 +314,7 @@ static enum status_code solve_tiles(struct surface_record *record, const struct 
         return STATUS_OK;
     summary->tile_cost = 0; /* more of it would not help */
     note_add(&summary->notes, NULL, "no direct solution of the map: %s", tiles->problem.message);
-    effects_decide(plan, scene, record, 1);
+    effects_fit_models(plan, record, 1);
     return STATUS_OK;
 }
 
@@ -343,17 +342,18 @@ static void note_joint(struct surface_record *record, const struct scene *scene,
                  wide_m[0] * 1e6, wide_m[1] * 1e3, flat[0], flat[1]);
 }
 
-enum status_code evaluate_models(struct surface_record *record, const struct scene *scene, const struct plan *plan,
-                                 const double *loads, size_t load_count, const atomic_bool *stop, struct status *status)
+enum status_code evaluate_models(struct surface_record *record, const struct surface_task *asked, struct status *status)
 {
-    struct model_task task = surface_model_task(record, scene, plan, loads, load_count);
-    if (make_model_room(record, plan, load_count, status) != STATUS_OK)
+    const struct scene *scene = asked->scene;
+    const struct plan *plan = asked->plan;
+    struct model_task task = surface_model_task(record, asked);
+    if (make_model_room(record, plan, task.load_count, status) != STATUS_OK)
         return status->code;
     for (size_t m = 0; m < model_count; m++) {
         if (!plan_runs_model(plan, m))
             continue;
         task.evaluations = &record->summary.models[m]->evaluations;
-        if (run_model(record, m, scene, plan, &task, status) != STATUS_OK)
+        if (run_model(record, m, asked, &task, status) != STATUS_OK)
             return status->code;
     }
     task.evaluations = NULL;
@@ -362,7 +362,7 @@ enum status_code evaluate_models(struct surface_record *record, const struct sce
         run_perfect_lay(record, leading, &task, status) != STATUS_OK)
         return status->code;
     if (plan_runs(plan, EFFECT_UNCERTAINTY) && record->height_m &&
-        run_uncertainty(record, scene, plan, &task, stop, status) != STATUS_OK)
+        run_uncertainty(record, asked, &task, status) != STATUS_OK)
         return status->code;
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs(plan, EFFECT_SEPARATION) && plan_runs_model(plan, m) &&
@@ -410,21 +410,21 @@ static enum status_code unload(struct surface_unloading *out, const struct surfa
 enum { STRIP_SHARES = 5 }; /* a strip that has fewer of them tells too little */
 
 /** The curve of falling load. Where there is none a note says why. */
-static enum status_code run_unloading(struct surface_record *record, const struct evaluate_task *task,
-                                      const struct plan *plan, struct status *status)
+static enum status_code run_unloading(struct surface_record *record, const struct surface_task *of,
+                                      struct status *status)
 {
     struct surface_summary *summary = &record->summary;
     struct surface_unloading *out = summary->unloading = calloc(1, sizeof *out);
-    const struct model_task asked = surface_model_task(record, task->scene, plan, task->loads, task->load_count);
+    const struct model_task asked = surface_model_task(record, of);
     double started = clock_seconds(), hardness = asked.hardness_Pa / asked.pair->effective_modulus_Pa;
     struct status problem = {0};
     enum status_code rc = STATUS_OK;
     if (!out)
         return status_memory(status);
-    out->largest_load = scene_load_of(&task->scene->unload_from, task->scene, asked.pair);
-    out->model = plan_leading_model(plan);
+    out->largest_load = scene_load_of(&of->scene->unload_from, of->scene, asked.pair);
+    out->model = plan_leading_model(of->plan);
     if (asked.rows)
-        rc = unloading_solve(&out->ratio, asked.rows, out->largest_load, hardness, task->stop, &problem);
+        rc = unloading_solve(&out->ratio, asked.rows, out->largest_load, hardness, of->stop, &problem);
     if (rc == STATUS_OK && out->ratio.count < STRIP_SHARES)
         rc = status_fail(&problem, STATUS_MODEL, "too few spots touch in its strip; take longer or more scans");
     if (rc == STATUS_OK)
@@ -444,36 +444,20 @@ static enum status_code run_unloading(struct surface_record *record, const struc
     return STATUS_OK;
 }
 
-static enum status_code evaluate(struct surface_record *out, const struct evaluate_task *task, struct status *status)
+enum status_code evaluate_surface(struct surface_record *record, const struct surface_task *task, struct status *status)
 {
-    const struct scene *scene = task->scene;
     struct plan plan = *task->plan;
-    if ((!task->described && describe_surface(out, scene, task->surface, task->counterface, status) != STATUS_OK) ||
-        !out->summary.usable)
-        return status->code;
-    if (effects_bound(out, scene, &plan, task->loads, task->load_count, status) != STATUS_OK)
-        return status->code;
-    effects_decide(&plan, scene, out, 1);
-    out->summary.running = plan.running;
-    if ((task->describe_only || plan_runs(&plan, EFFECT_DIRECT)) &&
-        direct_study_plan(out, scene, &plan, task->loads, task->load_count, status) != STATUS_OK)
-        return status->code;
-    if (task->describe_only)
-        return STATUS_OK;
-    enum status_code rc = solve_tiles(out, scene, &plan, task->stop, status);
+    struct surface_task asked = *task;
+    asked.plan = &plan;
+    effects_fit_models(&plan, record, 1);
+    enum status_code rc = STATUS_OK;
+    if (plan_runs(&plan, EFFECT_DIRECT))
+        rc = direct_study_plan(record, &asked, status);
     if (rc == STATUS_OK)
-        rc = solve_strips(out, &plan, task->stop, status);
+        rc = solve_tiles(record, &plan, asked.stop, status);
     if (rc == STATUS_OK)
-        rc = evaluate_models(out, scene, &plan, task->loads, task->load_count, task->stop, status);
-    if (rc == STATUS_OK && plan_runs(&plan, EFFECT_UNLOADING))
-        rc = run_unloading(out, task, &plan, status);
-    if (!task->keep_scans)
-        surface_drop_scans(out);
-    return rc;
-}
-
-enum status_code evaluate_surface(struct surface_record *out, const struct evaluate_task *task, struct status *status)
-{
-    enum status_code rc = evaluate(out, task, status);
-    return rc == STATUS_MEMORY ? surface_put_aside(out, task->scene, status) : rc;
+        rc = solve_strips(record, &plan, asked.stop, status);
+    if (rc == STATUS_OK)
+        rc = evaluate_models(record, &asked, status);
+    return rc == STATUS_OK && plan_runs(&plan, EFFECT_UNLOADING) ? run_unloading(record, &asked, status) : rc;
 }

@@ -16,7 +16,6 @@ struct plan {
     unsigned wanted;        /* QUANTITY_BITs that follow */
     uint64_t models;        /* MODEL_BITs asked for; a plastic one runs only with plasticity */
     uint64_t beside;        /* those that some surfaces alone have an answer by: they do not lead */
-    bool decided;           /* nothing is left to `auto`: effects run on every surface */
     bool all_uncertain;     /* the effect uncertainty was listed: of all models; else of the leading one alone */
     size_t operating_place; /* as in struct model_task */
     char area_reason[160];  /* why the area is computed as it is, for the account */

@@ -38,17 +38,17 @@ struct curve_summary *surface_model_room(struct surface_summary *summary, size_t
     return summary->models[m];
 }
 
-struct model_task surface_model_task(const struct surface_record *record, const struct scene *scene,
-                                     const struct plan *plan, const double *loads, size_t load_count)
+struct model_task surface_model_task(const struct surface_record *record, const struct surface_task *asked)
 {
+    const struct scene *scene = asked->scene;
     return (struct model_task){
         .spectrum = &record->spectrum,
         .asperities = record->summary.has_asperities ? &record->summary.asperities : NULL,
         .pair = &record->summary.pair,
-        .loads = loads,
-        .load_count = load_count,
-        .operating_place = plan->operating_place,
-        .wanted = plan->wanted,
+        .loads = asked->loads,
+        .load_count = asked->load_count,
+        .operating_place = asked->plan->operating_place,
+        .wanted = asked->plan->wanted,
         .tolerance = scene->tolerance,
         .sinusoid_fit = scene->closure,
         .hardness_Pa = record->summary.pair.hardness_Pa,

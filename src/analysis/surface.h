@@ -79,7 +79,6 @@ struct surface_summary {
     double longest_waves; /* spectrum_longest_waves(); fewer than SURFACE_LONGEST_WAVES: a longer scan may differ */
     double pressure_over_hardness; /* and scale_dependence: effects_bound(); 0: not asked, or none */
     double scale_dependence;
-    unsigned running; /* EFFECT_BITs of the effects that ran on it */
     struct curve_summary *
         *models;          /* [model]: of those that have run, NULL of others; owned like the texts: surface_model() */
     size_t carried_model; /* the factor of conductance that was measured, in that model's answers to such targets */
@@ -134,9 +133,17 @@ bool surface_tells_gamma(const struct surface_summary *summary);
  * better than one law, the one at short wavelengths. False where nothing tells. */
 bool surface_diverges(const struct surface_summary *summary);
 
-/** What the models are asked of a described surface at `loads`, P/(A_n E') of its pair. */
-struct model_task surface_model_task(const struct surface_record *record, const struct scene *scene,
-                                     const struct plan *plan, const double *loads, size_t load_count);
+/** What is asked of a surface. */
+struct surface_task {
+    const struct scene *scene;
+    const struct plan *plan;
+    const double *loads; /* P/(A_n E') of its own bodies */
+    size_t load_count;
+    const atomic_bool *stop; /* becomes true when the work is to end early; NULL: never */
+};
+
+/** What the models are asked of a described surface. */
+struct model_task surface_model_task(const struct surface_record *record, const struct surface_task *asked);
 
 /** What lies in the joint of a surface whose models are asked `task`. */
 struct joint_task surface_joint(const struct surface_record *record, const struct scene *scene, const struct plan *plan,

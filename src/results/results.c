@@ -67,6 +67,14 @@ const double *results_loads(const struct results *results, size_t surface)
     return results->loads + (results->loads_apart ? surface * results->load_count : 0);
 }
 
+struct surface_task results_task(const struct results *results, size_t surface)
+{
+    return (struct surface_task){.scene = results->scene,
+                                 .plan = results->plan,
+                                 .loads = results_loads(results, surface),
+                                 .load_count = results->load_count};
+}
+
 double results_operating_load(const struct results *results, size_t surface)
 {
     size_t place = results->plan->operating_place;

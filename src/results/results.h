@@ -45,6 +45,8 @@ struct results {
  * are given so. */
 const double *results_loads(const struct results *results, size_t surface);
 double results_operating_load(const struct results *results, size_t surface);
+/** What was asked of a surface. */
+struct surface_task results_task(const struct results *results, size_t surface);
 /** What surfaces are held against each other by: ECR where the run computes it, else TCR, else the area. */
 enum quantity results_criterion(const struct results *results);
 /** The wavelength at which the power laws of all surfaces are held against each other: the middle of what their bands

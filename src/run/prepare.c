@@ -67,6 +67,22 @@ static void choose_shown(struct results *results, size_t *order, size_t usable)
         }
 }
 
+/** The smoothest but one of the usable surfaces that are described; 0: there is none. */
+static size_t second_smoothest(const struct results *results)
+{
+    size_t first = 0, second = 0, found = 0;
+    for (size_t i = 0; i < results->surface_count; i++) {
+        if (!results->surfaces[i].summary.usable)
+            continue;
+        bool smoother = found == 0 || compare_roughness(&i, &first, results->surfaces) < 0;
+        if (smoother || found == 1 || compare_roughness(&i, &second, results->surfaces) < 0)
+            second = smoother && found > 0 ? first : i;
+        first = smoother ? i : first;
+        found++;
+    }
+    return second;
+}
+
 /** Ranks the usable surfaces and chooses which the charts show and which is the baseline. */
 static enum status_code rank_surfaces(struct results *results, struct status *status)
 {
@@ -84,16 +100,13 @@ static enum status_code rank_surfaces(struct results *results, struct status *st
     results->shown = order + results->surface_count;
     results->shown_count = usable < SHOWN_MOST ? usable : SHOWN_MOST;
     memcpy(results->shown, order, results->shown_count * sizeof *order);
-    qsort_r(order, usable, sizeof *order, compare_roughness, results->surfaces);
-    results->baseline = order[usable > 1 ? 1 : 0];
-    if (baseline)
-        for (size_t i = 0; i < usable; i++)
-            if (strcmp(results->surfaces[order[i]].summary.scene->name, baseline) == 0)
-                results->baseline = order[i];
-    if (usable > SHOWN_MOST) {
+    results->baseline = second_smoothest(results);
+    for (size_t i = 0; baseline && i < usable; i++)
+        if (strcmp(results->surfaces[order[i]].summary.scene->name, baseline) == 0)
+            results->baseline = order[i];
+    if (usable > SHOWN_MOST)
         choose_shown(results, order, usable);
-        qsort_r(order, usable, sizeof *order, compare_roughness, results->surfaces);
-    }
+    qsort_r(order, usable, sizeof *order, compare_roughness, results->surfaces);
     return STATUS_OK;
 }
 
@@ -171,7 +184,7 @@ static enum status_code make_loads(struct prepared *out, const struct scene *sce
         if (!all)
             return status_memory(status);
         if (i == 0)
-            out->allowed.operating_place = operating + 1;
+            out->plan.operating_place = operating + 1;
         results->load_count = count;
     }
     results->loads = out->loads;
@@ -191,36 +204,67 @@ void prepare_tell(struct prepare_stage *stage, const char *name, double work, do
 /** All surfaces. */
 struct surfaces {
     struct prepared *prepared;
-    struct curve_tables *tables;
-    const struct plan *plan;
-    bool describe_only;
-    size_t described; /* 1 + the surface that is described already; 0: none */
+    struct curve_tables *tables; /* that curves go to; NULL: none */
+    const struct plan *plan;     /* of the effects that all run */
+    bool bounded, describe_only; /* all are described, and their effects decided, before any model runs */
     struct prepare_stage stage;
 };
 
-static struct evaluate_task task_of(const struct surfaces *all, size_t index)
+static struct surface_task task_of(const struct surfaces *all, size_t index)
 {
-    const struct results *results = &all->prepared->results;
-    return (struct evaluate_task){.scene = results->scene,
-                                  .surface = &results->scene->surfaces[index],
-                                  .counterface = all->prepared->counterface,
-                                  .plan = all->plan,
-                                  .loads = results_loads(results, index),
-                                  .load_count = results->load_count,
-                                  .stop = all->stage.options->stop,
-                                  .describe_only = all->describe_only,
-                                  .described = all->described == index + 1,
-                                  .keep_scans = results->scene->measured.file_count > 0 ||
-                                                results->scene->surfaces[index].measured.file_count > 0};
+    struct surface_task out = results_task(&all->prepared->results, index);
+    out.plan = all->plan;
+    out.stop = all->stage.options->stop;
+    return out;
 }
 
-static enum status_code run_surface(void *context, size_t index, struct threads_turn *turn, struct status *status)
+/** Describes a surface, unless it is. */
+static enum status_code describe_one(void *context, size_t index, struct threads_turn *turn, struct status *status)
+{
+    const struct surfaces *all = context;
+    const struct results *results = &all->prepared->results;
+    struct surface_record *record = &results->surfaces[index];
+    (void)turn;
+    return record->summary.scene ? STATUS_OK
+                                 : describe_surface(record, results->scene, &results->scene->surfaces[index],
+                                                    all->prepared->counterface, status);
+}
+
+/** And finds what effects could change on it. */
+static enum status_code bound_one(void *context, size_t index, struct threads_turn *turn, struct status *status)
+{
+    const struct surfaces *all = context;
+    struct surface_record *record = &all->prepared->results.surfaces[index];
+    const struct surface_task asked = task_of(all, index);
+    enum status_code rc = describe_one(context, index, turn, status);
+    if (rc == STATUS_OK && record->summary.usable)
+        rc = effects_bound(record, &asked, status);
+    return rc == STATUS_MEMORY ? surface_put_aside(record, asked.scene, status) : rc;
+}
+
+/** The models of a described surface, or the plan alone. */
+static enum status_code evaluate_one(const struct surfaces *all, size_t index, struct status *status)
+{
+    const struct scene *scene = all->prepared->results.scene;
+    struct surface_record *record = &all->prepared->results.surfaces[index];
+    const struct surface_task asked = task_of(all, index);
+    if (!record->summary.usable)
+        return STATUS_OK;
+    enum status_code rc =
+        all->describe_only ? direct_study_plan(record, &asked, status) : evaluate_surface(record, &asked, status);
+    if (scene->measured.file_count == 0 && scene->surfaces[index].measured.file_count == 0)
+        surface_drop_scans(record); /* else measured loads will be answered on each */
+    return rc == STATUS_MEMORY ? surface_put_aside(record, scene, status) : rc;
+}
+
+static enum status_code run_one(void *context, size_t index, struct threads_turn *turn, struct status *status)
 {
     struct surfaces *all = context;
     const struct results *results = &all->prepared->results;
     struct surface_record *record = &results->surfaces[index];
-    const struct evaluate_task task = task_of(all, index);
-    enum status_code rc = evaluate_surface(record, &task, status);
+    enum status_code rc = all->bounded ? STATUS_OK : bound_one(context, index, turn, status);
+    if (rc == STATUS_OK)
+        rc = evaluate_one(all, index, status);
     if (rc == STATUS_OK && all->tables && record->summary.usable)
         rc = curve_tables_put(all->tables, record, turn, status);
     if (all->tables || all->describe_only)
@@ -229,26 +273,15 @@ static enum status_code run_surface(void *context, size_t index, struct threads_
     return rc;
 }
 
-static enum status_code describe_one(void *context, size_t index, struct threads_turn *turn, struct status *status)
-{
-    const struct surfaces *all = context;
-    const struct results *results = &all->prepared->results;
-    (void)turn;
-    enum status_code rc = describe_surface(&results->surfaces[index], results->scene, &results->scene->surfaces[index],
-                                           all->prepared->counterface, status);
-    surface_drop_arrays(&results->surfaces[index]);
-    return rc;
-}
-
 /** The place among the loads next to the geometric middle of those at which A/A_n is 0.1 to 10 % on a surface, by the
  * leading model, or what it has of Gaussian heights; the load nearest to 1 % where none is between. */
-static enum status_code middle_place(size_t *place, struct surface_record *record, const struct prepared *prepared,
-                                     size_t surface, struct status *status)
+static enum status_code middle_place(size_t *place, const struct surface_record *record,
+                                     const struct surface_task *asked, struct status *status)
 {
-    const double least = 1e-3, most = 0.1, *loads = results_loads(&prepared->results, surface);
-    const struct model_row *row = model_rows[plan_leading_model(&prepared->allowed)];
-    size_t count = prepared->results.load_count;
-    struct model_task task = surface_model_task(record, prepared->results.scene, &prepared->allowed, loads, count);
+    const double least = 1e-3, most = 0.1, *loads = asked->loads;
+    const struct model_row *row = model_rows[plan_leading_model(asked->plan)];
+    size_t count = asked->load_count;
+    struct model_task task = surface_model_task(record, asked);
     struct model_curve curve = {.points = calloc(count + 1, sizeof *curve.points)};
     enum status_code rc = curve.points ? STATUS_OK : status_memory(status);
     task.wanted &= QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA);
@@ -281,63 +314,47 @@ static enum status_code find_baseline(size_t *baseline, struct surfaces *all, co
                                       struct status *status)
 {
     enum { MOST = 100 };
-    struct results *results = &all->prepared->results;
-    const struct scene *scene = results->scene;
+    const struct scene *scene = all->prepared->results.scene;
     size_t count = scene->surface_count < MOST ? scene->surface_count : MOST;
     *baseline = 0;
     for (size_t i = 0; i < scene->surface_count && scene->baseline; i++)
         if (strcmp(scene->surfaces[i].name, scene->baseline) == 0)
             *baseline = i;
     if (scene->baseline || count == 1)
-        return STATUS_OK;
+        return describe_one(all, *baseline, NULL, status);
     enum status_code rc = threads_run(threads, count, describe_one, all, status);
-    if (rc == STATUS_OK)
-        rc = rank_surfaces(results, status);
-    for (size_t i = 0; i < count; i++)
-        surface_record_free(&results->surfaces[i]);
-    free(results->by_roughness);
-    results->by_roughness = results->shown = NULL;
-    results->usable_count = results->shown_count = 0;
-    *baseline = results->baseline;
+    *baseline = second_smoothest(&all->prepared->results);
     return rc;
 }
 
-/** Where the summary stands if the scene does not say: the baseline is described for it, and stays so. */
+/** Where the summary stands if the scene does not say. What is described for it stays so. */
 static enum status_code choose_operating_load(struct surfaces *all, const struct threads *threads,
                                               struct status *status)
 {
-    struct prepared *prepared = all->prepared;
-    const struct scene *scene = prepared->results.scene;
-    size_t baseline, place = prepared->allowed.operating_place - 1;
+    size_t baseline, place = all->plan->operating_place - 1;
     if (find_baseline(&baseline, all, threads, status) != STATUS_OK)
         return status->code;
-    struct surface_record *record = &prepared->results.surfaces[baseline];
-    enum status_code rc = describe_surface(record, scene, &scene->surfaces[baseline], prepared->counterface, status);
-    if (rc == STATUS_OK && record->summary.usable)
-        rc = middle_place(&place, record, prepared, baseline, status);
-    prepared->allowed.operating_place = place + 1;
-    all->described = baseline + 1;
+    const struct surface_record *record = &all->prepared->results.surfaces[baseline];
+    const struct surface_task asked = task_of(all, baseline);
+    enum status_code rc = record->summary.usable ? middle_place(&place, record, &asked, status) : STATUS_OK;
+    all->prepared->plan.operating_place = place + 1;
     return rc;
 }
 
-/** Runs the surfaces once more that the report shows, when the others' arrays have gone; or, while all are in memory,
- * those on which an effect was skipped that another called for. */
-static enum status_code run_again(struct surfaces *all, bool shown_only, struct status *status)
+/** Describes and runs once more the surfaces that the report shows, as all arrays have gone. */
+static enum status_code run_shown(struct surfaces *all, struct status *status)
 {
-    const unsigned skipped = EFFECT_BIT(EFFECT_PLASTICITY) | EFFECT_BIT(EFFECT_SCALE_DEPENDENT);
     struct results *results = &all->prepared->results;
-    all->described = 0;
     for (size_t i = 0; i < results->surface_count; i++) {
         struct surface_record *record = &results->surfaces[i];
         bool shown = i == results->baseline || record->summary.scene->measured.file_count > 0;
         for (size_t k = 0; k < results->shown_count; k++)
             shown = shown || results->shown[k] == i;
-        bool whole = !(all->plan->running & ~record->summary.running & skipped);
-        if (!record->summary.usable || (shown_only ? !shown : whole))
+        if (!record->summary.usable || !shown)
             continue;
-        const struct evaluate_task task = task_of(all, i);
         surface_record_free(record);
-        if (evaluate_surface(record, &task, status) != STATUS_OK || (shown_only && !record->summary.usable))
+        if (describe_one(all, i, NULL, status) != STATUS_OK || evaluate_one(all, i, status) != STATUS_OK ||
+            !record->summary.usable)
             return status_memory(status); /* it is ranked by now, and cannot go aside */
     }
     return STATUS_OK;
@@ -377,7 +394,7 @@ enum status_code prepare(struct prepared *out, const struct scene *scene, const 
                          bool describe_only, const char *curves, struct status *status)
 {
     *out = (struct prepared){.counterface = NULL};
-    plan_make(&out->allowed, scene);
+    plan_make(&out->plan, scene);
     struct results *results = &out->results;
     *results = (struct results){
         .scene = scene, .plan = &out->plan, .surface_count = scene->surface_count, .infinite = &out->infinite};
@@ -390,35 +407,35 @@ enum status_code prepare(struct prepared *out, const struct scene *scene, const 
         return status->code;
     const struct threads threads = {.jobs = options->jobs, .stop = options->stop};
     struct surfaces all = {.prepared = out,
-                           .plan = &out->allowed,
+                           .plan = &out->plan,
+                           .bounded = !scene_bins_spectra(scene),
                            .describe_only = describe_only,
                            .stage = {options, "models of", NULL, 0, PTHREAD_MUTEX_INITIALIZER}};
-    if (scene->operating.load == 0 && choose_operating_load(&all, &threads, status) != STATUS_OK)
-        return status->code;
-    struct curve_tables *tables = NULL;
-    if (curves && curve_tables_open(&tables, results, &out->allowed, curves, status) != STATUS_OK)
-        return curve_tables_close(tables, status);
-    all.tables = tables;
-    out->allowed.decided = curves != NULL; /* what went to a file cannot be run again */
     prepare_tell(&all.stage, scene->surfaces[0].name, 0, (double)scene->surface_count);
-    enum status_code rc = threads_run(&threads, scene->surface_count, run_surface, &all, status);
-    if (curve_tables_close(tables, status) != STATUS_OK)
+    if ((scene->operating.load == 0 && choose_operating_load(&all, &threads, status) != STATUS_OK) ||
+        (all.bounded && threads_run(&threads, scene->surface_count, bound_one, &all, status) != STATUS_OK))
+        return status->code;
+    if (all.bounded) /* what one surface calls for runs on all; of more than memory holds, all that is allowed */
+        effects_decide(&out->plan, scene, results->surfaces, results->surface_count);
+    if (curves && curve_tables_open(&all.tables, results, &out->plan, curves, status) != STATUS_OK)
+        return curve_tables_close(all.tables, status);
+    enum status_code rc = threads_run(&threads, scene->surface_count, run_one, &all, status);
+    if (curve_tables_close(all.tables, status) != STATUS_OK)
         rc = status->code;
-    out->plan = out->allowed;
-    out->plan.decided = false;
-    effects_decide(&out->plan, scene, results->surfaces, results->surface_count);
-    struct plan decided = out->plan;
-    decided.decided = true;
-    all.plan = curves ? &out->allowed : &decided;
-    if (rc != STATUS_OK || (!curves && !describe_only && run_again(&all, false, status) != STATUS_OK) ||
-        rank_surfaces(results, status) != STATUS_OK ||
-        (curves && !describe_only && run_again(&all, true, status) != STATUS_OK))
+    const struct plan ran = out->plan;
+    all.plan = &ran;
+    if (!all.bounded)
+        effects_decide(&out->plan, scene, results->surfaces, results->surface_count);
+    effects_fit_models(&out->plan, results->surfaces, results->surface_count);
+    all.tables = NULL;
+    if (rc != STATUS_OK || rank_surfaces(results, status) != STATUS_OK ||
+        (curves && !describe_only && run_shown(&all, status) != STATUS_OK))
         return status->code;
     plan_direct(&out->plan, results);
     for (size_t i = 0; i < results->surface_count && out->plan.beside; i++) {
         struct surface_record *record = &results->surfaces[i];
-        const struct model_task task =
-            surface_model_task(record, scene, &out->plan, results_loads(results, i), results->load_count);
+        const struct surface_task asked = results_task(results, i);
+        const struct model_task task = surface_model_task(record, &asked);
         if (record->curves) /* alone, a map was led by its own solution */
             answers_check_limits(record, scene, &out->plan, &task);
     }

@@ -11,7 +11,7 @@
 
 /** Owned: prepared_free(). Not to be moved: its parts point at each other. */
 struct prepared {
-    struct plan allowed, plan;          /* effects that the scene allows, and those of them that a surface called for */
+    struct plan plan;                   /* the effects that the scene allows and a surface called for */
     double *loads;                      /* P/(A_n E') */
     struct surface_record *counterface; /* NULL: smooth */
     struct measured *measured;          /* one a surface; NULL: none */

@@ -87,8 +87,8 @@ static enum status_code run_measured_on(struct run *run, size_t surface, struct 
     struct surface_record *record = &results->surfaces[surface];
     const struct measured *measured = &results->measured[surface];
     struct measured_answers *answers = &run->answers[surface];
-    struct model_task task =
-        surface_model_task(record, results->scene, results->plan, results_loads(results, surface), results->load_count);
+    const struct surface_task asked = results_task(results, surface);
+    const struct model_task task = surface_model_task(record, &asked);
     const struct joint_task joint = surface_joint(record, results->scene, results->plan, &task);
     uint64_t models = 0;
     for (size_t m = 0; m < model_count; m++)
@@ -140,14 +140,13 @@ static enum status_code run_direct(struct run *run, struct status *status)
         struct prepare_stage stage = {run->options, "direct solution of", record->summary.scene->name, 0,
                                       PTHREAD_MUTEX_INITIALIZER};
         add_progress(&stage, 0, 1);
-        const struct direct_study_task task = {.surface = record,
-                                               .index = i,
-                                               .scene = results->scene,
-                                               .plan = results->plan,
-                                               .threads = run->options->jobs,
-                                               .stop = run->options->stop,
-                                               .progress = add_progress,
-                                               .progress_context = &stage};
+        const struct direct_study_task task = {
+            .surface = record,
+            .index = i,
+            .asked = {.scene = results->scene, .plan = results->plan, .stop = run->options->stop},
+            .threads = run->options->jobs,
+            .progress = add_progress,
+            .progress_context = &stage};
         struct direct_study *study = &run->direct[results->direct_count];
         struct status problem = {0};
         enum status_code rc = direct_study_run(study, &task, &problem);
@@ -224,10 +223,10 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
         return status->code;
     out->times.figures = lap(&last);
     const struct results *results = run->results;
-    const struct benchmark_task cost = {&results->surfaces[results->baseline], results->scene, results->plan,
-                                        results_loads(results, results->baseline), results->load_count};
+    const struct surface_task asked = results_task(results, results->baseline);
     run->results->benchmark = options->no_cost ? NULL : &run->benchmark;
-    if (!options->no_cost && benchmark_measure(&run->benchmark, &cost, status) != STATUS_OK)
+    if (!options->no_cost &&
+        benchmark_measure(&run->benchmark, &results->surfaces[results->baseline], &asked, status) != STATUS_OK)
         return status->code;
     run->benchmark.before = before;
     out->times.cost = lap(&last);

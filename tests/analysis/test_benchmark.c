@@ -17,6 +17,7 @@ static struct surface_record *record;
 static struct scene scene;
 static struct plan plan;
 static double loads[LOADS];
+static const struct surface_task asked = {.scene = &scene, .plan = &plan, .loads = loads, .load_count = LOADS};
 static struct benchmark cost;
 
 static int make(void **state)
@@ -52,9 +53,8 @@ static int make(void **state)
     plan_make(&plan, &scene);
     for (int i = 0; i < LOADS; i++)
         loads[i] = pow(10, -6 + i / 4.0);
-    assert_int_equal(evaluate_models(record, &scene, &plan, loads, LOADS, NULL, &status), STATUS_OK);
-    const struct benchmark_task task = {record, &scene, &plan, loads, LOADS};
-    assert_int_equal(benchmark_measure(&cost, &task, &status), STATUS_OK);
+    assert_int_equal(evaluate_models(record, &asked, &status), STATUS_OK);
+    assert_int_equal(benchmark_measure(&cost, record, &asked, &status), STATUS_OK);
     return 0;
 }
 
@@ -167,9 +167,7 @@ TEST_CASE(test_a_long_scan)
             scan->spectrum.amplitude_m[i] = 1e-7 * pow((double)(i + 1), -0.6);
         scan->curves[model_named("multiscale-elastic")].exists = true;
         struct benchmark of_scan;
-        assert_int_equal(
-            benchmark_measure(&of_scan, &(struct benchmark_task){scan, &scene, &plan, loads, LOADS}, &status),
-            STATUS_OK);
+        assert_int_equal(benchmark_measure(&of_scan, scan, &asked, &status), STATUS_OK);
         assert_int_equal(of_scan.count, 4);
         evaluations[longer] = of_scan.rows[0].evaluations;
         spectrum_free(&scan->spectrum);

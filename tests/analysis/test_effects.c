@@ -13,6 +13,7 @@ static double amplitudes_m[1 + SCANS][HARMONICS]; /* of the mean and of the scan
 static struct member parts[SCANS];
 static struct ensemble_scan scans[SCANS];
 static const double loads[] = {1e-5, 1e-4};
+static const struct surface_task asked = {.scene = &scene, .plan = &plan, .loads = loads, .load_count = 2};
 
 /** A tin surface of 0.1 um and 10 nm, in models that have scale dependence. */
 static int make(void **state)
@@ -37,7 +38,7 @@ static void bound(void)
 {
     struct status status = {0};
     record.summary.pressure_over_hardness = record.summary.scale_dependence = 0;
-    assert_int_equal(effects_bound(&record, &scene, &plan, loads, 2, &status), STATUS_OK);
+    assert_int_equal(effects_bound(&record, &asked, &status), STATUS_OK);
 }
 
 static void add_scans(void)
@@ -80,7 +81,7 @@ PLACED(test_scale_dependence_is_the_elastic_models_own)
 {
     struct contact_point points[3];
     struct model_curve curve = {.points = points};
-    struct model_task task = surface_model_task(&record, &scene, &plan, loads, 2);
+    struct model_task task = surface_model_task(&record, &asked);
     struct status status = {0};
     bound();
     assert_int_equal(model_run(&curve, model_rows[model_named("multiscale-elastic")], &task, &status), STATUS_OK);
@@ -112,7 +113,7 @@ PLACED(test_levelled)
         scene.level_given = cases[i].given;
         scene.lambda_c_m = cases[i].lambda_c_m;
         record.summary.periodic = cases[i].periodic;
-        assert_int_equal(surface_model_task(&record, &scene, &plan, loads, 2).levelled, cases[i].levelled);
+        assert_int_equal(surface_model_task(&record, &asked).levelled, cases[i].levelled);
     }
 }
 
@@ -144,9 +145,6 @@ PLACED(test_decisions)
     assert_string_equal(plan.effects[EFFECT_PLASTICITY].reason, "spots might bear up to 1.8e+308 times the hardness");
     assert_string_equal(plan.effects[EFFECT_SCALE_DEPENDENT].reason, "(8/3π) λmfp/a raises TCR by up to 1.8e+308");
     scene.effects_auto = false; /* listed: run */
-    decide(0, 0);
-    assert_true(plan_runs(&plan, EFFECT_PLASTICITY) && plan_runs(&plan, EFFECT_SCALE_DEPENDENT));
-    scene.effects_auto = plan.decided = true;
     decide(0, 0);
     assert_true(plan_runs(&plan, EFFECT_PLASTICITY) && plan_runs(&plan, EFFECT_SCALE_DEPENDENT));
 }
@@ -181,13 +179,12 @@ PLACED(test_maps_lead_where_all_are)
         struct surface_record two[2] = {record, record};
         struct plan own = plan;
         own.models = model_defaults();
-        own.decided = true;
         for (int k = 0; k < 2; k++) {
             two[k].summary.has_strips = true;
             two[k].summary.tile_cost = cases[c].of[k].cost;
             two[k].summary.has_tiles = cases[c].of[k].has;
         }
-        effects_decide(&own, &scene, two, 2);
+        effects_fit_models(&own, two, 2);
         assert_true(plan_runs_model(&own, direct) == cases[c].runs);
         assert_true(model_rows[plan_leading_model(&own)]->uses_map == cases[c].leads);
     }

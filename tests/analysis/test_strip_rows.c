@@ -370,7 +370,7 @@ TEST_CASE(strips_are_left_out)
         for (int s = 0; s < 2; s++)
             surfaces[s].summary.has_strips = rows[k].has[s];
         plan_make(&plan, &scene);
-        effects_decide(&plan, &scene, surfaces, 2);
+        effects_fit_models(&plan, surfaces, 2);
         assert_string_equal(plan.area_reason, rows[k].reason);
         assert_string_equal(model_rows[plan_leading_model(&plan)]->name, rows[k].leading);
     }

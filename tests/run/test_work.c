@@ -6,6 +6,19 @@
 
 #include <jansson.h>
 
+static size_t described;
+
+enum status_code __real_describe_surface(struct surface_record *out, const struct scene *scene,
+                                         const struct scene_surface *surface, const struct surface_record *counterface,
+                                         struct status *status);
+enum status_code __wrap_describe_surface(struct surface_record *out, const struct scene *scene,
+                                         const struct scene_surface *surface, const struct surface_record *counterface,
+                                         struct status *status)
+{
+    described++;
+    return __real_describe_surface(out, scene, surface, counterface, status);
+}
+
 /** What a run did, by effect. */
 struct work {
     json_int_t area, plasticity, convergence, uncertainty, all;
@@ -99,6 +112,16 @@ TEST_CASE(auto_skips_what_cannot_matter)
     assert_int_equal(work.plasticity, 0);
     expect_in_file(&directory_here, "out/report.md", "plasticity (no spot bears more than ");
     assert_true(work_of(FILES "effects: auto\n").plasticity > 0);
+}
+
+/** Also where the baseline is sought for its loads, and where one surface calls for an effect that another does not. */
+TEST_CASE(a_surface_is_described_once)
+{
+    described = 0;
+    work_of("surfaces: [{name: hard, file: a.csv, material: {E: 1 GPa, nu: 0.3, Sy: 1000 GPa}}, {name: soft, file: "
+            "b.csv}, {name: same, file: a.csv}]\nmaterial: {E: 1 GPa, nu: 0.3, Sy: 1 MPa}\nmodels: [multiscale]\n"
+            "load: {from: 1e-6, to: 1e-3, points: 5}\n");
+    assert_int_equal(described, 3);
 }
 
 /** Decided surface by surface: what is skipped on one has that one's elastic numbers, and the other its own. */
