@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "results/asked.h"
 
-#include "analysis/direct_study.h"
+#include "answers/direct_study.h"
 #include "base/number_format.h"
 #include "results/comparison.h"
 #include <math.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "results/results.h"
 
-#include "analysis/direct_study.h"
+#include "answers/direct_study.h"
 #include <math.h>
 
 /** Models that stack scales and run, before `model`. */
@@ -118,6 +118,13 @@ enum quantity results_measured_quantity(const struct results *results)
         if (results_measured(results, i))
             return measured_quantity(&results->measured[i], results->plan->running);
     return QUANTITY_COUNT;
+}
+
+bool results_solves(const struct results *results, size_t index)
+{
+    const struct surface_summary *summary = &results->surfaces[index].summary;
+    bool called = results->scene->direct.surfaces == SCENE_DIRECT_ALL || index == results->baseline;
+    return called && summary->usable && summary->direct && summary->direct->possible;
 }
 
 const struct direct_study *results_direct_baseline(const struct results *results)

@@ -1,22 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Only what the scene calls for is computed: what is off takes no evaluation, what is on takes its own, and `auto`
  * leaves out what cannot change a number. */
-#include "analysis/effects.h"
 #include "pipeline.h"
+#include "results/results.h"
 
 #include <jansson.h>
 
 static size_t described;
 
-enum status_code __real_describe_surface(struct surface_record *out, const struct scene *scene,
-                                         const struct scene_surface *surface, const struct surface_record *counterface,
-                                         struct status *status);
-enum status_code __wrap_describe_surface(struct surface_record *out, const struct scene *scene,
-                                         const struct scene_surface *surface, const struct surface_record *counterface,
-                                         struct status *status)
+enum status_code __real_surface_read(struct surface_record *out, const struct scene *scene,
+                                     const struct scene_surface *surface, const struct surface_record *counterface,
+                                     struct status *status);
+enum status_code __wrap_surface_read(struct surface_record *out, const struct scene *scene,
+                                     const struct scene_surface *surface, const struct surface_record *counterface,
+                                     struct status *status)
 {
     described++;
-    return __real_describe_surface(out, scene, surface, counterface, status);
+    return __real_surface_read(out, scene, surface, counterface, status);
 }
 
 /** What a run did, by effect. */
@@ -36,7 +36,7 @@ static struct work work_of(const char *scene)
     json_t *results = json_load_file(directory_path(&directory_here, "out/results.json"), 0, NULL);
     const json_t *work = json_object_get(results, "work"), *row;
     const char *name;
-    assert_int_equal(json_object_size(work), EFFECTS_ROWS);
+    assert_int_equal(json_object_size(work), WORK_ROWS);
     struct work out = {evaluations(work, "area"), evaluations(work, "plasticity"), evaluations(work, "convergence"),
                        evaluations(work, "uncertainty"), 0};
     json_object_foreach((json_t *)work, name, row) out.all += evaluations(work, name);

@@ -3,13 +3,13 @@
  * these surfaces of nine height laws and three Hurst exponents are made by the program's own synthesis and solved; some
  * rows of each then go through the analysis as line scans, and every model's answer is held against the solution. Fails
  * where a number is beyond its bound. Minutes; hence no test. cmake --workflow --preset validation */
-#include "analysis/describe.h"
-#include "analysis/direct_study.h"
-#include "analysis/effects.h"
-#include "analysis/evaluate.h"
+#include "answers/curves.h"
+#include "answers/direct_study.h"
 #include "direct/direct_ladder.h"
 #include "direct/direct_surface.h"
 #include "directory.h"
+#include "members/surface_read.h"
+#include "plan/effects.h"
 #include "statistics/coverage.h"
 #include "validation/height_laws.h"
 #include "validation/nulls.h"
@@ -223,12 +223,12 @@ static void hold(struct findings *findings, const double *height_m, const struct
     coverage_must(scene_loads(&own, &count, &operating, &scene, &pair, &status), &status);
     plan.operating_place = operating + 1;
     const struct surface_task task = {.scene = &scene, .plan = &plan, .loads = own, .load_count = count};
-    coverage_must(describe_surface(&record, &scene, &scene.surfaces[0], NULL, &status), &status);
+    coverage_must(surface_read(&record, &scene, &scene.surfaces[0], NULL, &status), &status);
     if (!record.summary.usable)
         coverage_must(STATUS_SCAN, &(struct status){.message = "a surface was refused"});
     coverage_must(effects_bound(&record, &task, &status), &status);
     effects_decide(&plan, &scene, &record, 1);
-    coverage_must(evaluate_surface(&record, &task, &status), &status);
+    coverage_must(surface_answers_find(&record, &task, &status), &status);
     effects_fit_models(&plan, &record, 1);
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(&plan, m) && (isinf(hardness) || model_rows[m]->plastic || !model_rows[m]->elastic))
