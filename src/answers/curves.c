@@ -66,62 +66,6 @@ static enum status_code try_law(struct surface_record *record, const struct mode
     return rc;
 }
 
-/** What simulated records say of how far another place of a surface with one scan may answer. */
-static enum status_code run_uncertainty(struct surface_record *record, const struct surface_task *asked,
-                                        const struct model_task *task, struct status *status)
-{
-    const struct plan *plan = asked->plan;
-    struct surface_summary *summary = &record->summary;
-    struct model_task counted = *task;
-    counted.evaluations = &summary->simulated_evaluations;
-    double started = clock_seconds(), waves = model_task_longest_waves(task);
-    const struct joint_task joint = surface_joint(record, asked->scene, plan, task);
-    const struct surface_record *const bodies[] = {record, record->counterface};
-    struct uncertainty_scan scan = {
-        .how = record_conditioning_of(asked->scene, false), .task = &counted, .joint = &joint, .stop = asked->stop};
-    for (size_t k = 0; k < 2 && bodies[k]; k++)
-        scan.body[k] = (struct uncertainty_body){bodies[k]->height_m, bodies[k]->summary.single_points,
-                                                 bodies[k]->summary.spacing_m / surface_kappa(summary)};
-    struct uncertainty *all = calloc(model_count, sizeof *all);
-    if (!all)
-        return status_memory(status);
-    struct status problem = {0};
-    enum status_code rc = uncertainty_run(all, &scan, plan, &problem);
-    if (rc != STATUS_OK && rc != STATUS_SCAN)
-        (void)status_fail(status, rc, "%s", problem.message);
-    for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
-        const struct model_curve *curve = &record->curves[m];
-        if (!curve->exists || !uncertainty_holds(plan, m))
-            continue;
-        struct estimate estimates[CURVE_ESTIMATES];
-        for (int which = 0; which < CURVE_ESTIMATES; which++)
-            estimates[which] = estimate_none;
-        if (!(record->bands[m] = ensemble_band_make(task->loads, task->load_count))) {
-            rc = status_memory(status);
-            break;
-        }
-        for (size_t i = 0; i < curve->count; i++) {
-            const struct contact_point *point = &curve->points[i];
-            if (point->value[QUANTITY_LOAD] != record->bands[m][i].load)
-                break; /* a statistical curve closes at a load of its own */
-            struct estimate own[QUANTITY_COUNT];
-            for (int q = 0; q < QUANTITY_COUNT; q++)
-                own[q] =
-                    uncertainty_estimate(&all[m], model_rows[m], (enum quantity)q, point, summary->asperities.sigma_m);
-            ensemble_settle(own, point, model_rows[m], &joint, waves);
-            for (int q = 0; q < QUANTITY_COUNT; q++)
-                for (int side = 0; side < 2; side++)
-                    record->bands[m][i].mean[q][side] = estimate_end(&own[q], side);
-            if (i == model_task_operating(task))
-                memcpy(estimates, own, sizeof own);
-        }
-        rc = curve_summary_put_estimates(summary->models[m], estimates, status);
-    }
-    free(all);
-    summary->times.uncertainty += clock_seconds() - started;
-    return rc == STATUS_SCAN ? STATUS_OK : rc; /* no records of this one */
-}
-
 /** The other estimate of beta (4.54), which brings delta_ADJ closest to the separation H of the multiscale model of the
  * same material law, in the mean square: the mean of 4 (H - delta/2)/sigma over the loads that both answer. */
 static double nearest_beta(const struct surface_record *record, size_t m)
@@ -152,37 +96,6 @@ static void note_model(struct surface_record *record, size_t m, size_t left_out)
         note_add(&record->summary.notes, NULL,
                  "no %s: its numbers leave what can be computed with; check the units, the material and the loads",
                  model_rows[m]->label);
-}
-
-enum { MAP_DEGREES = 4 /* of freedom of its standard errors: they are of four quarters, about */ };
-
-/** The interval of a map's direct solution, by its standard errors. */
-static enum status_code put_map_errors(struct surface_record *record, size_t m, const struct model_task *task,
-                                       struct status *status)
-{
-    static const double carried[] = {0.02, 0.015, 0.033}; /* rms of ln between the loads solved: eight synthetic maps */
-    struct estimate estimates[CURVE_ESTIMATES];
-    const struct model_curve *curve = &record->curves[m];
-    for (int k = 0; k < CURVE_ESTIMATES; k++)
-        estimates[k] = estimate_none;
-    if (!(record->bands[m] = ensemble_band_make(task->loads, task->load_count)))
-        return status_memory(status);
-    for (size_t i = 0; i < curve->count; i++)
-        for (int q = 0; q < QUANTITY_COUNT; q++) {
-            const struct quantity_row *row = &quantity_rows[q];
-            const int which = row->solved.mean; /* area, gap, constriction */
-            if (!(row->is & QUANTITY_BANDED) || row->from)
-                continue;
-            double value = quantity_shown(&curve->points[i], (enum quantity)q, record->summary.asperities.sigma_m);
-            double s = transfer_error(task->transfer, model_rows[m]->plastic, which, task->loads[i]);
-            struct estimate own = estimate_of_error(value, hypot(s, carried[which]), MAP_DEGREES);
-            own.share = q == QUANTITY_AREA;
-            for (int side = 0; side < 2; side++)
-                record->bands[m][i].mean[q][side] = estimate_end(&own, side);
-            if (i == model_task_operating(task))
-                estimates[q] = own;
-        }
-    return curve_summary_put_estimates(record->summary.models[m], estimates, status);
 }
 
 /** One model: its curve, or the mean of its scans' curves; what lies in the joint; where it bends; what it hangs on. */
@@ -219,7 +132,7 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     }
     note_model(record, m, result.left_out);
     if (model_rows[m]->uses_map && curve->exists)
-        return put_map_errors(record, m, task, status);
+        return uncertainty_of_map(record, m, task, status);
     return STATUS_OK;
 }
 
@@ -365,7 +278,7 @@ enum status_code curves_run(struct surface_record *record, const struct surface_
         run_perfect_lay(record, leading, &task, status) != STATUS_OK)
         return status->code;
     if (plan_runs(plan, EFFECT_UNCERTAINTY) && record->height_m &&
-        run_uncertainty(record, asked, &task, status) != STATUS_OK)
+        uncertainty_run(record, asked, &task, status) != STATUS_OK)
         return status->code;
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs(plan, EFFECT_SEPARATION) && plan_runs_model(plan, m) &&

@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "certainty/uncertainty.h"
 
-#include "members/surface.h"
+#include "base/clock.h"
 #include "spectrum/multitaper.h"
 #include "spectrum/simulated_record.h"
 #include "statistics/single_scan.h"
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum {
+    UNCERTAINTY_LOADS = 3, /* first, middle and last: in between the deviation goes straight in ln load */
     RECORDS = SINGLE_SCAN_RECORDS,
     QUARTERS = SINGLE_SCAN_QUARTERS,
     LEAST_POINTS = 64, /* of a scan that is quartered */
@@ -18,7 +20,31 @@ enum {
 /* On one core of 2020: a height of a record, and the leading model at a record's loads. */
 static const double height_seconds = 0.25e-6, record_seconds = 1.3e-3;
 
-bool uncertainty_holds(const struct plan *plan, size_t model)
+/** A body that has been scanned once. */
+struct uncertainty_body {
+    const double *height_m; /* levelled */
+    size_t points;
+    double spacing_m;
+};
+
+/** What is to be simulated and quartered. */
+struct uncertainty_scan {
+    struct uncertainty_body body[2]; /* the second: the rough counterface; points 0: it is smooth */
+    struct record_conditioning how;
+    const struct model_task *task; /* of the scan itself */
+    const struct joint_task *joint;
+    const atomic_bool *stop;
+};
+
+/** Standard errors of one model's answers, all of ln answer: of the quantities of an ensemble_band, as they are there.
+ * NaN: not known. */
+struct uncertainty {
+    double ln_load[UNCERTAINTY_LOADS], s[QUANTITY_COUNT][UNCERTAINTY_LOADS];
+    size_t loads;
+};
+
+/** Does it say anything of a model: unasked of the one that the summary speaks of, listed of all. */
+static bool uncertainty_holds(const struct plan *plan, size_t model)
 {
     return plan_runs_model(plan, model) && !model_rows[model]->uses_map &&
            (plan->all_uncertain || model == plan_leading_model(plan));
@@ -142,8 +168,9 @@ double uncertainty_seconds(size_t points)
     return RECORDS * (2 * (double)points * height_seconds + record_seconds);
 }
 
-enum status_code uncertainty_run(struct uncertainty *out, const struct uncertainty_scan *scan, const struct plan *plan,
-                                 struct status *status)
+/** Errors of all running models; STATUS_SCAN: no records of it. */
+static enum status_code find_errors(struct uncertainty *out, const struct uncertainty_scan *scan,
+                                    const struct plan *plan, struct status *status)
 {
     struct simulated simulated[2] = {{.records = {.count = 0}}};
     for (size_t m = 0; m < model_count; m++)
@@ -158,8 +185,10 @@ enum status_code uncertainty_run(struct uncertainty *out, const struct uncertain
     return rc;
 }
 
-struct estimate uncertainty_estimate(const struct uncertainty *uncertainty, const struct model_row *model,
-                                     enum quantity quantity, const struct contact_point *point, double sigma_m)
+/** How far another place may be off a point of the curve of a scan of rms height sigma_m: without the model's own error
+ * (ensemble_settle()). */
+static struct estimate estimate_at(const struct uncertainty *uncertainty, const struct model_row *model,
+                                   enum quantity quantity, const struct contact_point *point, double sigma_m)
 {
     double ln_known[UNCERTAINTY_LOADS], s[UNCERTAINTY_LOADS];
     size_t count = 0;
@@ -175,4 +204,92 @@ struct estimate uncertainty_estimate(const struct uncertainty *uncertainty, cons
                           single_scan_s_at(log(point->value[QUANTITY_LOAD]), ln_known, s, count), SINGLE_SCAN_DEGREES);
     out.share = quantity == QUANTITY_AREA;
     return out;
+}
+
+/** The band and the estimates of model `m`, by its errors. */
+static enum status_code put_errors(struct surface_record *record, size_t m, const struct uncertainty *errors,
+                                   const struct uncertainty_scan *scan, struct status *status)
+{
+    const struct model_curve *curve = &record->curves[m];
+    const struct model_task *task = scan->task;
+    double waves = model_task_longest_waves(task);
+    struct estimate estimates[CURVE_ESTIMATES];
+    for (int which = 0; which < CURVE_ESTIMATES; which++)
+        estimates[which] = estimate_none;
+    if (!(record->bands[m] = ensemble_band_make(task->loads, task->load_count)))
+        return status_memory(status);
+    for (size_t i = 0; i < curve->count; i++) {
+        const struct contact_point *point = &curve->points[i];
+        if (point->value[QUANTITY_LOAD] != record->bands[m][i].load)
+            break; /* a statistical curve closes at a load of its own */
+        struct estimate own[QUANTITY_COUNT];
+        for (int q = 0; q < QUANTITY_COUNT; q++)
+            own[q] = estimate_at(errors, model_rows[m], (enum quantity)q, point, record->summary.asperities.sigma_m);
+        ensemble_settle(own, point, model_rows[m], scan->joint, waves);
+        for (int q = 0; q < QUANTITY_COUNT; q++)
+            for (int side = 0; side < 2; side++)
+                record->bands[m][i].mean[q][side] = estimate_end(&own[q], side);
+        if (i == model_task_operating(task))
+            memcpy(estimates, own, sizeof own);
+    }
+    return curve_summary_put_estimates(record->summary.models[m], estimates, status);
+}
+
+enum status_code uncertainty_run(struct surface_record *record, const struct surface_task *asked,
+                                 const struct model_task *task, struct status *status)
+{
+    struct surface_summary *summary = &record->summary;
+    struct model_task counted = *task;
+    counted.evaluations = &summary->simulated_evaluations;
+    double started = clock_seconds();
+    const struct joint_task joint = surface_joint(record, asked->scene, asked->plan, task);
+    const struct surface_record *const bodies[] = {record, record->counterface};
+    struct uncertainty_scan scan = {
+        .how = record_conditioning_of(asked->scene, false), .task = &counted, .joint = &joint, .stop = asked->stop};
+    for (size_t k = 0; k < 2 && bodies[k]; k++)
+        scan.body[k] = (struct uncertainty_body){bodies[k]->height_m, bodies[k]->summary.single_points,
+                                                 bodies[k]->summary.spacing_m / surface_kappa(summary)};
+    struct uncertainty *all = calloc(model_count, sizeof *all);
+    if (!all)
+        return status_memory(status);
+    struct status problem = {0};
+    enum status_code rc = find_errors(all, &scan, asked->plan, &problem);
+    if (rc != STATUS_OK && rc != STATUS_SCAN)
+        (void)status_fail(status, rc, "%s", problem.message);
+    for (size_t m = 0; m < model_count && rc == STATUS_OK; m++)
+        if (record->curves[m].exists && uncertainty_holds(asked->plan, m))
+            rc = put_errors(record, m, &all[m], &scan, status);
+    free(all);
+    summary->times.uncertainty += clock_seconds() - started;
+    return rc == STATUS_SCAN ? STATUS_OK : rc; /* no records of this one */
+}
+
+enum { MAP_DEGREES = 4 /* of freedom of its standard errors: they are of four quarters, about */ };
+
+enum status_code uncertainty_of_map(struct surface_record *record, size_t m, const struct model_task *task,
+                                    struct status *status)
+{
+    static const double carried[] = {0.02, 0.015, 0.033}; /* rms of ln between the loads solved: eight synthetic maps */
+    struct estimate estimates[CURVE_ESTIMATES];
+    const struct model_curve *curve = &record->curves[m];
+    for (int k = 0; k < CURVE_ESTIMATES; k++)
+        estimates[k] = estimate_none;
+    if (!(record->bands[m] = ensemble_band_make(task->loads, task->load_count)))
+        return status_memory(status);
+    for (size_t i = 0; i < curve->count; i++)
+        for (int q = 0; q < QUANTITY_COUNT; q++) {
+            const struct quantity_row *row = &quantity_rows[q];
+            const int which = row->solved.mean; /* area, gap, constriction */
+            if (!(row->is & QUANTITY_BANDED) || row->from)
+                continue;
+            double value = quantity_shown(&curve->points[i], (enum quantity)q, record->summary.asperities.sigma_m);
+            double s = transfer_error(task->transfer, model_rows[m]->plastic, which, task->loads[i]);
+            struct estimate own = estimate_of_error(value, hypot(s, carried[which]), MAP_DEGREES);
+            own.share = q == QUANTITY_AREA;
+            for (int side = 0; side < 2; side++)
+                record->bands[m][i].mean[q][side] = estimate_end(&own, side);
+            if (i == model_task_operating(task))
+                estimates[q] = own;
+        }
+    return curve_summary_put_estimates(record->summary.models[m], estimates, status);
 }

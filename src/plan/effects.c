@@ -187,6 +187,7 @@ void effects_fit_models(struct plan *plan, const struct surface_record *surfaces
 
 void effects_decide(struct plan *plan, const struct scene *scene, const struct surface_record *surfaces, size_t count)
 {
+    effects_fit_models(plan, surfaces, count);
     if (!scene->effects_auto)
         return;
     unsigned open = plan->running & ~scene->effects; /* what is listed runs whatever it changes */

@@ -13,7 +13,8 @@ MUST_CHECK enum status_code effects_bound(struct surface_record *record, const s
                                           struct status *status);
 
 /** Takes the effects out of an `auto` plan that no usable one of the `count` surfaces of a run calls for, and gives
- * every effect its reason with the number that decided. A plan from a list of effects keeps what was listed. */
+ * every effect its reason with the number that decided. A plan from a list of effects keeps what was listed. Its models
+ * are fitted to them first. */
 void effects_decide(struct plan *plan, const struct scene *scene, const struct surface_record *surfaces, size_t count);
 /** Takes the models out of a plan, or beside the others, that have no answer on all of these surfaces (one, or all of a
  * run): strips, direct solutions of maps. */

@@ -326,18 +326,21 @@ enum status_code all_surfaces_run(struct all_surfaces *out, const struct scene *
     if ((scene->operating.load == 0 && choose_operating_load(&all, &threads, status) != STATUS_OK) ||
         (all.bounded && threads_run(&threads, scene->surface_count, bound_one, &all, status) != STATUS_OK))
         return status->code;
+    struct plan ran = out->plan;
     if (all.bounded) /* what one surface calls for runs on all; of more than memory holds, all that is allowed */
         effects_decide(&out->plan, scene, results->surfaces, results->surface_count);
+    ran.running = out->plan.running;
+    ran.wanted = out->plan.wanted;
+    all.plan = &ran; /* of whose models each surface runs those that it has an answer by */
     if (curves && curve_tables_open(&all.tables, results, &out->plan, curves, status) != STATUS_OK)
         return curve_tables_close(all.tables, status);
     enum status_code rc = threads_run(&threads, scene->surface_count, run_one, &all, status);
     if (curve_tables_close(all.tables, status) != STATUS_OK)
         rc = status->code;
-    const struct plan ran = out->plan;
-    all.plan = &ran;
-    if (!all.bounded)
+    if (all.bounded)
+        effects_fit_models(&out->plan, results->surfaces, results->surface_count);
+    else
         effects_decide(&out->plan, scene, results->surfaces, results->surface_count);
-    effects_fit_models(&out->plan, results->surfaces, results->surface_count);
     all.tables = NULL;
     if (rc != STATUS_OK || results_rank(results, status) != STATUS_OK ||
         (curves && !describe_only && run_shown(&all, status) != STATUS_OK))
