@@ -10,6 +10,7 @@
 #include "joint/joint.h"
 #include "plan/effects.h"
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -186,10 +187,7 @@ static enum status_code solve_strips(struct surface_record *record, const struct
     struct ensemble *set = &record->ensemble;
     struct strips *strips = &record->strips;
     double started = clock_seconds();
-    bool used = false;
-    for (size_t m = 0; m < model_count; m++)
-        used = used || (plan_runs_model(plan, m) && model_rows[m]->uses_strip);
-    if (!used || strips->rows.rows == 0)
+    if (!(plan_running_models(plan) & model_flagged(offsetof(struct model_row, uses_strip))) || strips->rows.rows == 0)
         return STATUS_OK;
     enum status_code rc = strips_solve(strips, stop, status);
     if (rc == STATUS_OK && set->scan_count > 1)
@@ -214,10 +212,7 @@ static enum status_code solve_tiles(struct surface_record *record, struct plan *
     struct surface_summary *summary = &record->summary;
     struct tiles *tiles = &record->tiles;
     double started = clock_seconds(), hardness = INFINITY;
-    bool used = false;
-    for (size_t m = 0; m < model_count; m++)
-        used = used || (plan_runs_model(plan, m) && model_rows[m]->uses_map);
-    if (!used || !summary->has_tiles)
+    if (!(plan_running_models(plan) & model_flagged(offsetof(struct model_row, uses_map))) || !summary->has_tiles)
         return STATUS_OK;
     if (plan_runs(plan, EFFECT_PLASTICITY) && summary->pair.hardness_Pa > 0)
         hardness = summary->pair.hardness_Pa / summary->pair.effective_modulus_Pa;

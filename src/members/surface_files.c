@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "members/surface_files.h"
+#include "members/surface_read.h"
 
 #include "base/clock.h"
 #include <stdio.h>
@@ -25,7 +25,7 @@ static enum status_code hash_file(struct hash *hash, const char *path, struct st
 
 /** Adds the scan at options->entry of a file's bytes, and where the next one is. What lies beside the file and belongs
  * to it changes the numbers too. */
-static enum status_code add_scan(const struct surface_rows_task *task, const struct scan_bytes *bytes, const char *path,
+static enum status_code add_scan(const struct surface_scans *task, const struct scan_bytes *bytes, const char *path,
                                  struct scan_options *options, struct hash *hash, struct status *status)
 {
     struct surface_summary *summary = &task->record->summary;
@@ -49,7 +49,7 @@ static enum status_code add_scan(const struct surface_rows_task *task, const str
 }
 
 /** Adds the scans of a file, of which an archive may hold several: one that cannot be used costs itself alone. */
-static enum status_code add_scans(const struct surface_rows_task *task, const struct scene_surface *surface,
+static enum status_code add_scans(const struct surface_scans *task, const struct scene_surface *surface,
                                   struct text *text, const char *file, const char *path, struct hash *hash,
                                   struct status *status)
 {
@@ -78,7 +78,7 @@ static enum status_code add_scans(const struct surface_rows_task *task, const st
     return added > 0 ? STATUS_OK : status_fail(status, refused.code, "%s", refused.message);
 }
 
-enum status_code surface_files_read_one(const struct surface_rows_task *task, const struct scene_surface *surface,
+enum status_code surface_files_read_one(const struct surface_scans *task, const struct scene_surface *surface,
                                         const char *file, struct hash *hash, struct status *status)
 {
     struct text bytes = {0};
@@ -116,7 +116,7 @@ static void note_refused(struct surface_summary *summary, char *const *refusal, 
     }
 }
 
-enum status_code surface_files_read(const struct surface_rows_task *task, const struct scene_surface *surface,
+enum status_code surface_files_read(const struct surface_scans *task, const struct scene_surface *surface,
                                     struct hash *hash, struct status *status)
 {
     size_t count = surface->file_count, used = 0;

@@ -6,18 +6,15 @@
 
 #include "spectrum/simulated_record.h"
 #include <math.h>
+#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
 /** Does a model that may run use strips, or unloading? */
 static bool wants_strips(const struct scene *scene)
 {
-    if (scene->effects & EFFECT_BIT(EFFECT_UNLOADING))
-        return true;
-    for (size_t m = 0; m < model_count; m++)
-        if ((scene->models & MODEL_BIT(m)) && model_rows[m]->uses_strip)
-            return true;
-    return false;
+    return (scene->effects & EFFECT_BIT(EFFECT_UNLOADING)) ||
+           (scene->models & model_flagged(offsetof(struct model_row, uses_strip)));
 }
 
 /** Repeats, for a surface, what was noted about the scans of its counterface. */
@@ -234,7 +231,7 @@ static enum status_code take_along(struct surface_summary *summary, const struct
     struct surface_record along = {.summary = {.scene = &surface}};
     struct power_law_scans scans = {0};
     struct status problem = {0};
-    const struct surface_rows_task task = {&along, &scans, scene};
+    const struct surface_scans task = {&along, &scans, scene};
     surface.files = surface.along;
     surface.file_count = surface.along_count;
     enum status_code rc = STATUS_OK;
@@ -381,7 +378,7 @@ enum status_code surface_read(struct surface_record *out, const struct scene *sc
     struct status problem = {0};
     struct hash hash = hash_start();
     struct power_law_scans scans = {0};
-    const struct surface_rows_task task = {out, &scans, scene};
+    const struct surface_scans task = {out, &scans, scene};
     out->counterface = counterface;
     summary->scene = surface;
     summary->pair = scene_pair(&surface->bodies);

@@ -3,7 +3,8 @@
 #ifndef MEMBERS_SURFACE_READ_H
 #define MEMBERS_SURFACE_READ_H
 
-#include "members/surface_files.h"
+#include "base/hash.h"
+#include "members/surface.h"
 
 /** Reads and describes one surface: everything but effects and models. What is wrong with its files is no error: then
  * summary.usable is false and summary.refusal says why in one line. `counterface` is the described rough counterface,
@@ -13,6 +14,31 @@ MUST_CHECK enum status_code surface_read(struct surface_record *out, const struc
                                          struct status *status);
 
 /* Its steps, in their order. */
+
+/** A surface whose scans are being taken. */
+struct surface_scans {
+    struct surface_record *record;
+    struct power_law_scans *scans; /* that its law will be fitted to */
+    const struct scene *scene;
+};
+
+/** Adds every file of a surface, by name: what comes out does not depend on the order in which a scene lists them. One
+ * that cannot be used is refused, which is noted. Errors: STATUS_SCAN with the first one's reason where none is left,
+ * STATUS_MEMORY, STATUS_INTERRUPTED. */
+MUST_CHECK enum status_code surface_files_read(const struct surface_scans *task, const struct scene_surface *surface,
+                                               struct hash *hash, struct status *status);
+/** Adds the scans of one file, of which an archive may hold several: one that cannot be used costs itself alone. `hash`
+ * takes its bytes, and those of what belongs to it. Errors: STATUS_IO, STATUS_SCAN (one line with the file's name; then
+ * nothing was added), STATUS_MEMORY. */
+MUST_CHECK enum status_code surface_files_read_one(const struct surface_scans *task,
+                                                   const struct scene_surface *surface, const char *file,
+                                                   struct hash *hash, struct status *status);
+
+/** Adds a scan, `file` of the scene: a profile, whose heights are taken over, or every row of a map. A row of a map
+ * that cannot be used (all missing, flat) is left out and counted. Errors: STATUS_SCAN where none is left (one line
+ * with the file's name; then nothing was added), STATUS_MEMORY. */
+MUST_CHECK enum status_code surface_rows_add(const struct surface_scans *task, struct scan *scan, const char *file,
+                                             struct status *status);
 
 /** Two rough bodies: amplitudes and moments of the surface and of its counterface add as squares (docs/equations.md,
  * From scan to spectrum), scan by scan as many as both have; those the law is fitted to are added to `scans`. Error:

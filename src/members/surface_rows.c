@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "members/surface_rows.h"
+#include "members/surface_read.h"
 
 #include "base/clock.h"
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -107,7 +108,7 @@ static enum status_code average(struct surface_record *record, const struct prof
 
 /** Adds one profile, a row of a scan, to the surface: to its mean and the spectra the law is fitted to, to the
  * variants that answers are sensitive to, and as a member of its own. `had`: what its heights have been through. */
-static enum status_code add_profile(const struct surface_rows_task *task, const struct profile_options *had,
+static enum status_code add_profile(const struct surface_scans *task, const struct profile_options *had,
                                     const struct scan *scan, size_t row, struct profile *profile, struct status *status)
 {
     struct surface_record *record = task->record;
@@ -196,7 +197,7 @@ static enum status_code take_row(struct profile *out, struct scan *scan, size_t 
 }
 
 /** What there is to say of a map whose rows are taken, `unusable` of them left out, `run` of them members. */
-static void note_map(struct surface_summary *summary, const struct surface_rows_task *task, const char *file,
+static void note_map(struct surface_summary *summary, const struct surface_scans *task, const char *file,
                      const struct scan *scan, const struct direct_map_def *map, size_t unusable, size_t run)
 {
     size_t used = scan->ny - unusable;
@@ -212,7 +213,7 @@ static void note_map(struct surface_summary *summary, const struct surface_rows_
 }
 
 /** The first map of a surface speaks for all: of its lay, and of the square that a direct study takes. */
-static enum status_code keep_map(const struct surface_rows_task *task, const struct scan *scan,
+static enum status_code keep_map(const struct surface_scans *task, const struct scan *scan,
                                  const struct direct_map_def *map, struct status *status)
 {
     struct surface_record *record = task->record;
@@ -223,16 +224,7 @@ static enum status_code keep_map(const struct surface_rows_task *task, const str
     return keeps_direct(record, task->scene) ? keep_direct(record, scan, NULL, status) : STATUS_OK;
 }
 
-/** Does a model that may run use maps? */
-static bool wants_tiles(const struct scene *scene)
-{
-    for (size_t m = 0; m < model_count; m++)
-        if ((scene->models & MODEL_BIT(m)) && model_rows[m]->uses_map)
-            return true;
-    return false;
-}
-
-enum status_code surface_rows_add(const struct surface_rows_task *task, struct scan *scan, const char *scene_file,
+enum status_code surface_rows_add(const struct surface_scans *task, struct scan *scan, const char *scene_file,
                                   struct status *status)
 {
     char file[512];
@@ -282,7 +274,7 @@ enum status_code surface_rows_add(const struct surface_rows_task *task, struct s
     if (areal)
         note_map(summary, task, file, scan, &map, unusable, set->count - run_before);
     tiles_free(&task->record->tiles); /* a surface of several scans is no one map */
-    if (areal && first_file && wants_tiles(scene))
+    if (areal && first_file && (scene->models & model_flagged(offsetof(struct model_row, uses_map))))
         tiles_take(&task->record->tiles, scan, &map);
     if (unusable > 0)
         note_add(&summary->notes, file, "%zu %s%s left out, the first because %s", unusable,

@@ -5,6 +5,7 @@
 #include "contact/corrected_persson.h"
 #include <float.h>
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 
 /** What spots of any heights bear over what those of Gaussian heights do, at most. */
@@ -131,9 +132,7 @@ const double effects_transform_seconds = 12e-9;
 static void decide_strips(struct plan *plan, const struct surface_record *surfaces, size_t count)
 {
     size_t has = 0, lacking = 0;
-    uint64_t users = 0;
-    for (size_t m = 0; m < model_count; m++)
-        users |= model_rows[m]->uses_strip ? MODEL_BIT(m) : 0;
+    const uint64_t users = model_flagged(offsetof(struct model_row, uses_strip));
     for (size_t i = 0; i < count; i++) {
         has += surfaces[i].summary.has_strips;
         lacking += surfaces[i].summary.usable && !surfaces[i].summary.has_strips;
@@ -151,9 +150,7 @@ static void decide_tiles(struct plan *plan, const struct surface_record *surface
 {
     double cost = 0;
     size_t maps = 0, dear = 0, lacking = 0;
-    uint64_t users = 0;
-    for (size_t m = 0; m < model_count; m++)
-        users |= model_rows[m]->uses_map ? MODEL_BIT(m) : 0;
+    const uint64_t users = plan->models & model_flagged(offsetof(struct model_row, uses_map));
     for (size_t i = 0; i < count; i++) {
         const struct surface_summary *summary = &surfaces[i].summary;
         maps += summary->usable && summary->has_tiles;
@@ -161,7 +158,6 @@ static void decide_tiles(struct plan *plan, const struct surface_record *surface
         dear += summary->usable && !summary->has_tiles && summary->tile_cost > 0;
         cost += summary->usable ? summary->tile_cost : 0;
     }
-    users &= plan->models;
     if (users == 0 || lacking == 0)
         return;
     if (maps > 0 && dear == 0)

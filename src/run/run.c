@@ -90,11 +90,8 @@ static enum status_code run_measured_on(struct run *run, size_t surface, struct 
     const struct surface_task asked = results_task(results, surface);
     const struct model_task task = surface_model_task(record, &asked);
     const struct joint_task joint = surface_joint(record, results->scene, results->plan, &task);
-    uint64_t models = 0;
-    for (size_t m = 0; m < model_count; m++)
-        models |= plan_runs_model(results->plan, m) ? MODEL_BIT(m) : 0;
-    if (measured_answer(answers, measured, models, &task, &joint, &record->ensemble, record->summary.unloading,
-                        status) != STATUS_OK ||
+    if (measured_answer(answers, measured, plan_running_models(results->plan), &task, &joint, &record->ensemble,
+                        record->summary.unloading, status) != STATUS_OK ||
         measured_fit(answers, measured, plan_leading_model(results->plan), status) != STATUS_OK)
         return status->code;
     record->summary.carried_model = answers->fitted;

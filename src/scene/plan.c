@@ -2,6 +2,7 @@
 #include "scene/plan.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 
 /** The bodies of surface `i`; the scene's where it has no surface. */
@@ -46,10 +47,8 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
     const struct effect_row *row = &effect_rows[effect];
     struct plan_effect *out = &plan->effects[effect];
     unsigned lacking = row->needs_effects & ~plan->running;
-    bool stacks_scales = false;
-    for (size_t m = 0; m < model_count; m++)
-        stacks_scales = stacks_scales || (plan_runs_model(plan, m) && model_rows[m]->stacks_scales);
-    if (effect == EFFECT_CONVERGENCE && !stacks_scales) {
+    const uint64_t stack_scales = model_flagged(offsetof(struct model_row, stacks_scales));
+    if (effect == EFFECT_CONVERGENCE && !(plan_running_models(plan) & stack_scales)) {
         snprintf(out->reason, sizeof out->reason, "a question to the multiscale models, which do not run");
     } else if (effect == EFFECT_DIRECT) { /* seconds where the rest takes milliseconds: never unasked */
         out->runs = scene->direct.called;
@@ -113,6 +112,14 @@ void plan_switch_off(struct plan *plan, enum effect effect)
 bool plan_runs_model(const struct plan *plan, size_t m)
 {
     return model_runs(m, plan->models, plan->running);
+}
+
+uint64_t plan_running_models(const struct plan *plan)
+{
+    uint64_t models = 0;
+    for (size_t m = 0; m < model_count; m++)
+        models |= plan_runs_model(plan, m) ? MODEL_BIT(m) : 0;
+    return models;
 }
 
 unsigned plan_quantities(const struct plan *plan)

@@ -70,7 +70,7 @@ static void gather(char *name)
     struct status status = {0};
     if (strcmp(name, map_name) == 0)
         snprintf(surface.x_unit, sizeof surface.x_unit, "m"), snprintf(surface.z_unit, sizeof surface.z_unit, "m");
-    const struct surface_rows_task task = {record, &scans, &scene};
+    const struct surface_scans task = {record, &scans, &scene};
     if (surface_files_read_one(&task, &surface, name, &hash, &status) != STATUS_OK)
         fail_msg("%s", status.message);
 }
