@@ -232,21 +232,20 @@ static enum status_code solve_band(struct answer *out, const struct surface_reco
     return STATUS_OK;
 }
 
-static enum status_code answer_target(struct answer *out, const struct surface_record *record, size_t m,
-                                      const struct scene_asked *target, const struct model_task *task,
-                                      const struct joint_task *joint, struct status *status)
+/** Of the model that `search` is of. */
+static enum status_code answer_target(struct answer *out, const struct surface_record *record,
+                                      const struct scene_asked *target, struct search search)
 {
-    const struct model_row *row = model_rows[m];
+    const size_t m = model_index(search.row);
     const unsigned from = quantity_rows[target->quantity].from, needed = from ? from : QUANTITY_BIT(target->quantity);
-    struct search search = {
-        .row = row, .task = *task, .set = &record->ensemble, .joint = *joint, .target = target, .status = status};
+    search.target = target;
     *out = no_answer;
-    search.joint.effects = from ? joint->effects : 0;
+    search.joint.effects = from ? search.joint.effects : 0;
     search.task.wanted &= QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | needed;
-    if (!record->curves[m].exists || (row->quantities & task->wanted & needed) != needed)
+    if (!record->curves[m].exists || (search.row->quantities & search.task.wanted & needed) != needed)
         return STATUS_OK;
     if (solve(out, &search) != STATUS_OK)
-        return status->code;
+        return search.status->code;
     bool banded = record->bands[m] && out->kind == ANSWER_LOAD && !out->full;
     return banded ? solve_band(out, record, &search) : STATUS_OK;
 }
@@ -320,12 +319,14 @@ enum status_code answers_find(struct surface_record *record, const struct scene 
             return status_memory(status);
         struct model_task own = *task;
         own.evaluations = &model->evaluations;
+        const struct search search = {
+            .row = model_rows[m], .task = own, .set = &record->ensemble, .joint = joint, .status = status};
         for (size_t t = 0; t < scene->target_count; t++) {
             struct answer *answer = &summary->answers[t * model_count + m];
             struct scene_asked target = scene->targets[t];
             if (summary->carried > 0 && m == summary->carried_model && target.quantity == summary->carried_quantity)
                 target.value *= summary->carried; /* the model's resistance over that factor is what is met */
-            if (answer_target(answer, record, m, &target, &own, &joint, status) != STATUS_OK)
+            if (answer_target(answer, record, &target, search) != STATUS_OK)
                 return status->code;
             bool met = (answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST) && !answer->full;
             size_t by = met ? counting_model(record, plan, m, answer->load) : model_count;

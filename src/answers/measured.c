@@ -122,11 +122,11 @@ static enum status_code read_run(struct measured *out, const char *name, const s
     return rc;
 }
 
-enum status_code measured_read(struct measured *out, const struct scene_measured *given, size_t before,
-                               const struct scene *scene, const struct plan *plan, const struct material_pair *pair,
-                               struct status *status)
+enum status_code measured_read(struct measured *out, const struct scene *scene, const struct plan *plan,
+                               const struct material_pair *pair, struct status *status)
 {
-    *out = (struct measured){.given = given, .before = before, .thermal = given->quantity == SCENE_MEASURED_TCR};
+    const struct scene_measured *given = out->given;
+    out->thermal = given->quantity == SCENE_MEASURED_TCR;
     enum effect needed = out->thermal ? EFFECT_THERMAL : EFFECT_ELECTRICAL;
     if (!plan_runs(plan, needed))
         return status_fail(status, STATUS_SCENE,
@@ -201,33 +201,35 @@ static void answer_branches(struct measured_answers *out, const struct measured 
         }
 }
 
-enum status_code measured_answer(struct measured_answers *out, const struct measured *measured, uint64_t models,
-                                 const struct model_task *task, const struct joint_task *joint,
-                                 const struct ensemble *set, const struct surface_unloading *unloading,
+enum status_code measured_answer(struct measured_answers *out, const struct measured *measured,
+                                 const struct surface_record *record, const struct surface_task *asked,
                                  struct status *status)
 {
-    const enum quantity quantity = measured_quantity(measured, joint->effects);
+    const uint64_t models = plan_running_models(asked->plan);
+    const struct model_task task = surface_model_task(record, asked);
+    const struct joint_task joint = surface_joint(record, asked->scene, asked->plan, &task);
+    const enum quantity quantity = measured_quantity(measured, joint.effects);
     double *loads = calloc(measured->count, sizeof *loads);
     struct contact_point *points = malloc((measured->count + 1) * sizeof *points);
     *out =
         (struct measured_answers){.resistance = calloc((model_count + 2) * measured->count, sizeof *out->resistance)};
     bool stored = loads && points && out->resistance;
-    size_t count = stored ? loads_within(loads, measured, task) : 0;
-    struct model_task asked = model_task_at(task, loads, count);
+    size_t count = stored ? loads_within(loads, measured, &task) : 0;
+    struct model_task at_loads = model_task_at(&task, loads, count);
     const unsigned own = QUANTITY_BIT(measured_quantity(measured, 0)); /* all that the models are asked */
-    asked.wanted = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | own;
+    at_loads.wanted = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | own;
     enum status_code rc = stored ? STATUS_OK : status_memory(status);
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
         struct model_curve curve = {.points = points};
         if ((models & MODEL_BIT(m)) && count > 0 && (model_rows[m]->quantities & own))
-            rc = ensemble_curve(&curve, NULL, set, model_rows[m], &asked, status);
+            rc = ensemble_curve(&curve, NULL, &record->ensemble, model_rows[m], &at_loads, status);
         if (rc == STATUS_OK && quantity_rows[quantity].from)
-            rc = joint_curve(&curve, model_rows[m], &asked, joint, status);
+            rc = joint_curve(&curve, model_rows[m], &at_loads, &joint, status);
         for (size_t i = 0; i < measured->count; i++)
             out->resistance[m * measured->count + i] = resistance_at(&curve, measured->load[i], quantity);
     }
     if (rc == STATUS_OK)
-        answer_branches(out, measured, quantity, unloading);
+        answer_branches(out, measured, quantity, record->summary.unloading);
     free(loads);
     free(points);
     return rc;

@@ -44,12 +44,11 @@ struct measured_answers {
 /** The models' quantity that measurements are held against with these EFFECT_BITs: the resistance with film and plating
  * where these are called for. */
 enum quantity measured_quantity(const struct measured *measured, unsigned effects);
-/** Runs the set `models` at the measured loads themselves, on every scan as the surface's curve, with what lies in the
- * joint; with the surface's curve of falling load (NULL: none) also the branches. Error: STATUS_MEMORY. */
+/** Runs the models of the plan at the measured loads themselves, on every scan as the surface's curve, with what lies
+ * in the joint; with the surface's curve of falling load also the branches. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code measured_answer(struct measured_answers *out, const struct measured *measured,
-                                            uint64_t models, const struct model_task *task,
-                                            const struct joint_task *joint, const struct ensemble *set,
-                                            const struct surface_unloading *unloading, struct status *status);
+                                            const struct surface_record *record, const struct surface_task *asked,
+                                            struct status *status);
 /** Fits the factor that the loading points carry of the conductance of model `m`, with the interval of their scatter;
  * of several runs that of the runs' means. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code measured_fit(struct measured_answers *out, const struct measured *measured, size_t m,
@@ -63,13 +62,12 @@ struct measured_distance {
     double bias_decades; /* mean of the same */
 };
 
-/** Reads the files of `given` (see measured_file.h), measured on these bodies; `before` points are of other surfaces.
+/** Reads the files of out->given (see measured_file.h), measured on these bodies; all but that and `before` is zeroed.
  * Units are those that a file names, else the scene's load_unit and resistance_unit. N are divided by the nominal area,
  * Ω and K/W multiplied by it; an error in the unit 1 or % is relative, one without unit is in the resistance's. Errors:
  * STATUS_SCENE with file, line and remedy (as measured_file_read(); no unit anywhere, file and scene of two minds, N, Ω
  * or K/W without nominal_area_m2, nothing to compare with); STATUS_IO, STATUS_MEMORY. */
-MUST_CHECK enum status_code measured_read(struct measured *out, const struct scene_measured *given, size_t before,
-                                          const struct scene *scene, const struct plan *plan,
+MUST_CHECK enum status_code measured_read(struct measured *out, const struct scene *scene, const struct plan *plan,
                                           const struct material_pair *pair, struct status *status);
 void measured_free(struct measured *measured);
 

@@ -20,16 +20,9 @@ enum {
 /* On one core of 2020: a height of a record, and the leading model at a record's loads. */
 static const double height_seconds = 0.25e-6, record_seconds = 1.3e-3;
 
-/** A body that has been scanned once. */
-struct uncertainty_body {
-    const double *height_m; /* levelled */
-    size_t points;
-    double spacing_m;
-};
-
 /** What is to be simulated and quartered. */
 struct uncertainty_scan {
-    struct uncertainty_body body[2]; /* the second: the rough counterface; points 0: it is smooth */
+    struct record_heights body[2]; /* levelled; the second: the rough counterface; points 0: it is smooth */
     struct record_conditioning how;
     const struct model_task *task; /* of the scan itself */
     const struct joint_task *joint;
@@ -61,15 +54,14 @@ static size_t record_loads(double load[UNCERTAINTY_LOADS], const struct model_ta
 }
 
 /** ln answers of all members at load i of a list, NaN of those that have none. */
-static void answers_of(double *out, size_t all, const struct ensemble_curves *curves, const struct model_row *model,
-                       enum quantity quantity, size_t i, double load)
+static void answers_of(double *out, size_t all, const struct ensemble_curves *curves, enum quantity shown, size_t i,
+                       double load)
 {
     for (size_t r = 0; r < all; r++) {
         out[r] = NAN;
         if (r < curves->count && i < curves->curves[r].count &&
             curves->curves[r].points[i].value[QUANTITY_LOAD] == load)
-            out[r] =
-                log(quantity_shown(&curves->curves[r].points[i], model_shown(model, quantity), curves->sigma_m[r]));
+            out[r] = log(quantity_shown(&curves->curves[r].points[i], shown, curves->sigma_m[r]));
     }
 }
 
@@ -86,19 +78,21 @@ static void simulated_free(struct simulated *simulated)
     strips_free(&simulated->strips);
 }
 
-static enum status_code add_quarters(struct simulated *out, const struct uncertainty_body *body,
+static enum status_code add_quarters(struct simulated *out, const struct record_heights *body,
                                      const struct uncertainty_scan *scan, struct status *status)
 {
     size_t quarter = body->points / QUARTERS;
-    for (size_t k = 0; k < QUARTERS && body->points >= LEAST_POINTS; k++)
-        if (ensemble_add(&out->quarters, k, body->height_m + k * (body->points - quarter) / (QUARTERS - 1), quarter,
-                         body->spacing_m, &scan->how, status) != STATUS_OK)
+    for (size_t k = 0; k < QUARTERS && body->points >= LEAST_POINTS; k++) {
+        const struct record_heights part = {body->height_m + k * (body->points - quarter) / (QUARTERS - 1), quarter,
+                                            body->spacing_m};
+        if (ensemble_add(&out->quarters, k, &part, &scan->how, status) != STATUS_OK)
             return status->code;
+    }
     return out->quarters.keeps_heights ? strips_gather(&out->strips, &out->quarters, scan->body[1].points > 0, status)
                                        : STATUS_OK;
 }
 
-static enum status_code add_records(struct simulated *out, const struct uncertainty_body *body, unsigned long seed,
+static enum status_code add_records(struct simulated *out, const struct record_heights *body, unsigned long seed,
                                     const struct uncertainty_scan *scan, struct status *status)
 {
     struct simulated_record spectrum = {0};
@@ -113,7 +107,8 @@ static enum status_code add_records(struct simulated *out, const struct uncertai
     for (size_t b = 0; b < RECORDS && rc == STATUS_OK; b++) {
         rc = simulated_record_draw(height_m, &spectrum, seed + b, status);
         if (rc == STATUS_OK)
-            rc = ensemble_add(&out->records, b, height_m, body->points, body->spacing_m, &scan->how, status);
+            rc = ensemble_add(&out->records, b, &(struct record_heights){height_m, body->points, body->spacing_m},
+                              &scan->how, status);
     }
     simulated_record_free(&spectrum);
     free(height_m);
@@ -152,8 +147,9 @@ static enum status_code run_one(struct uncertainty *out, const struct simulated 
     out->loads = loads;
     for (size_t i = 0; i < loads && rc == STATUS_OK; i++)
         for (int q = 0; q < QUANTITY_COUNT; q++) {
-            answers_of(record, RECORDS, &records, model, (enum quantity)q, i, load[i]);
-            answers_of(quarter, QUARTERS, &quarters, model, (enum quantity)q, i, load[i]);
+            enum quantity shown = model_shown(model, (enum quantity)q);
+            answers_of(record, RECORDS, &records, shown, i, load[i]);
+            answers_of(quarter, QUARTERS, &quarters, shown, i, load[i]);
             out->ln_load[i] = log(load[i]);
             out->s[q][i] =
                 (quantity_rows[q].is & QUANTITY_BANDED) ? single_scan_s(record, RECORDS, quarter, QUARTERS) : NAN;
@@ -247,8 +243,8 @@ enum status_code uncertainty_run(struct surface_record *record, const struct sur
     struct uncertainty_scan scan = {
         .how = record_conditioning_of(asked->scene, false), .task = &counted, .joint = &joint, .stop = asked->stop};
     for (size_t k = 0; k < 2 && bodies[k]; k++)
-        scan.body[k] = (struct uncertainty_body){bodies[k]->height_m, bodies[k]->summary.single_points,
-                                                 bodies[k]->summary.spacing_m / surface_kappa(summary)};
+        scan.body[k] = (struct record_heights){bodies[k]->height_m, bodies[k]->summary.single_points,
+                                               bodies[k]->summary.spacing_m / surface_kappa(summary)};
     struct uncertainty *all = calloc(model_count, sizeof *all);
     if (!all)
         return status_memory(status);

@@ -61,11 +61,12 @@ size_t ensemble_partner(const struct ensemble *set, size_t p, const struct ensem
 
 struct record_conditioning record_conditioning_of(const struct scene *scene, bool periodic)
 {
-    return (struct record_conditioning){scene->level, !scene->level_given, periodic, scene->window, scene->moments};
+    return (struct record_conditioning){scene->level,  !scene->level_given, periodic,
+                                        scene->window, scene->moments,      false};
 }
 
 enum status_code member_of_record(struct member *out, struct fft_room *room, size_t points, double spacing_m,
-                                  const struct record_conditioning *how, bool keeps_heights, struct status *status)
+                                  const struct record_conditioning *how, struct status *status)
 {
     struct levelling levelling;
     struct status none = {0};
@@ -73,7 +74,7 @@ enum status_code member_of_record(struct member *out, struct fft_room *room, siz
     *out = (struct member){.points = points, .spacing_m = spacing_m, .periodic = how->periodic};
     if (level_remove(&levelling, room->record, NULL, points, spacing_m, level, &none) == STATUS_MEMORY)
         return status_memory(status);
-    if (keeps_heights) {
+    if (how->keeps_heights) {
         if (!(out->height_m = malloc(points * sizeof *out->height_m)))
             return status_memory(status);
         memcpy(out->height_m, room->record, points * sizeof *out->height_m);
@@ -87,17 +88,18 @@ enum status_code member_of_record(struct member *out, struct fft_room *room, siz
     return STATUS_OK;
 }
 
-enum status_code ensemble_add(struct ensemble *set, size_t scan, const double *height_m, size_t points,
-                              double spacing_m, const struct record_conditioning *how, struct status *status)
+enum status_code ensemble_add(struct ensemble *set, size_t scan, const struct record_heights *of,
+                              const struct record_conditioning *how, struct status *status)
 {
     struct fft_room room;
     struct record_conditioning own = *how;
     struct member *member = ensemble_room(set);
-    own.periodic = how->periodic && record_window_is_periodic(height_m, points);
-    if (!member || !fft_room_make(&room, points))
+    own.periodic = how->periodic && record_window_is_periodic(of->height_m, of->points);
+    own.keeps_heights = set->keeps_heights;
+    if (!member || !fft_room_make(&room, of->points))
         return status_memory(status);
-    memcpy(room.record, height_m, points * sizeof *height_m);
-    enum status_code rc = member_of_record(member, &room, points, spacing_m, &own, set->keeps_heights, status);
+    memcpy(room.record, of->height_m, of->points * sizeof *of->height_m);
+    enum status_code rc = member_of_record(member, &room, of->points, of->spacing_m, &own, status);
     member->scan = scan;
     fft_room_free(&room);
     return rc;
@@ -137,9 +139,11 @@ struct model_task member_task(struct asperities *asperities, const struct member
     return own;
 }
 
-enum status_code ensemble_estimate(struct estimate *out, const struct ensemble *set, const double *value,
-                                   const size_t *scan, size_t count, bool logarithmic, struct status *status)
+enum status_code ensemble_estimate(struct estimate *out, const struct ensemble *set, const struct ensemble_values *of,
+                                   bool logarithmic, struct status *status)
 {
+    const double *value = of->value;
+    const size_t *scan = of->scan, count = of->count;
     double *mean = malloc(2 * (count + 1) * sizeof *mean);
     size_t scans = 0;
     if (!mean)
@@ -212,26 +216,37 @@ struct ensemble_band *ensemble_band_make(const double *loads, size_t count)
     return band;
 }
 
+/** What a mean is of. */
+struct mean {
+    const struct ensemble_curves *curves;
+    const struct ensemble *set;
+    const struct model_row *model;
+    const struct model_task *task;
+    const struct model_curve *joined; /* the curve of all rows in one strip; NULL of a model that uses none */
+};
+
 /** The mean of what is in curves->value. Where nothing is left of a positive quantity in any of them, that is it. */
-static enum status_code mean_of(double *mean, struct estimate *estimate, const struct ensemble_curves *curves,
-                                const struct ensemble *set, bool logarithmic, struct status *status)
+static enum status_code mean_of(double *mean, struct estimate *estimate, const struct mean *of, bool logarithmic,
+                                struct status *status)
 {
+    const struct ensemble_curves *curves = of->curves;
+    const struct ensemble_values values = {curves->value, curves->scan, curves->count};
     bool zero = logarithmic;
     for (size_t r = 0; r < curves->count && zero; r++)
         zero = curves->value[r] == 0;
-    if (ensemble_estimate(estimate, set, curves->value, curves->scan, curves->count, logarithmic, status) != STATUS_OK)
+    if (ensemble_estimate(estimate, of->set, &values, logarithmic, status) != STATUS_OK)
         return status->code;
     *mean = zero ? 0 : estimate_value(estimate);
     return STATUS_OK;
 }
 
 /** Mean of the number at `offset` in each curve. */
-static enum status_code mean_number(double *mean, struct estimate *estimate, const struct ensemble_curves *curves,
-                                    const struct ensemble *set, size_t offset, bool logarithmic, struct status *status)
+static enum status_code mean_number(double *mean, struct estimate *estimate, const struct mean *of, size_t offset,
+                                    bool logarithmic, struct status *status)
 {
-    for (size_t r = 0; r < curves->count; r++)
-        memcpy(&curves->value[r], (const char *)&curves->curves[r] + offset, sizeof *curves->value);
-    return mean_of(mean, estimate, curves, set, logarithmic, status);
+    for (size_t r = 0; r < of->curves->count; r++)
+        memcpy(&of->curves->value[r], (const char *)&of->curves->curves[r] + offset, sizeof *of->curves->value);
+    return mean_of(mean, estimate, of, logarithmic, status);
 }
 
 /** Point `at` of a curve; SIZE_MAX: that of full contact. */
@@ -242,34 +257,35 @@ static const struct contact_point *point_of(const struct ensemble_curves *curves
 
 /** Fills the quantities of `out` from point `at` of every curve. estimates: NULL, or QUANTITY_COUNT; lengths over
  * sigma. */
-static enum status_code mean_point(struct contact_point *out, struct estimate *estimates,
-                                   const struct ensemble_curves *curves, const struct ensemble *set,
-                                   const struct model_row *model, size_t at, struct status *status)
+static enum status_code mean_point(struct contact_point *out, struct estimate *estimates, const struct mean *of,
+                                   size_t at, struct status *status)
 {
+    const struct ensemble_curves *curves = of->curves;
     struct estimate unused = estimate_none;
     *out = quantity_nothing();
     for (int q = QUANTITY_AREA; q < QUANTITY_COUNT; q++) {
         const struct quantity_row *row = &quantity_rows[q];
         struct estimate *estimate = estimates ? &estimates[q] : &unused;
-        bool logarithmic = !(row->is & QUANTITY_LINEAR) || q == (int)model_shown(model, QUANTITY_SEPARATION);
+        bool logarithmic = !(row->is & QUANTITY_LINEAR) || q == (int)model_shown(of->model, QUANTITY_SEPARATION);
         double mean = NAN;
         *estimate = estimate_none;
         if (row->from && isnan(point_of(curves, 0, at)->value[q]))
             continue; /* not asked, or not known */
         for (size_t r = 0; r < curves->count; r++)
             curves->value[r] = point_of(curves, r, at)->value[q] / (row->sigma_column ? curves->sigma_m[r] : 1);
-        if (mean_of(&mean, estimate, curves, set, logarithmic, status) != STATUS_OK)
+        if (mean_of(&mean, estimate, of, logarithmic, status) != STATUS_OK)
             return status->code;
         estimate->share = q == QUANTITY_AREA;
-        out->value[q] = row->from ? NAN : mean * (row->sigma_column ? set->sigma_m : 1); /* joint_apply() fills it */
+        out->value[q] =
+            row->from ? NAN : mean * (row->sigma_column ? of->set->sigma_m : 1); /* joint_apply() fills it */
     }
     for (size_t r = 0; r < curves->count; r++)
         curves->value[r] = point_of(curves, r, at)->beyond_fit;
-    if (mean_of(&out->beyond_fit, &unused, curves, set, false, status) != STATUS_OK)
+    if (mean_of(&out->beyond_fit, &unused, of, false, status) != STATUS_OK)
         return status->code;
     for (size_t r = 0; r < curves->count; r++)
         curves->value[r] = point_of(curves, r, at)->radius_clamped;
-    return mean_of(&out->radius_clamped, &unused, curves, set, false, status);
+    return mean_of(&out->radius_clamped, &unused, of, false, status);
 }
 
 /** Have all curves a point at load i of the task, not one of their own, and half of them or more one that is not
@@ -337,28 +353,27 @@ void ensemble_settle(struct estimate estimates[QUANTITY_COUNT], const struct con
         estimates[QUANTITY_AREA].half_width = estimates[QUANTITY_AREA].next_half_width = NAN;
 }
 
-/** joined: the curve of all rows in one strip, NULL for a model that uses none. */
-static enum status_code mean_curve(struct model_curve *curve, struct ensemble_result *result,
-                                   const struct ensemble_curves *curves, const struct ensemble *set,
-                                   const struct model_row *model, const struct model_task *task,
-                                   const struct model_curve *joined, struct status *status)
+static enum status_code mean_curve(struct model_curve *curve, struct ensemble_result *result, const struct mean *of,
+                                   struct status *status)
 {
+    const struct model_task *task = of->task;
+    const struct model_row *model = of->model;
+    const struct model_curve *joined = of->joined;
     struct estimate estimates[QUANTITY_COUNT];
     const struct joint_task bare = {.pair = task->pair}, *joint = result->joint ? result->joint : &bare;
-    double share = set->scan_count > 1 ? 0.5 : 1, waves = model_task_longest_waves(task);
+    double share = of->set->scan_count > 1 ? 0.5 : 1, waves = model_task_longest_waves(task);
     size_t full = offsetof(struct model_curve, full_load), beta = offsetof(struct model_curve, beta);
     estimates[QUANTITY_LOAD] = estimate_none;
     curve->exists = true;
-    if (mean_number(&curve->full_load, &result->estimates[CURVE_FULL_LOAD], curves, set, full, true, status) !=
-            STATUS_OK ||
-        mean_number(&curve->beta, &result->estimates[CURVE_BETA], curves, set, beta, false, status) != STATUS_OK ||
-        mean_point(&curve->full, NULL, curves, set, model, SIZE_MAX, status) != STATUS_OK)
+    if (mean_number(&curve->full_load, &result->estimates[CURVE_FULL_LOAD], of, full, true, status) != STATUS_OK ||
+        mean_number(&curve->beta, &result->estimates[CURVE_BETA], of, beta, false, status) != STATUS_OK ||
+        mean_point(&curve->full, NULL, of, SIZE_MAX, status) != STATUS_OK)
         return status->code;
     curve->full.value[QUANTITY_LOAD] = curve->full_load;
     size_t count = joined && joined->count < task->load_count ? joined->count : task->load_count;
-    for (size_t i = 0; i < count && all_reach(curves, i, task->loads[i]); i++) {
+    for (size_t i = 0; i < count && all_reach(of->curves, i, task->loads[i]); i++) {
         struct contact_point *point = &curve->points[curve->count++];
-        if (mean_point(point, estimates, curves, set, model, i, status) != STATUS_OK)
+        if (mean_point(point, estimates, of, i, status) != STATUS_OK)
             return status->code;
         point->value[QUANTITY_LOAD] = task->loads[i];
         if (joined)
@@ -373,7 +388,7 @@ static enum status_code mean_curve(struct model_curve *curve, struct ensemble_re
         for (int q = 0; q < QUANTITY_COUNT && i == model_task_operating(task); q++)
             result->estimates[q] = estimates[model_shown(model, (enum quantity)q)];
     }
-    if (curve->count < task->load_count && all_close(curves))
+    if (curve->count < task->load_count && all_close(of->curves))
         curve->points[curve->count++] = curve->full;
     return STATUS_OK;
 }
@@ -402,8 +417,9 @@ enum status_code ensemble_curve(struct model_curve *curve, struct ensemble_resul
         rc = status_memory(status);
     if (rc == STATUS_OK && model->uses_strip)
         rc = model_run(&joined, model, task, status);
+    const struct mean of = {&curves, set, model, task, joined.exists ? &joined : NULL};
     if (rc == STATUS_OK && curves.count > 0)
-        rc = mean_curve(curve, result, &curves, set, model, task, joined.exists ? &joined : NULL, status);
+        rc = mean_curve(curve, result, &of, status);
     free(joined.points);
     ensemble_curves_free(&curves);
     return rc;

@@ -65,6 +65,7 @@ struct record_conditioning {
     bool periodic;               /* the scan closes on itself, so that the record may */
     enum spectrum_window window; /* auto: by whether the record closes on itself */
     enum roughness_moments moments;
+    bool keeps_heights; /* of the member */
 };
 struct record_conditioning record_conditioning_of(const struct scene *scene, bool periodic);
 
@@ -72,13 +73,17 @@ struct record_conditioning record_conditioning_of(const struct scene *scene, boo
  * are to be kept, a copy (owned: spectrum_free(), free()); how->periodic: they close on themselves. A form that does
  * not fit leaves them as they are. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code member_of_record(struct member *out, struct fft_room *room, size_t points, double spacing_m,
-                                             const struct record_conditioning *how, bool keeps_heights,
-                                             struct status *status);
+                                             const struct record_conditioning *how, struct status *status);
+/** Heights, evenly spaced. */
+struct record_heights {
+    const double *height_m;
+    size_t points;
+    double spacing_m;
+};
 /** Adds a member made of a copy of the heights; of a periodic scan it is looked at whether they close too. Error:
  * STATUS_MEMORY. */
-MUST_CHECK enum status_code ensemble_add(struct ensemble *set, size_t scan, const double *height_m, size_t points,
-                                         double spacing_m, const struct record_conditioning *how,
-                                         struct status *status);
+MUST_CHECK enum status_code ensemble_add(struct ensemble *set, size_t scan, const struct record_heights *of,
+                                         const struct record_conditioning *how, struct status *status);
 
 /** Two rough bodies: adds to each member its partner's spectrum and roughness; members that have none are dropped.
  * Error: STATUS_MEMORY. */
@@ -89,10 +94,16 @@ MUST_CHECK enum status_code ensemble_pair(struct ensemble *set, const struct ens
 struct model_task member_task(struct asperities *asperities, const struct member *member,
                               const struct model_task *task);
 
+/** A number, of one member after another. */
+struct ensemble_values {
+    const double *value;
+    const size_t *scan; /* of each, ascending */
+    size_t count;
+};
 /** What is known of a number from values of members, the scan of each ascending: the mean over a scan's values counts
  * once, with the scan's weight; of a map, whose rows are not independent, the mean alone. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code ensemble_estimate(struct estimate *out, const struct ensemble *set, const double *value,
-                                              const size_t *scan, size_t count, bool logarithmic,
+MUST_CHECK enum status_code ensemble_estimate(struct estimate *out, const struct ensemble *set,
+                                              const struct ensemble_values *of, bool logarithmic,
                                               struct status *status);
 
 /** Curves of the members on which a model has a solution, each task->load_count + 1 points long. Owned:

@@ -23,23 +23,19 @@ static bool row_is_member(size_t row, size_t rows)
     return (STRIPS_PIECES * (row + 1) + rows / 2) / rows > (STRIPS_PIECES * row + rows / 2) / rows;
 }
 
-enum status_code repeats_add(struct ensemble *set, size_t row, size_t rows, struct profile *profile,
-                             struct spectrum *spectrum, const struct roughness *roughness, struct status *status)
+enum status_code repeats_add(struct ensemble *set, size_t row, size_t rows, struct profile *profile, struct member *own,
+                             struct status *status)
 {
     bool wanted = row_is_member(row, rows);
     struct member *member = wanted ? ensemble_room(set) : NULL;
     if (!member) {
-        spectrum_free(spectrum);
+        spectrum_free(&own->spectrum);
         return wanted ? status_memory(status) : STATUS_OK;
     }
-    *member = (struct member){.spectrum = *spectrum,
-                              .roughness = *roughness,
-                              .scan = set->scan_count - 1,
-                              .is_row = rows > 1,
-                              .height_m = rows == 1 || set->keeps_heights ? profile->height_m : NULL,
-                              .points = profile->points,
-                              .spacing_m = profile->spacing_m,
-                              .periodic = profile->periodic};
+    *member = *own;
+    member->scan = set->scan_count - 1;
+    member->is_row = rows > 1;
+    member->height_m = rows == 1 || set->keeps_heights ? profile->height_m : NULL;
     if (member->height_m)
         profile->height_m = NULL;
     return STATUS_OK;
@@ -68,10 +64,12 @@ static enum status_code cut_scan(struct ensemble *cut, const struct member *scan
     const struct record_conditioning how = record_conditioning_of(scene, scan->periodic);
     size_t subrecords = interval_subrecords(scan->points, points);
     cut->scans[scan->scan].weight = (double)subrecords;
-    for (size_t k = 0; k < subrecords; k++)
-        if (ensemble_add(cut, scan->scan, scan->height_m + interval_subrecord_first(scan->points, points, k), points,
-                         scan->spacing_m, &how, status) != STATUS_OK)
+    for (size_t k = 0; k < subrecords; k++) {
+        const struct record_heights part = {scan->height_m + interval_subrecord_first(scan->points, points, k), points,
+                                            scan->spacing_m};
+        if (ensemble_add(cut, scan->scan, &part, &how, status) != STATUS_OK)
             return status->code;
+    }
     return STATUS_OK;
 }
 
@@ -128,7 +126,7 @@ enum status_code repeats_rq(struct estimate *out, const struct ensemble *set, st
         scan[p] = set->members[p].scan;
     }
     if (rc == STATUS_OK)
-        rc = ensemble_estimate(out, set, rq_m, scan, set->count, true, status);
+        rc = ensemble_estimate(out, set, &(struct ensemble_values){rq_m, scan, set->count}, true, status);
     free(rq_m);
     free(scan);
     return rc;

@@ -17,11 +17,10 @@ struct repeats {
 /** Adds a file, of which nothing is known yet. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code repeats_add_scan(struct ensemble *set, const char *file, struct status *status);
 
-/** Adds a profile of the last file: row `row` of `rows`. STRIPS_PIECES of them, evenly spaced, are members. Takes the
- * spectrum over, and the heights of a scan of one row. Error: STATUS_MEMORY. */
+/** Adds a profile of the last file: row `row` of `rows`. STRIPS_PIECES of them, evenly spaced, are members. Takes over
+ * what `own` has of it, and the heights of a scan of one row. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code repeats_add(struct ensemble *set, size_t row, size_t rows, struct profile *profile,
-                                        struct spectrum *spectrum, const struct roughness *roughness,
-                                        struct status *status);
+                                        struct member *own, struct status *status);
 
 /** Is every scan the first once more? Then that one alone stays. */
 bool repeats_merge_identical(struct ensemble *set);

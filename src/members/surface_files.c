@@ -49,10 +49,10 @@ static enum status_code add_scan(const struct surface_scans *task, const struct 
 }
 
 /** Adds the scans of a file, of which an archive may hold several: one that cannot be used costs itself alone. */
-static enum status_code add_scans(const struct surface_scans *task, const struct scene_surface *surface,
-                                  struct text *text, const char *file, const char *path, struct hash *hash,
-                                  struct status *status)
+static enum status_code add_scans(const struct surface_scans *task, struct text *text, const char *file,
+                                  const char *path, struct hash *hash, struct status *status)
 {
+    const struct scene_surface *surface = task->record->summary.scene;
     struct scan_options options = {.x_unit = surface->x_unit,
                                    .z_unit = surface->z_unit,
                                    .x_column = surface->x_column,
@@ -78,8 +78,8 @@ static enum status_code add_scans(const struct surface_scans *task, const struct
     return added > 0 ? STATUS_OK : status_fail(status, refused.code, "%s", refused.message);
 }
 
-enum status_code surface_files_read_one(const struct surface_scans *task, const struct scene_surface *surface,
-                                        const char *file, struct hash *hash, struct status *status)
+enum status_code surface_files_read_one(const struct surface_scans *task, const char *file, struct hash *hash,
+                                        struct status *status)
 {
     struct text bytes = {0};
     char *path = scene_file_path(task->scene, file);
@@ -90,7 +90,7 @@ enum status_code surface_files_read_one(const struct surface_scans *task, const 
     task->record->summary.times.read += clock_seconds() - started;
     if (rc == STATUS_OK) {
         hash_add(hash, bytes.data, bytes.length); /* of a file that is refused, too */
-        rc = add_scans(task, surface, &bytes, file, path, hash, status);
+        rc = add_scans(task, &bytes, file, path, hash, status);
     }
     text_free(&bytes);
     free(path);
@@ -116,9 +116,9 @@ static void note_refused(struct surface_summary *summary, char *const *refusal, 
     }
 }
 
-enum status_code surface_files_read(const struct surface_scans *task, const struct scene_surface *surface,
-                                    struct hash *hash, struct status *status)
+enum status_code surface_files_read(const struct surface_scans *task, struct hash *hash, struct status *status)
 {
+    const struct scene_surface *surface = task->record->summary.scene;
     size_t count = surface->file_count, used = 0;
     struct status refused = {0};
     const char **file = malloc((count + 1) * sizeof *file);
@@ -130,7 +130,7 @@ enum status_code surface_files_read(const struct surface_scans *task, const stru
         qsort(file, count, sizeof *file, by_name);
     for (size_t f = 0; f < count && rc == STATUS_OK; f++) {
         struct status problem = {0};
-        enum status_code own = surface_files_read_one(task, surface, file[f], hash, &problem);
+        enum status_code own = surface_files_read_one(task, file[f], hash, &problem);
         used += own == STATUS_OK;
         if (own == STATUS_MEMORY || own == STATUS_INTERRUPTED)
             rc = status_fail(status, own, "%s", problem.message);

@@ -120,9 +120,10 @@ enum status_code surface_read_members(struct surface_record *record, struct powe
 
 /** Says what the law leaves to say: two slopes, lines, a slope that decides on convergence;
  * and which models are lost where the surface has no asperities (`why_none`). */
-static void note_description(struct note_list *notes, const struct surface_summary *summary, const struct scene *scene,
-                             const double *line_m, size_t line_count, bool diverges, const char *why_none)
+static void note_description(struct surface_summary *summary, const struct scene *scene, const double *line_m,
+                             size_t line_count, const char *why_none)
 {
+    struct note_list *notes = &summary->notes;
     const struct power_law *law = &summary->power_law;
     struct text lines = {0}, models = {0};
     for (size_t i = 0; i < line_count; i++)
@@ -146,7 +147,7 @@ static void note_description(struct note_list *notes, const struct surface_summa
         note_add(notes, NULL, "lines of periodic marks, left out of the fit: %s", text_string(&lines));
     if (models.length > 0)
         note_add(notes, NULL, "no %s: %s", text_string(&models), why_none);
-    if (diverges)
+    if (surface_diverges(summary))
         note_add(notes, NULL,
                  "gamma = %.2f is below 1: the elastic multiscale area depends on the shortest wavelength sampled",
                  surface_short_gamma(law));
@@ -182,9 +183,11 @@ static enum status_code fit_alone(struct surface_record *record, const struct po
         psd_m3[i] = law.psd_m3;
     }
     if (rc == STATUS_OK)
-        rc = ensemble_estimate(&repeats->gamma, &record->ensemble, gamma, scans->file, count, false, status);
+        rc = ensemble_estimate(&repeats->gamma, &record->ensemble, &(struct ensemble_values){gamma, scans->file, count},
+                               false, status);
     if (rc == STATUS_OK)
-        rc = ensemble_estimate(&repeats->psd_m3, &record->ensemble, psd_m3, scans->file, count, true, status);
+        rc = ensemble_estimate(&repeats->psd_m3, &record->ensemble,
+                               &(struct ensemble_values){psd_m3, scans->file, count}, true, status);
     repeats->gamma.model_sd = record->band->fit.gamma_bias_s;
     repeats->psd_m3.model_sd = 2 * M_LN10 * record->band->fit.log10_amplitude_bias_s;
     free(gamma);
@@ -219,7 +222,7 @@ static enum status_code describe(struct surface_record *record, struct power_law
     }
     summary->has_asperities = roughness_asperities(&summary->asperities, &summary->roughness, &none) == STATUS_OK;
     summary->times.spectrum += clock_seconds() - started;
-    note_description(&summary->notes, summary, scene, line_m, lines, surface_diverges(summary), none.message);
+    note_description(summary, scene, line_m, lines, none.message);
     return STATUS_OK;
 }
 
@@ -236,7 +239,7 @@ static enum status_code take_along(struct surface_summary *summary, const struct
     surface.file_count = surface.along_count;
     enum status_code rc = STATUS_OK;
     for (size_t f = 0; f < surface.file_count && rc == STATUS_OK; f++)
-        rc = surface_files_read_one(&task, &surface, surface.files[f], hash, &problem);
+        rc = surface_files_read_one(&task, surface.files[f], hash, &problem);
     double unlike = along.summary.spacing_m / summary->spacing_m;
     if (rc == STATUS_OK)
         surface_set_lay(summary, sqrt(along.summary.roughness.m2 / summary->roughness.m2),
@@ -383,7 +386,7 @@ enum status_code surface_read(struct surface_record *out, const struct scene *sc
     summary->scene = surface;
     summary->pair = scene_pair(&surface->bodies);
     out->ensemble.keeps_heights = wants_strips(scene);
-    enum status_code rc = surface_files_read(&task, surface, &hash, &problem);
+    enum status_code rc = surface_files_read(&task, &hash, &problem);
     if (rc == STATUS_OK && surface != &scene->counterface_surface) /* whose lay is taken to be the surface's */
         rc = find_lay(summary, scene, &hash, &problem);
     hash_finish(&hash, summary->hash);

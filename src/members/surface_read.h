@@ -25,13 +25,12 @@ struct surface_scans {
 /** Adds every file of a surface, by name: what comes out does not depend on the order in which a scene lists them. One
  * that cannot be used is refused, which is noted. Errors: STATUS_SCAN with the first one's reason where none is left,
  * STATUS_MEMORY, STATUS_INTERRUPTED. */
-MUST_CHECK enum status_code surface_files_read(const struct surface_scans *task, const struct scene_surface *surface,
-                                               struct hash *hash, struct status *status);
+MUST_CHECK enum status_code surface_files_read(const struct surface_scans *task, struct hash *hash,
+                                               struct status *status);
 /** Adds the scans of one file, of which an archive may hold several: one that cannot be used costs itself alone. `hash`
  * takes its bytes, and those of what belongs to it. Errors: STATUS_IO, STATUS_SCAN (one line with the file's name; then
  * nothing was added), STATUS_MEMORY. */
-MUST_CHECK enum status_code surface_files_read_one(const struct surface_scans *task,
-                                                   const struct scene_surface *surface, const char *file,
+MUST_CHECK enum status_code surface_files_read_one(const struct surface_scans *task, const char *file,
                                                    struct hash *hash, struct status *status);
 
 /** Adds a scan, `file` of the scene: a profile, whose heights are taken over, or every row of a map. A row of a map

@@ -113,10 +113,9 @@ static enum status_code add_profile(const struct surface_scans *task, const stru
 {
     struct surface_record *record = task->record;
     const struct scene *scene = task->scene;
-    struct spectrum spectrum = {0};
-    struct roughness roughness;
+    struct member own = {.points = profile->points, .spacing_m = profile->spacing_m, .periodic = profile->periodic};
     double started = clock_seconds();
-    enum status_code rc = take_spectrum(&spectrum, &roughness, profile, scene, status);
+    enum status_code rc = take_spectrum(&own.spectrum, &own.roughness, profile, scene, status);
     if (rc == STATUS_OK)
         task->scans->step_m = fmax(task->scans->step_m, profile->digit_m);
     if (rc == STATUS_OK &&
@@ -128,13 +127,13 @@ static enum status_code add_profile(const struct surface_scans *task, const stru
     if (rc == STATUS_OK && scan->kind == SCAN_PROFILE && keeps_direct(record, scene))
         rc = keep_direct(record, scan, profile, status);
     if (rc == STATUS_OK)
-        rc = average(record, profile, &spectrum, &roughness, status);
+        rc = average(record, profile, &own.spectrum, &own.roughness, status);
     record->summary.windowed += spectrum_window_for(scene->window, profile->periodic) == SPECTRUM_WINDOW_HANN;
     record->summary.length_m = record->spectrum.length_m;
     record->summary.times.spectrum += clock_seconds() - started;
     if (rc == STATUS_OK)
-        return repeats_add(&record->ensemble, row, scan->ny, profile, &spectrum, &roughness, status);
-    spectrum_free(&spectrum);
+        return repeats_add(&record->ensemble, row, scan->ny, profile, &own, status);
+    spectrum_free(&own.spectrum);
     return rc;
 }
 
@@ -197,8 +196,8 @@ static enum status_code take_row(struct profile *out, struct scan *scan, size_t 
 }
 
 /** What there is to say of a map whose rows are taken, `unusable` of them left out, `run` of them members. */
-static void note_map(struct surface_summary *summary, const struct surface_scans *task, const char *file,
-                     const struct scan *scan, const struct direct_map_def *map, size_t unusable, size_t run)
+static void note_map(const struct surface_scans *task, const char *file, const struct scan *scan,
+                     const struct direct_map_def *map, size_t unusable, size_t run)
 {
     size_t used = scan->ny - unusable;
     const char *rows = task->scene->direction == SCAN_DIRECTION_X ? "rows" : "columns";
@@ -208,8 +207,8 @@ static void note_map(struct surface_summary *summary, const struct surface_scans
                  map->cutoff * map->dx_m * 1e6);
     if (run < used)
         snprintf(models, sizeof models, ", and %zu of them, evenly spaced, go through the models", run);
-    note_add(&summary->notes, file, "a map%s; its %zu %s were averaged as profiles for spectrum and fit%s", filtered,
-             used, rows, models);
+    note_add(&task->record->summary.notes, file, "a map%s; its %zu %s were averaged as profiles for spectrum and fit%s",
+             filtered, used, rows, models);
 }
 
 /** The first map of a surface speaks for all: of its lay, and of the square that a direct study takes. */
@@ -272,7 +271,7 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
     if (areal && first_file && keep_map(task, scan, &map, status) != STATUS_OK)
         return status->code;
     if (areal)
-        note_map(summary, task, file, scan, &map, unusable, set->count - run_before);
+        note_map(task, file, scan, &map, unusable, set->count - run_before);
     tiles_free(&task->record->tiles); /* a surface of several scans is no one map */
     if (areal && first_file && (scene->models & model_flagged(offsetof(struct model_row, uses_map))))
         tiles_take(&task->record->tiles, scan, &map);

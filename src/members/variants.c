@@ -32,9 +32,9 @@ static enum status_code add_mean(struct member *mean, size_t so_far, struct memb
 }
 
 /** One variant of a profile. */
-static enum status_code add_variant(struct member *mean, size_t so_far, enum variant variant,
-                                    const struct profile *profile, const struct profile_options *how,
-                                    const struct record_conditioning *record, struct status *status)
+static enum status_code add_variant(struct variants *out, enum variant variant, const struct profile *profile,
+                                    const struct profile_options *how, const struct record_conditioning *record,
+                                    struct status *status)
 {
     bool whole = variant == VARIANT_CUTOFF || variant == VARIANT_WHOLE;
     size_t points = whole ? profile->points : profile->points / 2;
@@ -44,23 +44,22 @@ static enum status_code add_variant(struct member *mean, size_t so_far, enum var
         return status_memory(status);
     enum status_code rc = take_variant(&room, points, variant, profile, how->lambda_s_m, status);
     if (rc == STATUS_OK)
-        rc = member_of_record(&own, &room, points, profile->spacing_m, record, false, status);
+        rc = member_of_record(&own, &room, points, profile->spacing_m, record, status);
     fft_room_free(&room);
-    return rc == STATUS_OK ? add_mean(mean, so_far, &own, status) : rc;
+    return rc == STATUS_OK ? add_mean(&out->of[variant], out->scans, &own, status) : rc;
 }
 
 enum status_code variants_add(struct variants *out, const struct profile *profile, const struct profile_options *how,
                               enum spectrum_window window, enum roughness_moments moments, struct status *status)
 {
-    struct record_conditioning record = {how->level, how->periodic_mean, false, window, moments};
+    struct record_conditioning record = {how->level, how->periodic_mean, false, window, moments, false};
     if (profile->points < LEAST_POINTS)
         return STATUS_OK;
     for (int variant = 0; variant < VARIANT_COUNT; variant++) {
         record.periodic = profile->periodic && variant == VARIANT_CUTOFF;
         out->levelled[variant] =
             how->level >= LEVEL_LINE && !(record.periodic && how->periodic_mean) && !(how->lambda_c_m > 0);
-        if (add_variant(&out->of[variant], out->scans, (enum variant)variant, profile, how, &record, status) !=
-            STATUS_OK)
+        if (add_variant(out, (enum variant)variant, profile, how, &record, status) != STATUS_OK)
             return status->code;
     }
     out->scans++;

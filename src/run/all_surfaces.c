@@ -290,8 +290,8 @@ static enum status_code read_measured(struct all_surfaces *out, struct status *s
         if (!out->measured && !(out->measured = calloc(results->surface_count, sizeof *out->measured)))
             return status_memory(status);
         results->measured = out->measured;
-        if (measured_read(&out->measured[i], given, before, scene, &out->plan, results_pair(results, i), status) !=
-            STATUS_OK)
+        out->measured[i] = (struct measured){.given = given, .before = before};
+        if (measured_read(&out->measured[i], scene, &out->plan, results_pair(results, i), status) != STATUS_OK)
             return status->code;
         before += out->measured[i].count;
         if (measured_quantity(&out->measured[i], out->plan.running) != results_measured_quantity(results))

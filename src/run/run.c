@@ -89,9 +89,7 @@ static enum status_code run_measured_on(struct run *run, size_t surface, struct 
     struct measured_answers *answers = &run->answers[surface];
     const struct surface_task asked = results_task(results, surface);
     const struct model_task task = surface_model_task(record, &asked);
-    const struct joint_task joint = surface_joint(record, results->scene, results->plan, &task);
-    if (measured_answer(answers, measured, plan_running_models(results->plan), &task, &joint, &record->ensemble,
-                        record->summary.unloading, status) != STATUS_OK ||
+    if (measured_answer(answers, measured, record, &asked, status) != STATUS_OK ||
         measured_fit(answers, measured, plan_leading_model(results->plan), status) != STATUS_OK)
         return status->code;
     record->summary.carried_model = answers->fitted;

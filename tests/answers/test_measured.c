@@ -26,7 +26,8 @@ static enum status_code read_csv(struct measured *out, const char *csv, const st
     const struct material_pair pair = {.effective_modulus_Pa = 1e10};
     directory_write(&place, name, csv);
     *status = (struct status){0};
-    return measured_read(out, &scene.measured, 0, &scene, &plan, &pair, status);
+    *out = (struct measured){.given = &scene.measured};
+    return measured_read(out, &scene, &plan, &pair, status);
 }
 
 TEST_CASE(units_are_the_models)
@@ -272,7 +273,8 @@ TEST_CASE(files_are_runs)
     const struct material_pair pair = {.effective_modulus_Pa = 1e10};
     directory_write(&place, names[0], "load (N),R (mOhm)\n1,9\n3,5\n2,6\n");
     directory_write(&place, names[1], "R (Ohm),load (mN)\n4e-3,5000\n5e-3,4000\n7e-3,2000\n");
-    assert_int_equal(measured_read(&measured, &given, 0, &scene, &plan, &pair, &status), STATUS_OK);
+    measured = (struct measured){.given = &given};
+    assert_int_equal(measured_read(&measured, &scene, &plan, &pair, &status), STATUS_OK);
     assert_int_equal(measured.count, 6);
     const struct measured_run runs[] = {{0, 1, 3}, {3, 3, 6}};
     assert_int_equal(measured.run_count, 2);
@@ -283,14 +285,15 @@ TEST_CASE(files_are_runs)
     measured_free(&measured);
     for (size_t over = 0; over < 2; over++) { /* rows of all files of all surfaces */
         size_t before = limit_most(LIMIT_MEASURED_LINES) - 6 + over;
-        assert_int_equal(measured_read(&measured, &given, before, &scene, &plan, &pair, &status),
-                         over ? STATUS_SCENE : STATUS_OK);
+        measured = (struct measured){.given = &given, .before = before};
+        assert_int_equal(measured_read(&measured, &scene, &plan, &pair, &status), over ? STATUS_SCENE : STATUS_OK);
         measured_free(&measured);
     }
     assert_non_null(strstr(status.message, "2.csv: too many rows of all that was measured; at most 100000 lines"));
     status = (struct status){0};
     given.quantity = SCENE_MEASURED_TCR;
-    assert_int_equal(measured_read(&measured, &given, 0, &scene, &plan, &pair, &status), STATUS_SCENE);
+    measured = (struct measured){.given = &given};
+    assert_int_equal(measured_read(&measured, &scene, &plan, &pair, &status), STATUS_SCENE);
     assert_non_null(strstr(status.message, "the effect thermal does not run"));
 }
 
@@ -417,29 +420,27 @@ TEST_CASE(models_answer_at_the_measured_loads)
 {
     enum { HARMONICS = 40, POINTS = 6 };
     static const double ends[] = {1e-6, 1e-1};
-    static const struct ensemble one_scan;
     double amplitudes_m[HARMONICS], loads[POINTS] = {1e-3, 1e-5, 1e-3, 1e-7, 5e-2, 2e-4}, resistances[POINTS];
     struct spectrum spectrum = {.amplitude_m = amplitudes_m, .count = HARMONICS, .length_m = 1e-4};
     for (int n = 1; n <= HARMONICS; n++)
         amplitudes_m[n - 1] = 1e-7 * pow(n, -1.5);
     struct asperities asperities = {.density_per_m2 = 1e10, .radius_m = 2e-6, .sigma_s_m = 1e-7, .sigma_m = 1e-7};
     struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
-    struct model_task task = {.spectrum = &spectrum,
-                              .asperities = &asperities,
-                              .pair = &pair,
-                              .loads = ends,
-                              .load_count = 2,
-                              .wanted = quantity_wanted((1u << EFFECT_COUNT) - 1),
-                              .tolerance = 1e-6,
-                              .hardness_Pa = 40e6};
-    uint64_t models = model_find("multiscale") | model_find("statistical");
+    pair.hardness_Pa = 40e6;
+    const struct surface_record record = {.summary = {.pair = pair, .has_asperities = true, .asperities = asperities},
+                                          .spectrum = spectrum};
+    const struct scene scene = {.tolerance = 1e-6};
+    const struct plan plan = {.models = model_find("multiscale") | model_find("statistical"),
+                              .running = EFFECT_BIT(EFFECT_PLASTICITY),
+                              .wanted = quantity_wanted((1u << EFFECT_COUNT) - 1)};
+    const struct surface_task asked = {.scene = &scene, .plan = &plan, .loads = ends, .load_count = 2};
+    const struct model_task task = surface_model_task(&record, &asked);
+    const uint64_t models = plan.models;
     for (int thermal = 0; thermal < 2; thermal++) {
         struct measured measured = {.count = POINTS, .load = loads, .resistance = resistances, .thermal = thermal};
         struct measured_answers answers;
-        const struct joint_task no_joint = {.pair = task.pair};
         struct status status = {0};
-        assert_int_equal(measured_answer(&answers, &measured, models, &task, &no_joint, &one_scan, NULL, &status),
-                         STATUS_OK);
+        assert_int_equal(measured_answer(&answers, &measured, &record, &asked, &status), STATUS_OK);
         for (size_t m = 0; m < model_count; m++) {
             for (int i = 0; i < POINTS; i++) {
                 double answer = answers.resistance[m * POINTS + (size_t)i];

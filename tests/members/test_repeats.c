@@ -41,7 +41,7 @@ static enum status_code estimate_all(struct estimate *out, const double *value, 
     size_t scan[MOST];
     for (size_t p = 0; p < set->count; p++)
         scan[p] = set->members[p].scan;
-    return ensemble_estimate(out, set, value, scan, set->count, logarithmic, status);
+    return ensemble_estimate(out, set, &(struct ensemble_values){value, scan, set->count}, logarithmic, status);
 }
 
 /** Three scans: geometric mean, and t(2) = 4.302653 standard errors; another scan, sqrt(1 + 1/3) deviations. */

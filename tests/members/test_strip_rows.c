@@ -36,7 +36,8 @@ static struct member *add(size_t scan, size_t points, double spacing_m)
     set.keeps_heights = true;
     while (set.scan_count <= scan)
         assert_int_equal(repeats_add_scan(&set, "scan", &status), STATUS_OK);
-    assert_int_equal(ensemble_add(&set, scan, height_m, points, spacing_m, &how, &status), STATUS_OK);
+    assert_int_equal(ensemble_add(&set, scan, &(struct record_heights){height_m, points, spacing_m}, &how, &status),
+                     STATUS_OK);
     set.sigma_m = sqrt(set.members[0].roughness.m0_m2);
     free(height_m);
     return &set.members[set.count - 1];

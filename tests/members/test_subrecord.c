@@ -18,7 +18,8 @@ static void describe(double waves, const struct record_conditioning *how)
     for (int i = 0; i < POINTS; i++)
         height_m[i] = amplitude_m * sin(2 * M_PI * waves * i / POINTS);
     ensemble_free(&set);
-    assert_int_equal(ensemble_add(&set, 0, height_m, POINTS, spacing_m, how, &status), STATUS_OK);
+    assert_int_equal(ensemble_add(&set, 0, &(struct record_heights){height_m, POINTS, spacing_m}, how, &status),
+                     STATUS_OK);
     spectrum = set.members[0].spectrum;
     roughness = set.members[0].roughness;
     assert_int_equal(spectrum.count, POINTS / 2);
@@ -56,7 +57,7 @@ TEST_CASE(the_window_of_a_subrecord)
  * spectrum are those of the windowed one. */
 TEST_CASE(a_subrecord_that_does_not_close)
 {
-    struct record_conditioning how = {LEVEL_LINE, true, true, SPECTRUM_WINDOW_AUTO, ROUGHNESS_MOMENTS_SPECTRAL};
+    struct record_conditioning how = {LEVEL_LINE, true, true, SPECTRUM_WINDOW_AUTO, ROUGHNESS_MOMENTS_SPECTRAL, false};
     struct levelling levelling;
     struct spectrum expected;
     struct status status = {0};

@@ -71,8 +71,10 @@ static void gather(char *name)
     if (strcmp(name, map_name) == 0)
         snprintf(surface.x_unit, sizeof surface.x_unit, "m"), snprintf(surface.z_unit, sizeof surface.z_unit, "m");
     const struct surface_scans task = {record, &scans, &scene};
-    if (surface_files_read_one(&task, &surface, name, &hash, &status) != STATUS_OK)
+    record->summary.scene = &surface;
+    if (surface_files_read_one(&task, name, &hash, &status) != STATUS_OK)
         fail_msg("%s", status.message);
+    record->summary.scene = NULL;
 }
 
 static void add_long_scan(size_t points, double amplitude_m, double jump_m, double spacing_um)
@@ -293,7 +295,9 @@ PLACED(test_scans_are_cut_to_the_shortest)
         struct ensemble alone = {.count = 0};
         const struct record_conditioning how = record_conditioning_of(&scene, of[p] < 2);
         sine(height_m, points[of[p]], 1e-6 * (double)(of[p] + 1), 0);
-        assert_int_equal(ensemble_add(&alone, 0, height_m + first[p], POINTS, 1e-6, &how, &status), STATUS_OK);
+        assert_int_equal(
+            ensemble_add(&alone, 0, &(struct record_heights){height_m + first[p], POINTS, 1e-6}, &how, &status),
+            STATUS_OK);
         struct spectrum expected = alone.members[0].spectrum;
         assert_int_equal(set->members[p].scan, of[p]);
         assert_int_equal(set->members[p].points, POINTS);
