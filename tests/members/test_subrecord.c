@@ -45,8 +45,8 @@ TEST_CASE(the_window_of_a_subrecord)
         {SPECTRUM_WINDOW_NONE, true, false}, {SPECTRUM_WINDOW_HANN, true, true},  {SPECTRUM_WINDOW_HANN, false, true},
     };
     for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
-        const struct record_conditioning how = {LEVEL_NONE, true, cases[c].periodic, cases[c].window,
-                                                ROUGHNESS_MOMENTS_DIFFERENCE};
+        const struct record_conditioning how = {
+            LEVEL_NONE, true, cases[c].periodic, cases[c].window, ROUGHNESS_MOMENTS_DIFFERENCE, false};
         describe(3, &how);
         assert_window(cases[c].windowed);
         assert_near(roughness.rq_m, amplitude_m * M_SQRT1_2, 1e-9); /* of the heights, not of the windowed ones */
