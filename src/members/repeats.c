@@ -102,7 +102,7 @@ enum status_code repeats_cut_to_shortest(struct ensemble *set, size_t *cut, cons
     return rc;
 }
 
-enum status_code repeats_align(struct ensemble *set, const struct spectrum *mean, struct status *status)
+static enum status_code align(struct ensemble *set, const struct spectrum *mean, struct status *status)
 {
     for (size_t p = 0; p < set->count; p++) {
         struct spectrum *own = &set->members[p].spectrum, same;
@@ -116,8 +116,16 @@ enum status_code repeats_align(struct ensemble *set, const struct spectrum *mean
     return STATUS_OK;
 }
 
-enum status_code repeats_rq(struct estimate *out, const struct ensemble *set, struct status *status)
+enum status_code repeats_compare(struct repeats *out, struct ensemble *set, const struct spectrum *mean,
+                                 struct status *status)
 {
+    if (set->count == 0)
+        return STATUS_OK;
+    out->count = set->count;
+    out->scans = set->scan_count;
+    out->gamma = out->psd_m3 = estimate_none;
+    if (align(set, mean, status) != STATUS_OK)
+        return status->code;
     double *rq_m = malloc((set->count + 1) * sizeof *rq_m);
     size_t *scan = malloc((set->count + 1) * sizeof *scan);
     enum status_code rc = rq_m && scan ? STATUS_OK : status_memory(status);
@@ -126,7 +134,7 @@ enum status_code repeats_rq(struct estimate *out, const struct ensemble *set, st
         scan[p] = set->members[p].scan;
     }
     if (rc == STATUS_OK)
-        rc = ensemble_estimate(out, set, &(struct ensemble_values){rq_m, scan, set->count}, true, status);
+        rc = ensemble_estimate(&out->rq_m, set, &(struct ensemble_values){rq_m, scan, set->count}, true, status);
     free(rq_m);
     free(scan);
     return rc;

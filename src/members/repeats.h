@@ -30,10 +30,9 @@ bool repeats_merge_identical(struct ensemble *set);
 MUST_CHECK enum status_code repeats_cut_to_shortest(struct ensemble *set, size_t *cut, const struct scene *scene,
                                                     struct status *status);
 
-/** Puts the members on the grid of `mean`, their mean spectrum. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code repeats_align(struct ensemble *set, const struct spectrum *mean, struct status *status);
-
-/** Rq of the members. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code repeats_rq(struct estimate *out, const struct ensemble *set, struct status *status);
+/** Puts the members on the grid of `mean`, their mean spectrum, and lets them say how far they differ. Error:
+ * STATUS_MEMORY. */
+MUST_CHECK enum status_code repeats_compare(struct repeats *out, struct ensemble *set, const struct spectrum *mean,
+                                            struct status *status);
 
 #endif

@@ -53,21 +53,6 @@ enum status_code surface_read_counterface(struct surface_record *record, struct 
     return grid_add(&record->spectrum, &counterface->spectrum, status);
 }
 
-enum status_code surface_read_repeats(struct surface_record *record, struct status *status)
-{
-    struct ensemble *set = &record->ensemble;
-    set->sigma_m = sqrt(record->summary.roughness.m0_m2);
-    if (set->count == 0)
-        return STATUS_OK;
-    struct repeats *repeats = &record->summary.repeats;
-    repeats->count = set->count;
-    repeats->scans = set->scan_count;
-    repeats->gamma = repeats->psd_m3 = estimate_none;
-    if (repeats_align(set, &record->spectrum, status) != STATUS_OK)
-        return status->code;
-    return repeats_rq(&repeats->rq_m, set, status);
-}
-
 /** Keeps the heights of the first scan, or of a row in the middle of the first map, where records like it may be
  * simulated. */
 static void keep_first(struct surface_record *record, const struct power_law_scans *scans, const struct scene *scene)
@@ -319,7 +304,8 @@ static enum status_code conclude(struct surface_record *record, struct power_law
     record->summary.all_squares = record->tiles.all;
     if (describe(record, scans, scene, status) != STATUS_OK)
         return status->code;
-    if (surface_read_repeats(record, status) != STATUS_OK)
+    record->ensemble.sigma_m = sqrt(record->summary.roughness.m0_m2);
+    if (repeats_compare(&record->summary.repeats, &record->ensemble, &record->spectrum, status) != STATUS_OK)
         return status->code;
     bool found = scene->fit == POWER_LAW_AUTO && record->band->law != POWER_LAW_BAND_NONE;
     if (found && !counterface && fit_alone(record, scans, scene, status) != STATUS_OK)

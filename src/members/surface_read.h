@@ -51,7 +51,4 @@ MUST_CHECK enum status_code surface_read_counterface(struct surface_record *reco
 MUST_CHECK enum status_code surface_read_members(struct surface_record *record, struct power_law_scans *scans,
                                                  const struct scene *scene, struct status *status);
 
-/** Puts the scans to be run alone on the mean's grid and lets them say how far they differ. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code surface_read_repeats(struct surface_record *record, struct status *status);
-
 #endif

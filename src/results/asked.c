@@ -8,7 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-void asked_unit(char *out, size_t size, const char *unit)
+/** A unit as people print it: "mohm" as "mΩ", "W/m2/K" as "W/(m²·K)". */
+static void asked_unit(char *out, size_t size, const char *unit)
 {
     static const char *const words[][2] = {{"W/(m2*K)", "W/(m²·K)"},
                                            {"W/(m2 K)", "W/(m²·K)"},

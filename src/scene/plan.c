@@ -139,17 +139,12 @@ bool plan_uses_asperities(const struct plan *plan)
     return false;
 }
 
-bool plan_may_lead(const struct plan *plan, size_t m)
-{
-    return plan_runs_model(plan, m) && !(plan->beside & MODEL_BIT(m));
-}
-
 size_t plan_leading_model(const struct plan *plan)
 {
     size_t leading = 0;
     int most = -1;
     for (size_t m = 0; m < model_count; m++)
-        if (plan_may_lead(plan, m) && model_rows[m]->precedence > most) {
+        if (plan_runs_model(plan, m) && !(plan->beside & MODEL_BIT(m)) && model_rows[m]->precedence > most) {
             most = model_rows[m]->precedence;
             leading = m;
         }

@@ -33,8 +33,6 @@ void plan_switch_off(struct plan *plan, enum effect effect);
 bool plan_runs_model(const struct plan *plan, size_t m);
 /** MODEL_BITs of all that run. */
 uint64_t plan_running_models(const struct plan *plan);
-/** Does it, and may the summary speak of it? */
-bool plan_may_lead(const struct plan *plan, size_t m);
 /** The model that the summary speaks of: of those that may lead the one of the greatest precedence. */
 size_t plan_leading_model(const struct plan *plan);
 /** QUANTITY_BITs that the effects call for and some running model computes. */
