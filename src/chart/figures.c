@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "chart/figures.h"
 
-#include "analysis/direct_study.h"
+#include "answers/direct_study.h"
 #include "chart/chart.h"
 #include "joint/heating.h"
 #include "results/accuracy.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/json.h"
 
-#include "analysis/direct_study.h"
+#include "answers/direct_study.h"
 #include "base/version.h"
 #include "output/tables.h"
 #include <errno.h>
@@ -375,10 +375,10 @@ static json_t *direct_json(const struct direct_study *study, const struct result
 /** Evaluations by effect. */
 static json_t *work_json(const struct results *results)
 {
-    struct effects_row rows[EFFECTS_ROWS];
+    struct work_row rows[WORK_ROWS];
     json_t *json = json_object();
-    effects_account(rows, results->plan, results->surfaces, results->surface_count, &results->studies);
-    for (int r = 0; r < EFFECTS_ROWS; r++)
+    work_account(rows, results);
+    for (int r = 0; r < WORK_ROWS; r++)
         json_object_set_new(json, rows[r].name, json_pack("{s:I}", "evaluations", (json_int_t)rows[r].evaluations));
     return json;
 }

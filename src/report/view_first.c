@@ -2,8 +2,9 @@
 /* The first page: the answer to what was asked, what stands beside it, and what limits it. */
 #include "report/view.h"
 
-#include "analysis/direct_study.h"
+#include "answers/direct_study.h"
 #include "base/number_format.h"
+#include "certainty/sensitivity.h"
 #include <math.h>
 
 enum { DIGITS = 2, NAMED_MOST = 3 };

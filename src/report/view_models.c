@@ -2,7 +2,7 @@
 /* One surface in every model, all surfaces in each, the joint, what was measured, the direct solution. */
 #include "report/view.h"
 
-#include "analysis/direct_study.h"
+#include "answers/direct_study.h"
 #include "base/constants.h"
 #include "joint/heating.h"
 #include <math.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "results/accuracy.h"
 
-#include "analysis/direct_study.h"
+#include "answers/direct_study.h"
 #include <math.h>
 
 /** Sets the error: against the direct solution of this surface where there is one, else as it was measured. */
