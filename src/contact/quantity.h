@@ -26,6 +26,7 @@ enum quantity {
     QUANTITY_JOINT_ECR,           /* ECR A_n with plating and film [ohm m²] */
     QUANTITY_VOLTAGE,             /* over the contact [V] */
     QUANTITY_TEMPERATURE,         /* of the hottest place [K] */
+    QUANTITY_MEAN_GAP,            /* the separation, with an interval of its own [m] */
     QUANTITY_COUNT
 };
 

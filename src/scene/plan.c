@@ -85,6 +85,44 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
         plan->running |= EFFECT_BIT(effect);
 }
 
+/** What a report is asked for first: the first target, else what models compute of the greatest precedence. */
+static enum quantity asked_quantity(const struct plan *plan, const struct scene *scene)
+{
+    return scene->target_count > 0 ? scene->targets[0].quantity : quantity_first(plan_quantities(plan));
+}
+
+/** Leaves the cheapest model that is expected within the scene's accuracy, with the elastic one that it yields from: by
+ * docs/validation.md for so many scans, metal that yields or not. Dearer is what solves strips; of those that cost the
+ * same the better. Where none is as good the best. */
+static void choose_model(struct plan *plan, const struct scene *scene)
+{
+    const bool hard = plan_runs(plan, EFFECT_PLASTICITY);
+    size_t chosen = model_count;
+    bool met = false;
+    for (size_t i = 0; i < scene->surface_count; i++)
+        plan->one_scan = plan->one_scan || scene->surfaces[i].file_count == 1;
+    for (size_t m = 0; m < model_count; m++) {
+        const struct model_row *row = model_rows[m], *before = chosen < model_count ? model_rows[chosen] : NULL;
+        const double rms = plan_runs_model(plan, m) && row->plastic == hard
+                               ? model_rms(row, asked_quantity(plan, scene), plan->one_scan, hard)
+                               : 0;
+        const bool good = expm1(rms) <= scene->accuracy;
+        if (!(rms > 0) || (met && !good))
+            continue;
+        if (!before || (good && !met) || (good && row->uses_strip < before->uses_strip) ||
+            (row->uses_strip == before->uses_strip && rms < plan->chosen_rms) || (!good && rms < plan->chosen_rms)) {
+            chosen = m;
+            plan->chosen_rms = rms;
+        }
+        met = met || good;
+    }
+    if (chosen == model_count)
+        return;
+    plan->models = MODEL_BIT(chosen);
+    if (model_rows[chosen]->elastic)
+        plan->models |= MODEL_BIT(model_index(model_rows[chosen]->elastic));
+}
+
 void plan_make(struct plan *out, const struct scene *scene)
 {
     *out = (struct plan){
@@ -95,6 +133,8 @@ void plan_make(struct plan *out, const struct scene *scene)
     for (int e = 0; e < EFFECT_COUNT; e++)
         decide(out, (enum effect)e, scene);
     out->wanted = quantity_wanted(out->running);
+    if (scene->accuracy > 0)
+        choose_model(out, scene);
 }
 
 bool plan_runs(const struct plan *plan, enum effect effect)

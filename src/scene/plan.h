@@ -17,6 +17,8 @@ struct plan {
     uint64_t models;        /* MODEL_BITs asked for; a plastic one runs only with plasticity */
     uint64_t beside;        /* those that some surfaces alone have an answer by: they do not lead */
     bool all_uncertain;     /* the effect uncertainty was listed: of all models; else of the leading one alone */
+    double chosen_rms;      /* of the model that `accuracy` chose, ln_rms of what is asked; 0: nothing was */
+    bool one_scan;          /* what that was measured from */
     size_t operating_place; /* as in struct model_task */
     char area_reason[160];  /* why the area is computed as it is, for the account */
 };

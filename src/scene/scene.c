@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 static struct scene default_scene(void)
 {
@@ -24,6 +25,7 @@ static struct scene default_scene(void)
         .nominal_area_m2 = NAN,
         .load = {.from = 1e-6, .to = 0.1, .points = 121, .kind = UNIT_NUMBER},
         .tolerance = 1e-6,
+        .accuracy = NAN,
         .level = LEVEL_LINE,
         .max_missing = 0.1,
         .window = SPECTRUM_WINDOW_AUTO,
@@ -102,6 +104,7 @@ static bool override_values(struct scene *scene, struct scene_source *source, co
     } all[] = {{"material", overrides->material},
                {"effects", overrides->effects},
                {"tolerance", overrides->tolerance},
+               {"accuracy", overrides->accuracy},
                {"export", overrides->exports}};
     for (size_t i = 0; i < SCENE_COUNT(all); i++)
         for (size_t k = 0; k < scene_key_count && all[i].text; k++)
@@ -296,6 +299,15 @@ static bool check_loads(const struct scene *scene, struct scene_source *source)
            check_one_load(&scene->unload_from, "unload_from", scene, source);
 }
 
+static bool check_template(const struct scene *scene, struct scene_source *source)
+{
+    char *path = scene->template ? scene_file_path(scene, scene->template) : NULL;
+    bool good = !scene->template || (path && access(path, R_OK) == 0);
+    free(path);
+    return good || scene_source_fail(source, scene_keys_line(source, "template"), "cannot read the template '%s': %s",
+                                     scene_words_show(scene->template).text, strerror(errno));
+}
+
 static bool check_baseline(const struct scene *scene, struct scene_source *source)
 {
     if (!scene->baseline || scene->surface_count == 0)
@@ -324,7 +336,8 @@ static enum status_code complete(struct scene *scene, struct scene_source *sourc
     if (!complete_keys(scene, source) || !override_values(scene, source, overrides) ||
         (scene->surface_count == 0 && scene_files_list(scene, status) != STATUS_OK) ||
         !complete_all_bodies(scene, source) || !check_loads(scene, source) || !scene_asked_complete(scene, source) ||
-        !override_units(scene, source, overrides) || !check_left(scene, source) || !check_baseline(scene, source))
+        !override_units(scene, source, overrides) || !check_left(scene, source) || !check_baseline(scene, source) ||
+        !check_template(scene, source))
         return status->code;
     char *path = realpath(scene->directory, NULL); /* the directory's own name, however it is given */
     if (!scene->title)
@@ -369,6 +382,7 @@ void scene_free(struct scene *scene)
     free(scene->limits);
     free(scene->load.values);
     free(scene->direct.values);
+    free(scene->template);
     free(scene->baseline);
     free(scene->exports);
     free(scene->passed_over);
