@@ -253,15 +253,14 @@ static void put_by_roughness(json_t *out, const struct view_source *source)
 /** What `accuracy` chose, and whether it is as good as that. */
 static void put_chosen(json_t *out, const struct view_source *source)
 {
-    const struct plan *plan = source->results->plan;
-    const double accuracy = source->results->scene->accuracy;
-    if (!(plan->chosen_rms > 0))
+    const struct scene *scene = source->results->scene;
+    if (!(scene->chosen_rms > 0))
         return;
     json_t *item = view_part(out, "chosen");
-    view_number(item, "percent", 100 * accuracy, DIGITS, "");
-    view_number(item, "factor", exp(plan->chosen_rms), DIGITS, "");
-    view_flag(item, "met", expm1(plan->chosen_rms) <= accuracy);
-    view_flag(item, "one_scan", plan->one_scan);
+    view_number(item, "percent", 100 * scene->accuracy, DIGITS, "");
+    view_number(item, "factor", exp(scene->chosen_rms), DIGITS, "");
+    view_flag(item, "met", expm1(scene->chosen_rms) <= scene->accuracy);
+    view_flag(item, "one_scan", scene->one_scan);
 }
 
 /** The surfaces that have no place in the ranking: some by name, the others counted. */

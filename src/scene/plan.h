@@ -17,14 +17,17 @@ struct plan {
     uint64_t models;        /* MODEL_BITs asked for; a plastic one runs only with plasticity */
     uint64_t beside;        /* those that some surfaces alone have an answer by: they do not lead */
     bool all_uncertain;     /* the effect uncertainty was listed: of all models; else of the leading one alone */
-    double chosen_rms;      /* of the model that `accuracy` chose, ln_rms of what is asked; 0: nothing was */
-    bool one_scan;          /* what that was measured from */
     size_t operating_place; /* as in struct model_task */
     char area_reason[160];  /* why the area is computed as it is, for the account */
 };
 
 /** Listed effects run (the scene was checked); with `auto` an effect runs where the given properties allow it. */
 void plan_make(struct plan *out, const struct scene *scene);
+
+/** Leaves in scene->models the cheapest one that is expected within scene->accuracy, with the elastic one that it
+ * yields from: by docs/validation.md for so many scans, metal that yields or not. Dearer is what solves strips; of
+ * those that cost the same the better. Where none is as good the best. */
+void plan_choose_model(struct scene *scene);
 
 /** Does `effect` run? */
 bool plan_runs(const struct plan *plan, enum effect effect);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/scene.h"
 #include "joint/electron.h"
+#include "scene/plan.h"
 #include "scene/scene_source.h"
 
 #include <errno.h>
@@ -354,6 +355,7 @@ enum status_code scene_read(struct scene *out, const char *directory, const stru
     struct scene_source source = {.scene = out, .status = status};
     struct text loaded = {0};
     struct stat info;
+    bool good = false;
     *out = default_scene();
     if (stat(directory, &info) != 0)
         return status_fail(status, STATUS_IO, "cannot open directory '%s': %s", directory, strerror(errno));
@@ -366,7 +368,9 @@ enum status_code scene_read(struct scene *out, const char *directory, const stru
     const struct text *text = over->text ? over->text : &loaded;
     if ((over->text || load_text(&loaded, out, status) == STATUS_OK) &&
         (!out->path || scene_source_read(&source, text_string(text), text->length)))
-        (void)complete(out, &source, over);
+        good = complete(out, &source, over) == STATUS_OK;
+    if (good && out->accuracy > 0)
+        plan_choose_model(out);
     text_free(&loaded);
     return status->code;
 }
