@@ -55,7 +55,7 @@ TEST_IN_WORKSPACE(a_model_that_is_not_there_is_told)
     workspace_scan(place, "d/a-1.csv", 200, 1);
     free(workspace_shell(place, "awk -F, 'NR == 1 { print; next } { print 3 * $1 \",\" $2 }' d/a-1.csv > d/a-2.csv"));
     workspace_write(place, "d/scene.yaml", "models: [strip]\nsurfaces: [{name: a, file: 'a-*.csv'}]\n");
-    expect_failure(place, 4, 2, "no model is left for these scans and this material; name others in 'models'", "report",
+    expect_failure(place, 4, 3, "no model is left for these scans and this material; name others in 'models'", "report",
                    "d");
     assert_false(workspace_has(place, "out/d/report.md"));
 }
