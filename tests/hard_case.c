@@ -27,6 +27,8 @@ void hard_case_met(struct hard_case *row, double number, double bound, const cha
         _fail(file, line);
     }
     if (!row->met) {
+        for (int i = 0; i < 4; i++)
+            assert_null(strchr(row->words[i], '|'));
         assert_true(section_heading && row_count < sizeof rows / sizeof *rows);
         rows[row_count++] = row;
         row->bound = bound;
@@ -36,10 +38,10 @@ void hard_case_met(struct hard_case *row, double number, double bound, const cha
     row->worst = fmax(row->worst, number);
 }
 
-/** A count in full, anything else in one digit. */
+/** A count in full, anything else in two digits. */
 static const char *number_text(double number)
 {
-    return filled(number == round(number) && number < 1e7 ? "%.0f" : "%.1g", number);
+    return filled(number == round(number) && number < 1e7 ? "%.0f" : "%.2g", number + 0.0); /* no -0 */
 }
 
 /** What the page says before the number of a row, and behind it. */

@@ -81,7 +81,7 @@ TEST_CASE(one_contact_point)
             assert_int_equal(point.quantities.perimeter_faces, 4);
             assert_int_equal(point.patches, 1);
             hard_case("one point in contact, loads of 1e-100 to 1e-9", "a contact of no area, resistance infinite",
-                      "the point's own potential: the sum of 1/|q|", "constriction, relative",
+                      "the point's own potential: the sum of 1/q over all waves", "constriction, relative",
                       off_by(point.constriction_m, own), 1e-11);
             hard_case("one point in contact: the gap", "the load of 1e-100 is lost in it", "the highest point's height",
                       "gap, relative", off_by(point.quantities.gap_m, top - 2 * loads[i] * own), 1e-11);

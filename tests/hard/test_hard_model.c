@@ -245,7 +245,7 @@ TEST_CASE(two_bodies_of_huge_ratio)
         struct material_pair pair = material_pair(&first, MATERIAL_COUNTERFACE_ELASTIC, &second);
         struct material_pair rigid = material_pair(&first, MATERIAL_COUNTERFACE_RIGID, NULL);
         hard_case("moduli of the bodies 1e3 to 1e100 apart", "the softer body's compliance is lost in the sum",
-                  "E' of the softer one on a rigid one", "E', of the ratio of the moduli",
+                  "E' of the softer one on a rigid one", "E', difference times the ratio of the moduli",
                   off_by(pair.effective_modulus_Pa, rigid.effective_modulus_Pa) * fmin(factors[f], 1e12), 1.001);
         hard_case("resistivities 1e3 to 1e100 apart", "the same", "the mean, half of the worse conductor's",
                   "resistivity, relative",
@@ -265,7 +265,7 @@ TEST_CASE(two_bodies_of_huge_ratio)
             assert_int_equal(curve.count, alone.count);
             for (size_t i = 0; i < curve.count; i++)
                 hard_case("areas of such bodies, every model", "a pressure of the wrong body",
-                          "those of the softer one on a rigid one", "area, of the ratio of the moduli",
+                          "those of the softer one on a rigid one", "area, difference times the ratio of the moduli",
                           off_by(points[0][i].value[QUANTITY_AREA], points[1][i].value[QUANTITY_AREA]) *
                               fmin(factors[f], 1e9),
                           2);
