@@ -2,8 +2,11 @@
 /* Mustache: the public specification's cases where they are there, and cases of our own. */
 #include "base/mustache.h"
 #include "directory.h"
+#include "hard_case.h"
 #include "support.h"
 #include <string.h>
+
+HARD_CASES("Templates")
 
 static void escape_html(struct text *out, const char *string)
 {
@@ -127,6 +130,14 @@ TEST_CASE(own_cases_hold)
         struct status status = {0};
         json_object_set_new(partials, "p", json_string(own_cases[i].partial));
         enum status_code rc = mustache_render(&out, own_cases[i].source, "own", &how, &status);
+        if (own_cases[i].expected && strncmp(own_cases[i].source, "{{=", 3) == 0)
+            hard_case("a template whose delimiters begin or end with a sign of its own: [ &], [ #], [ !]",
+                      "a tag that has swallowed its end is taken for another",
+                      "what stands right behind the opening one is the tag's own", "other texts than expected",
+                      strcmp(text_string(&out), own_cases[i].expected) != 0, 0);
+        if (strcmp(own_cases[i].source, "{{>p}}") == 0)
+            hard_case("a partial that holds itself", "recursion without end", "an error: without end", "pages",
+                      rc == STATUS_OK, 0);
         if (own_cases[i].expected) {
             assert_int_equal(rc, STATUS_OK);
             assert_string_equal(text_string(&out), own_cases[i].expected);

@@ -4,8 +4,11 @@
 #include "chart/gnuplot.h"
 #include "chart/words.h"
 #include "directory.h"
+#include "hard_case.h"
 
 #include <math.h>
+
+HARD_CASES("Charts")
 
 #define PLACED(name) TEST_WITH(name, directory_setup, directory_teardown)
 
@@ -158,6 +161,9 @@ TEST_CASE(axes_of_any_range_have_few_tics)
                     at = tic + length + 2;
                 }
                 assert_in_range(tics, 2, 25);
+                hard_case("an axis over one unit in the last place, at 1e-300 to 1e300",
+                          "thousands of tics, all with the same number", "few tics, each with a number of its own",
+                          "tics", (double)tics, 25);
                 text_free(&script);
                 chart_free(&chart);
             }

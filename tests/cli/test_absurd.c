@@ -2,6 +2,7 @@
 /* Scans no instrument measured, each beside a good one: the good one is reported, and nothing that is written holds a
  * number that is not one. */
 #include "cli/process.h"
+#include "hard_case.h"
 
 #include <jansson.h>
 #include <stdio.h>
@@ -63,48 +64,106 @@ struct absurd {
     shape *shape;
     size_t points;                         /* 0: a map of NX x NY */
     const char *refusal, *inspect_refusal; /* NULL: not refused */
+    const char *danger;                    /* what could go wrong, in docs/hard-cases.md */
 };
 
 #define BOTH(message) (message), (message)
 #define LIMITS        " m; allowed is 1e-30 to 1e+30 m: is the unit of "
 
 static const struct absurd cases[] = {
-    {"tiny", "1e-316", "1e-6", "m", rough, POINTS, BOTH("e-316" LIMITS "z right?")},
-    {"least double", "4.94e-324", "1e-6", "m", alternating, POINTS, BOTH("heights of 9.88e-324" LIMITS "z right?")},
-    {"squares vanish", "1e-160", "1e-6", "m", rough, POINTS, BOTH("e-160" LIMITS "z right?")},
-    {"small", "1e-29", "1e-6", "m", rough, POINTS, BOTH(NULL)},
-    {"large", "1e28", "1e-6", "m", rough, POINTS, BOTH(NULL)},
-    {"squares overflow", "1e150", "1e-6", "m", rough, POINTS, BOTH("e+150" LIMITS "z right?")},
-    {"huge", "1e300", "1", "um", rough, POINTS, BOTH("e+294" LIMITS "z right?")},
-    {"differences overflow", "1.7e308", "1e-6", "m", alternating, POINTS,
-     BOTH("heights of 1.7e+308" LIMITS "z right?")},
-    {"dense", "1e-6", "1e-313", "m", rough, POINTS, BOTH("a spacing of 1e-313" LIMITS "x right?")},
-    {"denser than atoms", "1e-6", "2e-30", "m", rough, POINTS, BOTH(NULL)},
-    {"sparse", "1e-6", "1e160", "m", rough, POINTS, BOTH("a spacing of 1e+160" LIMITS "x right?")},
-    {"long", "1e-6", "1e28", "m", rough, POINTS, BOTH("a length of 2e+30" LIMITS "x right?")},
-    {"offset", "1e-12", "1e-6", "m", offset, POINTS, BOTH("the scan is flat: no roughness is left after level: mean")},
-    {"flat", "1e-6", "1e-6", "m", flat, POINTS, BOTH("the scan is flat: every height is 1e-06 m")},
-    {"ramp", "1e-6", "1e-6", "m", ramp, POINTS, BOTH("the scan is flat: no roughness is left after level: line")},
-    {"three", "1e-6", "1e-6", "m", rough, 3, "3 points carry no spectrum; at least 11", NULL},
-    {"three in a line", "1e-6", "1e-6", "m", ramp, 3, BOTH("the scan is flat: no roughness is left")},
-    {"four", "1e-6", "1e-6", "m", rough, 4, "4 points carry no spectrum; at least 11", NULL},
-    {"eight", "1e-6", "1e-6", "m", rough, 8, "8 points carry no spectrum; at least 11", NULL},
-    {"spike", "1e-6", "1e-6", "m", spike, POINTS, BOTH(NULL)},
-    {"alternating", "1e-6", "1e-6", "m", alternating, POINTS, BOTH(NULL)},
-    {"alternating odd", "1e-6", "1e-6", "m", alternating, POINTS - 1, BOTH(NULL)},
-    {"all but one", "1e-6", "1e-6", "m", all_but_one, POINTS, BOTH(NULL)},
-    {"flat map", "1e-6", "1e-6", "m", flat, 0, "the scan is flat: every height is", "the map is flat: every height is"},
+    {"tiny", "1e-316", "1e-6", "m", rough, POINTS, BOTH("e-316" LIMITS "z right?"),
+     "squares of heights of 1e-316 m are 0"},
+    {"least double", "4.94e-324", "1e-6", "m", alternating, POINTS, BOTH("heights of 9.88e-324" LIMITS "z right?"),
+     "half a step of the smallest number there is"},
+    {"squares vanish", "1e-160", "1e-6", "m", rough, POINTS, BOTH("e-160" LIMITS "z right?"),
+     "m0 = 0 of a rough surface"},
+    {"small", "1e-29", "1e-6", "m", rough, POINTS, BOTH(NULL), "squares of 1e-58, fourth powers of slopes"},
+    {"large", "1e28", "1e-6", "m", rough, POINTS, BOTH(NULL), "squares of 1e56 m²"},
+    {"squares overflow", "1e150", "1e-6", "m", rough, POINTS, BOTH("e+150" LIMITS "z right?"), "m0 = inf"},
+    {"huge", "1e300", "1", "um", rough, POINTS, BOTH("e+294" LIMITS "z right?"), "a unit that was mistaken, by 10^300"},
+    {"differences overflow", "1.7e308", "1e-6", "m", alternating, POINTS, BOTH("heights of 1.7e+308" LIMITS "z right?"),
+     "a slope of inf before any is computed"},
+    {"dense", "1e-6", "1e-313", "m", rough, POINTS, BOTH("a spacing of 1e-313" LIMITS "x right?"),
+     "slopes of 1e307, curvatures of inf"},
+    {"denser than atoms", "1e-6", "2e-30", "m", rough, POINTS, BOTH(NULL), "curvatures of 1e54"},
+    {"sparse", "1e-6", "1e160", "m", rough, POINTS, BOTH("a spacing of 1e+160" LIMITS "x right?"),
+     "slopes of 1e-166, whose squares are 0"},
+    {"long", "1e-6", "1e28", "m", rough, POINTS, BOTH("a length of 2e+30" LIMITS "x right?"),
+     "a unit that was mistaken"},
+    {"offset", "1e-12", "1e-6", "m", offset, POINTS, BOTH("the scan is flat: no roughness is left after level: mean"),
+     "rounding is taken for roughness, 10^15 times below the offset"},
+    {"flat", "1e-6", "1e-6", "m", flat, POINTS, BOTH("the scan is flat: every height is 1e-06 m"),
+     "0/0 in every ratio of roughness"},
+    {"ramp", "1e-6", "1e-6", "m", ramp, POINTS, BOTH("the scan is flat: no roughness is left after level: line"),
+     "the same, once it is levelled"},
+    {"three", "1e-6", "1e-6", "m", rough, 3, "3 points carry no spectrum; at least 11", NULL,
+     "a spectrum of one harmonic has a law of any exponent"},
+    {"three in a line", "1e-6", "1e-6", "m", ramp, 3, BOTH("the scan is flat: no roughness is left"),
+     "nothing is left to scale anything by"},
+    {"four", "1e-6", "1e-6", "m", rough, 4, "4 points carry no spectrum; at least 11", NULL,
+     "a law through two points"},
+    {"eight", "1e-6", "1e-6", "m", rough, 8, "8 points carry no spectrum; at least 11", NULL,
+     "the same of four harmonics"},
+    {"spike", "1e-6", "1e-6", "m", spike, POINTS, BOTH(NULL), "the law of a spike"},
+    {"alternating", "1e-6", "1e-6", "m", alternating, POINTS, BOTH(NULL), "all is at the shortest wavelength: no law"},
+    {"alternating odd", "1e-6", "1e-6", "m", alternating, POINTS - 1, BOTH(NULL),
+     "the same without a shortest wavelength"},
+    {"all but one", "1e-6", "1e-6", "m", all_but_one, POINTS, BOTH(NULL), "one point decides"},
+    {"flat map", "1e-6", "1e-6", "m", flat, 0, "the scan is flat: every height is", "the map is flat: every height is",
+     "0/0 in every row"},
     {"plane", "1e-6", "1e-6", "m", ramp, 0, "the scan is flat: no roughness is left",
-     "the map is flat: no roughness is left"},
-    {"ridges", "1e-6", "1e-6", "m", ridges, 0, "the scan is flat: every height is", NULL},
-    {"map", "1e-6", "1e-6", "m", rough, 0, BOTH(NULL)},
-    {"tiny map", "1e-316", "1e-6", "m", rough, 0, BOTH("e-316" LIMITS "z right?")},
-    {"huge map", "1e300", "1e-6", "m", rough, 0, BOTH("e+300" LIMITS "z right?")},
-    {"dense map", "1e-6", "1e-313", "m", rough, 0, BOTH("a spacing of 1e-313" LIMITS "x right?")},
-    {"map with a tiny row", "1e-6", "1e-6", "m", first_row_tiny, 0, BOTH(NULL)},
-    {"eleven", "1e-6", "1e-6", "m", rough, 11, BOTH(NULL)},
+     "the map is flat: no roughness is left", "rounding is all that levelling leaves"},
+    {"ridges", "1e-6", "1e-6", "m", ridges, 0, "the scan is flat: every height is", NULL,
+     "every row is flat though the map is not"},
+    {"map", "1e-6", "1e-6", "m", rough, 0, BOTH(NULL), "few and short rows"},
+    {"tiny map", "1e-316", "1e-6", "m", rough, 0, BOTH("e-316" LIMITS "z right?"),
+     "the same as of profiles, by another way"},
+    {"huge map", "1e300", "1e-6", "m", rough, 0, BOTH("e+300" LIMITS "z right?"),
+     "the same as of profiles, by another way"},
+    {"dense map", "1e-6", "1e-313", "m", rough, 0, BOTH("a spacing of 1e-313" LIMITS "x right?"),
+     "the same across the rows"},
+    {"map with a tiny row", "1e-6", "1e-6", "m", first_row_tiny, 0, BOTH(NULL),
+     "a row of denormal heights among others"},
+    {"eleven", "1e-6", "1e-6", "m", rough, 11, BOTH(NULL), "the fewest points that carry a spectrum"},
 };
 enum { CASES = sizeof cases / sizeof *cases };
+
+HARD_CASES("Scans no instrument measured, each beside a good one")
+
+/** A row of the page for case `i`; `bad` is what there is of it that must not be. */
+static void met(size_t i, size_t bad)
+{
+    static struct hard_case rows[CASES];
+    static char words[CASES][2][200];
+    const struct absurd *it = &cases[i];
+    snprintf(words[i][0], sizeof words[i][0], "%s: %s %s, heights of %s %s, %s %s apart", it->name,
+             it->points ? filled("%zu", it->points) : filled("%d x %d", NX, NY), "points", it->height, it->unit,
+             it->spacing, it->unit);
+    if (it->refusal)
+        snprintf(words[i][1], sizeof words[i][1], "refused: “%s%s”", *it->refusal == 'e' ? "…" : "", it->refusal);
+    else
+        snprintf(words[i][1], sizeof words[i][1], "reported, every model");
+    rows[i].words[0] = words[i][0];
+    rows[i].words[1] = it->danger;
+    rows[i].words[2] = words[i][1];
+    rows[i].words[3] = it->refusal ? "rows of it in the tables" : "areas outside 0 to 1";
+    hard_case_met(&rows[i], (double)bad, 0, __FILE__, __LINE__);
+}
+
+/** Rows of data/contact.csv in `out` of that surface; of them those whose area is none. */
+static size_t rows_of(const char *place, const char *out, const char *surface, size_t *wrong)
+{
+    struct table table = workspace_table(place, filled("%s/data/contact.csv", out));
+    size_t rows = 0;
+    for (size_t r = 0; r < table.rows; r++)
+        if (strcmp(table_text(&table, r, "surface"), surface) == 0) {
+            double area = table_number(&table, r, "area_ratio");
+            *wrong += !(area >= 0 && area <= 1);
+            rows++;
+        }
+    table_free(&table);
+    return rows;
+}
 
 static void write_case(const char *place, const char *path, const struct absurd *absurd)
 {
@@ -179,6 +238,9 @@ TEST_IN_WORKSPACE(test_reports)
         free(report(place, folder,
                     which > 0 ? filled("material: %s\n%s", materials[which - 1], rest) : scene_of_reports, 0,
                     which == 0));
+        size_t wrong = 0;
+        assert_true(rows_of(place, filled("out-%s", folder), "bad", &wrong) > 0);
+        met(i, wrong);
     }
 }
 
@@ -202,8 +264,37 @@ TEST_IN_WORKSPACE(test_refusals)
         char *line = strndup(at, strcspn(at, "\n"));
         expect_part(line, cases[i].refusal);
         free(line);
+        size_t wrong = 0;
+        met(i, rows_of(place, "out-refused", filled("bad-%zu", i), &wrong));
     }
     free(messages);
+}
+
+/* Three thousand scans of one surface, all of them in its mean; a million loads, more than a table is made for. */
+TEST_IN_WORKSPACE(test_many)
+{
+    enum { SCANS = 3000, FEW = 20 };
+    for (size_t k = 0; k < SCANS; k++) {
+        char csv[FEW * 32];
+        size_t used = (size_t)snprintf(csv, sizeof csv, "x [um],z [um]\n");
+        for (size_t i = 0; i < FEW; i++)
+            used += (size_t)snprintf(csv + used, sizeof csv - used, "%zu,%.4f\n", i, rough(i + 31 * k));
+        workspace_write(place, filled("d/s/%zu.csv", k), csv);
+    }
+    static const char scene[] = "material: tin\nmodels: [multiscale-elastic]\neffects: [electrical]\n";
+    workspace_write(place, "d/scene.yaml", filled("%sload: {points: 5}\n", scene));
+    run_to_exit(place, 0, "report", "d", "-o", "out", "--no-cost", "--brief");
+    json_t *json = workspace_json(place, "out/results.json");
+    json_t *files = json_object_get(json_array_get(json_object_get(json, "surfaces"), 0), "spread");
+    hard_case("3000 scans of one surface", "memory, open files, a mean of the first ones", "all are in the mean",
+              "scans left out", SCANS - json_number_value(json_object_get(files, "files")), 0);
+    json_decref(json);
+    workspace_write(place, "d/scene.yaml", filled("%sload: {points: 1000000}\n", scene));
+    struct process process = process_run(place, "report", "d", "-o", "more", "--no-cost");
+    expect_part(process.err, "'points' is 1000000; allowed is 1 to 100000");
+    hard_case("a scene of 10^6 loads", "gigabytes of tables", "refused with the most that may be: 100 000",
+              "another exit status than 3", process.status != 3, 0);
+    process_free(&process);
 }
 
 /* A refused file has a line of its own and the others go on; nothing that is not a number is printed. */

@@ -3,6 +3,7 @@
  * what is wrong with each within a bounded memory and time of the processor. */
 #include "base/limits.h"
 #include "cli/process.h"
+#include "hard_case.h"
 #include "scan/zip_support.h"
 
 #include <stdio.h>
@@ -11,6 +12,8 @@
 #include <sys/stat.h>
 #include <sys/un.h>
 #include <unistd.h>
+
+HARD_CASES("Small files that would fill a memory")
 
 #ifdef __SANITIZE_ADDRESS__
 static const rlim_t memory = RLIM_INFINITY; /* the sanitizer's shadow is larger than any limit */
@@ -51,6 +54,14 @@ static void write_bytes(const char *place, const char *name, struct text *bytes)
     text_free(bytes);
 }
 
+/* The largest memory that any program had so far [MB]; not known where a sanitizer has its own. */
+static double megabytes(void)
+{
+    struct rusage used;
+    assert_int_equal(getrusage(RUSAGE_CHILDREN, &used), 0);
+    return memory == RLIM_INFINITY ? 0 : (double)used.ru_maxrss / 1000;
+}
+
 /* Writes the bytes to a file, which `inspect` has to refuse with one line that holds `message`. Frees them. */
 static void expect_refused(const char *place, struct text *text, const char *message)
 {
@@ -88,6 +99,8 @@ TEST_IN_WORKSPACE(test_shared_streams)
     two[1].at = 30 + strlen("c.csv");
     text = zip_of(two, 2);
     expect_refused(place, &text, "entries of the archive share their bytes");
+    hard_case("an archive whose 64 entries are one stream, or one within the other", "each is unpacked: 256 MB of 4 kB",
+              "refused: they share their bytes", "memory, MB", megabytes(), 512);
     text_free(&archive);
     text_free(&two[0].bytes);
     text_free(&inner.bytes);
@@ -131,6 +144,8 @@ TEST_IN_WORKSPACE(test_expanding)
         expect_refused(place, &text,
                        few ? "compressed streams longer than the file can hold" : limit_message(LIMIT_POINTS));
     }
+    hard_case("compressed heights: a gigabyte behind a header of six points", "a gigabyte is unpacked",
+              "refused: longer than the file can hold", "memory, MB", megabytes(), 512);
     free(zeros);
 }
 
@@ -187,6 +202,9 @@ TEST_IN_WORKSPACE(test_points_as_announced)
         text_free(&members[0].bytes);
         text_free(&members[1].bytes);
     }
+    hard_case("600 MB of zeros deflated behind 4096 points", "all is unpacked to see what it is",
+              "no more than the header announces; refused beyond 100 times the packed size", "memory, MB", megabytes(),
+              512);
     text_free(&heights);
 }
 
@@ -211,6 +229,8 @@ TEST_IN_WORKSPACE(test_lying_headers)
         text_add_bytes(&text, texts[i], strlen(texts[i]) + 1);
         expect_refused(place, &text, "points");
     }
+    hard_case("eight headers that announce 10^9 to 10^37 points", "products that wrap around, and memory for them",
+              "refused by what the file can hold", "memory, MB", megabytes(), 512);
 }
 
 /* A file larger than may be, of which nothing is read; and standard input that never ends. */
@@ -303,8 +323,13 @@ TEST_IN_WORKSPACE(test_no_files)
     process = process_expect(RUN(place, "plan", "d"), 0, __FILE__, __LINE__);
     process_free(&process);
     static const char *const none[] = {"d/pipe.csv", "d/socket.csv", "d/zero.csv"};
-    for (size_t i = 0; i < 3; i++)
+    for (size_t i = 0; i < 3; i++) {
+        struct process opened = RUN(place, "inspect", none[i]);
+        hard_case("pipes, sockets, /dev/zero, links in circles, a thousand folders in folders", "it waits for ever",
+                  "passed over; refused where named", "read as scans", opened.status != 4, 0);
+        process_free(&opened);
         process_expect_failure(RUN(place, "inspect", none[i]), 4, 1, "is no regular file", __FILE__, __LINE__);
+    }
     process_expect_failure(RUN(place, "inspect", "d/self.csv"), 4, 1, "Too many levels of symbolic links", __FILE__,
                            __LINE__);
     workspace_write(place, "d/scene.yaml", "material: tin\nsurfaces:\n  - {name: p, file: pipe.csv}\n");

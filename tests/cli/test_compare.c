@@ -2,6 +2,9 @@
 /* `compare`: reports that the program made, and results.json files made up so that tests can be worked out by hand. */
 #include "base/text.h"
 #include "cli/process.h"
+#include "hard_case.h"
+
+HARD_CASES("Reports that others made")
 
 /** The number at a path such as "inputs.0.key", where `expected` stands as JSON (NULL: anything). */
 static double at(const json_t *view, const char *path, const char *expected)
@@ -167,12 +170,21 @@ TEST_IN_WORKSPACE(what_reports_say_is_hostile)
     expect_output(expect_exit(place, 0, "compare", "a", "b", "c"), "in 1.\n- s has no partner in 2.\n");
     for (size_t i = 0; i < sizeof damaged / sizeof *damaged; i++) {
         workspace_write(place, "b/results.json", damaged[i][0]);
+        struct process forged = process_run(place, "compare", "b", "c");
+        hard_case("a results.json that is cut off, of no program, or has words where numbers belong",
+                  "it is compared with zeros", "refused: damaged, or nothing to compare", "tables printed",
+                  *forged.out != '\0', 0);
+        process_free(&forged);
         expect_failure(place, 4, 1, damaged[i][1], "compare", "b", "c");
         expect_output(expect_exit(place, 4, "compare", "b", "c", "--json"), "\"error\": ");
     }
     /* small files that would be parsed to gigabytes; scenes of which every key differs */
     free(workspace_shell(place, "(printf '{\"x\": ['; yes '{},' | head -n 2000000; printf '0]}') > b/results.json"));
     expect_failure(place, 4, 1, "; at most 10000000 values: ", "compare", "c", "b");
+    struct process values = process_run(place, "compare", "c", "b");
+    hard_case("a results.json of two million empty objects, 8 MB", "it is parsed to gigabytes",
+              "counted before it is parsed: at most 10 000 000 values", "tables printed", *values.out != '\0', 0);
+    process_free(&values);
     for (int i = 0; i < 2; i++) {
         struct text many = {0};
         char *made = workspace_read(place, "c/results.json"), *inside = strstr(made, "\"tolerance\"");

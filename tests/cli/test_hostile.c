@@ -2,12 +2,15 @@
 /* Every file that is written, and all that is printed, of surfaces whose names hold control characters, bidirectional
  * overrides, bytes that are no UTF-8, formulas and what would be code elsewhere: byte by byte, and read back. */
 #include "cli/process.h"
+#include "hard_case.h"
 
 #include <dirent.h>
 #include <expat.h>
 #include <jansson.h>
 #include <stdio.h>
 #include <sys/stat.h>
+
+HARD_CASES("Names and words that mean something elsewhere")
 
 /* A name and how the tables have it. */
 static const struct {
@@ -299,6 +302,7 @@ TEST_IN_WORKSPACE(test_report)
         }
     }
     assert_int_equal(rows, NAMES + 1);
+    size_t astray = 0;
     for (size_t k = 0; k < NAMES; k++) {
         const char *name = json_string_value(json_object_get(json_array_get(surfaces, k), "surface"));
         assert_non_null(name);
@@ -307,9 +311,18 @@ TEST_IN_WORKSPACE(test_report)
             in_json[i] += strcmp(name, names[i].cell + guarded) == 0;
         }
     }
-    for (size_t i = 0; i < NAMES; i++)
+    for (size_t i = 0; i < NAMES; i++) {
+        astray += found[i] != 1 || in_json[i] != 1;
         if (found[i] != 1 || in_json[i] != 1)
-            fail_msg("'%s': %zu times in surfaces.csv, %zu in results.json", names[i].cell, found[i], in_json[i]);
+            print_error("'%s': %zu times in surfaces.csv, %zu in results.json\n", names[i].cell, found[i], in_json[i]);
+    }
+    hard_case("files named with control characters, bytes that are no UTF-8, characters of no width, formulas (=1+2)",
+              "two names that look alike, cells that calculate, a terminal that is rewritten",
+              "each name is shown by what it holds, once in every table", "names that are not once there",
+              (double)astray, 0);
+    hard_case("names that are commands of a shell, of gnuplot or of HTML", "they run",
+              "they are text in charts, tables and pages", "files that such a command makes",
+              (double)workspace_count(place, "PWNED"), 0);
     json_decref(json);
     free(csv);
 
@@ -317,7 +330,6 @@ TEST_IN_WORKSPACE(test_report)
                    "{{body}} {{title}}", "&#38;amp;&#38;lt;b&#38;gt;");
     expect_in_file(place, "out/d/data/surfaces.csv", "\n\"double\"\"quote\",\"double\"\"quote.csv\",100,",
                    "\n\"'=cmd,x;y\\x09tab\",", "\na|b,a|b.csv,100,");
-    assert_int_equal(workspace_count(place, "PWNED"), 0);
 }
 
 TEST_IN_WORKSPACE(test_commands)
@@ -348,6 +360,11 @@ TEST_IN_WORKSPACE(test_commands)
     for (size_t i = 0; i < sizeof options / sizeof *options; i++)
         assert_process(expect_exit(place, 2, "report", "d", options[i]), options[i]);
     assert_process(expect_exit(place, 4, "inspect", "--", "-\x1b"), "inspect --");
+    workspace_scan(place, "-o", 100, 1);
+    struct process dashed = process_run(place, "inspect", "--", "-o");
+    hard_case("a scan named -o", "it is taken for an option", "read as a file behind --", "exit status", dashed.status,
+              0);
+    assert_process(dashed, "inspect -- -o");
 }
 
 TEST_IN_WORKSPACE(test_title_and_names_of_the_scene)
@@ -367,6 +384,10 @@ TEST_IN_WORKSPACE(test_title_and_names_of_the_scene)
                    "&#60;img src=x onerror=alert(1)&#62;");
     expect_not_in_file(place, "out/d/report.html", "href=\"javascript");
     assert_int_equal(workspace_count(place, "PWNED"), 0);
+    char *page = workspace_read(place, "out/d/report.html");
+    hard_case("a title that closes its tag, opens a script and quotes a template's {{body}}", "a page that runs it",
+              "text, as it was written", "scripts of it in the page", strstr(page, "<script>alert") != NULL, 0);
+    free(page);
     workspace_write(place, "d/scene.yaml", "surfaces:\n  - {name: \"one\\n# two\", file: a.csv}\n");
     expect_failure(place, 3, 1, "d/scene.yaml:2: 'name' has a line end or control character inside; remove it",
                    "report", "d");

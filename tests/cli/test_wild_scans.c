@@ -3,10 +3,13 @@
  * itself for nothing, and what it writes holds numbers alone. ROUGHCONTACT_WILD=10000 makes as many,
  * ROUGHCONTACT_WILD_FIRST=17 begins with that seed. */
 #include "cli/process.h"
+#include "hard_case.h"
 #include "scene/scene_source.h"
 #include "wild_scene.h"
 
 #include <stdio.h>
+
+HARD_CASES("Folders that no one would make")
 
 static uint64_t random_state;
 
@@ -133,6 +136,14 @@ static void expect_reported_or_refused(const char *place, size_t seed)
         !strstr(run.err, "no model is left for"))            /* of those that the scene names */
         expect_part(run.err, "no readable scan");
     expect_no_parts(run.err, "fault of the program", "please report", "ERROR: ");
+    static struct hard_case row = {
+        .words = {
+            "300 folders of made-up scans and scenes: walks, steps, pits, chirps, Cauchy's heights, 1e-15 to 1 m, "
+            "1e-13 to 100 m apart, unlike scans in one surface",
+            "what no author of a test has thought of",
+            "reported, or refused with the reason; no word of a fault of its own",
+            "other exit statuses than 0, 1, 3, 4"}};
+    hard_case_met(&row, run.status > 4 || run.status == 2, 0, __FILE__, __LINE__);
     process_expect_numbers(run.out, "stdout");
     process_expect_numbers(run.err, "stderr");
     if (run.status < 2)

@@ -4,6 +4,7 @@
 #ifndef HARD_SUPPORT_H
 #define HARD_SUPPORT_H
 
+#include "hard_case.h"
 #include "material/material.h"
 #include "spectrum/spectrum.h"
 #include "support.h"

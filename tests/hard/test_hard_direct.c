@@ -5,6 +5,8 @@
 #include "direct/direct_ensemble.h"
 #include "hard_support.h"
 
+HARD_CASES("Direct solutions")
+
 /** Heights of a square surface, cell length 1, of a law cut off at `waves` waves. To be freed. */
 static double *surface_of(double gamma, double waves, size_t n, uint64_t seed)
 {
@@ -78,8 +80,11 @@ TEST_CASE(one_contact_point)
             assert_int_equal(point.quantities.contact_points, 1);
             assert_int_equal(point.quantities.perimeter_faces, 4);
             assert_int_equal(point.patches, 1);
-            assert_near(point.constriction_m, own, 1e-11);
-            assert_near(point.quantities.gap_m, top - 2 * loads[i] * own, 1e-11);
+            hard_case("one point in contact, loads of 1e-100 to 1e-9", "a contact of no area, resistance infinite",
+                      "the point's own potential: the sum of 1/q over all waves", "constriction, relative",
+                      off_by(point.constriction_m, own), 1e-11);
+            hard_case("one point in contact: the gap", "the load of 1e-100 is lost in it", "the highest point's height",
+                      "gap, relative", off_by(point.quantities.gap_m, top - 2 * loads[i] * own), 1e-11);
         }
         direct_contact_free(&contact);
         free(height);
@@ -105,7 +110,9 @@ TEST_CASE(complete_contact_from_both_sides)
             assert_true(point.quantities.gap_m > 0 && point.constriction_m > 0);
         } else {
             assert_int_equal(point.quantities.contact_points, N * N);
-            assert_true(point.quantities.area_ratio == 1 && point.quantities.gap_m == 0 && point.constriction_m == 0);
+            hard_case("all points in contact, from 1e-6 above the load of it", "a gap and a resistance of rounding",
+                      "area 1, gap 0, resistance 0", "difference",
+                      fabs(point.quantities.area_ratio - 1) + point.quantities.gap_m + point.constriction_m, 0);
             for (size_t k = 0; k < (size_t)N * kernel->stride; k++)
                 if (k % kernel->stride < N)
                     assert_true(contact.pressure[k] > 0);
@@ -130,11 +137,14 @@ TEST_CASE(load_at_the_hardness)
         struct direct_point point;
         struct status status = {0};
         if (shares[i] < 1) {
-            assert_true(solved(&contact, load, hardness).quantities.area_ratio >= shares[i]);
+            hard_case("a mean pressure of 0.5 to 0.999 of the hardness", "iterations between capped points without end",
+                      "at least p̄/H of the area in contact", "area that is missing",
+                      fmax(0, shares[i] - solved(&contact, load, hardness).quantities.area_ratio), 0);
             continue;
         }
         assert_int_equal(direct_ladder_run(&point, &contact, &ladder, &status), STATUS_OK);
-        assert_false(point.exists);
+        hard_case("a mean pressure of 1 to 1e10 of the hardness", "more load than the material can carry",
+                  "no number, and the sentence that contact is complete", "numbers", point.exists, 0);
         assert_true(isnan(point.constriction_m));
         assert_int_equal(point.quantities.contact_points, 0);
         assert_int_equal(direct_contact_solve(&contact, &one, &effort, &status), STATUS_MODEL);
@@ -161,7 +171,9 @@ TEST_CASE(no_surface)
         for (size_t k = 0; k < (size_t)N * N; k++)
             height[k] = cases[c].offset + cases[c].rough * (double)(k % 7);
         height[200] = cases[c].one;
-        assert_int_equal(direct_contact_make(&contact, height, N, N, 1.0 / N, &status), STATUS_MODEL);
+        enum status_code code = direct_contact_make(&contact, height, N, N, 1.0 / N, &status);
+        hard_case("no surface: constant, 1e-16 or 1e-200 of roughness, 5e-324, holes, infinite heights",
+                  "0/0 in the first step", "refused: flat, or not finite", "not refused", code != STATUS_MODEL, 0);
         if (!strstr(status.message, cases[c].says))
             fail_msg("case %zu: %s", c, status.message);
         assert_null(contact.height_m);
@@ -188,7 +200,9 @@ TEST_CASE(exponents_at_both_ends)
             assert_true(point.quantities.contact_points >= 100);
             /* at the last the longest wave is nearly all: one Hertzian patch has more area at low load */
             assert_within(point.quantities.area_ratio / p, 2.1, gammas[e] < 2 ? 0.5 : 1.2);
-            assert_near(point.constriction_m, -slope / 2, 5e-3);
+            hard_case("exponents at both ends, γ = 0.5, 1 and 2", "patches of one point, or one Hertzian patch",
+                      "resistance is the slope of the gap, whatever the surface", "constriction, relative",
+                      off_by(point.constriction_m, -slope / 2), 5e-3);
             assert_true(point.quantities.area_ratio > last);
             last = point.quantities.area_ratio;
         }
@@ -223,7 +237,8 @@ TEST_CASE(no_answer)
     struct direct_ladder_def ladder = {&load, 1, INFINITY, 1e-300, false, NULL};
     struct direct_point point;
     int traps = fedisableexcept(FE_ALL_EXCEPT); /* 0/0 ends iterations on rounding alone */
-    assert_int_equal(direct_ladder_run(&point, &contact, &ladder, &status), STATUS_MODEL);
+    hard_case("a tolerance of 1e-300", "iterations without end", "an error: did not converge", "answers",
+              direct_ladder_run(&point, &contact, &ladder, &status) != STATUS_MODEL, 0);
     assert_non_null(strstr(status.message, "not converge"));
     assert_int_equal(direct_spectrum_of_law(&spectrum, &law, &(struct status){0}), STATUS_OK);
     struct direct_ensemble_def def = ensemble_of(&spectrum, N, &load, 1);
@@ -245,8 +260,8 @@ TEST_CASE(no_answer)
     for (size_t w = 0; w < sizeof wrong / sizeof *wrong; w++) {
         struct direct_contact_load one = {wrong[w], INFINITY, 1e-6, false, NULL};
         status = (struct status){0};
-        if (direct_contact_solve(&contact, &one, &effort, &status) != STATUS_MODEL)
-            fail_msg("load %g", wrong[w]);
+        hard_case("loads of -1, 0, NaN, ± infinity", "a solution of no question", "refused", "answers",
+                  direct_contact_solve(&contact, &one, &effort, &status) != STATUS_MODEL, 0);
     }
     feclearexcept(FE_ALL_EXCEPT);
     feenableexcept(traps);

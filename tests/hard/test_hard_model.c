@@ -3,6 +3,8 @@
 #include "contact/model.h"
 #include "hard_support.h"
 
+HARD_CASES("All models as a run calls them")
+
 enum { EVERYTHING = QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_RESISTANCES };
 enum { LOADS = 37, SCALES = 600 };
 
@@ -86,6 +88,9 @@ static void check_curve(const struct model_curve *curve, const struct model_row 
     for (size_t i = 0; i < curve->count; i++) {
         const struct contact_point *point = &curve->points[i], *before = i > 0 ? point - 1 : point;
         check_point(row, point, curve->full_load);
+        hard_case("every model, loads of 1e-30 to 1e6, γ = 0.5 to 2, both closures",
+                  "a curve that turns back at its end", "areas from above 0 to 1 that never fall", "fall of the area",
+                  fmax(0, before->value[QUANTITY_AREA] - point->value[QUANTITY_AREA]), 0);
         assert_true(point->value[QUANTITY_AREA] >= before->value[QUANTITY_AREA]);
         for (int q = QUANTITY_SEPARATION; q <= QUANTITY_TCR; q++)
             assert_false(q != QUANTITY_ADJUSTED && isgreater(point->value[q], before->value[q]));
@@ -148,6 +153,10 @@ TEST_CASE(nothing_but_full_contact)
             assert_int_equal(curve.exists, !silent);
             bool empty = model_rows[m]->may_be_empty & QUANTITY_BIT(QUANTITY_ECR);
             for (size_t i = 0; i < curve.count; i++)
+                hard_case("loads of 1e3 to 1e100, beyond complete contact alone", "a curve without a point, or inf",
+                          "the point of complete contact; models that end before say nothing", "area, difference",
+                          fabs(points[i].value[QUANTITY_AREA] - 1), 0);
+            for (size_t i = 0; i < curve.count; i++)
                 assert_true(points[i].value[QUANTITY_AREA] == 1 &&
                             (empty ? isnan(points[i].value[QUANTITY_ECR]) : points[i].value[QUANTITY_ECR] == 0) &&
                             !isgreater(points[i].value[QUANTITY_TCR_SCALE_DEPENDENT], 0));
@@ -171,7 +180,9 @@ TEST_CASE(no_asperities)
                     !(model_rows[m]->asperity_model || model_rows[m]->uses_strip || model_rows[m]->uses_map));
         bool ends = model_rows[m]->plastic && model_rows[m]->largest_area > 0;
         assert_int_equal(curve.count, !curve.exists ? 0 : ends ? 1 : 2);
-        assert_true(curve.exists || curve.evaluations == 0);
+        hard_case("no asperities (σ_s² ≤ 0)", "the square root of a negative number",
+                  "statistical models have no curve, the others theirs", "integrals of what has no curve",
+                  curve.exists ? 0 : (double)curve.evaluations, 0);
     }
     spectrum_free(&spectrum);
 }
@@ -204,7 +215,9 @@ TEST_CASE(every_choice_of_quantities)
             assert_int_equal(model_run(&curve, model_rows[m], &task, &status), STATUS_OK);
             assert_int_equal(curve.count, reference.count);
             for (size_t i = 0; i < curve.count; i++) {
-                assert_near(some[i].value[QUANTITY_AREA], all[i].value[QUANTITY_AREA], 1e-9);
+                hard_case("every choice of quantities, without the properties of those left out",
+                          "NaN of a resistivity that is not known in an area", "what is asked for does not change",
+                          "area, relative", off_by(some[i].value[QUANTITY_AREA], all[i].value[QUANTITY_AREA]), 1e-9);
                 const double got[] = {some[i].value[QUANTITY_ECR], some[i].value[QUANTITY_TCR],
                                       some[i].value[QUANTITY_TCR_SCALE_DEPENDENT]};
                 const double full[] = {all[i].value[QUANTITY_ECR], all[i].value[QUANTITY_TCR],
@@ -218,5 +231,72 @@ TEST_CASE(every_choice_of_quantities)
                             isnan(some[i].value[QUANTITY_SEPARATION]));
             }
         }
+    spectrum_free(&spectrum);
+}
+
+/** Two bodies that have nothing in common: what is softer, and what conducts worse, decides. */
+TEST_CASE(two_bodies_of_huge_ratio)
+{
+    static const double factors[] = {1e3, 1e6, 1e12, 1e100};
+    for (int f = 0; f < 4; f++) {
+        struct material first = *material_find("tin"), second = first;
+        second.youngs_modulus_Pa *= factors[f];
+        second.resistivity_ohm_m *= factors[f];
+        struct material_pair pair = material_pair(&first, MATERIAL_COUNTERFACE_ELASTIC, &second);
+        struct material_pair rigid = material_pair(&first, MATERIAL_COUNTERFACE_RIGID, NULL);
+        hard_case("moduli of the bodies 1e3 to 1e100 apart", "the softer body's compliance is lost in the sum",
+                  "E' of the softer one on a rigid one", "E', difference times the ratio of the moduli",
+                  off_by(pair.effective_modulus_Pa, rigid.effective_modulus_Pa) * fmin(factors[f], 1e12), 1.001);
+        hard_case("resistivities 1e3 to 1e100 apart", "the same", "the mean, half of the worse conductor's",
+                  "resistivity, relative",
+                  off_by(pair.resistivity_ohm_m, first.resistivity_ohm_m * (1 + factors[f]) / 2), 1e-12);
+        if (factors[f] > 1e12)
+            continue;
+        struct spectrum spectrum = hard_law(0.085, 1.5, 100);
+        const double loads[] = {1e-9, 1e-3};
+        for (size_t m = 0; m < model_count; m++) {
+            struct contact_point points[2][3];
+            struct status status = {0};
+            struct model_curve curve = {.points = points[0]}, alone = {.points = points[1]};
+            struct model_task task = task_of(&spectrum, NULL, &pair, loads, 2);
+            assert_int_equal(model_run(&curve, model_rows[m], &task, &status), STATUS_OK);
+            task.pair = &rigid;
+            assert_int_equal(model_run(&alone, model_rows[m], &task, &status), STATUS_OK);
+            assert_int_equal(curve.count, alone.count);
+            for (size_t i = 0; i < curve.count; i++)
+                hard_case("areas of such bodies, every model", "a pressure of the wrong body",
+                          "those of the softer one on a rigid one", "area, difference times the ratio of the moduli",
+                          off_by(points[0][i].value[QUANTITY_AREA], points[1][i].value[QUANTITY_AREA]) *
+                              fmin(factors[f], 1e9),
+                          2);
+        }
+        spectrum_free(&spectrum);
+    }
+}
+
+/** A million loads at once: none lost, none out of order. */
+TEST_CASE(a_million_loads)
+{
+    enum { MANY = 1000000 / HARD_COARSER };
+    struct material_pair pair = hard_tin();
+    struct spectrum spectrum = hard_law(0.085, 1.5, 12);
+    double *loads = malloc(MANY * sizeof *loads);
+    struct contact_point *points = malloc((MANY + 1) * sizeof *points);
+    assert_true(loads && points);
+    for (size_t i = 0; i < MANY; i++)
+        loads[i] = 1e-9 * exp(log(1e6) * (double)i / MANY);
+    struct model_task task = task_of(&spectrum, NULL, &pair, loads, MANY);
+    struct model_curve curve = {.points = points};
+    struct status status = {0};
+    assert_int_equal(model_run(&curve, model_rows[model_named("multiscale-elastic")], &task, &status), STATUS_OK);
+    hard_case("10^6 loads of one curve", "memory, or points that are left out", "one point for each",
+              "loads without a point", (double)MANY - (double)curve.count, 0);
+    double fall = 0;
+    for (size_t i = 1; i < curve.count; i++)
+        fall = fmax(fall, 1 - points[i].value[QUANTITY_AREA] / points[i - 1].value[QUANTITY_AREA]);
+    hard_case("10^6 loads: neighbours 1e-5 apart", "rounding turns the curve back",
+              "only the published step at p/p* = 0.8 does", "fall of the area, relative", fall, 5e-4);
+    free(points);
+    free(loads);
     spectrum_free(&spectrum);
 }

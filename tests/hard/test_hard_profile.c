@@ -5,6 +5,8 @@
 #include "spectrum/power_law.h"
 #include "spectrum/roughness.h"
 
+HARD_CASES("Scans, from heights to spectra")
+
 static const double pi = 3.14159265358979323846;
 static const double spacing_m = 1e-6;
 
@@ -69,6 +71,15 @@ TEST_CASE(offset_and_tilt)
                 struct profile plain = profile_of(low, points, (enum level)level);
                 struct profile lifted = profile_of(high, points, (enum level)level);
                 check_same_roughness(&lifted, &plain, rows[r].rtol, rows[r].rtol_m4);
+                double moved = off_by(roughness_of_heights(lifted.height_m, points, spacing_m).m0_m2,
+                                      roughness_of_heights(plain.height_m, points, spacing_m).m0_m2);
+                if (tilt != 0)
+                    hard_case("10 nm of roughness under a tilt of 45°", "squares of 3 mm beside those of 10 nm",
+                              "the line is taken out and leaves the roughness", "mean square, relative", moved, 1e-9);
+                else
+                    hard_case("an offset of 100 mm, 10^7 times the roughness, 3000 and 100 003 points",
+                              "the mean of the squares less the square of the mean cancels",
+                              "heights are centred before they are squared", "mean square, relative", moved, 2e-7);
                 assert_within(lifted.tilt, tilt + plain.tilt, rows[r].tilt_error);
                 profile_free(&plain);
                 profile_free(&lifted);
@@ -102,6 +113,96 @@ static void check_description(const struct profile *profile)
         assert_int_equal(status.code, STATUS_MODEL);
 }
 
+/** What the amplitudes of a record do not hold of its mean square. */
+static double lost(const struct profile *profile)
+{
+    struct spectrum spectrum;
+    struct status status = {0};
+    double sum = 0, square = 0;
+    assert_int_equal(
+        spectrum_compute(&spectrum, profile->height_m, profile->points, spacing_m, SPECTRUM_WINDOW_NONE, &status),
+        STATUS_OK);
+    for (size_t i = 0; i < spectrum.count; i++) /* the last of an even record has no partner */
+        sum += spectrum.amplitude_m[i] * spectrum.amplitude_m[i] / (2 * (i + 1) == profile->points ? 1 : 2);
+    for (size_t i = 0; i < profile->points; i++)
+        square += profile->height_m[i] * profile->height_m[i] / (double)profile->points;
+    spectrum_free(&spectrum);
+    return off_by(sum, square);
+}
+
+static double offset_loses(double offset_m)
+{
+    double *low = heights(3000, 0, 0), *high = heights(3000, offset_m, 0);
+    struct profile plain = profile_of(low, 3000, LEVEL_MEAN), lifted = profile_of(high, 3000, LEVEL_MEAN);
+    double moved = off_by(roughness_of_heights(lifted.height_m, 3000, spacing_m).m0_m2,
+                          roughness_of_heights(plain.height_m, 3000, spacing_m).m0_m2);
+    profile_free(&plain);
+    profile_free(&lifted);
+    free(low);
+    free(high);
+    return moved;
+}
+
+/* Rq is 3.5 nm. */
+TEST_CASE(an_offset_of_a_million_millions)
+{
+    hard_case("an offset of 5 km, 10^12 times the roughness", "what is left of it is rounding, 1e-12 m",
+              "the roughness that doubles still hold at that height", "mean square, relative", offset_loses(5e3), 1e-4);
+}
+
+/** Shapes that are nothing but one kind of feature. */
+TEST_CASE(extreme_shapes)
+{
+    enum { POINTS = 1000 };
+    for (int kind = 0; kind < 4; kind++) {
+        double *height_m = malloc(POINTS * sizeof *height_m);
+        assert_non_null(height_m);
+        for (size_t i = 0; i < POINTS; i++) {
+            const double of[] = {cos(2 * pi * 7 * (double)i / POINTS), i < POINTS / 2 ? 0 : 1, i % 2 ? 1 : -1,
+                                 i == 333 ? 1 : 0};
+            height_m[i] = 1e-6 * of[kind];
+        }
+        struct profile profile = profile_of(height_m, POINTS, LEVEL_MEAN);
+        check_description(&profile);
+        double left = lost(&profile);
+        if (kind == 0) {
+            struct spectrum spectrum;
+            struct status status = {0};
+            double others = 0;
+            assert_int_equal(
+                spectrum_compute(&spectrum, profile.height_m, POINTS, spacing_m, SPECTRUM_WINDOW_NONE, &status),
+                STATUS_OK);
+            for (size_t i = 0; i < spectrum.count; i++)
+                others = fmax(others, i == 6 ? 0 : spectrum.amplitude_m[i] / spectrum.amplitude_m[6]);
+            hard_case("periodic: 7 waves and nothing else", "leakage looks like roughness at every wavelength",
+                      "one harmonic, the others rounding", "largest of the others, relative", others, 1e-13);
+            spectrum_free(&spectrum);
+        } else if (kind == 1) {
+            hard_case("steps: half of the points at 0, half at 1 µm", "nothing but a jump: γ = 1 for ever",
+                      "a spectrum that holds all of it", "mean square, relative", left, 1e-12);
+        } else if (kind == 2) {
+            hard_case("two-valued: ± 1 µm in turns", "all of it at the shortest wavelength, which has no phase",
+                      "one harmonic, counted once", "mean square, relative", left, 1e-12);
+        } else {
+            hard_case("one spike of 1 µm in 1000 flat points", "no wavelength leads; no law fits",
+                      "every harmonic has its share", "mean square, relative", left, 1e-12);
+        }
+        profile_free(&profile);
+        free(height_m);
+    }
+}
+
+TEST_CASE(ten_million_points)
+{
+    enum { POINTS = 10000000 / HARD_COARSER };
+    double *height_m = heights(POINTS, 0.1, 0);
+    struct profile profile = profile_of(height_m, POINTS, LEVEL_MEAN);
+    hard_case("10^7 points under an offset of 100 mm", "rounding adds up over 10^7 points",
+              "sums and transforms keep their digits", "mean square of the amplitudes, relative", lost(&profile), 1e-9);
+    profile_free(&profile);
+    free(height_m);
+}
+
 /** Heights on a grid of a few levels, down to two; a single spike; the shortest records. */
 TEST_CASE(quantised_heights)
 {
@@ -114,6 +215,17 @@ TEST_CASE(quantised_heights)
             height_m[600] += steps[s]; /* never flat */
             struct profile profile = profile_of(height_m, 1200, (enum level)level);
             check_description(&profile);
+            if (steps[s] == 1e-9 && level == LEVEL_MEAN) {
+                double *whole = heights(1200, 0, 0);
+                hard_case("heights of a few levels, 1 nm apart", "digitised heights are taken for roughness",
+                          "the mean square changes by no more than step²/12 in four",
+                          "mean square, difference in step²/12",
+                          fabs(roughness_of_heights(height_m, 1200, spacing_m).m0_m2 -
+                               roughness_of_heights(whole, 1200, spacing_m).m0_m2) *
+                              12e18,
+                          4);
+                free(whole);
+            }
             profile_free(&profile);
             free(height_m);
         }
@@ -123,6 +235,8 @@ TEST_CASE(quantised_heights)
             height_m[spike] = 1e-9;
             struct profile profile = profile_of(height_m, points, LEVEL_MEAN);
             check_description(&profile);
+            hard_case("one spike in 3 to 39 points, at every place", "a spectrum of one or two harmonics",
+                      "the amplitudes hold all of the mean square", "their sum, relative", lost(&profile), 1e-12);
             profile_free(&profile);
             free(height_m);
         }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a host program may have set, and gets back; and several threads at once. */
 #include "cli/process.h"
+#include "hard_case.h"
 #include "library/host.h"
 #include "library/roughcontact.h"
 
@@ -8,6 +9,8 @@
 #include <pthread.h>
 #include <stdio.h>
 #include <unistd.h>
+
+HARD_CASES("Programs that use the library")
 
 static int errors; /* that the host's handler was told of */
 
@@ -164,7 +167,9 @@ TEST_CASE(rounding_and_traps_change_nothing)
             int mode = fegetround(), traps = fegetexcept();
             fedisableexcept(FE_ALL_EXCEPT);
             fesetround(FE_TONEAREST);
-            assert_string_equal(found, expected);
+            hard_case("a host that rounds up, down or to zero and traps exceptions",
+                      "other numbers, or a signal in the host", "computes as always, and gives the host its modes back",
+                      "answers that differ in any bit", strcmp(found, expected) != 0, 0);
             assert_int_equal(mode, modes[i]);
             assert_int_equal(traps, FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW);
             free(found);

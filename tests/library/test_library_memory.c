@@ -3,6 +3,7 @@
  * its own, and the next one computes what it would have computed. This program has its own malloc(), which libraries
  * take, too; under AddressSanitizer, which has that, what the library's own objects call is wrapped by the linker. */
 #include "cli/process.h"
+#include "hard_case.h"
 #include "library/roughcontact.h"
 #include "scan/zip_support.h"
 
@@ -11,6 +12,8 @@
 #include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+HARD_CASES("No memory left")
 
 #ifdef __SANITIZE_ADDRESS__
 #define MINE(name)   __wrap_##name
@@ -187,6 +190,9 @@ static void expect_survived(struct use *use, const char *answer, enum kind kind,
         _exit(wrong ? 1 : 0);
     }
     assert_int_equal(waitpid(child, &status, 0), child);
+    hard_case("each allocation fails, alone and with all after it", "a crash in the host, or memory that is lost",
+              "the call says out of memory; the next one computes what it would have", "hosts that did not survive",
+              status != 0, 0);
     if (status != 0)
         fail_msg("allocation %ld of %s%s: status %d", failing, kind == FFTWS ? "FFTW" : "others",
                  lasting ? " and all after it" : "", status);

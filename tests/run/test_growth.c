@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How much a whole report computes, counted where it is computed, grows no faster than what it is of: captions and
  * tables ask what the models have kept, and solve nothing again. */
+#include "hard_case.h"
 #include "pipeline.h"
+
+HARD_CASES("Large reports")
 
 static uint64_t presses; /* of a scale at a load, by the whole program */
 
@@ -51,19 +54,16 @@ static double presses_of(size_t points, size_t loads)
     return (double)presses;
 }
 
-static void assert_growth(double n, double four_n)
-{
-    assert_true(n > 0);
-    if (!(four_n <= 4.4 * n))
-        fail_msg("%.0f evaluations, of four times as much %.0f", n, four_n);
-}
-
 TEST_CASE(test_points)
 {
-    assert_growth(presses_of(4000, 121), presses_of(16000, 121));
+    hard_case("four times as many points: 16 000 for 4000", "work that grows with the square",
+              "no faster than the points", "evaluations of a scale, as a factor",
+              presses_of(16000, 121) / presses_of(4000, 121), 4.4);
 }
 
 TEST_CASE(test_loads)
 {
-    assert_growth(presses_of(4000, 121), presses_of(4000, 484));
+    hard_case("four times as many loads: 484 for 121", "captions and tables that solve again",
+              "no faster than the loads", "evaluations of a scale, as a factor",
+              presses_of(4000, 484) / presses_of(4000, 121), 4.4);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which unit a header gives to which axis, slopes refused, the choice of columns, and sidecars. */
 #include "directory.h"
+#include "hard_case.h"
 #include "scan_support.h"
 
 #define COMMA "0,1\n1,2\n2,3\n3,1\n"
@@ -8,6 +9,8 @@
 #define BLANK "0 1\n1 2\n2 3\n3 1\n"
 #define INDEX "0 5 1\n1 5 2\n2 6 1\n3 5 1\n"
 #define ONE   "1\n2\n3\n1\n"
+
+HARD_CASES("Headers of scans")
 
 TEST_CASE(test_headers)
 {
@@ -56,6 +59,14 @@ TEST_CASE(test_headers)
         if (strcmp(scan.x_unit, rows[i].x_unit ? rows[i].x_unit : "in") != 0 ||
             strcmp(scan.z_unit, rows[i].z_unit ? rows[i].z_unit : "pm") != 0)
             fail_msg("'%s' read with x in %s, z in %s", rows[i].text, scan.x_unit, scan.z_unit);
+        hard_case("30 headers that name the unit of one axis, of both or of neither",
+                  "µm are taken for mm, or the other axis's unit",
+                  "what the header says; else what the scene says, else refused", "x wrong, as a factor less 1",
+                  off_by(scan.dx_m, (strncmp(rows[i].text, "dx", 2) == 0 || strstr(rows[i].text, "spacing") ? 0.5 : 1) *
+                                        (!rows[i].x_unit                     ? 0.0254
+                                         : strcmp(rows[i].x_unit, "mm") == 0 ? 1e-3
+                                                                             : 1e-6)),
+                  1e-12);
         scan_free(&scan);
         if (!rows[i].x_unit || !rows[i].z_unit)
             assert_refused_bytes(rows[i].text, strlen(rows[i].text), &no_units,
@@ -90,6 +101,7 @@ static void refuse_with(const char *text, const struct scan_options *options, co
 /* A slope is told by its unit or its title, whatever the scene says; heights beside it may be chosen. */
 TEST_CASE(test_slopes)
 {
+    struct scan slope;
     static const struct {
         const char *text, *z_unit; /* of the scene */
     } rows[] = {
@@ -109,9 +121,16 @@ TEST_CASE(test_slopes)
         {"spacing 1 mm\nSlope [urad]\n" ONE, ""},
         {"x [um] y [um] z [urad]\n0 0 1\n1 0 2\n2 0 3\n0 1 4\n1 1 5\n2 1 7\n", ""},
     };
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        hard_case("a column of slopes: µrad, °, dz/dx, um/mm, a title of slope", "slopes are taken for heights",
+                  "refused, whatever unit the scene says", "read as heights",
+                  read_bytes(&slope, rows[i].text, strlen(rows[i].text),
+                             &(struct scan_options){.x_unit = "mm", .z_unit = rows[i].z_unit},
+                             &(struct status){0}) == STATUS_OK,
+                  0);
         refuse_with(rows[i].text, &(struct scan_options){.x_unit = "mm", .z_unit = rows[i].z_unit},
                     " is a slope, not heights; integrate it, or choose the heights by `column`");
+    }
 }
 
 #define FIVE                                                                                                           \
