@@ -16,6 +16,7 @@
 #include "base/text.h"
 #include "contact/model.h"
 #include "contact/unloading.h"
+#include "joint/joint.h"
 #include "profile/profile.h"
 #include "spectrum/power_law_scans.h"
 
@@ -44,10 +45,11 @@ struct surface_summary {
     const struct scene_surface *scene; /* name, files, bodies */
     struct material_pair pair;         /* what the models need of the bodies */
     enum surface_hardness hardness;
-    double indent_m;    /* depth of the indents in a plating of its own hardness; NaN: no such */
-    bool usable;        /* false: refused, see `refusal` */
-    char *refusal;      /* one line; owned */
-    double flatness[2]; /* where the scene gives it: share that touches, constriction [m²K/W] at the operating load */
+    double indent_m; /* depth of the indents in a plating of its own hardness; NaN: no such */
+    bool usable;     /* false: refused, see `refusal` */
+    char *refusal;   /* one line; owned */
+    double
+        carrying; /* share of the nominal area that carries 90 % of the load, with the shape; 0: flat, NaN: not known */
     struct note_list notes; /* warnings; owned */
     size_t refused_scans;   /* of several; the notes begin with them */
     char hash[65];          /* SHA-256 of the first file (of all of them one after another), hexadecimal */
@@ -110,6 +112,7 @@ struct surface_record {
     double *height_m; /* of the one scan, summary.single_points long, until the models have run; NULL: not kept */
     const struct surface_record *counterface; /* the rough one; NULL: smooth. Not owned */
     struct model_curve *curves;               /* model_count of them, NULL before any model ran */
+    struct joint_shape *shapes;               /* the same, where the scene has a shape; NULL: none */
     struct ensemble_band **bands;             /* the same, each band_count long; NULL: none */
     size_t band_count;
     struct sensitivity sensitivity; /* scans 0 where there is a rough counterface */

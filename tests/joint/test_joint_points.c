@@ -23,7 +23,7 @@ static const struct material_pair pair = {.resistivity_ohm_m = 6e-8, .side_resis
 static struct contact_point apply(const struct joint *joint, unsigned effects, struct contact_point point)
 {
     const struct joint_task task = {joint, &pair, 1e-6, 2e-6, effects, 1e-12};
-    joint_apply(&point, NULL, 1, &task);
+    joint_apply(&point, NULL, 1, &task, NULL);
     return point;
 }
 
@@ -134,7 +134,7 @@ TEST_CASE(spots)
     const struct joint_task task = {&joint, &pair, 1e-6, 2e-6, EFFECT_BIT(EFFECT_FILM), 1e-12};
     const struct contact_spots own = {5e7, 3e-6};
     struct contact_point point = point_of(0.5, 1e-6);
-    joint_apply(&point, &own, 1, &task);
+    joint_apply(&point, &own, 1, &task, NULL);
     assert_within(point.value[QUANTITY_SPOT_DENSITY] - 5e7, 0, 0);
     assert_within(point.value[QUANTITY_SPOT_RADIUS] - 3e-6, 0, 0);
 }
