@@ -366,7 +366,7 @@ TEST_IN_PLACE(sentences)
         {"material: tin\nnominal_area: 4 cm2\nshape: {flatness: 5 um, over: 20 mm}\n",
          "**the shape of the parts divides the conductance by "},
         {"material: tin\nnominal_area: 4 cm2\nshape: {flatness: 1 pm, over: 1 m}\n",
-         "Of the nominal 400 mm², 360 mm² carry 90 % of the load: **the shape of the parts divides the conductance by "
+         "With 90 % of the load on 360 of 400 mm², **the shape of the parts divides the conductance by "
          "1.00**."},
         {"material: tin\nplating: {thickness: 9 um, metal: hard gold}\n",
          ": 9 um of hard gold, of which 0.5 to 1.3 um are usual"},
