@@ -278,8 +278,9 @@ enum status_code shape_press(struct shape *shape, const double *gap_m, const str
     return STATUS_OK;
 }
 
-enum status_code shape_resistance(double *out, struct shape *shape, const struct shape_curve *conductance,
-                                  const struct shape_body bodies[2], struct status *status)
+enum status_code shape_resistance(double *out, double *spots, struct shape *shape,
+                                  const struct shape_curve *conductance, const struct shape_body bodies[2],
+                                  struct status *status)
 {
     size_t n = shape->cells;
     double *root = shape->room, *y = root + n, *work = y + n, unused;
@@ -289,6 +290,7 @@ enum status_code shape_resistance(double *out, struct shape *shape, const struct
         root[k] = work[k] = exp(shape_curve_value(&unused, conductance, shape->ln_pressure[k]) / 2);
     if (solve(y, shape, root, work, precision, status) != STATUS_OK)
         return status->code;
+    *spots = dot(y, y, n) / dot(root, y, n);
     *out = (double)n / (dot(root, y, n) * shape->side_m[0] * shape->side_m[1]);
     return STATUS_OK;
 }

@@ -74,10 +74,11 @@ struct shape_body {
 };
 
 /** Resistance [K/W or ohm] through the pressures, of micro and macroscopic constriction together, less what the bodies
- * have themselves. Error:
+ * have themselves; `spots`: the share of it in the spots, -d ln R/d ln h with the same change of h all over. Error:
  * STATUS_MODEL: it does not converge; STATUS_MEMORY. */
-MUST_CHECK enum status_code shape_resistance(double *out, struct shape *shape, const struct shape_curve *conductance,
-                                             const struct shape_body bodies[2], struct status *status);
+MUST_CHECK enum status_code shape_resistance(double *out, double *spots, struct shape *shape,
+                                             const struct shape_curve *conductance, const struct shape_body bodies[2],
+                                             struct status *status);
 
 /** How the load is spread. */
 struct shape_spread {

@@ -78,8 +78,8 @@ static struct shape_spread press(struct joint_case *of, double mean_Pa)
 
 static double resist(struct joint_case *of)
 {
-    double out;
-    assert_int_equal(shape_resistance(&out, &of->shape, &of->conductance, of->bodies, &of->status), STATUS_OK);
+    double out, spots;
+    assert_int_equal(shape_resistance(&out, &spots, &of->shape, &of->conductance, of->bodies, &of->status), STATUS_OK);
     return out;
 }
 
@@ -158,7 +158,7 @@ TEST_CASE(tube)
 TEST_CASE(hertz)
 {
     const double a = 2e-3, radius = 1, side = 20e-3;
-    struct joint_case of = joint_make(256, side, pow(side / 2, 2) / (2 * radius));
+    struct joint_case of = joint_make(128, side, pow(side / 2, 2) / (2 * radius));
     of.u_m = 2e-9;
     lay_out(&of);
     double force_N = 4 * of.modulus_Pa * pow(a, 3) / (3 * radius), most_Pa = 2 * of.modulus_Pa * a / (M_PI * radius);
@@ -222,12 +222,12 @@ TEST_CASE(hardness)
     assert_true(spread.yielding > 20 && spread.yielding_load > 0.2 && spread.yielding_load < 1);
     assert_near(spread.yielding_load * 1e6 * (double)of.shape.cells, (double)spread.yielding * 30e6, 1e-6);
     clear(&of);
-    for (double hardness_Pa = 1.1e6; hardness_Pa < 50e6; hardness_Pa *= 1.3) {
+    for (double hardness_Pa = 1.1e6; hardness_Pa < 50e6; hardness_Pa *= 2.1) {
         of = joint_make(32, 20e-3, 50e-6);
         of.hardness_Pa = hardness_Pa;
         lay_out(&of);
         spread = press(&of, 1e6);
-        assert_true(spread.largest_Pa <= hardness_Pa && of.shape.steps < 60);
+        assert_true(spread.largest_Pa <= hardness_Pa * (1 + 1e-12) && of.shape.steps < 60);
         clear(&of);
     }
     of = joint_make(64, 20e-3, 50e-6);
@@ -241,9 +241,9 @@ TEST_CASE(hardness)
 /** Elastic parts of stiff surfaces: it converges where cells without any load come into contact late. */
 TEST_CASE(converges)
 {
-    for (double u_m = 1e-9; u_m < 2e-6; u_m *= 3)
-        for (double bulge_m = 1e-6; bulge_m < 1e-3; bulge_m *= 4)
-            for (double mean_Pa = 1e4; mean_Pa < 1e8; mean_Pa *= 10) {
+    for (double u_m = 1e-9; u_m < 2e-6; u_m *= 6)
+        for (double bulge_m = 1e-6; bulge_m < 1e-3; bulge_m *= 8)
+            for (double mean_Pa = 1e4; mean_Pa < 1e8; mean_Pa *= 100) {
                 struct joint_case of = joint_make(32, 20e-3, bulge_m);
                 of.u_m = u_m;
                 lay_out(&of);
