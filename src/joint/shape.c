@@ -6,14 +6,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STEPS_MOST = 200, ITERATIONS_MOST = 5000, FIELDS = 11 };
-static const double precision = 1e-12; /* of conjugate gradients */
-static const double converged = 1e-11; /* change of a pressure over the mean one */
-static const double step_most = 2;     /* rise of ln p(1 - p/H)^-1 below the hardness, fall at it */
-static const double negligible = 1e-6; /* over the mean one */
-static const double carried = 0.9;     /* share of the load that the area carries which is said to carry it */
-static const double yields = 0.999;    /* of the hardness */
-static const double kept_slope = 1e-3; /* over the mean slope of a gap, where it falls no more */
+enum { STEPS_MOST = 200, STEPS_WHOLE = 25, ITERATIONS_MOST = 5000, FIELDS = 11 };
+static const double precision = 1e-12;     /* of conjugate gradients */
+static const double converged = 1e-11;     /* change of a pressure over the mean one */
+static const double step_most = 2;         /* rise of ln p(1 - p/H)^-1 below the hardness, fall at it */
+static const double share_least = 1. / 16; /* of a step */
+static const double negligible = 1e-6;     /* over the mean one */
+static const double carried = 0.9;         /* share of the load that the area carries which is said to carry it */
+static const double yields = 0.999;        /* of the hardness */
+static const double kept_slope = 1e-3;     /* over the mean slope of a gap, where it falls no more */
 
 static enum status_code curve_make(struct shape_curve *out, const double *pressure_Pa, const double *value,
                                    size_t count, double most_Pa, struct status *status)
@@ -206,9 +207,10 @@ static void set_pressures(struct shape *shape, double ln_hardness)
 /** One step of Newton on z = ln(p/(1 - p/H)), which keeps 0 < p < H, with dp/dz = p (1 - p/H), U = -du/dz and D =
  * sqrt(dp/dz/U), S with its 2/E', of the residual r = -u + g0 + S[p]: (1 + D S D) y = D (d - r), Delta z = (d - r - S[D
  * y])/U, d such that the mean of p + dp/dz Delta z is the load's. `change`: the largest of a pressure over the mean
- * one; INFINITY: one was cut short; that of the step before says how exactly the systems are solved. */
+ * one; INFINITY: one was cut short; that of the step before says how exactly the systems are solved. `share` of the
+ * step is done. */
 static enum status_code step(double *change, struct shape *shape, const double *gap_m, const struct shape_curve *gap,
-                             double ln_hardness, double mean_Pa, struct status *status)
+                             double ln_hardness, double mean_Pa, double share, struct status *status)
 {
     const double goal = fmax(fmin(1e-6, 1e-4 * *change), precision);
     size_t n = shape->cells;
@@ -249,11 +251,11 @@ static enum status_code step(double *change, struct shape *shape, const double *
                                             : fmin(asked, fmax(level[k] + step_most, low));
         work[k] = p[k];
         *change = now != asked ? INFINITY : *change;
-        level[k] = now;
+        level[k] += share * (now - level[k]);
     }
     set_pressures(shape, ln_hardness);
     for (size_t k = 0; k < n; k++)
-        *change = fmax(*change, fabs(p[k] - work[k]) / mean_Pa);
+        *change = fmax(*change, fabs(p[k] - work[k]) / (share * mean_Pa));
     return STATUS_OK;
 }
 
@@ -261,7 +263,7 @@ enum status_code shape_press(struct shape *shape, const double *gap_m, const str
                              double effective_modulus_Pa, double hardness_Pa, double mean_Pa, struct status *status)
 {
     const struct shape_body bodies[2] = {{2 / effective_modulus_Pa, INFINITY}, {0, INFINITY}};
-    double change = INFINITY;
+    double change = INFINITY, last = INFINITY, share = 1;
     shape->iterations = 0;
     if (!(mean_Pa > 0 && mean_Pa < hardness_Pa))
         return status_fail(status, STATUS_MODEL, "the joint's shape: its mean pressure is not below the hardness");
@@ -272,8 +274,11 @@ enum status_code shape_press(struct shape *shape, const double *gap_m, const str
     for (shape->steps = 0; change > converged; shape->steps++) {
         if (shape->steps == STEPS_MOST)
             return status_fail(status, STATUS_MODEL, "the joint's shape: the pressures do not converge");
-        if (step(&change, shape, gap_m, gap, log(hardness_Pa), mean_Pa, status) != STATUS_OK)
+        if (step(&change, shape, gap_m, gap, log(hardness_Pa), mean_Pa, share, status) != STATUS_OK)
             return status->code;
+        if (shape->steps >= STEPS_WHOLE) /* it goes round a bend of the curve */
+            share = change < last * (1 - share / 2) ? fmin(2 * share, 1) : fmax(share / 2, share_least);
+        last = change;
     }
     return STATUS_OK;
 }

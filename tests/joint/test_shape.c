@@ -253,6 +253,25 @@ TEST_CASE(converges)
             }
 }
 
+/** A gap that falls by steps, as of a model that was solved at some loads, has bends that whole steps go to and fro
+ * over. */
+TEST_CASE(bends)
+{
+    double pressure_Pa[POINTS], gap_m[POINTS];
+    for (double mean_Pa = 1e6; mean_Pa < 1e7; mean_Pa *= 1.3) {
+        struct joint_case of = joint_make(32, 20e-3, 5e-6);
+        lay_out(&of);
+        for (int i = 0; i < POINTS; i++) {
+            pressure_Pa[i] = pow(10, -12 + 0.1 * i);
+            gap_m[i] = -0.3e-6 * (log(pressure_Pa[i]) + sin(5 * log(pressure_Pa[i])) / 5.2);
+        }
+        shape_curve_free(&of.gap);
+        assert_int_equal(shape_curve_gap(&of.gap, pressure_Pa, gap_m, POINTS, INFINITY, &of.status), STATUS_OK);
+        (void)press(&of, mean_Pa);
+        clear(&of);
+    }
+}
+
 /** A curve that is bent, rises by a hair, and ends. */
 TEST_CASE(curves)
 {
