@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "chart/figures.h"
 
-#include "analysis/direct_study.h"
+#include "answers/direct_study.h"
 #include "chart/chart.h"
 #include "joint/heating.h"
 #include "results/asked.h"
@@ -46,6 +46,11 @@ struct source {
     double hottest_C; /* charts of a temperature end there: the metal melts */
     struct words *words;
 };
+
+/** The words of a name, filled in from names and texts in turn. */
+#define SAY(...) words_say(source->words, __VA_ARGS__, NULL)
+/** Begins a curve that looks so: members of a struct chart_curve. */
+#define CURVE(...) chart_curve(chart, &(struct chart_curve){__VA_ARGS__})
 
 static const char *surface_colour(size_t k)
 {
@@ -111,7 +116,7 @@ static void put_curve(struct chart *chart, const struct source *source, const st
     }
     if (!unloading || unloading->model != m)
         return;
-    falling.legend = record == source->baseline ? words_say(source->words, "unloading", NULL) : "";
+    falling.legend = record == source->baseline ? SAY("unloading") : "";
     falling.dash = DASH_UNLOADING;
     falling.width = 1.6;
     chart_curve(chart, &falling);
@@ -128,7 +133,7 @@ static const char *short_name(const struct source *source, const char *name)
 {
     struct text cut = {0};
     words_cut(&cut, name, strlen(name), 28);
-    const char *said = words_say(source->words, "name", "surface", text_string(&cut), NULL);
+    const char *said = SAY("name", "surface", text_string(&cut));
     text_free(&cut);
     return said;
 }
@@ -140,14 +145,13 @@ static struct chart_curve surface_look(const struct source *source, size_t k)
     bool many = results->usable_count > results->shown_count;
     bool baseline = results->shown[k] == results->baseline, last = k + 1 == results->shown_count;
     if (many && k > 0 && !last && !baseline)
-        return (struct chart_curve){
-            .legend = words_say(source->words, "others", NULL), .colour = "#b4b4bc", .width = 1.2};
+        return (struct chart_curve){.legend = SAY("others"), .colour = "#b4b4bc", .width = 1.2};
     const char *name = short_name(source, results->surfaces[results->shown[k]].summary.scene->name);
-    return (struct chart_curve){
-        .legend = words_say(source->words, "surface", "surface", name, "best", many && k == 0 ? "1" : "", "worst",
-                            many && k > 0 && last ? "1" : "", "baseline", many && baseline ? "1" : "", NULL),
-        .colour = surface_colour(k),
-        .width = 2};
+    return (struct chart_curve){.legend =
+                                    SAY("surface", "surface", name, "best", many && k == 0 ? "1" : "", "worst",
+                                        many && k > 0 && last ? "1" : "", "baseline", many && baseline ? "1" : ""),
+                                .colour = surface_colour(k),
+                                .width = 2};
 }
 
 /** That of the baseline, which is always shown; ink where there is no other. */
@@ -171,18 +175,13 @@ static struct asked_load load_of(const struct source *source, size_t surface, bo
 static const char *load_label(const struct source *source, bool asked)
 {
     const struct asked_load load = load_of(source, source->results->baseline, asked);
-    return words_say(source->words,
-                     !load.unit[0] ? "axis.load_over_AnEp"
-                     : load.force  ? "axis.force"
-                                   : "axis.pressure",
-                     "unit", load.unit, NULL);
+    return SAY(!load.unit[0] ? "axis.load_over_AnEp" : load.force ? "axis.force" : "axis.pressure", "unit", load.unit);
 }
 
 /** The asked quantity and its unit, in the words of `name`. */
 static const char *asked_label(const struct source *source, const char *name)
 {
-    return words_say(source->words, name, "asked", words_say(source->words, source->asked.name, NULL), "unit",
-                     source->asked.unit, NULL);
+    return SAY(name, "asked", SAY(source->asked.name), "unit", source->asked.unit);
 }
 
 /** The words of `kind` and a quantity's name. */
@@ -190,7 +189,7 @@ static const char *quantity_words(const struct source *source, const char *kind,
 {
     char name[80];
     snprintf(name, sizeof name, "%s.%s", kind, quantity_rows[quantity].name);
-    return words_say(source->words, name, NULL);
+    return SAY(name);
 }
 
 /* ---- The first page ---- */
@@ -202,8 +201,7 @@ static void put_band(struct chart *chart, const struct surface_record *record, s
     const struct model_curve *curve = &record->curves[m];
     if (!record->bands || !record->bands[m])
         return;
-    chart_curve(chart,
-                &(struct chart_curve){.kind = CHART_BAND, .legend = "", .colour = colour, .notes = NOTE(FIGURE_BAND)});
+    CURVE(.kind = CHART_BAND, .legend = "", .colour = colour, .notes = NOTE(FIGURE_BAND));
     for (size_t i = 0; i < record->band_count && i < curve->count; i++) {
         double ends[2];
         if (record->bands[m][i].load != curve->points[i].value[QUANTITY_LOAD] ||
@@ -233,11 +231,9 @@ static void put_measured(struct chart *chart, const struct source *source, const
         const struct measured_run *run = &measured->runs[part / 2];
         bool branch = part % 2, both = run->turn + 1 < run->end && run->turn > run->first;
         const char *name = !both ? "measured" : branch ? "measured.unloading" : "measured.loading";
-        chart_curve(chart,
-                    &(struct chart_curve){.kind = CHART_BARS,
-                                          .legend = words_say(source->words, name, NULL),
-                                          .colour = results->usable_count > 1 ? surface_look(source, k).colour : ink,
-                                          .marker = both && branch ? 6 : 7});
+        CURVE(.kind = CHART_BARS, .legend = SAY(name),
+              .colour = results->usable_count > 1 ? surface_look(source, k).colour : ink,
+              .marker = both && branch ? 6 : 7);
         for (size_t i = branch ? run->turn + 1 : run->first; i < (branch ? run->end : run->turn + 1); i++)
             put_bar(chart, asked, scale * measured->load[i], measured->resistance[i], measured->error[i]);
     }
@@ -260,10 +256,9 @@ static void put_direct(struct chart *chart, const struct source *source, double 
     const struct material_pair *pair = results_pair(source->results, study->surface);
     enum direct_study_kind kind = direct_study_kind_of(study, source->leading);
     const char *name = short_name(source, source->baseline->summary.scene->name);
-    struct chart_curve look = {
-        .kind = CHART_BARS,
-        .legend = words_say(source->words, "direct", "surface", source->results->usable_count > 1 ? name : "", NULL),
-        .colour = baseline_colour(source)};
+    struct chart_curve look = {.kind = CHART_BARS,
+                               .legend = SAY("direct", "surface", source->results->usable_count > 1 ? name : ""),
+                               .colour = baseline_colour(source)};
     for (int few = 0; few < 2; few++) {
         look.marker = few ? 4 : 5;
         look.notes = NOTE(FIGURE_DIRECT) | (few ? NOTE(FIGURE_FEW) : 0);
@@ -290,10 +285,9 @@ static void make_answer(struct chart *chart, const struct source *source)
                  asked_load_of(results, results->shown[k]).scale, surface_colour(k));
     if (textbook < model_count && textbook != source->leading)
         put_curve(chart, source, source->baseline, textbook, &x, &y,
-                  (struct chart_curve){
-                      .legend = words_say(source->words, "textbook", "model", model_rows[textbook]->label, NULL),
-                      .colour = quiet,
-                      .dash = DASH_OTHER});
+                  (struct chart_curve){.legend = SAY("textbook", "model", model_rows[textbook]->label),
+                                       .colour = quiet,
+                                       .dash = DASH_OTHER});
     for (size_t k = 0; k < results->shown_count; k++) {
         const struct axis own = {QUANTITY_LOAD, false, asked_load_of(results, results->shown[k]).scale};
         struct chart_curve look = surface_look(source, k);
@@ -304,9 +298,8 @@ static void make_answer(struct chart *chart, const struct source *source)
     for (size_t k = 0; k < results->shown_count && asked->quantity == results_measured_quantity(results); k++)
         put_measured(chart, source, asked, k);
     if (asked->target)
-        chart_mark(chart, false, asked_shown(asked, asked->target->value), words_say(source->words, "target", NULL));
-    chart_mark(chart, true, x.scale * results_operating_load(results, results->baseline),
-               words_say(source->words, "operating_load", NULL));
+        chart_mark(chart, false, asked_shown(asked, asked->target->value), SAY("target"));
+    chart_mark(chart, true, x.scale * results_operating_load(results, results->baseline), SAY("operating_load"));
 }
 
 /** A model at the operating load on the baseline. */
@@ -341,11 +334,8 @@ static void make_models(struct chart *chart, const struct source *source)
         return;
     }
     if (known)
-        rows[count++] = (struct row){direct,
-                                     {direct / (1 + error), direct * (1 + error)},
-                                     words_say(source->words, "direct", "surface", "", NULL),
-                                     ink,
-                                     -1};
+        rows[count++] =
+            (struct row){direct, {direct / (1 + error), direct * (1 + error)}, SAY("direct", "surface", ""), ink, -1};
     for (size_t m = 0; m < model_count; m++) {
         const struct contact_point at = comparison_middle(results, m, results->baseline);
         struct row row = {asked_shown(asked, at.value[asked->quantity]),
@@ -364,15 +354,13 @@ static void make_models(struct chart *chart, const struct source *source)
         double y = (double)(count - r);
         bool ends = rows[r].ends[0] > 0 && isfinite(rows[r].ends[1]);
         chart_name_row(chart, y, rows[r].label);
-        chart_curve(chart, &(struct chart_curve){.kind = CHART_DOTS,
-                                                 .legend = "",
-                                                 .colour = rows[r].colour,
-                                                 .notes = rows[r].colour == ink ? NOTE(FIGURE_DIRECT) : 0});
+        CURVE(.kind = CHART_DOTS, .legend = "", .colour = rows[r].colour,
+              .notes = rows[r].colour == ink ? NOTE(FIGURE_DIRECT) : 0);
         chart_row(chart, rows[r].value, y, ends ? rows[r].ends[0] : rows[r].value,
                   ends ? rows[r].ends[1] : rows[r].value);
     }
     if (asked->target)
-        chart_mark(chart, true, asked_shown(asked, asked->target->value), words_say(source->words, "target", NULL));
+        chart_mark(chart, true, asked_shown(asked, asked->target->value), SAY("target"));
     chart->panel_height = 42 + 26 * (double)count;
     free(rows);
 }
@@ -382,11 +370,8 @@ static void make_models(struct chart *chart, const struct source *source)
 /** Bins of the spectrum that the law was, or was not, fitted to. */
 static void put_bins(struct chart *chart, const struct power_law_band *band, bool used)
 {
-    chart_curve(chart, &(struct chart_curve){.kind = CHART_BARS,
-                                             .legend = "",
-                                             .colour = used ? ink : "#a0a0a8",
-                                             .marker = used ? 7 : 6,
-                                             .notes = NOTE(used ? FIGURE_BINS : FIGURE_OPEN_BINS)});
+    CURVE(.kind = CHART_BARS, .legend = "", .colour = used ? ink : "#a0a0a8", .marker = used ? 7 : 6,
+          .notes = NOTE(used ? FIGURE_BINS : FIGURE_OPEN_BINS));
     for (size_t j = 0; j < band->bins; j++) {
         double s = sqrt(band->bin[j].variance), y = band->bin[j].y;
         if ((band->use[j] == POWER_LAW_BAND_USED) == used)
@@ -400,13 +385,12 @@ static void put_profile(struct chart *chart, const struct source *source, const 
 {
     char rq[40];
     snprintf(rq, sizeof rq, "%.3g", record->summary.roughness.rq_m * 1e6);
-    struct chart_panel *panel = chart_panel(
-        chart, words_say(source->words, "panel.profile", "surface", short_name(source, name), "rq", rq, NULL),
-        words_say(source->words, "axis.position", NULL), words_say(source->words, "axis.height", NULL), false, false);
+    struct chart_panel *panel = chart_panel(chart, SAY("panel.profile", "surface", short_name(source, name), "rq", rq),
+                                            SAY("axis.position"), SAY("axis.height"), false, false);
     if (!panel)
         return;
     panel->alone = true;
-    chart_curve(chart, &(struct chart_curve){.legend = "", .width = 1, .colour = colour});
+    CURVE(.legend = "", .width = 1, .colour = colour);
     for (size_t i = 0; i < record->preview_points; i++)
         chart_row(chart, record->preview_x_m[i] * 1e3, record->preview_z_m[i] * 1e6, 0, 0);
 }
@@ -421,13 +405,10 @@ static void put_spectrum(struct chart *chart, const struct source *source, const
     snprintf(gamma, sizeof gamma, "%.2f", law->gamma);
     snprintf(error, sizeof error, "%.2f", law->gamma_error);
     if (!chart_panel(chart,
-                     isfinite(law->gamma)
-                         ? words_say(source->words, "panel.spectrum", "gamma", gamma, "error", error, NULL)
-                         : words_say(source->words, "panel.no_law", NULL),
-                     words_say(source->words, "axis.wavelength", NULL),
-                     words_say(source->words, "axis.amplitude", NULL), true, true))
+                     isfinite(law->gamma) ? SAY("panel.spectrum", "gamma", gamma, "error", error) : SAY("panel.no_law"),
+                     SAY("axis.wavelength"), SAY("axis.amplitude"), true, true))
         return;
-    chart_curve(chart, &(struct chart_curve){.legend = "", .width = 0.8, .colour = colour});
+    CURVE(.legend = "", .width = 0.8, .colour = colour);
     for (size_t i = 0; i < count; i++)
         chart_row(chart, 1e6 / spectrum_frequency(&record->spectrum, index[i]),
                   record->spectrum.amplitude_m[index[i]] * 1e6, 0, 0);
@@ -435,7 +416,7 @@ static void put_spectrum(struct chart *chart, const struct source *source, const
         put_bins(chart, record->band, true);
         put_bins(chart, record->band, false);
     }
-    chart_curve(chart, &(struct chart_curve){.legend = "", .colour = ink, .width = 2.4, .notes = NOTE(FIGURE_LAW)});
+    CURVE(.legend = "", .colour = ink, .width = 2.4, .notes = NOTE(FIGURE_LAW));
     for (int i = 0; i < 2; i++)
         chart_row(chart, law->band_m[i] * 1e6, power_law_amplitude(law, law->band_m[i]) * 1e6, 0, 0);
     for (size_t i = 0; record->band && i + 1 < record->band->pieces; i++) {
@@ -457,7 +438,7 @@ static void make_surfaces(struct chart *chart, const struct source *source)
         put_spectrum(chart, source, record, surface_colour(k));
     }
     if (results->counterface)
-        put_profile(chart, source, results->counterface, words_say(source->words, "panel.counterface", NULL), quiet);
+        put_profile(chart, source, results->counterface, SAY("panel.counterface"), quiet);
 }
 
 /* ---- Chapter 6 ---- */
@@ -480,19 +461,14 @@ static void make_convergence(struct chart *chart, const struct source *source)
                 continue;
             chart->number = 1 + 2 * s + model_rows[m]->plastic;
             snprintf(number, sizeof number, "6-%02d", chart->number);
-            if (!chart_panel(
-                    chart,
-                    words_say(source->words, parameter[s][1], "number", number, "model", model_rows[m]->label, NULL),
-                    words_say(source->words, "axis.shortest_wavelength", NULL),
-                    words_say(source->words, "axis.area_ratio", NULL), true, true))
+            if (!chart_panel(chart, SAY(parameter[s][1], "number", number, "model", model_rows[m]->label),
+                             SAY("axis.shortest_wavelength"), SAY("axis.area_ratio"), true, true))
                 return;
             for (size_t v = 0; v < sweep->count; v++) {
                 const double *area = results_sweep(results, (enum convergence_sweep)s, m, v);
                 snprintf(value, sizeof value, "%g", sweep->values[v]);
-                chart_curve(chart, &(struct chart_curve){
-                                       .legend = words_say(source->words, parameter[s][0], "value", value, NULL),
-                                       .dash = s == CONVERGENCE_GAMMA ? 4 : 1,
-                                       .colour = sweep_colours[8 * v / (sweep->count - 1)]});
+                CURVE(.legend = SAY(parameter[s][0], "value", value), .dash = s == CONVERGENCE_GAMMA ? 4 : 1,
+                      .colour = sweep_colours[8 * v / (sweep->count - 1)]);
                 for (size_t k = 0; k < count; k++)
                     chart_row(chart, study->scan_length_m / (double)(index[k] + 1), area[index[k]], 0, 0);
             }
@@ -553,7 +529,7 @@ static void put_baseline(struct chart *chart, const struct source *source, bool 
             !(plan_quantities(source->results->plan) & QUANTITY_BIT(quantity)) ||
             !begin_panel(chart, source, panel->against, quantity,
                          panel->number == 0 ? quantity_words(source, "panel", quantity)
-                                            : words_say(source->words, number, "number", number, NULL)))
+                                            : SAY(number, "number", number)))
             continue;
         for (size_t m = 0; m < model_count; m++)
             put_quantity(chart, source, panel->against, quantity, source->results->baseline, m, model_look(m));
@@ -587,9 +563,8 @@ static void make_all_surfaces(struct chart *chart, const struct source *source, 
             chart->number = place < 5 && panel->first > 0 ? panel->first + place - 1 : 0;
             if (chart->number > 0)
                 snprintf(number, sizeof number, "6-%02d", chart->number);
-            if (!begin_panel(
-                    chart, source, panel->against, quantity,
-                    words_say(source->words, "panel.model", "number", number, "model", model_rows[m]->label, NULL)))
+            if (!begin_panel(chart, source, panel->against, quantity,
+                             SAY("panel.model", "number", number, "model", model_rows[m]->label)))
                 return;
             for (size_t k = 0; k < results->shown_count; k++)
                 put_quantity(chart, source, panel->against, quantity, results->shown[k], m, surface_look(source, k));
@@ -640,14 +615,12 @@ static void make_direct(struct chart *chart, const struct source *source)
         struct chart_panel *panel =
             quantity_rows[q].solved.ratio && (results->plan->wanted & QUANTITY_BIT(q))
                 ? chart_panel(chart, quantity_words(source, "panel.direct", quantity), load_label(source, false),
-                              words_say(source->words, "axis.model_over_direct", NULL), true, true)
+                              SAY("axis.model_over_direct"), true, true)
                 : NULL;
         if (!panel)
             continue;
         panel->y_most = (struct chart_extent){0.1, 10};
-        chart_curve(chart, &(struct chart_curve){.kind = CHART_BAND,
-                                                 .legend = words_say(source->words, "direct.error", NULL),
-                                                 .colour = ink});
+        CURVE(.kind = CHART_BAND, .legend = SAY("direct.error"), .colour = ink);
         for (size_t i = 0; i < study->plan.loads; i++) {
             double error, value = direct_study_value(study, pair, DIRECT_STUDY_ELASTIC, quantity, i, &error);
             double share = fmax(isnan(error) ? 0 : error / value,
@@ -679,8 +652,7 @@ static void make_accuracy(struct chart *chart, const struct source *source)
     const struct benchmark_row *before = NULL, *first = NULL; /* the first integral stands for all */
     size_t methods = 0;
     chart->panel_height = 180;
-    if (!cost || !chart_panel(chart, "", words_say(source->words, "axis.time", NULL),
-                              words_say(source->words, "axis.error", NULL), true, true))
+    if (!cost || !chart_panel(chart, "", SAY("axis.time"), SAY("axis.error"), true, true))
         return;
     for (size_t i = 0; i < cost->count; before = &cost->rows[i++]) {
         const struct benchmark_row *row = &cost->rows[i];
@@ -689,17 +661,15 @@ static void make_accuracy(struct chart *chart, const struct source *source)
             continue;
         first = own || first ? first : row;
         if (!before || strcmp(before->study, row->study) != 0 || strcmp(before->method, row->method) != 0)
-            chart_curve(chart, &(struct chart_curve){.legend = own ? words_say(source->words, "accuracy.report", NULL)
-                                                                   : words_say(source->words, "accuracy.rule", "model",
-                                                                               row->model ? row->model->label : "",
-                                                                               "rule", row->method, NULL),
-                                                     .width = own ? 3 : 1.4,
-                                                     .colour = own ? "#1257d0" : surface_colour(++methods),
-                                                     .notes = own ? 0 : NOTE(FIGURE_RULES)});
+            CURVE(.legend =
+                      own ? SAY("accuracy.report")
+                          : SAY("accuracy.rule", "model", row->model ? row->model->label : "", "rule", row->method),
+                  .width = own ? 3 : 1.4, .colour = own ? "#1257d0" : surface_colour(++methods),
+                  .notes = own ? 0 : NOTE(FIGURE_RULES));
         if (row->error >= 1e-16)
             chart_row(chart, row->seconds * 1e3, row->error, 0, 0);
     }
-    chart_mark(chart, false, source->results->scene->tolerance, words_say(source->words, "tolerance", NULL));
+    chart_mark(chart, false, source->results->scene->tolerance, SAY("tolerance"));
 }
 
 /* ---- The list ---- */

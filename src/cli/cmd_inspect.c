@@ -123,6 +123,7 @@ static enum status_code draw(const struct profile *profile, struct status *statu
 /** What was looked at so far. */
 struct outcome {
     json_t *all;
+    struct mustache_folder templates; /* of what is printed */
     size_t scans, refused;
 };
 
@@ -141,14 +142,17 @@ static void show(struct outcome *outcome, const struct arguments *arguments, con
                  const struct inspection *inspection)
 {
     struct status chart = {0};
+    struct text lines = {0};
     outcome->scans++;
     if (arguments->json) {
-        json_t *json = json_pack("{s:o}", "file", json_shown(path));
-        inspection_add_json(json, inspection);
-        json_array_append_new(outcome->all, json);
+        json_array_append_new(outcome->all, inspection_json(path, inspection));
         return;
     }
-    inspection_print(path, inspection);
+    json_t *view = inspection_view(path, inspection);
+    if (mustache_file(&lines, &outcome->templates, "inspect", view, NULL) == STATUS_OK)
+        fputs(text_string(&lines), stdout);
+    json_decref(view);
+    text_free(&lines);
     if ((arguments->chart || isatty(STDOUT_FILENO)) && inspection->profile.points > 0 &&
         draw(&inspection->profile, &chart) != STATUS_OK)
         command_complain("no chart: ", chart.message);
@@ -236,8 +240,13 @@ int command_inspect(int argc, char **argv)
 {
     struct arguments arguments = {.how = profile_defaults};
     command_parse(&command_inspect_argp, argc, argv, &arguments);
+    struct status status = {0};
+    struct text templates = {0};
     struct outcome outcome = {.all = json_array()};
-    for (int i = 0; i < arguments.file_count; i++) {
+    if (!arguments.json && command_share(&templates, "templates", &status) != STATUS_OK)
+        return command_finish(command_fail(&status), NULL);
+    outcome.templates = (struct mustache_folder){text_string(&templates), ".txt", NULL, &status};
+    for (int i = 0; i < arguments.file_count && status.code == STATUS_OK; i++) {
         const char *path = arguments.files[i];
         struct stat info;
         if (stat(path, &info) == 0 && S_ISDIR(info.st_mode))
@@ -249,6 +258,10 @@ int command_inspect(int argc, char **argv)
         json_decref(outcome.all);
     else
         command_json_print(outcome.all);
+    mustache_folder_free(&outcome.templates);
+    text_free(&templates);
+    if (status.code != STATUS_OK)
+        return command_finish(command_fail(&status), NULL);
     return command_finish(outcome.refused == 0               ? COMMAND_DONE
                           : outcome.refused == outcome.scans ? COMMAND_NOTHING
                                                              : COMMAND_REFUSED,

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands on a scene, `report` and `plan`. */
 #include "base/clock.h"
+#include "base/threads.h"
 #include "cli/command.h"
 #include "report/export.h"
 #include "run/messages.h"
@@ -298,7 +299,7 @@ static void print_plan(const struct results *results, double rough_seconds)
     const struct plan *plan = results->plan;
     const struct scene *scene = results->scene;
     struct text table = {0};
-    prepare_table(&table, results, false);
+    work_table(&table, results, false);
     text_add(&table, "\n%-31s %-8s %s\n", "model", "", "valid");
     for (size_t m = 0; m < model_count; m++) {
         text_add(&table, "%-31s %-8s ", model_rows[m]->label, plan_runs_model(plan, m) ? "run" : "skipped");
@@ -329,20 +330,21 @@ int command_plan(int argc, char **argv)
     struct arguments arguments = {0};
     struct status status = {0};
     struct scene scene = {0};
-    struct prepared prepared = {0};
+    struct all_surfaces prepared = {0};
     struct text messages = {0}, templates = {0};
     command_parse(&command_plan_argp, argc, argv, &arguments);
     enum status_code rc = scene_read(&scene, arguments.directory, &arguments.overrides, &status);
     if (rc == STATUS_OK && (rc = command_share(&templates, "templates", &status)) == STATUS_OK)
         rc = export_check(&scene, text_string(&templates), &status);
     if (rc == STATUS_OK)
-        rc = prepare(&prepared, &scene, &arguments.run, true, NULL, &status);
+        rc = all_surfaces_run(&prepared, &scene, &arguments.run, true, NULL, &status);
     const struct results *results = &prepared.results;
     size_t refused = messages_add(&messages, results, false);
     fputs(text_string(&messages), stderr);
     if (rc == STATUS_OK && refused == scene.surface_count)
         rc = status_fail(&status, STATUS_SCAN, "no readable scan in '%s'", scene.directory);
-    double seconds = rc == STATUS_OK ? prepare_rough_seconds(results, &arguments.run) : 0;
+    const struct threads threads = {.jobs = arguments.run.jobs};
+    double seconds = rc == STATUS_OK ? work_seconds(results, threads_number(&threads, SIZE_MAX)) : 0;
     if (rc == STATUS_OK && !arguments.json)
         print_plan(results, seconds);
     size_t left_out = messages_left_out(&prepared);
@@ -352,7 +354,7 @@ int command_plan(int argc, char **argv)
                               exit_status, status.message);
     text_free(&messages);
     text_free(&templates);
-    prepared_free(&prepared);
+    all_surfaces_free(&prepared);
     scene_free(&scene);
     return command_finish(exit_status, NULL);
 }

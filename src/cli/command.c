@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/command.h"
 #include "base/temporary.h"
-#include "output/output.h"
+#include "output/exchange.h"
 #include "scene/scene_words.h"
 
 #include <errno.h>
@@ -58,7 +58,7 @@ enum status_code command_write(const char *path, const struct text *content, boo
         return text_write_file(path, content->data, content->length, status);
     }
     char *parent = slash ? strndup(target, (size_t)(slash - target) + 1) : strdup(".");
-    bool made = parent && temporary_make(&hidden, parent, output_clear, status) == STATUS_OK;
+    bool made = parent && temporary_make(&hidden, parent, exchange_clear, status) == STATUS_OK;
     snprintf(whole, sizeof whole, "%s/report", made ? hidden.path : "");
     if (!made || text_write_file(whole, content->data, content->length, status) != STATUS_OK ||
         (there && chmod(whole, info.st_mode & 07777) != 0) ||

@@ -5,7 +5,7 @@
 
 #include "base/text.h"
 #include "output/json.h"
-#include "run/prepare.h"
+#include "run/all_surfaces.h"
 
 #include <argp.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/inspection.h"
-#include "cli/command.h"
+#include "output/record.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -101,15 +101,6 @@ void inspection_free(struct inspection *inspection)
     scan_free(&inspection->scan);
 }
 
-/** Warnings of scan and profile in one row; NULL beyond the last. */
-static const char *warning_at(const struct inspection *inspection, size_t i)
-{
-    if (i < inspection->scan.warning_count)
-        return inspection->scan.warnings[i];
-    i -= inspection->scan.warning_count;
-    return i < inspection->profile.note_count ? inspection->profile.notes[i] : NULL;
-}
-
 static void add_parameters(json_t *object, const struct parameters *parameters)
 {
     char key[32];
@@ -123,32 +114,44 @@ static void add_parameters(json_t *object, const struct parameters *parameters)
     json_object_set_new(object, key, json_integer((json_int_t)parameters->sampling_lengths));
 }
 
-void inspection_add_json(json_t *object, const struct inspection *inspection)
+#define FIELD(...) RECORD_FIELD(struct inspection, __VA_ARGS__)
+static const struct record_field fields[] = {FIELD(NUMBER, "spacing_m", spacing_m, JSON),
+                                             FIELD(NUMBER, "length_m", length_m, JSON),
+                                             FIELD(CHARACTERS, "x_unit", scan.x_unit, JSON),
+                                             FIELD(CHARACTERS, "z_unit", scan.z_unit, JSON),
+                                             FIELD(COUNT, "missing", scan.missing, JSON),
+                                             FIELD(NUMBER, "rq_m", roughness.rq_m, JSON),
+                                             FIELD(NUMBER, "ra_m", roughness.ra_m, JSON),
+                                             FIELD(NUMBER, "pv_m", roughness.pv_m, JSON),
+                                             FIELD(NUMBER, "m2", roughness.m2, JSON),
+                                             FIELD(NUMBER, "m4_per_m2", roughness.m4_per_m2, JSON),
+                                             FIELD(NUMBER, "alpha_SI", power_law.alpha, JSON),
+                                             FIELD(NUMBER, "gamma", power_law.gamma, JSON),
+                                             {0}};
+static const struct record_field map_fields[] = {
+    FIELD(COUNT, "nx", scan.nx, JSON),       FIELD(COUNT, "ny", scan.ny, JSON),
+    FIELD(NUMBER, "dx_m", scan.dx_m, JSON),  FIELD(NUMBER, "dy_m", scan.dy_m, JSON),
+    FIELD(NUMBER, "sq_m", areal.sq_m, JSON), FIELD(NUMBER, "sa_m", areal.sa_m, JSON),
+    FIELD(NUMBER, "sz_m", areal.sz_m, JSON), {0}};
+
+json_t *inspection_json(const char *path, const struct inspection *inspection)
 {
     const struct profile_options *options = &inspection->options;
     const struct scan *scan = &inspection->scan;
-    const struct roughness *r = &inspection->roughness;
     json_t *warnings = json_array();
-    const char *warning;
-    for (size_t w = 0; (warning = warning_at(inspection, w)); w++)
-        json_array_append_new(warnings, json_shown(warning));
-    json_object_update_new(
-        object, json_pack("{s:s, s:s, s:I, s:o, s:o, s:s, s:s, s:I, s:o, s:o, s:o, s:o, s:o, s:o, s:o, s:o}", "format",
-                          scan->format, "kind", scan->kind == SCAN_AREAL ? "areal" : "profile", "points",
-                          (json_int_t)(scan->nx * scan->ny), "spacing_m", json_finite(inspection->spacing_m),
-                          "length_m", json_finite(inspection->length_m), "x_unit", scan->x_unit, "z_unit", scan->z_unit,
-                          "missing", (json_int_t)scan->missing, "rq_m", json_finite(r->rq_m), "ra_m",
-                          json_finite(r->ra_m), "pv_m", json_finite(r->pv_m), "m2", json_finite(r->m2), "m4_per_m2",
-                          json_finite(r->m4_per_m2), "alpha_SI", json_finite(inspection->power_law.alpha), "gamma",
-                          json_finite(inspection->power_law.gamma), "warnings", warnings));
+    for (size_t w = 0; w < scan->warning_count; w++)
+        json_array_append_new(warnings, json_shown(scan->warnings[w]));
+    for (size_t n = 0; n < inspection->profile.note_count; n++)
+        json_array_append_new(warnings, json_shown(inspection->profile.notes[n]));
+    json_t *json =
+        json_pack("{s:o, s:s, s:s, s:I}", "file", json_shown(path), "format", scan->format, "kind",
+                  scan->kind == SCAN_AREAL ? "areal" : "profile", "points", (json_int_t)(scan->nx * scan->ny));
+    json_object_update_new(json, record_json(fields, inspection));
+    json_object_set_new(json, "warnings", warnings);
     if (scan->kind == SCAN_AREAL)
-        json_object_update_new(object, json_pack("{s:I, s:I, s:o, s:o, s:o, s:o, s:o}", "nx", (json_int_t)scan->nx,
-                                                 "ny", (json_int_t)scan->ny, "dx_m", json_finite(scan->dx_m), "dy_m",
-                                                 json_finite(scan->dy_m), "sq_m", json_finite(inspection->areal.sq_m),
-                                                 "sa_m", json_finite(inspection->areal.sa_m), "sz_m",
-                                                 json_finite(inspection->areal.sz_m)));
+        json_object_update_new(json, record_json(map_fields, inspection));
     if (!inspection->has_parameters)
-        return;
+        return json;
     json_t *parameters = json_object();
     json_set(parameters, "lambda_s_m", options->lambda_s_m > 0 ? options->lambda_s_m : NAN);
     json_set(parameters, "lambda_c_m", options->lambda_c_m > 0 ? options->lambda_c_m : NAN);
@@ -156,70 +159,75 @@ void inspection_add_json(json_t *object, const struct inspection *inspection)
     add_parameters(parameters, &inspection->primary);
     if (inspection->has_filtered)
         add_parameters(parameters, &inspection->filtered);
-    json_object_set_new(object, "parameters", parameters);
+    json_object_set_new(json, "parameters", parameters);
+    return json;
 }
 
-/** Lengths in um, five to a line. */
-static void print_parameters(const struct parameters *parameters)
+static void show(json_t *view, const char *name, double value, int digits)
 {
+    char number[40];
+    snprintf(number, sizeof number, "%.*g", digits, value);
+    json_object_set_new(view, name, json_string(number));
+}
+
+static void show_parameters(json_t *list, const struct parameters *parameters)
+{
+    const char letter[] = {parameters->letter, '\0'};
+    json_t *values = json_array();
     for (size_t p = 0; p < PARAMETERS_COUNT; p++) {
-        if (p % 5 == 0)
-            printf(p == 0 ? "  parameters  " : "\n              ");
-        double value = parameters->value[p] * (parameters_rows[p].is_length ? 1e6 : 1);
-        if (isnan(value))
-            printf("%c%s - ", parameters->letter, parameters_rows[p].name);
-        else
-            printf("%c%s %.5g ", parameters->letter, parameters_rows[p].name, value);
+        json_t *value = json_pack("{s:s, s:b}", "name", parameters_rows[p].name, "next_line", p > 0 && p % 5 == 0);
+        if (!isnan(parameters->value[p]))
+            show(value, "value", parameters->value[p] * (parameters_rows[p].is_length ? 1e6 : 1), 5);
+        json_array_append_new(values, value);
     }
-    printf("\n              lengths in um, over %.6g mm in %zu sampling length%s, slope 7-point\n",
-           parameters->evaluation_length_m * 1e3, parameters->sampling_lengths,
-           parameters->sampling_lengths == 1 ? "" : "s");
+    json_t *item = json_pack("{s:s, s:o, s:I, s:b}", "letter", letter, "values", values, "lengths",
+                             (json_int_t)parameters->sampling_lengths, "one", parameters->sampling_lengths == 1);
+    show(item, "evaluation_mm", parameters->evaluation_length_m * 1e3, 6);
+    json_array_append_new(list, item);
 }
 
-/** A line of text that may be hostile. */
-static void print_shown(const char *before, const char *hostile)
+/** Lengths of the record in um besides. */
+static void show_lengths(json_t *view)
 {
-    struct text shown = {0};
-    text_add_shown(&shown, hostile);
-    printf("%s%s\n", before, text_string(&shown));
-    text_free(&shown);
+    json_t *lengths = json_object(), *value;
+    char name[40];
+    const char *key;
+    json_object_foreach(view, key, value)
+    {
+        size_t stem = strlen(key) - strlen("_m");
+        snprintf(name, sizeof name, "%.*s_um", (int)stem, key);
+        if (json_is_real(value) && strcmp(key + stem, "_m") == 0)
+            show(lengths, name, json_real_value(value) * 1e6, 6);
+    }
+    json_object_update_new(view, lengths);
 }
 
-static void print_law(const struct power_law *law)
+json_t *inspection_view(const char *path, const struct inspection *f)
 {
-    if (law->found == POWER_LAW_BAND_NONE)
-        printf("  power law   - (no power law found)\n");
-    else
-        printf("  power law   gamma %.3f +- %.3f from %.3g to %.3g um%s, misfit %.2g decades\n"
-               "              rms amplitude %.4g um x/: %.3g at %.3g um, C %.3g m3\n",
-               law->gamma, law->gamma_error, law->band_m[0] * 1e6, law->band_m[1] * 1e6,
-               law->found == POWER_LAW_BAND_NARROW ? " (narrow)" : "", law->misfit_decades, law->amplitude_m * 1e6,
-               pow(10, law->amplitude_error_decades), law->wavelength_m * 1e6, law->psd_m3);
-}
-
-void inspection_print(const char *path, const struct inspection *f)
-{
-    const struct roughness *r = &f->roughness;
-    static const char *const grids[] = {"uniform", "rounded x, nominal spacing used", "uneven x, interpolated"};
-    print_shown("", path);
-    printf("  format      %s, x in %s, z in %s\n", f->scan.format, f->scan.x_unit, f->scan.z_unit);
-    if (f->scan.kind == SCAN_AREAL)
-        printf("  points      %zu x %zu, spacing %.6g um x %.6g um, %zu missing\n"
-               "  plane out   Sq %.6g um, Sa %.6g um, Sz %.6g um; below: rows, each over its line\n",
-               f->scan.nx, f->scan.ny, f->scan.dx_m * 1e6, f->scan.dy_m * 1e6, f->scan.missing, f->areal.sq_m * 1e6,
-               f->areal.sa_m * 1e6, f->areal.sz_m * 1e6);
-    else
-        printf("  points      %zu, spacing %.6g um (%s), length %.6g mm%s\n", f->scan.nx, f->spacing_m * 1e6,
-               grids[f->profile.grid], f->length_m * 1e3, f->profile.periodic ? ", periodic" : "");
+    static const char *const grids[] = {"uniform", "rounded", "uneven"};
+    const struct power_law *law = &f->power_law;
+    json_t *view = inspection_json(path, f), *parameters = json_array();
+    char gamma[64];
+    show_lengths(view);
+    show(view, "length_mm", f->length_m * 1e3, 6);
+    show(view, "m2", f->roughness.m2, 6);
+    show(view, "m4_per_um2", f->roughness.m4_per_m2 * 1e-12, 6);
+    show(view, "from_um", law->band_m[0] * 1e6, 3);
+    show(view, "to_um", law->band_m[1] * 1e6, 3);
+    show(view, "misfit_decades", law->misfit_decades, 2);
+    show(view, "amplitude_um", law->amplitude_m * 1e6, 4);
+    show(view, "amplitude_times", pow(10, law->amplitude_error_decades), 3);
+    show(view, "wavelength_um", law->wavelength_m * 1e6, 3);
+    show(view, "psd_m3", law->psd_m3, 3);
+    snprintf(gamma, sizeof gamma, "%.3f +- %.3f", law->gamma, law->gamma_error);
+    json_object_update_new(view, json_pack("{s:b, s:b, s:b, s:b, s:b, s:s}", "map", f->scan.kind == SCAN_AREAL,
+                                           grids[f->profile.grid], true, "periodic", f->profile.periodic, "no_law",
+                                           law->found == POWER_LAW_BAND_NONE, "narrow",
+                                           law->found == POWER_LAW_BAND_NARROW, "gamma", gamma));
     if (f->has_parameters)
-        print_parameters(&f->primary);
+        show_parameters(parameters, &f->primary);
     if (f->has_filtered)
-        print_parameters(&f->filtered);
-    printf("  roughness   Rq %.6g um, Ra %.6g um, peak to valley %.6g um\n", r->rq_m * 1e6, r->ra_m * 1e6,
-           r->pv_m * 1e6);
-    printf("  moments     m2 %.6g, m4 %.6g /um2\n", r->m2, r->m4_per_m2 * 1e-12);
-    print_law(&f->power_law);
-    const char *warning;
-    for (size_t w = 0; (warning = warning_at(f, w)); w++)
-        print_shown("  note        ", warning);
+        show_parameters(parameters, &f->filtered);
+    json_object_set_new(view, "parameters", parameters);
+    return view;
 }

@@ -30,9 +30,9 @@ MUST_CHECK enum status_code inspection_make(struct inspection *out, const struct
                                             struct status *status);
 void inspection_free(struct inspection *inspection);
 
-/** Adds what was found out to an object. */
-void inspection_add_json(json_t *object, const struct inspection *inspection);
-/** Prints the same as lines of text. */
-void inspection_print(const char *path, const struct inspection *inspection);
+/** What was found out, as an object, new. */
+json_t *inspection_json(const char *path, const struct inspection *inspection);
+/** The same with its numbers worded, for templates/inspect.txt. */
+json_t *inspection_view(const char *path, const struct inspection *inspection);
 
 #endif

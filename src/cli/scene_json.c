@@ -49,10 +49,10 @@ static json_t *surfaces_json(const struct results *results)
 
 static json_t *effects_json(const struct results *results)
 {
-    struct effects_row rows[EFFECTS_ROWS];
+    struct work_row rows[WORK_ROWS];
     json_t *effects = json_array();
-    effects_account(rows, results->plan, results->surfaces, results->surface_count, &results->studies);
-    for (int r = 0; r < EFFECTS_ROWS; r++)
+    work_account(rows, results);
+    for (int r = 0; r < WORK_ROWS; r++)
         json_array_append_new(effects, json_pack("{s:s, s:b, s:o}", "effect", rows[r].name, "runs", rows[r].runs,
                                                  "reason", json_shown(rows[r].reason)));
     return effects;

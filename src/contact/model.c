@@ -30,6 +30,14 @@ uint64_t model_defaults(void)
     return models;
 }
 
+uint64_t model_flagged(size_t offset)
+{
+    uint64_t models = 0;
+    for (size_t m = 0; m < model_count; m++)
+        models |= *(const bool *)((const char *)model_rows[m] + offset) ? MODEL_BIT(m) : 0;
+    return models;
+}
+
 bool model_runs(size_t m, uint64_t models, unsigned effects)
 {
     return m < model_count && (models & MODEL_BIT(m)) &&

@@ -114,6 +114,8 @@ size_t model_index(const struct model_row *row);
 uint64_t model_find(const char *name);
 /** Those that run when a scene names none, all; the ones that use heights only where a surface is not Gaussian. */
 uint64_t model_defaults(void);
+/** Those whose flag at this offset of their row is set: model_flagged(offsetof(struct model_row, uses_map)). */
+uint64_t model_flagged(size_t offset);
 /** May model `m` of the set `models` run with these EFFECT_BITs: a plastic one needs plasticity. */
 bool model_runs(size_t m, uint64_t models, unsigned effects);
 

@@ -45,7 +45,7 @@ const struct model_row model_direct = {
               "loads by corrected-persson of the same spectrum at equal area",
     .assumes = "the map is the surface, and goes on as its mirror image; small slopes; no yield",
     .valid = VALID,
-    .method = "conjugate gradients on the map's grid at up to 17 loads",
+    .method = "conjugate gradients on the map's grid at up to 32 loads",
     .run = run,
 };
 

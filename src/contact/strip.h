@@ -13,6 +13,7 @@
 
 enum {
     STRIP_LOADS = 17,       /* rungs of the ladder */
+    STRIP_KNOTS = 32,       /* at most, of a curve */
     STRIP_SURROGATES = 4,   /* Gaussian strips a ratio is against */
     STRIP_LEAST_POINTS = 12 /* in contact, below which a solution says nothing */
 };
@@ -32,8 +33,8 @@ void strip_lay_row(double *out, const struct strip_rows *rows, size_t row);
 /** Solutions of one strip by area, ascending. */
 struct strip_curve {
     size_t count;
-    double logit[STRIP_LOADS];    /* of A/A_n, corrected for the outline */
-    double value[STRIP_LOADS][3]; /* ln of p, l, gap: as struct strip_ratio */
+    double logit[STRIP_KNOTS];    /* of A/A_n, corrected for the outline */
+    double value[STRIP_KNOTS][3]; /* ln of p, l, gap: as struct strip_ratio */
     size_t unsolved;              /* loads at which the solution did not converge, which are left out */
 };
 

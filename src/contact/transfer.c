@@ -9,22 +9,22 @@
 #include <stdlib.h>
 #include <string.h>
 
-const double transfer_ladder[TRANSFER_LOADS] = {1e-4, 2.5e-4, 6e-4, 1.5e-3, 4e-3, 0.01, 0.022, 0.045, 0.085,
-                                                0.15, 0.25,   0.4,  0.6,    0.9,  1.35, 2.1,   3.5};
+const double transfer_ladder[TRANSFER_LADDER] = {1e-4, 2.5e-4, 6e-4, 1.5e-3, 4e-3, 0.01, 0.022, 0.045, 0.085,
+                                                 0.15, 0.25,   0.4,  0.6,    0.9,  1.35, 2.1,   3.5};
 
 extern const struct model_row model_strip;
 
 static const double grid_step = 0.1, grid_below = 20; /* in ln p, and how far below the first solution */
 
-size_t transfer_capped_loads(double load[TRANSFER_CAPPED], double gradient, double hardness)
+size_t transfer_capped_loads(double load[TRANSFER_LOADS], double gradient, double hardness)
 {
     static const double shares[] = {0.25, 0.4, 0.55, 0.7, 0.8, 0.9}, apart = 1.25;
     size_t count = 0;
-    for (size_t k = 0; k < TRANSFER_LOADS && isfinite(hardness); k++)
+    for (size_t k = 0; k < TRANSFER_LADDER && isfinite(hardness); k++)
         if (transfer_ladder[k] * gradient < shares[0] / apart * hardness)
             load[count++] = transfer_ladder[k] * gradient;
     for (size_t k = 0; k < sizeof shares / sizeof *shares && count > 0; k++)
-        if (shares[k] * hardness <= transfer_ladder[TRANSFER_LOADS - 1] * gradient)
+        if (shares[k] * hardness <= transfer_ladder[TRANSFER_LADDER - 1] * gradient)
             load[count++] = shares[k] * hardness;
     return count;
 }
@@ -42,8 +42,8 @@ static double share_of(double logit)
 /** What corrected-persson has at the knots of `out`. */
 static void add_gaussian(struct strip_curve *out, const struct persson *persson)
 {
-    double area[STRIP_LOADS];
-    struct corrected_persson_point point[STRIP_LOADS];
+    double area[STRIP_KNOTS];
+    struct corrected_persson_point point[STRIP_KNOTS];
     for (size_t k = 0; k < out->count; k++)
         area[k] = share_of(out->logit[k]);
     corrected_persson_curve(point, area, out->count, persson, true);
@@ -62,7 +62,7 @@ static void make_strip(struct strip *out, const struct transfer_square *square, 
     struct strip_curve *own = &out->own;
     double before = -INFINITY, known[3] = {0};
     *out = (struct strip){.surrogates = 1};
-    for (size_t i = 0; i < square->elastic_count && before < last && own->count < STRIP_LOADS; i++) {
+    for (size_t i = 0; i < square->elastic_count && before < last && own->count < STRIP_KNOTS; i++) {
         const struct transfer_point *point = &square->elastic[i];
         double at = logit(point->area_ratio), share = fmin(1, (last - before) / (at - before));
         const double value[3] = {log(point->load), log(point->constriction_m), log(point->separation_m)};
@@ -89,9 +89,9 @@ static void join(struct strip *out, const struct strip *strip, size_t count, con
     for (size_t s = 0; s < count; s++)
         low += strip[s].own.logit[0] / (double)count;
     *own = strip[0].own;
-    own->count = count > 1 ? STRIP_LOADS : own->count;
+    own->count = count > 1 ? STRIP_KNOTS : own->count;
     for (size_t k = 0; k < own->count; k++) {
-        own->logit[k] = count > 1 ? low + (last - low) * (double)k / (STRIP_LOADS - 1) : own->logit[k];
+        own->logit[k] = count > 1 ? low + (last - low) * (double)k / (STRIP_KNOTS - 1) : own->logit[k];
         for (int q = 0; q < 3; q++)
             own->value[k][q] = 0;
         for (size_t s = 0; s < count; s++) {
@@ -228,7 +228,7 @@ static bool hardened(double out[3], const struct yielding *of, double load)
 /** ln ratios at some loads. */
 struct ratios {
     size_t count;
-    double ln_load[TRANSFER_CAPPED], value[TRANSFER_CAPPED][3];
+    double ln_load[TRANSFER_LOADS], value[TRANSFER_LOADS][3];
 };
 
 /** Adds `weight` times the ln ratio of a square's solutions with the hardness to the first out->count loads; NaN where
@@ -283,7 +283,7 @@ enum status_code transfer_make(struct transfer *out, const struct transfer_squar
     struct strip *strip = calloc(count + 1, sizeof *strip), *joined = strip ? strip + count : NULL;
     struct persson own = {0}, whole = {0};
     double bearing[TRANSFER_BEARING] = {0};
-    struct ratios capped = {.count = isfinite(hardness) ? TRANSFER_CAPPED : 0};
+    struct ratios capped = {.count = isfinite(hardness) ? TRANSFER_LOADS : 0};
     enum status_code rc = strip ? persson_make(&whole, &out->spectrum, 0, status) : status_memory(status);
     for (size_t s = 0; s < count && rc == STATUS_OK; s++) {
         capped.count = squares[s].capped_count < capped.count ? squares[s].capped_count : capped.count;

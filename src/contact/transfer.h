@@ -8,18 +8,18 @@
 #include "contact/strip.h"
 
 enum {
-    TRANSFER_LOADS = STRIP_LOADS,      /* of the ladder */
-    TRANSFER_CAPPED = STRIP_LOADS + 6, /* of that with a hardness */
-    TRANSFER_ERRORS = 5,               /* loads at which errors are known */
-    TRANSFER_BEARING = 64,             /* areas of a bearing curve */
-    TRANSFER_GRID = 640                /* at most, of an answer */
+    TRANSFER_LADDER = STRIP_LOADS, /* loads to begin with */
+    TRANSFER_LOADS = STRIP_KNOTS,  /* at most, where contact grows fast */
+    TRANSFER_ERRORS = 5,           /* loads at which errors are known */
+    TRANSFER_BEARING = 64,         /* areas of a bearing curve */
+    TRANSFER_GRID = 640            /* at most, of an answer */
 };
 
 /** p/(E' g) of the ladder, g the root mean square gradient; ascending. */
-extern const double transfer_ladder[TRANSFER_LOADS];
+extern const double transfer_ladder[TRANSFER_LADDER];
 /** Loads p/E' below the hardness h = H/E' (INFINITY: none) for solutions with it: those of the ladder, and shares of
  * the hardness where it has none. Returns how many. */
-size_t transfer_capped_loads(double load[TRANSFER_CAPPED], double gradient, double hardness);
+size_t transfer_capped_loads(double load[TRANSFER_LOADS], double gradient, double hardness);
 
 /** A contact. */
 struct transfer_point {
@@ -30,7 +30,7 @@ struct transfer_point {
 /** Of a square: elastic, and with the hardness, at ascending loads; NaN where that tells nothing. */
 struct transfer_square {
     struct spectrum spectrum; /* of its rows and columns */
-    struct transfer_point elastic[TRANSFER_LOADS], capped[TRANSFER_CAPPED];
+    struct transfer_point elastic[TRANSFER_LOADS], capped[TRANSFER_LOADS];
     size_t elastic_count, capped_count;
     double bearing[TRANSFER_BEARING]; /* by transfer_bearing() */
 };

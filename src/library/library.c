@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "analysis/curve_summary.h"
 #include "library/host.h"
 #include "library/roughcontact.h"
+#include "members/curve_summary.h"
 #include "profile/profile.h"
 #include "scene/scene.h"
 #include "spectrum/power_law_scans.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/json.h"
 
-#include "analysis/direct_study.h"
+#include "answers/direct_study.h"
 #include "base/version.h"
 #include "output/tables.h"
 #include <errno.h>
@@ -80,15 +80,22 @@ static json_t *scene_json(const struct results *results)
         json_object_set_new(effects, effect_rows[e].name,
                             json_pack("{s:b, s:o}", "runs", effect->runs, "reason", json_shown(effect->reason)));
     }
+    static const enum record_kind kinds[] = {
+        [SCENE_SAID_NUMBER] = RECORD_NUMBER, [SCENE_SAID_COUNT] = RECORD_COUNT, [SCENE_SAID_TEXT] = RECORD_TEXT};
     const struct scene_bodies *bodies = &scene->bodies;
     const struct material_pair pair = scene_pair(bodies);
     for (size_t m = 0; m < model_count; m++)
         if (scene->models & MODEL_BIT(m))
             json_array_append_new(models, json_string(model_rows[m]->name));
-    json_t *json = json_pack("{s:o, s:o, s:o, s:o}", "title", json_shown(scene->title), "models", models, "effects",
-                             effects, "material", pair.unknown ? json_null() : material_json(&bodies->material));
+    json_t *json = json_object();
+    struct scene_said said;
+    for (size_t k = 0; scene_said(&said, scene, k); k++)
+        if (said.kind != SCENE_SAID_APART)
+            json_object_set_new(json, said.key, record_value_json(kinds[said.kind], said.at));
+    json_object_set_new(json, "models", models);
+    json_object_set_new(json, "effects", effects);
+    json_object_set_new(json, "material", pair.unknown ? json_null() : material_json(&bodies->material));
     json_object_set_new(json, "counterface", counterface_json(bodies));
-    json_set(json, "nominal_area_m2", scene->nominal_area_m2);
     json_set_all(json, "loads_over_AnEp", results->loads, results->loads_apart ? 0 : results->load_count);
     if (scene->load.unit_text[0])
         json_object_set_new(json, "load_unit", json_shown(scene->load.unit_text));
@@ -98,24 +105,14 @@ static json_t *scene_json(const struct results *results)
         json_set(json, "unload_from_over_AnEp", scene_load_of(&scene->unload_from, scene, &pair));
     if (scene->called & results->plan->running)
         json_object_set_new(json, "joint", joint_json(results));
-    if (scene->mean_free_path == SCENE_MEAN_FREE_PATH_ELECTRON)
-        set_word(json, "mean_free_path", "electron");
+    json_set_all(json, "shape_size_m", scene->joint.size_m, scene->joint.bulge_per_m > 0 ? 2 : 0);
+    json_set(json, "shape_bulge_per_m", scene->joint.bulge_per_m > 0 ? scene->joint.bulge_per_m : NAN);
     json_set(json, "effective_modulus_Pa", pair.unknown ? NAN : pair.effective_modulus_Pa);
     json_set(json, "hardness_Pa", pair.unknown ? NAN : pair.hardness_Pa);
-    json_set(json, "tolerance", scene->tolerance);
-    set_word(json, "level", level_names[scene->level]);
-    set_word(json, "window", spectrum_window_names[scene->window]);
-    set_word(json, "moments", roughness_moments_names[scene->moments]);
-    set_word(json, "closure", sinusoid_fits[scene->closure].name);
-    set_word(json, "data", scene_data_names[scene->data]);
     set_word(json, "spectra", scene_bins_spectra(scene) ? "bins" : "every harmonic");
     if (scene_bins_spectra(scene))
         set_word(json, "curves", "in data/contact.csv alone");
-    set_word(json, "direction", scan_direction_names[scene->direction]);
-    json_set(json, "max_missing", scene->max_missing);
-    json_set(json, "lambda_s_m", scene->lambda_s_m);
-    json_set(json, "lambda_c_m", scene->lambda_c_m);
-    json_set(json, "tip_radius_m", scene->tip_radius_m);
+    json_set(json, "lay", scene->lay_given ? scene->lay : NAN);
     json_object_set_new(json, "baseline", json_shown(results->surfaces[results->baseline].summary.scene->name));
     if (scene->measured.file_count == 1)
         json_object_set_new(json, "measured_file", json_shown(scene->measured.files[0]));
@@ -123,7 +120,6 @@ static json_t *scene_json(const struct results *results)
         json_object_set_new(json, "counterface_surface",
                             json_pack("{s:o, s:s}", "file", json_shown(scene->counterface_surface.files[0]), "sha256",
                                       results->counterface->summary.hash));
-    set_word(json, "fit", power_law_method_names[scene->fit]);
     json_set_all(json, "fit_band_m", scene->fit_band_m, 2);
 #define FIELD(...) RECORD_FIELD(struct scene_convergence, __VA_ARGS__)
     static const struct record_field convergence[] = {
@@ -380,10 +376,10 @@ static json_t *direct_json(const struct direct_study *study, const struct result
 /** Evaluations by effect. */
 static json_t *work_json(const struct results *results)
 {
-    struct effects_row rows[EFFECTS_ROWS];
+    struct work_row rows[WORK_ROWS];
     json_t *json = json_object();
-    effects_account(rows, results->plan, results->surfaces, results->surface_count, &results->studies);
-    for (int r = 0; r < EFFECTS_ROWS; r++)
+    work_account(rows, results);
+    for (int r = 0; r < WORK_ROWS; r++)
         json_object_set_new(json, rows[r].name, json_pack("{s:I}", "evaluations", (json_int_t)rows[r].evaluations));
     return json;
 }

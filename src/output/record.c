@@ -49,13 +49,15 @@ void json_set_all(json_t *object, const char *key, const double *values, size_t 
     json_object_set_new(object, key, json_numbers(values, count));
 }
 
-static json_t *value_json(enum record_kind kind, const void *at)
+json_t *record_value_json(enum record_kind kind, const void *at)
 {
     switch (kind) {
     case RECORD_COUNT:
         return json_integer((json_int_t) * (const size_t *)at);
     case RECORD_TEXT:
         return json_shown(*(const char *const *)at);
+    case RECORD_CHARACTERS:
+        return json_shown(at);
     case RECORD_PAIR:
         return json_numbers(at, 2);
     case RECORD_FLAG:
@@ -72,7 +74,7 @@ json_t *record_json(const struct record_field *fields, const void *of)
     json_t *json = json_object();
     for (const struct record_field *field = fields; field->key; field++)
         if (field->when & RECORD_JSON)
-            json_object_set_new(json, field->key, value_json(field->kind, (const char *)of + field->offset));
+            json_object_set_new(json, field->key, record_value_json(field->kind, (const char *)of + field->offset));
     return json;
 }
 

@@ -12,9 +12,10 @@ enum record_kind {
     RECORD_COUNT,  /* size_t */
     RECORD_TEXT,   /* const char *, which may hold anything; NULL: an empty cell, null */
     /* in JSON alone: */
-    RECORD_PAIR,    /* two doubles one after another */
-    RECORD_FLAG,    /* bool */
-    RECORD_ESTIMATE /* struct estimate */
+    RECORD_CHARACTERS, /* an array of char: a text */
+    RECORD_PAIR,       /* two doubles one after another */
+    RECORD_FLAG,       /* bool */
+    RECORD_ESTIMATE    /* struct estimate */
 };
 
 /** Bits of a field's `when`: it is there in the kinds of record, and under the conditions, named. */
@@ -34,6 +35,8 @@ struct record_field {
         key, RECORD_##kind, RECORD_##when, offsetof(of, member)                                                        \
     }
 
+/** A value of that kind. */
+json_t *record_value_json(enum record_kind kind, const void *at);
 /** The fields that are in JSON, as an object. */
 json_t *record_json(const struct record_field *fields, const void *of);
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "output/tables.h"
 
-#include "analysis/direct_study.h"
+#include "answers/direct_study.h"
+#include "certainty/sensitivity.h"
 #include "results/comparison.h"
 #include <errno.h>
 #include <math.h>

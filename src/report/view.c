@@ -67,6 +67,12 @@ void view_count(json_t *out, const char *name, size_t count)
     json_object_set_new(out, name, json_integer((json_int_t)count));
 }
 
+void view_some(json_t *out, const char *name, size_t count)
+{
+    if (count > 0)
+        view_count(out, name, count);
+}
+
 void view_counted(json_t *out, const char *name, size_t count, const char *only)
 {
     if (count == 0)

@@ -47,6 +47,8 @@ void view_interval(json_t *out, const char *name, double low, double high, int d
 /** "0.15 to 1.1", or one number where both read alike; nothing where none is finite. */
 void view_range(json_t *out, const char *name, double least, double most, int digits, const char *unit);
 void view_count(json_t *out, const char *name, size_t count);
+/** The same; nothing of 0. */
+void view_some(json_t *out, const char *name, size_t count);
 /** A new object with `count` and whether it is `one`, which `only` (NULL: it has no name) is the `surface` of; nothing
  * of 0. */
 void view_counted(json_t *out, const char *name, size_t count, const char *only);

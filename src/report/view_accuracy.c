@@ -50,11 +50,11 @@ static void put_tolerances(json_t *out, const struct view_source *source)
 
 static void put_effects(json_t *out, const struct view_source *source)
 {
-    struct effects_row rows[EFFECTS_ROWS];
+    struct work_row rows[WORK_ROWS];
     const struct results *results = source->results;
     json_t *list = view_list(out, "effects"), *skipped = NULL;
-    effects_account(rows, results->plan, results->surfaces, results->surface_count, &results->studies);
-    for (int r = 0; r < EFFECTS_ROWS; r++) {
+    work_account(rows, results);
+    for (int r = 0; r < WORK_ROWS; r++) {
         json_t *item = view_item(list);
         view_text(item, "name", rows[r].name);
         view_flag(item, "runs", rows[r].runs);

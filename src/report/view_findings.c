@@ -441,8 +441,7 @@ void view_findings(json_t *out, const struct view_source *source)
         view_flag(item, row->name, true);
         view_count(item, "good", good);
         view_count(item, "all", all);
-        if (finding.all.ties > 0)
-            view_count(item, "ties", finding.all.ties);
+        view_some(item, "ties", finding.all.ties);
         view_flag(item, "holds", all > 0 && good == all);
         view_flag(item, "in_part", good < all && 2 * good >= all);
         view_flag(item, "fails", 2 * good < all);

@@ -2,8 +2,9 @@
 /* The first page: the answer to what was asked, what stands beside it, and what limits it. */
 #include "report/view.h"
 
-#include "analysis/direct_study.h"
+#include "answers/direct_study.h"
 #include "base/number_format.h"
+#include "certainty/sensitivity.h"
 #include <math.h>
 
 enum { DIGITS = 2, NAMED_MOST = 3 };
@@ -253,21 +254,22 @@ static void put_ranking(json_t *out, const struct view_source *source)
 }
 
 /** "half", "twice", "0.7 times". */
-static void put_ratio(json_t *out, const char *name, double ratio)
+static void put_ratio(json_t *out, const struct view_source *source, const char *name, double ratio)
 {
     static const struct {
         double ratio;
-        const char *words;
-    } words[] = {{0.25, "a quarter of"}, {1 / 3.0, "a third of"}, {0.5, "half"}, {2, "twice"}, {3, "three times"}};
-    char number[40] = "";
+        const char *word;
+    } words[] = {
+        {0.25, "ratio.quarter"}, {1 / 3.0, "ratio.third"}, {0.5, "ratio.half"}, {2, "ratio.twice"}, {3, "ratio.three"}};
+    const char *word = "ratio.times";
+    char number[40];
     if (!(ratio > 0) || !isfinite(ratio))
         return;
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (fabs(log(ratio / words[i].ratio)) < 0.13)
-            snprintf(number, sizeof number, "%s", words[i].words);
-    if (!number[0])
-        snprintf(number, sizeof number, "%.2g times", ratio);
-    view_text(out, name, number);
+            word = words[i].word;
+    snprintf(number, sizeof number, "%.2g", ratio);
+    view_text(out, name, words_say(source->words, word, "number", number, NULL));
     view_flag(out, "alike", fabs(ratio - 1) < 0.1);
 }
 
@@ -317,7 +319,7 @@ static void put_measured_on(json_t *item, const struct view_source *source, size
     view_flag(item, "both", json_object_get(item, "loading") && json_object_get(item, "unloading"));
     struct measured_distance distance = measured_compare(measured, answers, source->leading);
     view_flag(item, "beyond", distance.points == 0);
-    put_ratio(item, "ratio", pow(10, distance.bias_decades));
+    put_ratio(item, source, "ratio", pow(10, distance.bias_decades));
     view_number(item, "carries", estimate_value(&answers->fit), DIGITS, "");
     view_number(item, "carries_times", times >= 1.005 ? times : NAN, times < 1.095 ? 3 : DIGITS, "");
     view_flag(item, "carried", answers->carried);
@@ -345,7 +347,7 @@ static void put_beside(json_t *out, const struct view_source *source)
              bare = quantity == QUANTITY_ECR && source->asked.quantity == QUANTITY_JOINT_ECR;
         view_number(item, "value", own || bare ? asked_shown(&source->asked, solved.value) : solved.value, 3,
                     own || bare ? source->asked.unit : quantity_rows[quantity].unit);
-        put_ratio(item, "ratio", own && source->asked.reciprocal ? 1 / solved.ratio : solved.ratio);
+        put_ratio(item, source, "ratio", own && source->asked.reciprocal ? 1 / solved.ratio : solved.ratio);
         view_flag(item, "bare", bare);
         if (!own && !bare)
             view_text(item, "symbol", name_of(source, quantity));
@@ -537,8 +539,7 @@ static void put_table(json_t *out, const struct view_source *source)
     view_flag(out, "has_letters", lettered);
     if (results->usable_count > VIEW_ROWS)
         view_count(out, "rows_left_out", results->usable_count - VIEW_ROWS);
-    if (results->usable_count < results->surface_count)
-        view_count(out, "refused_count", results->surface_count - results->usable_count);
+    view_some(out, "refused_count", results->surface_count - results->usable_count);
 }
 
 /** A limit's sentence: how many surfaces meet it. */
@@ -590,8 +591,7 @@ static void put_hardness(json_t *out, const struct view_source *source)
         const struct surface_summary *other = view_summary(source, source->results->by_roughness[k]);
         apart += other->hardness != summary->hardness || other->pair.hardness_Pa != summary->pair.hardness_Pa;
     }
-    if (apart > 0)
-        view_count(item, "apart", apart);
+    view_some(item, "apart", apart);
 }
 
 /** What of the maps the leading model has not: others stand in the same report, or the count of work was enough for
@@ -610,8 +610,7 @@ static void put_maps(json_t *out, const struct view_source *source)
     if (maps > 0 && maps < results->usable_count && dear == 0)
         view_count(out, "without_map", results->usable_count - maps);
     view_flag(out, "one_without_map", results->usable_count - maps == 1);
-    if (dear > 0)
-        view_count(out, "dear_maps", dear);
+    view_some(out, "dear_maps", dear);
     if (dear == 0 && squares < all && model_rows[source->leading]->uses_map) {
         view_count(out, "squares", squares);
         view_count(out, "all_squares", all);

@@ -2,7 +2,7 @@
 /* One surface in every model, all surfaces in each, the joint, what was measured, the direct solution. */
 #include "report/view.h"
 
-#include "analysis/direct_study.h"
+#include "answers/direct_study.h"
 #include "base/constants.h"
 #include "joint/heating.h"
 #include <math.h>
@@ -223,10 +223,8 @@ static void put_convergence(json_t *out, const struct view_source *source)
     view_number(item, "load", results->scene->convergence.load, 3, "");
     view_flag(item, "none_diverges", telling > 0 && diverging == 0);
     view_count(item, "surfaces", results->usable_count);
-    if (diverging > 0)
-        view_count(item, "diverging", diverging);
-    if (telling < results->usable_count)
-        view_count(item, "untold", results->usable_count - telling);
+    view_some(item, "diverging", diverging);
+    view_some(item, "untold", results->usable_count - telling);
 }
 
 void view_models(json_t *out, const struct view_source *source)
@@ -297,8 +295,7 @@ static void put_softening(json_t *out, const struct view_source *source)
         soft += metal && (voltage_V >= metal->softening_voltage_V ||
                           voltage_V >= heating_voltage(metal->melting_K, source->results->scene->joint.temperature_K));
     }
-    if (soft > 0)
-        view_count(out, "softens", soft);
+    view_some(out, "softens", soft);
     view_count(out, "surfaces", known);
     view_flag(out, "stays_solid", known > 0 && soft == 0 && unknown == 0);
     view_flag(out, "softening_unknown", unknown > 0);

@@ -31,8 +31,7 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
     view_number(row, "spacing_um", s->spacing_m * 1e6, 3, "");
     view_count(row, "scans", s->scans);
     view_flag(row, "rows_of_a_map", repeats->count > 0 && repeats->scans == 1);
-    if (repeats->cut > 0)
-        view_count(row, "pieces", repeats->cut);
+    view_some(row, "pieces", repeats->cut);
     view_number(row, "heights", comparison_heights_factor(source->results, surface, QUANTITY_ECR), 2, "");
     view_flag(row, "no_law", law->found == POWER_LAW_BAND_NONE);
     if (law->found == POWER_LAW_BAND_NONE)

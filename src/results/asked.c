@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "results/asked.h"
 
-#include "analysis/direct_study.h"
+#include "answers/direct_study.h"
 #include "base/number_format.h"
 #include "results/comparison.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-void asked_unit(char *out, size_t size, const char *unit)
+/** A unit as people print it: "mohm" as "mΩ", "W/m2/K" as "W/(m²·K)". */
+static void asked_unit(char *out, size_t size, const char *unit)
 {
     static const char *const words[][2] = {{"W/(m2*K)", "W/(m²·K)"},
                                            {"W/(m2 K)", "W/(m²·K)"},

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "results/results.h"
 
-#include "analysis/direct_study.h"
+#include "answers/direct_study.h"
 #include <math.h>
 
 /** Models that stack scales and run, before `model`. */
@@ -67,6 +67,14 @@ const double *results_loads(const struct results *results, size_t surface)
     return results->loads + (results->loads_apart ? surface * results->load_count : 0);
 }
 
+struct surface_task results_task(const struct results *results, size_t surface)
+{
+    return (struct surface_task){.scene = results->scene,
+                                 .plan = results->plan,
+                                 .loads = results_loads(results, surface),
+                                 .load_count = results->load_count};
+}
+
 double results_operating_load(const struct results *results, size_t surface)
 {
     size_t place = results->plan->operating_place;
@@ -110,6 +118,13 @@ enum quantity results_measured_quantity(const struct results *results)
         if (results_measured(results, i))
             return measured_quantity(&results->measured[i], results->plan->running);
     return QUANTITY_COUNT;
+}
+
+bool results_solves(const struct results *results, size_t index)
+{
+    const struct surface_summary *summary = &results->surfaces[index].summary;
+    bool called = results->scene->direct.surfaces == SCENE_DIRECT_ALL || index == results->baseline;
+    return called && summary->usable && summary->direct && summary->direct->possible;
 }
 
 const struct direct_study *results_direct_baseline(const struct results *results)

@@ -3,11 +3,12 @@
 #ifndef RESULTS_RESULTS_H
 #define RESULTS_RESULTS_H
 
-#include "analysis/benchmark.h"
-#include "analysis/effects.h"
-#include "analysis/measured.h"
+#include "answers/answers.h"
+#include "answers/measured.h"
+#include "plan/benchmark.h"
+#include "results/work.h"
 
-struct direct_study; /* analysis/direct_study.h */
+struct direct_study; /* answers/direct_study.h */
 
 /** Numbers that came out infinite, which nobody foresaw: their cells are empty. */
 struct results_infinite {
@@ -24,7 +25,7 @@ struct results {
     bool loads_apart;                /* surfaces of different E' share pressures or forces */
     struct surface_record *surfaces; /* one a surface of the scene, in its order */
     size_t surface_count;
-    struct effects_studies studies;           /* what the studies below took */
+    struct work_studies studies;              /* what the studies below took */
     const struct surface_record *counterface; /* described; NULL: smooth */
     const struct measured *measured;          /* one a surface, see results_measured(); NULL: nothing measured */
     const struct measured_answers *answers;   /* the models' on each of those; NULL: the same */
@@ -41,10 +42,17 @@ struct results {
     size_t baseline; /* index of the surface of the one-surface comparison */
 };
 
+/** The smoothest but one of the usable surfaces that are described; 0: there is none. */
+size_t results_second_smoothest(const struct results *results);
+/** Ranks the usable surfaces and chooses which the charts show and which is the baseline. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code results_rank(struct results *results, struct status *status);
+
 /** The loads of a surface, P/(A_n E') of its own bodies; entry i of all surfaces is one pressure or force where loads
  * are given so. */
 const double *results_loads(const struct results *results, size_t surface);
 double results_operating_load(const struct results *results, size_t surface);
+/** What was asked of a surface. */
+struct surface_task results_task(const struct results *results, size_t surface);
 /** What surfaces are held against each other by: ECR where the run computes it, else TCR, else the area. */
 enum quantity results_criterion(const struct results *results);
 /** The wavelength at which the power laws of all surfaces are held against each other: the middle of what their bands
@@ -62,6 +70,8 @@ const struct measured *results_measured(const struct results *results, size_t su
 /** The quantity of all that was measured; QUANTITY_COUNT: nothing. */
 enum quantity results_measured_quantity(const struct results *results);
 
+/** Is surface `index` to be solved directly? */
+bool results_solves(const struct results *results, size_t index);
 /** The direct solution of the baseline; NULL: none. */
 const struct direct_study *results_direct_baseline(const struct results *results);
 

@@ -93,7 +93,7 @@ size_t messages_add(struct text *messages, const struct results *results, bool r
     return refused;
 }
 
-size_t messages_left_out(const struct prepared *prepared)
+size_t messages_left_out(const struct all_surfaces *prepared)
 {
     const struct results *results = &prepared->results;
     size_t count = prepared->counterface ? prepared->counterface->summary.refused_scans : 0;

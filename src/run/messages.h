@@ -3,7 +3,7 @@
 #ifndef RUN_MESSAGES_H
 #define RUN_MESSAGES_H
 
-#include "run/prepare.h"
+#include "run/all_surfaces.h"
 
 /** A line each; returns how many surfaces were refused. Where notes stand in a report too (`reported`), those that
  * differ in nothing but numbers and names in quotes are one line: the first surface's, with the number of the others.
@@ -11,6 +11,6 @@
 size_t messages_add(struct text *messages, const struct results *results, bool reported);
 
 /** How many scans were refused of surfaces, and of the counterface, that go on with their others. */
-size_t messages_left_out(const struct prepared *prepared);
+size_t messages_left_out(const struct all_surfaces *prepared);
 
 #endif

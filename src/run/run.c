@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "run/run.h"
 
-#include "analysis/direct_study.h"
+#include "answers/direct_study.h"
 #include "base/clock.h"
 #include "base/threads.h"
 #include "chart/figures.h"
 #include "chart/gnuplot.h"
+#include "output/exchange.h"
 #include "output/json.h"
-#include "output/output.h"
 #include "output/tables.h"
 #include "report/export.h"
 #include "report/report.h"
 #include "report/view.h"
+#include "run/all_surfaces.h"
 #include "run/messages.h"
-#include "run/prepare.h"
 #include <jansson.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -24,8 +24,8 @@ struct run {
     const struct scene *scene;
     const struct run_options *options;
     double started;
-    struct output output;
-    struct prepared prepared;
+    struct exchange output;
+    struct all_surfaces prepared;
     struct results *results; /* of `prepared` */
     struct benchmark benchmark;
     struct measured_answers *answers; /* one a surface */
@@ -87,14 +87,9 @@ static enum status_code run_measured_on(struct run *run, size_t surface, struct 
     struct surface_record *record = &results->surfaces[surface];
     const struct measured *measured = &results->measured[surface];
     struct measured_answers *answers = &run->answers[surface];
-    struct model_task task =
-        surface_model_task(record, results->scene, results->plan, results_loads(results, surface), results->load_count);
-    const struct joint_task joint = surface_joint(record, results->scene, results->plan, &task);
-    uint64_t models = 0;
-    for (size_t m = 0; m < model_count; m++)
-        models |= plan_runs_model(results->plan, m) ? MODEL_BIT(m) : 0;
-    if (measured_answer(answers, measured, models, &task, &joint, &record->ensemble, record->summary.unloading,
-                        status) != STATUS_OK ||
+    const struct surface_task asked = results_task(results, surface);
+    const struct model_task task = surface_model_task(record, &asked);
+    if (measured_answer(answers, measured, record, &asked, status) != STATUS_OK ||
         measured_fit(answers, measured, plan_leading_model(results->plan), status) != STATUS_OK)
         return status->code;
     record->summary.carried_model = answers->fitted;
@@ -122,8 +117,8 @@ static enum status_code run_measured(struct run *run, struct status *status)
 /** As direct_study_task.progress. */
 static void add_progress(void *context, double work, double all)
 {
-    struct prepare_stage *stage = context;
-    prepare_tell(stage, stage->name, work, all);
+    struct all_surfaces_stage *stage = context;
+    all_surfaces_tell(stage, stage->name, work, all);
 }
 
 /** The direct solutions that the plan calls for, one surface after another, each on all threads. */
@@ -134,20 +129,19 @@ static enum status_code run_direct(struct run *run, struct status *status)
     if (!run->direct)
         return status_memory(status);
     for (size_t i = 0; i < results->surface_count; i++) {
-        if (!prepare_solves(results, i))
+        if (!results_solves(results, i))
             continue;
         struct surface_record *record = &results->surfaces[i];
-        struct prepare_stage stage = {run->options, "direct solution of", record->summary.scene->name, 0,
-                                      PTHREAD_MUTEX_INITIALIZER};
+        struct all_surfaces_stage stage = {run->options, "direct solution of", record->summary.scene->name, 0,
+                                           PTHREAD_MUTEX_INITIALIZER};
         add_progress(&stage, 0, 1);
-        const struct direct_study_task task = {.surface = record,
-                                               .index = i,
-                                               .scene = results->scene,
-                                               .plan = results->plan,
-                                               .threads = run->options->jobs,
-                                               .stop = run->options->stop,
-                                               .progress = add_progress,
-                                               .progress_context = &stage};
+        const struct direct_study_task task = {
+            .surface = record,
+            .index = i,
+            .asked = {.scene = results->scene, .plan = results->plan, .stop = run->options->stop},
+            .threads = run->options->jobs,
+            .progress = add_progress,
+            .progress_context = &stage};
         struct direct_study *study = &run->direct[results->direct_count];
         struct status problem = {0};
         enum status_code rc = direct_study_run(study, &task, &problem);
@@ -187,7 +181,7 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
 {
     const char *curves = scene_bins_spectra(run->scene) ? run->output.staging : NULL;
     struct results *results = run->results = &run->prepared.results;
-    if (prepare(&run->prepared, run->scene, run->options, false, curves, status) != STATUS_OK)
+    if (all_surfaces_run(&run->prepared, run->scene, run->options, false, curves, status) != STATUS_OK)
         return status->code;
     if (results->usable_count == 0)
         return status_fail(status, STATUS_SCAN, "no readable scan in '%s'", run->scene->directory);
@@ -200,7 +194,7 @@ static enum status_code evaluate(struct run *run, struct run_outcome *out, struc
     if (plan_runs(results->plan, EFFECT_DIRECT) && run_direct(run, status) != STATUS_OK)
         return status->code;
     out->times.direct = results->studies.contact_seconds = lap(&last);
-    out->evaluations = prepare_table(&out->work, results, true);
+    out->evaluations = work_table(&out->work, results, true);
     add_times(&out->times, results);
     return STATUS_OK;
 }
@@ -224,10 +218,10 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
         return status->code;
     out->times.figures = lap(&last);
     const struct results *results = run->results;
-    const struct benchmark_task cost = {&results->surfaces[results->baseline], results->scene, results->plan,
-                                        results_loads(results, results->baseline), results->load_count};
+    const struct surface_task asked = results_task(results, results->baseline);
     run->results->benchmark = options->no_cost ? NULL : &run->benchmark;
-    if (!options->no_cost && benchmark_measure(&run->benchmark, &cost, status) != STATUS_OK)
+    if (!options->no_cost &&
+        benchmark_measure(&run->benchmark, &results->surfaces[results->baseline], &asked, status) != STATUS_OK)
         return status->code;
     run->benchmark.before = before;
     out->times.cost = lap(&last);
@@ -251,14 +245,14 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
         return status->code;
     out->missed_count = view_missed_limits(&out->missed, run->results);
     out->times.report = lap(&last);
-    return stopped(run) ? status->code : status_lost ? status_memory(status) : output_commit(&run->output, status);
+    return stopped(run) ? status->code : status_lost ? status_memory(status) : exchange_commit(&run->output, status);
 }
 
 /** OUT as given, else out/<name of DIR>. */
 static enum status_code begin_output(struct run *run, struct status *status)
 {
     if (run->options->output)
-        return output_begin(&run->output, run->options->output, status);
+        return exchange_begin(&run->output, run->options->output, status);
     char *real = realpath(run->scene->directory, NULL);
     if (!real)
         return status_fail(status, STATUS_IO, "cannot open '%s'", run->scene->directory);
@@ -266,7 +260,7 @@ static enum status_code begin_output(struct run *run, struct status *status)
     struct text target = {0};
     text_add(&target, "out/%s", name && name[1] ? name + 1 : "root");
     free(real);
-    enum status_code rc = output_begin(&run->output, text_string(&target), status);
+    enum status_code rc = exchange_begin(&run->output, text_string(&target), status);
     text_free(&target);
     return rc;
 }
@@ -319,8 +313,8 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     for (size_t i = 0; run.answers && i < run.prepared.results.surface_count; i++)
         measured_answers_free(&run.answers[i]);
     free(run.answers);
-    prepared_free(&run.prepared);
-    output_abandon(&run.output);
+    all_surfaces_free(&run.prepared);
+    exchange_abandon(&run.output);
     free(run.sweeps);
     comparison_free(&run.comparison);
     (void)gnuplot_end(&run.gnuplot);

@@ -48,7 +48,7 @@ struct run_outcome {
 
 /** Runs `scene` and writes the report. `out` is to be freed with run_outcome_free() whatever comes back.
  * Errors: STATUS_SCAN when no surface could be read (out->messages says why), STATUS_CHART, STATUS_IO, STATUS_MEMORY,
- * STATUS_INTERRUPTED; then OUT is as it was, save for the one exception of output_commit(). */
+ * STATUS_INTERRUPTED; then OUT is as it was, save for the one exception of exchange_commit(). */
 MUST_CHECK enum status_code run_report(struct run_outcome *out, const struct scene *scene,
                                        const struct run_options *options, struct status *status);
 void run_outcome_free(struct run_outcome *outcome);

@@ -204,6 +204,20 @@ MUST_CHECK enum status_code scene_read(struct scene *out, const char *directory,
                                        const struct scene_overrides *overrides, struct status *status);
 void scene_free(struct scene *scene);
 
+/** What a key of scene.yaml says, with defaults where the scene says nothing. */
+struct scene_said {
+    const char *key; /* with the unit that its number is in: "nominal_area_m2" */
+    enum {
+        SCENE_SAID_APART, /* by readers of its own, or of an effect that it calls for */
+        SCENE_SAID_NUMBER,
+        SCENE_SAID_COUNT,
+        SCENE_SAID_TEXT
+    } kind;
+    const void *at; /* a double in SI, a size_t, a const char * (NULL: none) */
+};
+/** Of key `k`, as long as the scene lives; false beyond the last. */
+bool scene_said(struct scene_said *out, const struct scene *scene, size_t k);
+
 /** Joins surfaces of one file each whose names differ in a number at the end alone, or in a letter behind a mark, into
  * one of repeated scans, named by what is left; not where that ends with surface, sample, specimen or part: the number
  * then counts these. In the order of names, each its own. Error: STATUS_MEMORY. */

@@ -567,6 +567,25 @@ const struct scene_key scene_keys[] = {
 };
 const size_t scene_key_count = SCENE_COUNT(scene_keys);
 
+bool scene_said(struct scene_said *out, const struct scene *scene, size_t k)
+{
+    if (k >= scene_key_count)
+        return false;
+    const struct scene_key *key = &scene_keys[k];
+    const void *at = (const char *)scene + key->at;
+    *out = (struct scene_said){.key = key->alias ? key->alias : key->name, .at = at};
+    for (int e = 0; e < EFFECT_COUNT; e++)
+        if (effect_rows[e].key && strcmp(effect_rows[e].key, key->name) == 0)
+            return true;
+    if (key->read == scene_source_choice)
+        out->at = &key->choices[*(const unsigned *)at];
+    out->kind = key->read == scene_source_quantity                                   ? SCENE_SAID_NUMBER
+                : key->read == scene_source_whole                                    ? SCENE_SAID_COUNT
+                : key->read == scene_source_choice || key->read == scene_source_text ? SCENE_SAID_TEXT
+                                                                                     : SCENE_SAID_APART;
+    return true;
+}
+
 size_t scene_keys_line(const struct scene_source *source, const char *name)
 {
     size_t k = 0;

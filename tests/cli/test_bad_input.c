@@ -2,7 +2,7 @@
 /* What is wrong with the input is said in a line that names file, line and remedy, and nothing is half written. */
 #include "cli/process.h"
 
-#include "output/output.h"
+#include "output/exchange.h"
 #include <stdio.h>
 #include <sys/stat.h>
 #include <unistd.h>

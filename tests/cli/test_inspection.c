@@ -148,9 +148,7 @@ TEST_CASE(test_roughness_profile)
     assert_int_equal(with.filtered.sampling_lengths, 7);
     assert_memory_equal(with.primary.value, without.primary.value, sizeof with.primary.value);
     assert_true(parameters_value(&with.filtered, "q") < parameters_value(&with.primary, "q"));
-    json_t *object = json_object(), *parameters;
-    inspection_add_json(object, &with);
-    parameters = json_object_get(object, "parameters");
+    json_t *object = inspection_json("nist_npl_edm.xml", &with), *parameters = json_object_get(object, "parameters");
     assert_near(number(parameters, "lambda_c_m"), 8e-4, 1e-12);
     assert_true(json_is_null(json_object_get(parameters, "lambda_s_m")));
     assert_near(number(parameters, "Rq"), parameters_value(&with.filtered, "q"), 0);
@@ -170,6 +168,45 @@ static json_t *inspect_first(struct process process)
     json_decref(all);
     process_free(&process);
     return first;
+}
+
+/* What the template prints, to the byte. */
+TEST_IN_WORKSPACE(test_the_text_of_a_map)
+{
+    workspace_write(place, "map.txt",
+                    "pixel size = 2 um\n1 -1 1 -1 1 -1\n-1 1 -1 1 -1 1\n1 -1 1 -1 1 -1\n-1 1 -1 1 -1 1\n");
+    struct process process = expect_exit(place, 0, "inspect", "--z-unit", "um", "map.txt");
+    assert_string_equal(process.out, "map.txt\n"
+                                     "  format      text, x in um, z in um\n"
+                                     "  points      6 x 4, spacing 2 um x 2 um, 0 missing\n"
+                                     "  plane out   Sq 1 um, Sa 1 um, Sz 2 um; below: rows, each over its line\n"
+                                     "  roughness   Rq 0.956183 um, Ra 0.914286 um, peak to valley 2.51429 um\n"
+                                     "  moments     m2 0.00734694, m4 1 /um2\n"
+                                     "  power law   - (no power law found)\n");
+    process_free(&process);
+}
+
+TEST_IN_WORKSPACE(test_the_text_of_a_profile)
+{
+    run_to_exit(place, 0, "synth", "-n", "300", "-o", "p.csv");
+    struct process process = expect_exit(place, 0, "inspect", "--lambda-c", "80um", "p.csv");
+    assert_string_equal(process.out,
+                        "p.csv\n"
+                        "  format      text, x in um, z in um\n"
+                        "  points      300, spacing 1 um (uniform), length 0.299 mm, periodic\n"
+                        "  parameters  Pa 0.17826 Pq 0.19496 Pp 0.41121 Pv 0.28598 Pz 0.6972 \n"
+                        "              Pt 0.6972 Psk 0.22413 Pku 1.6848 Pdq 0.018759 Psm - \n"
+                        "              lengths in um, over 0.3 mm in 1 sampling length, slope 7-point\n"
+                        "  parameters  Ra 0.054325 Rq 0.065465 Rp 0.14363 Rv 0.12002 Rz 0.26365 \n"
+                        "              Rt 0.31709 Rsk 0.34101 Rku 2.3256 Rdq 0.017724 Rsm 37.814 \n"
+                        "              lengths in um, over 0.24 mm in 3 sampling lengths, slope 7-point\n"
+                        "  roughness   Rq 0.0633857 um, Ra 0.0510933 um, peak to valley 0.317094 um\n"
+                        "  moments     m2 0.000261124, m4 0.000217982 /um2\n"
+                        "  power law   gamma 1.628 +- 0.097 from 2.01 to 18.8 um (narrow), misfit 0.03 decades\n"
+                        "              rms amplitude 0.001925 um x/: 1.08 at 6.14 um, C 5.56e-22 m3\n"
+                        "  note        gaussian high-pass lambda_c = 80 um (ISO 16610-21; its end goes on at its "
+                        "beginning)\n");
+    process_free(&process);
 }
 
 /* A map of 6 x 4 heights, of which the plane leaves (-1)^(x + y) um. */

@@ -5,6 +5,7 @@
 #include "cli/process.h"
 #include "contact/quantity.h"
 #include "material/material.h"
+#include "output/tables.h"
 #include "scene/scene_source.h"
 
 #include <stdio.h>
@@ -157,6 +158,26 @@ TEST_CASE(documents_are_made_of_the_keys)
         text_add(&manual, "\n%s", k + 1 < scene_key_count ? ".TP\n" : "");
         text_free(&values);
     }
+    struct scene scene = {0};
+    struct text schema = {0};
+    struct scene_said said;
+    for (size_t k = 0; scene_said(&said, &scene, k); k++) {
+        const struct scene_key *key = &scene_keys[k];
+        if (said.kind == SCENE_SAID_APART)
+            continue;
+        text_add(&schema, "    \"%s\": {", said.key);
+        if (said.kind != SCENE_SAID_TEXT)
+            text_add(&schema, "\"$ref\": \"#/$defs/%s\"", said.kind == SCENE_SAID_NUMBER ? "number" : "count");
+        else if (key->choice_count == 0)
+            text_add(&schema, "\"type\": [\"string\", \"null\"]");
+        for (size_t c = 0; c < key->choice_count; c++)
+            text_add(&schema, "%s\"%s\"%s", c == 0 ? "\"enum\": [" : ", ", key->choices[c],
+                     c + 1 == key->choice_count ? "]" : "");
+        text_add(&schema, "},\n");
+    }
+    check_made("docs/results.schema.json", "\"shape_size_m\": {\"$ref\": \"#/$defs/numbers\"},\n", &schema,
+               "    \"models\": {");
+    text_free(&schema);
     check_made("docs/scene.md", "| key | may be | what it says |\n|---|---|---|\n", &page, "\n**Quantities**");
     check_made("docs/roughcontact.1", "14 MPa, 10 %.\n.TP\n", &manual, ".SH EXIT STATUS\n");
     text_free(&page);
@@ -184,6 +205,40 @@ TEST_CASE(documents_are_made_of_the_quantities)
                "    \"operating\": {");
     text_free(&page);
     text_free(&schema);
+}
+
+/** The fields of a record that are in JSON, as properties of the schema; the last ends with `end`. */
+static void add_properties(struct text *out, const struct record_field *fields, const char *end)
+{
+    static const char *const kinds[] = {[RECORD_NUMBER] = "number",
+                                        [RECORD_COUNT] = "count",
+                                        [RECORD_PAIR] = "numbers",
+                                        [RECORD_ESTIMATE] = "estimate"};
+    const char *between = "";
+    for (; fields->key; fields++) {
+        if (!(fields->when & RECORD_JSON))
+            continue;
+        text_add(out, "%s    \"%s\": {", between, fields->key);
+        if (fields->kind == RECORD_FLAG || fields->kind == RECORD_TEXT)
+            text_add(out, fields->kind == RECORD_FLAG ? "\"type\": \"boolean\"}" : "\"type\": [\"string\", \"null\"]}");
+        else
+            text_add(out, "\"$ref\": \"#/$defs/%s\"}", kinds[fields->kind]);
+        between = ",\n";
+    }
+    text_add(out, "%s\n", end);
+}
+
+TEST_CASE(the_schema_is_made_of_the_fields)
+{
+    struct text surface = {0}, estimate = {0};
+    add_properties(&surface, surface_fields, ",");
+    check_made("docs/results.schema.json", "\"units\": {\"type\": \"string\"},\n", &surface,
+               "    \"material\": {\"$ref\": \"#/$defs/material\"},\n");
+    add_properties(&estimate, record_estimate_fields, "");
+    check_made("docs/results.schema.json", "\"mean_95\", \"next_scan_95\"],\n   \"properties\": {\n", &estimate,
+               "   }\n  },\n  \"material\": {");
+    text_free(&surface);
+    text_free(&estimate);
 }
 
 /** Does a scene's key say that each quantity's key may be asked for? */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Plastic truncation against tests/data/golden/models, as a law and as a run calls it, and its limits. */
-#include "analysis/curve_summary.h"
 #include "contact/cmy.h"
+#include "members/curve_summary.h"
 #include "model_support.h"
 
 /** One wave with that rms height and mean absolute slope of Gaussian heights: m2 = (pi/2) m². To be freed. */

@@ -7,6 +7,8 @@
 TEST_CASE(rows_are_whole)
 {
     for (int i = 0; i < EFFECT_COUNT; i++) {
+        assert_true(effect_rows[i].name && effect_rows[i].name[0]);
+        assert_true(!effect_rows[i].key || effect_rows[i].key[0]);
         for (int j = 0; j < i; j++)
             assert_string_not_equal(effect_rows[i].name, effect_rows[j].name);
         for (const char *const *key = effect_rows[i].properties; *key; key++) {

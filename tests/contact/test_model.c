@@ -25,6 +25,25 @@ static struct model_curve run(const struct asperities *surface, double yield_str
     return curve;
 }
 
+/** A row says all that tables, charts, `models` and the references say of it. */
+TEST_CASE(test_rows_are_whole)
+{
+    for (size_t m = 0; m < model_count; m++) {
+        const struct model_row *row = model_rows[m];
+        const char *const texts[] = {row->name,   row->label,   row->family, row->colour, row->equations,
+                                     row->source, row->assumes, row->valid,  row->method};
+        for (size_t t = 0; t < sizeof texts / sizeof *texts; t++)
+            if (!texts[t] || !texts[t][0])
+                fail_msg("row %zu of the models, '%s', leaves text %zu out", m, row->name ? row->name : "", t);
+        assert_true(row->run && row->quantities);
+        assert_null(strchr(row->label, ','));
+        for (size_t k = 0; k < m; k++) {
+            assert_string_not_equal(row->name, model_rows[k]->name);
+            assert_string_not_equal(row->label, model_rows[k]->label);
+        }
+    }
+}
+
 /* B = 0.14 exp(23 S_y/E') is beyond double for a yield strength of a hundred times the modulus; asperities so sharp
  * that they yield all the same have no area then. */
 TEST_CASE(test_numbers_beyond_double)

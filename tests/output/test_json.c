@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "results/results.h"
 #include "run/pipeline.h"
+#include "scene/scene_source.h"
 
 #include <jansson.h>
 
@@ -103,6 +104,92 @@ TEST_CASE(test_the_json_names_program_scene_and_input)
         const json_t *surface = json_array_get(json_object_get(root, "surfaces"), i);
         assert_int_equal(strlen(json_string_value(json_object_get(surface, "sha256"))), 64);
     }
+    json_decref(root);
+}
+
+/* What the scene says is told again, whatever its kind. Keys with readers of their own are here by their names in
+ * results.json; "": what they ask for stands elsewhere, as the parts of the report that they are. */
+TEST_CASE(test_every_key_of_the_scene_is_told)
+{
+    static const char *const apart[][2] = {
+        {"models", "models"},
+        {"effects", "effects"},
+        {"material", "material"},
+        {"counterface", "counterface"},
+        {"lay", "lay"},
+        {"hardness", "hardness_Pa"},
+        {"load", "loads_over_AnEp"},
+        {"operating_load", "operating_load_over_AnEp"},
+        {"fit_band", "fit_band_m"},
+        {"shape", ""},
+        {"convergence", "convergence"}, /* where they are given: test_joint_report and others have them */
+        {"measured", ""},
+        {"unload_from", ""},
+        {"targets", ""},
+        {"limits", ""},
+        {"direct", ""},
+        {"export", ""},
+        {"surfaces", ""},
+    };
+    json_t *root = read_json(*state, "out/results.json");
+    const json_t *scene = json_object_get(root, "scene");
+    const struct scene defaults = {.tolerance = NAN};
+    struct scene_said said;
+    size_t plain = 0;
+    for (size_t k = 0; scene_said(&said, &defaults, k); k++) {
+        const char *key = said.kind == SCENE_SAID_APART ? NULL : said.key;
+        for (size_t a = 0; a < sizeof apart / sizeof *apart && !key; a++)
+            key = strcmp(apart[a][0], scene_keys[k].name) == 0 ? apart[a][1] : NULL;
+        for (int e = 0; e < EFFECT_COUNT && !key; e++) /* in `joint` */
+            key = effect_rows[e].key && strcmp(effect_rows[e].key, scene_keys[k].name) == 0 ? "" : NULL;
+        if (!key || (*key && !json_object_get(scene, key)))
+            fail_msg("results.json does not tell '%s' of the scene", scene_keys[k].name);
+        plain += said.kind != SCENE_SAID_APART;
+    }
+    assert_true(plain > 15);
+    assert_near(json_number_value(json_object_get(scene, "max_missing")), 0.1, 0);
+    assert_string_equal(json_string_value(json_object_get(scene, "direction")), "x");
+    assert_string_equal(json_string_value(json_object_get(scene, "title")), "in");
+    json_decref(root);
+}
+
+/* What the view words, in a unit that its name ends in, is what results.json has in SI. */
+TEST_CASE(test_the_views_units)
+{
+    static const struct {
+        const char *shown, *key;
+        double scale;
+    } numbers[] = {{"rq_um", "rq_m", 1e6},
+                   {"ra_um", "ra_m", 1e6},
+                   {"length_mm", "scan_length_m", 1e3},
+                   {"spacing_um", "spacing_m", 1e6}};
+    json_t *root = read_json(*state, "out/results.json"), *view = read_json(*state, "out/view.json"), *row;
+    size_t i;
+    json_array_foreach(json_object_get(json_object_get(view, "surfaces"), "rows"), i, row)
+    {
+        const json_t *surface = json_surface(root, json_string_value(json_object_get(row, "surface")));
+        for (size_t n = 0; n < sizeof numbers / sizeof *numbers; n++) {
+            const char *shown = json_string_value(json_object_get(row, numbers[n].shown));
+            assert_near(strtod(shown, NULL),
+                        json_number_value(json_object_get(surface, numbers[n].key)) * numbers[n].scale,
+                        5e-3); /* three digits */
+        }
+        double low = NAN, high = NAN;
+        const char *band = json_string_value(json_object_get(row, "band_um"));
+        if (band && sscanf(band, "%lf to %lf", &low, &high) == 2) {
+            assert_near(low, json_number_value(json_object_get(surface, "fit_low_m")) * 1e6, 5e-3);
+            assert_near(high, json_number_value(json_object_get(surface, "fit_high_m")) * 1e6, 5e-3);
+        }
+    }
+    assert_int_equal(i, 3);
+    json_t *sources = json_object_get(json_object_get(view, "surfaces"), "bodies"),
+           *body = json_object_get(json_array_get(sources, 0), "body");
+    const json_t *scene = json_object_get(root, "scene");
+    assert_near(strtod(json_string_value(json_object_get(body, "modulus_GPa")), NULL),
+                json_number_value(json_object_get(scene, "effective_modulus_Pa")) * 1e-9, 5e-3);
+    assert_near(strtod(json_string_value(json_object_get(body, "hardness_MPa")), NULL),
+                json_number_value(json_object_get(scene, "hardness_Pa")) * 1e-6, 5e-3);
+    json_decref(view);
     json_decref(root);
 }
 

@@ -74,6 +74,35 @@ TEST_CASE(test_a_table_of_fields_is_header_and_keys)
     json_decref(root);
 }
 
+/** Fails where two fields of what the bits `when` say lie at one place: one of them has the other's. */
+static void assert_apart(const struct record_field *fields, unsigned when)
+{
+    for (const struct record_field *a = fields; a->key; a++)
+        for (const struct record_field *b = fields; b < a; b++)
+            if ((a->when & b->when & when) && (a->offset == b->offset || strcmp(a->key, b->key) == 0))
+                fail_msg("'%s' and '%s' are one field", a->key, b->key);
+}
+
+/* A field lies where its name says: none has another's number, and they obey the equations between them. */
+TEST_CASE(test_fields_lie_where_they_say)
+{
+    const struct record_field *const tables[] = {surface_fields, repeats_fields, answer_fields, record_estimate_fields};
+    for (size_t t = 0; t < sizeof tables / sizeof *tables; t++) {
+        assert_apart(tables[t], RECORD_CSV);
+        assert_apart(tables[t], RECORD_JSON);
+    }
+    struct table surfaces = directory_table(*state, "out/data/surfaces.csv");
+#define NUMBER(name) table_number(&surfaces, 0, name)
+    assert_near(NUMBER("rq_m") * NUMBER("rq_m"), NUMBER("m0_m2"), 1e-9);
+    assert_near(NUMBER("nayak"), NUMBER("m0_m2") * NUMBER("m4_per_m2") / (NUMBER("m2") * NUMBER("m2")), 0.02);
+    assert_true(0.7 * NUMBER("rq_m") < NUMBER("ra_m") && NUMBER("ra_m") < NUMBER("rq_m"));
+    assert_true(NUMBER("fit_low_m") < NUMBER("fit_wavelength_m") && NUMBER("fit_wavelength_m") < NUMBER("fit_high_m"));
+    assert_near(NUMBER("fit_amplitude_m"), NUMBER("alpha_SI") * pow(NUMBER("fit_wavelength_m"), NUMBER("gamma")), 1e-6);
+    assert_true(NUMBER("spacing_m") < NUMBER("fit_low_m") && NUMBER("fit_high_m") < NUMBER("scan_length_m"));
+#undef NUMBER
+    table_free(&surfaces);
+}
+
 /* And the estimates have the same names in spread.csv and in results.json. */
 TEST_CASE(test_estimates_have_one_name)
 {

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `effects: auto` leaves out an effect only where no number of the report would move by more than the tolerance, also
  * those beyond the scene's loads, and does not run scale dependence for less. */
-#include "analysis/describe.h"
 #include "contact/convergence.h"
+#include "members/surface_read.h"
 #include "pipeline.h"
-#include "run/prepare.h"
+#include "run/all_surfaces.h"
 
 #include <math.h>
 
@@ -39,21 +39,21 @@ static double plastic_change(const struct surface_record *record, const char *el
     return most;
 }
 
-static void prepare_scene(struct prepared *prepared, struct scene *scene, const char *text, bool describe_only)
+static void prepare_scene(struct all_surfaces *prepared, struct scene *scene, const char *text, bool describe_only)
 {
     struct run_options options = {.templates = PROJECT_SOURCE "/templates", .jobs = 1};
     struct status status = {0};
     directory_write(&directory_here, "scene.yaml", text);
     if (scene_read(scene, directory_here.path, &(struct scene_overrides){0}, &status) != STATUS_OK)
         fail_msg("%s", status.message);
-    if (prepare(prepared, scene, &options, describe_only, NULL, &status) != STATUS_OK)
+    if (all_surfaces_run(prepared, scene, &options, describe_only, NULL, &status) != STATUS_OK)
         fail_msg("%s", status.message);
 }
 
 static struct truth truth_of(const char *text)
 {
     struct scene scene;
-    struct prepared prepared;
+    struct all_surfaces prepared;
     struct truth truth = {0, 0};
     prepare_scene(&prepared, &scene, text, false);
     for (size_t s = 0; s < prepared.results.surface_count; s++) {
@@ -69,7 +69,7 @@ static struct truth truth_of(const char *text)
                              point->value[QUANTITY_TCR_SCALE_DEPENDENT] / point->value[QUANTITY_TCR] - 1);
             }
     }
-    prepared_free(&prepared);
+    all_surfaces_free(&prepared);
     scene_free(&scene);
     return truth;
 }
@@ -78,10 +78,10 @@ static struct truth truth_of(const char *text)
 static struct plan plan_of(const char *text)
 {
     struct scene scene;
-    struct prepared prepared;
+    struct all_surfaces prepared;
     prepare_scene(&prepared, &scene, text, true);
     struct plan plan = prepared.plan;
-    prepared_free(&prepared);
+    all_surfaces_free(&prepared);
     scene_free(&scene);
     return plan;
 }
@@ -148,18 +148,18 @@ TEST_CASE(law_below_the_sampling_limit_counts)
     assert_true(plan_runs(&plan, EFFECT_PLASTICITY));
 
     struct scene scene;
-    struct prepared prepared;
+    struct all_surfaces prepared;
     prepare_scene(&prepared, &scene, text, true);
     struct surface_record record = {0};
     struct status status = {0};
     double area[2];
-    assert_int_equal(describe_surface(&record, &scene, &scene.surfaces[0], NULL, &status), STATUS_OK);
+    assert_int_equal(surface_read(&record, &scene, &scene.surfaces[0], NULL, &status), STATUS_OK);
     for (int plastic = 0; plastic < 2; plastic++)
         area[plastic] = convergence_extend(&record.spectrum, &record.summary.tail, &record.summary.pair, plastic, 1e-2)
                             .area_extended;
     surface_record_free(&record);
     assert_true(area[1] > 1.01 * area[0]);
-    prepared_free(&prepared);
+    all_surfaces_free(&prepared);
     scene_free(&scene);
 }
 

@@ -98,7 +98,7 @@ TEST_IN_DIRECTORY(what_leads)
 }
 
 /** Two maps of one spacing are pressed together as they are; of two spacings, or against a line scan, their rows are.
- */
+ * What leads has an interval, in the last two cases that of a row's records and quarters. */
 TEST_IN_DIRECTORY(two_rough_bodies)
 {
     write_map(place, "in/a.csv", 1, 1);
@@ -108,11 +108,47 @@ TEST_IN_DIRECTORY(two_rough_bodies)
     static const char *const others[] = {"b.csv", "c.csv", "line.csv"};
     for (int k = 0; k < 3; k++) {
         struct text scene = {0};
-        text_add(&scene, MATERIAL "surfaces: [" MAP("a") "]\ncounterface: {surface: %s}\n", others[k]);
+        text_add(&scene,
+                 "material: bronze\nload: {from: 1e-5, to: 1e-2, points: 9}\nsurfaces: [" MAP(
+                     "a") "]\n"
+                          "counterface: {surface: %s}\n",
+                 others[k]);
         run_scene(place, "pair", text_string(&scene));
-        assert_true((rows_of(place, "pair/data/contact.csv", "direct") > 5) == (k == 0));
+        assert_true((rows_of(place, "pair/data/contact.csv", "direct-plastic") > 5) == (k == 0));
+        assert_true((rows_of(place, "pair/data/bands.csv", "direct-plastic") > 5) == (k == 0));
+        assert_true((rows_of(place, "pair/data/bands.csv", "strip-plastic") > 5) == (k > 0));
         text_free(&scene);
     }
+}
+
+/** Against a body that is a million times smoother all is as against a flat one. */
+TEST_IN_DIRECTORY(a_smooth_second_body)
+{
+    static const char *const counterfaces[] = {"same", "{surface: smooth.csv}"};
+    struct text xyz = {0};
+    struct table table[2];
+    size_t compared = 0;
+    text_add(&xyz, "x [um],y [um],z [um]\n");
+    for (size_t k = 0; k < SIDE * SIDE; k++)
+        text_add(&xyz, "%zu,%zu,%.9g\n", k % SIDE, k / SIDE, 1e-7 * sin(0.7 * (double)(k % SIDE + k / SIDE)));
+    directory_write(place, "in/smooth.csv", text_string(&xyz));
+    write_map(place, "in/a.csv", 1, 1);
+    for (int k = 0; k < 2; k++) {
+        run_scene(place, filled("out%d", k),
+                  filled(MATERIAL "surfaces: [" MAP("a") "]\ncounterface: %s\n", counterfaces[k]));
+        table[k] = directory_table(place, filled("out%d/data/contact.csv", k));
+    }
+    assert_int_equal(table[0].rows, table[1].rows);
+    for (size_t r = 0; r < table[0].rows; r++)
+        if (strstr("direct direct-plastic corrected-persson strip", table_text(&table[0], r, "model"))) {
+            assert_near(table_number(&table[1], r, "area_ratio"), table_number(&table[0], r, "area_ratio"), 0.01);
+            assert_near(table_number(&table[1], r, "ecr_ohm_m2"), table_number(&table[0], r, "ecr_ohm_m2"), 0.01);
+            compared++;
+        }
+    assert_true(compared > 20);
+    for (int k = 0; k < 2; k++)
+        table_free(&table[k]);
+    text_free(&xyz);
 }
 
 /** A map of more squares than are solved says so; the study that holds models against the direct solution does not hold

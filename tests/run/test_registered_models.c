@@ -3,7 +3,7 @@
  * scales and computes every quantity, one knows the area alone and never comes to full contact. */
 #include "contact/multiscale.h"
 #include "pipeline.h"
-#include "run/prepare.h"
+#include "run/all_surfaces.h"
 
 #include <jansson.h>
 #include <stdio.h>
@@ -364,16 +364,16 @@ TEST_CASE(test_the_area_alone)
 static struct text plan_of(const struct directory *place)
 {
     struct scene scene;
-    struct prepared prepared;
+    struct all_surfaces prepared;
     struct status status = {0};
     struct run_options options = {.jobs = 1};
     struct text table = {0};
     if (scene_read(&scene, directory_path(place, "in"), &(struct scene_overrides){0}, &status) != STATUS_OK ||
-        prepare(&prepared, &scene, &options, true, NULL, &status) != STATUS_OK)
+        all_surfaces_run(&prepared, &scene, &options, true, NULL, &status) != STATUS_OK)
         fail_msg("%s", status.message);
-    prepare_table(&table, &prepared.results, true); /* which breaks no lines */
+    work_table(&table, &prepared.results, true); /* which breaks no lines */
     assert_true(plan_runs_model(&prepared.plan, STACK) && plan_runs_model(&prepared.plan, ALONE));
-    prepared_free(&prepared);
+    all_surfaces_free(&prepared);
     scene_free(&scene);
     return table;
 }

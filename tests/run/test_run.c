@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "direct/direct_ladder.h"
-#include "output/output.h"
+#include "output/exchange.h"
 #include "pipeline.h"
 
 static int place_setup(void **state)

@@ -1,10 +1,23 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Only what the scene calls for is computed: what is off takes no evaluation, what is on takes its own, and `auto`
  * leaves out what cannot change a number. */
-#include "analysis/effects.h"
 #include "pipeline.h"
+#include "results/results.h"
 
 #include <jansson.h>
+
+static size_t described;
+
+enum status_code __real_surface_read(struct surface_record *out, const struct scene *scene,
+                                     const struct scene_surface *surface, const struct surface_record *counterface,
+                                     struct status *status);
+enum status_code __wrap_surface_read(struct surface_record *out, const struct scene *scene,
+                                     const struct scene_surface *surface, const struct surface_record *counterface,
+                                     struct status *status)
+{
+    described++;
+    return __real_surface_read(out, scene, surface, counterface, status);
+}
 
 /** What a run did, by effect. */
 struct work {
@@ -23,7 +36,7 @@ static struct work work_of(const char *scene)
     json_t *results = json_load_file(directory_path(&directory_here, "out/results.json"), 0, NULL);
     const json_t *work = json_object_get(results, "work"), *row;
     const char *name;
-    assert_int_equal(json_object_size(work), EFFECTS_ROWS);
+    assert_int_equal(json_object_size(work), WORK_ROWS);
     struct work out = {evaluations(work, "area"), evaluations(work, "plasticity"), evaluations(work, "convergence"),
                        evaluations(work, "uncertainty"), 0};
     json_object_foreach((json_t *)work, name, row) out.all += evaluations(work, name);
@@ -99,6 +112,16 @@ TEST_CASE(auto_skips_what_cannot_matter)
     assert_int_equal(work.plasticity, 0);
     expect_in_file(&directory_here, "out/report.md", "plasticity (no spot bears more than ");
     assert_true(work_of(FILES "effects: auto\n").plasticity > 0);
+}
+
+/** Also where the baseline is sought for its loads, and where one surface calls for an effect that another does not. */
+TEST_CASE(a_surface_is_described_once)
+{
+    described = 0;
+    work_of("surfaces: [{name: hard, file: a.csv, material: {E: 1 GPa, nu: 0.3, Sy: 1000 GPa}}, {name: soft, file: "
+            "b.csv}, {name: same, file: a.csv}]\nmaterial: {E: 1 GPa, nu: 0.3, Sy: 1 MPa}\nmodels: [multiscale]\n"
+            "load: {from: 1e-6, to: 1e-3, points: 5}\n");
+    assert_int_equal(described, 3);
 }
 
 /** Decided surface by surface: what is skipped on one has that one's elastic numbers, and the other its own. */

@@ -3,10 +3,11 @@
  * two surfaces. What is told apart is a false verdict; with one half's heights stretched, a true one. */
 #include "validation/nulls.h"
 
-#include "analysis/effects.h"
-#include "analysis/evaluate.h"
+#include "answers/curves.h"
 #include "direct/direct_surface.h"
 #include "directory.h"
+#include "members/surface_read.h"
+#include "plan/effects.h"
 #include "results/comparison.h"
 #include "statistics/coverage.h"
 #include "validation/height_laws.h"
@@ -156,14 +157,17 @@ static void hold(struct count *out, const struct directory *place)
     struct material_pair pair = scene_pair(&scene.surfaces[0].bodies);
     coverage_must(scene_loads(&loads, &count, &operating, &scene, &pair, &status), &status);
     plan.operating_place = operating + 1;
+    const struct surface_task task = {.scene = &scene, .plan = &plan, .loads = loads, .load_count = count};
     for (size_t k = 0; k < scene.surface_count; k++) {
-        const struct evaluate_task task = {
-            .scene = &scene, .surface = &scene.surfaces[k], .plan = &plan, .loads = loads, .load_count = count};
-        coverage_must(evaluate_surface(&record[k], &task, &status), &status);
+        coverage_must(surface_read(&record[k], &scene, &scene.surfaces[k], NULL, &status), &status);
         if (!record[k].summary.usable)
             coverage_must(STATUS_SCAN, &(struct status){.message = "a surface was refused"});
+        coverage_must(effects_bound(&record[k], &task, &status), &status);
     }
     effects_decide(&plan, &scene, record, scene.surface_count);
+    for (size_t k = 0; k < scene.surface_count; k++)
+        coverage_must(surface_answers_find(&record[k], &task, &status), &status);
+    effects_fit_models(&plan, record, scene.surface_count);
     size_t leading = plan_leading_model(&plan), each = scene.surface_count / 2;
     for (size_t k = 0; k < each * each; k++)
         compare(out, &record[k / each].summary, &record[each + k % each].summary, leading);

@@ -3,12 +3,13 @@
  * these surfaces of nine height laws and three Hurst exponents are made by the program's own synthesis and solved; some
  * rows of each then go through the analysis as line scans, and every model's answer is held against the solution. Fails
  * where a number is beyond its bound. Minutes; hence no test. cmake --workflow --preset validation */
-#include "analysis/direct_study.h"
-#include "analysis/effects.h"
-#include "analysis/evaluate.h"
+#include "answers/curves.h"
+#include "answers/direct_study.h"
 #include "direct/direct_ladder.h"
 #include "direct/direct_surface.h"
 #include "directory.h"
+#include "members/surface_read.h"
+#include "plan/effects.h"
 #include "statistics/coverage.h"
 #include "validation/height_laws.h"
 #include "validation/nulls.h"
@@ -188,7 +189,7 @@ static void hold_synthesis(struct findings *findings, const struct surface_recor
 {
     struct direct_study study;
     struct status status = {0};
-    const struct direct_study_task task = {.surface = record, .scene = scene, .plan = plan};
+    const struct direct_study_task task = {.surface = record, .asked = {.scene = scene, .plan = plan}};
     coverage_must(record->summary.direct->possible ? STATUS_OK : STATUS_MODEL,
                   &(struct status){.message = "no synthesis"});
     coverage_must(direct_study_run(&study, &task, &status), &status);
@@ -221,12 +222,14 @@ static void hold(struct findings *findings, const double *height_m, const struct
     struct material_pair pair = scene_pair(&scene.surfaces[0].bodies);
     coverage_must(scene_loads(&own, &count, &operating, &scene, &pair, &status), &status);
     plan.operating_place = operating + 1;
-    const struct evaluate_task task = {
-        .scene = &scene, .surface = &scene.surfaces[0], .plan = &plan, .loads = own, .load_count = count};
-    coverage_must(evaluate_surface(&record, &task, &status), &status);
+    const struct surface_task task = {.scene = &scene, .plan = &plan, .loads = own, .load_count = count};
+    coverage_must(surface_read(&record, &scene, &scene.surfaces[0], NULL, &status), &status);
     if (!record.summary.usable)
         coverage_must(STATUS_SCAN, &(struct status){.message = "a surface was refused"});
+    coverage_must(effects_bound(&record, &task, &status), &status);
     effects_decide(&plan, &scene, &record, 1);
+    coverage_must(surface_answers_find(&record, &task, &status), &status);
+    effects_fit_models(&plan, &record, 1);
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(&plan, m) && (isinf(hardness) || model_rows[m]->plastic || !model_rows[m]->elastic))
             hold_curve(findings, &record, m, m == plan_leading_model(&plan), law, truth);

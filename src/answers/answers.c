@@ -1,0 +1,376 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "answers/answers.h"
+
+#include "base/clock.h"
+#include "joint/joint.h"
+#include "members/surface.h"
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_roots.h>
+#include <math.h>
+#include <stdlib.h>
+
+const double answers_least_spots = 10;
+
+static const struct answer no_answer = {.load = NAN, .low = NAN, .high = NAN, .spots_per_m2 = NAN};
+
+/** Share by which a number may miss its target where the curve ends without a full contact. */
+static const double end_slack = 0.01;
+
+/** Does the quantity rise with the load? Else it falls. */
+static bool rises(const struct scene_asked *asked)
+{
+    return quantity_rows[asked->quantity].is & QUANTITY_RISES;
+}
+
+/** What a quantity is where contact is full: there is no resistance left but the film's. */
+static double full_value(enum quantity quantity, const struct joint_task *joint)
+{
+    struct contact_point point = quantity_nothing();
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        point.value[q] = quantity_rows[q].from ? NAN : quantity_rows[q].at_full;
+    joint_apply(&point, NULL, 1, joint, NULL);
+    return isinf(quantity_rows[quantity].at_full) ? INFINITY : point.value[quantity];
+}
+
+/** One end of the band about a curve. */
+struct band_end {
+    const struct model_curve *curve;
+    const struct ensemble_band *band;
+    size_t count;
+    enum quantity quantity;
+    int side;
+    const struct joint_task *joint;
+};
+
+/** The number at one end of the band at load i. A temperature is that of the voltage. */
+static double at_end(const struct band_end *end, size_t i)
+{
+    const double(*mean)[2] = (const double(*)[2])end->band[i].mean;
+    return end->quantity == QUANTITY_TEMPERATURE ? joint_temperature(end->joint, mean[QUANTITY_VOLTAGE][end->side])
+                                                 : mean[end->quantity][end->side];
+}
+
+/** ln of the end over the curve, straight in ln P between the loads that have it; at the ends that of the last one. */
+static double band_shift(double ln_load, const void *context)
+{
+    const struct band_end *end = context;
+    double before = NAN, ln_before = NAN;
+    for (size_t i = 0; i < end->count && i < end->curve->count; i++) {
+        double value = end->curve->points[i].value[end->quantity], ln_own = log(end->band[i].load);
+        double shift = log(at_end(end, i) / value);
+        if (end->curve->points[i].value[QUANTITY_LOAD] != end->band[i].load || !isfinite(shift))
+            continue;
+        if (ln_own >= ln_load)
+            return isnan(before) ? shift : before + (shift - before) * (ln_load - ln_before) / (ln_own - ln_before);
+        before = shift;
+        ln_before = ln_own;
+    }
+    return before;
+}
+
+/** A target, sought on a surface's curve or on an end of its band. */
+struct search {
+    const struct model_row *row;
+    struct model_task task; /* but its loads, between the first and the last of which it is sought */
+    const struct ensemble *set;
+    struct joint_task joint;
+    const struct scene_asked *target;
+    const struct band_end *end; /* NULL: the curve itself */
+    struct contact_point point; /* at the load that was asked for last; nothing where the curve has none */
+    double value, full_load;    /* NaN: the model has none there */
+    struct status *status;
+};
+
+/** Runs the model at one load. */
+static void run_at(struct search *search, double load)
+{
+    struct contact_point points[2] = {quantity_nothing(), quantity_nothing()};
+    struct model_curve curve = {.points = points};
+    const struct model_task one = model_task_at(&search->task, &load, 1);
+    search->point = quantity_nothing();
+    search->value = NAN;
+    if (ensemble_curve(&curve, NULL, search->set, search->row, &one, search->status) != STATUS_OK ||
+        joint_curve(&curve, search->row, &one, &search->joint, search->status) != STATUS_OK)
+        return;
+    search->full_load = curve.exists ? curve.full_load : NAN;
+    if (curve.count > 0 && points[0].value[QUANTITY_LOAD] == load) {
+        search->point = points[0];
+        search->value = points[0].value[search->target->quantity];
+    }
+}
+
+/** ln of the number over the target at ln P, the other way round where the number falls: negative where the target is
+ * not met yet. Where there is no number it is far beyond. */
+static double excess(double ln_load, void *context)
+{
+    static const double beyond = 1e3;
+    struct search *search = context;
+    run_at(search, exp(ln_load));
+    double ratio = log(search->value / search->target->value) + (search->end ? band_shift(ln_load, search->end) : 0);
+    return isnan(search->value) ? beyond : fmin(fmax(rises(search->target) ? ratio : -ratio, -beyond), beyond);
+}
+
+/** Narrows two loads between which the target is met to within the tolerance. */
+static enum status_code narrow(double ends[2], struct search *search)
+{
+    enum { STEPS_MOST = 200 };
+    gsl_function function = {excess, search};
+    gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
+    if (!solver)
+        return status_memory(search->status);
+    int rc = gsl_root_fsolver_set(solver, &function, log(ends[0]), log(ends[1]));
+    for (int i = 0; i < STEPS_MOST && rc == GSL_SUCCESS && search->status->code == STATUS_OK; i++) {
+        rc = gsl_root_fsolver_iterate(solver);
+        if (gsl_root_test_interval(gsl_root_fsolver_x_lower(solver), gsl_root_fsolver_x_upper(solver),
+                                   search->task.tolerance, 0) == GSL_SUCCESS)
+            break;
+    }
+    ends[0] = fmax(exp(gsl_root_fsolver_x_lower(solver)), ends[0]);
+    ends[1] = fmin(exp(gsl_root_fsolver_x_upper(solver)), ends[1]);
+    gsl_root_fsolver_free(solver);
+    return search->status->code;
+}
+
+/** The load at which the target is met. */
+static enum status_code solve(struct answer *out, struct search *search)
+{
+    const enum quantity quantity = search->target->quantity;
+    const double first = search->task.loads[0], last = search->task.loads[search->task.load_count - 1];
+    const double full = full_value(quantity, &search->joint);
+    double ends[2] = {first, last}, at_last = excess(log(last), search), at_first = excess(log(first), search);
+    bool known = !isnan(search->value), full_meets;
+    *out = no_answer;
+    out->load = first;
+    full_meets = rises(search->target) ? full >= search->target->value : full <= search->target->value;
+    if (known && at_first >= 0) {
+        out->kind = ANSWER_LIGHTEST;
+    } else if (known && at_last < 0) {
+        out->kind = ANSWER_NOT_REACHED;
+        out->load = last;
+    } else if (known && narrow(ends, search) == STATUS_OK) {
+        out->kind = ANSWER_LOAD;
+        out->load = ends[1];
+    }
+    run_at(search, out->load);
+    if (isnan(search->value) && search->full_load <= last && full_meets) {
+        out->full = search->full_load > first;
+        out->kind = out->full ? ANSWER_LOAD : ANSWER_LIGHTEST;
+        out->load = fmax(search->full_load, first);
+    } else if (isnan(search->value) && known) { /* where the numbers end */
+        run_at(search, ends[0]);
+        bool near = fabs(log(search->value / search->target->value)) < end_slack;
+        out->kind = near ? ANSWER_LOAD : ANSWER_NOT_REACHED;
+        out->load = near ? ends[1] : search->full_load <= last ? last : ends[0];
+    }
+    if (search->full_load <= out->load)
+        search->point = (struct contact_point){.value[QUANTITY_AREA] = 1};
+    out->invalid = !curve_summary_point_is_valid(&search->point, search->row);
+    out->above_hardness = !search->row->plastic && material_pair_pressure(search->task.pair, out->load) >
+                                                       search->task.hardness_Pa * search->point.value[QUANTITY_AREA];
+    return search->status->code;
+}
+
+/** The model that counts the spots of an answer of model `m`: itself, else the running one of the greatest precedence
+ * that counts them, is valid there, and is not elastic where `m` is plastic; model_count: none. */
+static size_t counting_model(const struct surface_record *record, const struct plan *plan, size_t m, double load)
+{
+    size_t found = model_count;
+    for (size_t k = 0; k < model_count && !model_rows[m]->spots; k++) {
+        const struct curve_summary *model = surface_model(&record->summary, k);
+        if (plan_runs_model(plan, k) && model_rows[k]->spots && (model_rows[k]->plastic || !model_rows[m]->plastic) &&
+            model->exists && curve_summary_is_valid(model, load) &&
+            (found == model_count || model_rows[k]->precedence > model_rows[found]->precedence))
+            found = k;
+    }
+    return model_rows[m]->spots ? m : found;
+}
+
+/** The spots at the answer's load; of several scans, their mean. */
+static enum status_code count_spots(struct answer *out, const struct ensemble *set, size_t by,
+                                    const struct model_task *task, struct status *status)
+{
+    const struct model_row *row = model_rows[by];
+    struct model_task one = model_task_at(task, &out->load, 1);
+    size_t runs = set->count > 1 ? set->count : 1, counted = 0;
+    double sum = 0;
+    for (size_t r = 0; r < runs; r++) {
+        struct contact_spots spots = {NAN, NAN};
+        struct asperities asperities;
+        struct model_task own = runs > 1 ? member_task(&asperities, &set->members[r], &one) : one;
+        if (row->spots(&spots, row, &own, status) != STATUS_OK)
+            return status->code;
+        if (isnan(spots.density_per_m2))
+            continue;
+        sum += spots.density_per_m2;
+        counted++;
+    }
+    out->spots_per_m2 = sum / (double)counted; /* none: NaN */
+    out->counted_by = by;
+    return STATUS_OK;
+}
+
+/** The loads at which the ends of the curve's band pass the target. */
+static enum status_code solve_band(struct answer *out, const struct surface_record *record, struct search *search)
+{
+    size_t m = model_index(search->row);
+    for (int side = 0; side < 2; side++) {
+        const struct band_end end = {
+            &record->curves[m], record->bands[m], record->band_count, search->target->quantity, side, &search->joint};
+        struct answer one;
+        if (isnan(band_shift(log(out->load), &end)))
+            return STATUS_OK;
+        struct search on_end = *search;
+        on_end.end = &end;
+        if (solve(&one, &on_end) != STATUS_OK)
+            return search->status->code;
+        double load = one.kind == ANSWER_LOAD && !one.full ? one.load : NAN;
+        if (side == rises(search->target)) /* that end gets there at the lighter load */
+            out->low = isnan(load) ? NAN : fmin(load, out->load);
+        else
+            out->high = isnan(load) ? NAN : fmax(load, out->load);
+    }
+    return STATUS_OK;
+}
+
+/** Of the model that `search` is of. */
+static enum status_code answer_target(struct answer *out, const struct surface_record *record,
+                                      const struct scene_asked *target, struct search search)
+{
+    const size_t m = model_index(search.row);
+    const unsigned from = quantity_rows[target->quantity].from, needed = from ? from : QUANTITY_BIT(target->quantity);
+    search.target = target;
+    *out = no_answer;
+    search.joint.effects = from ? search.joint.effects : 0;
+    search.task.wanted &= QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | needed;
+    if (!record->curves[m].exists || (search.row->quantities & search.task.wanted & needed) != needed)
+        return STATUS_OK;
+    if (solve(out, &search) != STATUS_OK)
+        return search.status->code;
+    bool banded = record->bands[m] && out->kind == ANSWER_LOAD && !out->full;
+    return banded ? solve_band(out, record, &search) : STATUS_OK;
+}
+
+enum limit_verdict answers_judge(const struct limit_check *check, const struct scene_asked *limit)
+{
+    if (isnan(check->value))
+        return LIMIT_NO_VALUE;
+    bool known = !isnan(check->low) && !isnan(check->high);
+    double low = known ? check->low : check->value, high = known ? check->high : check->value;
+    if (limit->is_upper ? high <= limit->value : low >= limit->value)
+        return LIMIT_MET;
+    return (limit->is_upper ? low > limit->value : high < limit->value) ? LIMIT_MISSED : LIMIT_CANNOT_TELL;
+}
+
+/** The leading model at load i of its curve against a limit, with its band. */
+static struct limit_check check_point(const struct surface_record *record, size_t leading,
+                                      const struct scene_asked *limit, const struct joint_task *joint, size_t i)
+{
+    const struct model_curve *curve = &record->curves[leading];
+    const struct ensemble_band *band = record->bands[leading];
+    enum quantity quantity = limit->quantity;
+    struct limit_check out = {.value = curve->points[i].value[quantity], .low = NAN, .high = NAN};
+    if (band && i < record->band_count && band[i].load == curve->points[i].value[QUANTITY_LOAD]) {
+        out.low = at_end(&(struct band_end){curve, band, record->band_count, quantity, 0, joint}, i);
+        out.high = at_end(&(struct band_end){curve, band, record->band_count, quantity, 1, joint}, i);
+    }
+    out.verdict = answers_judge(&out, limit);
+    return out;
+}
+
+/** Where the model has no number at the load, it may be full contact. */
+static struct limit_check check_limit(const struct surface_record *record, size_t leading,
+                                      const struct scene_asked *limit, const struct joint_task *joint, double load)
+{
+    const struct model_curve *curve = &record->curves[leading];
+    struct limit_check out = {.value = NAN, .low = NAN, .high = NAN};
+    for (size_t i = 0; curve->exists && i < curve->count; i++)
+        if (curve->points[i].value[QUANTITY_LOAD] == load)
+            out = check_point(record, leading, limit, joint, i);
+    if (out.verdict == LIMIT_NO_VALUE && curve->exists && curve->full_load <= load) {
+        out.value = full_value(limit->quantity, joint);
+        out.verdict = answers_judge(&out, limit);
+        out.value = isfinite(out.value) ? out.value : NAN;
+    }
+    return out;
+}
+
+enum status_code answers_find(struct surface_record *record, const struct scene *scene, const struct plan *plan,
+                              const struct model_task *task, struct status *status)
+{
+    struct surface_summary *summary = &record->summary;
+    const struct joint_task joint = surface_joint(record, scene, plan, task);
+    free(summary->answers);
+    free(summary->limits);
+    summary->answers = NULL;
+    summary->limits = NULL;
+    if (scene->target_count > 0 &&
+        !(summary->answers = calloc(scene->target_count * model_count, sizeof *summary->answers)))
+        return status_memory(status);
+    if (scene->limit_count > 0 && !(summary->limits = calloc(scene->limit_count, sizeof *summary->limits)))
+        return status_memory(status);
+    for (size_t i = 0; i < scene->target_count * model_count; i++)
+        summary->answers[i] = no_answer;
+    for (size_t m = 0; m < model_count && scene->target_count > 0; m++) {
+        double started = clock_seconds();
+        if (!plan_runs_model(plan, m))
+            continue;
+        struct curve_summary *model = surface_model_room(summary, m);
+        if (!model)
+            return status_memory(status);
+        struct model_task own = *task;
+        own.evaluations = &model->evaluations;
+        const struct search search = {
+            .row = model_rows[m], .task = own, .set = &record->ensemble, .joint = joint, .status = status};
+        for (size_t t = 0; t < scene->target_count; t++) {
+            struct answer *answer = &summary->answers[t * model_count + m];
+            struct scene_asked target = scene->targets[t];
+            if (summary->carried > 0 && m == summary->carried_model && target.quantity == summary->carried_quantity)
+                target.value *= summary->carried; /* the model's resistance over that factor is what is met */
+            if (answer_target(answer, record, &target, search) != STATUS_OK)
+                return status->code;
+            bool met = (answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST) && !answer->full;
+            size_t by = met ? counting_model(record, plan, m, answer->load) : model_count;
+            if (by < model_count && count_spots(answer, &record->ensemble, by, &own, status) != STATUS_OK)
+                return status->code;
+        }
+        model->seconds += clock_seconds() - started;
+    }
+    answers_check_limits(record, scene, plan, task);
+    return STATUS_OK;
+}
+
+void answers_check_limits(struct surface_record *record, const struct scene *scene, const struct plan *plan,
+                          const struct model_task *task)
+{
+    const struct joint_task joint = surface_joint(record, scene, plan, task);
+    for (size_t l = 0; l < scene->limit_count; l++)
+        record->summary.limits[l] = check_limit(record, plan_leading_model(plan), &scene->limits[l], &joint,
+                                                task->loads[model_task_operating(task)]);
+}
+
+void answers_note(struct text *out, const struct answer *answer, double nominal_area_m2, double load_scale,
+                  const char *load_unit)
+{
+    const char *before = "";
+    double spots = answer->spots_per_m2 * nominal_area_m2;
+    if (answer->kind == ANSWER_NONE)
+        text_add(out, "no value");
+    if (answer->kind == ANSWER_LIGHTEST)
+        text_add(out, "already at the lightest load");
+    if (answer->kind == ANSWER_NOT_REACHED)
+        text_add(out, "not reached up to %s%.3g%s%s", *load_unit ? "" : "P/(A_n E') = ", answer->load * load_scale,
+                 *load_unit ? " " : "", load_unit);
+    if (answer->full)
+        text_add(out, "at full contact at the latest");
+    before = answer->kind == ANSWER_LOAD && !answer->full ? "" : "; ";
+    if (answer->invalid && answer->kind != ANSWER_NONE) {
+        text_add(out, "%sbeyond the model's validity", before);
+        before = "; ";
+    }
+    if (answer->above_hardness && answer->kind != ANSWER_NONE) {
+        text_add(out, "%sabove the hardness", before);
+        before = "; ";
+    }
+    if (spots < answers_least_spots)
+        text_add(out, "%stoo few spots for statistics (%.2g)", before, spots);
+}

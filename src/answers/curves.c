@@ -1,0 +1,370 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "answers/curves.h"
+#include "answers/shaped.h"
+
+#include "answers/answers.h"
+#include "answers/direct_study.h"
+#include "base/clock.h"
+#include "certainty/sensitivity.h"
+#include "certainty/uncertainty.h"
+#include "contact/statistical.h"
+#include "joint/joint.h"
+#include "plan/effects.h"
+#include <math.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+/** Carries the spectrum on below its last known harmonic, where that can change anything. */
+static void extend(struct surface_record *record, const struct scene *scene)
+{
+    struct surface_summary *summary = &record->summary;
+    double started = clock_seconds();
+    for (size_t m = 0; m < model_count; m++) {
+        struct curve_summary *model = summary->models ? summary->models[m] : NULL;
+        if (!model_rows[m]->stacks_scales || !model || !model->exists || isnan(summary->tail.gamma))
+            continue;
+        model->extension = convergence_extend(&record->spectrum, &summary->tail, &summary->pair, model_rows[m]->plastic,
+                                              scene->convergence.load);
+        model->extended = true;
+    }
+    summary->times.convergence = clock_seconds() - started;
+}
+
+/** What the models that stack scales say at the operating load where the fitted law (4.53) stands in place of the
+ * harmonics of its band. */
+static enum status_code try_law(struct surface_record *record, const struct model_task *task, struct status *status)
+{
+    struct surface_summary *summary = &record->summary;
+    const struct power_law *fit = &summary->power_law;
+    struct spectrum law = record->spectrum;
+    const double load = task->loads[model_task_operating(task)];
+    struct model_task own = model_task_at(task, &load, 1);
+    enum status_code rc = STATUS_OK;
+    if (!power_law_holds(fit))
+        return rc;
+    law.amplitude_m = malloc(law.count * sizeof *law.amplitude_m);
+    if (!law.amplitude_m)
+        return status_memory(status);
+    for (size_t i = 0; i < law.count; i++) {
+        double wavelength_m = law.length_m / (double)(i + 1) * surface_kappa(summary);
+        law.amplitude_m[i] = wavelength_m >= fit->band_m[0] && wavelength_m <= fit->band_m[1]
+                                 ? power_law_amplitude(fit, wavelength_m)
+                                 : record->spectrum.amplitude_m[i];
+    }
+    for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
+        double area[2] = {NAN, NAN};
+        for (int k = 0; k < 2 && model_rows[m]->stacks_scales && record->curves[m].exists && rc == STATUS_OK; k++) {
+            struct contact_point points[2] = {quantity_nothing(), quantity_nothing()};
+            struct model_curve curve = {.points = points};
+            own.spectrum = k == 0 ? &record->spectrum : &law;
+            rc = model_run(&curve, model_rows[m], &own, status);
+            area[k] = curve.exists && curve.count > 0 ? points[0].value[QUANTITY_AREA] : NAN;
+        }
+        if (summary->models[m])
+            summary->models[m]->law_factor = area[1] / area[0];
+    }
+    free(law.amplitude_m);
+    return rc;
+}
+
+/** The other estimate of beta (4.54), which brings delta_ADJ closest to the separation H of the multiscale model of the
+ * same material law, in the mean square: the mean of 4 (H - delta/2)/sigma over the loads that both answer. */
+static double nearest_beta(const struct surface_record *record, size_t m)
+{
+    const struct model_curve *curve = &record->curves[m],
+                             *other = &record->curves[model_index(model_rows[m]->counterpart)];
+    double sum = 0, count = 0;
+    for (size_t i = 0; i < curve->count && i < other->count; i++) {
+        const double *own = curve->points[i].value, *multiscale = other->points[i].value;
+        if (own[QUANTITY_LOAD] != multiscale[QUANTITY_LOAD])
+            continue;
+        sum += statistical_beta_multiscale(&own[QUANTITY_SEPARATION], &multiscale[QUANTITY_SEPARATION], 1,
+                                           record->summary.asperities.sigma_m);
+        count++;
+    }
+    return sum / count;
+}
+
+/** What a model that has run leaves to say. */
+static void note_model(struct surface_record *record, size_t m, size_t left_out)
+{
+    const struct model_curve *curve = &record->curves[m];
+    if (left_out > 0 && curve->exists)
+        note_add(&record->summary.notes, NULL,
+                 "%s has no solution for %zu of the scans run alone; its curve is of the others", model_rows[m]->label,
+                 left_out);
+    if (curve->overflows)
+        note_add(&record->summary.notes, NULL,
+                 "no %s: its numbers leave what can be computed with; check the units, the material and the loads",
+                 model_rows[m]->label);
+}
+
+/** One model: its curve, or the mean of its scans' curves; what lies in the joint; where it bends; what it hangs on. */
+static enum status_code run_model(struct surface_record *record, size_t m, const struct surface_task *asked,
+                                  const struct model_task *task, struct status *status)
+{
+    struct model_curve *curve = &record->curves[m];
+    struct curve_summary *model = record->summary.models[m];
+    curve->points = calloc(task->load_count + 1, sizeof *curve->points);
+    if (!curve->points)
+        return status_memory(status);
+    double started = clock_seconds();
+    bool several = record->ensemble.scan_count > 1 && !model_rows[m]->uses_map;
+    if (plan_runs(asked->plan, EFFECT_SHAPE) && shaped_make(record, m, asked, task, status) != STATUS_OK)
+        return status->code;
+    if (several && !(record->bands[m] = ensemble_band_make(task->loads, task->load_count)))
+        return status_memory(status);
+    const struct joint_task joint = surface_joint(record, asked->scene, asked->plan, task);
+    struct ensemble_result result = {.joint = &joint, .band = record->bands[m]};
+    if (ensemble_curve(curve, &result, &record->ensemble, model_rows[m], task, status) != STATUS_OK)
+        return status->code;
+    curve->kink.wavelength_m *= surface_kappa(&record->summary);              /* as the scans have it */
+    if (joint_curve(curve, model_rows[m], task, &joint, status) != STATUS_OK) /* of several scans, the mean curve's */
+        return status->code;
+    if (curve->exists)
+        curve_summary_make(model, curve, model_rows[m], record->summary.asperities.sigma_m,
+                           task->loads[model_task_operating(task)]);
+    const struct model_task middle = surface_middle_task(task);
+    if ((several && curve_summary_put_estimates(model, result.estimates, status) != STATUS_OK) ||
+        sensitivity_run(&model->sensitivity, &record->variants, model_rows[m], &middle, status) != STATUS_OK)
+        return status->code;
+    model->seconds = clock_seconds() - started;
+    if (several && result.scans < 2) { /* one scan alone says nothing of others */
+        free(record->bands[m]);
+        record->bands[m] = NULL;
+    }
+    note_model(record, m, result.left_out);
+    if (model_rows[m]->uses_map && curve->exists)
+        return uncertainty_of_map(record, m, task, status);
+    return STATUS_OK;
+}
+
+/** What a perfect lay would change in model `m`: with frequencies times kappa = sqrt(1/2) the surface is, in lengths
+ * that are 1/kappa times its own, this one of a modulus kappa E'. */
+static enum status_code run_perfect_lay(struct surface_record *record, size_t m, const struct model_task *task,
+                                        struct status *status)
+{
+    struct material_pair pair = record->summary.pair;
+    struct model_task one = surface_middle_task(task), lay = one;
+    double load = one.loads[0] / M_SQRT1_2, *out = record->summary.perfect_lay;
+    struct contact_point points[2][2] = {{{.value = {0}}}};
+    pair.effective_modulus_Pa *= M_SQRT1_2;
+    lay.loads = &load;
+    lay.pair = &pair;
+    out[0] = out[1] = NAN;
+    for (int k = 0; k < 2; k++) {
+        struct model_curve curve = {.points = points[k]};
+        const struct model_task *asked = k == 0 ? &one : &lay;
+        if (ensemble_curve(&curve, NULL, &record->ensemble, model_rows[m], asked, status) != STATUS_OK)
+            return status->code;
+        if (!curve.exists || curve.count == 0 || points[k][0].value[QUANTITY_LOAD] != asked->loads[0])
+            return STATUS_OK;
+    }
+    out[0] = points[1][0].value[QUANTITY_AREA] / points[0][0].value[QUANTITY_AREA];
+    if (points[0][0].value[QUANTITY_ECR] > 0)
+        out[1] = points[1][0].value[QUANTITY_ECR] / points[0][0].value[QUANTITY_ECR] / M_SQRT1_2;
+    return STATUS_OK;
+}
+
+/** Room for what the models leave. */
+static enum status_code make_model_room(struct surface_record *record, const struct plan *plan, size_t load_count,
+                                        struct status *status)
+{
+    record->curves = calloc(model_count, sizeof *record->curves);
+    record->bands = calloc(model_count, sizeof *record->bands);
+    record->band_count = load_count;
+    if (!record->curves || !record->bands)
+        return status_memory(status);
+    for (size_t m = 0; m < model_count; m++)
+        if (plan_runs_model(plan, m) && !surface_model_room(&record->summary, m))
+            return status_memory(status);
+    return STATUS_OK;
+}
+
+/** Solves the strips that running models use. */
+static enum status_code solve_strips(struct surface_record *record, const struct plan *plan, const atomic_bool *stop,
+                                     struct status *status)
+{
+    struct surface_summary *summary = &record->summary;
+    struct ensemble *set = &record->ensemble;
+    struct strips *strips = &record->strips;
+    double started = clock_seconds();
+    if (!(plan_running_models(plan) & model_flagged(offsetof(struct model_row, uses_strip))) || strips->rows.rows == 0)
+        return STATUS_OK;
+    enum status_code rc = strips_solve(strips, stop, status);
+    if (rc == STATUS_OK && set->scan_count > 1)
+        rc = strips_solve_members(strips, set, stop, status);
+    summary->has_strips = strips->joined;
+    for (size_t p = 0; p < set->count; p++) {
+        summary->has_strips = summary->has_strips || set->members[p].strip;
+        summary->strip_unsolved[1] += set->solved_alone && set->members[p].pieces > 0 && !set->members[p].strip;
+    }
+    if (rc == STATUS_OK && !summary->has_strips)
+        note_add(&summary->notes, NULL, "no strip transfer: %s", strips->problem.message);
+    summary->strip_unsolved[0] = strips->unsolved;
+    summary->strip_transforms = strips->transforms;
+    summary->times.strips = clock_seconds() - started;
+    return rc;
+}
+
+/** Solves the map that running models use. Where it has no answer these are taken out of the plan. */
+static enum status_code solve_tiles(struct surface_record *record, struct plan *plan, const atomic_bool *stop,
+                                    struct status *status)
+{
+    struct surface_summary *summary = &record->summary;
+    struct tiles *tiles = &record->tiles;
+    double started = clock_seconds(), hardness = INFINITY;
+    if (!(plan_running_models(plan) & model_flagged(offsetof(struct model_row, uses_map))) || !summary->has_tiles)
+        return STATUS_OK;
+    if (plan_runs(plan, EFFECT_PLASTICITY) && summary->pair.hardness_Pa > 0)
+        hardness = summary->pair.hardness_Pa / summary->pair.effective_modulus_Pa;
+    if (tiles_solve(tiles, hardness, stop, status) != STATUS_OK)
+        return status->code;
+    summary->has_tiles = tiles->transfer != NULL;
+    summary->tile_transforms = tiles->transforms;
+    summary->times.tiles = clock_seconds() - started;
+    if (summary->has_tiles)
+        return STATUS_OK;
+    summary->tile_cost = 0; /* more of it would not help */
+    note_add(&summary->notes, NULL, "no direct solution of the map: %s", tiles->problem.message);
+    effects_fit_models(plan, record, 1);
+    return STATUS_OK;
+}
+
+/** What is to be known of the joint beside its numbers. */
+static void note_joint(struct surface_record *record, const struct scene *scene, const struct plan *plan)
+{
+    const struct joint *joint = &scene->joint;
+    const struct joint_layer *metal = &joint_platings[joint->plating];
+    struct note_list *notes = &record->summary.notes;
+    const double thick_m = joint->plating_thickness_m;
+    if (plan_runs(plan, EFFECT_GAP) && joint->fill == JOINT_MEDIUM && !(joint->bond_line_m > 0))
+        note_add(notes, NULL, "no bond_line: the filler is as thin as the gaps, which none is; give it, such as 25 um");
+    if (plan_runs(plan, EFFECT_PLATING) && joint->plating && (thick_m < metal->least_m || thick_m > metal->most_m))
+        note_add(notes, NULL, "%.3g um of %s, of which %.3g to %.3g um are usual", thick_m * 1e6,
+                 joint_plating_names[joint->plating], metal->least_m * 1e6, metal->most_m * 1e6);
+}
+
+enum status_code curves_run(struct surface_record *record, const struct surface_task *asked, struct status *status)
+{
+    const struct scene *scene = asked->scene;
+    const struct plan *plan = asked->plan;
+    struct model_task task = surface_model_task(record, asked);
+    if (make_model_room(record, plan, task.load_count, status) != STATUS_OK)
+        return status->code;
+    for (size_t m = 0; m < model_count; m++) {
+        if (!plan_runs_model(plan, m))
+            continue;
+        task.evaluations = &record->summary.models[m]->evaluations;
+        if (run_model(record, m, asked, &task, status) != STATUS_OK)
+            return status->code;
+    }
+    task.evaluations = NULL;
+    size_t leading = plan_leading_model(plan);
+    if (!record->summary.has_lay && plan_runs_model(plan, leading) &&
+        run_perfect_lay(record, leading, &task, status) != STATUS_OK)
+        return status->code;
+    if (plan_runs(plan, EFFECT_UNCERTAINTY) && record->height_m &&
+        uncertainty_run(record, asked, &task, status) != STATUS_OK)
+        return status->code;
+    for (size_t m = 0; m < model_count; m++)
+        if (plan_runs(plan, EFFECT_SEPARATION) && plan_runs_model(plan, m) &&
+            plan_runs_model(plan, model_index(model_rows[m]->counterpart)))
+            record->summary.models[m]->beta_multiscale = nearest_beta(record, m);
+    if (plan_runs(plan, EFFECT_CONVERGENCE)) {
+        extend(record, scene);
+        if (try_law(record, &task, status) != STATUS_OK)
+            return status->code;
+    }
+    note_joint(record, scene, plan);
+    if (record->shapes && plan_runs_model(plan, leading))
+        record->summary.carrying = joint_shape_area(&record->shapes[leading], task.loads[model_task_operating(&task)]);
+    return answers_find(record, scene, plan, &task, status);
+}
+
+/** The leading model at the shares of the largest load, times what unloading does there. */
+static enum status_code unload(struct surface_unloading *out, const struct surface_record *record,
+                               const struct model_task *task, struct status *status)
+{
+    double loads[UNLOADING_SHARES];
+    size_t count = out->ratio.count;
+    struct contact_point points[UNLOADING_SHARES + 1];
+    struct model_curve curve = {.points = points};
+    for (size_t i = 0; i < count; i++)
+        loads[i] = out->largest_load * out->ratio.share[count - 1 - i];
+    struct model_task asked = model_task_at(task, loads, count);
+    if (ensemble_curve(&curve, NULL, &record->ensemble, model_rows[out->model], &asked, status) != STATUS_OK)
+        return status->code;
+    if (curve.count < count)
+        return status_fail(status, STATUS_MODEL, "the curve of %s ends below unload_from",
+                           model_rows[out->model]->label);
+    for (int q = QUANTITY_AREA; q < QUANTITY_COUNT; q++) {
+        double up[UNLOADING_SHARES];
+        for (size_t i = 0; i < count; i++)
+            up[i] = points[count - 1 - i].value[q];
+        unloading_bound(&out->ratio, (enum quantity)q, up);
+    }
+    for (size_t i = 0; i < count; i++) {
+        out->points[i] = points[i];
+        for (int q = QUANTITY_AREA; q < QUANTITY_COUNT; q++)
+            out->points[i].value[q] *= unloading_factor(&out->ratio, (enum quantity)q, loads[i] / out->largest_load);
+    }
+    return STATUS_OK;
+}
+
+enum { STRIP_SHARES = 5 }; /* a strip that has fewer of them tells too little */
+
+/** The curve of falling load. Where there is none a note says why. */
+static enum status_code run_unloading(struct surface_record *record, const struct surface_task *of,
+                                      struct status *status)
+{
+    struct surface_summary *summary = &record->summary;
+    struct surface_unloading *out = summary->unloading = calloc(1, sizeof *out);
+    const struct model_task asked = surface_model_task(record, of);
+    double started = clock_seconds(), hardness = asked.hardness_Pa / asked.pair->effective_modulus_Pa;
+    struct status problem = {0};
+    enum status_code rc = STATUS_OK;
+    if (!out)
+        return status_memory(status);
+    out->largest_load = scene_load_of(&of->scene->unload_from, of->scene, asked.pair);
+    out->model = plan_leading_model(of->plan);
+    if (asked.rows)
+        rc = unloading_solve(&out->ratio, asked.rows, out->largest_load, hardness, of->stop, &problem);
+    if (rc == STATUS_OK && out->ratio.count < STRIP_SHARES)
+        rc = status_fail(&problem, STATUS_MODEL, "too few spots touch in its strip; take longer or more scans");
+    if (rc == STATUS_OK)
+        rc = unload(out, record, &asked, &problem);
+    summary->times.unloading = clock_seconds() - started;
+    if (rc == STATUS_OK && out->ratio.raised > 1)
+        note_add(&summary->notes, NULL,
+                 "unloading: its strip was loaded to %g times unload_from, so that enough spots touch",
+                 out->ratio.raised);
+    if (rc == STATUS_OK)
+        return rc;
+    free(out);
+    summary->unloading = NULL;
+    if (rc != STATUS_MODEL)
+        return status_fail(status, rc, "%s", problem.message);
+    note_add(&summary->notes, NULL, "no curve of unloading: %s", problem.message);
+    return STATUS_OK;
+}
+
+enum status_code surface_answers_find(struct surface_record *record, const struct surface_task *task,
+                                      struct status *status)
+{
+    struct plan plan = *task->plan;
+    struct surface_task asked = *task;
+    asked.plan = &plan;
+    effects_fit_models(&plan, record, 1);
+    enum status_code rc = STATUS_OK;
+    if (plan_runs(&plan, EFFECT_DIRECT))
+        rc = direct_study_plan(record, &asked, status);
+    if (rc == STATUS_OK)
+        rc = solve_tiles(record, &plan, asked.stop, status);
+    if (rc == STATUS_OK)
+        rc = solve_strips(record, &plan, asked.stop, status);
+    if (rc == STATUS_OK)
+        rc = curves_run(record, &asked, status);
+    return rc == STATUS_OK && plan_runs(&plan, EFFECT_UNLOADING) ? run_unloading(record, &asked, status) : rc;
+}

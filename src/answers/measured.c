@@ -1,0 +1,317 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "answers/measured.h"
+
+#include "base/limits.h"
+#include "joint/joint.h"
+
+#include "scene/measured_file.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const column_keys[] = {[MEASURED_LOAD] = "load_unit", [MEASURED_RESISTANCE] = "resistance_unit"};
+
+/** Completes the file's units with the scene's; what both say has to be the same. */
+static enum status_code complete_units(struct measured_file *file, const char *name, const struct scene_measured *scene,
+                                       const unsigned *quantities, struct status *status)
+{
+    const char *const given[] = {[MEASURED_LOAD] = scene->load_unit, [MEASURED_RESISTANCE] = scene->resistance_unit};
+    for (size_t c = MEASURED_LOAD; c <= MEASURED_RESISTANCE; c++) {
+        struct measured_unit *own = &file->units[c];
+        struct unit unit;
+        bool known = unit_read(&unit, given[c], strlen(given[c])) && unit_of(&unit, quantities[c]);
+        if (known && own->known && !unit_equal(&unit, &own->unit))
+            return status_fail(status, STATUS_SCENE,
+                               "%s:%zu: the unit is '%s' here, but the scene's %s says '%s'; correct one of them", name,
+                               own->line, own->text, column_keys[c], given[c]);
+        if (!known && !own->known)
+            return status_fail(status, STATUS_SCENE,
+                               "%s: nothing says the unit of the %s; name it in the heading, such as '%s', or add '%s' "
+                               "to 'measured' in the scene",
+                               name, c == MEASURED_LOAD ? "load" : "resistance",
+                               c == MEASURED_LOAD                ? "load (N)"
+                               : quantities[c] & UNIT_RESISTANCE ? "ECR (mohm)"
+                                                                 : "TCR (K/W)",
+                               column_keys[c]);
+        if (!own->known) {
+            *own = (struct measured_unit){.known = true, .unit = unit};
+            memcpy(own->text, given[c], strlen(given[c]) + 1);
+        }
+    }
+    return STATUS_OK;
+}
+
+/** What a column of a unit is times, to be P/(A_n E') or per nominal area. */
+static enum status_code unit_factor(double *factor, const char *name, const struct measured_unit *unit,
+                                    const struct scene *scene, const struct material_pair *pair, struct status *status)
+{
+    enum unit_quantity load = (enum unit_quantity)unit_of(&unit->unit, UNIT_LOADS);
+    bool whole = load == UNIT_FORCE || unit_of(&unit->unit, UNIT_RESISTANCE | UNIT_THERMAL_RESISTANCE);
+    *factor = load    ? unit->unit.factor / scene_load_divisor(scene, load, pair)
+              : whole ? unit->unit.factor * scene->nominal_area_m2
+                      : unit->unit.factor;
+    if (!whole || isfinite(scene->nominal_area_m2))
+        return STATUS_OK;
+    return status_fail(status, STATUS_SCENE,
+                       "%s: measured %s in %s need the contact's area; add nominal_area to the scene", name,
+                       load ? "loads" : "resistances", unit->text);
+}
+
+/** Adds the rows in the models' units: a run. */
+static enum status_code add_run(struct measured *out, const struct measured_file *file, const char *name,
+                                const struct scene *scene, const struct material_pair *pair, struct status *status)
+{
+    const struct measured_unit *units = file->units;
+    const struct measured_unit *error_unit = &units[units[MEASURED_ERROR].known ? MEASURED_ERROR : MEASURED_RESISTANCE];
+    bool relative = unit_of(&error_unit->unit, UNIT_NUMBER | UNIT_PERCENT);
+    struct measured_run *run = &out->runs[out->run_count++];
+    double **const columns[] = {&out->load, &out->resistance, &out->error};
+    double load, resistance, error = error_unit->unit.factor;
+    if (out->before + out->count + file->count > limit_most(LIMIT_MEASURED_LINES))
+        return status_fail(status, STATUS_SCENE, "%s: too many rows of all that was measured%s", name,
+                           limit_words(LIMIT_MEASURED_LINES).text);
+    *run = (struct measured_run){out->count, out->count, out->count + file->count};
+    if (unit_factor(&load, name, &units[MEASURED_LOAD], scene, pair, status) != STATUS_OK ||
+        unit_factor(&resistance, name, &units[MEASURED_RESISTANCE], scene, pair, status) != STATUS_OK ||
+        (!relative && unit_factor(&error, name, error_unit, scene, pair, status) != STATUS_OK))
+        return status->code;
+    for (size_t c = 0; c < sizeof columns / sizeof *columns; c++) {
+        double *more = reallocarray(*columns[c], run->end, sizeof *more);
+        if (!more)
+            return status_memory(status);
+        *columns[c] = more;
+    }
+    for (size_t i = out->count; i < run->end; i++) {
+        const struct measured_row *row = &file->rows[i - run->first];
+        out->load[i] = row->value[MEASURED_LOAD] * load;
+        out->resistance[i] = row->value[MEASURED_RESISTANCE] * resistance;
+        out->error[i] = fabs(row->value[MEASURED_ERROR]) * error * (relative ? out->resistance[i] : 1);
+        if (!(out->load[i] > 0 && out->resistance[i] > 0 && isfinite(out->load[i]) && isfinite(out->resistance[i])) ||
+            isinf(out->error[i]))
+            return status_fail(status, STATUS_SCENE, "%s:%zu: too large or too small in its unit; correct the row",
+                               name, row->line);
+        run->turn = out->load[i] > out->load[run->turn] ? i : run->turn;
+    }
+    out->count = run->end;
+    memcpy(out->load_unit, units[MEASURED_LOAD].text, UNIT_LENGTH);
+    memcpy(out->resistance_unit, units[MEASURED_RESISTANCE].text, UNIT_LENGTH);
+    return STATUS_OK;
+}
+
+static enum status_code read_run(struct measured *out, const char *name, const struct scene *scene,
+                                 const struct material_pair *pair, struct status *status)
+{
+    const unsigned resistances = scene_measured_resistances[out->given->quantity];
+    const unsigned quantities[MEASURED_COLUMNS] = {UNIT_LOADS, resistances, resistances | UNIT_NUMBER | UNIT_PERCENT};
+    struct text content = {0};
+    struct measured_file file = {0};
+    char *path = scene_file_path(scene, name);
+    enum status_code rc = path ? text_read_file(&content, path, status) : status_memory(status);
+    if (rc == STATUS_OK && memchr(text_string(&content), '\0', content.length))
+        rc = status_fail(status, STATUS_SCENE, "%s: a NUL byte in the file; save it as plain text (UTF-8)", name);
+    const char *start = text_string(&content);
+    if (rc == STATUS_OK)
+        rc = measured_file_read(&file, (struct string_view){start, start + content.length}, name, quantities, status);
+    if (rc == STATUS_OK)
+        rc = complete_units(&file, name, out->given, quantities, status);
+    if (rc == STATUS_OK)
+        rc = add_run(out, &file, name, scene, pair, status);
+    measured_file_free(&file);
+    free(path);
+    text_free(&content);
+    return rc;
+}
+
+enum status_code measured_read(struct measured *out, const struct scene *scene, const struct plan *plan,
+                               const struct material_pair *pair, struct status *status)
+{
+    const struct scene_measured *given = out->given;
+    out->thermal = given->quantity == SCENE_MEASURED_TCR;
+    enum effect needed = out->thermal ? EFFECT_THERMAL : EFFECT_ELECTRICAL;
+    if (!plan_runs(plan, needed))
+        return status_fail(status, STATUS_SCENE,
+                           "'%s' holds measured %s, but the effect %s does not run; add it to "
+                           "effects, or take out measured",
+                           given->files[0], out->thermal ? "TCR" : "ECR", effect_rows[needed].name);
+    if (!(out->runs = calloc(given->file_count, sizeof *out->runs)))
+        return status_memory(status);
+    for (size_t f = 0; f < given->file_count; f++)
+        if (read_run(out, given->files[f], scene, pair, status) != STATUS_OK)
+            return status->code;
+    return STATUS_OK;
+}
+
+void measured_free(struct measured *measured)
+{
+    free(measured->load);
+    free(measured->resistance);
+    free(measured->error);
+    free(measured->runs);
+    *measured = (struct measured){0};
+}
+
+enum quantity measured_quantity(const struct measured *measured, unsigned effects)
+{
+    const struct quantity_asked *how;
+    return quantity_of_key(&how, measured->thermal ? "tcr" : "ecr", effects);
+}
+
+static int compare_numbers(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/** The different measured loads within those of the run, ascending; returns how many. */
+static size_t loads_within(double *loads, const struct measured *measured, const struct model_task *task)
+{
+    size_t count = 0, kept = 0;
+    for (size_t i = 0; i < measured->count; i++)
+        if (measured->load[i] >= task->loads[0] && measured->load[i] <= task->loads[task->load_count - 1])
+            loads[count++] = measured->load[i];
+    qsort(loads, count, sizeof *loads, compare_numbers);
+    for (size_t i = 0; i < count; i++)
+        if (kept == 0 || loads[i] != loads[kept - 1])
+            loads[kept++] = loads[i];
+    return kept;
+}
+
+/** The resistance at a load, NaN where the curve has none above 0. */
+static double resistance_at(const struct model_curve *curve, double load, enum quantity quantity)
+{
+    for (size_t i = 0; i < curve->count; i++)
+        if (curve->points[i].value[QUANTITY_LOAD] == load && curve->points[i].value[quantity] > 0)
+            return curve->points[i].value[quantity];
+    return NAN;
+}
+
+static void answer_branches(struct measured_answers *out, const struct measured *measured, enum quantity quantity,
+                            const struct surface_unloading *unloading)
+{
+    double *up = out->resistance + MEASURED_LOADING * measured->count, *down = up + measured->count;
+    for (const struct measured_run *run = measured->runs; run < measured->runs + measured->run_count; run++)
+        for (size_t i = run->first; i < run->end; i++) {
+            bool falls = i > run->turn;
+            double rising = unloading ? out->resistance[unloading->model * measured->count + i] : NAN;
+            up[i] = falls ? NAN : rising;
+            down[i] = NAN;
+            if (unloading && falls)
+                down[i] =
+                    rising * unloading_factor(&unloading->ratio, quantity, measured->load[i] / unloading->largest_load);
+        }
+}
+
+enum status_code measured_answer(struct measured_answers *out, const struct measured *measured,
+                                 const struct surface_record *record, const struct surface_task *asked,
+                                 struct status *status)
+{
+    const uint64_t models = plan_running_models(asked->plan);
+    const struct model_task task = surface_model_task(record, asked);
+    const struct joint_task joint = surface_joint(record, asked->scene, asked->plan, &task);
+    const enum quantity quantity = measured_quantity(measured, joint.effects);
+    double *loads = calloc(measured->count, sizeof *loads);
+    struct contact_point *points = malloc((measured->count + 1) * sizeof *points);
+    *out =
+        (struct measured_answers){.resistance = calloc((model_count + 2) * measured->count, sizeof *out->resistance)};
+    bool stored = loads && points && out->resistance;
+    size_t count = stored ? loads_within(loads, measured, &task) : 0;
+    struct model_task at_loads = model_task_at(&task, loads, count);
+    const unsigned own = QUANTITY_BIT(measured_quantity(measured, 0)); /* all that the models are asked */
+    at_loads.wanted = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | own;
+    enum status_code rc = stored ? STATUS_OK : status_memory(status);
+    for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
+        struct model_curve curve = {.points = points};
+        if ((models & MODEL_BIT(m)) && count > 0 && (model_rows[m]->quantities & own))
+            rc = ensemble_curve(&curve, NULL, &record->ensemble, model_rows[m], &at_loads, status);
+        if (rc == STATUS_OK && quantity_rows[quantity].from)
+            rc = joint_curve(&curve, model_rows[m], &at_loads, &joint, status);
+        for (size_t i = 0; i < measured->count; i++)
+            out->resistance[m * measured->count + i] = resistance_at(&curve, measured->load[i], quantity);
+    }
+    if (rc == STATUS_OK)
+        answer_branches(out, measured, quantity, record->summary.unloading);
+    free(loads);
+    free(points);
+    return rc;
+}
+
+enum status_code measured_fit(struct measured_answers *out, const struct measured *measured, size_t m,
+                              struct status *status)
+{
+    double *ratio = malloc(2 * measured->count * sizeof *ratio);
+    size_t points = 0, runs = 0;
+    if (!ratio)
+        return status_memory(status);
+    double *mean = ratio + measured->count;
+    for (size_t r = 0; r < measured->run_count; r++) {
+        const struct measured_run *run = &measured->runs[r];
+        size_t before = points;
+        double sum = 0;
+        for (size_t i = run->first; i <= run->turn; i++) {
+            double model = out->resistance[m * measured->count + i];
+            if (isnan(model))
+                continue;
+            ratio[points] = model / measured->resistance[i]; /* of conductances: measured over predicted */
+            sum += log(ratio[points++]);
+        }
+        if (points > before)
+            mean[runs++] = exp(sum / (double)(points - before));
+    }
+    out->fitted = m;
+    enum status_code rc =
+        estimate_make(&out->fit, runs > 1 ? mean : ratio, NULL, runs > 1 ? runs : points, true, status);
+    free(ratio);
+    return rc;
+}
+
+void measured_answers_free(struct measured_answers *out)
+{
+    free(out->resistance);
+    *out = (struct measured_answers){0};
+}
+
+struct measured_distance measured_compare(const struct measured *measured, const struct measured_answers *models,
+                                          size_t m)
+{
+    struct measured_distance out = {0, NAN, NAN};
+    double square = 0, sum = 0;
+    for (size_t i = 0; i < measured->count; i++) {
+        double model = models->resistance[m * measured->count + i];
+        if (isnan(model))
+            continue;
+        double decades = log10(model / measured->resistance[i]);
+        square += decades * decades;
+        sum += decades;
+        out.points++;
+    }
+    if (out.points > 0) {
+        out.rms_decades = sqrt(square / (double)out.points);
+        out.bias_decades = sum / (double)out.points;
+    }
+    return out;
+}
+
+struct measured_ranking measured_rank(const struct measured *measured, const struct measured_answers *models)
+{
+    struct measured_ranking out = {model_count, model_count};
+    double least = INFINITY, greatest = -INFINITY;
+    size_t most = 1;
+    for (size_t m = 0; m < model_count; m++) {
+        size_t points = measured_compare(measured, models, m).points;
+        most = points > most ? points : most;
+    }
+    for (size_t m = 0; m < model_count; m++) {
+        struct measured_distance distance = measured_compare(measured, models, m);
+        if (2 * distance.points < most)
+            continue;
+        if (distance.rms_decades < least) {
+            least = distance.rms_decades;
+            out.nearest = m;
+        }
+        if (distance.rms_decades > greatest) {
+            greatest = distance.rms_decades;
+            out.farthest = m;
+        }
+    }
+    return out;
+}

@@ -1,0 +1,85 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Measured contact resistance, to be held against the models (scene: `measured`). */
+#ifndef ANSWERS_MEASURED_H
+#define ANSWERS_MEASURED_H
+
+#include "base/unit.h"
+#include "contact/model.h"
+#include "joint/joint.h"
+#include "members/surface.h"
+
+/** One file: the points from `first` to before `end`, of which those behind `turn`, the one of the largest load, are of
+ * the way down. */
+struct measured_run {
+    size_t first, turn, end;
+};
+
+/** Points of a surface in the models' units, in the order in which they were measured (loading, then unloading), run
+ * after run. Owned: measured_free(). */
+struct measured {
+    const struct scene_measured *given;
+    size_t before;           /* points of the surfaces that were read before it */
+    size_t count, run_count; /* 0: none */
+    struct measured_run *runs;
+    double *load;       /* P/(A_n E') */
+    double *resistance; /* per nominal area: Ω m² or K m²/W */
+    double *error;      /* of the resistance, same unit; NaN where none is given */
+    bool thermal;       /* TCR, else ECR */
+    char load_unit[UNIT_LENGTH], resistance_unit[UNIT_LENGTH]; /* that they were given in, as written */
+};
+
+/** Beside the models, in the place of one: the model that leads on the way up alone, and its curve of falling load on
+ * the way down. */
+#define MEASURED_LOADING   model_count
+#define MEASURED_UNLOADING (model_count + 1)
+
+/** What the models say at the measured loads, as far as these lie within the run's. Owned: measured_answers_free(). */
+struct measured_answers {
+    double *resistance;  /* [model, branch][measured point]; NaN: beyond the run's loads, or none */
+    struct estimate fit; /* measured over predicted conductance, by measured_fit(); count 0: none */
+    size_t fitted;       /* the model */
+    bool carried;        /* targets' loads are solved with that factor */
+};
+
+/** The models' quantity that measurements are held against with these EFFECT_BITs: the resistance with film and plating
+ * where these are called for. */
+enum quantity measured_quantity(const struct measured *measured, unsigned effects);
+/** Runs the models of the plan at the measured loads themselves, on every scan as the surface's curve, with what lies
+ * in the joint; with the surface's curve of falling load also the branches. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code measured_answer(struct measured_answers *out, const struct measured *measured,
+                                            const struct surface_record *record, const struct surface_task *asked,
+                                            struct status *status);
+/** Fits the factor that the loading points carry of the conductance of model `m`, with the interval of their scatter;
+ * of several runs that of the runs' means. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code measured_fit(struct measured_answers *out, const struct measured *measured, size_t m,
+                                         struct status *status);
+void measured_answers_free(struct measured_answers *answers);
+
+/** How far a model is from the measurements, over the loads that it answers. */
+struct measured_distance {
+    size_t points;       /* compared */
+    double rms_decades;  /* of log10(model/measured); NaN when no point could be compared */
+    double bias_decades; /* mean of the same */
+};
+
+/** Reads the files of out->given (see measured_file.h), measured on these bodies; all but that and `before` is zeroed.
+ * Units are those that a file names, else the scene's load_unit and resistance_unit. N are divided by the nominal area,
+ * Ω and K/W multiplied by it; an error in the unit 1 or % is relative, one without unit is in the resistance's. Errors:
+ * STATUS_SCENE with file, line and remedy (as measured_file_read(); no unit anywhere, file and scene of two minds, N, Ω
+ * or K/W without nominal_area_m2, nothing to compare with); STATUS_IO, STATUS_MEMORY. */
+MUST_CHECK enum status_code measured_read(struct measured *out, const struct scene *scene, const struct plan *plan,
+                                          const struct material_pair *pair, struct status *status);
+void measured_free(struct measured *measured);
+
+/** Distance of model `m`, or of a branch. */
+struct measured_distance measured_compare(const struct measured *measured, const struct measured_answers *answers,
+                                          size_t m);
+
+/** The models of least and greatest RMS distance among those that answer at least half as many points as the one that
+ * answers most; model_count when none answers any. */
+struct measured_ranking {
+    size_t nearest, farthest;
+};
+struct measured_ranking measured_rank(const struct measured *measured, const struct measured_answers *answers);
+
+#endif

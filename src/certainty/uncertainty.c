@@ -1,0 +1,291 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "certainty/uncertainty.h"
+
+#include "base/clock.h"
+#include "spectrum/multitaper.h"
+#include "spectrum/simulated_record.h"
+#include "statistics/single_scan.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    UNCERTAINTY_LOADS = 3, /* first, middle and last: in between the deviation goes straight in ln load */
+    RECORDS = SINGLE_SCAN_RECORDS,
+    QUARTERS = SINGLE_SCAN_QUARTERS,
+    LEAST_POINTS = 64, /* of a scan that is quartered */
+    FIRST_SEED = 1
+};
+
+/* On one core of 2020: a height of a record, and the leading model at a record's loads. */
+static const double height_seconds = 0.25e-6, record_seconds = 1.3e-3;
+
+/** What is to be simulated and quartered. */
+struct uncertainty_scan {
+    struct record_heights body[2]; /* levelled; the second: the rough counterface; points 0: it is smooth */
+    struct record_conditioning how;
+    const struct model_task *task; /* of the scan itself */
+    const struct joint_task *joint;
+    const atomic_bool *stop;
+};
+
+/** Standard errors of one model's answers, all of ln answer: of the quantities of an ensemble_band, as they are there.
+ * NaN: not known. */
+struct uncertainty {
+    double ln_load[UNCERTAINTY_LOADS], s[QUANTITY_COUNT][UNCERTAINTY_LOADS];
+    size_t loads;
+};
+
+/** Does it say anything of a model: unasked of the one that the summary speaks of, listed of all. */
+static bool uncertainty_holds(const struct plan *plan, size_t model)
+{
+    return plan_runs_model(plan, model) && !model_rows[model]->uses_map &&
+           (plan->all_uncertain || model == plan_leading_model(plan));
+}
+
+/** First, middle (where the summary stands) and last of the task's loads, each once; how many. */
+static size_t record_loads(double load[UNCERTAINTY_LOADS], const struct model_task *task)
+{
+    size_t at[UNCERTAINTY_LOADS] = {0, model_task_operating(task), task->load_count - 1}, count = 0;
+    for (int i = 0; i < UNCERTAINTY_LOADS; i++)
+        if (i == 0 || at[i] != at[i - 1])
+            load[count++] = task->loads[at[i]];
+    return count;
+}
+
+/** ln answers of all members at load i of a list, NaN of those that have none. */
+static void answers_of(double *out, size_t all, const struct ensemble_curves *curves, enum quantity shown, size_t i,
+                       double load)
+{
+    for (size_t r = 0; r < all; r++) {
+        out[r] = NAN;
+        if (r < curves->count && i < curves->curves[r].count &&
+            curves->curves[r].points[i].value[QUANTITY_LOAD] == load)
+            out[r] = log(quantity_shown(&curves->curves[r].points[i], shown, curves->sigma_m[r]));
+    }
+}
+
+/** Records of a scan, and its quarters. */
+struct simulated {
+    struct ensemble records, quarters;
+    struct strips strips; /* of the quarters */
+};
+
+static void simulated_free(struct simulated *simulated)
+{
+    ensemble_free(&simulated->records);
+    ensemble_free(&simulated->quarters);
+    strips_free(&simulated->strips);
+}
+
+static enum status_code add_quarters(struct simulated *out, const struct record_heights *body,
+                                     const struct uncertainty_scan *scan, struct status *status)
+{
+    size_t quarter = body->points / QUARTERS;
+    for (size_t k = 0; k < QUARTERS && body->points >= LEAST_POINTS; k++) {
+        const struct record_heights part = {body->height_m + k * (body->points - quarter) / (QUARTERS - 1), quarter,
+                                            body->spacing_m};
+        if (ensemble_add(&out->quarters, k, &part, &scan->how, status) != STATUS_OK)
+            return status->code;
+    }
+    return out->quarters.keeps_heights ? strips_gather(&out->strips, &out->quarters, scan->body[1].points > 0, status)
+                                       : STATUS_OK;
+}
+
+static enum status_code add_records(struct simulated *out, const struct record_heights *body, unsigned long seed,
+                                    const struct uncertainty_scan *scan, struct status *status)
+{
+    struct simulated_record spectrum = {0};
+    double *height_m = malloc(2 * body->points * sizeof *height_m), *square_m2 = height_m + body->points;
+    enum status_code rc = height_m ? STATUS_OK : status_memory(status);
+    if (rc == STATUS_OK && body->points < SIMULATED_RECORD_LEAST_POINTS)
+        rc = status_fail(status, STATUS_SCAN, "%zu points are too few to simulate records of", body->points);
+    if (rc == STATUS_OK)
+        rc = multitaper_square(square_m2, body->height_m, body->points, status);
+    if (rc == STATUS_OK)
+        rc = simulated_record_prepare(&spectrum, square_m2, body->points, status);
+    for (size_t b = 0; b < RECORDS && rc == STATUS_OK; b++) {
+        rc = simulated_record_draw(height_m, &spectrum, seed + b, status);
+        if (rc == STATUS_OK)
+            rc = ensemble_add(&out->records, b, &(struct record_heights){height_m, body->points, body->spacing_m},
+                              &scan->how, status);
+    }
+    simulated_record_free(&spectrum);
+    free(height_m);
+    return rc;
+}
+
+/** Both bodies, the first pressed against the second. */
+static enum status_code simulate(struct simulated out[2], const struct uncertainty_scan *scan, struct status *status)
+{
+    size_t bodies = scan->body[1].points > 0 ? 2 : 1;
+    for (size_t k = 0; k < bodies; k++)
+        if (add_records(&out[k], &scan->body[k], FIRST_SEED + k * RECORDS, scan, status) != STATUS_OK ||
+            add_quarters(&out[k], &scan->body[k], scan, status) != STATUS_OK)
+            return status->code;
+    if (bodies > 1 &&
+        (strips_pair(&out->strips, &out->quarters, &out[1].strips, &out[1].quarters, status) != STATUS_OK ||
+         ensemble_pair(&out->quarters, &out[1].quarters, status) != STATUS_OK ||
+         ensemble_pair(&out->records, &out[1].records, status) != STATUS_OK))
+        return status->code;
+    return out->quarters.keeps_heights ? strips_solve_members(&out->strips, &out->quarters, scan->stop, status)
+                                       : STATUS_OK;
+}
+
+static enum status_code run_one(struct uncertainty *out, const struct simulated *simulated,
+                                const struct model_row *model, const struct uncertainty_scan *scan,
+                                struct status *status)
+{
+    double load[UNCERTAINTY_LOADS], record[RECORDS], quarter[QUARTERS];
+    size_t loads = record_loads(load, scan->task);
+    struct model_task own = model_task_at(scan->task, load, loads);
+    struct ensemble_curves records = {.count = 0}, quarters = {.count = 0};
+    own.wanted &= ~QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
+    enum status_code rc = ensemble_run(&records, &simulated->records, model, &own, scan->joint, status);
+    if (rc == STATUS_OK && simulated->quarters.count > 0)
+        rc = ensemble_run(&quarters, &simulated->quarters, model, &own, scan->joint, status);
+    out->loads = loads;
+    for (size_t i = 0; i < loads && rc == STATUS_OK; i++)
+        for (int q = 0; q < QUANTITY_COUNT; q++) {
+            enum quantity shown = model_shown(model, (enum quantity)q);
+            answers_of(record, RECORDS, &records, shown, i, load[i]);
+            answers_of(quarter, QUARTERS, &quarters, shown, i, load[i]);
+            out->ln_load[i] = log(load[i]);
+            out->s[q][i] =
+                (quantity_rows[q].is & QUANTITY_BANDED) ? single_scan_s(record, RECORDS, quarter, QUARTERS) : NAN;
+        }
+    ensemble_curves_free(&records);
+    ensemble_curves_free(&quarters);
+    return rc;
+}
+
+double uncertainty_seconds(size_t points)
+{
+    return RECORDS * (2 * (double)points * height_seconds + record_seconds);
+}
+
+/** Errors of all running models; STATUS_SCAN: no records of it. */
+static enum status_code find_errors(struct uncertainty *out, const struct uncertainty_scan *scan,
+                                    const struct plan *plan, struct status *status)
+{
+    struct simulated simulated[2] = {{.records = {.count = 0}}};
+    for (size_t m = 0; m < model_count; m++)
+        if (uncertainty_holds(plan, m) && model_rows[m]->uses_strip)
+            simulated[0].quarters.keeps_heights = simulated[1].quarters.keeps_heights = true;
+    enum status_code rc = simulate(simulated, scan, status);
+    for (size_t m = 0; m < model_count && rc == STATUS_OK; m++)
+        if (uncertainty_holds(plan, m))
+            rc = run_one(&out[m], simulated, model_rows[m], scan, status);
+    for (size_t k = 0; k < 2; k++)
+        simulated_free(&simulated[k]);
+    return rc;
+}
+
+/** How far another place may be off a point of the curve of a scan of rms height sigma_m: without the model's own error
+ * (ensemble_settle()). */
+static struct estimate estimate_at(const struct uncertainty *uncertainty, const struct model_row *model,
+                                   enum quantity quantity, const struct contact_point *point, double sigma_m)
+{
+    double ln_known[UNCERTAINTY_LOADS], s[UNCERTAINTY_LOADS];
+    size_t count = 0;
+    for (size_t i = 0; i < uncertainty->loads; i++)
+        if (!isnan(uncertainty->s[quantity][i])) {
+            ln_known[count] = uncertainty->ln_load[i];
+            s[count++] = uncertainty->s[quantity][i];
+        }
+    if (count == 0)
+        return estimate_none;
+    struct estimate out =
+        estimate_of_error(quantity_shown(point, model_shown(model, quantity), sigma_m),
+                          single_scan_s_at(log(point->value[QUANTITY_LOAD]), ln_known, s, count), SINGLE_SCAN_DEGREES);
+    out.share = quantity == QUANTITY_AREA;
+    return out;
+}
+
+/** The band and the estimates of model `m`, by its errors. */
+static enum status_code put_errors(struct surface_record *record, size_t m, const struct uncertainty *errors,
+                                   const struct uncertainty_scan *scan, struct status *status)
+{
+    const struct model_curve *curve = &record->curves[m];
+    const struct model_task *task = scan->task;
+    double waves = model_task_longest_waves(task);
+    struct estimate estimates[CURVE_ESTIMATES];
+    for (int which = 0; which < CURVE_ESTIMATES; which++)
+        estimates[which] = estimate_none;
+    if (!(record->bands[m] = ensemble_band_make(task->loads, task->load_count)))
+        return status_memory(status);
+    for (size_t i = 0; i < curve->count; i++) {
+        const struct contact_point *point = &curve->points[i];
+        if (point->value[QUANTITY_LOAD] != record->bands[m][i].load)
+            break; /* a statistical curve closes at a load of its own */
+        struct estimate own[QUANTITY_COUNT];
+        for (int q = 0; q < QUANTITY_COUNT; q++)
+            own[q] = estimate_at(errors, model_rows[m], (enum quantity)q, point, record->summary.asperities.sigma_m);
+        ensemble_settle(own, point, model_rows[m], scan->joint, waves);
+        for (int q = 0; q < QUANTITY_COUNT; q++)
+            for (int side = 0; side < 2; side++)
+                record->bands[m][i].mean[q][side] = estimate_end(&own[q], side);
+        if (i == model_task_operating(task))
+            memcpy(estimates, own, sizeof own);
+    }
+    return curve_summary_put_estimates(record->summary.models[m], estimates, status);
+}
+
+enum status_code uncertainty_run(struct surface_record *record, const struct surface_task *asked,
+                                 const struct model_task *task, struct status *status)
+{
+    struct surface_summary *summary = &record->summary;
+    struct model_task counted = *task;
+    counted.evaluations = &summary->simulated_evaluations;
+    double started = clock_seconds();
+    const struct joint_task joint = surface_joint(record, asked->scene, asked->plan, task);
+    const struct surface_record *const bodies[] = {record, record->counterface};
+    struct uncertainty_scan scan = {
+        .how = record_conditioning_of(asked->scene, false), .task = &counted, .joint = &joint, .stop = asked->stop};
+    for (size_t k = 0; k < 2 && bodies[k]; k++)
+        scan.body[k] = (struct record_heights){bodies[k]->height_m, bodies[k]->summary.single_points,
+                                               bodies[k]->summary.spacing_m / surface_kappa(summary)};
+    struct uncertainty *all = calloc(model_count, sizeof *all);
+    if (!all)
+        return status_memory(status);
+    struct status problem = {0};
+    enum status_code rc = find_errors(all, &scan, asked->plan, &problem);
+    if (rc != STATUS_OK && rc != STATUS_SCAN)
+        (void)status_fail(status, rc, "%s", problem.message);
+    for (size_t m = 0; m < model_count && rc == STATUS_OK; m++)
+        if (record->curves[m].exists && uncertainty_holds(asked->plan, m))
+            rc = put_errors(record, m, &all[m], &scan, status);
+    free(all);
+    summary->times.uncertainty += clock_seconds() - started;
+    return rc == STATUS_SCAN ? STATUS_OK : rc; /* no records of this one */
+}
+
+enum { MAP_DEGREES = 4 /* of freedom of its standard errors: they are of four quarters, about */ };
+
+enum status_code uncertainty_of_map(struct surface_record *record, size_t m, const struct model_task *task,
+                                    struct status *status)
+{
+    static const double carried[] = {0.02, 0.015, 0.033}; /* rms of ln between the loads solved: eight synthetic maps */
+    struct estimate estimates[CURVE_ESTIMATES];
+    const struct model_curve *curve = &record->curves[m];
+    for (int k = 0; k < CURVE_ESTIMATES; k++)
+        estimates[k] = estimate_none;
+    if (!(record->bands[m] = ensemble_band_make(task->loads, task->load_count)))
+        return status_memory(status);
+    for (size_t i = 0; i < curve->count; i++)
+        for (int q = 0; q < QUANTITY_COUNT; q++) {
+            const struct quantity_row *row = &quantity_rows[q];
+            const int which = row->solved.mean; /* area, gap, constriction */
+            if (!(row->is & QUANTITY_BANDED) || row->from)
+                continue;
+            double value = quantity_shown(&curve->points[i], (enum quantity)q, record->summary.asperities.sigma_m);
+            double s = transfer_error(task->transfer, model_rows[m]->plastic, which, task->loads[i]);
+            struct estimate own = estimate_of_error(value, hypot(s, carried[which]), MAP_DEGREES);
+            own.share = q == QUANTITY_AREA;
+            for (int side = 0; side < 2; side++)
+                record->bands[m][i].mean[q][side] = estimate_end(&own, side);
+            if (i == model_task_operating(task))
+                estimates[q] = own;
+        }
+    return curve_summary_put_estimates(record->summary.models[m], estimates, status);
+}

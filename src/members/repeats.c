@@ -1,0 +1,141 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "members/repeats.h"
+
+#include "members/scan_strips.h"
+#include "statistics/interval.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum status_code repeats_add_scan(struct ensemble *set, const char *file, struct status *status)
+{
+    struct ensemble_scan *scans = reallocarray(set->scans, set->scan_count + 1, sizeof *scans);
+    if (!scans)
+        return status_memory(status);
+    set->scans = scans;
+    set->scans[set->scan_count++] = (struct ensemble_scan){.file = file, .weight = 1};
+    return STATUS_OK;
+}
+
+/** Evenly: STRIPS_PIECES of the rows, or all where they are no more. */
+static bool row_is_member(size_t row, size_t rows)
+{
+    return (STRIPS_PIECES * (row + 1) + rows / 2) / rows > (STRIPS_PIECES * row + rows / 2) / rows;
+}
+
+enum status_code repeats_add(struct ensemble *set, size_t row, size_t rows, struct profile *profile, struct member *own,
+                             struct status *status)
+{
+    bool wanted = row_is_member(row, rows);
+    struct member *member = wanted ? ensemble_room(set) : NULL;
+    if (!member) {
+        spectrum_free(&own->spectrum);
+        return wanted ? status_memory(status) : STATUS_OK;
+    }
+    *member = *own;
+    member->scan = set->scan_count - 1;
+    member->is_row = rows > 1;
+    member->height_m = rows == 1 || set->keeps_heights ? profile->height_m : NULL;
+    if (member->height_m)
+        profile->height_m = NULL;
+    return STATUS_OK;
+}
+
+bool repeats_merge_identical(struct ensemble *set)
+{
+    const struct member *first = &set->members[0];
+    for (size_t p = 0; p < set->count; p++) {
+        const struct member *member = &set->members[p];
+        if (member->is_row || member->points != first->points || member->spacing_m != first->spacing_m ||
+            memcmp(member->height_m, first->height_m, first->points * sizeof *first->height_m) != 0)
+            return false;
+    }
+    for (; set->count > 1; set->count--) {
+        spectrum_free(&set->members[set->count - 1].spectrum);
+        free(set->members[set->count - 1].height_m);
+    }
+    return true;
+}
+
+/** Adds subrecords of `points` of one scan to `cut`. */
+static enum status_code cut_scan(struct ensemble *cut, const struct member *scan, size_t points,
+                                 const struct scene *scene, struct status *status)
+{
+    const struct record_conditioning how = record_conditioning_of(scene, scan->periodic);
+    size_t subrecords = interval_subrecords(scan->points, points);
+    cut->scans[scan->scan].weight = (double)subrecords;
+    for (size_t k = 0; k < subrecords; k++) {
+        const struct record_heights part = {scan->height_m + interval_subrecord_first(scan->points, points, k), points,
+                                            scan->spacing_m};
+        if (ensemble_add(cut, scan->scan, &part, &how, status) != STATUS_OK)
+            return status->code;
+    }
+    return STATUS_OK;
+}
+
+enum status_code repeats_cut_to_shortest(struct ensemble *set, size_t *cut, const struct scene *scene,
+                                         struct status *status)
+{
+    size_t longer = 0;
+    double least_m = INFINITY;
+    for (size_t p = 0; p < set->count; p++)
+        least_m = fmin(least_m, (double)set->members[p].points * set->members[p].spacing_m);
+    struct ensemble out = {.scans = set->scans, .scan_count = set->scan_count, .keeps_heights = set->keeps_heights};
+    enum status_code rc = STATUS_OK;
+    for (size_t p = 0; p < set->count && rc == STATUS_OK; p++) {
+        struct member *member = &set->members[p], *kept;
+        size_t points = (size_t)floor(least_m / member->spacing_m * (1 + 1e-9) + 1e-9);
+        if (points < member->points && points >= 3) {
+            rc = cut_scan(&out, member, points, scene, status);
+            longer++;
+        } else if ((kept = ensemble_room(&out))) {
+            *kept = *member;
+            *member = (struct member){0};
+        } else {
+            rc = status_memory(status);
+        }
+    }
+    set->scans = NULL;
+    ensemble_free(set);
+    *set = out;
+    *cut = longer > 0 ? out.count : 0;
+    return rc;
+}
+
+static enum status_code align(struct ensemble *set, const struct spectrum *mean, struct status *status)
+{
+    for (size_t p = 0; p < set->count; p++) {
+        struct spectrum *own = &set->members[p].spectrum, same;
+        if (own->count == mean->count && fabs(own->length_m / mean->length_m - 1) < 1e-6)
+            continue;
+        if (grid_spectrum(&same, own, mean->length_m, mean->count, status) != STATUS_OK)
+            return status->code;
+        spectrum_free(own);
+        *own = same;
+    }
+    return STATUS_OK;
+}
+
+enum status_code repeats_compare(struct repeats *out, struct ensemble *set, const struct spectrum *mean,
+                                 struct status *status)
+{
+    if (set->count == 0)
+        return STATUS_OK;
+    out->count = set->count;
+    out->scans = set->scan_count;
+    out->gamma = out->psd_m3 = estimate_none;
+    if (align(set, mean, status) != STATUS_OK)
+        return status->code;
+    double *rq_m = malloc((set->count + 1) * sizeof *rq_m);
+    size_t *scan = malloc((set->count + 1) * sizeof *scan);
+    enum status_code rc = rq_m && scan ? STATUS_OK : status_memory(status);
+    for (size_t p = 0; p < set->count && rc == STATUS_OK; p++) {
+        rq_m[p] = set->members[p].roughness.rq_m;
+        scan[p] = set->members[p].scan;
+    }
+    if (rc == STATUS_OK)
+        rc = ensemble_estimate(&out->rq_m, set, &(struct ensemble_values){rq_m, scan, set->count}, true, status);
+    free(rq_m);
+    free(scan);
+    return rc;
+}

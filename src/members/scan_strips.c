@@ -1,0 +1,188 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "members/scan_strips.h"
+
+#include "direct/direct_surface.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+void strips_free(struct strips *strips)
+{
+    free(strips->height_m);
+    solved_strip_free(strips->joined);
+    *strips = (struct strips){.height_m = NULL};
+}
+
+/** Has a member all of the `points`, and the first one's spacing? Rows of a map may lack some at their ends. */
+static bool is_whole(const struct member *member, size_t points, double spacing_m)
+{
+    return member->height_m && member->points == points && fabs(member->spacing_m / spacing_m - 1) <= 1e-6;
+}
+
+static size_t least(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
+/** Times that each of so many rows is paired. */
+static size_t pairings_of(size_t rows)
+{
+    return (STRIPS_PAIRINGS + rows - 1) / rows;
+}
+
+enum status_code strips_gather(struct strips *out, struct ensemble *set, bool paired, struct status *status)
+{
+    bool map = set->count > 0 && set->members[0].is_row, periodic = true;
+    double spacing_m = set->count > 0 ? set->members[0].spacing_m : 0;
+    size_t points = 0, whole = 0, taken = 0;
+    for (size_t p = 0; p < set->count; p++)
+        points = set->members[p].points > points ? set->members[p].points : points;
+    for (size_t p = 0; p < set->count; p++)
+        if (is_whole(&set->members[p], points, spacing_m)) {
+            periodic = periodic && set->members[p].periodic;
+            whole++;
+        }
+    if (whole == 0 || (!map && whole < set->count))
+        return STATUS_OK;
+    size_t rows = paired ? whole * pairings_of(whole) : whole;
+    bool fits = rows <= STRIPS_PIECES && rows * points <= STRIPS_POINTS;
+    size_t length = fits ? points : least(points, STRIPS_PIECE_POINTS);
+    size_t pieces = fits ? whole : least(STRIPS_PIECES, STRIPS_POINTS / length);
+    size_t scans = least(whole, pieces), each = pieces / scans;
+    each = each > 2 ? 3 * each / 4 : each; /* the others move its answer by .1, and cost a third more */
+    size_t spread = each > 1 ? each : scans;
+    if (!(out->height_m = malloc(scans * each * length * sizeof *out->height_m)))
+        return status_memory(status);
+    for (size_t p = 0, k = 0; p < set->count; p++) {
+        struct member *member = &set->members[p];
+        if (!is_whole(member, points, spacing_m) || k++ != (2 * taken + 1) * whole / (2 * scans))
+            continue;
+        member->first_piece = taken * each;
+        member->pieces = each;
+        for (size_t i = 0; i < each; i++) {
+            size_t place = each > 1 ? i : taken, first = spread > 1 ? place * (points - length) / (spread - 1) : 0;
+            memcpy(out->height_m + (taken * each + i) * length, member->height_m + first,
+                   length * sizeof *out->height_m);
+        }
+        taken++;
+    }
+    out->in_part = !map && (length < points || scans < whole);
+    out->rows = (struct strip_rows){out->height_m, scans * each, length, spacing_m, periodic && length == points};
+    return STATUS_OK;
+}
+
+/** Height of a row at `place` points from its beginning, wherever that is. */
+static double height_at(const struct strip_rows *rows, size_t row, double place)
+{
+    const double *height_m = rows->height_m + row * rows->points;
+    size_t n = rows->points, period = rows->periodic ? n : 2 * n;
+    double within = fmod(place, (double)period), share = within - floor(within);
+    size_t at[2] = {(size_t)within, ((size_t)within + 1) % period};
+    for (int k = 0; k < 2; k++)
+        at[k] = at[k] < n ? at[k] : 2 * n - 1 - at[k];
+    return share > 0 ? (1 - share) * height_m[at[0]] + share * height_m[at[1]] : height_m[at[0]];
+}
+
+/** First and number of the rows that a row may be paired with. */
+static void partner_rows(size_t range[2], const struct ensemble *set, size_t row, const struct strips *other,
+                         const struct ensemble *other_set)
+{
+    size_t p = 0, q = other_set->count;
+    while (p < set->count && row - set->members[p].first_piece >= set->members[p].pieces)
+        p++;
+    if (p < set->count)
+        q = ensemble_partner(set, p, other_set);
+    bool partner = q < other_set->count && other_set->members[q].pieces > 0;
+    range[0] = partner ? other_set->members[q].first_piece : 0;
+    range[1] = partner ? other_set->members[q].pieces : other->rows.rows;
+}
+
+enum { PAIRING_SEED = 0x70616972 };
+
+enum status_code strips_pair(struct strips *strips, struct ensemble *set, const struct strips *other,
+                             const struct ensemble *other_set, struct status *status)
+{
+    const struct strip_rows own = strips->rows, *theirs = &other->rows;
+    if (own.rows == 0 || theirs->rows == 0) {
+        strips_free(strips);
+        return STATUS_OK;
+    }
+    size_t pairings = pairings_of(own.rows), rows = own.rows * pairings;
+    double *height_m = malloc(rows * own.points * sizeof *height_m), step = own.spacing_m / theirs->spacing_m;
+    if (!height_m)
+        return status_memory(status);
+    step = fabs(step - 1) < 1e-6 ? 1 : step;
+    for (size_t r = 0; r < rows; r++) {
+        size_t range[2];
+        partner_rows(range, set, r / pairings, other, other_set);
+        size_t row = range[0] + (size_t)(direct_random(PAIRING_SEED, 2 * r) * (double)range[1]);
+        double first = floor(direct_random(PAIRING_SEED, 2 * r + 1) * 2 * (double)theirs->points);
+        for (size_t i = 0; i < own.points; i++)
+            height_m[r * own.points + i] =
+                own.height_m[r / pairings * own.points + i] + height_at(theirs, row, first + (double)i * step);
+    }
+    for (size_t p = 0; p < set->count; p++) {
+        set->members[p].first_piece *= pairings;
+        set->members[p].pieces *= pairings;
+    }
+    free(strips->height_m);
+    strips->height_m = height_m;
+    strips->rows.height_m = height_m;
+    strips->rows.rows = rows;
+    strips->rows.periodic =
+        own.periodic && theirs->periodic && fabs((double)own.points * step / (double)theirs->points - 1) < 1e-6;
+    return STATUS_OK;
+}
+
+uint64_t strips_cost(const struct strips *strips)
+{
+    return 2 * strip_cost(&strips->rows, strips->rows.rows, STRIP_SURROGATES);
+}
+
+/** A strip of these rows, malloc'ed; NULL where it has no answer. */
+static enum status_code solve(struct solved_strip **out, struct strips *strips, size_t first, size_t count,
+                              const atomic_bool *stop, struct status *status)
+{
+    struct status problem = {0};
+    struct solved_strip *solved = calloc(1, sizeof *solved);
+    size_t which[STRIPS_PIECES];
+    if (!solved)
+        return status_memory(status);
+    for (size_t r = 0; r < count; r++)
+        which[r] = first + r;
+    solved->rows = strips->rows;
+    solved->rows.height_m += first * strips->rows.points;
+    solved->rows.rows = count;
+    enum status_code rc = strip_solve(&solved->strip, &strips->rows, which, count, STRIP_SURROGATES, stop, &problem);
+    strips->transforms += solved->strip.transforms;
+    strips->unsolved += solved->strip.unsolved;
+    if (rc == STATUS_OK)
+        rc = bearing_make(&solved->bearing, &solved->rows, &problem);
+    if (rc == STATUS_OK) {
+        *out = solved;
+        return STATUS_OK;
+    }
+    solved_strip_free(solved);
+    if (strips->problem.code == STATUS_OK)
+        strips->problem = problem;
+    return rc == STATUS_MODEL ? STATUS_OK : status_fail(status, rc, "%s", problem.message);
+}
+
+enum status_code strips_solve(struct strips *strips, const atomic_bool *stop, struct status *status)
+{
+    return solve(&strips->joined, strips, 0, strips->rows.rows, stop, status);
+}
+
+enum status_code strips_solve_members(struct strips *strips, struct ensemble *set, const atomic_bool *stop,
+                                      struct status *status)
+{
+    set->solved_alone = true;
+    for (size_t p = 0; p < set->count; p++) {
+        struct member *member = &set->members[p];
+        if (member->pieces > 0 &&
+            solve(&member->strip, strips, member->first_piece, member->pieces, stop, status) != STATUS_OK)
+            return status->code;
+    }
+    return STATUS_OK;
+}

@@ -1,0 +1,392 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "members/surface_read.h"
+
+#include "base/clock.h"
+#include "contact/cmy.h"
+
+#include "spectrum/simulated_record.h"
+#include <math.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+/** Does a model that may run use strips, or unloading? */
+static bool wants_strips(const struct scene *scene)
+{
+    return (scene->effects & EFFECT_BIT(EFFECT_UNLOADING)) ||
+           (scene->models & model_flagged(offsetof(struct model_row, uses_strip)));
+}
+
+/** Repeats, for a surface, what was noted about the scans of its counterface. */
+static void note_counterface(struct surface_summary *summary, const struct surface_summary *counterface)
+{
+    for (size_t i = 0; i < counterface->notes.count; i++) {
+        const struct note *note = &counterface->notes.notes[i];
+        struct text line = {0};
+        note_line(&line, note);
+        if (note->subject || note->refused_scan)
+            note_add(&summary->notes, NULL, "counterface %s", text_string(&line));
+        text_free(&line);
+    }
+}
+
+enum status_code surface_read_counterface(struct surface_record *record, struct power_law_scans *scans,
+                                          const struct surface_record *counterface, struct status *status)
+{
+    struct roughness *own = &record->summary.roughness;
+    double own_rq_m = own->rq_m;
+    roughness_add(own, &counterface->summary.roughness);
+    note_add(&record->summary.notes, NULL,
+             "pressed against a rough counterface: Rq %.4g um and %.4g um give %.4g um together", own_rq_m * 1e6,
+             counterface->summary.roughness.rq_m * 1e6, own->rq_m * 1e6);
+    note_counterface(&record->summary, &counterface->summary);
+    if (ensemble_pair(&record->ensemble, &counterface->ensemble, status) != STATUS_OK)
+        return status->code;
+    if (record->ensemble.count < 2)
+        ensemble_free(&record->ensemble);
+    for (size_t i = 0; i < scans->scan_count && counterface->tapered.count > 0; i++)
+        if (grid_add(&scans->scan[i], &counterface->tapered, status) != STATUS_OK)
+            return status->code;
+    if (scans->scan_count > 0 && counterface->tapered.count > 0 &&
+        grid_add(&scans->mean, &counterface->tapered, status) != STATUS_OK)
+        return status->code;
+    return grid_add(&record->spectrum, &counterface->spectrum, status);
+}
+
+/** Keeps the heights of the first scan, or of a row in the middle of the first map, where records like it may be
+ * simulated. */
+static void keep_first(struct surface_record *record, const struct power_law_scans *scans, const struct scene *scene)
+{
+    const struct ensemble *set = &record->ensemble;
+    struct member *part = &set->members[set->members[0].is_row ? set->count / 2 : 0];
+    if (!part->height_m || part->points < SIMULATED_RECORD_LEAST_POINTS ||
+        !(scene->effects_auto || (scene->effects & EFFECT_BIT(EFFECT_UNCERTAINTY))) ||
+        (scans->scan_count > 0 && !simulated_record_possible(scans->scan[0].amplitude_m, part->points)))
+        return;
+    record->summary.single_points = part->points;
+    record->height_m = part->height_m;
+    part->height_m = NULL;
+}
+
+enum status_code surface_read_members(struct surface_record *record, struct power_law_scans *scans,
+                                      const struct scene *scene, struct status *status)
+{
+    struct ensemble *set = &record->ensemble;
+    size_t all = set->count;
+    bool profiles = true;
+    for (size_t p = 0; p < all; p++)
+        profiles = profiles && !set->members[p].is_row;
+    if (all == 0) /* a map of which other rows were chosen than can be used */
+        return STATUS_OK;
+    if (all > 1 && repeats_merge_identical(set)) {
+        note_add(&record->summary.notes, NULL, "its %zu scans are the same to the last digit: they count as one", all);
+        scans->independent = 1;
+    }
+    if (set->count > 1 && profiles &&
+        repeats_cut_to_shortest(set, &record->summary.repeats.cut, scene, status) != STATUS_OK)
+        return status->code;
+    bool paired = scene->counterface_surface.file_count > 0;
+    if (set->keeps_heights && strips_gather(&record->strips, set, paired, status) != STATUS_OK)
+        return status->code;
+    if (set->keeps_heights && record->strips.rows.rows == 0)
+        note_add(&record->summary.notes, NULL, "no strip transfer: its scans differ in spacing or points");
+    if (set->count == 1 || set->scan_count == 1 || paired)
+        keep_first(record, scans, scene);
+    if (set->count == 1) { /* the surface itself */
+        ensemble_free(set);
+        return STATUS_OK;
+    }
+    for (size_t p = 0; p < set->count; p++) {
+        free(set->members[p].height_m);
+        set->members[p].height_m = NULL;
+    }
+    return STATUS_OK;
+}
+
+/** Says what the law leaves to say: two slopes, lines, a slope that decides on convergence;
+ * and which models are lost where the surface has no asperities (`why_none`). */
+static void note_description(struct surface_summary *summary, const struct scene *scene, const double *line_m,
+                             size_t line_count, const char *why_none)
+{
+    struct note_list *notes = &summary->notes;
+    const struct power_law *law = &summary->power_law;
+    struct text lines = {0}, models = {0};
+    for (size_t i = 0; i < line_count; i++)
+        text_add(&lines, "%s%.3g um", i > 0 ? ", " : "", line_m[i] * 1e6);
+    for (size_t m = 0; m < model_count && !summary->has_asperities; m++)
+        if ((scene->models & MODEL_BIT(m)) && model_rows[m]->asperity_model)
+            text_add(&models, "%s%s", models.length > 0 ? " and " : "", model_rows[m]->label);
+    if (scene->fit == POWER_LAW_THESIS && isnan(law->gamma))
+        note_add(notes, NULL, "no power law: %s",
+                 law->harmonics < 3 ? "fewer than 3 harmonics lie in the fit band; widen fit_band"
+                                    : "its alpha is beyond the range of numbers; are the units right?");
+    else if (law->found == POWER_LAW_BAND_NONE)
+        note_add(notes, NULL, "no power law found");
+    else if (law->found == POWER_LAW_BAND_NARROW)
+        note_add(notes, NULL, "the power law is narrow: it holds from %.3g to %.3g um only, under a decade",
+                 law->band_m[0] * 1e6, law->band_m[1] * 1e6);
+    if (isfinite(law->knee_m))
+        note_add(notes, NULL, "two slopes fit better than one: gamma %.2f above %.3g um, %.2f below; consider fit_band",
+                 law->gamma_above, law->knee_m * 1e6, law->gamma_below);
+    if (lines.length > 0)
+        note_add(notes, NULL, "lines of periodic marks, left out of the fit: %s", text_string(&lines));
+    if (models.length > 0)
+        note_add(notes, NULL, "no %s: %s", text_string(&models), why_none);
+    if (surface_diverges(summary))
+        note_add(notes, NULL,
+                 "gamma = %.2f is below 1: the elastic multiscale area depends on the shortest wavelength sampled",
+                 surface_short_gamma(law));
+    text_free(&lines);
+    text_free(&models);
+}
+
+static struct power_law_scans_def fit_def(const struct surface_summary *summary, const struct scene *scene)
+{
+    return (struct power_law_scans_def){fmax(scene->lambda_s_m, summary->cutoff_m),
+                                        scene->fit_band_given ? scene->fit_band_m : NULL};
+}
+
+/** Every scan's law in the band of their mean. */
+static enum status_code fit_alone(struct surface_record *record, const struct power_law_scans *scans,
+                                  const struct scene *scene, struct status *status)
+{
+    const struct power_law_scans_def def = fit_def(&record->summary, scene);
+    struct repeats *repeats = &record->summary.repeats;
+    size_t count = scans->scan_count;
+    if (repeats->scans < 2)
+        return STATUS_OK;
+    double *gamma = malloc(2 * count * sizeof *gamma);
+    if (!gamma)
+        return status_memory(status);
+    double *psd_m3 = gamma + count;
+    enum status_code rc = STATUS_OK;
+    for (size_t i = 0; i < count && rc == STATUS_OK; i++) {
+        struct power_law_band alone;
+        rc = power_law_scans_fit_alone(&alone, scans, i, &def, record->band, status);
+        struct power_law law = power_law_of_band(&alone);
+        gamma[i] = law.gamma;
+        psd_m3[i] = law.psd_m3;
+    }
+    if (rc == STATUS_OK)
+        rc = ensemble_estimate(&repeats->gamma, &record->ensemble, &(struct ensemble_values){gamma, scans->file, count},
+                               false, status);
+    if (rc == STATUS_OK)
+        rc = ensemble_estimate(&repeats->psd_m3, &record->ensemble,
+                               &(struct ensemble_values){psd_m3, scans->file, count}, true, status);
+    repeats->gamma.model_sd = record->band->fit.gamma_bias_s;
+    repeats->psd_m3.model_sd = 2 * M_LN10 * record->band->fit.log10_amplitude_bias_s;
+    free(gamma);
+    return rc;
+}
+
+/** Power law and statistical parameters. */
+static enum status_code describe(struct surface_record *record, struct power_law_scans *scans,
+                                 const struct scene *scene, struct status *status)
+{
+    struct surface_summary *summary = &record->summary;
+    struct power_law *law = &summary->power_law;
+    const struct power_law_scans_def def = fit_def(summary, scene);
+    struct status none = {0};
+    double started = clock_seconds(), line_m[LOG_BIN_MOST];
+    size_t lines = 0;
+    summary->longest_waves = spectrum_longest_waves(&record->spectrum);
+    summary->independent = fmax(1, scans->independent);
+    size_t known = convergence_known(&record->spectrum, fmax(2 * def.lambda_s_m, scene->fit_band_m[0]), scans->step_m);
+    summary->tail = convergence_tail(&record->spectrum, known);
+    if (scene->fit == POWER_LAW_THESIS) {
+        *law = power_law_fit(&record->spectrum, scene->fit_band_m);
+    } else {
+        if (!(record->band = malloc(sizeof *record->band)))
+            return status_memory(status);
+        if (power_law_scans_fit(record->band, scans, &def, status) != STATUS_OK)
+            return status->code;
+        *law = power_law_of_band(record->band);
+        lines = power_law_band_lines(line_m, record->band);
+        record->tapered = scans->mean;
+        scans->mean = (struct spectrum){0};
+    }
+    summary->has_asperities = roughness_asperities(&summary->asperities, &summary->roughness, &none) == STATUS_OK;
+    summary->times.spectrum += clock_seconds() - started;
+    note_description(summary, scene, line_m, lines, none.message);
+    return STATUS_OK;
+}
+
+/** r from the scans along the lay, each of which has to be readable: the answer hangs on it. */
+static enum status_code take_along(struct surface_summary *summary, const struct scene *scene, struct hash *hash,
+                                   struct status *status)
+{
+    struct scene_surface surface = *summary->scene;
+    struct surface_record along = {.summary = {.scene = &surface}};
+    struct power_law_scans scans = {0};
+    struct status problem = {0};
+    const struct surface_scans task = {&along, &scans, scene};
+    surface.files = surface.along;
+    surface.file_count = surface.along_count;
+    enum status_code rc = STATUS_OK;
+    for (size_t f = 0; f < surface.file_count && rc == STATUS_OK; f++)
+        rc = surface_files_read_one(&task, surface.files[f], hash, &problem);
+    double unlike = along.summary.spacing_m / summary->spacing_m;
+    if (rc == STATUS_OK)
+        surface_set_lay(summary, sqrt(along.summary.roughness.m2 / summary->roughness.m2),
+                        "are 'file' and 'along' exchanged?");
+    if (rc == STATUS_OK && !(fabs(log(unlike)) < 0.1))
+        note_add(&summary->notes, NULL,
+                 "its scans along the lay have %.3g times the spacing of those across: slopes so taken do "
+                 "not compare well",
+                 unlike);
+    surface_record_free(&along);
+    power_law_scans_free(&scans);
+    return rc == STATUS_OK ? STATUS_OK : status_fail(status, rc, "along: %s", problem.message);
+}
+
+static enum status_code find_lay(struct surface_summary *summary, const struct scene *scene, struct hash *hash,
+                                 struct status *status)
+{
+    const struct scene_surface *surface = summary->scene;
+    if (surface->along_count > 0)
+        return take_along(summary, scene, hash, status);
+    if (surface->lay_given || (scene->lay_given && !summary->has_lay))
+        surface_set_lay(summary, surface->lay_given ? surface->lay : scene->lay, "");
+    return STATUS_OK;
+}
+
+static void stretch_member(struct member *member, double kappa)
+{
+    member->spectrum.length_m /= kappa;
+    member->spacing_m /= kappa;
+    member->roughness.m2 *= pow(kappa, 2);
+    member->roughness.m4_per_m2 *= pow(kappa, 4);
+}
+
+/** Makes of a surface with a lay the isotropic one of the same mean-square gradient that the models are asked about;
+ * what describes the scans stays as it was measured (equations: lay). */
+static void stretch(struct surface_record *record, double kappa)
+{
+    record->spectrum.length_m /= kappa;
+    record->strips.rows.spacing_m /= kappa;
+    record->summary.tail.wavelength_m /= kappa;
+    record->summary.asperities.density_per_m2 *= pow(kappa, 2);
+    record->summary.asperities.radius_m /= pow(kappa, 2);
+    for (size_t p = 0; p < record->ensemble.count; p++)
+        stretch_member(&record->ensemble.members[p], kappa);
+    for (int variant = 0; variant < VARIANT_COUNT; variant++)
+        stretch_member(&record->variants.of[variant], kappa);
+}
+
+/** From what was gathered to the description of the surface. */
+static enum status_code conclude(struct surface_record *record, struct power_law_scans *scans,
+                                 const struct scene *scene, const struct surface_record *counterface,
+                                 struct status *status)
+{
+    if (counterface && (strips_pair(&record->strips, &record->ensemble, &counterface->strips, &counterface->ensemble,
+                                    status) != STATUS_OK ||
+                        surface_read_counterface(record, scans, counterface, status) != STATUS_OK))
+        return status->code;
+    if (record->summary.scene != &scene->counterface_surface &&
+        (record->ensemble.scan_count > 1 || (counterface && !counterface->height_m))) {
+        free(record->height_m); /* scans, or pairs of them, speak for themselves */
+        record->height_m = NULL;
+        record->summary.single_points = 0;
+    }
+    if (counterface && wants_strips(scene) && counterface->strips.rows.rows == 0)
+        note_add(&record->summary.notes, NULL,
+                 "no strip transfer: the counterface's scans differ in spacing or points");
+    record->summary.has_strips = record->strips.rows.rows > 0;
+    record->summary.strips_in_part = record->strips.in_part;
+    record->summary.strip_cost = record->summary.has_strips ? (double)strips_cost(&record->strips) : 0;
+    if (counterface)
+        tiles_pair(&record->tiles, &counterface->tiles);
+    bool capped = record->summary.pair.hardness_Pa > 0;
+    double most = scene->models_named ? INFINITY : tiles_budget / (double)scene->surface_count;
+    record->summary.has_tiles = tiles_fit(&record->tiles, capped, most);
+    record->summary.tile_cost = tiles_cost(&record->tiles, capped);
+    record->summary.squares = record->tiles.columns * record->tiles.rows;
+    record->summary.all_squares = record->tiles.all;
+    if (describe(record, scans, scene, status) != STATUS_OK)
+        return status->code;
+    record->ensemble.sigma_m = sqrt(record->summary.roughness.m0_m2);
+    if (repeats_compare(&record->summary.repeats, &record->ensemble, &record->spectrum, status) != STATUS_OK)
+        return status->code;
+    bool found = scene->fit == POWER_LAW_AUTO && record->band->law != POWER_LAW_BAND_NONE;
+    if (found && !counterface && fit_alone(record, scans, scene, status) != STATUS_OK)
+        return status->code;
+    stretch(record, surface_kappa(&record->summary));
+    return STATUS_OK;
+}
+
+static const double usual_area = 0.01; /* at which spots are looked at where the scene has no operating load */
+
+/** A plating that is thicker than its indents are deep has its own hardness, and with it the contact, but where the
+ * other body is bare and softer still; one that the scene gives stands above it. */
+static void find_plating_hardness(struct surface_summary *summary, const struct cmy *surface, double load,
+                                  const struct scene *scene)
+{
+    const struct scene_bodies *bodies = &summary->scene->bodies;
+    const struct joint *joint = &scene->joint;
+    double own_Pa = joint_platings[joint->plating].hardness_Pa, other_Pa = INFINITY,
+           pressure_Pa = material_pair_pressure(&summary->pair, load);
+    summary->hardness = bodies->hardness_Pa > 0 ? SURFACE_HARDNESS_SCENE : SURFACE_HARDNESS_BODIES;
+    summary->indent_m = NAN;
+    if (!joint->plating || bodies->hardness_Pa > 0)
+        return;
+    summary->indent_m = cmy_indent_m(surface, load > 0 ? pressure_Pa / own_Pa : usual_area);
+    if (bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC && !joint->both_plated)
+        other_Pa = material_hardness(&bodies->counterface);
+    if (!(joint->plating_thickness_m > summary->indent_m) || isnan(other_Pa))
+        return;
+    summary->hardness = own_Pa < other_Pa ? SURFACE_HARDNESS_PLATING : SURFACE_HARDNESS_BODIES;
+    summary->pair.hardness_Pa = fmin(own_Pa, other_Pa);
+}
+
+/** That of a plating; and where it falls with size, the hardness of all but cmy: that of cmy's spots at the operating
+ * load or, where the scene gives none, at an area of 1 %. */
+static void find_hardness(struct surface_record *record, const struct scene *scene)
+{
+    struct material_pair *pair = &record->summary.pair;
+    const double c1 = pair->vickers_Pa, c2 = pair->vickers_exponent;
+    const struct cmy surface = {sqrt(spectrum_moment(&record->spectrum, 0)),
+                                cmy_slope(spectrum_moment(&record->spectrum, 1))};
+    double load = scene_load_of(&scene->operating, scene, pair), own_Pa = NAN;
+    if (!pair->unknown)
+        find_plating_hardness(&record->summary, &surface, load, scene);
+    if (!(c1 > 0 && surface.sigma_m > 0))
+        return;
+    if (load > 0)
+        own_Pa = cmy_microhardness(&surface, material_pair_pressure(pair, load), c1, c2);
+    pair->hardness_Pa = own_Pa > 0 ? own_Pa : cmy_spot_hardness(&surface, usual_area, c1, c2);
+    note_add(&record->summary.notes, NULL,
+             "its hardness falls with size: CMY has its spots' own, all else %.4g MPa, theirs at %s",
+             pair->hardness_Pa * 1e-6, own_Pa > 0 ? "the operating load" : "an area of 1 %");
+}
+
+enum status_code surface_read(struct surface_record *out, const struct scene *scene,
+                              const struct scene_surface *surface, const struct surface_record *counterface,
+                              struct status *status)
+{
+    struct surface_summary *summary = &out->summary;
+    struct status problem = {0};
+    struct hash hash = hash_start();
+    struct power_law_scans scans = {0};
+    const struct surface_scans task = {out, &scans, scene};
+    out->counterface = counterface;
+    summary->scene = surface;
+    summary->pair = scene_pair(&surface->bodies);
+    out->ensemble.keeps_heights = wants_strips(scene);
+    enum status_code rc = surface_files_read(&task, &hash, &problem);
+    if (rc == STATUS_OK && surface != &scene->counterface_surface) /* whose lay is taken to be the surface's */
+        rc = find_lay(summary, scene, &hash, &problem);
+    hash_finish(&hash, summary->hash);
+    if (rc == STATUS_OK)
+        rc = surface_read_members(out, &scans, scene, &problem);
+    if (rc == STATUS_OK)
+        rc = conclude(out, &scans, scene, counterface, &problem);
+    power_law_scans_free(&scans);
+    if (rc == STATUS_MEMORY && status_memory(status))
+        return surface_put_aside(out, scene, status);
+    if (rc == STATUS_OK && surface != &scene->counterface_surface)
+        find_hardness(out, scene);
+    summary->usable = rc == STATUS_OK;
+    if (!summary->usable && !(summary->refusal = strdup(problem.message)))
+        return status_memory(status);
+    return STATUS_OK;
+}

@@ -1,0 +1,282 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "members/surface_read.h"
+
+#include "base/clock.h"
+#include <math.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static void note_scan(struct surface_summary *summary, const struct scan *scan, const struct profile *profile,
+                      const char *file)
+{
+    for (size_t w = 0; w < scan->warning_count; w++)
+        note_add(&summary->notes, file, "%s", scan->warnings[w]);
+    for (size_t n = 0; n < profile->note_count; n++)
+        note_add(&summary->notes, file, "%s", profile->notes[n]);
+}
+
+/** The profile thinned for its chart: of every run of points the lowest and the highest, in their order. */
+static enum status_code keep_preview(struct surface_record *record, const struct profile *profile,
+                                     struct status *status)
+{
+    size_t runs = SURFACE_PREVIEW / 2, stride = (profile->points + runs - 1) / runs, n = 0;
+    if (profile->points <= SURFACE_PREVIEW)
+        stride = 1;
+    size_t room = profile->points < SURFACE_PREVIEW ? profile->points : SURFACE_PREVIEW;
+    record->preview_x_m = malloc(room * sizeof *record->preview_x_m);
+    record->preview_z_m = malloc(room * sizeof *record->preview_z_m);
+    if (!record->preview_x_m || !record->preview_z_m)
+        return status_memory(status);
+    for (size_t start = 0; start < profile->points; start += stride) {
+        size_t low = start, high = start;
+        for (size_t i = start; i < start + stride && i < profile->points; i++) {
+            low = profile->height_m[i] < profile->height_m[low] ? i : low;
+            high = profile->height_m[i] > profile->height_m[high] ? i : high;
+        }
+        size_t ends[2] = {low < high ? low : high, low < high ? high : low};
+        for (int e = 0; e < (low == high ? 1 : 2) && n < SURFACE_PREVIEW; e++, n++) {
+            record->preview_x_m[n] = (double)ends[e] * profile->spacing_m;
+            record->preview_z_m[n] = profile->height_m[ends[e]];
+        }
+    }
+    record->preview_points = n;
+    return STATUS_OK;
+}
+
+enum { DIRECT_HEIGHTS = 65536, DIRECT_SIDE = 400 }; /* kept for the direct solution: heights, and points along a map */
+
+/** Keeps what a direct solution is made from: heights of a profile, thinned evenly, or the first square of a map. */
+static enum status_code keep_direct(struct surface_record *record, const struct scan *scan,
+                                    const struct profile *profile, struct status *status)
+{
+    size_t side = record->summary.map.nx, room = DIRECT_HEIGHTS - record->direct_count;
+    size_t step = profile ? (profile->points + DIRECT_HEIGHTS - 1) / DIRECT_HEIGHTS : 1;
+    size_t more = profile ? profile->points / step : side * side;
+    if (profile && more > room)
+        more = room;
+    double *all = reallocarray(record->direct_m, record->direct_count + more + 1, sizeof *all);
+    if (!all)
+        return status_memory(status);
+    record->direct_m = all;
+    for (size_t k = 0; k < more; k++)
+        all[record->direct_count++] = profile ? profile->height_m[k * step] : scan->z_m[k / side * scan->nx + k % side];
+    return STATUS_OK;
+}
+
+/** Is a direct solution called for, and the surface its own? A map is alone; two rough bodies have no heights in
+ * common.
+ */
+static bool keeps_direct(const struct surface_record *record, const struct scene *scene)
+{
+    return scene->direct.called && scene->counterface_surface.file_count == 0 &&
+           (record->summary.map.nx == 0 || record->direct_count == 0);
+}
+
+/** A profile's own spectrum and moments, as the scene wants them. */
+static enum status_code take_spectrum(struct spectrum *spectrum, struct roughness *roughness,
+                                      const struct profile *profile, const struct scene *scene, struct status *status)
+{
+    *roughness = profile->measured_x_m
+                     ? roughness_of_points(profile->measured_x_m, profile->measured_z_m, profile->points)
+                     : roughness_of_heights(profile->height_m, profile->points, profile->spacing_m);
+    if (spectrum_compute(spectrum, profile->height_m, profile->points, profile->spacing_m,
+                         spectrum_window_for(scene->window, profile->periodic), status) != STATUS_OK)
+        return status->code;
+    if (scene->moments == ROUGHNESS_MOMENTS_SPECTRAL)
+        roughness_from_spectrum(roughness, spectrum);
+    return STATUS_OK;
+}
+
+/** Averages a profile's spectrum and moments into the surface's, as powers; the first one tells the rest. */
+static enum status_code average(struct surface_record *record, const struct profile *profile,
+                                const struct spectrum *spectrum, const struct roughness *roughness,
+                                struct status *status)
+{
+    struct surface_summary *summary = &record->summary;
+    summary->periodic += profile->periodic;
+    if (summary->scans++ > 0) {
+        roughness_average(&summary->roughness, roughness, summary->scans - 1);
+        return grid_average(&record->spectrum, spectrum, summary->scans - 1, status);
+    }
+    summary->roughness = *roughness;
+    summary->points = profile->points;
+    summary->spacing_m = profile->spacing_m;
+    return spectrum_copy(&record->spectrum, spectrum, status) == STATUS_OK ? keep_preview(record, profile, status)
+                                                                           : status->code;
+}
+
+/** Adds one profile, a row of a scan, to the surface: to its mean and the spectra the law is fitted to, to the
+ * variants that answers are sensitive to, and as a member of its own. `had`: what its heights have been through. */
+static enum status_code add_profile(const struct surface_scans *task, const struct profile_options *had,
+                                    const struct scan *scan, size_t row, struct profile *profile, struct status *status)
+{
+    struct surface_record *record = task->record;
+    const struct scene *scene = task->scene;
+    struct member own = {.points = profile->points, .spacing_m = profile->spacing_m, .periodic = profile->periodic};
+    double started = clock_seconds();
+    enum status_code rc = take_spectrum(&own.spectrum, &own.roughness, profile, scene, status);
+    if (rc == STATUS_OK)
+        task->scans->step_m = fmax(task->scans->step_m, profile->digit_m);
+    if (rc == STATUS_OK &&
+        (scene->fit == POWER_LAW_AUTO || scan->kind == SCAN_AREAL)) /* of a map, how many rows are independent */
+        rc = power_law_scans_add(task->scans, profile->height_m, profile->points, profile->spacing_m, profile->digit_m,
+                                 status);
+    if (rc == STATUS_OK && scene->counterface_surface.file_count == 0)
+        rc = variants_add(&record->variants, profile, had, scene->window, scene->moments, status);
+    if (rc == STATUS_OK && scan->kind == SCAN_PROFILE && keeps_direct(record, scene))
+        rc = keep_direct(record, scan, profile, status);
+    if (rc == STATUS_OK)
+        rc = average(record, profile, &own.spectrum, &own.roughness, status);
+    record->summary.windowed += spectrum_window_for(scene->window, profile->periodic) == SPECTRUM_WINDOW_HANN;
+    record->summary.length_m = record->spectrum.length_m;
+    record->summary.times.spectrum += clock_seconds() - started;
+    if (rc == STATUS_OK)
+        return repeats_add(&record->ensemble, row, scan->ny, profile, &own, status);
+    spectrum_free(&own.spectrum);
+    return rc;
+}
+
+/* The first harmonic whose estimate by five sine tapers keeps off the ends of the spectrum is the fifth
+ * (docs/equations.md, power_law_band.h); a record has it below its Nyquist frequency from 11 points on. */
+enum { LEAST_POINTS = 11 };
+
+/** Takes out of a map what neither a row nor a direct solution can hold: both are of the heights that are left. */
+static enum status_code condition_map(struct direct_map_def *map, struct scan *scan, struct status *status)
+{
+    size_t side = scan->nx < scan->ny ? scan->nx : scan->ny;
+    *map = (struct direct_map_def){.nx = scan->nx, .ny = scan->ny, .dx_m = scan->dx_m, .dy_m = scan->dy_m};
+    if (direct_map_condition(scan->z_m, map, status) != STATUS_OK)
+        return status->code;
+    side = side < DIRECT_SIDE ? side : DIRECT_SIDE;
+    map->periodic = map->periodic && map->nx == side && map->ny == side;
+    map->nx = map->ny = side;
+    return STATUS_OK;
+}
+
+/** Mean-square difference of a map's heights that lie so many points apart, less that of its plane. */
+static double mean_square_step(const struct scan *scan, size_t right, size_t down)
+{
+    double sum = 0, squares = 0, count = 0;
+    for (size_t row = down; row < scan->ny; row++)
+        for (size_t column = right; column < scan->nx; column++) {
+            double step = scan->z_m[row * scan->nx + column] - scan->z_m[(row - down) * scan->nx + column - right];
+            if (isnan(step))
+                continue;
+            sum += step;
+            squares += step * step;
+            count++;
+        }
+    return squares / count - sum / count * (sum / count);
+}
+
+/** A map knows its lay from its rows, taken across, and its columns, over steps of about the same length. */
+static void measure_lay(struct surface_summary *summary, const struct scan *scan)
+{
+    double right = fmax(1, round(scan->dy_m / scan->dx_m)), down = fmax(1, round(scan->dx_m / scan->dy_m));
+    if (right < (double)scan->nx && down < (double)scan->ny)
+        surface_set_lay(summary,
+                        sqrt(mean_square_step(scan, 0, (size_t)down) / mean_square_step(scan, (size_t)right, 0)) *
+                            (right * scan->dx_m) / (down * scan->dy_m),
+                        "take its profiles in the other direction");
+}
+
+/** Makes the profile of a row. */
+static enum status_code take_row(struct profile *out, struct scan *scan, size_t row, const struct profile_options *how,
+                                 struct status *status)
+{
+    enum status_code rc = profile_make(out, scan, row, how, status);
+    if (scan->kind == SCAN_PROFILE)
+        scan_free_points(scan);
+    if (rc != STATUS_OK || out->points >= LEAST_POINTS)
+        return rc;
+    return status_fail(status, STATUS_SCAN,
+                       "%zu points carry no spectrum; at least %d are needed: take a longer scan, or leave it out",
+                       out->points, LEAST_POINTS);
+}
+
+/** What there is to say of a map whose rows are taken, `unusable` of them left out, `run` of them members. */
+static void note_map(const struct surface_scans *task, const char *file, const struct scan *scan,
+                     const struct direct_map_def *map, size_t unusable, size_t run)
+{
+    size_t used = scan->ny - unusable;
+    const char *rows = task->scene->direction == SCAN_DIRECTION_X ? "rows" : "columns";
+    char filtered[100] = "", models[80] = "";
+    if (map->cutoff > 0)
+        snprintf(filtered, sizeof filtered, ", low-passed at %.3g um as more than 2 %% of its slopes are shorter",
+                 map->cutoff * map->dx_m * 1e6);
+    if (run < used)
+        snprintf(models, sizeof models, ", and %zu of them, evenly spaced, go through the models", run);
+    note_add(&task->record->summary.notes, file, "a map%s; its %zu %s were averaged as profiles for spectrum and fit%s",
+             filtered, used, rows, models);
+}
+
+/** The first map of a surface speaks for all: of its lay, and of the square that a direct study takes. */
+static enum status_code keep_map(const struct surface_scans *task, const struct scan *scan,
+                                 const struct direct_map_def *map, struct status *status)
+{
+    struct surface_record *record = task->record;
+    measure_lay(&record->summary, scan);
+    if (task->scene->counterface_surface.file_count > 0)
+        return STATUS_OK;
+    record->summary.map = *map;
+    return keeps_direct(record, task->scene) ? keep_direct(record, scan, NULL, status) : STATUS_OK;
+}
+
+enum status_code surface_rows_add(const struct surface_scans *task, struct scan *scan, const char *scene_file,
+                                  struct status *status)
+{
+    char file[512];
+    struct surface_summary *summary = &task->record->summary;
+    struct ensemble *set = &task->record->ensemble;
+    const struct scene *scene = task->scene;
+    const struct profile_options how = {.level = scene->level,
+                                        .max_missing = scene->max_missing,
+                                        .lambda_s_m = scene->lambda_s_m,
+                                        .lambda_c_m = scene->lambda_c_m,
+                                        .tip_radius_m = scene->tip_radius_m,
+                                        .periodic_mean = !scene->level_given};
+    struct profile_options had = how; /* what its heights have been through */
+    struct direct_map_def map = {0};
+    size_t unusable = 0, run_before = set->count;
+    bool areal = scan->kind == SCAN_AREAL, first_file = summary->scans == 0;
+    struct status first = {0};
+    if ((areal && condition_map(&map, scan, status) != STATUS_OK) ||
+        repeats_add_scan(set, scene_file, status) != STATUS_OK)
+        return status->code;
+    double cutoff_m = fmax(summary->cutoff_m, map.cutoff * map.dx_m);
+    had.lambda_s_m = fmax(scene->lambda_s_m, cutoff_m);
+    snprintf(file, sizeof file, *scan->part ? "%.400s(%s)" : "%.400s%s", scene_file, scan->part);
+    for (size_t row = 0; row < scan->ny; row++) {
+        struct profile profile;
+        struct status problem = {0};
+        double started = clock_seconds();
+        enum status_code rc = take_row(&profile, scan, row, &how, &problem);
+        summary->times.prepare += clock_seconds() - started;
+        if (rc == STATUS_OK)
+            rc = add_profile(task, &had, scan, row, &profile, &problem);
+        if (rc == STATUS_OK && row == unusable) /* the first usable one speaks for all */
+            note_scan(summary, scan, &profile, file);
+        profile_free(&profile);
+        if (rc == STATUS_MEMORY)
+            return status_memory(status);
+        if (rc != STATUS_OK && unusable++ == 0)
+            first = problem;
+    }
+    if (unusable == scan->ny) {
+        set->scan_count--;
+        return status_fail(status, first.code, "%s: %s", file, first.message);
+    }
+    summary->cutoff_m = cutoff_m;
+    if (areal && first_file && keep_map(task, scan, &map, status) != STATUS_OK)
+        return status->code;
+    if (areal)
+        note_map(task, file, scan, &map, unusable, set->count - run_before);
+    tiles_free(&task->record->tiles); /* a surface of several scans is no one map */
+    if (areal && first_file && (scene->models & model_flagged(offsetof(struct model_row, uses_map))))
+        tiles_take(&task->record->tiles, scan, &map);
+    if (unusable > 0)
+        note_add(&summary->notes, file, "%zu %s%s left out, the first because %s", unusable,
+                 scene->direction == SCAN_DIRECTION_X ? "row" : "column", unusable == 1 ? "" : "s", first.message);
+    return power_law_scans_end_file(task->scans, scan->ny - unusable, areal, status);
+}

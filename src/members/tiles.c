@@ -1,0 +1,414 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "members/tiles.h"
+
+#include "direct/direct_ladder.h"
+#include "direct/direct_surface.h"
+#include "spectrum/areal.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+const double tiles_budget = 5e10;
+
+enum { LEAST_SIDE = 32, LEAST_POINTS = 12 /* in contact of what is not mirrored */ };
+
+static const double tolerance = 1e-5;             /* moves no number by 1 % */
+static const double coarse = 0.9, closest = 1.15; /* steps of logit A, and loads */
+static const double enough = 0.97;                /* of area, from which on no heavier load is solved */
+static const double pairs_elastic =
+                        1300, /* of transforms that a square takes, with what tells its error, as measured */
+    pairs_capped = 1300;
+
+void tiles_free(struct tiles *tiles)
+{
+    if (tiles->transfer)
+        transfer_free(tiles->transfer);
+    free(tiles->transfer);
+    free(tiles->height_m);
+    *tiles = (struct tiles){.height_m = NULL};
+}
+
+/** The squares of at most TILES_SIDE points that the map holds, and how many of them are solved. */
+static void lay_out(struct tiles *tiles)
+{
+    const struct direct_map_def *def = &tiles->def;
+    size_t least = def->nx < def->ny ? def->nx : def->ny, parts = (least + TILES_SIDE - 1) / TILES_SIDE;
+    tiles->side = least / parts;
+    tiles->columns = def->nx / tiles->side;
+    tiles->rows = def->ny / tiles->side;
+    tiles->all = tiles->columns * tiles->rows;
+    while (tiles->columns * tiles->rows > TILES_MOST)
+        --*(tiles->columns > tiles->rows ? &tiles->columns : &tiles->rows);
+}
+
+void tiles_take(struct tiles *out, struct scan *scan, const struct direct_map_def *def)
+{
+    size_t least = scan->nx < scan->ny ? scan->nx : scan->ny;
+    if (least < LEAST_SIDE || !(fabs(scan->dy_m / scan->dx_m - 1) <= 0.01))
+        return;
+    *out = (struct tiles){.height_m = scan->z_m, .def = *def};
+    out->def.nx = scan->nx;
+    out->def.ny = scan->ny;
+    scan->z_m = NULL;
+    lay_out(out);
+}
+
+enum { SHIFT_SEED = 0x6d617073 };
+
+/** Place i of a line of n points that goes on around or as its mirror image. */
+static size_t fold(size_t i, size_t n, bool periodic)
+{
+    size_t within = i % (periodic ? n : 2 * n);
+    return within < n ? within : 2 * n - 1 - within;
+}
+
+void tiles_pair(struct tiles *tiles, const struct tiles *other)
+{
+    const struct direct_map_def *own = &tiles->def, *theirs = &other->def;
+    if (!tiles->height_m || !other->height_m || !(fabs(own->dx_m / theirs->dx_m - 1) <= 0.01)) {
+        tiles_free(tiles);
+        return;
+    }
+    size_t right = (size_t)(direct_random(SHIFT_SEED, 0) * 2 * (double)theirs->nx),
+           down = (size_t)(direct_random(SHIFT_SEED, 1) * 2 * (double)theirs->ny);
+    for (size_t j = 0; j < own->ny; j++)
+        for (size_t i = 0; i < own->nx; i++)
+            tiles->height_m[j * own->nx + i] +=
+                other->height_m[fold(j + down, theirs->ny, theirs->periodic) * theirs->nx +
+                                fold(i + right, theirs->nx, theirs->periodic)];
+    tiles->def.periodic = own->periodic && theirs->periodic && own->nx == theirs->nx && own->ny == theirs->ny;
+    tiles->def.cutoff = fmax(own->cutoff, theirs->cutoff);
+}
+
+double tiles_cost(const struct tiles *tiles, bool capped)
+{
+    if (!tiles->height_m)
+        return 0;
+    double side = (double)direct_map_side(&tiles->def, tiles->side);
+    return (double)(tiles->columns * tiles->rows) * side * side * (pairs_elastic + (capped ? pairs_capped : 0));
+}
+
+bool tiles_fit(struct tiles *tiles, bool capped, double most)
+{
+    while (tiles->columns * tiles->rows > 1 && tiles_cost(tiles, capped) > most)
+        --*(tiles->columns > tiles->rows ? &tiles->columns : &tiles->rows);
+    return tiles->height_m && tiles_cost(tiles, capped) <= most;
+}
+
+/** Averages the power of a line into `mean`, which holds `so_far` of them; lines of one length. */
+static enum status_code add_line(struct spectrum *mean, size_t so_far, const double *line_m, size_t points,
+                                 double spacing_m, struct status *status)
+{
+    struct spectrum one = {0};
+    if (spectrum_compute(so_far > 0 ? &one : mean, line_m, points, spacing_m, SPECTRUM_WINDOW_NONE, status) !=
+        STATUS_OK)
+        return status->code;
+    if (so_far > 0)
+        spectrum_average(mean, &one, so_far);
+    spectrum_free(&one);
+    return STATUS_OK;
+}
+
+/** Bridges what is missing of a line by straight lines; false: all of it is. */
+static bool bridge(double *line_m, size_t points)
+{
+    size_t last = points; /* that is there */
+    for (size_t i = 0; i < points; i++) {
+        if (isnan(line_m[i]))
+            continue;
+        for (size_t k = last < points ? last + 1 : 0; k < i; k++)
+            line_m[k] = last < points
+                            ? line_m[last] + (line_m[i] - line_m[last]) * (double)(k - last) / (double)(i - last)
+                            : line_m[i];
+        last = i;
+    }
+    for (size_t k = last + 1; k < points; k++)
+        line_m[k] = line_m[last];
+    return last < points;
+}
+
+/** Mean power of all `lines` of heights `step` apart, each over the mean of the map and continued as its mirror image
+ * unless they close. */
+static enum status_code spectrum_along(struct spectrum *out, const double *height_m, size_t lines, size_t next,
+                                       size_t points, size_t step, double spacing_m, bool mirrored,
+                                       struct status *status)
+{
+    double *line_m = malloc(2 * points * sizeof *line_m);
+    size_t taken = 0;
+    if (!line_m)
+        return status_memory(status);
+    for (size_t k = 0; k < lines && status->code == STATUS_OK; k++) {
+        for (size_t i = 0; i < points; i++)
+            line_m[i] = height_m[k * next + i * step];
+        if (!bridge(line_m, points))
+            continue;
+        for (size_t i = 0; i < points; i++)
+            line_m[2 * points - 1 - i] = mirrored ? line_m[i] : line_m[2 * points - 1 - i];
+        (void)add_line(out, taken++, line_m, (mirrored ? 2 : 1) * points, spacing_m, status);
+    }
+    free(line_m);
+    return status->code;
+}
+
+/** Of rows and columns alike: that of an isotropic surface with the mean-square gradient of this one. */
+static enum status_code spectrum_of(struct spectrum *out, const double *height_m, size_t nx, size_t ny,
+                                    double spacing_m, bool mirrored, struct status *status)
+{
+    struct spectrum across = {0};
+    enum status_code rc = spectrum_along(out, height_m, ny, nx, nx, 1, spacing_m, mirrored, status);
+    if (rc == STATUS_OK)
+        rc = spectrum_along(&across, height_m, nx, 1, ny, nx, spacing_m, mirrored, status);
+    if (rc == STATUS_OK)
+        rc = grid_average(out, &across, 1, status);
+    spectrum_free(&across);
+    return rc;
+}
+
+/** The whole map's, over its plane; a square that is all of it has it already. */
+static enum status_code spectrum_of_all(struct spectrum *out, const struct tiles *tiles,
+                                        const struct transfer_square *square, struct status *status)
+{
+    const struct direct_map_def *def = &tiles->def;
+    const struct scan scan = {.nx = def->nx, .ny = def->ny, .z_m = tiles->height_m};
+    if (tiles->all == 1 && def->nx == def->ny)
+        return spectrum_copy(out, &square->spectrum, status);
+    double *flat_m = malloc(def->nx * def->ny * sizeof *flat_m);
+    if (!flat_m)
+        return status_memory(status);
+    if (areal_flatten(flat_m, &scan, status) == STATUS_OK)
+        (void)spectrum_of(out, flat_m, def->nx, def->ny, def->dx_m, !def->periodic, status);
+    free(flat_m);
+    return status->code;
+}
+
+/** What one map is solved for. */
+struct ladder {
+    double load[TRANSFER_LOADS];
+    size_t loads, least; /* points in contact, below which it tells nothing */
+    double hardness;
+    const size_t *only; /* these `count` loads; NULL: all */
+    size_t count;
+    const atomic_bool *stop;
+};
+
+static enum status_code solve_load(struct transfer_point *out, struct direct_contact *contact, double load,
+                                   const struct ladder *ladder, uint64_t *transforms, struct status *status)
+{
+    const struct direct_ladder_def one = {&load, 1, ladder->hardness, tolerance, true, ladder->stop};
+    struct direct_point point;
+    *out = (struct transfer_point){load, NAN, NAN, NAN};
+    if (direct_ladder_run(&point, contact, &one, status) != STATUS_OK)
+        return status->code;
+    *transforms += point.convolutions * contact->kernel.points;
+    if (point.exists && point.quantities.contact_points >= ladder->least)
+        *out = (struct transfer_point){load, point.quantities.area_ratio, point.quantities.gap_m, point.constriction_m};
+    return STATUS_OK;
+}
+
+/** Where contact grows by more from one load to the next than a line tells, the first of them; 0: nowhere. */
+static size_t coarsest(const struct transfer_point *point, size_t loads)
+{
+    size_t at = 0;
+    double most = coarse;
+    for (size_t k = 1; k < loads; k++) {
+        double area[2] = {fmin(point[k - 1].area_ratio, enough), fmin(point[k].area_ratio, enough)};
+        double grown = log(area[1] / area[0] * (1 - area[0]) / (1 - area[1]));
+        if (isnan(point[k - 1].area_ratio) || point[k].load < closest * point[k - 1].load || !(grown > most))
+            continue;
+        most = grown;
+        at = k;
+    }
+    return at;
+}
+
+/** Solves a map at the loads of the ladder, to which it adds some if `refine`; the others, and what tells nothing,
+ * become NaN. */
+static enum status_code solve(struct transfer_point *out, const struct direct_map *map, struct ladder *ladder,
+                              bool refine, uint64_t *transforms, struct status *status)
+{
+    struct direct_contact contact;
+    size_t all = ladder->only ? ladder->count : ladder->loads, at;
+    ladder->least = LEAST_POINTS * (map->mirrored ? 4 : 1);
+    for (size_t i = 0; i < ladder->loads; i++)
+        out[i] = (struct transfer_point){ladder->load[i], NAN, NAN, NAN};
+    if (direct_contact_make(&contact, map->height_m, map->n, map->n, map->spacing_m, status) != STATUS_OK)
+        return status->code;
+    for (size_t k = 0; k < all && status->code == STATUS_OK; k++) {
+        size_t i = ladder->only ? ladder->only[k] : k;
+        if (solve_load(&out[i], &contact, ladder->load[i], ladder, transforms, status) != STATUS_OK ||
+            out[i].area_ratio > enough)
+            break;
+    }
+    while (refine && status->code == STATUS_OK && ladder->loads < TRANSFER_LOADS &&
+           (at = coarsest(out, ladder->loads)) > 0) {
+        double load = sqrt(ladder->load[at - 1] * ladder->load[at]);
+        memmove(out + at + 1, out + at, (ladder->loads - at) * sizeof *out);
+        memmove(ladder->load + at + 1, ladder->load + at, (ladder->loads++ - at) * sizeof *ladder->load);
+        ladder->load[at] = load;
+        (void)solve_load(&out[at], &contact, load, ladder, transforms, status);
+    }
+    direct_contact_free(&contact);
+    return status->code;
+}
+
+static double ln_of(const struct transfer_point *point, int which)
+{
+    const double value[3] = {point->area_ratio, point->separation_m, point->constriction_m};
+    return value[which] > 0 ? log(value[which]) : NAN;
+}
+
+/** Standard deviation of `count` numbers. */
+static double scatter(const double *value, size_t count)
+{
+    double mean = 0, square = 0;
+    for (size_t k = 0; k < count; k++)
+        mean += value[k] / (double)count;
+    for (size_t k = 0; k < count; k++)
+        square += pow(value[k] - mean, 2);
+    return sqrt(square / (double)(count - 1));
+}
+
+/** The errors of one kind: root of the sum of squares of what every second point changes, what a wider low-pass
+ * changes, and the scatter over the squares, or over the quarters of the first where they are fewer than four. That is
+ * not halved, as a mean's would be: where waves are as long as the map, maps differ as much as their quarters do.
+ */
+static enum status_code find_errors(struct transfer_errors *out, const struct direct_map *map,
+                                    struct transfer_point *const *square, size_t count, struct ladder ladder,
+                                    uint64_t *transforms, struct status *status)
+{
+    struct transfer_point part[DIRECT_MAP_PARTS][TRANSFER_LOADS] = {0};
+    size_t only[TRANSFER_ERRORS];
+    bool quartered = count < 4; /* a periodic map too: it is one of many of its surface */
+    ladder.only = only;
+    ladder.count = ladder.loads < TRANSFER_ERRORS ? ladder.loads : TRANSFER_ERRORS;
+    for (size_t k = 0; k < ladder.count; k++)
+        only[k] = ladder.loads * (k + 1) / (ladder.count + 1); /* neither end: little touches, or all */
+    memcpy(part[DIRECT_MAP_WHOLE], square[0], ladder.loads * sizeof **part);
+    for (int p = DIRECT_MAP_SECOND; p < DIRECT_MAP_PARTS; p++) {
+        struct direct_map taken;
+        if (p >= DIRECT_MAP_QUARTER ? !quartered : !direct_map_has(map, (enum direct_map_part)p))
+            continue;
+        if (direct_map_take(&taken, map, (enum direct_map_part)p, status) != STATUS_OK)
+            return status->code;
+        (void)solve(part[p], &taken, &ladder, false, transforms, status);
+        direct_map_free(&taken);
+        if (status->code != STATUS_OK)
+            return status->code;
+    }
+    for (size_t k = 0; k < ladder.count; k++) {
+        out->ln_load[k] = log(ladder.load[only[k]]);
+        for (int q = 0; q < 3; q++) {
+            double of[DIRECT_MAP_PARTS], over[TILES_MOST];
+            for (int p = 0; p < DIRECT_MAP_PARTS; p++)
+                of[p] = ln_of(&part[p][only[k]], q);
+            for (size_t s = 0; s < count; s++)
+                over[s] = ln_of(&square[s][only[k]], q);
+            double error = of[DIRECT_MAP_WHOLE] - of[DIRECT_MAP_SECOND];
+            if (direct_map_has(map, DIRECT_MAP_WIDER))
+                error = hypot(error, of[DIRECT_MAP_WIDER] - of[DIRECT_MAP_SECOND]);
+            out->value[k][q] = hypot(error, quartered ? scatter(of + DIRECT_MAP_QUARTER, 4) : scatter(over, count));
+        }
+    }
+    out->count = ladder.count;
+    return STATUS_OK;
+}
+
+/** Where square s of them begins: evenly spread over the map. */
+static size_t first_of(const struct tiles *tiles, size_t s)
+{
+    size_t column = s % tiles->columns, row = s / tiles->columns;
+    size_t free_x = tiles->def.nx - tiles->side, free_y = tiles->def.ny - tiles->side;
+    size_t x = tiles->columns > 1 ? column * free_x / (tiles->columns - 1) : free_x / 2,
+           y = tiles->rows > 1 ? row * free_y / (tiles->rows - 1) : free_y / 2;
+    return y * tiles->def.nx + x;
+}
+
+/** Makes square s ready. */
+static enum status_code make_square(struct direct_map *out, const struct tiles *tiles, size_t s, struct status *status)
+{
+    return direct_map_make(out, tiles->height_m + first_of(tiles, s), &tiles->def, tiles->side, status);
+}
+
+static enum status_code take_bearing(double out[TRANSFER_BEARING], const struct direct_map *map, struct status *status)
+{
+    size_t count = map->n * map->n;
+    double *height_m = malloc(count * sizeof *height_m);
+    if (!height_m)
+        return status_memory(status);
+    memcpy(height_m, map->height_m, count * sizeof *height_m);
+    transfer_bearing(out, height_m, count);
+    free(height_m);
+    return STATUS_OK;
+}
+
+/** Solves the squares, one after another. */
+static enum status_code solve_squares(struct tiles *tiles, struct transfer_square *square, size_t count,
+                                      struct ladder ladder[2], struct direct_map *first, struct status *status)
+{
+    double gradient = 0;
+    for (size_t s = 0; s < count && status->code == STATUS_OK; s++) {
+        struct direct_map map = {0}, *own = s == 0 ? first : &map;
+        if (make_square(own, tiles, s, status) != STATUS_OK ||
+            spectrum_of(&square[s].spectrum, own->height_m, own->n, own->n, own->spacing_m, false, status) !=
+                STATUS_OK) {
+            direct_map_free(&map);
+            break;
+        }
+        if (s == 0) {
+            gradient = sqrt(2 * spectrum_moment(&square[s].spectrum, 1));
+            for (size_t k = 0; k < TRANSFER_LADDER; k++)
+                ladder[0].load[k] = transfer_ladder[k] * gradient;
+            ladder[0].loads = TRANSFER_LADDER;
+            ladder[1].loads = transfer_capped_loads(ladder[1].load, gradient, ladder[1].hardness);
+        }
+        if (solve(square[s].elastic, own, &ladder[0], s == 0, &tiles->transforms, status) == STATUS_OK)
+            (void)solve(square[s].capped, own, &ladder[1], s == 0, &tiles->transforms, status);
+        square[s].elastic_count = ladder[0].loads;
+        square[s].capped_count = ladder[1].loads;
+        if (status->code == STATUS_OK)
+            (void)take_bearing(square[s].bearing, own, status);
+        direct_map_free(&map);
+    }
+    return status->code;
+}
+
+static enum status_code run(struct tiles *tiles, double hardness, const atomic_bool *stop, struct status *status)
+{
+    size_t count = tiles->columns * tiles->rows;
+    struct transfer_square *square = calloc(count, sizeof *square);
+    struct transfer *transfer = tiles->transfer = calloc(1, sizeof *transfer);
+    struct ladder ladder[2] = {{.hardness = INFINITY, .stop = stop}, {.hardness = hardness, .stop = stop}};
+    struct direct_map first = {0};
+    enum status_code rc = square && transfer ? STATUS_OK : status_memory(status);
+    if (rc == STATUS_OK)
+        rc = solve_squares(tiles, square, count, ladder, &first, status);
+    if (rc == STATUS_OK)
+        rc = spectrum_of_all(&transfer->spectrum, tiles, square, status);
+    if (rc == STATUS_OK)
+        rc = transfer_make(transfer, square, count, hardness, status);
+    for (int kind = 0; kind < 2 && rc == STATUS_OK; kind++) {
+        struct transfer_point *points[TILES_MOST];
+        for (size_t s = 0; s < count; s++)
+            points[s] = kind == 0 ? square[s].elastic : square[s].capped;
+        if (ladder[kind].loads > 0)
+            rc = find_errors(&transfer->error[kind], &first, points, count, ladder[kind], &tiles->transforms, status);
+    }
+    for (size_t s = 0; square && s < count; s++)
+        spectrum_free(&square[s].spectrum);
+    direct_map_free(&first);
+    free(square);
+    return rc;
+}
+
+enum status_code tiles_solve(struct tiles *tiles, double hardness, const atomic_bool *stop, struct status *status)
+{
+    enum status_code rc = run(tiles, hardness, stop, &tiles->problem);
+    if (rc != STATUS_OK && tiles->transfer) {
+        transfer_free(tiles->transfer);
+        free(tiles->transfer);
+        tiles->transfer = NULL;
+    }
+    return rc == STATUS_OK || rc == STATUS_MODEL || rc == STATUS_SCAN
+               ? STATUS_OK
+               : status_fail(status, rc, "%s", tiles->problem.message);
+}

@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "members/variants.h"
+
+#include <string.h>
+
+enum { LEAST_POINTS = 16 };
+
+/** Half of the profile, or the whole of it, smoothed or not, in room->record. */
+static enum status_code take_variant(struct fft_room *room, size_t points, enum variant variant,
+                                     const struct profile *profile, double lambda_s_m, struct status *status)
+{
+    double cutoff_m = 2 * (lambda_s_m > 0 ? lambda_s_m : 2 * profile->spacing_m);
+    if (variant == VARIANT_CUTOFF)
+        return filter_gaussian(room->record, profile->height_m, points, profile->spacing_m, cutoff_m, profile->periodic,
+                               status);
+    const double *first_m = profile->height_m + (variant == VARIANT_SECOND_HALF ? profile->points - points : 0);
+    memcpy(room->record, first_m, points * sizeof *first_m);
+    return STATUS_OK;
+}
+
+/** Adds a scan's variant, whose spectrum it takes over, to the mean over `so_far` of them. */
+static enum status_code add_mean(struct member *mean, size_t so_far, struct member *own, struct status *status)
+{
+    if (so_far == 0) {
+        *mean = *own;
+        return STATUS_OK;
+    }
+    roughness_average(&mean->roughness, &own->roughness, so_far);
+    enum status_code rc = grid_average(&mean->spectrum, &own->spectrum, so_far, status);
+    spectrum_free(&own->spectrum);
+    return rc;
+}
+
+/** One variant of a profile. */
+static enum status_code add_variant(struct variants *out, enum variant variant, const struct profile *profile,
+                                    const struct profile_options *how, const struct record_conditioning *record,
+                                    struct status *status)
+{
+    bool whole = variant == VARIANT_CUTOFF || variant == VARIANT_WHOLE;
+    size_t points = whole ? profile->points : profile->points / 2;
+    struct fft_room room;
+    struct member own;
+    if (!fft_room_make(&room, points))
+        return status_memory(status);
+    enum status_code rc = take_variant(&room, points, variant, profile, how->lambda_s_m, status);
+    if (rc == STATUS_OK)
+        rc = member_of_record(&own, &room, points, profile->spacing_m, record, status);
+    fft_room_free(&room);
+    return rc == STATUS_OK ? add_mean(&out->of[variant], out->scans, &own, status) : rc;
+}
+
+enum status_code variants_add(struct variants *out, const struct profile *profile, const struct profile_options *how,
+                              enum spectrum_window window, enum roughness_moments moments, struct status *status)
+{
+    struct record_conditioning record = {how->level, how->periodic_mean, false, window, moments, false};
+    if (profile->points < LEAST_POINTS)
+        return STATUS_OK;
+    for (int variant = 0; variant < VARIANT_COUNT; variant++) {
+        record.periodic = profile->periodic && variant == VARIANT_CUTOFF;
+        out->levelled[variant] =
+            how->level >= LEVEL_LINE && !(record.periodic && how->periodic_mean) && !(how->lambda_c_m > 0);
+        if (add_variant(out, (enum variant)variant, profile, how, &record, status) != STATUS_OK)
+            return status->code;
+    }
+    out->scans++;
+    return STATUS_OK;
+}
+
+void variants_free(struct variants *variants)
+{
+    for (int v = 0; v < VARIANT_COUNT; v++)
+        spectrum_free(&variants->of[v].spectrum);
+    *variants = (struct variants){0};
+}

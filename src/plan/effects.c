@@ -1,0 +1,198 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "plan/effects.h"
+
+#include "contact/convergence.h"
+#include "contact/corrected_persson.h"
+#include <float.h>
+#include <math.h>
+#include <stddef.h>
+#include <stdio.h>
+
+/** What spots of any heights bear over what those of Gaussian heights do, at most. */
+static const double heights_factor = 4;
+
+/** The pressure in contact over the hardness where it is highest, at the largest area of the corrected theory. */
+static double pressure_over_hardness(const struct spectrum *spectrum, const struct material_pair *pair)
+{
+    double m2 = spectrum_moment(spectrum, 1), area = corrected_persson_largest_area;
+    double pressure_Pa = m2 > 0 ? corrected_persson_load(area, m2) / area * pair->effective_modulus_Pa : 0;
+    return heights_factor * pressure_Pa / pair->hardness_Pa;
+}
+
+/** The same of the surface, of its scans run alone, and of the waves of an atom's length where slopes go on rising
+ * below the sampling limit. */
+static double bound_pressure(const struct surface_record *record)
+{
+    const struct surface_summary *summary = &record->summary;
+    double most = pressure_over_hardness(&record->spectrum, &summary->pair);
+    for (size_t r = 0; r < record->ensemble.count; r++)
+        most = fmax(most, pressure_over_hardness(&record->ensemble.members[r].spectrum, &summary->pair));
+    if (!(summary->tail.gamma < 1))
+        return most;
+    double amplitude_m = convergence_tail_amplitude(&summary->tail, convergence_atom_m);
+    const struct spectrum end = {.amplitude_m = &amplitude_m, .count = 1, .length_m = convergence_atom_m};
+    return fmax(most, pressure_over_hardness(&end, &summary->pair));
+}
+
+enum status_code effects_bound(struct surface_record *record, const struct surface_task *asked, struct status *status)
+{
+    const struct scene *scene = asked->scene;
+    const struct plan *plan = asked->plan;
+    const double at[2] = {asked->loads[0], asked->loads[asked->load_count - 1]};
+    const struct model_task task = surface_model_task(record, asked);
+    struct model_task ends = model_task_at(&task, at, at[1] > at[0] ? 2 : 1);
+    double *most = &record->summary.scale_dependence;
+    if (scene->effects_auto && plan_runs(plan, EFFECT_PLASTICITY))
+        record->summary.pressure_over_hardness = bound_pressure(record);
+    if (!scene->effects_auto || !plan_runs(plan, EFFECT_SCALE_DEPENDENT))
+        return STATUS_OK;
+    ends.wanted = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_TCR) |
+                  QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
+    for (size_t m = 0; m < model_count; m++) {
+        struct contact_point points[3];
+        struct model_curve curve = {.points = points};
+        const struct model_row *row = model_rows[m];
+        /* an elastic one stands for its plastic partner */
+        bool stands_for_it = row->elastic && plan_runs_model(plan, model_index(row->elastic));
+        if (!plan_runs_model(plan, m) || stands_for_it ||
+            !(row->quantities & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT)))
+            continue;
+        if (ensemble_curve(&curve, NULL, &record->ensemble, model_rows[m], &ends, status) != STATUS_OK)
+            return status->code;
+        for (size_t i = 0; i < curve.count; i++)
+            if (points[i].value[QUANTITY_TCR] > 0)
+                *most = fmax(*most, points[i].value[QUANTITY_TCR_SCALE_DEPENDENT] / points[i].value[QUANTITY_TCR] - 1);
+    }
+    return STATUS_OK;
+}
+
+/** Yield changes the area by (1 + r^4)^(1/4) - 1 at most, r the pressure in contact over the hardness. A named model
+ * that has no elastic partner runs whatever yields. */
+static void decide_plasticity(struct plan *plan, const struct scene *scene, const struct surface_record *surfaces,
+                              size_t count)
+{
+    struct plan_effect *effect = &plan->effects[EFFECT_PLASTICITY];
+    double most = 0;
+    bool needed = false;
+    for (size_t i = 0; i < count; i++)
+        most = fmax(most, surfaces[i].summary.pressure_over_hardness);
+    for (size_t m = 0; m < model_count; m++)
+        needed = needed ||
+                 (scene->models_named && plan_runs_model(plan, m) && model_rows[m]->plastic && !model_rows[m]->elastic);
+    bool runs = needed || pow(1 + pow(most, 4), 0.25) - 1 > scene->tolerance;
+    snprintf(effect->reason, sizeof effect->reason,
+             runs ? "spots might bear up to %.2g times the hardness"
+                  : "no spot bears more than %.2g times the hardness",
+             fmin(most, DBL_MAX));
+    if (!runs)
+        plan_switch_off(plan, EFFECT_PLASTICITY);
+}
+
+static void decide_scale_dependence(struct plan *plan, const struct surface_record *surfaces, size_t count,
+                                    double tolerance)
+{
+    struct plan_effect *effect = &plan->effects[EFFECT_SCALE_DEPENDENT];
+    double most = 0;
+    for (size_t i = 0; i < count; i++)
+        most = fmax(most, surfaces[i].summary.scale_dependence);
+    snprintf(effect->reason, sizeof effect->reason, "(8/3π) λmfp/a raises TCR by up to %.2g%s", fmin(most, DBL_MAX),
+             most > tolerance ? "" : ", below the tolerance");
+    if (!(most > tolerance))
+        plan_switch_off(plan, EFFECT_SCALE_DEPENDENT);
+}
+
+static void decide_convergence(struct plan *plan, const struct surface_record *surfaces, size_t count)
+{
+    struct plan_effect *effect = &plan->effects[EFFECT_CONVERGENCE];
+    size_t usable = 0, carried_on = 0;
+    for (size_t i = 0; i < count; i++) {
+        usable += surfaces[i].summary.usable;
+        carried_on += surfaces[i].summary.usable && !isnan(surfaces[i].summary.tail.gamma);
+    }
+    snprintf(effect->reason, sizeof effect->reason,
+             "sweeps, and the spectra of %zu of %zu surfaces carried on below what is known", carried_on, usable);
+}
+
+/** Runs where a surface has one scan. */
+static void decide_uncertainty(struct plan *plan, const struct surface_record *surfaces, size_t count)
+{
+    struct plan_effect *effect = &plan->effects[EFFECT_UNCERTAINTY];
+    size_t single = 0;
+    for (size_t i = 0; i < count && !model_rows[plan_leading_model(plan)]->uses_map; i++)
+        single += surfaces[i].summary.usable && surfaces[i].summary.single_points > 0;
+    snprintf(effect->reason, sizeof effect->reason, "%zu surface%s with one scan that records can be simulated of",
+             single, single == 1 ? "" : "s");
+    if (single == 0)
+        plan_switch_off(plan, EFFECT_UNCERTAINTY);
+}
+
+const double effects_transform_seconds = 12e-9;
+
+/** Strips run where a surface has them. */
+static void decide_strips(struct plan *plan, const struct surface_record *surfaces, size_t count)
+{
+    size_t has = 0, lacking = 0;
+    const uint64_t users = model_flagged(offsetof(struct model_row, uses_strip));
+    for (size_t i = 0; i < count; i++) {
+        has += surfaces[i].summary.has_strips;
+        lacking += surfaces[i].summary.usable && !surfaces[i].summary.has_strips;
+    }
+    if (has > 0 || lacking == 0 || !(plan->models & users))
+        return;
+    plan->models &= ~users;
+    snprintf(plan->area_reason, sizeof plan->area_reason,
+             "every report has it; no strip transfer, as no surface has one");
+}
+
+/** The direct solution of maps leads where every surface has one; where some have it stands beside the model that all
+ * have. */
+static void decide_tiles(struct plan *plan, const struct surface_record *surfaces, size_t count)
+{
+    double cost = 0;
+    size_t maps = 0, dear = 0, lacking = 0;
+    const uint64_t users = plan->models & model_flagged(offsetof(struct model_row, uses_map));
+    for (size_t i = 0; i < count; i++) {
+        const struct surface_summary *summary = &surfaces[i].summary;
+        maps += summary->usable && summary->has_tiles;
+        lacking += summary->usable && !summary->has_tiles;
+        dear += summary->usable && !summary->has_tiles && summary->tile_cost > 0;
+        cost += summary->usable ? summary->tile_cost : 0;
+    }
+    if (users == 0 || lacking == 0)
+        return;
+    if (maps > 0 && dear == 0)
+        plan->beside |= users;
+    else
+        plan->models &= ~users;
+    if (dear > 0)
+        snprintf(plan->area_reason, sizeof plan->area_reason,
+                 "every report has it; direct solutions of the maps would take about %.2g s: name the model direct to "
+                 "have them",
+                 cost * effects_transform_seconds);
+    else if (maps > 0)
+        snprintf(plan->area_reason, sizeof plan->area_reason,
+                 "every report has it; as %zu of the surfaces %s no map, direct solutions of the maps do not lead",
+                 lacking, lacking == 1 ? "is" : "are");
+}
+
+void effects_fit_models(struct plan *plan, const struct surface_record *surfaces, size_t count)
+{
+    decide_strips(plan, surfaces, count);
+    decide_tiles(plan, surfaces, count);
+}
+
+void effects_decide(struct plan *plan, const struct scene *scene, const struct surface_record *surfaces, size_t count)
+{
+    effects_fit_models(plan, surfaces, count);
+    if (!scene->effects_auto)
+        return;
+    unsigned open = plan->running & ~scene->effects; /* what is listed runs whatever it changes */
+    if (open & EFFECT_BIT(EFFECT_PLASTICITY))
+        decide_plasticity(plan, scene, surfaces, count);
+    if (open & EFFECT_BIT(EFFECT_SCALE_DEPENDENT))
+        decide_scale_dependence(plan, surfaces, count, scene->tolerance);
+    if (open & EFFECT_BIT(EFFECT_CONVERGENCE))
+        decide_convergence(plan, surfaces, count);
+    if (open & EFFECT_BIT(EFFECT_UNCERTAINTY))
+        decide_uncertainty(plan, surfaces, count);
+}

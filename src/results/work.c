@@ -1,0 +1,99 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "results/work.h"
+
+#include "base/text.h"
+#include "certainty/uncertainty.h"
+#include "plan/direct_plan.h"
+#include "plan/effects.h"
+#include "results/results.h"
+#include <math.h>
+
+/** What a surface's models took, by material law. */
+static void add_models(struct work_row *elastic, struct work_row *plastic, const struct surface_summary *summary)
+{
+    for (size_t m = 0; m < model_count; m++) {
+        const struct curve_summary *model = surface_model(summary, m);
+        struct work_row *row = model_rows[m]->plastic ? plastic : elastic;
+        row->evaluations += model->evaluations;
+        row->seconds += model->seconds;
+    }
+}
+
+void work_account(struct work_row rows[WORK_ROWS], const struct results *results)
+{
+    const struct plan *plan = results->plan;
+    const struct work_studies *studies = &results->studies;
+    rows[0] = (struct work_row){.name = "area", .runs = true, .reason = plan->area_reason};
+    for (int e = 0; e < EFFECT_COUNT; e++)
+        rows[e + 1] = (struct work_row){
+            .name = effect_rows[e].name, .runs = plan->effects[e].runs, .reason = plan->effects[e].reason};
+    struct work_row *convergence = &rows[1 + EFFECT_CONVERGENCE], *direct = &rows[1 + EFFECT_DIRECT],
+                    *uncertainty = &rows[1 + EFFECT_UNCERTAINTY], *unloading = &rows[1 + EFFECT_UNLOADING];
+    convergence->evaluations = studies->sweep_scales;
+    convergence->seconds = studies->sweep_seconds;
+    direct->evaluations = studies->contacts;
+    direct->seconds = studies->contact_seconds;
+    for (size_t i = 0; i < results->surface_count; i++) {
+        const struct surface_summary *summary = &results->surfaces[i].summary;
+        add_models(&rows[0], &rows[1 + EFFECT_PLASTICITY], summary);
+        rows[0].evaluations += summary->strip_transforms + summary->tile_transforms;
+        rows[0].seconds += summary->times.strips + summary->times.tiles;
+        convergence->seconds += summary->times.convergence;
+        uncertainty->evaluations += summary->simulated_evaluations;
+        uncertainty->seconds += summary->times.uncertainty;
+        unloading->evaluations += summary->unloading ? summary->unloading->ratio.transforms : 0;
+        unloading->seconds += summary->times.unloading;
+    }
+}
+
+uint64_t work_table(struct text *out, const struct results *results, bool done)
+{
+    enum { WIDTH = 80, INDENT = 26 };
+    uint64_t evaluations = 0;
+    struct work_row rows[WORK_ROWS];
+    work_account(rows, results);
+    text_add(out, "%-16s %-8s%s  %s\n", "effect", "", done ? "  evaluations    seconds" : "", "why");
+    for (int r = 0; r < WORK_ROWS; r++) {
+        text_add(out, "%-16s %-8s", rows[r].name, rows[r].runs ? "run" : "skipped");
+        if (done)
+            text_add(out, " %12llu %10.4f", (unsigned long long)rows[r].evaluations, rows[r].seconds);
+        struct text why = {0};
+        text_add_shown(&why, rows[r].reason); /* may name a surface */
+        text_add(out, "  ");
+        text_add_wrapped(out, text_string(&why), done ? 1 << 20 : WIDTH, INDENT);
+        text_add(out, "\n");
+        text_free(&why);
+        evaluations += rows[r].evaluations;
+    }
+    return evaluations;
+}
+
+/* What a report takes, roughly, on one core of 2020; for planning only: a report prints what it took. */
+static const double report_seconds = 0.25, surface_seconds = 1e-3, point_seconds = 0.4e-6, load_seconds = 3e-6;
+
+double work_seconds(const struct results *results, size_t threads)
+{
+    const struct plan *plan = results->plan;
+    double sum = 0, longest = 0; /* what a surface is solved by is one after the other */
+    size_t models = 0;
+    for (size_t m = 0; m < model_count; m++)
+        models += plan_runs_model(plan, m);
+    for (size_t i = 0; i < results->surface_count; i++) {
+        const struct surface_summary *summary = &results->surfaces[i].summary;
+        if (plan_runs(plan, EFFECT_DIRECT) && results_solves(results, i))
+            sum += summary->direct->seconds;
+        double points = (double)summary->points * (double)summary->scans;
+        sum += surface_seconds + points * point_seconds +
+               (double)(models * results->load_count) * fmax(1, (double)summary->scans) * load_seconds;
+        double strips = (summary->has_strips ? summary->strip_cost : 0) + (summary->has_tiles ? summary->tile_cost : 0);
+        strips *= effects_transform_seconds;
+        sum += strips;
+        if (plan_runs(plan, EFFECT_UNLOADING)) /* two branches of its shares in one strip */
+            sum += summary->strip_cost * effects_transform_seconds * 2 * UNLOADING_SHARES /
+                   (STRIP_LOADS * (1 + STRIP_SURROGATES));
+        longest = fmax(longest, strips);
+        if (plan_runs(plan, EFFECT_UNCERTAINTY) && summary->single_points > 0)
+            sum += uncertainty_seconds(summary->single_points);
+    }
+    return report_seconds + fmax(sum / (double)threads, longest);
+}

@@ -1,0 +1,373 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "run/all_surfaces.h"
+
+#include "answers/curves.h"
+#include "answers/direct_study.h"
+#include "base/threads.h"
+#include "members/surface_read.h"
+#include "plan/effects.h"
+#include "scene/scene_words.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/** Reads the rough counterface, if the scene has one. It must be readable: no result would mean anything without it. */
+static enum status_code read_counterface(struct all_surfaces *out, const struct scene *scene, struct status *status)
+{
+    if (scene->counterface_surface.file_count == 0)
+        return STATUS_OK;
+    out->counterface = calloc(1, sizeof *out->counterface);
+    if (!out->counterface)
+        return status_memory(status);
+    if (surface_read(out->counterface, scene, &scene->counterface_surface, NULL, status) != STATUS_OK)
+        return status->code;
+    if (!out->counterface->summary.usable)
+        return status_fail(status, STATUS_SCENE, "the counterface cannot be read: %s",
+                           out->counterface->summary.refusal);
+    out->results.counterface = out->counterface;
+    return STATUS_OK;
+}
+
+/** "256 x 256 points, 12 surfaces, 13 loads, about 5.2 s of one core". */
+static void describe_direct(struct text *out, const struct direct_plan *plan)
+{
+    text_add(out, "%zu x %zu points, ", plan->grid, plan->grid);
+    if (plan->side > 0)
+        text_add(out, plan->mirrored ? "the map mirrored, " : "the map, ");
+    else
+        text_add(out, "%zu surface%s%s, ", plan->seeds, plan->seeds == 1 ? "" : "s",
+                 plan->fine_times > 1 ? " and a finer grid" : "");
+    text_add(out, "%zu load%s, about ", plan->loads, plan->loads == 1 ? "" : "s");
+    text_add(out, plan->seconds < 100 ? "%.2g s" : "%.2g min",
+             plan->seconds < 100 ? plan->seconds : plan->seconds / 60);
+    text_add(out, " of one core");
+    if (plan->of_spacing) /* else the scene says what the surface is */
+        text_add(out, ", down to waves of four spacings, for want of a lambda_s: true at this resolution");
+}
+
+/** The direct solution's part of the plan: what it is of, and costs, or in `plan` would. */
+static void plan_direct(struct plan *plan, const struct results *results)
+{
+    struct plan_effect *effect = &plan->effects[EFFECT_DIRECT];
+    const struct direct_plan *first = NULL, *none = results->surfaces[results->baseline].summary.direct;
+    double budget_s = results->scene->direct.budget_s;
+    struct text reason = {0};
+    size_t surfaces = 0;
+    if (results->usable_count == 0 || !none)
+        return;
+    for (size_t i = 0; i < results->surface_count; i++) {
+        if (!results_solves(results, i))
+            continue;
+        first = first && i != results->baseline ? first : results->surfaces[i].summary.direct;
+        surfaces++;
+    }
+    if (!first) {
+        text_add(&reason, effect->runs ? "called for, but %s" : "not called for; %s", none->problem);
+    } else {
+        text_add(&reason, "%s on %zu surface%s: ",
+                 effect->runs ? "called for" : "not called for; `roughcontact direct` solves it", surfaces,
+                 surfaces == 1 ? "" : "s");
+        describe_direct(&reason, first);
+        if (first->over_budget)
+            text_add(&reason, ", more than the budget of %g s, which nothing fits", budget_s);
+    }
+    snprintf(effect->reason, sizeof effect->reason, "%s", text_string(&reason));
+    text_free(&reason);
+}
+
+/** The loads of every surface: the same list, or each its own of as many. */
+static enum status_code make_loads(struct all_surfaces *out, const struct scene *scene, struct status *status)
+{
+    struct results *results = &out->results;
+    double modulus_Pa = scene_pair(&scene->surfaces[0].bodies).effective_modulus_Pa;
+    for (size_t i = 1; i < scene->surface_count && scene->load.kind != UNIT_NUMBER; i++)
+        results->loads_apart |= scene_pair(&scene->surfaces[i].bodies).effective_modulus_Pa != modulus_Pa;
+    for (size_t i = 0; i < (results->loads_apart ? scene->surface_count : 1); i++) {
+        struct material_pair pair = scene_pair(&scene->surfaces[i].bodies);
+        size_t count, operating;
+        double *own;
+        if (scene_loads(&own, &count, &operating, scene, &pair, status) != STATUS_OK)
+            return status->code;
+        double *all = reallocarray(out->loads, (i + 1) * count, sizeof *all);
+        if (all)
+            memcpy((out->loads = all) + i * count, own, count * sizeof *own);
+        free(own);
+        if (!all)
+            return status_memory(status);
+        if (i == 0)
+            out->plan.operating_place = operating + 1;
+        results->load_count = count;
+    }
+    results->loads = out->loads;
+    return STATUS_OK;
+}
+
+void all_surfaces_tell(struct all_surfaces_stage *stage, const char *name, double work, double all)
+{
+    if (!stage->options->progress)
+        return;
+    pthread_mutex_lock(&stage->lock);
+    stage->done += work;
+    stage->options->progress(stage->stage, name, stage->done, all);
+    pthread_mutex_unlock(&stage->lock);
+}
+
+/** The pass over all surfaces. */
+struct pass {
+    struct all_surfaces *prepared;
+    struct curve_tables *tables; /* that curves go to; NULL: none */
+    const struct plan *plan;     /* of the effects that all run */
+    bool bounded, describe_only; /* all are described, and their effects decided, before any model runs */
+    struct all_surfaces_stage stage;
+};
+
+static struct surface_task task_of(const struct pass *all, size_t index)
+{
+    struct surface_task out = results_task(&all->prepared->results, index);
+    out.plan = all->plan;
+    out.stop = all->stage.options->stop;
+    return out;
+}
+
+/** Describes a surface, unless it is. */
+static enum status_code describe_one(void *context, size_t index, struct threads_turn *turn, struct status *status)
+{
+    const struct pass *all = context;
+    const struct results *results = &all->prepared->results;
+    struct surface_record *record = &results->surfaces[index];
+    (void)turn;
+    return record->summary.scene ? STATUS_OK
+                                 : surface_read(record, results->scene, &results->scene->surfaces[index],
+                                                all->prepared->counterface, status);
+}
+
+/** And finds what effects could change on it. */
+static enum status_code bound_one(void *context, size_t index, struct threads_turn *turn, struct status *status)
+{
+    const struct pass *all = context;
+    struct surface_record *record = &all->prepared->results.surfaces[index];
+    const struct surface_task asked = task_of(all, index);
+    enum status_code rc = describe_one(context, index, turn, status);
+    if (rc == STATUS_OK && record->summary.usable)
+        rc = effects_bound(record, &asked, status);
+    return rc == STATUS_MEMORY ? surface_put_aside(record, asked.scene, status) : rc;
+}
+
+/** The models of a described surface, or the plan alone. */
+static enum status_code evaluate_one(const struct pass *all, size_t index, struct status *status)
+{
+    const struct scene *scene = all->prepared->results.scene;
+    struct surface_record *record = &all->prepared->results.surfaces[index];
+    const struct surface_task asked = task_of(all, index);
+    if (!record->summary.usable)
+        return STATUS_OK;
+    enum status_code rc =
+        all->describe_only ? direct_study_plan(record, &asked, status) : surface_answers_find(record, &asked, status);
+    if (scene->measured.file_count == 0 && scene->surfaces[index].measured.file_count == 0)
+        surface_drop_scans(record); /* else measured loads will be answered on each */
+    return rc == STATUS_MEMORY ? surface_put_aside(record, scene, status) : rc;
+}
+
+static enum status_code run_one(void *context, size_t index, struct threads_turn *turn, struct status *status)
+{
+    struct pass *all = context;
+    const struct results *results = &all->prepared->results;
+    struct surface_record *record = &results->surfaces[index];
+    enum status_code rc = all->bounded ? STATUS_OK : bound_one(context, index, turn, status);
+    if (rc == STATUS_OK)
+        rc = evaluate_one(all, index, status);
+    if (rc == STATUS_OK && all->tables && record->summary.usable)
+        rc = curve_tables_put(all->tables, record, turn, status);
+    if (all->tables || all->describe_only)
+        surface_drop_arrays(record);
+    all_surfaces_tell(&all->stage, results->scene->surfaces[index].name, 1, (double)results->surface_count);
+    return rc;
+}
+
+/** The place among the loads next to the geometric middle of those at which A/A_n is 0.1 to 10 % on a surface, by the
+ * leading model, or what it has of Gaussian heights; the load nearest to 1 % where none is between. */
+static enum status_code middle_place(size_t *place, const struct surface_record *record,
+                                     const struct surface_task *asked, struct status *status)
+{
+    const double least = 1e-3, most = 0.1, *loads = asked->loads;
+    const struct model_row *row = model_rows[plan_leading_model(asked->plan)];
+    size_t count = asked->load_count;
+    struct model_task task = surface_model_task(record, asked);
+    struct model_curve curve = {.points = calloc(count + 1, sizeof *curve.points)};
+    enum status_code rc = curve.points ? STATUS_OK : status_memory(status);
+    task.wanted &= QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA);
+    if (rc == STATUS_OK)
+        rc = ensemble_curve(&curve, NULL, &record->ensemble, row->gaussian ? row->gaussian : row, &task, status);
+    double first = NAN, last = NAN, middle, nearest = INFINITY;
+    for (size_t i = 0; rc == STATUS_OK && curve.exists && i < curve.count; i++) {
+        double area = curve.points[i].value[QUANTITY_AREA], load = curve.points[i].value[QUANTITY_LOAD];
+        if (area < least || area > most)
+            continue;
+        first = isnan(first) ? load : first;
+        last = load;
+    }
+    middle = sqrt(first) * sqrt(last);
+    for (size_t i = 0; rc == STATUS_OK && curve.exists && i < curve.count && i < count; i++) {
+        double off = fabs(isnan(middle) ? log(curve.points[i].value[QUANTITY_AREA] / sqrt(least * most))
+                                        : log(loads[i] / middle));
+        if (off < nearest) {
+            nearest = off;
+            *place = i;
+        }
+    }
+    free(curve.points);
+    return rc;
+}
+
+/** The baseline, before any model runs: the scene's, the only one, or by roughness. Of more surfaces than that it is
+ * sought among the first hundred. */
+static enum status_code find_baseline(size_t *baseline, struct pass *all, const struct threads *threads,
+                                      struct status *status)
+{
+    enum { MOST = 100 };
+    const struct scene *scene = all->prepared->results.scene;
+    size_t count = scene->surface_count < MOST ? scene->surface_count : MOST;
+    *baseline = 0;
+    for (size_t i = 0; i < scene->surface_count && scene->baseline; i++)
+        if (strcmp(scene->surfaces[i].name, scene->baseline) == 0)
+            *baseline = i;
+    if (scene->baseline || count == 1)
+        return describe_one(all, *baseline, NULL, status);
+    enum status_code rc = threads_run(threads, count, describe_one, all, status);
+    *baseline = results_second_smoothest(&all->prepared->results);
+    return rc;
+}
+
+/** Where the summary stands if the scene does not say. What is described for it stays so. */
+static enum status_code choose_operating_load(struct pass *all, const struct threads *threads, struct status *status)
+{
+    size_t baseline, place = all->plan->operating_place - 1;
+    if (find_baseline(&baseline, all, threads, status) != STATUS_OK)
+        return status->code;
+    const struct surface_record *record = &all->prepared->results.surfaces[baseline];
+    const struct surface_task asked = task_of(all, baseline);
+    enum status_code rc = record->summary.usable ? middle_place(&place, record, &asked, status) : STATUS_OK;
+    all->prepared->plan.operating_place = place + 1;
+    return rc;
+}
+
+/** Describes and runs once more the surfaces that the report shows, as all arrays have gone. */
+static enum status_code run_shown(struct pass *all, struct status *status)
+{
+    struct results *results = &all->prepared->results;
+    for (size_t i = 0; i < results->surface_count; i++) {
+        struct surface_record *record = &results->surfaces[i];
+        bool shown = i == results->baseline || record->summary.scene->measured.file_count > 0;
+        for (size_t k = 0; k < results->shown_count; k++)
+            shown = shown || results->shown[k] == i;
+        if (!record->summary.usable || !shown)
+            continue;
+        surface_record_free(record);
+        if (describe_one(all, i, NULL, status) != STATUS_OK || evaluate_one(all, i, status) != STATUS_OK ||
+            !record->summary.usable)
+            return status_memory(status); /* it is ranked by now, and cannot go aside */
+    }
+    return STATUS_OK;
+}
+
+/** What was measured, on usable surfaces: on the baseline what the scene says, on others what is said of them. */
+static enum status_code read_measured(struct all_surfaces *out, struct status *status)
+{
+    struct results *results = &out->results;
+    const struct scene *scene = results->scene;
+    size_t before = 0;
+    for (size_t k = 0; k < results->usable_count; k++) {
+        size_t i = results->by_roughness[k];
+        const struct scene_surface *surface = &scene->surfaces[i];
+        bool both = i == results->baseline && scene->measured.file_count > 0;
+        const struct scene_measured *given = both ? &scene->measured : &surface->measured;
+        if (both && surface->measured.file_count > 0)
+            return status_fail(status, STATUS_SCENE,
+                               "the baseline, '%s', has 'measured' of its own and the scene's; remove either",
+                               scene_words_show(surface->name).text);
+        if (given->file_count == 0)
+            continue;
+        if (!out->measured && !(out->measured = calloc(results->surface_count, sizeof *out->measured)))
+            return status_memory(status);
+        results->measured = out->measured;
+        out->measured[i] = (struct measured){.given = given, .before = before};
+        if (measured_read(&out->measured[i], scene, &out->plan, results_pair(results, i), status) != STATUS_OK)
+            return status->code;
+        before += out->measured[i].count;
+        if (measured_quantity(&out->measured[i], out->plan.running) != results_measured_quantity(results))
+            return status_fail(status, STATUS_SCENE, "both ECR and TCR are measured; take out one of them");
+    }
+    return STATUS_OK;
+}
+
+enum status_code all_surfaces_run(struct all_surfaces *out, const struct scene *scene,
+                                  const struct run_options *options, bool describe_only, const char *curves,
+                                  struct status *status)
+{
+    *out = (struct all_surfaces){.counterface = NULL};
+    plan_make(&out->plan, scene);
+    struct results *results = &out->results;
+    *results = (struct results){
+        .scene = scene, .plan = &out->plan, .surface_count = scene->surface_count, .infinite = &out->infinite};
+    if (scene->surface_count == 0)
+        return status_fail(status, STATUS_SCAN, "no scan in '%s': put the profilometer's files there",
+                           scene->directory);
+    if (!(results->surfaces = calloc(scene->surface_count, sizeof *results->surfaces)))
+        return status_memory(status);
+    if (make_loads(out, scene, status) != STATUS_OK || read_counterface(out, scene, status) != STATUS_OK)
+        return status->code;
+    const struct threads threads = {.jobs = options->jobs, .stop = options->stop};
+    struct pass all = {.prepared = out,
+                       .plan = &out->plan,
+                       .bounded = !scene_bins_spectra(scene),
+                       .describe_only = describe_only,
+                       .stage = {options, "models of", NULL, 0, PTHREAD_MUTEX_INITIALIZER}};
+    all_surfaces_tell(&all.stage, scene->surfaces[0].name, 0, (double)scene->surface_count);
+    if ((scene->operating.load == 0 && choose_operating_load(&all, &threads, status) != STATUS_OK) ||
+        (all.bounded && threads_run(&threads, scene->surface_count, bound_one, &all, status) != STATUS_OK))
+        return status->code;
+    struct plan ran = out->plan;
+    if (all.bounded) /* what one surface calls for runs on all; of more than memory holds, all that is allowed */
+        effects_decide(&out->plan, scene, results->surfaces, results->surface_count);
+    ran.running = out->plan.running;
+    ran.wanted = out->plan.wanted;
+    all.plan = &ran; /* of whose models each surface runs those that it has an answer by */
+    if (curves && curve_tables_open(&all.tables, results, &out->plan, curves, status) != STATUS_OK)
+        return curve_tables_close(all.tables, status);
+    enum status_code rc = threads_run(&threads, scene->surface_count, run_one, &all, status);
+    if (curve_tables_close(all.tables, status) != STATUS_OK)
+        rc = status->code;
+    if (all.bounded)
+        effects_fit_models(&out->plan, results->surfaces, results->surface_count);
+    else
+        effects_decide(&out->plan, scene, results->surfaces, results->surface_count);
+    all.tables = NULL;
+    if (rc != STATUS_OK || results_rank(results, status) != STATUS_OK ||
+        (curves && !describe_only && run_shown(&all, status) != STATUS_OK))
+        return status->code;
+    plan_direct(&out->plan, results);
+    for (size_t i = 0; i < results->surface_count && out->plan.beside; i++) {
+        struct surface_record *record = &results->surfaces[i];
+        const struct surface_task asked = results_task(results, i);
+        const struct model_task task = surface_model_task(record, &asked);
+        if (record->curves) /* alone, a map was led by its own solution */
+            answers_check_limits(record, scene, &out->plan, &task);
+    }
+    return read_measured(out, status);
+}
+
+void all_surfaces_free(struct all_surfaces *prepared)
+{
+    for (size_t i = 0; prepared->results.surfaces && i < prepared->results.surface_count; i++)
+        surface_record_free(&prepared->results.surfaces[i]);
+    free(prepared->results.surfaces);
+    for (size_t i = 0; prepared->measured && i < prepared->results.surface_count; i++)
+        measured_free(&prepared->measured[i]);
+    free(prepared->measured);
+    if (prepared->counterface)
+        surface_record_free(prepared->counterface);
+    free(prepared->counterface);
+    free(prepared->loads);
+    free(prepared->results.by_roughness);
+    *prepared = (struct all_surfaces){0};
+}

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Which effects run and why (README, The scene: `effects: auto`). Decided once, before any model. */
+#ifndef SCENE_PLAN_H
+#define SCENE_PLAN_H
+
+#include "scene/scene.h"
+
+struct plan_effect {
+    bool runs;
+    char reason[400];
+};
+
+struct plan {
+    struct plan_effect effects[EFFECT_COUNT];
+    unsigned running;       /* EFFECT_BITs of those that run */
+    unsigned wanted;        /* QUANTITY_BITs that follow */
+    uint64_t models;        /* MODEL_BITs asked for; a plastic one runs only with plasticity */
+    uint64_t beside;        /* those that some surfaces alone have an answer by: they do not lead */
+    bool all_uncertain;     /* the effect uncertainty was listed: of all models; else of the leading one alone */
+    size_t operating_place; /* as in struct model_task */
+    char area_reason[160];  /* why the area is computed as it is, for the account */
+};
+
+/** Listed effects run (the scene was checked); with `auto` an effect runs where the given properties allow it. */
+void plan_make(struct plan *out, const struct scene *scene);
+
+/** Does `effect` run? */
+bool plan_runs(const struct plan *plan, enum effect effect);
+/** Takes an effect, and the quantities that belong to it, out again. */
+void plan_switch_off(struct plan *plan, enum effect effect);
+
+/** Does model `m` of the table run? */
+bool plan_runs_model(const struct plan *plan, size_t m);
+/** MODEL_BITs of all that run. */
+uint64_t plan_running_models(const struct plan *plan);
+/** The model that the summary speaks of: of those that may lead the one of the greatest precedence. */
+size_t plan_leading_model(const struct plan *plan);
+/** QUANTITY_BITs that the effects call for and some running model computes. */
+unsigned plan_quantities(const struct plan *plan);
+/** Does a model run that works on asperities? */
+bool plan_uses_asperities(const struct plan *plan);
+
+#endif

@@ -1,0 +1,120 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "statistics/estimate.h"
+
+#include "statistics/interval.h"
+#include <math.h>
+#include <stdlib.h>
+
+const double estimate_level = 0.95;
+const struct estimate estimate_none = ESTIMATE_NONE;
+
+/** The value, or its logarithm; NaN where there is none. */
+static double scaled(double value, bool logarithmic)
+{
+    if (!logarithmic)
+        return isfinite(value) ? value : NAN;
+    return value > 0 && isfinite(value) ? log(value) : NAN;
+}
+
+/** A half width of logarithms whose ends are no numbers any more is none. */
+static double bounded(double mean, double half_width, bool logarithmic)
+{
+    bool lost = logarithmic && (!isfinite(exp(mean + half_width)) || !(exp(mean - half_width) > 0));
+    return lost ? NAN : half_width;
+}
+
+static struct estimate from_interval(const struct interval *interval, bool logarithmic)
+{
+    double half_width = interval->t * interval->s;
+    return (struct estimate){
+        .count = interval->count,
+        .mean = interval->mean,
+        .sd = interval->sd,
+        .s = interval->s,
+        .degrees = interval->degrees,
+        .half_width = bounded(interval->mean, half_width, logarithmic),
+        .next_half_width = bounded(interval->mean, interval_next_half_width(interval, 1), logarithmic),
+        .effective = interval->effective,
+        .logarithmic = logarithmic,
+    };
+}
+
+/** One value, of which nothing more is known. */
+static struct estimate alone(double value, bool logarithmic)
+{
+    struct estimate out = estimate_none;
+    out.count = 1;
+    out.mean = value;
+    out.logarithmic = logarithmic;
+    return out;
+}
+
+enum status_code estimate_make(struct estimate *out, const double *value, const double *weight, size_t count,
+                               bool logarithmic, struct status *status)
+{
+    struct interval interval;
+    bool known = count > 0;
+    double *own = malloc((count + 1) * sizeof *own);
+    *out = estimate_none;
+    out->logarithmic = logarithmic;
+    if (!own)
+        return status_memory(status);
+    for (size_t i = 0; i < count; i++) {
+        own[i] = scaled(value[i], logarithmic);
+        known = known && !isnan(own[i]);
+    }
+    enum status_code rc = STATUS_OK;
+    if (known && count == 1) {
+        *out = alone(own[0], logarithmic);
+    } else if (known) {
+        rc = interval_scans(&interval, own, weight, count, estimate_level, status);
+        *out = rc == STATUS_OK ? from_interval(&interval, logarithmic) : *out;
+    }
+    free(own);
+    return rc;
+}
+
+struct estimate estimate_of_error(double value, double s, double degrees)
+{
+    struct estimate out = alone(scaled(value, true), true);
+    if (isnan(out.mean))
+        return estimate_none;
+    out.sd = out.s = s;
+    out.degrees = degrees;
+    out.half_width = bounded(out.mean, interval_quantile(estimate_level, degrees) * s, true);
+    return out;
+}
+
+double estimate_value(const struct estimate *estimate)
+{
+    return estimate->logarithmic ? exp(estimate->mean) : estimate->mean;
+}
+
+bool estimate_has_width(const struct estimate *estimate, double half_width)
+{
+    static const double least = 1e-6; /* relative: what models are solved to */
+    return half_width > least * (estimate->logarithmic ? 1 : fabs(estimate->mean));
+}
+
+static double end(const struct estimate *estimate, double half_width, int side)
+{
+    if (!estimate_has_width(estimate, half_width))
+        return NAN;
+    if (estimate->model_sd > 0) {
+        double s = estimate->s * (half_width / estimate->half_width), both = hypot(s, estimate->model_sd);
+        half_width = interval_quantile(estimate_level, estimate->degrees * pow(both / s, 4)) * both;
+    }
+    double value = estimate->mean + (side ? half_width : -half_width);
+    value = estimate->logarithmic ? exp(value) : value;
+    return estimate->share ? fmin(value, 1) : value;
+}
+
+double estimate_end(const struct estimate *estimate, int side)
+{
+    return end(estimate, estimate->half_width, side);
+}
+
+double estimate_next_end(const struct estimate *estimate, int side)
+{
+    return end(estimate, estimate->next_half_width, side);
+}

@@ -1,0 +1,238 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A name that a template fills in is one that it can have: a mistyped one would be filled with nothing, in silence. */
+#include "base/text.h"
+#include "chart/words.h"
+#include "support.h"
+
+#include <dirent.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { DEPTH = 20, NAME = 80 };
+
+static struct text read_source(const char *name)
+{
+    struct text path = {0}, out = {0};
+    struct status status = {0};
+    text_add(&path, "%s/%s", PROJECT_SOURCE, name);
+    if (text_read_file(&out, text_string(&path), &status) != STATUS_OK)
+        fail_msg("%s", status.message);
+    text_free(&path);
+    return out;
+}
+
+/** Adds what stands in the files of a folder that end so. */
+static void add_folder(struct text *out, const char *folder, const char *ending)
+{
+    char path[1000];
+    struct dirent **entry;
+    snprintf(path, sizeof path, "%s/%s", PROJECT_SOURCE, folder);
+    int count = scandir(path, &entry, NULL, alphasort);
+    assert_true(count > 0);
+    for (int i = 0; i < count; i++) {
+        const char *dot = strrchr(entry[i]->d_name, '.');
+        if (dot && strcmp(dot, ending) == 0) {
+            snprintf(path, sizeof path, "%s/%s", folder, entry[i]->d_name);
+            struct text one = read_source(path);
+            text_add_bytes(out, one.data, one.length);
+            text_free(&one);
+        }
+        free(entry[i]);
+    }
+    free(entry);
+}
+
+/** Is `name`, between two marks, in the first `length` characters? */
+static bool has(const char *text, size_t length, char mark, const char *name)
+{
+    char quoted[2 * NAME];
+    snprintf(quoted, sizeof quoted, "%c%s%c", mark, name, mark);
+    const char *found = strstr(text, quoted);
+    return found && found < text + length;
+}
+
+/** Does docs/templates.md name `name` in a row that names what it stands in (`of`; NULL: in one that is of nothing, or
+ * as what a row is of)? */
+static bool is_listed(const char *document, const char *of, const char *name)
+{
+    for (const char *row = strstr(document, "\n| where"); (row = strstr(row, "\n| ")); row++) {
+        size_t left = (size_t)(strstr(row, " | ") - row), length = strcspn(row + 1, "\n") + 1;
+        const char *as = strstr(row, "as in `"), *counted = strstr(row, "as what is counted");
+        bool counts = strcmp(name, "count") == 0 || strcmp(name, "one") == 0 || strcmp(name, "surface") == 0;
+        char like[NAME];
+        if (of ? has(row, length, '`', of) && has(row, length, '`', name)
+               : has(row, strchr(row + 1, '`') < row + left ? left : length, '`', name))
+            return true;
+        if (of && has(row, length, '`', of) && counts && counted && counted < row + length)
+            return true;
+        if (of && has(row, length, '`', of) && as && as < row + length && sscanf(as, "as in `%79[^`]", like) == 1 &&
+            strcmp(like, of) != 0 && is_listed(document, like, name))
+            return true;
+    }
+    return false;
+}
+
+/** What a name of a template stands in: the words of the sections around it, the innermost last. */
+struct around {
+    char words[DEPTH][NAME];
+    size_t count;
+};
+
+/** Adds the parts of "a.b". */
+static void add_words(struct around *around, const char *tag)
+{
+    for (const char *part = tag; *part; part += part[0] == '.') {
+        size_t length = strcspn(part, ".");
+        assert_true(around->count < DEPTH);
+        snprintf(around->words[around->count++], NAME, "%.*s", (int)length, part);
+        part += length;
+    }
+}
+
+typedef bool known_name(const char *known, const struct around *around, const char *name);
+
+/** Fails where a template fills in a name that is not `is_known`; `of`: the section that all of it is, or "". Returns
+ * how many there are. */
+static size_t check_template(const char *file, const char *template, const char *of, const char *known,
+                             known_name *is_known)
+{
+    char open[DEPTH][NAME];
+    size_t depth = 0, names = 0;
+    for (const char *at = template; (at = strstr(at, "{{")); at += 2) {
+        char tag[NAME], kind = at[2];
+        if (kind == '/')
+            depth--;
+        if (strchr("!>/", kind))
+            continue;
+        assert_int_equal(sscanf(at + 2 + strspn(at + 2, "#^&{ "), "%79[^} ]", tag), 1);
+        struct around around = {.count = 0}, own = {.count = 0};
+        add_words(&around, of);
+        for (size_t d = 0; d < depth; d++)
+            add_words(&around, open[d]);
+        add_words(&own, strcmp(tag, ".") == 0 ? "" : tag);
+        for (size_t w = 0; w < own.count; w++, names++) {
+            if (!is_known(known, &around, own.words[w]))
+                fail_msg("%s fills in '%s' of '%s', which nothing says", file, own.words[w],
+                         around.count > 0 ? around.words[around.count - 1] : "");
+            add_words(&around, own.words[w]);
+        }
+        if (kind == '#' || kind == '^')
+            snprintf(open[depth++], NAME, "%s", tag);
+        assert_true(depth < DEPTH);
+    }
+    assert_int_equal(depth, 0);
+    return names;
+}
+
+/** Is it in docs/templates.md, which test_view holds against the view? */
+static bool is_documented(const char *document, const struct around *around, const char *name)
+{
+    static const char *const of_lists[] = {"first", "last", "more"};
+    for (size_t i = 0; i < sizeof of_lists / sizeof *of_lists && around->count > 0; i++)
+        if (strcmp(name, of_lists[i]) == 0)
+            return true;
+    bool listed = is_listed(document, NULL, name);
+    for (size_t w = 0; w < around->count && !listed; w++)
+        listed = is_listed(document, around->words[w], name);
+    return listed;
+}
+
+/** Does the program say it, as a text of its source; or what is in um as a length in m? */
+static bool is_in_source(const char *source, const struct around *around, const char *name)
+{
+    size_t stem = strlen(name) > 3 && strcmp(name + strlen(name) - 3, "_um") == 0 ? strlen(name) - 3 : 0;
+    char length[NAME + 4];
+    (void)around;
+    snprintf(length, sizeof length, "%.*s_m", (int)stem, name);
+    return has(source, strlen(source), '"', name) || (stem > 0 && has(source, strlen(source), '"', length));
+}
+
+TEST_CASE(templates_of_the_report_fill_in_documented_names)
+{
+    static const char *const folders[][3] = {{"templates", ".md", ""},
+                                             {"templates/export", ".inp", "exports"},
+                                             {"templates/export", ".mac", "exports"},
+                                             {"templates/export", ".txt", "exports"},
+                                             {"templates/export", ".sif", "exports"},
+                                             {"templates/export", ".csv", "exports"}};
+    struct text document = read_source("docs/templates.md"), terminal = read_source("templates/terminal.txt");
+    size_t names = check_template("terminal.txt", text_string(&terminal), "", text_string(&document), is_documented);
+    for (size_t f = 0; f < sizeof folders / sizeof *folders; f++) {
+        struct text all = {0};
+        add_folder(&all, folders[f][0], folders[f][1]);
+        names += check_template(folders[f][0], text_string(&all), folders[f][2], text_string(&document), is_documented);
+        text_free(&all);
+    }
+    assert_true(names > 1000);
+    text_free(&terminal);
+    text_free(&document);
+}
+
+TEST_CASE(other_templates_fill_in_what_the_program_says)
+{
+    static const char *const files[] = {"templates/compare.txt",      "templates/inspect.txt",
+                                        "templates/words.txt",        "templates/scene.yaml",
+                                        "templates/page.html",        "templates/charts/letters.gp",
+                                        "templates/charts/panels.gp", "templates/charts/style.gp"};
+    static const char *const folders[] = {"src/chart", "src/report", "src/cli", "src/output", "src/results"};
+    struct text source = {0};
+    size_t names = 0;
+    for (size_t f = 0; f < sizeof folders / sizeof *folders; f++)
+        add_folder(&source, folders[f], ".c");
+    for (size_t f = 0; f < sizeof files / sizeof *files; f++) {
+        struct text template = read_source(files[f]);
+        char *comment = strstr(text_string(&template), "{{names}}"); /* of words.txt, on names */
+        if (comment)
+            memcpy(comment, "(names)", 7), memset(comment + 7, ' ', 2);
+        names += check_template(files[f], text_string(&template), "", text_string(&source), is_in_source);
+        text_free(&template);
+    }
+    assert_true(names > 100);
+    text_free(&source);
+}
+
+/** Every line of words.txt is asked for: whole, or as the words of a kind ("axis.%s") and of a row's name. */
+TEST_CASE(words_are_asked_for)
+{
+    struct text words = read_source("templates/words.txt"), source = {0};
+    static const char *const folders[] = {"src/chart", "src/report", "src/cli", "src/results", "src/contact"};
+    size_t lines = 0;
+    for (size_t f = 0; f < sizeof folders / sizeof *folders; f++)
+        add_folder(&source, folders[f], ".c");
+    for (char *line = strtok(words.data, "\n"); line; line = strtok(NULL, "\n")) {
+        char name[NAME], kind[NAME], *dot;
+        if (line[0] == '#')
+            continue;
+        assert_int_equal(sscanf(line, "%79s", name), 1);
+        snprintf(kind, sizeof kind, "%s", name);
+        bool asked = has(source.data, source.length, '"', name) || strncmp(name, "6-", 2) == 0;
+        if (!asked && (dot = strrchr(kind, '.'))) {
+            asked = has(source.data, source.length, '"', name + (dot + 1 - kind));
+            snprintf(dot, 4, ".%%s");
+            char prefix[NAME + 2];
+            snprintf(prefix, sizeof prefix, "\"%.*s", (int)(dot - kind), kind);
+            asked = asked && strstr(source.data, prefix);
+        }
+        if (!asked)
+            fail_msg("words.txt has '%s', which nothing asks for", name);
+        lines++;
+    }
+    assert_true(lines > 70);
+    text_free(&words);
+    text_free(&source);
+}
+
+/** The words of a ratio mean the number that the program takes them for. */
+TEST_CASE(words_of_ratios_mean_them)
+{
+    static const char *const said[][2] = {
+        {"ratio.quarter", "a quarter of"}, {"ratio.third", "a third of"},  {"ratio.half", "half"},
+        {"ratio.twice", "twice"},          {"ratio.three", "three times"}, {"ratio.times", "0.7 times"}};
+    struct words words;
+    struct status status = {0};
+    assert_int_equal(words_read(&words, PROJECT_SOURCE "/templates", &status), STATUS_OK);
+    for (size_t i = 0; i < sizeof said / sizeof *said; i++)
+        assert_string_equal(words_say(&words, said[i][0], "number", "0.7", NULL), said[i][1]);
+    words_free(&words);
+}
