@@ -4,7 +4,7 @@ _roughcontact()
 {
     local word=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
     local commands='report direct plan init inspect compare view synth models materials self-test'
-    local scene='--material= -m --effects= -e --tolerance= -t --budget= --x-unit= --z-unit='
+    local scene='--material= -m --effects= -e --tolerance= -t --accuracy= --budget= --x-unit= --z-unit='
     local options='' kind=nothing words='' argument='' before=''
     COMPREPLY=()
     if ((COMP_CWORD == 1)); then
@@ -52,7 +52,7 @@ _roughcontact()
         words='auto plasticity separation electrical thermal scale-dependent stiffness last-scale convergence uncertainty unloading direct gap film'
         words+=' plating heating shape' ;;
     *' --x-unit' | *' --z-unit') kind=words words='m mm um nm angstrom in uin mil' ;;
-    *' --jobs' | *' -j' | *' --tolerance' | *' -t' | *' --budget' | *' --column' | *' --lambda-'[sc] | 'synth -'[agrlncsd] | \
+    *' --jobs' | *' -j' | *' --tolerance' | *' -t' | *' --accuracy' | *' --budget' | *' --column' | *' --lambda-'[sc] | 'synth -'[agrlncsd] | \
         'synth --'[agrlps]*) kind=nothing ;;
     *) argument=1 ;;
     esac

@@ -243,23 +243,12 @@ static void make_measured(struct made_up *made)
 
 static void make_benchmark(struct made_up *made)
 {
-    const struct model_row *gw = model_rows[made_up_model("gw")], *jg = model_rows[made_up_model("jg")];
-    const struct benchmark_row rows[] = {
-        {"gw-integrals", gw, "Simpson", 1000, 3000, 1e-4, 1e-3},
-        {"gw-integrals", gw, "Gauss-Legendre", 1e-4, 100, 1e-6, 1e-5},
-        {"gw-integrals", gw, "Gauss-Legendre", 1e-10, 200, 4e-6, 1e-11},
-        {"jg-integrals", jg, "Simpson", 300, 900, 1e-5, 5e-3},
-        {"jg-integrals", jg, "Simpson", 1000, 3000, 4e-5, 2e-3},
-        {"jg-integrals", jg, "Gauss-Legendre", 1e-4, 100, 1e-6, 1e-4},
-        {"jg-integrals", jg, "Gauss-Legendre", 1e-8, 150, 1.5e-6, 1e-8},
-        {"jg-integrals", jg, "Gauss-Legendre", 1e-10, 200, 2.43e-6, 1e-9},
-        {"tolerance", NULL, "all models", 0.01, 100, 3e-6, 1e-7},
-        {"tolerance", NULL, "all models", 1e-6, 110, 4e-6, 1e-12},
-        {"tolerance", NULL, "all models", 1e-10, 120, 6e-6, 1e-14},
-    };
-    made->benchmark.count = sizeof rows / sizeof *rows;
-    memcpy(made->benchmark.rows, rows, sizeof rows);
-    made->benchmark.before = 4e-4;
+    static const double tolerance[BENCHMARK_STEPS] = {1e-2, 1e-6, 1e-10, 1e-13};
+    made->benchmark.count = 0;
+    for (size_t m = 0; m < model_count; m++)
+        for (int t = 0; plan_runs_model(&made->plan, m) && t < BENCHMARK_STEPS; t++)
+            made->benchmark.rows[made->benchmark.count++] =
+                (struct benchmark_row){m, tolerance[t], 100, 1e-6 * (double)(m + 1), t == 0 ? 1e-3 : 0};
 }
 
 void made_up_sweep(struct made_up *made, enum convergence_sweep sweep, const char *model, size_t value, double last)

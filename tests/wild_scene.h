@@ -31,6 +31,7 @@ static const struct wild_key {
      {"{from: 1e-12, to: 1e3, points: 9}", "{values: [1e-3]}", "{from: 1e-3, to: 1, points: 5}",
       "{from: 1e-9 Pa, to: 1e12 Pa, points: 7}", "{values: [1 uN, 1 kN]}"}},
     {"tolerance", 6, {"0.1", "1e-13", "1e-2"}},
+    {"accuracy", 12, {"10 %", "2"}},
     {"lambda_s", 6, {"2.5 um", "1 nm"}},
     {"lambda_c", 12, {"0.8 mm", "1 km"}},
     {"fit_band", 6, {"[1 um, 1 mm]", "[1 nm, 1 km]"}},

@@ -170,8 +170,9 @@ static enum status_code solve(struct answer *out, struct search *search)
     return search->status->code;
 }
 
-/** The model that counts the spots of an answer of model `m`: itself, else the running one of the greatest precedence
- * that counts them, is valid there, and is not elastic where `m` is plastic; model_count: none. */
+/** The model that counts the spots of an answer of model `m`: itself, else of those that run, count them, are valid
+ * there, and are not elastic where `m` is plastic the textbook's (whose count hangs least on the spacing of the scan),
+ * else the one of the greatest precedence; model_count: none. */
 static size_t counting_model(const struct surface_record *record, const struct plan *plan, size_t m, double load)
 {
     size_t found = model_count;
@@ -179,7 +180,8 @@ static size_t counting_model(const struct surface_record *record, const struct p
         const struct curve_summary *model = surface_model(&record->summary, k);
         if (plan_runs_model(plan, k) && model_rows[k]->spots && (model_rows[k]->plastic || !model_rows[m]->plastic) &&
             model->exists && curve_summary_is_valid(model, load) &&
-            (found == model_count || model_rows[k]->precedence > model_rows[found]->precedence))
+            (found == model_count || model_rows[k]->textbook ||
+             (!model_rows[found]->textbook && model_rows[k]->precedence > model_rows[found]->precedence)))
             found = k;
     }
     return model_rows[m]->spots ? m : found;

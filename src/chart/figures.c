@@ -4,6 +4,7 @@
 #include "answers/direct_study.h"
 #include "chart/chart.h"
 #include "joint/heating.h"
+#include "results/accuracy.h"
 #include "results/asked.h"
 #include "results/comparison.h"
 #include <math.h>
@@ -27,9 +28,9 @@ enum {
 
 #define NOTE(note) (1u << (note))
 
-const char *const figure_notes[] = {
-    "band",       "outside", "adjusted", "scale_dependent", "last_scale", "cut",  "direct",
-    "few_points", "law",     "bins",     "open_bins",       "knees",      "rules"};
+const char *const figure_notes[] = {"band",       "outside", "adjusted",  "scale_dependent",
+                                    "last_scale", "cut",     "direct",    "few_points",
+                                    "law",        "bins",    "open_bins", "knees"};
 _Static_assert(sizeof figure_notes / sizeof *figure_notes == FIGURE_NOTES, "every note has its name");
 
 /* Beyond this A/A_n a resistance goes to 0 over as many decades as a load happens to come close to full contact. */
@@ -645,31 +646,39 @@ static void make_direct(struct chart *chart, const struct source *source)
     }
 }
 
-/** Error against time: the report's own curves at several tolerances, and the rules that could take their place. */
+/** Expected error against time: every model, at each tolerance, and the direct solution of the baseline. */
 static void make_accuracy(struct chart *chart, const struct source *source)
 {
-    const struct benchmark *cost = source->results->benchmark;
-    const struct benchmark_row *before = NULL, *first = NULL; /* the first integral stands for all */
-    size_t methods = 0;
     chart->panel_height = 180;
-    if (!cost || !chart_panel(chart, "", SAY("axis.time"), SAY("axis.error"), true, true))
+    if (!source->results->benchmark ||
+        !chart_panel(chart, "", SAY("axis.time"), asked_label(source, "axis.error_of"), true, true))
         return;
-    for (size_t i = 0; i < cost->count; before = &cost->rows[i++]) {
-        const struct benchmark_row *row = &cost->rows[i];
-        bool own = strcmp(row->study, "tolerance") == 0;
-        if (!own && first && row->model != first->model)
+    for (size_t m = 0; m < model_count; m++) {
+        const struct accuracy accuracy = accuracy_of(source->results, m, source->asked.quantity);
+        if (accuracy.source == ACCURACY_NONE)
             continue;
-        first = own || first ? first : row;
-        if (!before || strcmp(before->study, row->study) != 0 || strcmp(before->method, row->method) != 0)
-            CURVE(.legend =
-                      own ? SAY("accuracy.report")
-                          : SAY("accuracy.rule", "model", row->model ? row->model->label : "", "rule", row->method),
-                  .width = own ? 3 : 1.4, .colour = own ? "#1257d0" : surface_colour(++methods),
-                  .notes = own ? 0 : NOTE(FIGURE_RULES));
-        if (row->error >= 1e-16)
-            chart_row(chart, row->seconds * 1e3, row->error, 0, 0);
+        struct chart_curve look = model_look(m);
+        look.kind = CHART_LINE;
+        look.width = 1.4;
+        look.marker = model_rows[m]->marker;
+        chart_curve(chart, &look);
+        for (size_t i = 0; i < BENCHMARK_STEPS; i++)
+            chart_row(chart, accuracy.seconds[i], accuracy.total_error[i], 0, 0);
+        look.kind = CHART_POINTS;
+        look.legend = "";
+        chart_curve(chart, &look);
+        chart_row(chart, accuracy.seconds[accuracy.used], accuracy.error, 0, 0);
     }
-    chart_mark(chart, false, source->results->scene->tolerance, SAY("tolerance"));
+    const struct asked_solved solved = asked_direct(source->results, source->asked.quantity,
+                                                    results_operating_load(source->results, source->results->baseline));
+    if (solved.error > 0) {
+        chart_curve(chart, &(struct chart_curve){.kind = CHART_POINTS,
+                                                 .legend = SAY("direct"),
+                                                 .marker = 5,
+                                                 .colour = ink,
+                                                 .notes = NOTE(FIGURE_DIRECT)});
+        chart_row(chart, source->results->studies.contact_seconds, solved.error, 0, 0);
+    }
 }
 
 /* ---- The list ---- */

@@ -23,7 +23,6 @@ enum figure_note {
     FIGURE_BINS,
     FIGURE_OPEN_BINS, /* which the law is not fitted to */
     FIGURE_KNEES,
-    FIGURE_RULES, /* other integration rules */
     FIGURE_NOTES
 };
 extern const char *const figure_notes[]; /* as the view names them */

@@ -29,7 +29,8 @@ enum {
     KEY_JSON,
     KEY_TEMPLATE,
     KEY_EXPORT,
-    KEY_BUDGET
+    KEY_BUDGET,
+    KEY_ACCURACY
 };
 
 /* What both take: the directory, and what overrides its scene. */
@@ -42,6 +43,8 @@ static const struct argp_option scene_options[] = {
      1},
     {"tolerance", 't', "REL", 0, "relative tolerance of every number, 1e-14 to 0.1 (default: the scene's, else 1e-6)",
      1},
+    {"accuracy", KEY_ACCURACY, "SHARE", 0,
+     "run the cheapest model alone that is expected to be as good, as 30 % (default: the scene's, else all run)", 1},
     {"budget", KEY_BUDGET, "TIME", 0,
      "solve directly too, on the grid and as many surfaces as take so long on one core, by count, not by the clock "
      "(default: the scene's)",
@@ -68,6 +71,8 @@ static error_t parse_scene(int key, char *value, struct argp_state *state)
         overrides->effects = value;
     else if (key == 't')
         overrides->tolerance = value;
+    else if (key == KEY_ACCURACY)
+        overrides->accuracy = value;
     else if (key == KEY_BUDGET)
         overrides->budget = value;
     else if (key == KEY_X_UNIT)

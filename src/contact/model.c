@@ -155,6 +155,16 @@ double model_sd(const struct model_row *row, enum quantity quantity)
                                              : 0;
 }
 
+double model_rms(const struct model_row *row, enum quantity quantity, bool one_scan, bool hard)
+{
+    const int column = quantity == QUANTITY_AREA                                          ? 0
+                       : quantity == QUANTITY_SEPARATION || quantity == QUANTITY_MEAN_GAP ? 1
+                                                                                          : 2;
+    double rms = row->ln_rms[hard ? MODEL_SCANS_HARD : one_scan ? MODEL_SCAN : MODEL_SCANS][column];
+    const struct model_row *elastic = row->elastic ? row->elastic : row;
+    return hard && one_scan && rms > 0 ? fmax(rms, elastic->ln_rms[MODEL_SCAN][column]) : rms;
+}
+
 double model_task_longest_waves(const struct model_task *task)
 {
     return task->rows && !task->rows->periodic ? spectrum_longest_waves(task->spectrum) : 0;

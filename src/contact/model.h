@@ -59,6 +59,9 @@ struct model_curve {
     size_t carried;            /* points at the end that are only carried on */
 };
 
+/** What a model's error was measured from: scans of four of the longest waves, where metal yields or not. */
+enum model_known { MODEL_SCANS, MODEL_SCAN, MODEL_SCANS_HARD, MODEL_KNOWN };
+
 struct model_row {
     const char *name;                    /* as in contact.csv and scenes */
     const char *label;                   /* as in charts, tables and lists of names: no comma */
@@ -76,9 +79,11 @@ struct model_row {
     unsigned quantities;                         /* QUANTITY_BITs it computes */
     double ln_sd[3]; /* of ln area, separation and resistance beside the scatter of scans, where the model says how far
                         it is from a surface of any heights; 0: it does not */
-    unsigned may_be_empty; /* those of them that it leaves empty (NaN) where it should not be trusted */
-    double largest_area;   /* A/A_n up to which it is valid; 0: any */
-    bool ends;             /* it has no numbers beyond that */
+    double ln_rms[MODEL_KNOWN][3]; /* rms of ln(model/direct solution) of the same, over surfaces of eight laws of
+                                      heights (docs/validation.md, other heights); 0: not measured */
+    unsigned may_be_empty;         /* those of them that it leaves empty (NaN) where it should not be trusted */
+    double largest_area;           /* A/A_n up to which it is valid; 0: any */
+    bool ends;                     /* it has no numbers beyond that */
     double stiffness_step; /* in ln P to either side, over which model_run() takes the slope of its separation; 0: it
                               computes its stiffness itself, or none */
     bool textbook;         /* handbooks print it: the first page sets it beside the leading one */
@@ -134,6 +139,9 @@ MUST_CHECK enum status_code model_run(struct model_curve *curve, const struct mo
 struct contact_point model_point(const struct transfer_point *contact, const struct model_row *row,
                                  const struct model_task *task);
 
+/** Its ln_rms of a quantity, of what the joint makes of a resistance as of that; 0: not measured. Of one scan where
+ * metal yields nothing was measured: the larger of the two. */
+double model_rms(const struct model_row *row, enum quantity quantity, bool one_scan, bool hard);
 /** Its ln_sd of a quantity. */
 double model_sd(const struct model_row *row, enum quantity quantity);
 /** How many of their longest waves the scans hold (spectrum_longest_waves()) whose ends are open; 0: they close. */

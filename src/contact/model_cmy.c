@@ -74,6 +74,7 @@ const struct model_row model_cmy = {
     .label = "CMY",
     .family = "cmy",
     .plastic = true,
+    .ln_rms = {{0}, {0}, {0.61, 0.56, 0.84}},
     .quantities = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
                   QUANTITY_BIT(QUANTITY_STIFFNESS) | QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR),
     .stiffness_step = MODEL_STIFFNESS_STEP,

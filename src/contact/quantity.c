@@ -31,6 +31,12 @@ static double stiff(const struct material_pair *pair, double constriction_m)
     return constriction_m > 0 ? pair->effective_modulus_Pa / 2 / (constriction_m * constriction_m) : NAN;
 }
 
+static double separation(const double value[QUANTITY_COUNT], const struct material_pair *pair)
+{
+    (void)pair;
+    return value[QUANTITY_SEPARATION];
+}
+
 /* Each begins with name, symbol, SI unit, meaning, effect, what it is made of, what it is. */
 const struct quantity_row quantity_rows[] = {
     [QUANTITY_LOAD] = {"load_over_AnEp", "load", "", "P/(Aₙ E′)", .at_full = NAN},
@@ -111,12 +117,19 @@ const struct quantity_row quantity_rows[] = {
     [QUANTITY_TEMPERATURE] = {"contact_temperature_K", "T_max", "K", "the hottest place (heating)",
                               EFFECT_BIT(EFFECT_HEATING), SPOTS, .shown = {"°C", 1, 273.15},
                               .asked = {{"temperature", "T_max", 0, UNIT_TEMPERATURE, 0, 1e5}}, .panels = {{""}}},
+    [QUANTITY_MEAN_GAP] = {"gap_m", "gap", "m",
+                           "the separation, with an interval of its own (that of separation_m is of "
+                           "its multiple of σ)",
+                           EFFECT_BIT(EFFECT_SEPARATION), QUANTITY_BIT(QUANTITY_SEPARATION), QUANTITY_BANDED,
+                           .shown = {"µm", 1e6}, .handy = {"µm", 1e6},
+                           .asked = {{"gap", "gap", 0, UNIT_DISTANCE, 1e-12, 1}}, .derive = separation},
 };
 _Static_assert(sizeof quantity_rows / sizeof *quantity_rows == QUANTITY_COUNT, "a quantity has its row");
 
 bool quantity_of_joint(enum quantity quantity)
 {
-    return quantity_rows[quantity].from && quantity_rows[quantity].effect;
+    const struct quantity_row *row = &quantity_rows[quantity];
+    return row->from && row->effect && !row->derive;
 }
 
 struct quantity_unit quantity_unit(enum quantity quantity)

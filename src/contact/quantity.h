@@ -28,6 +28,7 @@ enum quantity {
     QUANTITY_SHAPE_ECR,           /* ECR A_n of it [ohm m²] */
     QUANTITY_VOLTAGE,             /* over the contact [V] */
     QUANTITY_TEMPERATURE,         /* of the hottest place [K] */
+    QUANTITY_MEAN_GAP,            /* the separation, with an interval of its own [m] */
     QUANTITY_COUNT
 };
 

@@ -72,6 +72,7 @@ struct surface_summary {
     struct asperities asperities;
     bool has_asperities; /* a statistical model exists */
     struct power_law power_law;
+    struct power_law line;        /* the thesis's, through all harmonics of fit_band, whatever `fit` */
     double independent;           /* scans averaged; rows of a map count less */
     size_t periodic;              /* of the scans: those that close on themselves */
     size_t windowed;              /* of the scans: those whose spectrum was taken under a Hann window */

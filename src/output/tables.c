@@ -34,6 +34,9 @@ const struct record_field surface_fields[] = {
     SURFACE(NUMBER, "fit_low_m", power_law.band_m[0], ALWAYS),
     SURFACE(NUMBER, "fit_high_m", power_law.band_m[1], ALWAYS),
     SURFACE(NUMBER, "fit_misfit_decades", power_law.misfit_decades, ALWAYS),
+    SURFACE(NUMBER, "line_alpha_SI", line.alpha, ALWAYS),
+    SURFACE(NUMBER, "line_gamma", line.gamma, ALWAYS),
+    SURFACE(NUMBER, "line_rms_decades", line.misfit_decades, ALWAYS),
     SURFACE(NUMBER, "fit_psd_m3", power_law.psd_m3, JSON),
     {0},
 };
@@ -364,10 +367,10 @@ static void fill_convergence(struct table *table, const struct results *results,
 static void fill_cost(struct table *table, const struct results *results, size_t index)
 {
     const struct benchmark_row *row = &results->benchmark->rows[index];
-    put_word(table, "study", row->study);
-    put_word(table, "method", row->method);
+    put_word(table, "study", "tolerance");
+    put_word(table, "method", model_rows[row->model]->name);
     begin_cell(table, "setting", "");
-    text_add(&table->rows, "%g", row->setting);
+    text_add(&table->rows, "%g", row->tolerance);
     put_count(table, "evaluations", row->evaluations);
     put_number(table, "seconds", row->seconds);
     put_number(table, "max_relative_error", row->error);

@@ -101,7 +101,9 @@ static void decide_scale_dependence(struct plan *plan, const struct surface_reco
         plan_switch_off(plan, EFFECT_SCALE_DEPENDENT);
 }
 
-static void decide_convergence(struct plan *plan, const struct surface_record *surfaces, size_t count)
+/** Runs where some spectrum can be carried on below what is known, or the scene says what to sweep. */
+static void decide_convergence(struct plan *plan, const struct scene *scene, const struct surface_record *surfaces,
+                               size_t count)
 {
     struct plan_effect *effect = &plan->effects[EFFECT_CONVERGENCE];
     size_t usable = 0, carried_on = 0;
@@ -111,6 +113,8 @@ static void decide_convergence(struct plan *plan, const struct surface_record *s
     }
     snprintf(effect->reason, sizeof effect->reason,
              "sweeps, and the spectra of %zu of %zu surfaces carried on below what is known", carried_on, usable);
+    if (carried_on == 0 && !scene->convergence.given)
+        plan_switch_off(plan, EFFECT_CONVERGENCE);
 }
 
 /** Runs where a surface has one scan. */
@@ -192,7 +196,7 @@ void effects_decide(struct plan *plan, const struct scene *scene, const struct s
     if (open & EFFECT_BIT(EFFECT_SCALE_DEPENDENT))
         decide_scale_dependence(plan, surfaces, count, scene->tolerance);
     if (open & EFFECT_BIT(EFFECT_CONVERGENCE))
-        decide_convergence(plan, surfaces, count);
+        decide_convergence(plan, scene, surfaces, count);
     if (open & EFFECT_BIT(EFFECT_UNCERTAINTY))
         decide_uncertainty(plan, surfaces, count);
 }

@@ -2,8 +2,8 @@
 /* What accuracy costs, which effects ran and why, how hard cases were kept stable: the user's three questions. */
 #include "report/view.h"
 
+#include "results/accuracy.h"
 #include <math.h>
-#include <string.h>
 
 /** "12 ms", "1.4 s", "3 min". */
 static void put_seconds(json_t *out, const char *name, double seconds)
@@ -16,36 +16,41 @@ static void put_seconds(json_t *out, const char *name, double seconds)
         view_number(out, name, seconds / 60, 2, "min");
 }
 
-/** What the whole report would take at other tolerances: the curves' time as measured, the rest as it was. */
-static void put_tolerances(json_t *out, const struct view_source *source)
+/** Each model's expected error of what is asked, and its time; those that no other betters at its price. */
+static void put_models(json_t *out, const struct view_source *source)
 {
-    const struct benchmark *cost = source->results->benchmark;
-    const struct benchmark_row *own = NULL;
-    json_t *list = view_list(out, "tolerances");
-    for (size_t i = 0; i < cost->count; i++)
-        if (strcmp(cost->rows[i].study, "tolerance") == 0 &&
-            fabs(log(cost->rows[i].setting / source->results->scene->tolerance)) < 0.01)
-            own = &cost->rows[i];
-    const char *first = NULL;
-    bool alike = true;
-    double rest = own && cost->before > own->seconds ? cost->before - own->seconds : 0;
-    for (size_t i = cost->count; i-- > 0;)
-        if (strcmp(cost->rows[i].study, "tolerance") == 0) {
-            json_t *item = view_item(list);
-            view_number(item, "tolerance", cost->rows[i].setting, 1, "");
-            put_seconds(item, "curves", cost->rows[i].seconds);
-            put_seconds(item, "report", rest + cost->rows[i].seconds);
-            view_flag(item, "used", &cost->rows[i] == own);
-            const char *report = json_string_value(json_object_get(item, "report"));
-            first = first ? first : report;
-            alike = alike && strcmp(first, report) == 0;
+    static const char *const froms[] = {[ACCURACY_NONE] = "",
+                                        [ACCURACY_DIRECT] = "by_direct",
+                                        [ACCURACY_MEASURED] = "measured",
+                                        [ACCURACY_MAP] = "by_map"};
+    const enum quantity quantity = source->asked.quantity;
+    json_t *rows = view_list(out, "models"), *best = view_list(out, "best");
+    double finest = 0, coarsest = 0, solved = 0, dearer[64];
+    for (size_t m = 0; m < model_count; m++) {
+        const struct accuracy accuracy = accuracy_of(source->results, m, quantity);
+        if (accuracy.source == ACCURACY_NONE)
+            continue;
+        json_t *row = view_item(rows);
+        view_text(row, "label", model_rows[m]->label);
+        view_number(row, "factor", 1 + accuracy.error, 2, "");
+        put_seconds(row, "time", accuracy.seconds[accuracy.used]);
+        view_flag(row, froms[accuracy.source], true);
+        view_flag(row, "one_scan", accuracy.one_scan);
+        view_flag(row, "hard", accuracy.hard);
+        if (accuracy_is_best(source->results, m, quantity)) { /* the dearest first */
+            size_t at = json_array_size(best);
+            for (; at > 0 && dearer[at - 1] < accuracy.seconds[accuracy.used]; at--)
+                dearer[at] = dearer[at - 1];
+            dearer[at] = accuracy.seconds[accuracy.used];
+            json_array_insert(best, at, row);
         }
-    if (first && alike)
-        view_text(out, "report_alike", first);
-    view_separate(list);
-    for (size_t i = 0; i < cost->count; i++)
-        if (strcmp(cost->rows[i].method, "Simpson") == 0 && cost->rows[i].setting == 1000)
-            view_number(out, "simpson_error", cost->rows[i].error, 2, "");
+        coarsest += accuracy.seconds[0];
+        finest += accuracy.seconds[BENCHMARK_STEPS - 1];
+        solved = fmax(solved, accuracy.seconds[accuracy.used]);
+    }
+    view_separate(best);
+    view_flag(out, "digits_are_free", finest - coarsest < 0.1 * solved);
+    put_seconds(out, "digits", finest - coarsest);
 }
 
 static void put_effects(json_t *out, const struct view_source *source)
@@ -115,7 +120,7 @@ void view_accuracy(json_t *out, const struct view_source *source)
 {
     view_number(out, "tolerance", source->results->scene->tolerance, 1, "");
     if (source->results->benchmark)
-        put_tolerances(view_part(out, "accuracy"), source);
+        put_models(view_part(out, "accuracy"), source);
     put_effects(out, source);
     put_stability(out, source);
 }

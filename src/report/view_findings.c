@@ -53,7 +53,8 @@ enum {
     HIGH = 8,       /* in the last decade of load before one contact is full */
     NO_ORDER = 16,  /* the finding is that cases go both ways */
     BUT_FIRST = 32, /* that the smoothest surface's alone go the other way; shown: how many of those, in % */
-    EVEN = 64       /* that the largest of two numbers or more is at most twice the least */
+    EVEN = 64,      /* that the largest of two numbers or more is at most twice the least */
+    TOGETHER = NO_ORDER | BUT_FIRST | EVEN /* a model's cases are one */
 };
 
 struct check {
@@ -392,18 +393,45 @@ static void conclude(struct finding *f)
         f->least = INFINITY;
 }
 
-static void check_model(struct finding *f, json_t *numbers, size_t m)
+/** One of the surfaces, or pairs, on which a model speaks against the finding. */
+static void put_opposed(json_t *list, const struct finding *f, size_t k)
+{
+    const bool pair = f->row->with == NEIGHBOUR && f->row->check != check_number;
+    json_t *item = view_item(list);
+    view_text(item, "surface", record_of(f, k)->summary.scene->name);
+    if (pair)
+        view_text(item, "beside", record_of(f, k + 1)->summary.scene->name);
+}
+
+static void check_model(struct finding *f, json_t *numbers, json_t *opposed, size_t m)
 {
     const bool others = f->row->number == SHOULDER;
+    const size_t before = f->all.bad, places = f->row->is & WHOLE ? 1 : f->source->results->usable_count;
+    json_t *against = json_object(), *on = view_list(against, "on");
+    size_t tested = 0; /* surfaces, or pairs of them */
     f->m = m;
     f->own = f->first = (struct tally){0};
     f->least = INFINITY;
     f->most = -INFINITY;
-    for (size_t k = 0; k < (f->row->is & WHOLE ? 1 : f->source->results->usable_count); k++) {
+    for (size_t k = 0; k < places; k++) {
+        const struct tally was = f->own;
         f->row->check(f, k);
         f->first = k == 0 ? f->own : f->first;
+        tested += f->own.good + f->own.bad > was.good + was.bad;
+        if (f->own.bad > was.bad && places > 1 && !(f->row->is & TOGETHER) && json_array_size(on) < VIEW_ROWS)
+            put_opposed(on, f, k);
     }
     conclude(f);
+    if (f->all.bad > before) {
+        if (!(f->row->is & ONCE))
+            view_text(against, "label", model_rows[m]->label);
+        if (!(f->row->is & ONCE) && json_array_size(on) == tested) /* on all */
+            json_array_clear(on);
+        view_separate(on);
+        if (!(f->row->is & ONCE) || json_array_size(on) > 0)
+            json_array_append(opposed, against);
+    }
+    json_decref(against);
     if (!(f->least <= f->most))
         return;
     json_t *item = view_item(numbers);
@@ -431,12 +459,13 @@ void view_findings(json_t *out, const struct view_source *source)
         struct finding finding = {.source = source, .row = row, .law_m = law_m};
         if ((row->effects & ~plan->running) || (row->models & ~kinds) || source->results->usable_count < row->surfaces)
             continue;
-        json_t *item = view_item(list), *numbers = view_list(item, "numbers");
+        json_t *item = view_item(list), *numbers = view_list(item, "numbers"), *opposed = view_list(item, "opposed");
         for (size_t m = 0, called = 0; m < model_count && !((row->is & ONCE) && called > 0); m++)
             if ((speaks & MODEL_BIT(m)) && (!row->models || (row->models & kind_of(m))) && ++called)
-                check_model(&finding, numbers, m);
+                check_model(&finding, numbers, opposed, m);
         const size_t good = finding.all.good, all = good + finding.all.bad;
         view_separate(numbers);
+        view_separate(opposed);
         view_text(item, "part", row->part);
         view_flag(item, row->name, true);
         view_count(item, "good", good);

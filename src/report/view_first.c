@@ -186,6 +186,83 @@ static bool area_is_pressed(const struct view_source *source)
     return true;
 }
 
+/** Most over least of a model's answers in order of roughness; *rises: each is above the one before. 0: one has none.
+ */
+static double spread_of(const struct view_source *source, size_t m, bool *rises)
+{
+    double least = INFINITY, most = 0, before = -INFINITY;
+    *rises = true;
+    for (size_t k = 0; k < source->results->usable_count; k++) {
+        double value = value_of(source, m, source->results->by_roughness[k]);
+        if (!(value > 0 && isfinite(value)))
+            return 0;
+        *rises = *rises && value > before * (1 + source->results->scene->tolerance);
+        least = fmin(least, value);
+        most = fmax(most, value);
+        before = value;
+    }
+    return most / least;
+}
+
+/** A model's answers from the smoothest surface to the roughest: all of four, else the two ends. */
+static void put_in_order(json_t *item, const struct view_source *source, size_t m)
+{
+    struct text text = {0};
+    const size_t count = source->results->usable_count;
+    for (size_t k = 0; k<count; k += count> 4 ? count - 1 : 1) {
+        text_add(&text, k == 0 ? "" : count > 4 ? "\u00a0…\u00a0" : ", ");
+        number_format(&text, value_of(source, m, source->results->by_roughness[k]), 3);
+    }
+    text_add(&text, source->asked.unit[0] ? "\u00a0%s" : "%s", source->asked.unit);
+    view_text(item, "values", text_string(&text));
+    text_free(&text);
+}
+
+/** Where all models of the thesis run: by which the answer rises from the smoothest surface to the roughest, and by how
+ * much by the one that spreads it most, and by the leading one. */
+static void put_by_roughness(json_t *out, const struct view_source *source)
+{
+    const struct results *results = source->results;
+    bool rises, all = results->usable_count > 1;
+    size_t widest = model_count;
+    double most = 0;
+    for (size_t m = 0; m < model_count; m++)
+        all = all && (model_rows[m]->thesis_place == 0 || plan_runs_model(results->plan, m));
+    if (!all)
+        return;
+    for (size_t m = 0; m < model_count; m++)
+        if (model_rows[m]->thesis_place > 0 && model_rows[m]->plastic == model_rows[source->leading]->plastic &&
+            spread_of(source, m, &rises) > most && rises) {
+            most = spread_of(source, m, &rises);
+            widest = m;
+        }
+    json_t *item = view_part(out, "by_roughness"), *rising = view_list(item, "rising"),
+           *others = view_list(item, "others");
+    for (size_t m = 0; m < model_count; m++)
+        if ((model_rows[m]->thesis_place > 0 || m == source->leading) && spread_of(source, m, &rises) > 0) {
+            json_t *row = view_item(rises ? rising : others);
+            view_text(row, "label", model_rows[m]->label);
+            if (m == widest || m == source->leading)
+                put_in_order(row, source, m);
+        }
+    view_flag(item, "has_rising", json_array_size(rising) > 0);
+    view_separate(rising);
+    view_separate(others);
+}
+
+/** What `accuracy` chose, and whether it is as good as that. */
+static void put_chosen(json_t *out, const struct view_source *source)
+{
+    const struct scene *scene = source->results->scene;
+    if (!(scene->chosen_rms > 0))
+        return;
+    json_t *item = view_part(out, "chosen");
+    view_number(item, "percent", 100 * scene->accuracy, DIGITS, "");
+    view_number(item, "factor", exp(scene->chosen_rms), DIGITS, "");
+    view_flag(item, "met", expm1(scene->chosen_rms) <= scene->accuracy);
+    view_flag(item, "one_scan", scene->one_scan);
+}
+
 /** The surfaces that have no place in the ranking: some by name, the others counted. */
 static void put_untested(json_t *out, const struct view_source *source)
 {
@@ -507,13 +584,20 @@ static enum limit_verdict worst_verdict(const struct view_source *source, size_t
     return worst;
 }
 
+/** A row of the table of all surfaces. */
 static void put_row(json_t *row, const struct view_source *source, size_t surface, bool lettered)
 {
     const struct comparison_ranking *ranking = &source->comparison->ranking;
     const struct contact_point at = comparison_middle(source->results, source->leading, surface);
     view_text(row, "surface", view_name(source, surface));
     view_number(row, "rq_um", view_summary(source, surface)->roughness.rq_m * 1e6, 3, "");
+    view_law(row, &view_summary(source, surface)->power_law);
     view_number(row, "area_percent", 100 * at.value[QUANTITY_AREA], DIGITS, "");
+    const struct quantity_unit gap = quantity_unit(QUANTITY_MEAN_GAP);
+    const struct estimate *known =
+        curve_summary_estimate(surface_model(view_summary(source, surface), source->leading), QUANTITY_MEAN_GAP);
+    view_number(row, "gap", gap.scale * at.value[QUANTITY_MEAN_GAP], DIGITS, "");
+    view_interval(row, "gap_interval", gap.scale * estimate_end(known, 0), gap.scale * estimate_end(known, 1), DIGITS);
     put_value(view_part(row, "value"), source, surface);
     if (source->asked.target)
         put_answer(view_part(row, "answer"), source, answer_of(source, surface, source->leading), surface);
@@ -537,6 +621,10 @@ static void put_table(json_t *out, const struct view_source *source)
             put_row(view_item(rows), source, i, lettered);
     view_flag(out, "has_limits", results->scene->limit_count > 0);
     view_flag(out, "has_letters", lettered);
+    view_flag(out, "has_area", !source->asked.target && source->asked.quantity != QUANTITY_AREA);
+    view_flag(out, "has_gap",
+              results->scene->limit_count == 0 && source->asked.quantity != QUANTITY_MEAN_GAP &&
+                  (plan_quantities(results->plan) & QUANTITY_BIT(QUANTITY_MEAN_GAP)));
     if (results->usable_count > VIEW_ROWS)
         view_count(out, "rows_left_out", results->usable_count - VIEW_ROWS);
     view_some(out, "refused_count", results->surface_count - results->usable_count);
@@ -648,6 +736,8 @@ void view_first_page(json_t *out, const struct view_source *source)
     put_other_targets(out, source);
     put_spots(out, source);
     put_ranking(out, source);
+    put_by_roughness(out, source);
+    put_chosen(out, source);
     for (size_t i = 0; i < results->surface_count; i++)
         if (results_measured(results, i) && json_array_size(view_list(out, "measured")) < VIEW_ROWS)
             put_measured_on(view_item(view_list(out, "measured")), source, i);

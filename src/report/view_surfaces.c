@@ -19,6 +19,18 @@ static void put_amplitude(json_t *out, const char *name, const struct power_law 
     text_free(&text);
 }
 
+void view_law(json_t *out, const struct power_law *law)
+{
+    struct text gamma = {0};
+    if (law->found == POWER_LAW_BAND_NONE)
+        return;
+    number_format_uncertain(&gamma, law->gamma, law->gamma_error);
+    view_text(out, "gamma", text_string(&gamma));
+    text_free(&gamma);
+    view_number(out, "gamma_alone", law->gamma, 3, "");
+    view_number(out, "alpha", law->alpha, 3, "");
+}
+
 static void put_surface(json_t *row, const struct view_source *source, size_t surface)
 {
     const struct surface_summary *s = view_summary(source, surface);
@@ -33,18 +45,16 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
     view_flag(row, "rows_of_a_map", repeats->count > 0 && repeats->scans == 1);
     view_some(row, "pieces", repeats->cut);
     view_number(row, "heights", comparison_heights_factor(source->results, surface, QUANTITY_ECR), 2, "");
+    view_law(view_part(row, "line"), &s->line);
+    view_number(row, "line_rms", s->line.misfit_decades, 2, "");
     view_flag(row, "no_law", law->found == POWER_LAW_BAND_NONE);
     if (law->found == POWER_LAW_BAND_NONE)
         return;
-    struct text gamma = {0};
-    number_format_uncertain(&gamma, law->gamma, law->gamma_error);
-    view_text(row, "gamma", text_string(&gamma));
-    text_free(&gamma);
+    view_law(row, law);
     view_flag(row, "narrow", law->found == POWER_LAW_BAND_NARROW);
     view_range(row, "band_um", law->band_m[0] * 1e6, law->band_m[1] * 1e6, 3, "");
     double wavelength_m = results_law_wavelength_m(source->results);
     put_amplitude(row, "amplitude_um", law, isfinite(wavelength_m) ? wavelength_m : law->wavelength_m);
-    view_number(row, "alpha", law->alpha, 3, "");
 }
 
 /** Takes what is to be said of a surface into a list of VIEW_ROWS at most, where what is the same of several stands
@@ -71,6 +81,37 @@ static void put_once(json_t *list, json_t *own, const char *surface)
     view_text(item, "surface", surface);
 }
 
+/** A row of table 6.1: a property of the material in the unit that engineers have it in; of a pair what the models have
+ * of it. The same once. */
+static void put_material(json_t *out, const struct material *material, const struct material_pair *pair)
+{
+    static const struct {
+        const char *key;
+        double scale;
+    } columns[] = {{"E", 1e-9}, {"nu", 1}, {"Sy", 1e-6}, {"resistivity", 1}, {"conductivity", 1}};
+    json_t *list = view_list(out, "materials"), *row = json_object(), *other;
+    size_t i;
+    view_text(row, "material", material->name);
+    for (size_t c = 0; c < sizeof columns / sizeof *columns; c++)
+        for (size_t p = 0; p < material_property_count; p++)
+            if (strcmp(material_properties[p].name, columns[c].key) == 0)
+                view_number(row, columns[c].key, columns[c].scale * material_value(material, &material_properties[p]),
+                            3, "");
+    if (pair && !pair->unknown) {
+        view_number(row, "modulus", pair->effective_modulus_Pa * 1e-9, 3, "");
+        view_number(row, "hardness", pair->hardness_Pa * 1e-6, 3, "");
+    }
+    view_text(row, "source", material->source ? material->source : "");
+    json_array_foreach(list, i, other)
+    {
+        if (json_equal(row, other))
+            break;
+    }
+    if (i == json_array_size(list) && i < VIEW_ROWS)
+        json_array_append(list, row);
+    json_decref(row);
+}
+
 /** The bodies of the surfaces, alike ones together. */
 static void put_bodies(json_t *out, const struct view_source *source)
 {
@@ -88,13 +129,15 @@ static void put_bodies(json_t *out, const struct view_source *source)
         view_text(own, "material", bodies->material.name);
         view_flag(own, "rigid_counterface", bodies->counterface_kind == MATERIAL_COUNTERFACE_RIGID);
         view_text(own, "counterface", bodies->counterface.name);
-        if (!pair->unknown) {
-            view_number(own, "modulus_GPa", pair->effective_modulus_Pa * 1e-9, 3, "");
-            view_number(own, "hardness_MPa", pair->hardness_Pa * 1e-6, 3, "");
-        }
         put_once(list, own, view_name(source, i));
+        put_material(out, &bodies->material, pair);
+        if (bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC &&
+            strcmp(bodies->counterface.name, bodies->material.name) != 0)
+            put_material(out, &bodies->counterface, NULL);
     }
     view_separate(list);
+    view_separate(view_list(out, "materials"));
+    view_flag(out, "has_materials", json_array_size(view_list(out, "materials")) > 0);
     view_flag(out, "bodies_differ", some_without || json_array_size(list) > 1);
 }
 
@@ -120,6 +163,9 @@ void view_surfaces(json_t *out, const struct view_source *source)
             put_surface(view_item(rows), source, i);
     }
     view_flag(item, "has_heights", has_heights);
+    view_flag(item, "has_bands", scene->fit != POWER_LAW_THESIS);
+    if (scene->fit_band_m[0] > 0 || isfinite(scene->fit_band_m[1]))
+        view_range(item, "fit_band_um", scene->fit_band_m[0] * 1e6, scene->fit_band_m[1] * 1e6, 3, "µm");
     if (results->usable_count > VIEW_ROWS)
         view_count(item, "rows_left_out", results->usable_count - VIEW_ROWS);
     view_text(item, "level", level_names[scene->level]);
@@ -206,11 +252,4 @@ void view_inputs(json_t *out, const struct view_source *source)
             view_text(row, "label", model_rows[m]->label);
             view_text(row, "source", model_rows[m]->source);
         }
-    for (size_t k = 0; k < results->usable_count; k++) {
-        const struct material *material = &view_summary(source, results->by_roughness[k])->scene->bodies.material;
-        json_t *own = json_object();
-        view_text(own, "material", material->name);
-        view_text(own, "source", material->source ? material->source : "");
-        put_once(view_list(item, "materials"), own, "");
-    }
 }

@@ -342,8 +342,13 @@ enum status_code all_surfaces_run(struct all_surfaces *out, const struct scene *
     else
         effects_decide(&out->plan, scene, results->surfaces, results->surface_count);
     all.tables = NULL;
-    if (rc != STATUS_OK || results_rank(results, status) != STATUS_OK ||
-        (curves && !describe_only && run_shown(&all, status) != STATUS_OK))
+    if (rc == STATUS_OK)
+        rc = results_rank(results, status);
+    if (rc == STATUS_OK && results->usable_count > 0 && plan_running_models(&out->plan) == 0)
+        rc = status_fail(status, STATUS_MODEL,
+                         "no model is left for these scans and this material; name others in 'models', or leave the "
+                         "line out");
+    if (rc != STATUS_OK || (curves && !describe_only && run_shown(&all, status) != STATUS_OK))
         return status->code;
     plan_direct(&out->plan, results);
     for (size_t i = 0; i < results->surface_count && out->plan.beside; i++) {

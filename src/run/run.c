@@ -213,7 +213,7 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
     struct figures_task drawing = {&run->gnuplot, staging, options->templates, options->terminal_size, options->brief,
                                    &run->words,   false};
     struct figures figures = {.count = 0};
-    double last = clock_seconds(), before = last - run->started;
+    double last = clock_seconds();
     if (figures_draw(&figures, run->results, &drawing, status) != STATUS_OK || stopped(run))
         return status->code;
     out->times.figures = lap(&last);
@@ -223,7 +223,6 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
     if (!options->no_cost &&
         benchmark_measure(&run->benchmark, &results->surfaces[results->baseline], &asked, status) != STATUS_OK)
         return status->code;
-    run->benchmark.before = before;
     out->times.cost = lap(&last);
     drawing.cost = true;
     if (figures_draw(&figures, run->results, &drawing, status) != STATUS_OK || stopped(run))
@@ -238,9 +237,11 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
         figures_letters(&out->charts, &figures, staging, status) != STATUS_OK)
         return status->code;
     out->times.gnuplot = lap(&last);
-    const struct report_options how = {options->templates, options->template, options->brief};
-    if (report_write(run->view, &how, staging, status) != STATUS_OK ||
-        export_write(run->view, run->scene, options->templates, staging, status) != STATUS_OK ||
+    char *own = !options->template && run->scene->template ? scene_file_path(run->scene, run->scene->template) : NULL;
+    const struct report_options how = {options->templates, own ? own : options->template, options->brief};
+    enum status_code rc = report_write(run->view, &how, staging, status);
+    free(own);
+    if (rc != STATUS_OK || export_write(run->view, run->scene, options->templates, staging, status) != STATUS_OK ||
         report_terminal(&out->table, "terminal", run->view, options->templates, false, status) != STATUS_OK)
         return status->code;
     out->missed_count = view_missed_limits(&out->missed, run->results);

@@ -85,6 +85,12 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
         plan->running |= EFFECT_BIT(effect);
 }
 
+/** What a report is asked for first: the first target, else what models compute of the greatest precedence. */
+static enum quantity asked_quantity(const struct plan *plan, const struct scene *scene)
+{
+    return scene->target_count > 0 ? scene->targets[0].quantity : quantity_first(plan_quantities(plan));
+}
+
 void plan_make(struct plan *out, const struct scene *scene)
 {
     *out = (struct plan){
@@ -149,4 +155,36 @@ size_t plan_leading_model(const struct plan *plan)
             leading = m;
         }
     return leading;
+}
+
+void plan_choose_model(struct scene *scene)
+{
+    struct plan plan;
+    plan_make(&plan, scene);
+    const bool hard = plan_runs(&plan, EFFECT_PLASTICITY);
+    size_t chosen = model_count;
+    bool met = false;
+    for (size_t i = 0; i < scene->surface_count; i++)
+        scene->one_scan = scene->one_scan || scene->surfaces[i].file_count == 1;
+    for (size_t m = 0; m < model_count; m++) {
+        const struct model_row *row = model_rows[m], *before = chosen < model_count ? model_rows[chosen] : NULL;
+        const double rms = plan_runs_model(&plan, m) && row->plastic == hard
+                               ? model_rms(row, asked_quantity(&plan, scene), scene->one_scan, hard)
+                               : 0;
+        const bool good = expm1(rms) <= scene->accuracy;
+        if (!(rms > 0) || (met && !good))
+            continue;
+        if (!before || (good && !met) || (good && row->uses_strip < before->uses_strip) ||
+            (row->uses_strip == before->uses_strip && rms < scene->chosen_rms) || (!good && rms < scene->chosen_rms)) {
+            chosen = m;
+            scene->chosen_rms = rms;
+        }
+        met = met || good;
+    }
+    if (chosen == model_count)
+        return;
+    scene->models_named = true;
+    scene->models = MODEL_BIT(chosen);
+    if (model_rows[chosen]->elastic)
+        scene->models |= MODEL_BIT(model_index(model_rows[chosen]->elastic));
 }

@@ -24,6 +24,11 @@ struct plan {
 /** Listed effects run (the scene was checked); with `auto` an effect runs where the given properties allow it. */
 void plan_make(struct plan *out, const struct scene *scene);
 
+/** Leaves in scene->models the cheapest one that is expected within scene->accuracy, with the elastic one that it
+ * yields from: by docs/validation.md for so many scans, metal that yields or not. Dearer is what solves strips; of
+ * those that cost the same the better. Where none is as good the best. */
+void plan_choose_model(struct scene *scene);
+
 /** Does `effect` run? */
 bool plan_runs(const struct plan *plan, enum effect effect);
 /** Takes an effect, and the quantities that belong to it, out again. */

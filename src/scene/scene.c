@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "scene/scene.h"
 #include "joint/electron.h"
+#include "scene/plan.h"
 #include "scene/scene_source.h"
 
 #include <errno.h>
@@ -11,6 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 static struct scene default_scene(void)
 {
@@ -24,6 +26,7 @@ static struct scene default_scene(void)
         .nominal_area_m2 = NAN,
         .load = {.from = 1e-6, .to = 0.1, .points = 121, .kind = UNIT_NUMBER},
         .tolerance = 1e-6,
+        .accuracy = NAN,
         .level = LEVEL_LINE,
         .max_missing = 0.1,
         .window = SPECTRUM_WINDOW_AUTO,
@@ -121,6 +124,7 @@ static bool override_values(struct scene *scene, struct scene_source *source, co
     } all[] = {{"material", overrides->material},
                {"effects", overrides->effects},
                {"tolerance", overrides->tolerance},
+               {"accuracy", overrides->accuracy},
                {"export", overrides->exports}};
     for (size_t i = 0; i < SCENE_COUNT(all); i++)
         for (size_t k = 0; k < scene_key_count && all[i].text; k++)
@@ -315,6 +319,15 @@ static bool check_loads(const struct scene *scene, struct scene_source *source)
            check_one_load(&scene->unload_from, "unload_from", scene, source);
 }
 
+static bool check_template(const struct scene *scene, struct scene_source *source)
+{
+    char *path = scene->template ? scene_file_path(scene, scene->template) : NULL;
+    bool good = !scene->template || (path && access(path, R_OK) == 0);
+    free(path);
+    return good || scene_source_fail(source, scene_keys_line(source, "template"), "cannot read the template '%s': %s",
+                                     scene_words_show(scene->template).text, strerror(errno));
+}
+
 static bool check_baseline(const struct scene *scene, struct scene_source *source)
 {
     if (!scene->baseline || scene->surface_count == 0)
@@ -343,7 +356,8 @@ static enum status_code complete(struct scene *scene, struct scene_source *sourc
     if (!complete_keys(scene, source) || !override_values(scene, source, overrides) ||
         (scene->surface_count == 0 && scene_files_list(scene, status) != STATUS_OK) ||
         !complete_all_bodies(scene, source) || !check_loads(scene, source) || !scene_asked_complete(scene, source) ||
-        !override_units(scene, source, overrides) || !check_left(scene, source) || !check_baseline(scene, source))
+        !override_units(scene, source, overrides) || !check_left(scene, source) || !check_baseline(scene, source) ||
+        !check_template(scene, source))
         return status->code;
     char *path = realpath(scene->directory, NULL); /* the directory's own name, however it is given */
     if (!scene->title)
@@ -360,6 +374,7 @@ enum status_code scene_read(struct scene *out, const char *directory, const stru
     struct scene_source source = {.scene = out, .status = status};
     struct text loaded = {0};
     struct stat info;
+    bool good = false;
     *out = default_scene();
     if (stat(directory, &info) != 0)
         return status_fail(status, STATUS_IO, "cannot open directory '%s': %s", directory, strerror(errno));
@@ -372,7 +387,9 @@ enum status_code scene_read(struct scene *out, const char *directory, const stru
     const struct text *text = over->text ? over->text : &loaded;
     if ((over->text || load_text(&loaded, out, status) == STATUS_OK) &&
         (!out->path || scene_source_read(&source, text_string(text), text->length)))
-        (void)complete(out, &source, over);
+        good = complete(out, &source, over) == STATUS_OK;
+    if (good && out->accuracy > 0)
+        plan_choose_model(out);
     text_free(&loaded);
     return status->code;
 }
@@ -388,6 +405,7 @@ void scene_free(struct scene *scene)
     free(scene->limits);
     free(scene->load.values);
     free(scene->direct.values);
+    free(scene->template);
     free(scene->baseline);
     free(scene->exports);
     free(scene->passed_over);

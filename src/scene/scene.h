@@ -74,6 +74,7 @@ struct scene_convergence {
     double load;         /* P/(A_n E') */
     double scan_length_m;
     size_t scales;
+    bool given; /* the scene has the key */
 };
 
 /** Which mean free path the scale dependence of TCR takes where a material does not give one. */
@@ -152,6 +153,9 @@ struct scene {
     struct scene_one_load operating;   /* where summary and tables stand; none: at the middle one */
     struct scene_one_load unload_from; /* the largest that the contact has seen */
     double tolerance;                  /* relative */
+    double accuracy;   /* the answer is to be expected within 1 + that, a factor; NaN: nothing is asked */
+    double chosen_rms; /* then, ln_rms of the model chosen; 0: none was */
+    bool one_scan;     /* what that was measured from */
     enum level level;
     bool level_given;    /* else of a periodic record the mean is taken out */
     double max_missing;  /* share of a profile's points that may be missing */
@@ -165,6 +169,7 @@ struct scene {
     enum roughness_moments moments;
     enum sinusoid_fit_id closure;
     enum scene_data data;
+    char *template; /* a file of DIR that the report is filled from; NULL: the program's */
     char *baseline; /* surface name, NULL: the second smoothest */
     struct scene_convergence convergence;
     struct scene_direct direct;
@@ -185,7 +190,7 @@ struct scene {
 /** Overrides from the command line, each as the scene's key has it; NULL means not given. */
 struct scene_overrides {
     const struct text *text; /* in place of what the directory's scene.yaml says, if there is one */
-    const char *material, *effects, *tolerance, *exports;
+    const char *material, *effects, *tolerance, *accuracy, *exports;
     const char *x_unit, *z_unit; /* for every surface */
     const char *budget;          /* of the direct solution, which it calls for */
     bool direct;                 /* calls for it */

@@ -90,7 +90,7 @@ static bool check_effects(const struct scene *scene, struct scene_source *source
 {
     const struct quantity_row *quantity = &quantity_rows[asked->quantity];
     struct scene_lack_words lack;
-    const unsigned needed = quantity->from ? quantity->effect & scene->called : quantity->effect;
+    const unsigned needed = quantity_of_joint(asked->quantity) ? quantity->effect & scene->called : quantity->effect;
     for (int e = 0; e < EFFECT_COUNT; e++) {
         if (!(needed & EFFECT_BIT(e)))
             continue;

@@ -259,6 +259,8 @@ static bool read_convergence(struct scene_source *source, const struct scene_key
         {"scales", NULL, SCENE_WHOLE(BENCHMARK(scales), 1, 1e6)},
     };
     size_t lines[SCENE_COUNT(keys)];
+    struct scene_convergence *convergence = field;
+    convergence->given = true;
     return scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys), lines, field);
 }
 
@@ -496,13 +498,17 @@ const struct scene_key scene_keys[] = {
      .at = AT(operating), LOADS},
     {"unload_from", "with the effect unloading: the largest load that the contact has seen", read_one_load,
      .at = AT(unload_from), LOADS},
-    {"targets", "a list of {ecr, tcr, conductance, area or temperature: value}: the load that each takes",
+    {"targets", "a list of {ecr, tcr, conductance, gap, area or temperature: value}: the load that each takes",
      scene_asked_read, .at = 0},
     {"limits",
      "a mapping of such quantities, each {most: value} or {least: value}, at the operating load; `report --check` ends "
      "with 5 where one is missed",
      scene_asked_read, .at = 0},
     {"tolerance", "relative, of every reported number; default: 1e-6", SCENE_NUMBER(AT(tolerance), 1e-14, 0.1)},
+    {"accuracy",
+     "that the answer is to be expected within, as 30 %: of the models that docs/validation.md finds as good the "
+     "cheapest runs alone; default: none is asked, and all run",
+     SCENE_QUANTITY(AT(accuracy), UNIT_NUMBER | UNIT_PERCENT, 1e-3, 1e3)},
     {"level", "what is taken out of a scan; default: line, of a periodic record the mean alone",
      SCENE_CHOICE(AT(level), level_names)},
     {"window", "of the spectrum; default: auto, none for a periodic record, else Hann",
@@ -532,6 +538,9 @@ const struct scene_key scene_keys[] = {
      SCENE_QUANTITY(AT(lambda_c_m), UNIT_DISTANCE, 1e-12, 1e3), .word = "none", .alias = "lambda_c_m"},
     {"tip_radius", "of the stylus: warns where the surface is sharper; default: none",
      SCENE_QUANTITY(AT(tip_radius_m), UNIT_DISTANCE, 1e-12, 1.0), .word = "none", .alias = "tip_radius_m"},
+    {"template",
+     "a file in DIR that the report is filled from (docs/templates.md), below `--template`; default: the program's",
+     scene_source_text, .at = AT(template)},
     {"baseline", "the surface of the one-surface comparison; default: the second smoothest", scene_source_text,
      .at = AT(baseline)},
     {"direct",

@@ -37,7 +37,7 @@ TEST_IN_WORKSPACE(targets_are_answered)
     char *report = workspace_read(place, "out/report.md");
     char *results = workspace_read(place, "out/results.json");
     expect_part(report, "\n\n**0.1 mΩ takes "); /* the first thing said */
-    expect_parts(report, " 0.1 mΩ takes |", "\nA/Aₙ of 5 % takes ");
+    expect_parts(report, " 0.1 mΩ takes (95 %) |", "\nA/Aₙ of 5 % takes ");
     expect_part(results, "\"answers\": [");
     expect_no_part(results, "\"limits\"");
     struct table table = workspace_table(place, "out/data/answers.csv");

@@ -182,12 +182,12 @@ TEST_CASE(test_the_views_units)
         }
     }
     assert_int_equal(i, 3);
-    json_t *sources = json_object_get(json_object_get(view, "surfaces"), "bodies"),
-           *body = json_object_get(json_array_get(sources, 0), "body");
+    json_t *sources = json_object_get(json_object_get(view, "surfaces"), "materials"),
+           *body = json_array_get(sources, 0);
     const json_t *scene = json_object_get(root, "scene");
-    assert_near(strtod(json_string_value(json_object_get(body, "modulus_GPa")), NULL),
+    assert_near(strtod(json_string_value(json_object_get(body, "modulus")), NULL),
                 json_number_value(json_object_get(scene, "effective_modulus_Pa")) * 1e-9, 5e-3);
-    assert_near(strtod(json_string_value(json_object_get(body, "hardness_MPa")), NULL),
+    assert_near(strtod(json_string_value(json_object_get(body, "hardness")), NULL),
                 json_number_value(json_object_get(scene, "hardness_Pa")) * 1e-6, 5e-3);
     json_decref(view);
     json_decref(root);

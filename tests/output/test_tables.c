@@ -9,12 +9,13 @@
 static const char surfaces_columns[] =
     "surface,files,points,spacing_m,scan_length_m,rq_m,ra_m,m0_m2,m2,m4_per_m2,nayak,asperity_density_per_m2,"
     "asperity_radius_m,asperity_sigma_m,asperity_offset_m,alpha_SI,gamma,gamma_stderr,fit_amplitude_m,"
-    "fit_amplitude_stderr_decades,fit_wavelength_m,fit_low_m,fit_high_m,fit_misfit_decades,heights_factor_ecr,beta_gw,"
+    "fit_amplitude_stderr_decades,fit_wavelength_m,fit_low_m,fit_high_m,fit_misfit_decades,"
+    "line_alpha_SI,line_gamma,line_rms_decades,heights_factor_ecr,beta_gw,"
     "beta_jg";
 static const char spectrum_columns[] = "surface,wavelength_m,amplitude_m,fit_m";
 static const char contact_columns[] =
     "surface,model,load_over_AnEp,pressure_Pa,area_ratio,separation_m,separation_over_sigma,"
-    "adjusted_separation_over_sigma,ecr_ohm_m2,tcr_K_m2_per_W,tcr_sd_K_m2_per_W";
+    "adjusted_separation_over_sigma,ecr_ohm_m2,tcr_K_m2_per_W,tcr_sd_K_m2_per_W,gap_m";
 static const char convergence_columns[] = "sweep,value,model,wavelength_m,area_ratio";
 
 static const char everything[] =
@@ -109,9 +110,9 @@ static enum cell empty_in_contact(const struct table *table, size_t row, const c
 {
     const struct model_row *model = model_of(table, row);
     unsigned quantity = quantity_of(column);
-    return quantity && !(model->quantities & quantity) ? CELL_EMPTY
-           : model->may_be_empty & quantity            ? CELL_EITHER
-                                                       : CELL_NUMBER;
+    return quantity && !(quantity_with_made(model->quantities) & quantity) ? CELL_EMPTY
+           : quantity_with_made(model->may_be_empty) & quantity            ? CELL_EITHER
+                                                                           : CELL_NUMBER;
 }
 
 static enum cell empty_in_surfaces(const struct table *table, size_t row, const char *column)
@@ -282,7 +283,7 @@ TEST_CASE(test_what_does_not_run_leaves_nothing)
          false},
         {"models: [multiscale]\nconvergence: {scales: 9}\n",
          "surface,model,load_over_AnEp,pressure_Pa,area_ratio,separation_m,separation_over_sigma,ecr_ohm_m2,"
-         "tcr_K_m2_per_W,tcr_sd_K_m2_per_W",
+         "tcr_K_m2_per_W,tcr_sd_K_m2_per_W,gap_m",
          "multiscale-elastic multiscale-plastic", false, true},
         {"models: [statistical]\nconvergence: {scales: 9}\n", NULL, "gw jg", true, false},
     };

@@ -110,7 +110,8 @@ static const struct {
     {"inputs.notes.0.body.line", "beta.csv: a note"},
     {"inputs.refused.0.why", "broken.csv: no number in it"},
     {"stability.refused.count", "1"},
-    {"accuracy.tolerances.0.tolerance", "1·10⁻¹⁰"},
+    {"accuracy.models.0.label", "multiscale elastic"},
+    {"accuracy.models.0.time", "0.0010\u00a0ms"},
     {"length_factor", "1.3"},
     {"spacing_factor", "1.1"},
     {"hardness_factor", "1.1"},
@@ -136,7 +137,7 @@ TEST_CASE(the_report_says_them_in_words)
     assert_says(&report, "*alpha* is significantly better than all others tested");
     assert_says(&report, "On *beta* your contact carries 0.67 of the predicted conductance");
     assert_says(&report, "**1 refused**");
-    assert_says(&report, "| beta | 0.200 |");
+    assert_says(&report, "| beta | 0.200 | 0.500 | 1.400 ± 0.010 |");
     assert_says(&report, "Table 6.2");
     assert_says(&report, "Table 6.3");
     assert_silent(&report, "{{");
@@ -189,27 +190,27 @@ TEST_CASE(a_target_is_answered_in_newtons)
     assert_says(&report, "**0.1\u00a0mΩ takes 10.0\u00a0N** (95 % 5.0\u00a0…\u00a020) on *alpha*, 20.0\u00a0N (95 % "
                          "10\u00a0…\u00a040) on "
                          "*beta*, 40.0\u00a0N (95 % 20\u00a0…\u00a080) on *gamma*.");
-    assert_says(&report, "| beta | 0.200 | 20.0");
+    assert_says(&report, "| beta | 0.200 | 0.500 | 1.400 ± 0.010 | 20.0");
     text_free(&report);
     answers[made.comparison.leading].kind = ANSWER_NOT_REACHED;
     made_up_again(&made);
     report = report_of(&made);
     assert_says(&report, "more than 20.0\u00a0N (95 %");
-    assert_says(&report, "| beta | 0.200 | > 20.0");
+    assert_says(&report, "| beta | 0.200 | 0.500 | 1.400 ± 0.010 | > 20.0");
     text_free(&report);
     assert_says_page(&made, "more than 20.0\u00a0N (95 %", "at most");
     struct status status = {0};
     struct text table = {0};
     assert_int_equal(report_terminal(&table, "terminal", made.view, PROJECT_SOURCE "/templates", false, &status),
                      STATUS_OK);
-    assert_says(&table, "\nbeta     0.200      > 20.0\u00a0N");
+    assert_says(&table, "\nbeta     0.200  0.500  1.40      > 20.0\u00a0N");
     text_free(&table);
     answers[made.comparison.leading].kind = ANSWER_LIGHTEST;
     made_up_again(&made);
     assert_says_page(&made, "at most 20.0\u00a0N (95 %", "more than");
     assert_int_equal(report_terminal(&table, "terminal", made.view, PROJECT_SOURCE "/templates", false, &status),
                      STATUS_OK);
-    assert_says(&table, "\nbeta     0.200      ≤ 20.0\u00a0N");
+    assert_says(&table, "\nbeta     0.200  0.500  1.40      ≤ 20.0\u00a0N");
     text_free(&table);
     drop_target(&made, answers);
 }
@@ -732,8 +733,10 @@ TEST_CASE(bodies_are_those_of_the_surfaces)
     made_up_surface(&made, 1)->pair.hardness_Pa = NAN;
     made_up_again(&made);
     report = report_of(&made);
-    assert_says(&report, "Bodies: gold against a rigid flat, E′ 100 GPa, hardness 284 MPa on *beta* and 1 more; silver "
-                         "against a rigid flat, E′ 100 GPa on *alpha*. ");
+    assert_says(&report,
+                "Bodies: gold against a rigid flat on *beta* and 1 more; silver against a rigid flat on *alpha*. ");
+    assert_says(&report, "| 100 | 284 |\n");
+    assert_says(&report, "| 100 | – |\n");
     assert_silent(&report, "hardness  MPa");
     text_free(&report);
     made_up_free(&made);
@@ -797,8 +800,8 @@ TEST_CASE(the_terminal_shows_the_first_pages_table)
     made_up_make_of(&made, made_up_models(), PLAIN, NULL);
     assert_int_equal(report_terminal(&out, "terminal", made.view, PROJECT_SOURCE "/templates", false, &status),
                      STATUS_OK);
-    assert_says(&out, "surface  Rq/µm  contact resistance");
-    assert_says(&out, "beta     0.200              150\u00a0µΩ");
+    assert_says(&out, "surface  Rq/µm      α     γ  contact resistance");
+    assert_says(&out, "beta     0.200  0.500  1.40              150\u00a0µΩ");
     assert_says(&out, "At 10.0\u00a0N the contact resistance is 50.0\u00a0µΩ");
     text_free(&out);
     made_up_free(&made);

@@ -119,12 +119,12 @@ TEST_IN_PLACE(nothing_that_is_not_called_for)
     static const struct {
         const char *scene, *columns;
     } rows[] = {
-        {"gap: {gas: vacuum}\n", ",gap_W_per_m2K,joint_W_per_m2K\n"},
-        {"film: 0\n", ",spots_per_m2,spot_radius_m,joint_ecr_ohm_m2\n"},
+        {"gap: {gas: vacuum}\n", ",gap_W_per_m2K,joint_W_per_m2K,gap_m\n"},
+        {"film: 0\n", ",spots_per_m2,spot_radius_m,joint_ecr_ohm_m2,gap_m\n"},
         {"effects: [electrical]\nplating: {thickness: 1 nm, resistivity: 2e-8, sides: both}\n",
          ",ecr_ohm_m2,spots_per_m2,spot_radius_m,plating_factor,joint_ecr_ohm_m2\n"},
         {"current: 1 mA\nnominal_area: 1 cm2\n",
-         ",spots_per_m2,spot_radius_m,contact_voltage_V,contact_temperature_K\n"},
+         ",spots_per_m2,spot_radius_m,contact_voltage_V,contact_temperature_K,gap_m\n"},
     };
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
         report = report_of(place, rows[k].scene);

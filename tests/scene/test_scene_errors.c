@@ -175,7 +175,7 @@ static const struct wrong rows[] = {
     {"surfaces:\n  - {file: a.csv}\n\nbaseline: b\n", 4, "'baseline' is 'b', no surface's name; the first is 'a'"},
     /* Targets and limits: what is asked, in which unit, and whether the models will compute it. */
     {"targets: []\n", 1, "'targets' names none; remove the line, or give one such as {ecr: 1 mohm}"},
-    {"targets: [{foo: 1}]\n", 1, "unknown key 'foo'; allowed: area, ecr, tcr, conductance, temperature"},
+    {"targets: [{foo: 1}]\n", 1, "unknown key 'foo'; allowed: area, ecr, tcr, conductance, temperature, gap"},
     {"targets: [{temperature: 60 degC}]\n", 1,
      "'temperature' needs a current; add 'current' or leave 'temperature' out"},
     {"material: tin\ntargets:\n  - ecr: 1 mohm\n", 3,

@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* How far each model's answer is expected to be off, and what it took: accuracy against time. */
+#ifndef RESULTS_ACCURACY_H
+#define RESULTS_ACCURACY_H
+
+#include "results/results.h"
+
+/** What an expected error is of. */
+enum accuracy_source {
+    ACCURACY_NONE,
+    ACCURACY_DIRECT,   /* the direct solution of this surface: mean over its loads */
+    ACCURACY_MEASURED, /* docs/validation.md: rms over surfaces of other heights */
+    ACCURACY_MAP       /* of a direct solution of the map: its own scatter */
+};
+
+/** Of a quantity of a model on the baseline. */
+struct accuracy {
+    enum accuracy_source source;
+    double error;                        /* relative: exp of that in the logarithm, less 1 */
+    double seconds[BENCHMARK_STEPS];     /* at each tolerance, what is solved for the model's ratios included */
+    double total_error[BENCHMARK_STEPS]; /* with that of the tolerance in quadrature */
+    size_t used;                         /* the step nearest to the run's tolerance */
+    bool one_scan, hard;                 /* what ACCURACY_MEASURED was measured from */
+};
+
+/** NONE: the model does not run, nothing was timed, or nothing tells its error. */
+struct accuracy accuracy_of(const struct results *results, size_t model, enum quantity quantity);
+
+/** May the model be named as a way to so much accuracy: is no other at most as dear, and better? */
+bool accuracy_is_best(const struct results *results, size_t model, enum quantity quantity);
+
+#endif

@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What a scene may choose: its report's template, the accuracy to be expected, a gap as what is asked for. */
+#include "cli/process.h"
+
+#include <math.h>
+
+TEST_IN_WORKSPACE(a_scene_brings_its_template)
+{
+    workspace_scan(place, "d/a.csv", 200, 1);
+    workspace_write(place, "d/own.md", "Mine: {{title}}\n");
+    workspace_write(place, "other.md", "Other: {{title}}\n");
+    workspace_write(place, "d/scene.yaml", "title: T\ntemplate: own.md\n");
+    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    expect_in_file(place, "o/report.md", "Mine: T");
+    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o", "--template", "other.md");
+    expect_in_file(place, "o/report.md", "Other: T");
+    workspace_write(place, "d/scene.yaml", "title: T\ntemplate: none.md\n");
+    expect_failure(place, 3, 1, "scene.yaml:2: cannot read the template 'none.md': No such file", "report", "d");
+}
+
+/* The cheapest as good: of a scan the textbook within a factor of 3, strips within 2, and no more is solved than that.
+ */
+TEST_IN_WORKSPACE(no_dearer_model_than_the_accuracy_asks_for)
+{
+    static const struct {
+        const char *accuracy, *model, *says;
+    } cases[] = {
+        {"200 %", "cmy", "CMY is the cheapest model expected within 200 %: ×÷ 2.3 by validation from one scan."},
+        {"100 %", "strip-plastic", "strip transfer with hardness is the cheapest model expected within 100 %"},
+        {"10 %", "strip-plastic", "No model is expected within 10 %; strip transfer with hardness, the nearest, is"},
+    };
+    workspace_scan(place, "d/a.csv", 400, 1);
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        workspace_write(place, "d/scene.yaml", filled("material: tin\naccuracy: %s\n", cases[i].accuracy));
+        run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+        expect_in_file(place, "o/report.md", cases[i].says);
+        json_t *results = workspace_json(place, "o/results.json");
+        assert_string_equal(json_string_value(json_object_get(results, "leading")), cases[i].model);
+        json_decref(results);
+        struct table contact = workspace_table(place, "o/data/contact.csv");
+        for (size_t r = 0; r < contact.rows; r++) /* and what it yields from */
+            assert_true(strncmp(table_text(&contact, r, "model"), cases[i].model, strcspn(cases[i].model, "-")) == 0);
+        table_free(&contact);
+    }
+    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o", "--accuracy", "200 %");
+    expect_in_file(place, "o/report.md", "CMY is the cheapest");
+    workspace_write(place, "d/scene.yaml", "material: tin\n");
+    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    expect_not_in_file(place, "o/report.md", "the cheapest model");
+}
+
+/* Strips, of scans that make none: nothing is left to run. */
+TEST_IN_WORKSPACE(a_model_that_is_not_there_is_told)
+{
+    workspace_scan(place, "d/a-1.csv", 200, 1);
+    free(workspace_shell(place, "awk -F, 'NR == 1 { print; next } { print 3 * $1 \",\" $2 }' d/a-1.csv > d/a-2.csv"));
+    workspace_write(place, "d/scene.yaml", "models: [strip]\nsurfaces: [{name: a, file: 'a-*.csv'}]\n");
+    expect_failure(place, 4, 3, "no model is left for these scans and this material; name others in 'models'", "report",
+                   "d");
+    assert_false(workspace_has(place, "out/d/report.md"));
+}
+
+/* At the load that a gap takes, the gap is that; its interval holds it. */
+TEST_IN_WORKSPACE(a_gap_is_asked_for)
+{
+    char head[400];
+    for (int scan = 1; scan <= 3; scan++)
+        workspace_scan(place, filled("d/a-%d.csv", scan), 400, (unsigned)scan);
+    snprintf(head, sizeof head, "material: tin\nnominal_area: 1 mm2\nsurfaces: [{name: a, file: 'a-*.csv'}]\n");
+    workspace_write(place, "d/scene.yaml",
+                    filled("%starget%s: [{gap: 0.1 um}]\nlimits: {gap: {least: 1 nm}}\n", head, "s"));
+    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    expect_in_file(place, "o/report.md", "**0.1\u00a0µm takes ", "Limit gap ≥ 1\u00a0nm: met.");
+    struct table answers = workspace_table(place, "o/data/answers.csv"), contact;
+    size_t row = 0;
+    while (strcmp(table_text(&answers, row, "model"), "strip-plastic") != 0)
+        row++;
+    double load = table_number(&answers, row, "load_over_AnEp");
+    workspace_write(place, "d/scene.yaml", filled("%sload: {values: [%.17g]}\n", head, load));
+    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    contact = workspace_table(place, "o/data/contact.csv");
+    for (row = 0; strcmp(table_text(&contact, row, "model"), "strip-plastic") != 0;)
+        row++;
+    assert_near(table_number(&contact, row, "gap_m"), 1e-7, 1e-5);
+    assert_true(table_number(&contact, row, "separation_m") == table_number(&contact, row, "gap_m"));
+    table_free(&contact);
+    table_free(&answers);
+    workspace_write(place, "d/scene.yaml", filled("%seffects: [electrical]\ntargets: [{gap: 0.1 um}]\n", head));
+    expect_failure(place, 3, 1, "'gap' needs the effect 'separation', which is not listed", "report", "d");
+}
