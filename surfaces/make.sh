@@ -25,8 +25,14 @@ synth --lambda-s 2.5um --seed 23 --alpha 0.02 --gamma 1.35 --scatter 0.28 --leng
 synth --lambda-s 8um --seed 21 --alpha 0.03 --gamma 1.40 --rq 0.80um --scatter 0.28 --length 0.60mm --points 1200 -o thermal-interface/cold-plate.csv
 synth --lambda-s 8um --seed 22 --alpha 0.06 --gamma 1.40 --rq 1.60um --scatter 0.28 --length 0.60mm --points 1200 -o thermal-interface/heat-spreader.csv
 
-# the picture: the first chart of the connector's report
+# what the README shows: the whole reports of two of them, and the first chart of the connector's
 made=$(mktemp -d)
 trap 'rm -r "$made"' EXIT
-"${ROUGHCONTACT:-roughcontact}" report connector --brief --no-cost -o "$made/out" >/dev/null
-cp "$made/out/figures/answer.svg" picture.svg
+for name in chapter6 connector; do
+    "${ROUGHCONTACT:-roughcontact}" report "$name" -o "$made/$name" >"$made/$name.txt"
+    rm -rf "../docs/sample/$name"
+    mkdir -p "../docs/sample/$name/figures"
+    cp "$made/$name/report.md" "$made/$name/view.json" "../docs/sample/$name"
+    cp "$made/$name/figures/"*.svg "../docs/sample/$name/figures"
+done
+cp "$made/connector/figures/answer.svg" picture.svg
