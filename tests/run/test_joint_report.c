@@ -333,6 +333,51 @@ TEST_IN_PLACE(a_plating_has_its_hardness)
     }
 }
 
+/* Parts that are flat, however that is said, have the numbers of flat parts; the more they bulge, the less of the area
+ * carries the load and the less the joint conducts. */
+TEST_IN_PLACE(shape_of_the_parts)
+{
+    static const char *const shapes[] = {"{crown: 1e9 m}", "{flatness: 1 um, over: 20 mm}",
+                                         "{flatness: 3 um, over: 20 mm}", "{flatness: 9 um, over: 20 mm}"};
+    static const char *const names[][2] = {{"shape_W_per_m2K", "joint_W_per_m2K"},
+                                           {"shape_ecr_ohm_m2", "joint_ecr_ohm_m2"}};
+    struct table before = {0};
+    double carried_mm2 = 400;
+    for (size_t k = 0; k < sizeof shapes / sizeof *shapes; k++) {
+        json_t *results = results_of(
+            place, filled("material: copper\ncounterface: aluminium\nnominal_area: 400 mm2\nshape: %s\n"
+                          "load: {from: 1 bar, to: 100 bar, points: 7}\noperating_load: 10 bar\ntolerance: 1e-12\n"
+                          "models: [strip, corrected-persson]\nbaseline: a\ngap: {gas: air}\nfilm: 1e-14\n",
+                          shapes[k]));
+        struct table contact = directory_table(place, "out/data/contact.csv");
+        struct text page = directory_read(place, "out/report.md");
+        size_t known[2] = {0};
+        for (size_t i = 0; i < contact.rows; i++)
+            for (int way = 0; way < 2; way++) {
+                double value = number(&contact, i, names[way][0]), flat = number(&contact, i, names[way][1]);
+                if (!isfinite(value))
+                    continue;
+                known[way]++;
+                if (k == 0)
+                    assert_near(value, flat, 1e-12);
+                else if (isfinite(number(&before, i, names[way][0])))
+                    assert_true((value < number(&before, i, names[way][0])) == (way == 0));
+            }
+        assert_true(known[0] >= contact.rows / 2 && known[1] >= contact.rows / 2);
+        const char *said = strstr(text_string(&page), "of the nominal 400 mm², ");
+        assert_non_null(said);
+        double carries_mm2 = strtod(said + strlen("of the nominal 400 mm², "), NULL);
+        assert_true(carries_mm2 > 0 && carries_mm2 < carried_mm2);
+        carried_mm2 = carries_mm2;
+        if (k > 0)
+            table_free(&before);
+        before = contact;
+        text_free(&page);
+        json_decref(results);
+    }
+    table_free(&before);
+}
+
 /** Vacuum carries nothing, no film adds nothing; tin says when it softens and melts. */
 TEST_IN_PLACE(sentences)
 {
