@@ -34,6 +34,8 @@ struct effect_row {
     const char *properties[5]; /* material keys it needs besides E_Pa and nu, NULL-terminated */
     unsigned needs_effects;    /* effects it builds on (bits) */
     const char *key;           /* of the scene, that calls for it, and without which it does not run; NULL: none */
+    bool adds;                 /* quantities of its own, and changes no other */
+    bool studies;              /* changes no number: it says how far they can be trusted */
     bool only_listed;          /* nothing else calls for it: it runs where `effects` lists it */
 };
 

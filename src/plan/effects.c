@@ -113,8 +113,10 @@ static void decide_convergence(struct plan *plan, const struct scene *scene, con
     }
     snprintf(effect->reason, sizeof effect->reason,
              "sweeps, and the spectra of %zu of %zu surfaces carried on below what is known", carried_on, usable);
-    if (carried_on == 0 && !scene->convergence.given)
-        plan_switch_off(plan, EFFECT_CONVERGENCE);
+    if (carried_on > 0 || scene->convergence.given)
+        return;
+    snprintf(effect->reason, sizeof effect->reason, "no spectrum can be carried on below what is known");
+    plan_switch_off(plan, EFFECT_CONVERGENCE);
 }
 
 /** Runs where a surface has one scan. */
@@ -126,8 +128,10 @@ static void decide_uncertainty(struct plan *plan, const struct surface_record *s
         single += surfaces[i].summary.usable && surfaces[i].summary.single_points > 0;
     snprintf(effect->reason, sizeof effect->reason, "%zu surface%s with one scan that records can be simulated of",
              single, single == 1 ? "" : "s");
-    if (single == 0)
-        plan_switch_off(plan, EFFECT_UNCERTAINTY);
+    if (single > 0)
+        return;
+    snprintf(effect->reason, sizeof effect->reason, "no surface with one scan that records can be simulated of");
+    plan_switch_off(plan, EFFECT_UNCERTAINTY);
 }
 
 const double effects_transform_seconds = 12e-9;

@@ -53,6 +53,20 @@ static void put_models(json_t *out, const struct view_source *source)
     put_seconds(out, "digits", finest - coarsest);
 }
 
+/** By how much an effect that ran changes what is asked. */
+static void put_change(json_t *item, const struct view_source *source, enum effect effect)
+{
+    const double factor = accuracy_effect_factor(source->results, effect, source->asked.quantity);
+    const bool alike = fabs(factor - 1) < 5e-3;
+    view_flag(item, "adds", effect_rows[effect].adds);
+    view_flag(item, "studies", effect_rows[effect].studies);
+    view_number(item, alike ? "change" : "factor",
+                alike                      ? factor - 1
+                : source->asked.reciprocal ? 1 / factor
+                                           : factor,
+                alike ? 1 : 2, "");
+}
+
 static void put_effects(json_t *out, const struct view_source *source)
 {
     struct work_row rows[WORK_ROWS];
@@ -64,6 +78,8 @@ static void put_effects(json_t *out, const struct view_source *source)
         view_text(item, "name", rows[r].name);
         view_flag(item, "runs", rows[r].runs);
         view_text(item, "reason", rows[r].reason);
+        if (r > 0 && rows[r].runs)
+            put_change(item, source, (enum effect)(r - 1));
         if (skipped && !rows[r].runs)
             view_flag(skipped, "more_skipped", true);
         skipped = rows[r].runs ? skipped : item;

@@ -2,6 +2,7 @@
 #include "results/accuracy.h"
 
 #include "answers/direct_study.h"
+#include "results/comparison.h"
 #include <math.h>
 
 /** Sets the error: against the direct solution of this surface where there is one, else as it was measured. */
@@ -69,4 +70,35 @@ bool accuracy_is_best(const struct results *results, size_t model, enum quantity
             return false;
     }
     return own.source != ACCURACY_NONE;
+}
+
+double accuracy_effect_factor(const struct results *results, enum effect effect, enum quantity quantity)
+{
+    const size_t leading = plan_leading_model(results->plan), surface = results->baseline;
+    const struct model_row *row = model_rows[leading];
+    const struct contact_point with = comparison_middle(results, leading, surface);
+    struct contact_point without = with;
+    if (!plan_runs(results->plan, effect) || effect_rows[effect].adds || effect_rows[effect].studies)
+        return NAN;
+    if (effect == EFFECT_PLASTICITY) {
+        if (!row->elastic)
+            return NAN;
+        without = comparison_middle(results, model_index(row->elastic), surface);
+        return with.value[quantity] / without.value[quantity];
+    }
+    const struct surface_record *record = &results->surfaces[surface];
+    const struct surface_task asked = results_task(results, surface);
+    const struct model_task task = surface_model_task(record, &asked);
+    struct joint_task joint = surface_joint(record, results->scene, results->plan, &task);
+    joint.effects &= ~EFFECT_BIT(effect);
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        without.value[q] = quantity_of_joint((enum quantity)q) ? NAN : with.value[q];
+    joint_apply(&without, NULL, 1, &joint, row);
+    double before = without.value[quantity];
+    if (isnan(before) && quantity_rows[quantity].from > 0) { /* without it there is none such, but what it is of */
+        const bool rises = quantity_rows[quantity].is & QUANTITY_RISES;
+        before = joint_resistance(without.value, &joint, rises ? JOINT_HEAT : JOINT_CURRENT);
+        before = rises ? 1 / before : before;
+    }
+    return with.value[quantity] / before;
 }

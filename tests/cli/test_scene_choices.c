@@ -2,7 +2,9 @@
 /* What a scene may choose: its report's template, the accuracy to be expected, a gap as what is asked for. */
 #include "cli/process.h"
 
+#include <jansson.h>
 #include <math.h>
+#include <stdlib.h>
 
 TEST_IN_WORKSPACE(a_scene_brings_its_template)
 {
@@ -87,4 +89,46 @@ TEST_IN_WORKSPACE(a_gap_is_asked_for)
     table_free(&answers);
     workspace_write(place, "d/scene.yaml", filled("%seffects: [electrical]\ntargets: [{gap: 0.1 um}]\n", head));
     expect_failure(place, 3, 1, "'gap' needs the effect 'separation', which is not listed", "report", "d");
+}
+
+/** What the report says that an effect multiplies the asked number by; NaN: nothing. */
+static double factor_of(const json_t *view, const char *effect)
+{
+    size_t i;
+    const json_t *row;
+    json_array_foreach(json_object_get(view, "effects"), i, row)
+    {
+        const char *factor = json_string_value(json_object_get(row, "factor"));
+        if (strcmp(json_string_value(json_object_get(row, "name")), effect) == 0)
+            return factor ? strtod(factor, NULL) : NAN;
+    }
+    fail_msg("no effect %s", effect);
+    return NAN;
+}
+
+/* Each effect with what it changes, as the data have it with and without. */
+TEST_IN_WORKSPACE(effects_say_what_they_change)
+{
+    workspace_scan(place, "d/a.csv", 400, 1);
+    workspace_write(place, "d/scene.yaml", "material: tin\nload: {values: [1e-5]}\nfilm: 3e-10 ohm m2\n");
+    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    struct table contact = workspace_table(place, "o/data/contact.csv");
+    double bare[2] = {NAN, NAN}, joint = NAN;
+    for (size_t r = 0; r < contact.rows; r++) {
+        bool leads = strcmp(table_text(&contact, r, "model"), "strip-plastic") == 0;
+        if (!leads && strcmp(table_text(&contact, r, "model"), "strip") != 0)
+            continue;
+        bare[leads] = table_number(&contact, r, "ecr_ohm_m2");
+        joint = leads ? table_number(&contact, r, "joint_ecr_ohm_m2") : joint;
+        if (!leads) /* of the elastic one the joint's, too: that is what is asked */
+            bare[0] = table_number(&contact, r, "joint_ecr_ohm_m2");
+    }
+    json_t *view = workspace_json(place, "o/view.json");
+    assert_near(factor_of(view, "film"), joint / bare[1], 0.05);
+    assert_near(factor_of(view, "plasticity"), joint / bare[0], 0.05);
+    assert_true(isnan(factor_of(view, "thermal")) && isnan(factor_of(view, "uncertainty")));
+    expect_in_file(place, "o/report.md", "needs no more than E'; changes no other number",
+                   "one scan that records can be simulated of; changes no number");
+    json_decref(view);
+    table_free(&contact);
 }

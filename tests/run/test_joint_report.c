@@ -347,7 +347,8 @@ TEST_IN_PLACE(shape_of_the_parts)
         json_t *results = results_of(
             place, filled("material: copper\ncounterface: aluminium\nnominal_area: 400 mm2\nshape: %s\n"
                           "load: {from: 1 bar, to: 100 bar, points: 7}\noperating_load: 10 bar\ntolerance: 1e-12\n"
-                          "models: [strip, corrected-persson]\nbaseline: a\ngap: {gas: air}\nfilm: 1e-14\n",
+                          "models: [strip, corrected-persson]\nbaseline: a\ngap: {gas: air}\nfilm: 1e-14\n"
+                          "targets: [{conductance: 1e4 W/m2/K}]\nsurfaces: [{name: a, file: a.csv}]\n",
                           shapes[k]));
         struct table contact = directory_table(place, "out/data/contact.csv");
         struct text page = directory_read(place, "out/report.md");
@@ -364,6 +365,13 @@ TEST_IN_PLACE(shape_of_the_parts)
                     assert_true((value < number(&before, i, names[way][0])) == (way == 0));
             }
         assert_true(known[0] >= contact.rows / 2 && known[1] >= contact.rows / 2);
+        if (k > 1) { /* what the page says that the shape divides by, the list of effects says, too */
+            const char *times = strstr(text_string(&page), "divides the conductance by "),
+                       *factor = strstr(text_string(&page), "the scene has 'shape'; conductance × ");
+            assert_true(times && factor);
+            assert_near(strtod(factor + strlen("the scene has 'shape'; conductance × "), NULL),
+                        1 / strtod(times + strlen("divides the conductance by "), NULL), 0.03);
+        }
         const char *said = strstr(text_string(&page), "of the nominal 400 mm², ");
         assert_non_null(said);
         double carries_mm2 = strtod(said + strlen("of the nominal 400 mm², "), NULL);
