@@ -2,11 +2,14 @@
 /* What is known in closed form or was published, and what the program says of it. */
 #include "validation/truths.h"
 
+#include "chart/chart.h"
+#include "chart/gnuplot.h"
 #include "contact/corrected_persson.h"
 #include "contact/random_surface.h"
 #include "contact/sinusoid.h"
 #include "contact/statistical.h"
 #include "direct/direct_support.h"
+#include "directory.h"
 #include "profile/profile.h"
 #include "scan/scan.h"
 #include "selftest/selftest.h"
@@ -83,16 +86,67 @@ static double cell_of(const struct sinusoid_fit *closure, const struct table *so
 
 enum side { LIGHT, COMPLETE, SOLVED, SIDES };
 
-/** (4.8), (4.3) for light loads, (4.9), (4.4) near complete contact, or the direct solution. */
-static double truth_of(enum side side, const struct table *solved, size_t row, bool gap)
+/** (4.8), (4.3) for light loads, (4.9), (4.4) near complete contact. */
+static double asymptote(enum side side, double x, bool gap)
 {
-    double x = table_number(solved, row, "p_over_pstar");
     if (side == LIGHT)
         return gap ? 1 - pow(3 * M_PI * M_PI * x, 2.0 / 3) / 2 + 4 * log(sqrt(2) + 1) * x
                    : M_PI * pow(3 * x / (8 * M_PI), 2.0 / 3);
-    if (side == COMPLETE)
-        return gap ? 16 / (15 * M_PI * M_PI) * pow(1.5, 1.5) * pow(1 - x, 2.5) : 1 - 3 / (2 * M_PI) * (1 - x);
-    return cell_of(NULL, solved, row, gap);
+    return gap ? 16 / (15 * M_PI * M_PI) * pow(1.5, 1.5) * pow(1 - x, 2.5) : 1 - 3 / (2 * M_PI) * (1 - x);
+}
+
+/** One of these, or the direct solution. */
+static double truth_of(enum side side, const struct table *solved, size_t row, bool gap)
+{
+    return side == SOLVED ? cell_of(NULL, solved, row, gap)
+                          : asymptote(side, table_number(solved, row, "p_over_pstar"), gap);
+}
+
+/** The gap of figure 4.2, linear and as a logarithm. */
+static void draw_sinusoid(struct chart *chart, bool logarithm)
+{
+    static const struct chart_curve curves[] = {
+        {.legend = "(4.8), light loads", .colour = "#1257d0", .dash = 2},
+        {.legend = "(4.9), near complete", .colour = "#cc5500", .dash = 2},
+        {.legend = "(4.10)", .colour = "#000000"},
+        {.kind = CHART_POINTS, .legend = "solved", .colour = "#a8366a", .marker = 6}};
+    struct table solved = table_read("golden/sinusoid_bem.csv");
+    chart_panel(chart, "", "Mean pressure over p*", "Gap over amplitude", false, logarithm);
+    for (size_t c = 0; c < 3; c++) {
+        chart_curve(chart, &curves[c]);
+        for (double x = 0.0025; x < 0.951; x += x < 0.02 ? 0.0025 : 0.01) {
+            double gap = c == 2 ? sinusoid_fits[SINUSOID_FIT_THESIS].gap(x) : asymptote((enum side)c, x, true);
+            if (!(gap > 0)) /* (4.8) from p/p* = 0.25 on */
+                break;
+            chart_row(chart, x, gap, 0, 0);
+        }
+    }
+    chart_curve(chart, &curves[3]);
+    for (size_t row = 0; row < solved.rows && table_number(&solved, row, "p_over_pstar") < 0.96; row++)
+        chart_row(chart, table_number(&solved, row, "p_over_pstar"), cell_of(NULL, &solved, row, true), 0, 0);
+    table_free(&solved);
+}
+
+void truths_draw(const char *directory)
+{
+    struct directory place = directory_make();
+    struct status status = {0};
+    struct mustache_folder templates = {PROJECT_SOURCE "/templates", ".gp", NULL, &status};
+    struct chart chart = chart_make("figure-4-2");
+    chart.panel_height = 260;
+    struct gnuplot gnuplot;
+    draw_sinusoid(&chart, false);
+    draw_sinusoid(&chart, true);
+    coverage_must(chart_write(&chart, &templates, place.path), &status);
+    coverage_must(gnuplot_start(&gnuplot, place.path, &status), &status);
+    gnuplot_send(&gnuplot, "load 'figure-4-2.gp'\n");
+    coverage_must(gnuplot_finish(&gnuplot, &status), &status);
+    struct text drawn = directory_read(&place, "figure-4-2.svg");
+    directory_write(directory, "figure-4-2.svg", text_string(&drawn));
+    text_free(&drawn);
+    chart_free(&chart);
+    mustache_folder_free(&templates);
+    directory_remove(&place);
 }
 
 static void add_sinusoid(struct page *page)
@@ -254,17 +308,37 @@ static double nayak_for(double beta)
 
 enum { REMADE = 7 };
 
-/** One of the thesis's surfaces as made again, its numbers by the thesis's own methods. */
-static void remake(double out[REMADE], int surface)
+/** One of the thesis's surfaces as made again. Owned: profile_free(). */
+static void read_remade(struct profile *out, int surface)
 {
     char path[4096];
     struct scan scan;
-    struct profile profile;
-    struct spectrum spectrum;
     struct status status = {0};
     snprintf(path, sizeof path, "%s/surfaces/chapter6/surface-%d.csv", PROJECT_SOURCE, surface);
     coverage_must(scan_read(&scan, path, &(struct scan_options){0}, &status), &status);
-    coverage_must(profile_make(&profile, &scan, 0, &(struct profile_options){.level = LEVEL_MEAN}, &status), &status);
+    coverage_must(profile_make(out, &scan, 0, &(struct profile_options){.level = LEVEL_MEAN}, &status), &status);
+    scan_free(&scan);
+}
+
+struct asperities truths_asperities(int surface)
+{
+    struct profile profile;
+    struct asperities asperities;
+    struct status status = {0};
+    read_remade(&profile, surface);
+    struct roughness roughness = roughness_of_heights(profile.height_m, profile.points, profile.spacing_m);
+    coverage_must(roughness_asperities(&asperities, &roughness, &status), &status);
+    profile_free(&profile);
+    return asperities;
+}
+
+/** Its numbers by the thesis's own methods. */
+static void remake(double out[REMADE], int surface)
+{
+    struct profile profile;
+    struct spectrum spectrum;
+    struct status status = {0};
+    read_remade(&profile, surface);
     coverage_must(
         spectrum_compute(&spectrum, profile.height_m, profile.points, profile.spacing_m, SPECTRUM_WINDOW_NONE, &status),
         &status);
@@ -280,7 +354,6 @@ static void remake(double out[REMADE], int surface)
     memcpy(out, found, sizeof found);
     spectrum_free(&spectrum);
     profile_free(&profile);
-    scan_free(&scan);
 }
 
 static void add_thesis(struct page *page)

@@ -3,6 +3,7 @@
 #define VALIDATION_TRUTHS_H
 
 #include "base/text.h"
+#include "spectrum/roughness.h"
 
 /** docs/validation.md in the making: page.md, with rows in place of its lines @name. */
 struct page {
@@ -18,6 +19,12 @@ void page_number(struct page *page, double value, double bound);
 
 /** Numbers known from elsewhere: up to the thesis's tables. */
 void truths_add(struct page *page);
+/** Draws figure 4.2 into the directory. */
+void truths_draw(const char *directory);
+/** Asperities of one of surfaces/chapter6, 1 to 4. */
+struct asperities truths_asperities(int surface);
+/** The integrals of the statistical models by the thesis's rule and by the program's. */
+void quadrature_add(struct page *page);
 /** Simulated coverage of the fit's and the scans' intervals. */
 void truths_add_coverage(struct page *page);
 

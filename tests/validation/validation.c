@@ -18,6 +18,7 @@
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_sort.h>
 #include <gsl/gsl_statistics_double.h>
+#include <libgen.h>
 
 enum { SIDE = 256, GIVEN = SIDE * SIDE, LAWS = HEIGHT_LAWS, HURSTS = 3, HARDNESSES = 3, ASKED = 3, LOADS = 9 };
 
@@ -387,6 +388,7 @@ int main(int count, char **word)
     coverage_must(text_read_file(&template, PROJECT_SOURCE "/tests/validation/page.md", &status), &status);
     struct page page = {.rest = template.data};
     truths_add(&page);
+    quadrature_add(&page);
     for (size_t p = 0; p < PARTS; p++) {
         fprintf(stderr, "%s\n", parts[p].title);
         run(&findings[p], &parts[p]);
@@ -397,6 +399,7 @@ int main(int count, char **word)
     text_add(&page.text, "%s", page.rest);
     (void)remove(word[1]);
     coverage_must(text_write_file(word[1], text_string(&page.text), page.text.length, &status), &status);
+    truths_draw(dirname(word[1]));
     for (size_t p = 0; p < PARTS; p++)
         free(findings[p].all);
     text_free(&page.text);
