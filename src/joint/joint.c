@@ -173,17 +173,25 @@ double joint_shape_area(const struct joint_shape *shape, double load)
     return load >= shape->least && load <= shape->most ? exp(shape_curve_value(&slope, &shape->area, log(load))) : NAN;
 }
 
+double joint_shape_change(const struct joint_shape *shape, double load, int way, double factor)
+{
+    double slope;
+    if (!(load >= shape->least && load <= shape->most) || shape->spots[way].count == 0)
+        return NAN;
+    return 1 + exp(shape_curve_value(&slope, &shape->spots[way], log(load))) * (factor - 1);
+}
+
 /** With the shape, of a contact that has `own` where the parts are flat: as the curve that was solved with it, whose
  * spots, not the way to them, are what is off where `own` is. */
 static double shaped(const struct making *of, int way, double own)
 {
     const struct joint_shape *shape = of->shape;
     double load = of->value[QUANTITY_LOAD], slope;
-    if (!shape || !(load >= shape->least && load <= shape->most) || shape->over[way].count == 0)
+    if (!shape || shape->over[way].count == 0)
         return NAN;
     double flat = exp(shape_curve_value(&slope, &shape->flat[way], log(load)));
-    double spots = exp(shape_curve_value(&slope, &shape->spots[way], log(load)));
-    return exp(shape_curve_value(&slope, &shape->over[way], log(load))) * ((1 - spots) * flat + spots * own);
+    double over = exp(shape_curve_value(&slope, &shape->over[way], log(load)));
+    return over * flat * joint_shape_change(shape, load, way, own / flat);
 }
 
 double joint_resistance(const double *value, const struct joint_task *task, int way)
