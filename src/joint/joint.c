@@ -176,7 +176,7 @@ double joint_shape_area(const struct joint_shape *shape, double load)
 double joint_shape_change(const struct joint_shape *shape, double load, int way, double factor)
 {
     double slope;
-    if (!(load >= shape->least && load <= shape->most) || shape->spots[way].count == 0)
+    if (!shape || !(load >= shape->least && load <= shape->most) || shape->spots[way].count == 0)
         return NAN;
     return 1 + exp(shape_curve_value(&slope, &shape->spots[way], log(load))) * (factor - 1);
 }

@@ -56,7 +56,8 @@ struct joint_shape {
 void joint_shape_free(struct joint_shape *shape);
 /** The share of the nominal area that carries 90 % of the load; NaN: not known. */
 double joint_shape_area(const struct joint_shape *shape, double load);
-/** The factor by which the resistance changes where that of flat parts does so by `factor`; NaN: not known. */
+/** The factor by which the resistance changes where that of flat parts does so by `factor`; NaN: not known. `shape`: or
+ * NULL. */
 double joint_shape_change(const struct joint_shape *shape, double load, int way, double factor);
 
 /** 300 K, at which the table of gases holds. */

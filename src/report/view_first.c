@@ -467,15 +467,15 @@ static double change_of(const struct view_source *source, size_t surface, double
     enum quantity asked = source->asked.quantity;
     double heat = isfinite(spots) ? spots / ecr + 1 - spots : 1 / ecr;
     double current = isfinite(bare) ? bare * ecr + (1 - bare) / area : ecr;
-    const struct joint_shape *shapes = source->results->surfaces[surface].shapes;
+    const struct joint_shape *shapes = source->results->surfaces[surface].shapes,
+                             *shape = shapes ? &shapes[source->leading] : NULL;
     double load = at.value[QUANTITY_LOAD];
-    return asked == QUANTITY_AREA        ? area
-           : asked == QUANTITY_JOINT     ? heat
-           : asked == QUANTITY_JOINT_ECR ? current
-           : asked == QUANTITY_SHAPE_JOINT
-               ? 1 / joint_shape_change(&shapes[source->leading], load, JOINT_HEAT, 1 / heat)
-           : asked == QUANTITY_SHAPE_ECR ? joint_shape_change(&shapes[source->leading], load, JOINT_CURRENT, current)
-                                         : ecr;
+    return asked == QUANTITY_AREA          ? area
+           : asked == QUANTITY_JOINT       ? heat
+           : asked == QUANTITY_JOINT_ECR   ? current
+           : asked == QUANTITY_SHAPE_JOINT ? 1 / joint_shape_change(shape, load, JOINT_HEAT, 1 / heat)
+           : asked == QUANTITY_SHAPE_ECR   ? joint_shape_change(shape, load, JOINT_CURRENT, current)
+                                           : ecr;
 }
 
 /** The direct solution where there is one, else 95 % of what the model says of itself, else the one that stands beside

@@ -342,7 +342,7 @@ TEST_IN_PLACE(shape_of_the_parts)
     static const char *const names[][2] = {{"shape_W_per_m2K", "joint_W_per_m2K"},
                                            {"shape_ecr_ohm_m2", "joint_ecr_ohm_m2"}};
     struct table before = {0};
-    double carried_mm2 = 400;
+    double carried_mm2 = 400, lay_flat = NAN;
     for (size_t k = 0; k < sizeof shapes / sizeof *shapes; k++) {
         json_t *results = results_of(
             place, filled("material: copper\ncounterface: aluminium\nnominal_area: 400 mm2\nshape: %s\n"
@@ -377,6 +377,13 @@ TEST_IN_PLACE(shape_of_the_parts)
         double carries_mm2 = strtod(said + strlen("of the nominal 400 mm², "), NULL);
         assert_true(carries_mm2 > 0 && carries_mm2 < carried_mm2);
         carried_mm2 = carries_mm2;
+        struct text tree = directory_read(place, "out/view.json");
+        const char *factor = strstr(text_string(&tree), "\"lay_factor\": \"");
+        assert_non_null(factor);
+        double lay = strtod(factor + strlen("\"lay_factor\": \""), NULL);
+        assert_true(k < 3 || lay < lay_flat); /* it changes the spots, not the way to them */
+        lay_flat = k == 0 ? lay : lay_flat;
+        text_free(&tree);
         if (k > 0)
             table_free(&before);
         before = contact;
