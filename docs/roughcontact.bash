@@ -50,7 +50,7 @@ _roughcontact()
     *' --effects' | *' -e')
         kind=list
         words='auto plasticity separation electrical thermal scale-dependent stiffness last-scale convergence uncertainty unloading direct gap film'
-        words+=' plating heating' ;;
+        words+=' plating heating shape' ;;
     *' --x-unit' | *' --z-unit') kind=words words='m mm um nm angstrom in uin mil' ;;
     *' --jobs' | *' -j' | *' --tolerance' | *' -t' | *' --accuracy' | *' --budget' | *' --column' | *' --lambda-'[sc] | 'synth -'[agrlncsd] | \
         'synth --'[agrlps]*) kind=nothing ;;

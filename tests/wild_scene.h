@@ -64,7 +64,7 @@ static const struct wild_key {
     {"baseline", 12, {"s1"}},
     {"direct", 24, {"{grid: 16, seeds: 1, loads: 2}", "{grid: 16, seeds: 2, loads: [1e-3, 1]}"}},
     {"film", 12, {"1e-12 ohm m2", "0", "1e6"}},
-    {"flatness", 12, {"5 um over 20 mm", "1 nm over 1 m"}},
+    {"shape", 12, {"{flatness: 5 um, over: 20 mm}", "{crown: 2 m}"}},
     {"plating",
      12,
      {"{thickness: 1 um, metal: hard gold}", "{thickness: 1e-12, resistivity: 1e10, sides: both}",

@@ -28,7 +28,7 @@ static double full_value(enum quantity quantity, const struct joint_task *joint)
     struct contact_point point = quantity_nothing();
     for (int q = 0; q < QUANTITY_COUNT; q++)
         point.value[q] = quantity_rows[q].from ? NAN : quantity_rows[q].at_full;
-    joint_apply(&point, NULL, 1, joint);
+    joint_apply(&point, NULL, 1, joint, NULL);
     return isinf(quantity_rows[quantity].at_full) ? INFINITY : point.value[quantity];
 }
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "answers/curves.h"
+#include "answers/shaped.h"
 
 #include "answers/answers.h"
 #include "answers/direct_study.h"
@@ -110,6 +111,8 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
         return status_memory(status);
     double started = clock_seconds();
     bool several = record->ensemble.scan_count > 1 && !model_rows[m]->uses_map;
+    if (plan_runs(asked->plan, EFFECT_SHAPE) && shaped_make(record, m, asked, task, status) != STATUS_OK)
+        return status->code;
     if (several && !(record->bands[m] = ensemble_band_make(task->loads, task->load_count)))
         return status_memory(status);
     const struct joint_task joint = surface_joint(record, asked->scene, asked->plan, task);
@@ -230,27 +233,17 @@ static enum status_code solve_tiles(struct surface_record *record, struct plan *
 }
 
 /** What is to be known of the joint beside its numbers. */
-static void note_joint(struct surface_record *record, const struct scene *scene, const struct plan *plan,
-                       const struct model_task *task)
+static void note_joint(struct surface_record *record, const struct scene *scene, const struct plan *plan)
 {
     const struct joint *joint = &scene->joint;
     const struct joint_layer *metal = &joint_platings[joint->plating];
     struct note_list *notes = &record->summary.notes;
-    const double *wide_m = scene->flatness_m, thick_m = joint->plating_thickness_m;
-    double *flat = record->summary.flatness;
-    double pressure_Pa = material_pair_pressure(task->pair, task->loads[model_task_operating(task)]);
+    const double thick_m = joint->plating_thickness_m;
     if (plan_runs(plan, EFFECT_GAP) && joint->fill == JOINT_MEDIUM && !(joint->bond_line_m > 0))
         note_add(notes, NULL, "no bond_line: the filler is as thin as the gaps, which none is; give it, such as 25 um");
     if (plan_runs(plan, EFFECT_PLATING) && joint->plating && (thick_m < metal->least_m || thick_m > metal->most_m))
         note_add(notes, NULL, "%.3g um of %s, of which %.3g to %.3g um are usual", thick_m * 1e6,
                  joint_plating_names[joint->plating], metal->least_m * 1e6, metal->most_m * 1e6);
-    if (wide_m[0] > 0 && plan_runs(plan, EFFECT_THERMAL))
-        flat[1] = joint_flatness(&flat[0], wide_m, pressure_Pa, task->pair);
-    if (flat[1] > 0)
-        note_add(notes, NULL,
-                 "flat to %.3g um over %.3g mm, of which %.2g touch: that constricts the heat by %.2g "
-                 "m2K/W at the operating load, which is in no number",
-                 wide_m[0] * 1e6, wide_m[1] * 1e3, flat[0], flat[1]);
 }
 
 enum status_code curves_run(struct surface_record *record, const struct surface_task *asked, struct status *status)
@@ -284,7 +277,9 @@ enum status_code curves_run(struct surface_record *record, const struct surface_
         if (try_law(record, &task, status) != STATUS_OK)
             return status->code;
     }
-    note_joint(record, scene, plan, &task);
+    note_joint(record, scene, plan);
+    if (record->shapes && plan_runs_model(plan, leading))
+        record->summary.carrying = joint_shape_area(&record->shapes[leading], task.loads[model_task_operating(&task)]);
     return answers_find(record, scene, plan, &task, status);
 }
 

@@ -38,8 +38,8 @@ static const struct argp_option scene_options[] = {
     {"material", 'm', "MATERIAL", 0, "a built-in material (default: the scene's, else none)", 1},
     {"effects", 'e', "EFFECTS", 0,
      "auto, some of plasticity, separation, electrical, thermal, scale-dependent, stiffness, last-scale, "
-     "convergence, uncertainty, unloading, direct, gap, film, plating, heating, or both, with commas (default: the "
-     "scene's, else auto)",
+     "convergence, uncertainty, unloading, direct, gap, film, plating, heating, shape, or both, with commas (default: "
+     "the scene's, else auto)",
      1},
     {"tolerance", 't', "REL", 0, "relative tolerance of every number, 1e-14 to 0.1 (default: the scene's, else 1e-6)",
      1},

@@ -26,4 +26,8 @@ const struct effect_row effect_rows[EFFECT_COUNT] = {
     [EFFECT_FILM] = {"film", {"resistivity_ohm_m"}, EFFECT_BIT(EFFECT_ELECTRICAL), "film"},
     [EFFECT_PLATING] = {"plating", {"resistivity_ohm_m"}, EFFECT_BIT(EFFECT_ELECTRICAL), "plating"},
     [EFFECT_HEATING] = {"heating", {"resistivity_ohm_m"}, EFFECT_BIT(EFFECT_ELECTRICAL), "current", .adds = true},
+    [EFFECT_SHAPE] = {"shape",
+                      {"conductivity_W_per_mK"},
+                      EFFECT_BIT(EFFECT_SEPARATION) | EFFECT_BIT(EFFECT_THERMAL),
+                      "shape"},
 };

@@ -22,6 +22,7 @@ enum effect {
     EFFECT_FILM,
     EFFECT_PLATING,
     EFFECT_HEATING,
+    EFFECT_SHAPE,
     EFFECT_COUNT
 };
 

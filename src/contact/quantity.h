@@ -24,6 +24,8 @@ enum quantity {
     QUANTITY_SPOT_RADIUS,         /* [m] */
     QUANTITY_PLATING_FACTOR,      /* resistance of a spot with its plating over that without */
     QUANTITY_JOINT_ECR,           /* ECR A_n with plating and film [ohm m²] */
+    QUANTITY_SHAPE_JOINT,         /* h of the whole nominal area with the parts' shape [W/(m² K)] */
+    QUANTITY_SHAPE_ECR,           /* ECR A_n of it [ohm m²] */
     QUANTITY_VOLTAGE,             /* over the contact [V] */
     QUANTITY_TEMPERATURE,         /* of the hottest place [K] */
     QUANTITY_MEAN_GAP,            /* the separation, with an interval of its own [m] */

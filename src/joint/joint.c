@@ -74,6 +74,7 @@ struct making {
     const double *value;
     struct contact_spots spots;
     const struct joint_task *task;
+    const struct joint_shape *shape; /* of the model; NULL: none */
 };
 
 /* What makes each quantity of those before it, as in quantity_rows, and of the spots. */
@@ -141,14 +142,6 @@ double joint_film(double contact_ohm_m2, double film_ohm_m2, double area_ratio)
     return contact_ohm_m2 + film_ohm_m2 / area_ratio;
 }
 
-double joint_flatness(double *share, const double flatness_m[2], double pressure_Pa, const struct material_pair *pair)
-{
-    double b = flatness_m[1] / 2, strain = pressure_Pa / pair->effective_modulus_Pa;
-    double ratio = cbrt(3 * M_PI / 8 * strain * (b / flatness_m[0]));
-    *share = ratio < 1 ? ratio : isnan(ratio) ? NAN : 1;
-    return M_PI * b * pow(1 - *share, 1.5) / (2 * pair->conductivity_W_per_mK * *share);
-}
-
 double joint_temperature(const struct joint_task *task, double voltage_V)
 {
     double ambient_K = task->joint->temperature_K;
@@ -164,9 +157,65 @@ static double make_ecr(const struct making *of)
                                        : ecr_ohm_m2;
 }
 
+void joint_shape_free(struct joint_shape *shape)
+{
+    for (int way = 0; way < JOINT_WAYS; way++) {
+        shape_curve_free(&shape->flat[way]);
+        shape_curve_free(&shape->over[way]);
+        shape_curve_free(&shape->spots[way]);
+    }
+    shape_curve_free(&shape->area);
+}
+
+double joint_shape_area(const struct joint_shape *shape, double load)
+{
+    double slope;
+    return load >= shape->least && load <= shape->most ? exp(shape_curve_value(&slope, &shape->area, log(load))) : NAN;
+}
+
+double joint_shape_change(const struct joint_shape *shape, double load, int way, double factor)
+{
+    double slope;
+    if (!shape || !(load >= shape->least && load <= shape->most) || shape->spots[way].count == 0)
+        return NAN;
+    return 1 + exp(shape_curve_value(&slope, &shape->spots[way], log(load))) * (factor - 1);
+}
+
+/** With the shape, of a contact that has `own` where the parts are flat: as the curve that was solved with it, whose
+ * spots, not the way to them, are what is off where `own` is. */
+static double shaped(const struct making *of, int way, double own)
+{
+    const struct joint_shape *shape = of->shape;
+    double load = of->value[QUANTITY_LOAD], slope;
+    if (!shape || shape->over[way].count == 0)
+        return NAN;
+    double flat = exp(shape_curve_value(&slope, &shape->flat[way], log(load)));
+    double over = exp(shape_curve_value(&slope, &shape->over[way], log(load)));
+    return over * flat * joint_shape_change(shape, load, way, own / flat);
+}
+
+double joint_resistance(const double *value, const struct joint_task *task, int way)
+{
+    const struct making of = {.value = value, .task = task};
+    if (way == JOINT_CURRENT)
+        return make_ecr(&of);
+    return runs(task, EFFECT_GAP) ? 1 / value[QUANTITY_JOINT] : value[QUANTITY_TCR];
+}
+
+static double make_shape_joint(const struct making *of)
+{
+    return 1 / shaped(of, JOINT_HEAT, joint_resistance(of->value, of->task, JOINT_HEAT));
+}
+
+static double make_shape_ecr(const struct making *of)
+{
+    return shaped(of, JOINT_CURRENT, make_ecr(of));
+}
+
 static double make_voltage(const struct making *of)
 {
-    return of->task->joint->current_A * (make_ecr(of) / of->task->nominal_area_m2);
+    double ecr_ohm_m2 = runs(of->task, EFFECT_SHAPE) ? of->value[QUANTITY_SHAPE_ECR] : make_ecr(of);
+    return of->task->joint->current_A * (ecr_ohm_m2 / of->task->nominal_area_m2);
 }
 
 static double make_temperature(const struct making *of)
@@ -180,15 +229,17 @@ static double (*const makers[QUANTITY_COUNT])(const struct making *of) = {[QUANT
                                                                           [QUANTITY_SPOT_RADIUS] = make_radius,
                                                                           [QUANTITY_PLATING_FACTOR] = make_plating,
                                                                           [QUANTITY_JOINT_ECR] = make_ecr,
+                                                                          [QUANTITY_SHAPE_JOINT] = make_shape_joint,
+                                                                          [QUANTITY_SHAPE_ECR] = make_shape_ecr,
                                                                           [QUANTITY_VOLTAGE] = make_voltage,
                                                                           [QUANTITY_TEMPERATURE] = make_temperature};
 
 void joint_apply(struct contact_point *points, const struct contact_spots *spots, size_t count,
-                 const struct joint_task *task)
+                 const struct joint_task *task, const struct model_row *model)
 {
     for (size_t i = 0; i < count; i++) {
         double *value = points[i].value;
-        struct making of = {value, {NAN, NAN}, task};
+        struct making of = {value, {NAN, NAN}, task, task->shapes && model ? &task->shapes[model_index(model)] : NULL};
         if (task->effects & on_spots)
             of.spots =
                 spots ? spots[i]
@@ -218,7 +269,7 @@ void joint_model_sd(double out[QUANTITY_COUNT], const struct contact_point *poin
     }
     if (!(model_sd(row, QUANTITY_AREA) > 0))
         return;
-    joint_apply(&rougher, NULL, 1, task);
+    joint_apply(&rougher, NULL, 1, task, row);
     for (int q = 0; q < QUANTITY_COUNT; q++)
         if (quantity_rows[q].from)
             out[q] = fabs(log(rougher.value[q] / point->value[q]));
@@ -241,7 +292,7 @@ enum status_code joint_curve(struct model_curve *curve, const struct model_row *
                 spots[i] = (struct contact_spots){NAN, NAN};
     }
     if (rc == STATUS_OK)
-        joint_apply(curve->points, spots, curve->count, joint);
+        joint_apply(curve->points, spots, curve->count, joint, row);
     free(spots);
     return rc;
 }

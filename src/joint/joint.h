@@ -6,6 +6,7 @@
 
 #include "contact/model.h"
 #include "joint/gas.h"
+#include "joint/shape.h"
 #include "material/material.h"
 
 enum joint_fill {
@@ -38,7 +39,26 @@ struct joint {
     double plating_thickness_m, plating_ohm_m;
     unsigned both_plated; /* 1: both bodies; 0: the first, which is the surface's */
     double current_A;
+    double bulge_per_m; /* gap of the unloaded parts over the square of the distance from the middle; 0: flat */
+    double size_m[2];   /* of the nominal area */
 };
+
+/** What the parts' shape makes of one model on one surface, over ln P/(A_n E'): heat, with the gaps; current, with
+ * plating and film. Owned: joint_shape_free(). */
+enum { JOINT_HEAT, JOINT_CURRENT, JOINT_WAYS };
+struct joint_shape {
+    struct shape_curve flat[JOINT_WAYS];  /* resistance of flat parts, [m²K/W] or [ohm m²] */
+    struct shape_curve over[JOINT_WAYS];  /* that with the shape, over it */
+    struct shape_curve spots[JOINT_WAYS]; /* the spots' share of that */
+    struct shape_curve area;              /* share of the nominal area that carries 90 % of the load */
+    double least, most;                   /* loads within which it is known */
+};
+void joint_shape_free(struct joint_shape *shape);
+/** The share of the nominal area that carries 90 % of the load; NaN: not known. */
+double joint_shape_area(const struct joint_shape *shape, double load);
+/** The factor by which the resistance changes where that of flat parts does so by `factor`; NaN: not known. `shape`: or
+ * NULL. */
+double joint_shape_change(const struct joint_shape *shape, double load, int way, double factor);
 
 /** 300 K, at which the table of gases holds. */
 struct joint joint_default(void);
@@ -48,8 +68,9 @@ struct joint_task {
     const struct material_pair *pair;
     double sigma_m;
     double nominal_area_m2;
-    unsigned effects; /* EFFECT_BITs that run */
-    double tolerance; /* relative, of the integral over the gaps */
+    unsigned effects;                 /* EFFECT_BITs that run */
+    double tolerance;                 /* relative, of the integral over the gaps */
+    const struct joint_shape *shapes; /* of every model; NULL: the parts are flat, or it is not known yet */
 };
 
 /** Spots, all alike, that have the model's area and resistance between them: n pi a² = A/A_n and n 2a/rho = 1/(ECR
@@ -61,15 +82,14 @@ struct contact_spots joint_equal_spots(double area_ratio, double ecr_ohm_m2, dou
  * predicted: a tunnel resistance spans ten decades within 1.5 nm. */
 double joint_film(double contact_ohm_m2, double film_ohm_m2, double area_ratio);
 
-/** Constriction [m²K/W] of plates that bulge by delta over 2b, pi b² (1 - r)^1.5/(2 k r b), which touch on the share r
- * = a_L/b = (3 pi P b/(8 E' delta))^(1/3) of 2b: Hertz's contact of a crown of radius b²/(2 delta); 1: all of it.
- * Clausing and Chao 1965, J. Heat Transfer 87, 243. */
-double joint_flatness(double *share, const double flatness_m[2], double pressure_Pa, const struct material_pair *pair);
-
 /** Fills the quantities that are made of the model's (quantity_row.from) and that the effects call for, or none.
- * `spots`: the model's, one a point; NULL: it has none, so equal ones. What is not finite is NaN. */
+ * `spots`: the model's, one a point; NULL: it has none, so equal ones. `model`: that whose shape counts; NULL: none.
+ * What is not finite is NaN. */
 void joint_apply(struct contact_point *points, const struct contact_spots *spots, size_t count,
-                 const struct joint_task *task);
+                 const struct joint_task *task, const struct model_row *model);
+
+/** Of a point, the resistance that its spots and gaps have between them, of JOINT_WAYS. */
+double joint_resistance(const double *value, const struct joint_task *task, int way);
 
 /** Standard deviations of the logarithm of all quantities at a point that come of the model's own error
  * (model_surface_sd(), of a plastic area what bearing_area() makes of it, and bearing_area_sd): of what the joint makes

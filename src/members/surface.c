@@ -83,7 +83,8 @@ struct joint_task surface_joint(const struct surface_record *record, const struc
                                 const struct model_task *task)
 {
     return (struct joint_task){&scene->joint,          task->pair,    record->summary.asperities.sigma_m,
-                               scene->nominal_area_m2, plan->running, task->tolerance};
+                               scene->nominal_area_m2, plan->running, task->tolerance,
+                               record->shapes};
 }
 
 void surface_drop_scans(struct surface_record *record)
@@ -100,6 +101,8 @@ void surface_drop_arrays(struct surface_record *record)
             free(record->curves[m].points);
         if (record->bands)
             free(record->bands[m]);
+        if (record->shapes)
+            joint_shape_free(&record->shapes[m]);
     }
     surface_drop_scans(record);
     spectrum_free(&record->spectrum);
@@ -109,6 +112,7 @@ void surface_drop_arrays(struct surface_record *record)
     tiles_free(&record->tiles);
     free(record->curves);
     free(record->bands);
+    free(record->shapes);
     free(record->direct_m);
     free(record->band);
     free(record->preview_x_m);

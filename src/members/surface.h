@@ -4,6 +4,7 @@
 #define MEMBERS_SURFACE_H
 
 #include "contact/unloading.h"
+#include "joint/joint.h"
 #include "members/curve_summary.h"
 #include "members/note.h"
 #include "members/repeats.h"
@@ -42,10 +43,11 @@ struct surface_summary {
     const struct scene_surface *scene; /* name, files, bodies */
     struct material_pair pair;         /* what the models need of the bodies */
     enum surface_hardness hardness;
-    double indent_m;    /* depth of the indents in a plating of its own hardness; NaN: no such */
-    bool usable;        /* false: refused, see `refusal` */
-    char *refusal;      /* one line; owned */
-    double flatness[2]; /* where the scene gives it: share that touches, constriction [m²K/W] at the operating load */
+    double indent_m; /* depth of the indents in a plating of its own hardness; NaN: no such */
+    bool usable;     /* false: refused, see `refusal` */
+    char *refusal;   /* one line; owned */
+    double
+        carrying; /* share of the nominal area that carries 90 % of the load, with the shape; 0: flat, NaN: not known */
     struct note_list notes; /* warnings; owned */
     size_t refused_scans;   /* of several; the notes begin with them */
     char hash[65];          /* SHA-256 of the first file (of all of them one after another), hexadecimal */
@@ -108,6 +110,7 @@ struct surface_record {
     double *height_m; /* of the one scan, summary.single_points long, until the models have run; NULL: not kept */
     const struct surface_record *counterface; /* the rough one; NULL: smooth. Not owned */
     struct model_curve *curves;               /* model_count of them, NULL before any model ran */
+    struct joint_shape *shapes;               /* the same, where the scene has a shape; NULL: none */
     struct ensemble_band **bands;             /* the same, each band_count long; NULL: none */
     size_t band_count;
     struct variants variants; /* scans 0 where there is a rough counterface */

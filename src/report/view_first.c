@@ -458,17 +458,24 @@ static double of_scanned(const struct view_source *source, size_t surface)
 }
 
 /** By how much the asked quantity changes where area and ECR do so by these factors: film and plating are by the area,
- * the heat in the gaps stays. */
+ * the heat in the gaps stays, and so does the way to the spots. */
 static double change_of(const struct view_source *source, size_t surface, double area, double ecr)
 {
     const struct contact_point at = comparison_middle(source->results, source->leading, surface);
     double spots = 1 / (at.value[QUANTITY_TCR] * at.value[QUANTITY_JOINT]);
     double bare = at.value[QUANTITY_ECR] / at.value[QUANTITY_JOINT_ECR];
     enum quantity asked = source->asked.quantity;
-    return asked == QUANTITY_AREA        ? area
-           : asked == QUANTITY_JOINT     ? spots / ecr + 1 - spots
-           : asked == QUANTITY_JOINT_ECR ? bare * ecr + (1 - bare) / area
-                                         : ecr;
+    double heat = isfinite(spots) ? spots / ecr + 1 - spots : 1 / ecr;
+    double current = isfinite(bare) ? bare * ecr + (1 - bare) / area : ecr;
+    const struct joint_shape *shapes = source->results->surfaces[surface].shapes,
+                             *shape = shapes ? &shapes[source->leading] : NULL;
+    double load = at.value[QUANTITY_LOAD];
+    return asked == QUANTITY_AREA          ? area
+           : asked == QUANTITY_JOINT       ? heat
+           : asked == QUANTITY_JOINT_ECR   ? current
+           : asked == QUANTITY_SHAPE_JOINT ? 1 / joint_shape_change(shape, load, JOINT_HEAT, 1 / heat)
+           : asked == QUANTITY_SHAPE_ECR   ? joint_shape_change(shape, load, JOINT_CURRENT, current)
+                                           : ecr;
 }
 
 /** The direct solution where there is one, else 95 % of what the model says of itself, else the one that stands beside

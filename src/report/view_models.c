@@ -239,7 +239,7 @@ void view_models(json_t *out, const struct view_source *source)
 /* ---- The joint ---- */
 
 /* Ranges of what no row has, behind those of the quantities. */
-enum joint_number { GAP_SHARE = QUANTITY_COUNT, FILM_SHARE, FLAT, TOUCHING, JOINT_NUMBERS };
+enum joint_number { GAP_SHARE = QUANTITY_COUNT, FILM_SHARE, SHAPE_TIMES, CARRYING, JOINT_NUMBERS };
 
 /** What the leading model says of the joint, over the surfaces: quantities as tables have them, shares in %. */
 static void joint_ranges(struct range out[JOINT_NUMBERS], const struct view_source *source)
@@ -251,14 +251,16 @@ static void joint_ranges(struct range out[JOINT_NUMBERS], const struct view_sour
         const struct contact_point at =
             comparison_middle(source->results, source->leading, source->results->by_roughness[k]);
         const double *value = at.value;
-        const double *flat = view_summary(source, source->results->by_roughness[k])->flatness;
+        const double carrying = view_summary(source, source->results->by_roughness[k])->carrying;
+        const double resistance =
+            plan_runs(source->results->plan, EFFECT_GAP) ? 1 / value[QUANTITY_JOINT] : value[QUANTITY_TCR];
         for (int q = 0; q < QUANTITY_COUNT; q++) {
             const struct quantity_unit unit = quantity_unit((enum quantity)q);
             widen(&out[q], value[q] * unit.scale - unit.offset);
         }
         widen(&out[GAP_SHARE], 100 * value[QUANTITY_GAP] / value[QUANTITY_JOINT]);
-        widen(&out[TOUCHING], flat[1] > 0 ? 100 * flat[0] : NAN);
-        widen(&out[FLAT], flat[1] > 0 ? flat[1] / value[QUANTITY_TCR] : NAN);
+        widen(&out[CARRYING], 1e6 * carrying * source->results->scene->nominal_area_m2);
+        widen(&out[SHAPE_TIMES], 1 / (value[QUANTITY_SHAPE_JOINT] * resistance));
         widen(&out[FILM_SHARE], 100 * film_ohm_m2 / value[QUANTITY_AREA] / value[QUANTITY_JOINT_ECR]);
     }
 }
@@ -305,10 +307,9 @@ void view_joint(json_t *out, const struct view_source *source)
     const struct joint *joint = &source->results->scene->joint;
     bool gap = plan_runs(plan, EFFECT_GAP), film = plan_runs(plan, EFFECT_FILM),
          plating = plan_runs(plan, EFFECT_PLATING), heat = plan_runs(plan, EFFECT_HEATING);
-    const double *flatness_m = source->results->scene->flatness_m;
-    bool flat = flatness_m[0] > 0 && plan_runs(plan, EFFECT_THERMAL);
+    bool shape = plan_runs(plan, EFFECT_SHAPE);
     struct range ranges[JOINT_NUMBERS];
-    if (!gap && !film && !plating && !heat && !flat)
+    if (!gap && !film && !plating && !heat && !shape)
         return;
     json_t *item = view_part(out, "joint");
     joint_ranges(ranges, source);
@@ -345,12 +346,11 @@ void view_joint(json_t *out, const struct view_source *source)
         view_flag(part, "helps", factor.most < 1);
         view_flag(part, "hurts", factor.least > 1 && factor.most >= factor.least);
     }
-    if (flat) {
-        json_t *part = view_part(item, "flatness");
-        view_number(part, "deviation_um", flatness_m[0] * 1e6, 3, "");
-        view_number(part, "over_mm", flatness_m[1] * 1e3, 3, "");
-        put_range(part, "touching", &ranges[TOUCHING], 2);
-        put_range(part, "times", &ranges[FLAT], 2);
+    if (shape) {
+        json_t *part = view_part(item, "has_shape");
+        view_number(part, "nominal_mm2", source->results->scene->nominal_area_m2 * 1e6, 3, "");
+        put_range(part, "carrying_mm2", &ranges[CARRYING], 2);
+        put_range(part, "times", &ranges[SHAPE_TIMES], 3);
     }
     if (heat) {
         json_t *part = view_part(item, "heating");

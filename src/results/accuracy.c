@@ -84,20 +84,21 @@ double accuracy_effect_factor(const struct results *results, enum effect effect,
         if (!row->elastic)
             return NAN;
         without = comparison_middle(results, model_index(row->elastic), surface);
-    } else {
-        const struct surface_record *record = &results->surfaces[surface];
-        const struct surface_task asked = results_task(results, surface);
-        const struct model_task task = surface_model_task(record, &asked);
-        struct joint_task joint = surface_joint(record, results->scene, results->plan, &task);
-        joint.effects &= ~EFFECT_BIT(effect);
-        for (int q = 0; q < QUANTITY_COUNT; q++)
-            without.value[q] = quantity_of_joint((enum quantity)q) ? NAN : with.value[q];
-        joint_apply(&without, NULL, 1, &joint);
+        return with.value[quantity] / without.value[quantity];
     }
+    const struct surface_record *record = &results->surfaces[surface];
+    const struct surface_task asked = results_task(results, surface);
+    const struct model_task task = surface_model_task(record, &asked);
+    struct joint_task joint = surface_joint(record, results->scene, results->plan, &task);
+    joint.effects &= ~EFFECT_BIT(effect);
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        without.value[q] = quantity_of_joint((enum quantity)q) ? NAN : with.value[q];
+    joint_apply(&without, NULL, 1, &joint, row);
     double before = without.value[quantity];
-    if (isnan(before) && quantity_rows[quantity].from > 0) { /* without it there is none such, but the bare one */
-        const double bare = without.value[results_criterion(results)];
-        before = quantity_rows[quantity].is & QUANTITY_RISES ? 1 / without.value[QUANTITY_TCR] : bare;
+    if (isnan(before) && quantity_rows[quantity].from > 0) { /* without it there is none such, but what it is of */
+        const bool rises = quantity_rows[quantity].is & QUANTITY_RISES;
+        before = joint_resistance(without.value, &joint, rises ? JOINT_HEAT : JOINT_CURRENT);
+        before = rises ? 1 / before : before;
     }
     return with.value[quantity] / before;
 }

@@ -74,6 +74,25 @@ static bool fail_effect(struct scene_source *source, const struct effect_row *ef
     return false;
 }
 
+/* Two lengths and an area say the same. */
+static bool complete_size(struct scene *scene, struct scene_source *source)
+{
+    double *side_m = scene->joint.size_m, area_m2 = side_m[0] * side_m[1];
+    size_t line = scene_keys_line(source, "shape");
+    if (line == 0)
+        return true;
+    if (area_m2 > 0 && isnan(scene->nominal_area_m2))
+        scene->nominal_area_m2 = area_m2;
+    if (isnan(scene->nominal_area_m2))
+        return scene_source_fail(source, line, "'shape' is of which area? add 'nominal_area', or 'size' to it");
+    if (area_m2 > 0 && !(fabs(area_m2 / scene->nominal_area_m2 - 1) < 1e-3))
+        return scene_source_fail(source, line, "'size' is %g m2 and 'nominal_area' %g m2; correct either", area_m2,
+                                 scene->nominal_area_m2);
+    if (!(area_m2 > 0))
+        side_m[0] = side_m[1] = sqrt(scene->nominal_area_m2);
+    return true;
+}
+
 /* Effects run that a key calls for, unless the command line lists others; none runs without its key. */
 static bool call_effects(struct scene *scene, struct scene_source *source)
 {
@@ -120,7 +139,7 @@ static bool override_values(struct scene *scene, struct scene_source *source, co
         scene->direct.called = scene->effects & direct;
     scene->direct.called = scene->direct.called || overrides->direct || overrides->budget || (scene->effects & direct);
     scene->effects |= scene->direct.called ? direct : 0;
-    return call_effects(scene, source);
+    return complete_size(scene, source) && call_effects(scene, source);
 }
 
 static bool override_units(struct scene *scene, struct scene_source *source, const struct scene_overrides *overrides)

@@ -148,7 +148,6 @@ struct scene {
     struct joint joint;         /* what those keys say */
     struct scene_bodies bodies; /* of every surface that has none of its own */
     double nominal_area_m2;     /* NaN: resistances stay per area */
-    double flatness_m[2];       /* how far the plates bulge, over what length; 0: not given */
     enum scene_mean_free_path mean_free_path;
     struct scene_load load;
     struct scene_one_load operating;   /* where summary and tables stand; none: at the middle one */

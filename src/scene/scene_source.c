@@ -44,26 +44,26 @@ static bool parser_error(struct scene_source *source, const yaml_parser_t *parse
                              parser->problem ? parser->problem : "it cannot be read");
 }
 
-struct shape {
+struct nesting {
     int depth, anchors, documents;
 };
 
-static bool check_event(struct scene_source *source, const yaml_event_t *event, struct shape *shape)
+static bool check_event(struct scene_source *source, const yaml_event_t *event, struct nesting *nesting)
 {
     size_t line = event->start_mark.line + 1;
     bool start = event->type == YAML_SEQUENCE_START_EVENT || event->type == YAML_MAPPING_START_EVENT;
-    shape->depth += start;
-    shape->depth -= event->type == YAML_SEQUENCE_END_EVENT || event->type == YAML_MAPPING_END_EVENT;
-    shape->documents += event->type == YAML_DOCUMENT_START_EVENT;
-    shape->anchors += event->type == YAML_ALIAS_EVENT ||
-                      (event->type == YAML_SCALAR_EVENT && event->data.scalar.anchor) ||
-                      (event->type == YAML_SEQUENCE_START_EVENT && event->data.sequence_start.anchor) ||
-                      (event->type == YAML_MAPPING_START_EVENT && event->data.mapping_start.anchor);
-    if (shape->documents > 1)
+    nesting->depth += start;
+    nesting->depth -= event->type == YAML_SEQUENCE_END_EVENT || event->type == YAML_MAPPING_END_EVENT;
+    nesting->documents += event->type == YAML_DOCUMENT_START_EVENT;
+    nesting->anchors += event->type == YAML_ALIAS_EVENT ||
+                        (event->type == YAML_SCALAR_EVENT && event->data.scalar.anchor) ||
+                        (event->type == YAML_SEQUENCE_START_EVENT && event->data.sequence_start.anchor) ||
+                        (event->type == YAML_MAPPING_START_EVENT && event->data.mapping_start.anchor);
+    if (nesting->documents > 1)
         return scene_source_fail(source, line, "a second document starts here; a scene is one, remove the '---'");
-    if (shape->depth > DEEPEST_NESTING)
+    if (nesting->depth > DEEPEST_NESTING)
         return scene_source_fail(source, line, "nested too deep; a scene needs at most 4 levels");
-    if (shape->anchors > MOST_ANCHORS)
+    if (nesting->anchors > MOST_ANCHORS)
         return scene_source_fail(source, line, "more than %d anchors and aliases; write the values out", MOST_ANCHORS);
     return true;
 }
@@ -84,14 +84,14 @@ static bool check_directives(struct scene_source *source, const char *bytes, siz
 static bool parse(struct scene_source *source, const char *bytes, size_t length, bool tree)
 {
     yaml_parser_t parser;
-    struct shape shape = {0};
+    struct nesting nesting = {0};
     if (!yaml_parser_initialize(&parser))
         return scene_source_memory(source);
     yaml_parser_set_input_string(&parser, (const unsigned char *)bytes, length);
     bool good = !tree || yaml_parser_load(&parser, &source->document) || parser_error(source, &parser, bytes);
     for (bool end = tree; good && !end;) {
         yaml_event_t event;
-        good = yaml_parser_parse(&parser, &event) ? check_event(source, &event, &shape)
+        good = yaml_parser_parse(&parser, &event) ? check_event(source, &event, &nesting)
                                                   : parser_error(source, &parser, bytes);
         end = event.type == YAML_STREAM_END_EVENT;
         yaml_event_delete(&event);

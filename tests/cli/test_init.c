@@ -99,8 +99,8 @@ TEST_IN_WORKSPACE(what_is_to_be_filled_in)
                    "file: \"short.csv\"\n    # This is refused as it stands: ", "file: \"z.csv\"\n    # z_unit: um ");
     /* with every line in force it is a scene, too */
     free(workspace_shell(place, "sed -i -E 's/^( *)# ([a-z_]+:)/\\1\\2/' d/scene.yaml"));
-    expect_in_file(place, "d/scene.yaml", "\nmaterial: ", "\ncounterface: ", "\nnominal_area: ", "\nload: ",
-                   "\noperating_load: ", "\ntargets: ", "\n    x_unit: mm ", "\n    z_unit: um ");
+    expect_in_file(place, "d/scene.yaml", "\nmaterial: ", "\ncounterface: ", "\nnominal_area: ", "\nshape: ",
+                   "\nload: ", "\noperating_load: ", "\ntargets: ", "\n    x_unit: mm ", "\n    z_unit: um ");
     json_t *plan = process_json(expect_exit(place, 1, "plan", "d", "--json")), *surface;
     size_t i;
     json_array_foreach(json_object_get(plan, "surfaces"), i, surface)

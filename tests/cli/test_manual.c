@@ -175,7 +175,7 @@ TEST_CASE(documents_are_made_of_the_keys)
                      c + 1 == key->choice_count ? "]" : "");
         text_add(&schema, "},\n");
     }
-    check_made("docs/results.schema.json", "\"flatness_m\": {\"$ref\": \"#/$defs/numbers\"},\n", &schema,
+    check_made("docs/results.schema.json", "\"shape_size_m\": {\"$ref\": \"#/$defs/numbers\"},\n", &schema,
                "    \"models\": {");
     text_free(&schema);
     check_made("docs/scene.md", "| key | may be | what it says |\n|---|---|---|\n", &page, "\n**Quantities**");

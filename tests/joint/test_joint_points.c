@@ -22,8 +22,8 @@ static const struct material_pair pair = {.resistivity_ohm_m = 6e-8, .side_resis
 /** One point through all effects of `effects`. */
 static struct contact_point apply(const struct joint *joint, unsigned effects, struct contact_point point)
 {
-    const struct joint_task task = {joint, &pair, 1e-6, 2e-6, effects, 1e-12};
-    joint_apply(&point, NULL, 1, &task);
+    const struct joint_task task = {joint, &pair, 1e-6, 2e-6, effects, 1e-12, NULL};
+    joint_apply(&point, NULL, 1, &task, NULL);
     return point;
 }
 
@@ -36,7 +36,7 @@ TEST_CASE(areas_error)
         plastic = model_rows[m]->plastic && model_rows[m]->uses_strip ? model_rows[m] : plastic;
     const struct joint joint = joint_default();
     struct material_pair yielding = {.effective_modulus_Pa = 1e11, .hardness_Pa = 1e9};
-    const struct joint_task task = {&joint, &yielding, 1e-6, 2e-6, 0, 1e-12};
+    const struct joint_task task = {&joint, &yielding, 1e-6, 2e-6, 0, 1e-12, NULL};
     const double over[] = {1.002, 1.02, 1.1, 100}; /* A/(P/H) */
     for (size_t k = 0; k < sizeof over / sizeof *over; k++) {
         double sd[QUANTITY_COUNT], own = log(hypot(sqrt(pow(over[k], 4) - 1) * exp(2 * 0.37), 1) / pow(over[k], 2)) / 2;
@@ -57,6 +57,8 @@ TEST_CASE(off_is_empty)
     joint.plating_ohm_m = 2e-8;
     joint.current_A = 1;
     for (unsigned effects = 0; effects < 1u << EFFECT_COUNT; effects++) {
+        if (effects & EFFECT_BIT(EFFECT_SHAPE))
+            continue; /* it takes a whole curve */
         struct contact_point before = point_of(0.01, 1e-6), after = apply(&joint, effects, before);
         for (int q = 0; q < QUANTITY_COUNT; q++) {
             double value = after.value[q];
@@ -108,19 +110,6 @@ TEST_CASE(gaps)
                 apply(&joint, gap, point_of(0.3, 0)).value[QUANTITY_GAP], 1e-15);
 }
 
-/** Clausing and Chao: r = 1.285 (P b/(E_m delta))^(1/3) of alike bodies with nu² = 0.1, delta being of both; where all
- * touches nothing is constricted. */
-TEST_CASE(flatness)
-{
-    const struct material_pair plates = {.effective_modulus_Pa = 70e9 / 1.8, .conductivity_W_per_mK = 50};
-    const double flat_m[] = {5e-6, 20e-3};
-    double share, m2K_per_W = joint_flatness(&share, flat_m, 1e5, &plates), b = 10e-3;
-    assert_near(share, 1.285 * cbrt(1e5 * b / (70e9 * 5e-6)), 1e-3);
-    assert_near(m2K_per_W / (M_PI * b * b), pow(1 - share, 1.5) / (2 * 50 * share * b), 1e-14);
-    assert_within(joint_flatness(&share, flat_m, 1e9, &plates), 0, 0);
-    assert_near(share, 1, 0);
-}
-
 /** Equal spots have the area and the resistance they are made from; own ones come through as they are. */
 TEST_CASE(spots)
 {
@@ -131,10 +120,10 @@ TEST_CASE(spots)
     assert_true(isnan(joint_equal_spots(0.1001, 3e-10, 6e-8).radius_m));
     assert_true(isnan(joint_equal_spots(0, 3e-10, 6e-8).radius_m) && isnan(joint_equal_spots(NAN, 1, 1).radius_m));
     const struct joint joint = {.film_ohm_m2 = 1e-12};
-    const struct joint_task task = {&joint, &pair, 1e-6, 2e-6, EFFECT_BIT(EFFECT_FILM), 1e-12};
+    const struct joint_task task = {&joint, &pair, 1e-6, 2e-6, EFFECT_BIT(EFFECT_FILM), 1e-12, NULL};
     const struct contact_spots own = {5e7, 3e-6};
     struct contact_point point = point_of(0.5, 1e-6);
-    joint_apply(&point, &own, 1, &task);
+    joint_apply(&point, &own, 1, &task, NULL);
     assert_within(point.value[QUANTITY_SPOT_DENSITY] - 5e7, 0, 0);
     assert_within(point.value[QUANTITY_SPOT_RADIUS] - 3e-6, 0, 0);
 }

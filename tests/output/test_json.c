@@ -121,7 +121,7 @@ TEST_CASE(test_every_key_of_the_scene_is_told)
         {"load", "loads_over_AnEp"},
         {"operating_load", "operating_load_over_AnEp"},
         {"fit_band", "fit_band_m"},
-        {"flatness", "flatness_m"},
+        {"shape", ""},
         {"convergence", "convergence"}, /* where they are given: test_joint_report and others have them */
         {"measured", ""},
         {"unload_from", ""},

@@ -333,6 +333,66 @@ TEST_IN_PLACE(a_plating_has_its_hardness)
     }
 }
 
+/* Parts that are flat, however that is said, have the numbers of flat parts; the more they bulge, the less of the area
+ * carries the load and the less the joint conducts. */
+TEST_IN_PLACE(shape_of_the_parts)
+{
+    static const char *const shapes[] = {"{crown: 1e9 m}", "{flatness: 1 um, over: 20 mm}",
+                                         "{flatness: 3 um, over: 20 mm}", "{flatness: 9 um, over: 20 mm}"};
+    static const char *const names[][2] = {{"shape_W_per_m2K", "joint_W_per_m2K"},
+                                           {"shape_ecr_ohm_m2", "joint_ecr_ohm_m2"}};
+    struct table before = {0};
+    double carried_mm2 = 400, lay_flat = NAN;
+    for (size_t k = 0; k < sizeof shapes / sizeof *shapes; k++) {
+        json_t *results = results_of(
+            place, filled("material: copper\ncounterface: aluminium\nnominal_area: 400 mm2\nshape: %s\n"
+                          "load: {from: 1 bar, to: 100 bar, points: 7}\noperating_load: 10 bar\ntolerance: 1e-12\n"
+                          "models: [strip, corrected-persson]\nbaseline: a\ngap: {gas: air}\nfilm: 1e-14\n"
+                          "targets: [{conductance: 1e4 W/m2/K}]\nsurfaces: [{name: a, file: a.csv}]\n",
+                          shapes[k]));
+        struct table contact = directory_table(place, "out/data/contact.csv");
+        struct text page = directory_read(place, "out/report.md");
+        size_t known[2] = {0};
+        for (size_t i = 0; i < contact.rows; i++)
+            for (int way = 0; way < 2; way++) {
+                double value = number(&contact, i, names[way][0]), flat = number(&contact, i, names[way][1]);
+                if (!isfinite(value))
+                    continue;
+                known[way]++;
+                if (k == 0)
+                    assert_near(value, flat, 1e-12);
+                else if (isfinite(number(&before, i, names[way][0])))
+                    assert_true((value < number(&before, i, names[way][0])) == (way == 0));
+            }
+        assert_true(known[0] >= contact.rows / 2 && known[1] >= contact.rows / 2);
+        if (k > 1) { /* what the page says that the shape divides by, the list of effects says, too */
+            const char *times = strstr(text_string(&page), "divides the conductance by "),
+                       *factor = strstr(text_string(&page), "the scene has 'shape'; conductance × ");
+            assert_true(times && factor);
+            assert_near(strtod(factor + strlen("the scene has 'shape'; conductance × "), NULL),
+                        1 / strtod(times + strlen("divides the conductance by "), NULL), 0.03);
+        }
+        const char *said = strstr(text_string(&page), "of the nominal 400 mm², ");
+        assert_non_null(said);
+        double carries_mm2 = strtod(said + strlen("of the nominal 400 mm², "), NULL);
+        assert_true(carries_mm2 > 0 && carries_mm2 < carried_mm2);
+        carried_mm2 = carries_mm2;
+        struct text tree = directory_read(place, "out/view.json");
+        const char *factor = strstr(text_string(&tree), "\"lay_factor\": \"");
+        assert_non_null(factor);
+        double lay = strtod(factor + strlen("\"lay_factor\": \""), NULL);
+        assert_true(k < 3 || lay < lay_flat); /* it changes the spots, not the way to them */
+        lay_flat = k == 0 ? lay : lay_flat;
+        text_free(&tree);
+        if (k > 0)
+            table_free(&before);
+        before = contact;
+        text_free(&page);
+        json_decref(results);
+    }
+    table_free(&before);
+}
+
 /** Vacuum carries nothing, no film adds nothing; tin says when it softens and melts. */
 TEST_IN_PLACE(sentences)
 {
@@ -363,10 +423,11 @@ TEST_IN_PLACE(sentences)
          "The gaps are filled with pad of 1.00 W/(m·K), at least 100 µm thick."},
         {"material: tin\ngap: {gas: air, temperature: 400 K}\n",
          "Radiation would add at most 15 W/(m²·K) to their h_j"},
-        {"material: tin\nflatness: 5 um over 20 mm\n", "Plates that are flat to 5.00 µm over 20.0 mm touch on "},
-        {"material: tin\nflatness: 5 um over 20 mm\n", ": flat to 5 um over 20 mm, of which "},
-        {"material: tin\nflatness: 1 pm over 1 m\n",
-         "Plates that are flat to 1.00·10⁻⁶ µm over 1000 mm are pressed flat."},
+        {"material: tin\nnominal_area: 4 cm2\nshape: {flatness: 5 um, over: 20 mm}\n",
+         "**the shape of the parts divides the conductance by "},
+        {"material: tin\nnominal_area: 4 cm2\nshape: {flatness: 1 pm, over: 1 m}\n",
+         "With 90 % of the load on 360 of 400 mm², **the shape of the parts divides the conductance by "
+         "1.00**."},
         {"material: tin\nplating: {thickness: 9 um, metal: hard gold}\n",
          ": 9 um of hard gold, of which 0.5 to 1.3 um are usual"},
         {"material: tin\ngap: {gas: air, pressure: 1 Pa}\n", "**the load matters more than the finish**"},

@@ -379,16 +379,25 @@ TEST_CASE(test_hardness)
 /** A number beside a name is what counts. */
 TEST_CASE(test_platings_and_fillers_by_name)
 {
-    struct scene scene = scene_of("material: Al\ncounterface: carbon steel\nflatness: 5 um over 20 mm\n"
-                                  "gap: {filler: filled grease, bond_line: 30 um}\n"
-                                  "plating: {metal: hard gold, thickness: 0.8 um}\n");
+    struct scene scene =
+        scene_of("material: Al\ncounterface: carbon steel\nshape: {flatness: 5 um, over: 20 mm, size: [20 mm, 10 mm]}\n"
+                 "gap: {filler: filled grease, bond_line: 30 um}\n"
+                 "plating: {metal: hard gold, thickness: 0.8 um}\n");
     assert_string_equal(scene.bodies.material.name, "aluminium");
     assert_string_equal(scene.bodies.counterface.name, "carbon-steel");
     assert_near(scene.joint.conductivity_W_per_mK, 4, 0);
     assert_near(scene.joint.bond_line_m, 3e-5, 1e-15);
     assert_int_equal(scene.joint.fill, JOINT_MEDIUM);
     assert_near(scene.joint.plating_ohm_m, 2.3e-8, 0);
-    assert_near(scene.flatness_m[0] / scene.flatness_m[1], 5e-6 / 20e-3, 1e-15);
+    assert_near(scene.joint.bulge_per_m, 5e-6 / pow(10e-3, 2), 1e-14);
+    assert_near(scene.nominal_area_m2, 200e-6, 1e-14);
+    assert_near(scene.joint.size_m[1], 10e-3, 0);
+    scene_free(&scene);
+    scene = scene_of("material: tin\nnominal_area: 4 cm2\nshape: {crown: 2 m}\n");
+    assert_near(scene.joint.bulge_per_m, 0.25, 1e-15);
+    assert_near(scene.joint.size_m[0], 20e-3, 1e-14);
+    assert_near(scene.joint.size_m[1], 20e-3, 1e-14);
+    assert_true(scene.called & EFFECT_BIT(EFFECT_SHAPE));
     scene_free(&scene);
     scene = scene_of("material: tin\ngap: {filler: pad, conductivity: 3}\n"
                      "plating: {resistivity: 1e-7, metal: nickel, thickness: 2 um}\n");

@@ -1,0 +1,179 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "answers/shaped.h"
+
+#include "joint/shape.h"
+#include "members/surface.h"
+#include <math.h>
+#include <stdlib.h>
+
+enum {
+    CELLS = 32,  /* a side of a quarter of the area, the others being its mirror images */
+    NODES = 240, /* pressures of the model's curve */
+    LOADS = 61
+};
+static const double nodes_per_decade = 12;
+static const double lighter = 1e-3;       /* than the lightest load, where the curve begins */
+static const double beyond = 1.02;        /* the loads on either side, so that all of them lie within */
+static const double largest_area = 0.97;  /* beyond, a model's gap and resistance are close to 0, and stay */
+static const double yielding_most = 0.05; /* share of the load in cells at the hardness */
+
+/** Values over rising pressures or loads. */
+struct table {
+    size_t count;
+    double at[NODES], value[1 + JOINT_WAYS][NODES]; /* gap, or area; of the ways heat and current take */
+};
+
+/** The model's own curve, of the points that have all that is asked. */
+static enum status_code own_curve(struct table *out, const struct surface_record *record, size_t m,
+                                  const struct model_task *task, const struct joint_task *joint, struct status *status)
+{
+    double loads[NODES], first = task->loads[0] * lighter, decades = -log10(first);
+    size_t count = (size_t)fmin(fmax(decades * nodes_per_decade, 8), NODES);
+    struct contact_point *points = calloc(count + 1, sizeof *points);
+    struct model_curve curve = {.points = points};
+    for (size_t i = 0; i < count; i++)
+        loads[i] = pow(10, decades * ((double)i / (double)(count - 1) - 1));
+    const struct model_task dense = model_task_at(task, loads, count);
+    enum status_code rc = points ? STATUS_OK : status_memory(status);
+    if (rc == STATUS_OK)
+        rc = ensemble_curve(&curve, NULL, &record->ensemble, model_rows[m], &dense, status);
+    if (rc == STATUS_OK)
+        rc = joint_curve(&curve, model_rows[m], &dense, joint, status);
+    out->count = 0;
+    for (size_t i = 0; rc == STATUS_OK && curve.exists && i < curve.count && i < count; i++) {
+        const double *value = points[i].value;
+        double heat = 1 / joint_resistance(value, joint, JOINT_HEAT), gap_m = value[QUANTITY_SEPARATION];
+        double current = 1 / joint_resistance(value, joint, JOINT_CURRENT);
+        if (!isfinite(heat) || !isfinite(gap_m) || !(value[QUANTITY_AREA] <= largest_area))
+            continue;
+        out->at[out->count] = material_pair_pressure(task->pair, value[QUANTITY_LOAD]);
+        out->value[0][out->count] = gap_m;
+        out->value[1 + JOINT_HEAT][out->count] = heat;
+        out->value[1 + JOINT_CURRENT][out->count++] = current;
+    }
+    free(points);
+    return rc;
+}
+
+/** One surface's model in every cell. */
+struct cells {
+    struct shape shape;
+    struct shape_curve gap, conductance[JOINT_WAYS];
+    double gap_m[CELLS * CELLS], hardness_Pa;
+    struct shape_body bodies[JOINT_WAYS][2];
+};
+
+static enum status_code lay_out(struct cells *out, const struct joint *joint, const struct table *own,
+                                const struct model_task *task, struct status *status)
+{
+    const double side_m[2] = {joint->size_m[0] / 2, joint->size_m[1] / 2};
+    const struct material_pair *pair = task->pair;
+    for (size_t k = 0; k < CELLS * CELLS; k++) { /* from the middle */
+        double x = ((double)(k % CELLS) + 0.5) / CELLS * side_m[0], y = ((double)(k / CELLS) + 0.5) / CELLS * side_m[1];
+        out->gap_m[k] = joint->bulge_per_m * (x * x + y * y);
+    }
+    for (int side = 0; side < 2; side++) {
+        out->bodies[JOINT_HEAT][side] = (struct shape_body){1 / pair->conductivity_W_per_mK, INFINITY};
+        out->bodies[JOINT_CURRENT][side] = (struct shape_body){pair->resistivity_ohm_m, INFINITY};
+    }
+    size_t current = 0; /* a plating has no factor where spots meet, and resistance stays as there */
+    while (current < own->count && isfinite(own->value[1 + JOINT_CURRENT][current]))
+        current++;
+    if (shape_make(&out->shape, CELLS, CELLS, side_m, status) != STATUS_OK ||
+        shape_curve_gap(&out->gap, own->at, own->value[0], own->count, out->hardness_Pa, status) != STATUS_OK ||
+        shape_curve_conductance(&out->conductance[JOINT_HEAT], own->at, own->value[1 + JOINT_HEAT], own->count,
+                                status) != STATUS_OK ||
+        current < 3)
+        return status->code;
+    return shape_curve_conductance(&out->conductance[JOINT_CURRENT], own->at, own->value[1 + JOINT_CURRENT], current,
+                                   status);
+}
+
+static void cells_free(struct cells *cells)
+{
+    shape_free(&cells->shape);
+    shape_curve_free(&cells->gap);
+    for (int way = 0; way < JOINT_WAYS; way++)
+        shape_curve_free(&cells->conductance[way]);
+}
+
+/** All loads, and the resistances there. */
+static enum status_code solve(struct joint_shape *out, struct cells *cells, const struct model_task *task,
+                              struct status *status)
+{
+    struct table area = {0}, flat = {0}, over = {0}, spots = {0};
+    const double first = task->loads[0] / beyond, last = task->loads[task->load_count - 1] * beyond;
+    const double sides = 4 * cells->shape.side_m[0] * cells->shape.side_m[1];
+    for (int i = 0; i < LOADS; i++) {
+        double load = first * pow(last / first, (double)i / (LOADS - 1)), unused;
+        double pressure_Pa = material_pair_pressure(task->pair, load);
+        if (!(pressure_Pa < cells->hardness_Pa))
+            break;
+        if (shape_press(&cells->shape, cells->gap_m, &cells->gap, task->pair->effective_modulus_Pa, cells->hardness_Pa,
+                        pressure_Pa, status) != STATUS_OK)
+            return status->code;
+        const struct shape_spread spread = shape_spread(&cells->shape, cells->hardness_Pa);
+        if (spread.yielding_load > yielding_most)
+            break;
+        for (int way = 0; way < JOINT_WAYS; way++) {
+            double whole, share;
+            if (cells->conductance[way].count == 0)
+                continue;
+            if (shape_resistance(&whole, &share, &cells->shape, &cells->conductance[way], cells->bodies[way], status) !=
+                STATUS_OK)
+                return status->code;
+            double own = exp(-shape_curve_value(&unused, &cells->conductance[way], log(pressure_Pa)));
+            flat.value[way][area.count] = own;
+            over.value[way][area.count] = whole / 4 * sides / own;
+            spots.value[way][area.count] = share;
+        }
+        area.value[0][area.count] = spread.area;
+        area.at[area.count++] = load;
+    }
+    if (area.count < 3)
+        return status_fail(status, STATUS_MODEL,
+                           "the joint's shape: over %g %% of the load lies on cells at the hardness",
+                           100 * yielding_most);
+    out->least = area.at[0];
+    out->most = area.at[area.count - 1];
+    for (int way = 0; way < JOINT_WAYS; way++)
+        if (cells->conductance[way].count > 0 &&
+            (shape_curve_conductance(&out->flat[way], area.at, flat.value[way], area.count, status) != STATUS_OK ||
+             shape_curve_conductance(&out->over[way], area.at, over.value[way], area.count, status) != STATUS_OK ||
+             shape_curve_conductance(&out->spots[way], area.at, spots.value[way], area.count, status) != STATUS_OK))
+            return status->code;
+    return shape_curve_conductance(&out->area, area.at, area.value[0], area.count, status);
+}
+
+enum status_code shaped_make(struct surface_record *record, size_t m, const struct surface_task *asked,
+                             const struct model_task *task, struct status *status)
+{
+    struct joint_task joint = surface_joint(record, asked->scene, asked->plan, task);
+    struct joint_shape *out;
+    struct table *own = calloc(1, sizeof *own);
+    struct cells *cells = calloc(1, sizeof *cells);
+    struct status problem = {0};
+    if (!record->shapes)
+        record->shapes = calloc(model_count, sizeof *record->shapes);
+    enum status_code rc = own && cells && record->shapes ? STATUS_OK : status_memory(&problem);
+    joint.shapes = NULL;
+    if (rc == STATUS_OK)
+        rc = own_curve(own, record, m, task, &joint, &problem);
+    if (rc == STATUS_OK) {
+        cells->hardness_Pa = model_rows[m]->plastic ? task->hardness_Pa : INFINITY;
+        rc = lay_out(cells, &asked->scene->joint, own, task, &problem);
+    }
+    out = record->shapes ? &record->shapes[m] : NULL;
+    if (rc == STATUS_OK)
+        rc = solve(out, cells, task, &problem);
+    if (cells)
+        cells_free(cells);
+    free(cells);
+    free(own);
+    if (rc != STATUS_MODEL)
+        return rc == STATUS_OK ? rc : status_fail(status, rc, "%s", problem.message);
+    joint_shape_free(out);
+    *out = (struct joint_shape){0};
+    note_add(&record->summary.notes, NULL, "no shape with %s: %s", model_rows[m]->label, problem.message);
+    return STATUS_OK;
+}
