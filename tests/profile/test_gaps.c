@@ -101,6 +101,7 @@ TEST_CASE(test_too_many_are_refused)
     struct profile many;
     hard_case("more than a tenth missing", "bridges are most of the roughness", "refused; `max_missing` allows more",
               "read", profile_make(&many, &scan, 0, &as_it_is, &(struct status){0}) == STATUS_OK, 0);
+    profile_free(&many);
     assert_profile_refused(&scan, &as_it_is,
                            "201 of 2000 heights are missing, 10.1 % where 10 % may be; allow more with "
                            "`max_missing`");
