@@ -27,8 +27,8 @@ if(NOT ROUGHCONTACT_SANITIZE AND NOT ROUGHCONTACT_THREAD_SANITIZE)
     set(roughcontact_frames -Wframe-larger-than=49152)
 endif()
 if(ROUGHCONTACT_SANITIZE)
-    target_compile_options(roughcontact_warnings INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
-                           -fno-omit-frame-pointer)
+    target_compile_options(roughcontact_warnings INTERFACE -fsanitize=address,undefined,float-cast-overflow
+                           -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(roughcontact_warnings INTERFACE -fsanitize=address,undefined)
 endif()
 if(ROUGHCONTACT_FUZZ)

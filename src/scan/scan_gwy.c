@@ -81,7 +81,7 @@ static bool take_component(struct bytes *bytes, struct component *out)
     if (bytes_left(bytes) == 0)
         return false;
     out->name = take_string(bytes);
-    out->type = (char)bytes_number(bytes, BYTES_U8);
+    out->type = (char)(unsigned char)bytes_number(bytes, BYTES_U8);
     out->value = *bytes;
     skip_value(bytes, out->type);
     out->value.end = bytes->at;
