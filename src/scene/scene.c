@@ -74,25 +74,6 @@ static bool fail_effect(struct scene_source *source, const struct effect_row *ef
     return false;
 }
 
-/* Two lengths and an area say the same. */
-static bool complete_size(struct scene *scene, struct scene_source *source)
-{
-    double *side_m = scene->joint.size_m, area_m2 = side_m[0] * side_m[1];
-    size_t line = scene_keys_line(source, "shape");
-    if (line == 0)
-        return true;
-    if (area_m2 > 0 && isnan(scene->nominal_area_m2))
-        scene->nominal_area_m2 = area_m2;
-    if (isnan(scene->nominal_area_m2))
-        return scene_source_fail(source, line, "'shape' is of which area? add 'nominal_area', or 'size' to it");
-    if (area_m2 > 0 && !(fabs(area_m2 / scene->nominal_area_m2 - 1) < 1e-3))
-        return scene_source_fail(source, line, "'size' is %g m2 and 'nominal_area' %g m2; correct either", area_m2,
-                                 scene->nominal_area_m2);
-    if (!(area_m2 > 0))
-        side_m[0] = side_m[1] = sqrt(scene->nominal_area_m2);
-    return true;
-}
-
 /* Effects run that a key calls for, unless the command line lists others; none runs without its key. */
 static bool call_effects(struct scene *scene, struct scene_source *source)
 {
@@ -139,7 +120,7 @@ static bool override_values(struct scene *scene, struct scene_source *source, co
         scene->direct.called = scene->effects & direct;
     scene->direct.called = scene->direct.called || overrides->direct || overrides->budget || (scene->effects & direct);
     scene->effects |= scene->direct.called ? direct : 0;
-    return complete_size(scene, source) && call_effects(scene, source);
+    return scene_shape_size(scene, source) && call_effects(scene, source);
 }
 
 static bool override_units(struct scene *scene, struct scene_source *source, const struct scene_overrides *overrides)
@@ -355,9 +336,9 @@ static enum status_code complete(struct scene *scene, struct scene_source *sourc
     struct status *status = source->status;
     if (!complete_keys(scene, source) || !override_values(scene, source, overrides) ||
         (scene->surface_count == 0 && scene_files_list(scene, status) != STATUS_OK) ||
-        !complete_all_bodies(scene, source) || !check_loads(scene, source) || !scene_asked_complete(scene, source) ||
-        !override_units(scene, source, overrides) || !check_left(scene, source) || !check_baseline(scene, source) ||
-        !check_template(scene, source))
+        !complete_all_bodies(scene, source) || !scene_shape_complete(scene, source) || !check_loads(scene, source) ||
+        !scene_asked_complete(scene, source) || !override_units(scene, source, overrides) ||
+        !check_left(scene, source) || !check_baseline(scene, source) || !check_template(scene, source))
         return status->code;
     char *path = realpath(scene->directory, NULL); /* the directory's own name, however it is given */
     if (!scene->title)
@@ -401,6 +382,7 @@ void scene_free(struct scene *scene)
     free(scene->surfaces);
     scene_files_free(&scene->counterface_surface);
     scene_files_free(&(struct scene_surface){.measured = scene->measured});
+    scene_shape_free(scene);
     free(scene->targets);
     free(scene->limits);
     free(scene->load.values);
