@@ -175,6 +175,29 @@ static enum status_code solve_one(struct solved *out, struct cells *cells, const
     return STATUS_OK;
 }
 
+/** Mean pressures of rings about the middle, at the operating load, where that has an answer; else 0. */
+static enum status_code take_rings(struct joint_shape *out, struct cells *cells, const struct model_task *task,
+                                   struct status *status)
+{
+    const struct shape *shape = &cells->shape;
+    const double middle = cells->joint->fields ? 0.5 : 0, *side = shape->side_m;
+    const double mean_Pa = material_pair_pressure(task->pair, task->loads[model_task_operating(task)]);
+    size_t cells_of[JOINT_RINGS] = {0};
+    struct solved unused;
+    if ((cells->joint->fields && cells->joint->fields->share) || !(mean_Pa < cells->hardness_Pa))
+        return STATUS_OK;
+    if (solve_one(&unused, cells, task, mean_Pa, status) != STATUS_OK)
+        return status->code;
+    for (size_t k = 0; k < shape->cells; k++) {
+        double x = ((double)(k % shape->nx) + 0.5) / (double)shape->nx - middle;
+        double y = ((double)(k / shape->nx) + 0.5) / (double)shape->ny - middle;
+        double far = hypot(x * side[0], y * side[1]) / hypot((1 - middle) * side[0], (1 - middle) * side[1]);
+        size_t ring = (size_t)fmin(far * JOINT_RINGS, JOINT_RINGS - 1);
+        out->ring_Pa[ring] += (shape->pressure_Pa[k] - out->ring_Pa[ring]) / (double)++cells_of[ring];
+    }
+    return STATUS_OK;
+}
+
 /** All loads, and the resistances there. */
 static enum status_code solve(struct joint_shape *out, struct cells *cells, const struct model_task *task,
                               struct status *status)
@@ -207,6 +230,8 @@ static enum status_code solve(struct joint_shape *out, struct cells *cells, cons
         return status_fail(status, STATUS_MODEL,
                            "the joint's shape: over %g %% of the load lies on cells at the hardness",
                            100 * yielding_most);
+    if (take_rings(out, cells, task, status) != STATUS_OK)
+        return status->code;
     out->least = area.at[0];
     out->most = area.at[area.count - 1];
     for (int way = 0; way < JOINT_WAYS; way++)

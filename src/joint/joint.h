@@ -50,13 +50,14 @@ struct joint {
 
 /** What the parts' shape makes of one model on one surface, over ln P/(A_n E'): heat, with the gaps; current, with
  * plating and film. Owned: joint_shape_free(). */
-enum { JOINT_HEAT, JOINT_CURRENT, JOINT_WAYS };
+enum { JOINT_HEAT, JOINT_CURRENT, JOINT_WAYS, JOINT_RINGS = 48 };
 struct joint_shape {
     struct shape_curve flat[JOINT_WAYS];  /* resistance of flat parts, [m²K/W] or [ohm m²] */
     struct shape_curve over[JOINT_WAYS];  /* that with the shape, over it */
     struct shape_curve spots[JOINT_WAYS]; /* the spots' share of that */
     struct shape_curve area;              /* share of the nominal area that carries 90 % of the load */
     double least, most;                   /* loads within which it is known */
+    double ring_Pa[JOINT_RINGS];          /* mean pressures at the operating load, from the middle to the corners */
 };
 void joint_shape_free(struct joint_shape *shape);
 /** The share of the nominal area that carries 90 % of the load; NaN: not known. */
