@@ -258,6 +258,9 @@ static bool has_one_modulus(const struct scene *scene)
     return true;
 }
 
+/* P/(A_n E'), to which loads go by themselves. */
+static const double least_by_itself = 1e-12;
+
 /* A load in the kind of the others; 0: none. */
 static double one_load(const struct scene_one_load *one, const struct scene *scene, const struct material_pair *pair)
 {
@@ -266,11 +269,12 @@ static double one_load(const struct scene_one_load *one, const struct scene *sce
     return one->load / scene_load_divisor(scene, one->kind, pair) * scene_load_divisor(scene, scene->load.kind, pair);
 }
 
-static bool check_one_load(const struct scene_one_load *one, const char *key, const struct scene *scene,
+/* The loads reach a decade beyond it where the scene leaves them to the program. */
+static bool check_one_load(const struct scene_one_load *one, const char *key, struct scene *scene,
                            struct scene_source *source)
 {
     size_t line = scene_keys_line(source, key);
-    const struct scene_load *load = &scene->load;
+    struct scene_load *load = &scene->load;
     double least = load->from, most = load->to;
     for (size_t i = 0; load->values && i < load->points; i++) {
         least = i == 0 ? load->values[i] : fmin(least, load->values[i]);
@@ -287,12 +291,16 @@ static bool check_one_load(const struct scene_one_load *one, const char *key, co
             load->kind == UNIT_NUMBER ? "P/(A_n E')" : unit_quantity_name(load->kind));
     struct material_pair pair = scene_pair(bodies_at(scene, 0));
     double value = one_load(one, scene, &pair);
+    if (!load->given && value >= least_by_itself && value <= 1) {
+        load->from = least = fmin(least, value / 10);
+        load->to = most = fmax(most, fmin(10 * value, 1));
+    }
     return (value >= least && value <= most) ||
            scene_source_fail(source, line, "'%s' is %g%s%s, outside the loads, %g to %g", key, value,
                              load->kind == UNIT_NUMBER ? "" : " ", unit_si(load->kind), least, most);
 }
 
-static bool check_loads(const struct scene *scene, struct scene_source *source)
+static bool check_loads(struct scene *scene, struct scene_source *source)
 {
     return check_load_kind(scene, source, "load", scene->load.kind, scene_keys_line(source, "load")) &&
            check_load_kind(scene, source, "loads", scene->direct.kind, scene_keys_line(source, "direct")) &&

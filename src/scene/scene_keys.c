@@ -451,7 +451,7 @@ const struct scene_key scene_keys[] = {
      SCENE_CHOICE(AT(mean_free_path), mean_free_path_names)},
     {"load",
      "{from, to, points}, spaced by equal factors, or {values: [...]}, as P/(A_n E') or with a unit, in which charts "
-     "and tables then stand; default: 1e-6 to 0.1 in 121 points",
+     "and tables then stand; default: 1e-6 to 0.1, and a decade beyond operating_load, in 121 points",
      read_load, .at = AT(load)},
     {"operating_load", "where the first page stands; default: the middle of an area of 0.1 to 10 %", read_one_load,
      .at = AT(operating), LOADS},
