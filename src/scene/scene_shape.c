@@ -13,6 +13,7 @@
 static const double balance = 0.02;    /* between two statements of a force, or of an area */
 static const double same_place = 1e-6; /* of the range of places */
 static const double nut_factor = 0.2;  /* of dry steel: Shigley's Mechanical Engineering Design, sec. 8-8 */
+static const double largest = 1e15;    /* of what a file may hold, in SI */
 static const double hole = 1.1;        /* over the thread: ISO 273, medium */
 enum { BOLTS_MOST = 1000 };
 
@@ -303,11 +304,11 @@ static bool take_columns(struct scene *scene, struct scene_source *source, const
         for (size_t i = 0; good && i < rows; i++) {
             double value = read->rows[i].value[c] * unit->unit.factor;
             room[(size_t)c * rows + i] = value;
-            if (!(isfinite(value) && (value >= 0 || (!parts && c < 2))))
+            if (!(fabs(value) < largest && (value >= 0 || (!parts && c < 2))))
                 good = scene_source_fail(source, shape_line(source), "'%s', line %zu: %s", scene_words_show(file).text,
                                          read->rows[i].line,
-                                         isfinite(value) ? "less than nothing; pressures and areas are positive"
-                                                         : "a number is missing or too large");
+                                         fabs(value) < largest ? "less than nothing; pressures and areas are positive"
+                                                               : "a number is missing or too large");
         }
     }
     good =
