@@ -33,7 +33,7 @@ struct shape_bolts {
 
 /** Pressure [Pa] at the distance r [m] from the middle of one bolt, of Fernlund 1961 (Trans. Chalmers Univ. Technol.
  * 245): a polynomial of order four from the hole b, where its slope is 0, to the reach c, where it ends with its slope
- * and curvature, so p = 5F/(pi (c-b)^5 (c+3b)) (c-r)³ (3r+c-4b). Reach: Rötscher 1927 (Die Maschinenelemente, sec. 92),
+ * and curvature, so p = 5F/(pi (c-b)^5 (c+3b)) (c-r)³ (3r+c-4b). Reach: Rötscher 1927 (Die Maschinenelemente),
  * a cone of 45° from under the head through the thinner part. */
 double shape_bolt_pressure(const struct shape_bolts *bolts, double r_m);
 /** All bolts: each with its whole force, of which none leaves the area. Errors: STATUS_MODEL: one that presses on no
