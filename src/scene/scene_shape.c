@@ -12,7 +12,7 @@
 
 static const double balance = 0.02;    /* between two statements of a force, or of an area */
 static const double same_place = 1e-6; /* of the range of places */
-static const double nut_factor = 0.2;  /* of a bolt in an unknown state: Shigley's Mechanical Engineering Design, sec. 8-8 */
+static const double nut_factor = 0.2;  /* of any bolt: Shigley's Mechanical Engineering Design, sec. 8-8 */
 static const double largest = 1e15;    /* of what a file may hold, in SI */
 static const double hole = 1.1;        /* over the thread: ISO 273, medium */
 enum { BOLTS_MOST = 1000 };
