@@ -47,6 +47,7 @@ struct shape {
     double side_m[2];
     double *pressure_Pa, *ln_pressure; /* of cell i in row j at j nx + i, its middle at (i + 1/2) L_x/nx, ... */
     double *level;                     /* what pressures are solved for: ln(p/(1 - p/H)) */
+    double mean_Pa;                    /* of these; 0: none yet */
     double *table;                     /* the operator on the cosines, in the same order */
     double *room;                      /* the fields that the solvers work in, and those above */
     double *field;
@@ -60,9 +61,9 @@ MUST_CHECK enum status_code shape_make(struct shape *out, size_t nx, size_t ny, 
                                        struct status *status);
 void shape_free(struct shape *shape);
 
-/** Fills the pressures under the mean one, of parts with the gap `gap_m` (g0) when unloaded. None is above the hardness
- * (INFINITY: none), at which the gap closes as far as it has to. Errors: STATUS_MODEL: it does not converge, the mean
- * pressure is not below the hardness; STATUS_MEMORY. */
+/** Fills the pressures under the mean one, beginning from those of the last call, of parts with the gap `gap_m` (g0)
+ * when unloaded. None is above the hardness (INFINITY: none), at which the gap closes as far as it has to. Errors:
+ * STATUS_MODEL: it does not converge, the mean pressure is not below the hardness; STATUS_MEMORY. */
 MUST_CHECK enum status_code shape_press(struct shape *shape, const double *gap_m, const struct shape_curve *gap,
                                         double effective_modulus_Pa, double hardness_Pa, double mean_Pa,
                                         struct status *status);
