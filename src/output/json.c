@@ -45,9 +45,8 @@ static json_t *joint_json(const struct results *results)
     json_t *json = json_object();
     bool gap = plan_runs(results->plan, EFFECT_GAP), heating = plan_runs(results->plan, EFFECT_HEATING);
     if (gap) {
-        const char *names[] = {
-            [JOINT_VACUUM] = "vacuum", [JOINT_GAS] = joint->gas ? joint->gas->name : "", [JOINT_MEDIUM] = "medium"};
-        set_word(json, "gap", names[joint->fill]);
+        const char *names[] = {[JOINT_VACUUM] = "vacuum", [JOINT_GAS] = "", [JOINT_MEDIUM] = "medium"};
+        set_word(json, "gap", joint->gas ? joint->gas->name : names[joint->fill]);
     }
     if (gap && joint->fill == JOINT_GAS) {
         json_set(json, "gap_pressure_Pa", joint->pressure_Pa);

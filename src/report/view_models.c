@@ -324,7 +324,10 @@ void view_joint(json_t *out, const struct view_source *source)
         view_number(part, "temperature_K", joint->temperature_K, 3, "");
         if (joint->fill != JOINT_VACUUM)
             put_range(part, "share", &share, 2);
-        view_text(part, "filler", joint->filler ? joint_filler_names[joint->filler] : "");
+        view_text(part, "filler",
+                  joint->filler                               ? joint_filler_names[joint->filler]
+                  : joint->gas && joint->fill == JOINT_MEDIUM ? joint->gas->name
+                                                              : "");
         view_number(part, "bond_line_um", joint->bond_line_m > 0 ? joint->bond_line_m * 1e6 : NAN, 3, "");
         put_range(part, "conductance", &ranges[QUANTITY_JOINT], 2);
         view_number(part, "radiation", 4 * constant_stefan_boltzmann * pow(joint->temperature_K, 3), 2, "");

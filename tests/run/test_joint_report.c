@@ -72,7 +72,7 @@ TEST_IN_PLACE(columns_follow_from_the_others)
                tcr = number(&contact, i, "tcr_K_m2_per_W"), a = number(&contact, i, "spot_radius_m"),
                n = number(&contact, i, "spots_per_m2"), voltage = number(&contact, i, "contact_voltage_V");
         if (isfinite(y) && y != 0) {
-            double h = gas_conductance(helium, sigma_m, y, jump_m, area, 1e-13);
+            double h = gas_conductance(gas_conductivity(helium, 320), sigma_m, y, jump_m, area, 1e-13);
             expect(number(&contact, i, "gap_W_per_m2K"), h);
             expect(number(&contact, i, "joint_W_per_m2K"), h + 1 / tcr);
             gaps++;
@@ -480,6 +480,9 @@ TEST_IN_PLACE(sentences)
         {"material: tin\ngap: {conductivity: 0.8}\n", ": no bond_line: the filler is as thin as the gaps"},
         {"material: tin\ngap: {filler: pad, bond_line: 100 um}\n",
          "The gaps are filled with pad of 1.00 W/(m·K), at least 100 µm thick."},
+        {"material: tin\ngap: {liquid: water, temperature: 350 K}\n",
+         "The gaps are filled with water of 0.668 W/(m·K)."},
+        {"material: tin\ngap: {gas: SF6}\n", "Gaps are filled with SF6 at 101 kPa and 300 K."},
         {"material: tin\ngap: {gas: air, temperature: 400 K}\n",
          "Radiation would add at most 15 W/(m²·K) to their h_j"},
         {"material: tin\nnominal_area: 4 cm2\nshape: {flatness: 5 um, over: 20 mm}\n",
