@@ -452,6 +452,49 @@ TEST_IN_PLACE(shape_from_files)
     }
 }
 
+/** The first table of the appendix, to its four digits from what stands in data/ at the operating load; without
+ * hardness there is none to paste. */
+TEST_IN_PLACE(to_paste)
+{
+    const char *tail = "gap: {gas: air}\nload: {values: [1e-6, 1e-5, 1e-4]}\noperating_load: 1e-5\n"
+                       "models: [corrected-persson]\neffects: [separation, thermal, gap]\n"
+                       "surfaces: [{name: a, file: a.csv}]\n";
+    static const char *const bodies[] = {"{E: 50 GPa, nu: 0.3, Sy: 20 MPa, conductivity: 60}",
+                                         "{E: 50 GPa, nu: 0.3, conductivity: 60}"};
+    for (int k = 0; k < 2; k++) {
+        directory_write(place, "in/scene.yaml", filled("material: %s\n%s", bodies[k], tail));
+        assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+        struct text report = directory_read(place, "out/report.md");
+        struct table contact = directory_table(place, "out/data/contact.csv");
+        struct table scalars = directory_table(place, "out/data/surfaces.csv");
+        const char *row = strstr(text_string(&report), "# Appendices");
+        row = strstr(row, "## To paste");
+        assert_true(row && (row = strstr(row, "\n| a |")));
+        double modulus_Pa = 50e9 / (1 - 0.09) / 2, shown[6] = {0};
+        row += strlen("\n| a |");
+        for (int c = 0; c < 6; c++) {
+            char *end;
+            shown[c] = strtod(row, &end);
+            shown[c] = end == row ? NAN : shown[c];
+            row = strchr(row, '|') + 1;
+        }
+        assert_near(shown[0], 1e6 * number(&scalars, 0, "rq_m"), 1e-3);
+        assert_near(shown[1], sqrt(2 * number(&scalars, 0, "m2") / M_PI), 1e-3);
+        if (k == 0)
+            assert_near(shown[2], 2.84 * 0.02, 1e-3);
+        assert_true(isnan(shown[2]) == (k == 1));
+        assert_near(shown[3], 1e-5 * modulus_Pa * 1e-6, 1e-3);
+        for (size_t i = 0; i < contact.rows; i++)
+            if (number(&contact, i, "load_over_AnEp") == 1e-5) {
+                assert_near(shown[4], 1 / number(&contact, i, "tcr_K_m2_per_W"), 1e-3);
+                assert_near(shown[5], 1e-6 * number(&contact, i, "joint_W_per_m2K"), 1e-3);
+            }
+        text_free(&report);
+        table_free(&contact);
+        table_free(&scalars);
+    }
+}
+
 /** Vacuum carries nothing, no film adds nothing; tin says when it softens and melts. */
 TEST_IN_PLACE(sentences)
 {
