@@ -470,7 +470,7 @@ TEST_IN_PLACE(to_paste)
         const char *row = strstr(text_string(&report), "# Appendices");
         row = strstr(row, "## To paste");
         assert_true(row && (row = strstr(row, "\n| a |")));
-        double modulus_Pa = 50e9 / (1 - 0.09) / 2, shown[6] = {0};
+        double modulus_Pa = 50e9 / (1 - 0.09), shown[6] = {0};
         row += strlen("\n| a |");
         for (int c = 0; c < 6; c++) {
             char *end;
