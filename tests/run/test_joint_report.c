@@ -495,6 +495,34 @@ TEST_IN_PLACE(to_paste)
     }
 }
 
+/** A flatness that is not given, of a hundredth of a percent of the length, is said to cost what it costs where it is
+ * given; without area, with a shape, or where it is little, nothing is said. */
+TEST_IN_PLACE(flatness_that_is_not_given)
+{
+    static const char said[] = ", as of good ground parts, would divide the conductance by ";
+    static const char *const silent[] = {"", "nominal_area: 1e-3 mm2\n",
+                                         "nominal_area: 4 cm2\nshape: {flatness: 5 um, over: 20 mm}\n"};
+    const char *rest = "material: copper\ncounterface: aluminium\nload: {from: 1 bar, to: 500 bar, points: 61}\n"
+                       "operating_load: 10 bar\nmodels: [corrected-persson]\ngap: {gas: vacuum}\n"
+                       "targets: [{conductance: 1e4 W/m2/K}]\nsurfaces: [{name: a, file: a.csv}]\n";
+    struct text report = report_on(place, filled("nominal_area: 4 cm2\n%s", rest));
+    expect_parts(text_string(&report), "Flatness, not given: 2.0");
+    const char *found = strstr(text_string(&report), said);
+    assert_non_null(found);
+    double factor = strtod(found + strlen(said), NULL);
+    text_free(&report);
+    report = report_on(place, filled("nominal_area: 4 cm2\nshape: {flatness: 2 um, over: 20 mm}\n%s", rest));
+    found = strstr(text_string(&report), "divides the conductance by ");
+    assert_non_null(found);
+    assert_near(factor, strtod(found + strlen("divides the conductance by "), NULL), 0.05);
+    text_free(&report);
+    for (size_t i = 0; i < sizeof silent / sizeof *silent; i++) {
+        report = report_on(place, filled("%s%s", silent[i], rest));
+        assert_null(strstr(text_string(&report), "Flatness, not given"));
+        text_free(&report);
+    }
+}
+
 /** Vacuum carries nothing, no film adds nothing; tin says when it softens and melts. */
 TEST_IN_PLACE(sentences)
 {
