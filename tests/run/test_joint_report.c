@@ -499,7 +499,7 @@ TEST_IN_PLACE(to_paste)
  * given; without area, with a shape, or where it is little, nothing is said. */
 TEST_IN_PLACE(flatness_that_is_not_given)
 {
-    static const char said[] = ", as of good ground parts, would divide the conductance by ";
+    static const char said[] = " would divide the conductance by ";
     static const char *const silent[] = {"", "nominal_area: 1e-3 mm2\n",
                                          "nominal_area: 4 cm2\nshape: {flatness: 5 um, over: 20 mm}\n"};
     const char *rest = "material: copper\ncounterface: aluminium\nload: {from: 1 bar, to: 500 bar, points: 61}\n"
