@@ -468,7 +468,7 @@ TEST_IN_PLACE(to_paste)
         struct table contact = directory_table(place, "out/data/contact.csv");
         struct table scalars = directory_table(place, "out/data/surfaces.csv");
         const char *row = strstr(text_string(&report), "# Appendices");
-        row = strstr(row, "## To paste");
+        row = strstr(row, "## To paste into");
         assert_true(row && (row = strstr(row, "\n| a |")));
         double modulus_Pa = 50e9 / (1 - 0.09), shown[6] = {0};
         row += strlen("\n| a |");
