@@ -38,7 +38,7 @@ static const struct wild_key {
     {"gap",
      6,
      {"{gas: air}", "{conductivity: 0.8 W/m/K}", "{gas: vacuum}", "{filler: pad, bond_line: 1 um}",
-      "{gas: helium, pressure: 1e-9, temperature: 1e4, accommodation: 1e-3}"}},
+      "{gas: helium, pressure: 1e-9, temperature: 600, accommodation: 1e-3}", "{liquid: water}"}},
     {"targets",
      8,
      {"[{area: 5 %}]", "[{ecr: 1e-12 ohm m2}, {area: 99.9 %}]", "[{tcr: 1e-9 K m2/W}, {conductance: 1e12}]"}},

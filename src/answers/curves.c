@@ -239,7 +239,7 @@ static void note_joint(struct surface_record *record, const struct scene *scene,
     const struct joint_layer *metal = &joint_platings[joint->plating];
     struct note_list *notes = &record->summary.notes;
     const double thick_m = joint->plating_thickness_m;
-    if (plan_runs(plan, EFFECT_GAP) && joint->fill == JOINT_MEDIUM && !(joint->bond_line_m > 0))
+    if (plan_runs(plan, EFFECT_GAP) && joint->fill == JOINT_MEDIUM && !joint->gas && !(joint->bond_line_m > 0))
         note_add(notes, NULL, "no bond_line: the filler is as thin as the gaps, which none is; give it, such as 25 um");
     if (plan_runs(plan, EFFECT_PLATING) && joint->plating && (thick_m < metal->least_m || thick_m > metal->most_m))
         note_add(notes, NULL, "%.3g um of %s, of which %.3g to %.3g um are usual", thick_m * 1e6,

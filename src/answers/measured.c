@@ -9,6 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+const double measured_tells = 20;
+
 static const char *const column_keys[] = {[MEASURED_LOAD] = "load_unit", [MEASURED_RESISTANCE] = "resistance_unit"};
 
 /** Completes the file's units with the scene's; what both say has to be the same. */
@@ -261,6 +263,88 @@ enum status_code measured_fit(struct measured_answers *out, const struct measure
     enum status_code rc =
         estimate_make(&out->fit, runs > 1 ? mean : ratio, NULL, runs > 1 ? runs : points, true, status);
     free(ratio);
+    return rc;
+}
+
+/** Least squares of the logarithms of conductance over `by`, whose runs have each their own level; slope NaN: fitted.
+ * Returns the sum of squares that it leaves, of points whose logarithms are not known better than 1e-9. */
+static double leaves(double *slope, double *spread, const double *by, const double *of, const size_t *run, size_t count,
+                     size_t runs)
+{
+    double xx = 0, xy = 0, yy = 0;
+    for (size_t r = 0; r < runs; r++) {
+        double x = 0, y = 0, n = 0;
+        for (size_t i = 0; i < count; i++)
+            if (run[i] == r) {
+                x += by[i];
+                y += of[i];
+                n++;
+            }
+        for (size_t i = 0; i < count; i++)
+            if (run[i] == r) {
+                xx += (by[i] - x / n) * (by[i] - x / n);
+                xy += (by[i] - x / n) * (of[i] - y / n);
+                yy += (of[i] - y / n) * (of[i] - y / n);
+            }
+    }
+    *slope = isnan(*slope) ? xy / xx : *slope;
+    *spread = xx;
+    return fmax(yy - 2 * *slope * xy + *slope * *slope * xx, 1e-18 * (double)count);
+}
+
+/** With the scatter and the levels integrated out, the likelihood of an exponent goes as the squares that it leaves to
+ * the power -(points - runs)/2; one that is fitted is averaged over all from 0 to 1. */
+static void find_mark(struct measured_exponent *out, const double *ln_load, const double *ln_model,
+                      const double *ln_conductance, const size_t *run, size_t count, size_t runs)
+{
+    static const double exponents[MEASURED_MARKS] = {
+        [MEASURED_ROUGH] = 1, [MEASURED_ELASTIC_SPOT] = 1.0 / 3, [MEASURED_PLASTIC_SPOT] = 0.5, [MEASURED_FILM] = 1,
+        [MEASURED_BULK] = 0,  [MEASURED_NOT_FLAT] = NAN};
+    const double freedom = (double)(count - runs);
+    double ln_likely[MEASURED_MARKS], spread, fitted = NAN, best = -INFINITY, next = -INFINITY;
+    double least = leaves(&fitted, &spread, ln_load, ln_conductance, run, count, runs);
+    out->model = NAN;
+    leaves(&out->model, &spread, ln_load, ln_model, run, count, runs);
+    out->measured = fitted;
+    out->sd = sqrt(least / (freedom - 1) / spread);
+    for (int k = 0; k < MEASURED_MARKS; k++) {
+        double slope = exponents[k], unused;
+        double left =
+            leaves(&slope, &unused, k == MEASURED_ROUGH ? ln_model : ln_load, ln_conductance, run, count, runs);
+        ln_likely[k] = -freedom / 2 * log(left);
+        ln_likely[k] += k == MEASURED_NOT_FLAT ? log(fmin(sqrt(2 * M_PI) * out->sd, 1)) : 0;
+        next = fmax(next, fmin(best, ln_likely[k]));
+        out->mark = ln_likely[k] > best ? (enum measured_mark)k : out->mark;
+        best = fmax(best, ln_likely[k]);
+    }
+    out->times = exp(fmin(best - next, 300));
+    if (out->mark == MEASURED_NOT_FLAT && !(fitted > 0 && fitted < 1)) /* it is a mark of none of these */
+        out->times = NAN;
+}
+
+enum status_code measured_mark(struct measured_answers *out, const struct measured *measured, struct status *status)
+{
+    double *at = calloc(3 * measured->count + 1, sizeof *at);
+    size_t *run = calloc(measured->count + 1, sizeof *run), count = 0, runs = 0;
+    double *model = at + measured->count, *conductance = model + measured->count;
+    if (at && run)
+        for (size_t r = 0; r < measured->run_count; r++) {
+            size_t before = count;
+            for (size_t i = measured->runs[r].first; i <= measured->runs[r].turn; i++) {
+                at[count] = log(measured->load[i]);
+                model[count] = -log(out->resistance[out->fitted * measured->count + i]);
+                conductance[count] = -log(measured->resistance[i]);
+                run[count] = runs;
+                count += isfinite(at[count]) && isfinite(model[count]) && isfinite(conductance[count]);
+            }
+            runs += count > before;
+        }
+    out->exponent = (struct measured_exponent){.measured = NAN, .model = NAN, .sd = NAN, .times = NAN};
+    if (count >= runs + 3)
+        find_mark(&out->exponent, at, model, conductance, run, count, runs);
+    enum status_code rc = at && run ? STATUS_OK : status_memory(status);
+    free(at);
+    free(run);
     return rc;
 }
 

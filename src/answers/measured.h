@@ -33,12 +33,30 @@ struct measured {
 #define MEASURED_LOADING   model_count
 #define MEASURED_UNLOADING (model_count + 1)
 
+/** What the growth of conductance with load is a mark of. */
+enum measured_mark {
+    MEASURED_ROUGH,        /* as the model's own curve, about P^.95 */
+    MEASURED_ELASTIC_SPOT, /* one spot, P^1/3 */
+    MEASURED_PLASTIC_SPOT, /* P^1/2 */
+    MEASURED_FILM,         /* that all heat or current goes through, P^1 */
+    MEASURED_BULK,         /* P^0 */
+    MEASURED_NOT_FLAT,     /* any between */
+    MEASURED_MARKS
+};
+struct measured_exponent {
+    double measured, sd, model; /* d ln G/d ln P; NaN: fewer than 3 points more than runs */
+    enum measured_mark mark;    /* the likeliest, */
+    double times;               /* times as likely as the next; NaN: it is beyond all */
+};
+extern const double measured_tells; /* times, from which it is said */
+
 /** What the models say at the measured loads, as far as these lie within the run's. Owned: measured_answers_free(). */
 struct measured_answers {
     double *resistance;  /* [model, branch][measured point]; NaN: beyond the run's loads, or none */
     struct estimate fit; /* measured over predicted conductance, by measured_fit(); count 0: none */
     size_t fitted;       /* the model */
-    bool carried;        /* targets' loads are solved with that factor */
+    struct measured_exponent exponent;
+    bool carried; /* targets' loads are solved with that factor */
 };
 
 /** The models' quantity that measurements are held against with these EFFECT_BITs: the resistance with film and plating
@@ -53,6 +71,9 @@ MUST_CHECK enum status_code measured_answer(struct measured_answers *out, const 
  * of several runs that of the runs' means. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code measured_fit(struct measured_answers *out, const struct measured *measured, size_t m,
                                          struct status *status);
+/** Fills `exponent`, of the loading points, beside the model of measured_fit(). Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code measured_mark(struct measured_answers *out, const struct measured *measured,
+                                          struct status *status);
 void measured_answers_free(struct measured_answers *answers);
 
 /** How far a model is from the measurements, over the loads that it answers. */

@@ -50,7 +50,8 @@ static int print(json_t *rows, bool as_json)
             snprintf(number, sizeof number, "%.6g", json_number_value(value));
             if (before > 0)
                 text_add(&text, "  %-*s", KEY_WIDTH, key);
-            else if (strcmp(key, "plating") == 0 || strcmp(key, "filler") == 0)
+            else if (strcmp(key, "plating") == 0 || strcmp(key, "filler") == 0 || strcmp(key, "gas") == 0 ||
+                     strcmp(key, "liquid") == 0)
                 text_add(&text, "%s ", key);
             text_add_wrapped(&text, json_is_string(value) ? json_string_value(value) : number, WIDTH, before);
             text_add(&text, "\n");
@@ -115,6 +116,17 @@ int command_materials(int argc, char **argv)
                                                   layer->most_m, "hardness_Pa",
                                                   layer->hardness_Pa > 0 ? json_real(layer->hardness_Pa) : NULL,
                                                   "source", layer->source));
+    }
+    for (size_t i = 0; i < gas_count + gas_liquid_count; i++) {
+        const bool liquid = i >= gas_count;
+        const struct gas *fluid = liquid ? &gas_liquids[i - gas_count] : &gas_table[i];
+        json_array_append_new(rows,
+                              json_pack("{s:s, s:f, s:f, s:f, s:o*, s:o*, s:o*, s:s}", liquid ? "liquid" : "gas",
+                                        fluid->name, "conductivity_W_per_mK", fluid->conductivity_W_per_mK,
+                                        "least_temperature_K", fluid->least_K, "most_temperature_K", fluid->most_K,
+                                        "prandtl", liquid ? NULL : json_real(gas_prandtl(fluid)), "heat_ratio",
+                                        liquid ? NULL : json_real(fluid->heat_ratio), "accommodation",
+                                        liquid ? NULL : json_real(fluid->accommodation), "source", fluid->source));
     }
     return print(rows, json);
 }

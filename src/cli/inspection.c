@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/inspection.h"
+#include "contact/cmy.h"
 #include "output/record.h"
 
 #include <math.h>
@@ -211,6 +212,7 @@ json_t *inspection_view(const char *path, const struct inspection *f)
     show_lengths(view);
     show(view, "length_mm", f->length_m * 1e3, 6);
     show(view, "m2", f->roughness.m2, 6);
+    show(view, "slope", cmy_slope(f->roughness.m2), 6);
     show(view, "m4_per_um2", f->roughness.m4_per_m2 * 1e-12, 6);
     show(view, "from_um", law->band_m[0] * 1e6, 3);
     show(view, "to_um", law->band_m[1] * 1e6, 3);

@@ -6,26 +6,29 @@
 
 #include <stddef.h>
 
-/** A gas at 300 K and 101325 Pa. */
+/** A gas at 300 K and 101325 Pa, or a liquid at 300 K, of which only the conductivity is known. */
 struct gas {
     const char *name; /* scene spelling */
     double conductivity_W_per_mK;
+    double exponent, bend;  /* over x = ln(T/300 K): k = k_300 exp(exponent x + bend x²), */
+    double least_K, most_K; /* within these: of the data, and above its boiling point, or between freezing and that */
     double viscosity_Pa_s;
     double specific_heat_J_per_kgK; /* c_p */
     double molar_mass_kg;           /* of a mole */
     double heat_ratio;              /* gamma = c_p/c_v */
+    double accommodation;           /* on engineering metals, about 300 K */
     const char *source;
 };
 
-extern const struct gas gas_table[];
-extern const size_t gas_count;
+extern const struct gas gas_table[], gas_liquids[];
+extern const size_t gas_count, gas_liquid_count;
 extern const double gas_table_temperature_K, gas_table_pressure_Pa;
-/** Accommodation coefficient of air, nitrogen and argon on engineering metals; helium has 0.35 to 0.5. */
-extern const double gas_accommodation;
 
 /** The gas of that name (case-insensitive), NULL when there is none. */
 const struct gas *gas_find(const char *name);
 
+/** k [W/m/K] at a temperature within its limits. */
+double gas_conductivity(const struct gas *gas, double temperature_K);
 /** Pr = mu c_p/k. */
 double gas_prandtl(const struct gas *gas);
 
@@ -41,9 +44,9 @@ double gas_jump_length(const struct gas *gas, double temperature_K, double press
  * conducting as k_g/(t sigma + M). M > 0; relative `tolerance`. */
 double gas_gap_integral(double separation_over_sigma, double jump_over_sigma, double tolerance);
 
-/** h_g [W/m²/K] of `gas` at mean separation Y: k_g/sigma times the integral, for Y >= 0 (a negative one counts as 0),
+/** h_g [W/m²/K] of a gas at mean separation Y: k_g/sigma times the integral, for Y >= 0 (a negative one counts as 0),
  * on the part 1 - A/A_n of the area that does not touch. Without roughness (sigma = 0) k_g/(Y + M). Vacuum: 0. */
-double gas_conductance(const struct gas *gas, double sigma_m, double separation_m, double jump_length_m,
+double gas_conductance(double conductivity_W_per_mK, double sigma_m, double separation_m, double jump_length_m,
                        double area_ratio, double tolerance);
 
 #endif

@@ -50,7 +50,7 @@ struct joint joint_default(void)
     return (struct joint){.fill = JOINT_GAS,
                           .gas = &gas_table[0],
                           .pressure_Pa = gas_table_pressure_Pa,
-                          .accommodation = gas_accommodation,
+                          .accommodation = gas_table[0].accommodation,
                           .conductivity_W_per_mK = NAN,
                           .temperature_K = gas_table_temperature_K,
                           .film_ohm_m2 = NAN,
@@ -93,8 +93,8 @@ static double make_gap(const struct making *of)
         return separation_m > 0 ? open * joint->conductivity_W_per_mK / separation_m : NAN;
     double jump_m = gas_jump_length(joint->gas, joint->temperature_K, joint->pressure_Pa, joint->accommodation,
                                     joint->accommodation);
-    return gas_conductance(joint->gas, of->task->sigma_m, separation_m, jump_m, of->value[QUANTITY_AREA],
-                           of->task->tolerance);
+    return gas_conductance(gas_conductivity(joint->gas, joint->temperature_K), of->task->sigma_m, separation_m, jump_m,
+                           of->value[QUANTITY_AREA], of->task->tolerance);
 }
 
 static double make_joint(const struct making *of)

@@ -30,7 +30,7 @@ extern const struct joint_layer joint_platings[JOINT_PLATINGS], joint_fillers[JO
 /** A joint; a member counts when its effect is called for. */
 struct joint {
     enum joint_fill fill;
-    const struct gas *gas;
+    const struct gas *gas; /* or the liquid of a medium; NULL: neither */
     double pressure_Pa, accommodation;
     double conductivity_W_per_mK; /* of a medium */
     double bond_line_m;           /* least thickness of a medium; 0: that of the gaps */

@@ -45,9 +45,8 @@ static json_t *joint_json(const struct results *results)
     json_t *json = json_object();
     bool gap = plan_runs(results->plan, EFFECT_GAP), heating = plan_runs(results->plan, EFFECT_HEATING);
     if (gap) {
-        const char *names[] = {
-            [JOINT_VACUUM] = "vacuum", [JOINT_GAS] = joint->gas ? joint->gas->name : "", [JOINT_MEDIUM] = "medium"};
-        set_word(json, "gap", names[joint->fill]);
+        const char *names[] = {[JOINT_VACUUM] = "vacuum", [JOINT_GAS] = "", [JOINT_MEDIUM] = "medium"};
+        set_word(json, "gap", joint->gas ? joint->gas->name : names[joint->fill]);
     }
     if (gap && joint->fill == JOINT_GAS) {
         json_set(json, "gap_pressure_Pa", joint->pressure_Pa);
@@ -107,8 +106,7 @@ static json_t *scene_json(const struct results *results)
         json_object_set_new(json, "joint", joint_json(results));
     json_set_all(json, "shape_size_m", scene->joint.size_m,
                  scene->joint.bulge_per_m > 0 || scene->joint.fields ? 2 : 0);
-    json_set(json, "shape_force_N",
-             scene->joint.pressed ? scene->joint.fields->mean * scene->nominal_area_m2 : NAN);
+    json_set(json, "shape_force_N", scene->joint.pressed ? scene->joint.fields->mean * scene->nominal_area_m2 : NAN);
     json_set(json, "shape_bulge_per_m", scene->joint.bulge_per_m > 0 ? scene->joint.bulge_per_m : NAN);
     json_set(json, "effective_modulus_Pa", pair.unknown ? NAN : pair.effective_modulus_Pa);
     json_set(json, "hardness_Pa", pair.unknown ? NAN : pair.hardness_Pa);

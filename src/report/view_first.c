@@ -5,6 +5,7 @@
 #include "answers/direct_study.h"
 #include "base/number_format.h"
 #include "certainty/sensitivity.h"
+#include "joint/flatness.h"
 #include <math.h>
 
 enum { DIGITS = 2, NAMED_MOST = 3 };
@@ -588,6 +589,32 @@ static void put_limits(json_t *out, const struct view_source *source, bool few_w
     view_separate(list);
 }
 
+/** What the parts' shape may do where the scene does not say how flat they are: on the baseline. */
+static void put_flatness(json_t *out, const struct view_source *source)
+{
+    const struct results *results = source->results;
+    const struct surface_record *record = source->baseline;
+    const enum quantity asked = source->asked.quantity;
+    const int way = asked == QUANTITY_ECR || asked == QUANTITY_JOINT_ECR ? JOINT_CURRENT : JOINT_HEAT;
+    const struct joint_task joint = {&results->scene->joint, &record->summary.pair,
+                                     .nominal_area_m2 = results->scene->nominal_area_m2,
+                                     .effects = results->plan->running};
+    if (plan_runs(results->plan, EFFECT_SHAPE) || !(joint.nominal_area_m2 > 0) || record->summary.pair.unknown ||
+        !record->curves || !record->curves[source->leading].exists ||
+        (way == JOINT_HEAT && asked != QUANTITY_TCR && asked != QUANTITY_JOINT))
+        return;
+    const double factor = flatness_factor(&record->curves[source->leading], model_rows[source->leading], &joint,
+                                          results_operating_load(results, results->baseline), way);
+    if (!(factor >= 1.05))
+        return;
+    json_t *item = view_part(out, "flatness");
+    const double side_m = sqrt(joint.nominal_area_m2);
+    view_number(item, "factor", factor, DIGITS, "");
+    view_number(item, "bulge", flatness_usual * side_m * 1e6, DIGITS, "µm");
+    view_number(item, "over", side_m * 1e3, DIGITS, "mm");
+    view_flag(item, "current", way == JOINT_CURRENT);
+}
+
 /* ---- The table ---- */
 
 static const char *const verdict_names[] = {
@@ -785,6 +812,7 @@ void view_first_page(json_t *out, const struct view_source *source)
     view_flag(out, "strips_in_part", in_part && model_rows[source->leading]->uses_strip);
     bool few_waves = waves < SURFACE_LONGEST_WAVES && !model_rows[source->leading]->uses_map; /* which is no scan */
     put_limits(out, source, few_waves);
+    put_flatness(out, source);
     if (few_waves)
         view_number(out, "longest_waves", waves, DIGITS, "");
     put_maps(out, source);

@@ -4,6 +4,7 @@
 
 #include "answers/direct_study.h"
 #include "base/constants.h"
+#include "base/number_format.h"
 #include "joint/heating.h"
 #include <math.h>
 
@@ -324,7 +325,10 @@ void view_joint(json_t *out, const struct view_source *source)
         view_number(part, "temperature_K", joint->temperature_K, 3, "");
         if (joint->fill != JOINT_VACUUM)
             put_range(part, "share", &share, 2);
-        view_text(part, "filler", joint->filler ? joint_filler_names[joint->filler] : "");
+        view_text(part, "filler",
+                  joint->filler                               ? joint_filler_names[joint->filler]
+                  : joint->gas && joint->fill == JOINT_MEDIUM ? joint->gas->name
+                                                              : "");
         view_number(part, "bond_line_um", joint->bond_line_m > 0 ? joint->bond_line_m * 1e6 : NAN, 3, "");
         put_range(part, "conductance", &ranges[QUANTITY_JOINT], 2);
         view_number(part, "radiation", 4 * constant_stefan_boltzmann * pow(joint->temperature_K, 3), 2, "");
@@ -389,6 +393,25 @@ static void put_branches(json_t *out, const struct view_source *source, size_t s
     }
 }
 
+/** What the measured growth with load is a mark of, where the points tell. */
+static void put_exponent(json_t *out, const struct measured_exponent *exponent)
+{
+    static const char *const names[MEASURED_MARKS] = {"rough", "elastic_spot", "plastic_spot",
+                                                      "film",  "bulk",         "not_flat"};
+    if (!isfinite(exponent->measured) || !isfinite(exponent->model))
+        return;
+    json_t *item = view_part(out, "exponent");
+    struct text own = {0};
+    number_format_uncertain(&own, exponent->measured, exponent->sd);
+    view_text(item, "measured", text_string(&own));
+    text_free(&own);
+    view_number(item, "model", exponent->model, 2, "");
+    if (!(exponent->times > measured_tells))
+        return;
+    view_flag(item, names[exponent->mark], true);
+    view_number(item, "times", fmin(exponent->times, 1e6), 2, "");
+}
+
 /** How far each model is from what was measured on a surface. */
 static void put_measured_models(json_t *item, const struct view_source *source, size_t surface)
 {
@@ -409,6 +432,7 @@ static void put_measured_models(json_t *item, const struct view_source *source, 
     if (rank.nearest < model_count)
         view_text(item, "nearest", model_rows[rank.nearest]->label);
     put_branches(item, source, surface);
+    put_exponent(item, &answers->exponent);
     view_counted(item, "points", measured->count, NULL);
     if (measured->run_count > 1)
         view_count(item, "runs", measured->run_count);

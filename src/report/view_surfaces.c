@@ -3,8 +3,10 @@
 #include "report/view.h"
 
 #include "base/number_format.h"
+#include "contact/cmy.h"
 #include "profile/level.h"
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -31,6 +33,30 @@ void view_law(json_t *out, const struct power_law *law)
     view_number(out, "alpha", law->alpha, 3, "");
 }
 
+/** As such a program's field takes it: 1.727e+04. */
+static void put_plain(json_t *row, const char *name, double value)
+{
+    char text[32];
+    snprintf(text, sizeof text, "%.4g", value);
+    if (isfinite(value))
+        view_text(row, name, text);
+}
+
+/** What programs of finite elements ask of a pair of rough surfaces, in their units, at the operating load. */
+static void put_constants(json_t *row, const struct view_source *source, size_t surface)
+{
+    const struct surface_summary *s = view_summary(source, surface);
+    const struct contact_point at = comparison_middle(source->results, source->leading, surface);
+    const double load = results_operating_load(source->results, surface), joint = at.value[QUANTITY_JOINT];
+    const double spots = 1 / at.value[QUANTITY_TCR];
+    put_plain(row, "sigma_um", s->roughness.rq_m * 1e6);
+    put_plain(row, "slope", cmy_slope(s->roughness.m2));
+    put_plain(row, "hardness_GPa", s->pair.hardness_Pa > 0 ? s->pair.hardness_Pa * 1e-9 : NAN);
+    put_plain(row, "pressure_MPa", s->pair.unknown ? NAN : material_pair_pressure(&s->pair, load) * 1e-6);
+    put_plain(row, "spots_W_per_m2K", spots);
+    put_plain(row, "tcc_W_per_mm2K", (isfinite(joint) ? joint : spots) * 1e-6);
+}
+
 static void put_surface(json_t *row, const struct view_source *source, size_t surface)
 {
     const struct surface_summary *s = view_summary(source, surface);
@@ -45,6 +71,7 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
     view_flag(row, "rows_of_a_map", repeats->count > 0 && repeats->scans == 1);
     view_some(row, "pieces", repeats->cut);
     view_number(row, "heights", comparison_heights_factor(source->results, surface, QUANTITY_ECR), 2, "");
+    put_constants(row, source, surface);
     view_law(view_part(row, "line"), &s->line);
     view_number(row, "line_rms", s->line.misfit_decades, 2, "");
     view_flag(row, "no_law", law->found == POWER_LAW_BAND_NONE);

@@ -343,22 +343,25 @@ static bool read_direct(struct scene_source *source, const struct scene_key *key
                                 direct->seeds, limit_words(LIMIT_DIRECT_POINTS).text);
 }
 
-static bool read_gas(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
+static bool read_fluid(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
 {
     struct joint *joint = field;
-    const char *names[SCENE_KEYS_MOST]; /* those of the table, then none */
-    struct scene_key gases = *key;
-    unsigned gas;
-    assert(gas_count < SCENE_KEYS_MOST);
-    for (size_t i = 0; i < gas_count; i++)
-        names[i] = gas_table[i].name;
-    names[gas_count] = "vacuum";
-    gases.choices = names;
-    gases.choice_count = gas_count + 1;
-    if (!scene_source_choice(source, &gases, value, &gas))
+    const char *names[SCENE_KEYS_MOST]; /* those of the table, then of gases none */
+    const bool liquid = strcmp(key->name, "liquid") == 0;
+    const struct gas *table = liquid ? gas_liquids : gas_table;
+    const size_t count = liquid ? gas_liquid_count : gas_count;
+    struct scene_key fluids = *key;
+    unsigned fluid;
+    assert(count < SCENE_KEYS_MOST);
+    for (size_t i = 0; i < count; i++)
+        names[i] = table[i].name;
+    names[count] = "vacuum";
+    fluids.choices = names;
+    fluids.choice_count = liquid ? count : count + 1;
+    if (!scene_source_choice(source, &fluids, value, &fluid))
         return false;
-    joint->gas = gas < gas_count ? &gas_table[gas] : NULL;
-    joint->fill = joint->gas ? JOINT_GAS : JOINT_VACUUM;
+    joint->gas = fluid < count ? &table[fluid] : NULL;
+    joint->fill = liquid ? JOINT_MEDIUM : joint->gas ? JOINT_GAS : JOINT_VACUUM;
     return true;
 }
 
@@ -370,16 +373,19 @@ static bool read_gap(struct scene_source *source, const struct scene_key *key, c
         {"conductivity", NULL, SCENE_QUANTITY(JOINT(conductivity_W_per_mK), UNIT_CONDUCTIVITY, 1e-6, 1e4)},
         {"filler", NULL, SCENE_CHOICE(JOINT(filler), joint_filler_names)},
         {"bond_line", NULL, SCENE_QUANTITY(JOINT(bond_line_m), UNIT_DISTANCE, 1e-9, 1.0)},
-        {"gas", NULL, read_gas, .at = 0},
+        {"gas", NULL, read_fluid, .at = 0},
         {"pressure", NULL, SCENE_QUANTITY(JOINT(pressure_Pa), UNIT_PRESSURE, 0.0, 1e9)},
         {"accommodation", NULL, SCENE_NUMBER(JOINT(accommodation), 1e-3, 1.0)},
         {"temperature", NULL, SCENE_QUANTITY(JOINT(temperature_K), UNIT_TEMPERATURE, 1.0, 1e4)},
+        {"liquid", NULL, read_fluid, .at = 0},
     };
     struct joint *joint = field;
     size_t lines[SCENE_COUNT(keys)];
     if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys), lines, field))
         return false;
     bool medium = lines[0] || joint->filler;
+    if (lines[7] && (medium || lines[2] || lines[3] || lines[4] || lines[5]))
+        return scene_source_fail(source, lines[7], "a liquid stands alone, beside 'temperature'; remove the others");
     if (medium && (lines[3] || lines[4] || lines[5]))
         return scene_source_fail(source, lines[lines[0] ? 0 : 1], "a filler stands beside a gas; remove either");
     if (lines[2] && !medium)
@@ -387,6 +393,17 @@ static bool read_gap(struct scene_source *source, const struct scene_key *key, c
     if (joint->filler && !lines[0])
         joint->conductivity_W_per_mK = joint_fillers[joint->filler].value;
     joint->fill = medium ? JOINT_MEDIUM : joint->fill;
+    joint->gas = medium ? NULL : joint->gas;
+    const struct gas *fluid = joint->gas;
+    if (fluid && !(joint->temperature_K >= fluid->least_K && joint->temperature_K <= fluid->most_K))
+        return scene_source_fail(source, lines[6] ? lines[6] : lines[7],
+                                 "%s at %g K: known as a %s at 1 atm from %g to %g K; correct 'temperature'",
+                                 fluid->name, joint->temperature_K, lines[7] ? "liquid" : "gas", fluid->least_K,
+                                 fluid->most_K);
+    if (lines[7])
+        joint->conductivity_W_per_mK = gas_conductivity(fluid, joint->temperature_K);
+    if (fluid && !lines[5])
+        joint->accommodation = fluid->accommodation;
     return true;
 }
 
@@ -507,9 +524,11 @@ const struct scene_key scene_keys[] = {
      "solution; default: off",
      read_direct, .at = AT(direct)},
     {"gap",
-     "{gas: air, nitrogen, helium, argon or vacuum, pressure, temperature, accommodation} or {filler: silicone grease, "
-     "filled grease, pad or gallium alloy, or its conductivity, bond_line} of what fills the gaps: the heat that it "
-     "carries; default: nothing is said of it",
+     "{gas: air, nitrogen, helium, argon, hydrogen, carbon dioxide, SF6, neon, krypton or vacuum, pressure, "
+     "temperature, "
+     "accommodation}, {liquid: water, oil or glycerin, temperature} or {filler: silicone grease, filled grease, pad or "
+     "gallium alloy, or its conductivity, bond_line} of what fills the gaps: the heat that it carries; default: "
+     "nothing is said of it",
      read_gap, .at = AT(joint)},
     {"film", "insulating film on the spots, a resistance times an area; default: none",
      SCENE_QUANTITY(AT(joint.film_ohm_m2), UNIT_RESISTANCE_AREA, 0.0, 1e6)},

@@ -353,6 +353,61 @@ static struct estimate fit_made(size_t runs, double points_sd, double runs_sd, c
     return fit;
 }
 
+/** The mark of two runs of `points` loads over two decades whose conductance goes as P^power, power NaN: as the
+ * model's, P^0.95 bent by 5 %, off by what points scatter; runs differ by a factor 3. */
+static struct measured_exponent mark_made(double power, size_t points, double sd, const gsl_rng *random)
+{
+    enum { MOST = 40 };
+    double loads[MOST], ohm_m2[MOST];
+    struct measured_run parts[2] = {{0, points - 1, points}, {points, 2 * points - 1, 2 * points}};
+    struct measured measured = {
+        .count = 2 * points, .run_count = 2, .runs = parts, .load = loads, .resistance = ohm_m2};
+    struct measured_answers answers = no_answers(&measured);
+    struct status status = {0};
+    answers.fitted = 1;
+    for (size_t i = 0; i < 2 * points; i++) {
+        double x = log(100) * (double)(i % points) / (double)(points - 1), curve = 0.95 * x - 0.01 * x * x;
+        loads[i] = 1e-6 * exp(x);
+        answers.resistance[measured.count + i] = 1e-8 * exp(-curve);
+        ohm_m2[i] = (i < points ? 1e-8 : 3e-8) * exp(gsl_ran_gaussian(random, sd) - (isnan(power) ? curve : power * x));
+    }
+    assert_int_equal(measured_mark(&answers, &measured, &status), STATUS_OK);
+    const struct measured_exponent out = answers.exponent;
+    measured_answers_free(&answers);
+    return out;
+}
+
+/** Points that scatter by 0.2 % tell what they are a mark of; those that scatter by 60 %, or are few, do not; beyond
+ * P^1 it is none of all; and where the truth is the model's curve, a wrong mark is said one time of 20 at most. */
+TEST_CASE(exponents_are_marks)
+{
+    static const struct {
+        double power;
+        enum measured_mark mark;
+    } rows[] = {{NAN, MEASURED_ROUGH},        {1.0 / 3, MEASURED_ELASTIC_SPOT},
+                {0.5, MEASURED_PLASTIC_SPOT}, {1, MEASURED_FILM},
+                {0, MEASURED_BULK},           {0.7, MEASURED_NOT_FLAT}};
+    gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct measured_exponent told = mark_made(rows[i].power, 12, 0.002, random);
+        assert_int_equal(told.mark, rows[i].mark);
+        assert_true(told.times > measured_tells);
+        assert_within(told.measured, isnan(rows[i].power) ? 0.95 - 0.01 * log(100) : rows[i].power, 4 * told.sd + 0.01);
+        assert_within(told.model, 0.95 - 0.01 * log(100), 1e-3);
+        assert_false(mark_made(rows[i].power, 4, 0.6, random).times > measured_tells);
+    }
+    assert_true(isnan(mark_made(1.5, 12, 0.02, random).times));
+    assert_true(isnan(mark_made(-0.5, 12, 0.02, random).times));
+    assert_true(isnan(mark_made(0.95, 2, 0.02, random).measured));
+    size_t wrong = 0;
+    for (int set = 0; set < 1000; set++) {
+        struct measured_exponent told = mark_made(NAN, 5, set % 2 ? 0.1 : 0.3, random);
+        wrong += told.times > measured_tells && told.mark != MEASURED_ROUGH;
+    }
+    assert_in_range(wrong, 0, 50);
+    gsl_rng_free(random);
+}
+
 /** Without scatter the factor itself, without a width; with it an interval that holds it 95 times of 100, also where
  * runs differ by far more than their points do. */
 TEST_CASE(the_factor_comes_back)

@@ -167,7 +167,7 @@ TEST_IN_WORKSPACE(a_temperature_that_hardly_changes)
     for (size_t l = 0; l < sizeof lightest / sizeof *lightest; l++) {
         workspace_write(
             place, "d/scene.yaml",
-            filled("material: copper\nnominal_area: 1e3 m2\ncurrent: 1 A\ngap: {gas: helium, temperature: 1000 K}\n"
+            filled("material: copper\nnominal_area: 1e3 m2\ncurrent: 1 A\ngap: {gas: vacuum, temperature: 1000 K}\n"
                    "plating: {metal: tin, thickness: 3 um, resistivity: 1.1e-7 ohm m}\n"
                    "load: {from: %s N, to: 1e9 N, points: 41}\n"
                    "effects: [plasticity, separation, thermal, electrical, gap, plating, heating]\n",

@@ -182,6 +182,8 @@ TEST_IN_WORKSPACE(test_the_text_of_a_map)
                                      "  plane out   Sq 1 um, Sa 1 um, Sz 2 um; below: rows, each over its line\n"
                                      "  roughness   Rq 0.956183 um, Ra 0.914286 um, peak to valley 2.51429 um\n"
                                      "  moments     m2 0.00734694, m4 1 /um2\n"
+                                     "  to paste    sigma_asp 0.956183 um, m_asp 0.0683901 (of two rough sides the "
+                                     "root of the sum of squares)\n"
                                      "  power law   - (no power law found)\n");
     process_free(&process);
 }
@@ -202,6 +204,8 @@ TEST_IN_WORKSPACE(test_the_text_of_a_profile)
                         "              lengths in um, over 0.24 mm in 3 sampling lengths, slope 7-point\n"
                         "  roughness   Rq 0.0633857 um, Ra 0.0510933 um, peak to valley 0.317094 um\n"
                         "  moments     m2 0.000261124, m4 0.000217982 /um2\n"
+                        "  to paste    sigma_asp 0.0633857 um, m_asp 0.0128933 (of two rough sides the root of the sum "
+                        "of squares)\n"
                         "  power law   gamma 1.628 +- 0.097 from 2.01 to 18.8 um (narrow), misfit 0.03 decades\n"
                         "              rms amplitude 0.001925 um x/: 1.08 at 6.14 um, C 5.56e-22 m3\n"
                         "  note        gaussian high-pass lambda_c = 80 um (ISO 16610-21; its end goes on at its "

@@ -72,7 +72,7 @@ TEST_IN_PLACE(columns_follow_from_the_others)
                tcr = number(&contact, i, "tcr_K_m2_per_W"), a = number(&contact, i, "spot_radius_m"),
                n = number(&contact, i, "spots_per_m2"), voltage = number(&contact, i, "contact_voltage_V");
         if (isfinite(y) && y != 0) {
-            double h = gas_conductance(helium, sigma_m, y, jump_m, area, 1e-13);
+            double h = gas_conductance(gas_conductivity(helium, 320), sigma_m, y, jump_m, area, 1e-13);
             expect(number(&contact, i, "gap_W_per_m2K"), h);
             expect(number(&contact, i, "joint_W_per_m2K"), h + 1 / tcr);
             gaps++;
@@ -452,6 +452,77 @@ TEST_IN_PLACE(shape_from_files)
     }
 }
 
+/** The first table of the appendix, to its four digits from what stands in data/ at the operating load; without
+ * hardness there is none to paste. */
+TEST_IN_PLACE(to_paste)
+{
+    const char *tail = "gap: {gas: air}\nload: {values: [1e-6, 1e-5, 1e-4]}\noperating_load: 1e-5\n"
+                       "models: [corrected-persson]\neffects: [separation, thermal, gap]\n"
+                       "surfaces: [{name: a, file: a.csv}]\n";
+    static const char *const bodies[] = {"{E: 50 GPa, nu: 0.3, Sy: 20 MPa, conductivity: 60}",
+                                         "{E: 50 GPa, nu: 0.3, conductivity: 60}"};
+    for (int k = 0; k < 2; k++) {
+        directory_write(place, "in/scene.yaml", filled("material: %s\n%s", bodies[k], tail));
+        assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+        struct text report = directory_read(place, "out/report.md");
+        struct table contact = directory_table(place, "out/data/contact.csv");
+        struct table scalars = directory_table(place, "out/data/surfaces.csv");
+        const char *row = strstr(text_string(&report), "# Appendices");
+        row = strstr(row, "## To paste into");
+        assert_true(row && (row = strstr(row, "\n| a |")));
+        double modulus_Pa = 50e9 / (1 - 0.09), shown[6] = {0};
+        row += strlen("\n| a |");
+        for (int c = 0; c < 6; c++) {
+            char *end;
+            shown[c] = strtod(row, &end);
+            shown[c] = end == row ? NAN : shown[c];
+            row = strchr(row, '|') + 1;
+        }
+        assert_near(shown[0], 1e6 * number(&scalars, 0, "rq_m"), 1e-3);
+        assert_near(shown[1], sqrt(2 * number(&scalars, 0, "m2") / M_PI), 1e-3);
+        if (k == 0)
+            assert_near(shown[2], 2.84 * 0.02, 1e-3);
+        assert_true(isnan(shown[2]) == (k == 1));
+        assert_near(shown[3], 1e-5 * modulus_Pa * 1e-6, 1e-3);
+        for (size_t i = 0; i < contact.rows; i++)
+            if (number(&contact, i, "load_over_AnEp") == 1e-5) {
+                assert_near(shown[4], 1 / number(&contact, i, "tcr_K_m2_per_W"), 1e-3);
+                assert_near(shown[5], 1e-6 * number(&contact, i, "joint_W_per_m2K"), 1e-3);
+            }
+        text_free(&report);
+        table_free(&contact);
+        table_free(&scalars);
+    }
+}
+
+/** A flatness that is not given, of a hundredth of a percent of the length, is said to cost what it costs where it is
+ * given; without area, with a shape, or where it is little, nothing is said. */
+TEST_IN_PLACE(flatness_that_is_not_given)
+{
+    static const char said[] = " would divide the conductance by ";
+    static const char *const silent[] = {"", "nominal_area: 1e-3 mm2\n",
+                                         "nominal_area: 4 cm2\nshape: {flatness: 5 um, over: 20 mm}\n"};
+    const char *rest = "material: copper\ncounterface: aluminium\nload: {from: 1 bar, to: 500 bar, points: 61}\n"
+                       "operating_load: 10 bar\nmodels: [corrected-persson]\ngap: {gas: vacuum}\n"
+                       "targets: [{conductance: 1e4 W/m2/K}]\nsurfaces: [{name: a, file: a.csv}]\n";
+    struct text report = report_on(place, filled("nominal_area: 4 cm2\n%s", rest));
+    expect_parts(text_string(&report), "Flatness, not given: 2.0");
+    const char *found = strstr(text_string(&report), said);
+    assert_non_null(found);
+    double factor = strtod(found + strlen(said), NULL);
+    text_free(&report);
+    report = report_on(place, filled("nominal_area: 4 cm2\nshape: {flatness: 2 um, over: 20 mm}\n%s", rest));
+    found = strstr(text_string(&report), "divides the conductance by ");
+    assert_non_null(found);
+    assert_near(factor, strtod(found + strlen("divides the conductance by "), NULL), 0.05);
+    text_free(&report);
+    for (size_t i = 0; i < sizeof silent / sizeof *silent; i++) {
+        report = report_on(place, filled("%s%s", silent[i], rest));
+        assert_null(strstr(text_string(&report), "Flatness, not given"));
+        text_free(&report);
+    }
+}
+
 /** Vacuum carries nothing, no film adds nothing; tin says when it softens and melts. */
 TEST_IN_PLACE(sentences)
 {
@@ -480,6 +551,9 @@ TEST_IN_PLACE(sentences)
         {"material: tin\ngap: {conductivity: 0.8}\n", ": no bond_line: the filler is as thin as the gaps"},
         {"material: tin\ngap: {filler: pad, bond_line: 100 um}\n",
          "The gaps are filled with pad of 1.00 W/(m·K), at least 100 µm thick."},
+        {"material: tin\ngap: {liquid: water, temperature: 350 K}\n",
+         "The gaps are filled with water of 0.668 W/(m·K)."},
+        {"material: tin\ngap: {gas: SF6}\n", "Gaps are filled with SF6 at 101 kPa and 300 K."},
         {"material: tin\ngap: {gas: air, temperature: 400 K}\n",
          "Radiation would add at most 15 W/(m²·K) to their h_j"},
         {"material: tin\nnominal_area: 4 cm2\nshape: {flatness: 5 um, over: 20 mm}\n",
