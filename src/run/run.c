@@ -239,9 +239,10 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
     out->times.gnuplot = lap(&last);
     char *own = !options->template && run->scene->template ? scene_file_path(run->scene, run->scene->template) : NULL;
     const struct report_options how = {options->templates, own ? own : options->template, options->brief};
-    enum status_code rc = report_write(run->view, &how, staging, status);
+    enum status_code rc = export_write(run->view, run->scene, options->templates, staging, status);
+    rc = rc == STATUS_OK ? report_write(run->view, &how, staging, status) : rc;
     free(own);
-    if (rc != STATUS_OK || export_write(run->view, run->scene, options->templates, staging, status) != STATUS_OK ||
+    if (rc != STATUS_OK ||
         report_terminal(&out->table, "terminal", run->view, options->templates, false, status) != STATUS_OK)
         return status->code;
     out->missed_count = view_missed_limits(&out->missed, run->results);

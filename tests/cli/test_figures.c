@@ -160,6 +160,22 @@ TEST_IN_WORKSPACE(direct_solutions_are_of_their_surface)
 }
 
 /* What a contact is heated by comes to a few units in the last place of its temperature. */
+/* Of a report's only surface the chart of what the first page has drawn, and gap against area, are the appendix's; of
+ * two all are together. */
+TEST_IN_WORKSPACE(one_surface_repeats_nothing)
+{
+    workspace_scan(place, "d/a.csv", 300, 1);
+    run_to_exit(place, 0, "report", "d", "-m", "tin", "--no-cost", "-o", "o");
+    char *report = workspace_read(place, "o/report.md"), *appendix = strstr(report, "# Appendices");
+    expect_parts(report, "![Figures 6\\-05, 6-07, 6-09.");
+    expect_parts(appendix, "![Figures 6\\-06, 6-08.", "(figures/one-surface-more.svg)");
+    free(report);
+    workspace_scan(place, "d/b.csv", 300, 2);
+    run_to_exit(place, 0, "report", "d", "-m", "tin", "--no-cost", "-o", "o");
+    expect_in_file(place, "o/report.md", "![Figures 6\\-05 to 6-09.");
+    assert_false(workspace_has(place, "o/figures/one-surface-more.svg"));
+}
+
 TEST_IN_WORKSPACE(a_temperature_that_hardly_changes)
 {
     static const char *const lightest[] = {"3e4", "5e4"};

@@ -867,8 +867,9 @@ static void check_names(const json_t *view, const char *document)
 /** Adds all that src/report says. */
 static void add_sources(struct text *out)
 {
-    static const char *const files[] = {"view.c",          "view_first.c",    "view_surfaces.c", "view_models.c",
-                                        "view_accuracy.c", "view_findings.c", "view_export.c",   "report.c"};
+    static const char *const files[] = {"view.c",        "view_first.c",    "view_surfaces.c",
+                                        "view_models.c", "view_accuracy.c", "view_findings.c",
+                                        "view_export.c", "report.c",        "export.c"};
     struct status status = {0};
     for (size_t f = 0; f < sizeof files / sizeof *files; f++) {
         char path[300];
