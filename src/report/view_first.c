@@ -739,6 +739,7 @@ void view_first_page(json_t *out, const struct view_source *source)
                   words_say(source->words, "layers", "film", film ? "1" : "", "plating", plating ? "1" : "", "both",
                             film && plating ? "1" : "", NULL));
     view_flag(out, "no_material", !results_has_material(results));
+    view_flag(out, "no_scene", !results->scene->path);
     put_answers(out, source);
     put_other_targets(out, source);
     put_spots(out, source);
