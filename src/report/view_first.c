@@ -5,6 +5,7 @@
 #include "answers/direct_study.h"
 #include "base/number_format.h"
 #include "certainty/sensitivity.h"
+#include "results/accuracy.h"
 #include <math.h>
 
 enum { DIGITS = 2, NAMED_MOST = 3 };
@@ -261,6 +262,11 @@ static void put_chosen(json_t *out, const struct view_source *source)
     view_number(item, "factor", exp(scene->chosen_rms), DIGITS, "");
     view_flag(item, "met", expm1(scene->chosen_rms) <= scene->accuracy);
     view_flag(item, "one_scan", scene->one_scan);
+    double few_waves = 0;
+    for (size_t k = 0; k < source->results->usable_count; k++)
+        few_waves = fmax(few_waves, accuracy_few_waves_sd(source->results, source->results->by_roughness[k]));
+    if (few_waves > log(1.05))
+        view_number(item, "in_all", exp(hypot(scene->chosen_rms, few_waves)), DIGITS, "");
 }
 
 /** The surfaces that have no place in the ranking: some by name, the others counted. */
