@@ -2,6 +2,7 @@
 #include "chart/figures.h"
 
 #include "answers/direct_study.h"
+#include "base/number_format.h"
 #include "chart/chart.h"
 #include "joint/heating.h"
 #include "results/accuracy.h"
@@ -458,12 +459,18 @@ static void make_convergence(struct chart *chart, const struct source *source)
         for (size_t m = 0; m < model_count; m++) {
             const struct convergence_sweep_row *sweep = &convergence_sweeps[s];
             char number[20], value[40];
+            struct text load = {0};
             if (!plan_runs_model(results->plan, m) || !model_rows[m]->stacks_scales)
                 continue;
             chart->number = 1 + 2 * s + model_rows[m]->plastic;
             snprintf(number, sizeof number, "6-%02d", chart->number);
-            if (!chart_panel(chart, SAY(parameter[s][1], "number", number, "model", model_rows[m]->label),
-                             SAY("axis.shortest_wavelength"), SAY("axis.area_ratio"), true, true))
+            number_format(&load, results_sweep_load(results, m), 2);
+            const struct chart_panel *panel = chart_panel(
+                chart,
+                SAY(parameter[s][1], "number", number, "model", model_rows[m]->label, "load", text_string(&load)),
+                SAY("axis.shortest_wavelength"), SAY("axis.area_ratio"), true, true);
+            text_free(&load);
+            if (!panel)
                 return;
             for (size_t v = 0; v < sweep->count; v++) {
                 const double *area = results_sweep(results, (enum convergence_sweep)s, m, v);

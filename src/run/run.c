@@ -51,8 +51,8 @@ static enum status_code run_sweeps(struct run *run, struct status *status)
             for (size_t m = 0; m < model_count; m++) {
                 if (!plan_runs_model(results->plan, m) || !model_rows[m]->stacks_scales)
                     continue;
-                struct convergence_law law = {study->alpha, study->gamma, study->scan_length_m, study->load,
-                                              study->scales};
+                struct convergence_law law = {study->alpha, study->gamma, study->scan_length_m,
+                                              results_sweep_load(results, m), study->scales};
                 *(s == CONVERGENCE_ALPHA ? &law.alpha : &law.gamma) = convergence_sweeps[s].values[v];
                 const double *area = results_sweep(results, (enum convergence_sweep)s, m, v);
                 convergence_areas(run->sweeps + (area - results->convergence), &law,

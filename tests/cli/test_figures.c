@@ -6,6 +6,7 @@
 #include "cli/process.h"
 
 #include <jansson.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -160,6 +161,27 @@ TEST_IN_WORKSPACE(direct_solutions_are_of_their_surface)
 }
 
 /* What a contact is heated by comes to a few units in the last place of its temperature. */
+/* Sweeps of an elastic-plastic model that yields from the first scale on would lie on each other. */
+TEST_IN_WORKSPACE(sweeps_that_yield_are_told_apart)
+{
+    workspace_scan(place, "d/a.csv", 300, 1);
+    workspace_write(place, "d/scene.yaml", "material: tin\nmodels: [multiscale]\neffects: [plasticity, convergence]\n");
+    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    struct table sweeps = workspace_table(place, "o/data/convergence.csv");
+    double least = 1, most = 0;
+    for (size_t r = 0; r < sweeps.rows; r++)
+        if (strcmp(table_text(&sweeps, r, "model"), "multiscale-plastic") == 0 &&
+            strcmp(table_text(&sweeps, r, "sweep"), "alpha") == 0) {
+            least = fmin(least, table_number(&sweeps, r, "area_ratio"));
+            most = fmax(most, table_number(&sweeps, r, "area_ratio"));
+        }
+    assert_true(least < 0.1 && most > 2 * least);
+    table_free(&sweeps);
+    char *script = file_of(place, "o", "convergence", "gp");
+    expect_parts(script, "multiscale elastic, at 0.0010'", "multiscale elastic-plastic, at 8.4·10⁻⁶'");
+    free(script);
+}
+
 /* Of a report's only surface the chart of what the first page has drawn, and gap against area, are the appendix's; of
  * two all are together. */
 TEST_IN_WORKSPACE(one_surface_repeats_nothing)
