@@ -53,6 +53,9 @@ static void put_answer(json_t *out, const struct view_source *source, const stru
     if (answer->kind != ANSWER_NONE)
         view_load(out, "load", source, surface, answer->load);
     view_interval(out, "interval", answer->low * scale, answer->high * scale, DIGITS);
+    const struct surface_record *record = &source->results->surfaces[surface];
+    view_flag(out, "beyond",
+              met && record->bands && record->bands[source->leading] && isnan(answer->low) && isnan(answer->high));
 }
 
 static void put_value(json_t *out, const struct view_source *source, size_t surface)
