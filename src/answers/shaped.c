@@ -7,15 +7,18 @@
 #include <stdlib.h>
 
 enum {
-    CELLS = 32,  /* a side of a quarter of the area, the others being its mirror images */
-    NODES = 240, /* pressures of the model's curve */
-    LOADS = 61
+    CELLS = 32,      /* a side of a quarter of the area, the others being its mirror images */
+    NODES = 240,     /* pressures of the model's curve */
+    LOADS_MOST = 61, /* of a quarter */
+    LOADS = 31       /* of a whole area */
 };
 static const double nodes_per_decade = 12;
 static const double lighter = 1e-3;       /* than the lightest load, where the curve begins */
 static const double beyond = 1.02;        /* the loads on either side, so that all of them lie within */
 static const double largest_area = 0.97;  /* beyond, a model's gap and resistance are close to 0, and stay */
 static const double yielding_most = 0.05; /* share of the load in cells at the hardness */
+static const double carrying = 0.9;       /* share of the load that the area carries which is said to carry it */
+static const double no_pressure = 1e-12;  /* over the mean one */
 
 /** Values over rising pressures or loads. */
 struct table {
@@ -57,29 +60,37 @@ static enum status_code own_curve(struct table *out, const struct surface_record
 
 /** One surface's model in every cell. */
 struct cells {
+    const struct joint *joint;
     struct shape shape;
     struct shape_curve gap, conductance[JOINT_WAYS];
-    double gap_m[CELLS * CELLS], hardness_Pa;
+    double quarter_m[CELLS * CELLS], hardness_Pa;
+    const double *gap_m; /* that, or the joint's field */
     struct shape_body bodies[JOINT_WAYS][2];
 };
 
 static enum status_code lay_out(struct cells *out, const struct joint *joint, const struct table *own,
                                 const struct model_task *task, struct status *status)
 {
-    const double side_m[2] = {joint->size_m[0] / 2, joint->size_m[1] / 2};
+    const struct shape_field *field = joint->fields;
+    const double part = field ? 1 : 0.5, side_m[2] = {joint->size_m[0] * part, joint->size_m[1] * part};
+    const bool grid = field && !field->share;
+    const size_t nx = grid ? field->nx : CELLS, ny = grid ? field->ny : CELLS;
     const struct material_pair *pair = task->pair;
     for (size_t k = 0; k < CELLS * CELLS; k++) { /* from the middle */
         double x = ((double)(k % CELLS) + 0.5) / CELLS * side_m[0], y = ((double)(k / CELLS) + 0.5) / CELLS * side_m[1];
-        out->gap_m[k] = joint->bulge_per_m * (x * x + y * y);
+        out->quarter_m[k] = joint->bulge_per_m * (x * x + y * y);
     }
+    out->joint = joint;
+    out->gap_m = field ? field->value : out->quarter_m;
     for (int side = 0; side < 2; side++) {
-        out->bodies[JOINT_HEAT][side] = (struct shape_body){1 / pair->conductivity_W_per_mK, INFINITY};
-        out->bodies[JOINT_CURRENT][side] = (struct shape_body){pair->resistivity_ohm_m, INFINITY};
+        double thickness_m = joint->thickness_m[side];
+        out->bodies[JOINT_HEAT][side] = (struct shape_body){1 / pair->side_conductivity_W_per_mK[side], thickness_m};
+        out->bodies[JOINT_CURRENT][side] = (struct shape_body){pair->side_resistivity_ohm_m[side], thickness_m};
     }
     size_t current = 0; /* a plating has no factor where spots meet, and resistance stays as there */
     while (current < own->count && isfinite(own->value[1 + JOINT_CURRENT][current]))
         current++;
-    if (shape_make(&out->shape, CELLS, CELLS, side_m, status) != STATUS_OK ||
+    if (shape_make(&out->shape, nx, ny, side_m, status) != STATUS_OK ||
         shape_curve_gap(&out->gap, own->at, own->value[0], own->count, out->hardness_Pa, status) != STATUS_OK ||
         shape_curve_conductance(&out->conductance[JOINT_HEAT], own->at, own->value[1 + JOINT_HEAT], own->count,
                                 status) != STATUS_OK ||
@@ -97,43 +108,130 @@ static void cells_free(struct cells *cells)
         shape_curve_free(&cells->conductance[way]);
 }
 
+/** What one load has: the share of the area that carries it, that of the load which yields, and for each way the
+ * resistance times the area and the spots' share of it. */
+struct solved {
+    double area, yielding_load, whole[JOINT_WAYS], spots[JOINT_WAYS];
+};
+
+/** Parts of the area without a place: side by side, each with its pressure all over; the rest of it has none. */
+static enum status_code solve_parts(struct solved *out, struct cells *cells, double mean_Pa, struct status *status)
+{
+    const struct shape_field *field = cells->joint->fields;
+    double *pressure_Pa = calloc(field->nx + 1, sizeof *pressure_Pa), load = 0, rest = 1, unused;
+    if (!pressure_Pa)
+        return status_memory(status);
+    shape_field_press(pressure_Pa, field, 1, mean_Pa);
+    *out = (struct solved){.spots = {1, 1}};
+    for (size_t k = 0; k <= field->nx; k++) {
+        double share = k < field->nx ? field->share[k] : fmax(rest, 0), carried = share * pressure_Pa[k] / mean_Pa;
+        double ln_pressure = log(fmin(fmax(pressure_Pa[k], no_pressure * mean_Pa), cells->hardness_Pa));
+        rest -= share;
+        out->area += carried > 0 ? share * fmin(1, fmax(carrying - load, 0) / carried) : 0;
+        load += carried;
+        out->yielding_load += pressure_Pa[k] >= cells->hardness_Pa ? carried : 0;
+        for (int way = 0; way < JOINT_WAYS; way++)
+            if (cells->conductance[way].count > 0)
+                out->whole[way] += share * exp(shape_curve_value(&unused, &cells->conductance[way], ln_pressure));
+    }
+    for (int way = 0; way < JOINT_WAYS; way++)
+        out->whole[way] = 1 / out->whole[way];
+    free(pressure_Pa);
+    return STATUS_OK;
+}
+
+/** Pressures that are given, none above the hardness. */
+static void give_pressures(struct cells *cells, double mean_Pa)
+{
+    struct shape *shape = &cells->shape;
+    shape_field_press(shape->pressure_Pa, cells->joint->fields, cells->joint->field_count, mean_Pa);
+    for (size_t k = 0; k < shape->cells; k++) {
+        shape->pressure_Pa[k] = fmin(shape->pressure_Pa[k], cells->hardness_Pa);
+        shape->ln_pressure[k] = log(fmax(shape->pressure_Pa[k], no_pressure * mean_Pa));
+    }
+}
+
+static enum status_code solve_one(struct solved *out, struct cells *cells, const struct model_task *task,
+                                  double mean_Pa, struct status *status)
+{
+    const struct joint *joint = cells->joint;
+    const double area_m2 = cells->shape.side_m[0] * cells->shape.side_m[1];
+    if (joint->fields && joint->fields->share)
+        return solve_parts(out, cells, mean_Pa, status);
+    if (joint->pressed)
+        give_pressures(cells, mean_Pa);
+    else if (shape_press(&cells->shape, cells->gap_m, &cells->gap, task->pair->effective_modulus_Pa, cells->hardness_Pa,
+                         mean_Pa, status) != STATUS_OK)
+        return status->code;
+    const struct shape_spread spread = shape_spread(&cells->shape, cells->hardness_Pa);
+    *out = (struct solved){.area = spread.area, .yielding_load = spread.yielding_load};
+    for (int way = 0; way < JOINT_WAYS && spread.yielding_load <= yielding_most; way++)
+        if (cells->conductance[way].count > 0) {
+            if (shape_resistance(&out->whole[way], &out->spots[way], &cells->shape, &cells->conductance[way],
+                                 cells->bodies[way], status) != STATUS_OK)
+                return status->code;
+            out->whole[way] *= area_m2;
+        }
+    return STATUS_OK;
+}
+
+/** Mean pressures of rings about the middle, at the operating load, where that has an answer; else 0. */
+static enum status_code take_rings(struct joint_shape *out, struct cells *cells, const struct model_task *task,
+                                   struct status *status)
+{
+    const struct shape *shape = &cells->shape;
+    const double middle = cells->joint->fields ? 0.5 : 0, *side = shape->side_m;
+    const double mean_Pa = material_pair_pressure(task->pair, task->loads[model_task_operating(task)]);
+    size_t cells_of[JOINT_RINGS] = {0};
+    struct solved unused;
+    if ((cells->joint->fields && cells->joint->fields->share) || !(mean_Pa < cells->hardness_Pa))
+        return STATUS_OK;
+    if (solve_one(&unused, cells, task, mean_Pa, status) != STATUS_OK)
+        return status->code;
+    for (size_t k = 0; k < shape->cells; k++) {
+        double x = ((double)(k % shape->nx) + 0.5) / (double)shape->nx - middle;
+        double y = ((double)(k / shape->nx) + 0.5) / (double)shape->ny - middle;
+        double far = hypot(x * side[0], y * side[1]) / hypot((1 - middle) * side[0], (1 - middle) * side[1]);
+        size_t ring = (size_t)fmin(far * JOINT_RINGS, JOINT_RINGS - 1);
+        out->ring_Pa[ring] += (shape->pressure_Pa[k] - out->ring_Pa[ring]) / (double)++cells_of[ring];
+    }
+    return STATUS_OK;
+}
+
 /** All loads, and the resistances there. */
 static enum status_code solve(struct joint_shape *out, struct cells *cells, const struct model_task *task,
                               struct status *status)
 {
     struct table area = {0}, flat = {0}, over = {0}, spots = {0};
     const double first = task->loads[0] / beyond, last = task->loads[task->load_count - 1] * beyond;
-    const double sides = 4 * cells->shape.side_m[0] * cells->shape.side_m[1];
-    for (int i = 0; i < LOADS; i++) {
-        double load = first * pow(last / first, (double)i / (LOADS - 1)), unused;
+    const int loads = cells->joint->fields ? LOADS : LOADS_MOST;
+    for (int i = 0; i < loads; i++) {
+        double load = first * pow(last / first, (double)i / (loads - 1)), unused;
         double pressure_Pa = material_pair_pressure(task->pair, load);
+        struct solved at;
         if (!(pressure_Pa < cells->hardness_Pa))
             break;
-        if (shape_press(&cells->shape, cells->gap_m, &cells->gap, task->pair->effective_modulus_Pa, cells->hardness_Pa,
-                        pressure_Pa, status) != STATUS_OK)
+        if (solve_one(&at, cells, task, pressure_Pa, status) != STATUS_OK)
             return status->code;
-        const struct shape_spread spread = shape_spread(&cells->shape, cells->hardness_Pa);
-        if (spread.yielding_load > yielding_most)
+        if (at.yielding_load > yielding_most)
             break;
         for (int way = 0; way < JOINT_WAYS; way++) {
-            double whole, share;
             if (cells->conductance[way].count == 0)
                 continue;
-            if (shape_resistance(&whole, &share, &cells->shape, &cells->conductance[way], cells->bodies[way], status) !=
-                STATUS_OK)
-                return status->code;
             double own = exp(-shape_curve_value(&unused, &cells->conductance[way], log(pressure_Pa)));
             flat.value[way][area.count] = own;
-            over.value[way][area.count] = whole / 4 * sides / own;
-            spots.value[way][area.count] = share;
+            over.value[way][area.count] = at.whole[way] / own;
+            spots.value[way][area.count] = at.spots[way];
         }
-        area.value[0][area.count] = spread.area;
+        area.value[0][area.count] = at.area;
         area.at[area.count++] = load;
     }
     if (area.count < 3)
         return status_fail(status, STATUS_MODEL,
                            "the joint's shape: over %g %% of the load lies on cells at the hardness",
                            100 * yielding_most);
+    if (take_rings(out, cells, task, status) != STATUS_OK)
+        return status->code;
     out->least = area.at[0];
     out->most = area.at[area.count - 1];
     for (int way = 0; way < JOINT_WAYS; way++)

@@ -564,8 +564,46 @@ static void make_one_surface_more(struct chart *chart, const struct source *sour
     put_baseline(chart, source, false, false);
 }
 
+/** What the shape of the parts does to the leading model's answer, and where it presses. */
+static void put_shape(struct chart *chart, const struct source *source)
+{
+    static const struct axis ways[][3] = {
+        {{QUANTITY_SHAPE_JOINT, false, 1}, {QUANTITY_JOINT, false, 1}, {QUANTITY_TCR, true, 1}},
+        {{QUANTITY_SHAPE_ECR, false, 1}, {QUANTITY_JOINT_ECR, false, 1}, {QUANTITY_ECR, false, 1}}};
+    const struct axis load = {QUANTITY_LOAD, false, load_of(source, source->results->baseline, false).scale};
+    const struct joint_shape *shape = source->baseline->shapes ? &source->baseline->shapes[source->leading] : NULL;
+    const double *side_m = source->results->scene->joint.size_m;
+    const double ring_m = hypot(side_m[0], side_m[1]) / 2 / JOINT_RINGS;
+    if (!shape || !(shape->most > 0))
+        return;
+    for (int way = 0; way < 2; way++) {
+        const enum quantity whole = ways[way][0].quantity;
+        const bool made = computes(source, source->leading, ways[way][1].quantity);
+        if (!computes(source, source->leading, whole) ||
+            !begin_panel(chart, source, QUANTITY_LOAD, whole,
+                         SAY("panel.model", "model", model_rows[source->leading]->label)))
+            continue;
+        for (int flat = 0; flat < 2; flat++) {
+            struct axis y = ways[way][flat == 0 ? 0 : made ? 1 : 2];
+            y.scale = scale_of(whole);
+            put_curve(chart, source, source->baseline, source->leading, &load, &y,
+                      (struct chart_curve){.legend = SAY(flat ? "flat_parts" : "with_shape"),
+                                           .colour = flat ? quiet : baseline_colour(source),
+                                           .width = flat ? 0 : 2.6});
+        }
+    }
+    if (!(shape->ring_Pa[JOINT_RINGS / 2] > 0) ||
+        !chart_panel(chart, SAY("panel.rings"), SAY("axis.rings"), SAY("axis.ring_pressure"), false, false))
+        return;
+    CURVE(.legend = "", .colour = baseline_colour(source), .width = 2);
+    for (int ring = 0; ring < JOINT_RINGS; ring++)
+        if (shape->ring_Pa[ring] > 0)
+            chart_row(chart, (ring + 0.5) * ring_m * 1e3, shape->ring_Pa[ring] * 1e-6, 0, 0);
+}
+
 static void make_joint(struct chart *chart, const struct source *source)
 {
+    put_shape(chart, source);
     put_baseline(chart, source, true, true);
     put_baseline(chart, source, true, false);
 }

@@ -7,6 +7,7 @@
 #include "contact/model.h"
 #include "joint/gas.h"
 #include "joint/shape.h"
+#include "joint/shape_field.h"
 #include "material/material.h"
 
 enum joint_fill {
@@ -39,19 +40,24 @@ struct joint {
     double plating_thickness_m, plating_ohm_m;
     unsigned both_plated; /* 1: both bodies; 0: the first, which is the surface's */
     double current_A;
-    double bulge_per_m; /* gap of the unloaded parts over the square of the distance from the middle; 0: flat */
-    double size_m[2];   /* of the nominal area */
+    double bulge_per_m;         /* gap of the unloaded parts over the square of the distance from the middle; 0: flat */
+    double size_m[2];           /* of the nominal area */
+    double thickness_m[2];      /* of the parts */
+    struct shape_field *fields; /* in place of the bulge, of rising load; owned by the scene */
+    size_t field_count;
+    bool pressed; /* they are pressures, not the gap of the unloaded parts */
 };
 
 /** What the parts' shape makes of one model on one surface, over ln P/(A_n E'): heat, with the gaps; current, with
  * plating and film. Owned: joint_shape_free(). */
-enum { JOINT_HEAT, JOINT_CURRENT, JOINT_WAYS };
+enum { JOINT_HEAT, JOINT_CURRENT, JOINT_WAYS, JOINT_RINGS = 48 };
 struct joint_shape {
     struct shape_curve flat[JOINT_WAYS];  /* resistance of flat parts, [m²K/W] or [ohm m²] */
     struct shape_curve over[JOINT_WAYS];  /* that with the shape, over it */
     struct shape_curve spots[JOINT_WAYS]; /* the spots' share of that */
     struct shape_curve area;              /* share of the nominal area that carries 90 % of the load */
     double least, most;                   /* loads within which it is known */
+    double ring_Pa[JOINT_RINGS];          /* mean pressures at the operating load, from the middle to the corners */
 };
 void joint_shape_free(struct joint_shape *shape);
 /** The share of the nominal area that carries 90 % of the load; NaN: not known. */

@@ -105,7 +105,10 @@ static json_t *scene_json(const struct results *results)
         json_set(json, "unload_from_over_AnEp", scene_load_of(&scene->unload_from, scene, &pair));
     if (scene->called & results->plan->running)
         json_object_set_new(json, "joint", joint_json(results));
-    json_set_all(json, "shape_size_m", scene->joint.size_m, scene->joint.bulge_per_m > 0 ? 2 : 0);
+    json_set_all(json, "shape_size_m", scene->joint.size_m,
+                 scene->joint.bulge_per_m > 0 || scene->joint.fields ? 2 : 0);
+    json_set(json, "shape_force_N",
+             scene->joint.pressed ? scene->joint.fields->mean * scene->nominal_area_m2 : NAN);
     json_set(json, "shape_bulge_per_m", scene->joint.bulge_per_m > 0 ? scene->joint.bulge_per_m : NAN);
     json_set(json, "effective_modulus_Pa", pair.unknown ? NAN : pair.effective_modulus_Pa);
     json_set(json, "hardness_Pa", pair.unknown ? NAN : pair.hardness_Pa);

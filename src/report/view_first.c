@@ -222,12 +222,26 @@ static void put_in_order(json_t *item, const struct view_source *source, size_t 
     text_free(&text);
 }
 
+/** Is the roughest surface rougher than the smoothest one by more than chance: the mean square of w longest waves has
+ * the relative standard deviation 1/sqrt(w), so ln Rq half of it; two of them? */
+static bool differ_in_roughness(const struct results *results)
+{
+    const size_t ends[] = {results->by_roughness[0], results->by_roughness[results->usable_count - 1]};
+    double ln_rq[2], variance = 0;
+    for (int k = 0; k < 2; k++) {
+        const struct surface_summary *summary = &results->surfaces[ends[k]].summary;
+        ln_rq[k] = log(summary->roughness.rq_m);
+        variance += 0.25 / (fmax(summary->longest_waves, 1) * fmax(summary->independent, 1));
+    }
+    return ln_rq[1] - ln_rq[0] > 2 * sqrt(variance);
+}
+
 /** Where all models of the thesis run: by which the answer rises from the smoothest surface to the roughest, and by how
  * much by the one that spreads it most, and by the leading one. */
 static void put_by_roughness(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
-    bool rises, all = results->usable_count > 1;
+    bool rises, all = results->usable_count > 1 && differ_in_roughness(results);
     size_t widest = model_count;
     double most = 0;
     for (size_t m = 0; m < model_count; m++)

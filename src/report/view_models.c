@@ -347,7 +347,14 @@ void view_joint(json_t *out, const struct view_source *source)
     }
     if (shape) {
         json_t *part = view_part(item, "has_shape");
-        view_number(part, "nominal_mm2", source->results->scene->nominal_area_m2 * 1e6, 3, "");
+        const struct scene *scene = source->results->scene;
+        const size_t bolts = scene->shape.bolts.count;
+        view_number(part, "nominal_mm2", scene->nominal_area_m2 * 1e6, 3, "");
+        view_count(part, "bolts", bolts);
+        view_number(part, "bolt_kN", bolts > 0 ? scene->shape.bolts.force_N * 1e-3 : NAN, 3, "");
+        view_number(part, "nut_factor", bolts > 0 ? scene->shape.nut_factor : NAN, 3, "");
+        view_flag(part, "without_place", joint->fields && joint->fields->share);
+        view_flag(part, "scaled", joint->pressed && joint->field_count == 1);
         put_range(part, "carrying_mm2", &ranges[CARRYING], 2);
         put_range(part, "times", &ranges[SHAPE_TIMES], 3);
     }

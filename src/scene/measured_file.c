@@ -7,7 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const column_names[MEASURED_COLUMNS] = {"load", "resistance", "error"};
+/* Of a measurement, and of a field of pressure. */
+static const char *const column_names[][MEASURED_COLUMNS] = {{"load", "resistance", "error"}, {"x", "y", "pressure"}};
+static const char *const row_names[] = {"load, resistance and perhaps its error", "x, y and pressure"};
 /* Headings that say P/(A_n E'): the column of contact.csv, and how it is written. */
 static const char *const dimensionless_names[] = {"load_over_AnEp", "P/(A_n E')", "P/(Aₙ E′)"};
 
@@ -26,6 +28,7 @@ struct cells {
 struct reading {
     struct measured_file *out;
     const unsigned *quantities; /* of each column */
+    bool field;                 /* of pressure: its places are any number */
     const size_t *order;        /* one of `orders` */
     size_t line;                /* what is read now, which messages name */
     struct cells heading;       /* the last line of titles above the rows */
@@ -114,15 +117,15 @@ static bool title_unit(struct measured_unit *out, struct string_view *unknown, s
 static enum status_code refuse_unit(const struct reading *in, size_t column, struct string_view text)
 {
     unsigned asked = in->quantities[column];
-    return status_fail(
-        in->status, STATUS_SCENE,
-        "'%s' is no unit of %s; understood: %s; columns are load, the scene's 'quantity', perhaps its error",
-        scene_words_show_view(text).text,
-        column == MEASURED_LOAD    ? "load"
-        : column == MEASURED_ERROR ? "the error"
-        : asked & UNIT_RESISTANCE  ? "electrical resistance"
-                                   : "thermal resistance",
-        unit_known(asked).text);
+    return status_fail(in->status, STATUS_SCENE, "'%s' is no unit of %s; understood: %s; columns are %s",
+                       scene_words_show_view(text).text,
+                       in->field                  ? column_names[1][column]
+                       : column == MEASURED_LOAD  ? "load"
+                       : column == MEASURED_ERROR ? "the error"
+                       : asked & UNIT_RESISTANCE  ? "electrical resistance"
+                                                  : "thermal resistance",
+                       unit_known(asked).text,
+                       in->field ? row_names[1] : "load, the scene's 'quantity', perhaps its error");
 }
 
 /* The units of the heading in in->order; do all of its cells name one? `alone`: they are nothing else. */
@@ -168,7 +171,7 @@ static enum status_code row_read(const struct reading *in, struct measured_row *
                            "more cells than titles in line %zu; write decimals with a point, and give an error a title",
                            in->heading_line);
     if (cells->count < 2 || cells->count > MEASURED_COLUMNS)
-        return status_fail(in->status, STATUS_SCENE, "a row is load, resistance and perhaps its error");
+        return status_fail(in->status, STATUS_SCENE, "a row is %s", row_names[in->field]);
     for (size_t c = 0; c < MEASURED_COLUMNS; c++) {
         struct string_view cell = cells->cell[in->order[c]];
         if (c == MEASURED_ERROR && cells->count == 2 && in->order[c] == 2)
@@ -178,11 +181,12 @@ static enum status_code row_read(const struct reading *in, struct measured_row *
             return status_fail(in->status, STATUS_SCENE,
                                "'%s' is no number; write it as 1.5e-3, its unit in the heading",
                                scene_words_show_view(cell).text);
-        double lowest = c == MEASURED_ERROR ? 0 : least,
-               size = c == MEASURED_ERROR ? fabs(row->value[c]) : row->value[c];
+        bool any = c == MEASURED_ERROR || in->field;
+        double lowest = any ? 0 : least, size = any ? fabs(row->value[c]) : row->value[c];
         if (!(size >= lowest && size <= most))
             return status_fail(in->status, STATUS_SCENE, "%s %s of %g; allowed is %g to %g",
-                               c == MEASURED_ERROR ? "an" : "a", column_names[c], row->value[c], lowest, most);
+                               c == MEASURED_ERROR && !in->field ? "an" : "a", column_names[in->field][c],
+                               row->value[c], lowest, most);
     }
     return STATUS_OK;
 }
@@ -235,7 +239,7 @@ static enum status_code line_read(struct reading *in, size_t *capacity, struct s
     if (in->out->count > 0 || (is_no_value(first) && starts_number(cells.cell[1])))
         return status_fail(in->status, STATUS_SCENE,
                            "'%s' is no %s; correct the row or remove it, or put # before a remark",
-                           scene_words_show_view(first).text, column_names[in->order[MEASURED_LOAD] > 0]);
+                           scene_words_show_view(first).text, column_names[in->field][in->order[MEASURED_LOAD] > 0]);
     if (is_heading(&cells)) {
         in->heading = cells;
         in->heading_line = in->line;
@@ -247,7 +251,11 @@ enum status_code measured_file_read(struct measured_file *out, struct string_vie
                                     const unsigned quantities[MEASURED_COLUMNS], struct status *status)
 {
     *out = (struct measured_file){0};
-    struct reading in = {.out = out, .quantities = quantities, .order = orders[0], .status = status};
+    struct reading in = {.out = out,
+                         .quantities = quantities,
+                         .field = quantities[MEASURED_LOAD] & UNIT_DISTANCE,
+                         .order = orders[0],
+                         .status = status};
     size_t capacity = 0;
     if (string_view_starts(content, "\xEF\xBB\xBF"))
         content.start += 3;
@@ -260,7 +268,7 @@ enum status_code measured_file_read(struct measured_file *out, struct string_vie
     if (rc == STATUS_SCENE)
         return status_prefix(status, "%s:%zu", name, in.line);
     if (rc == STATUS_OK && out->count == 0)
-        rc = status_fail(status, STATUS_SCENE, "%s: no row of load and resistance", name);
+        rc = status_fail(status, STATUS_SCENE, "%s: no row of %s", name, row_names[in.field]);
     return rc;
 }
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The text file of a measurement: rows of load, resistance and perhaps its error, and the units it names. */
+/* The text file of a measurement: rows of load, resistance and perhaps its error, and the units it names; or of a field
+ * of pressure: rows of x, y and pressure, or of an area and its pressure. */
 #ifndef SCENE_MEASURED_FILE_H
 #define SCENE_MEASURED_FILE_H
 
@@ -30,11 +31,12 @@ struct measured_file {
 };
 
 /** Reads `content`, called `name` in messages. `quantities` has the enum unit_quantity bits that each column may be in.
- * A row is two or three numbers; cells are delimited by semicolons, tabs, commas or blanks. The last line of titles
- * above the rows names the units, as `load (N)`, `load [N]`, `F/N`, `load_N`, `load N`, or is the units alone. Columns
- * stand in that order or, where all of them name a unit, in another. What stands behind # is a remark; what else stands
- * above the rows is passed over. Errors: STATUS_SCENE with file and line: a row of another form or below a title that
- * is not there, numbers out of range, a unit that is unknown or not of the column's quantities; STATUS_MEMORY. */
+ * Those of a field of pressure have lengths among the first. A row is two or three numbers; cells are delimited by
+ * semicolons, tabs, commas or blanks. The last line of titles above the rows names the units, as `load (N)`, `load
+ * [N]`, `F/N`, `load_N`, `load N`, or is the units alone. Columns stand in that order or, where all of them name a
+ * unit, in another. What stands behind # is a remark; what else stands above the rows is passed over. Errors:
+ * STATUS_SCENE with file and line: a row of another form or below a title that is not there, numbers out of range, a
+ * unit that is unknown or not of the column's quantities; STATUS_MEMORY. */
 MUST_CHECK enum status_code measured_file_read(struct measured_file *out, struct string_view content, const char *name,
                                                const unsigned quantities[MEASURED_COLUMNS], struct status *status);
 void measured_file_free(struct measured_file *file);

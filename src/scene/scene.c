@@ -74,25 +74,6 @@ static bool fail_effect(struct scene_source *source, const struct effect_row *ef
     return false;
 }
 
-/* Two lengths and an area say the same. */
-static bool complete_size(struct scene *scene, struct scene_source *source)
-{
-    double *side_m = scene->joint.size_m, area_m2 = side_m[0] * side_m[1];
-    size_t line = scene_keys_line(source, "shape");
-    if (line == 0)
-        return true;
-    if (area_m2 > 0 && isnan(scene->nominal_area_m2))
-        scene->nominal_area_m2 = area_m2;
-    if (isnan(scene->nominal_area_m2))
-        return scene_source_fail(source, line, "'shape' is of which area? add 'nominal_area', or 'size' to it");
-    if (area_m2 > 0 && !(fabs(area_m2 / scene->nominal_area_m2 - 1) < 1e-3))
-        return scene_source_fail(source, line, "'size' is %g m2 and 'nominal_area' %g m2; correct either", area_m2,
-                                 scene->nominal_area_m2);
-    if (!(area_m2 > 0))
-        side_m[0] = side_m[1] = sqrt(scene->nominal_area_m2);
-    return true;
-}
-
 /* Effects run that a key calls for, unless the command line lists others; none runs without its key. */
 static bool call_effects(struct scene *scene, struct scene_source *source)
 {
@@ -139,7 +120,7 @@ static bool override_values(struct scene *scene, struct scene_source *source, co
         scene->direct.called = scene->effects & direct;
     scene->direct.called = scene->direct.called || overrides->direct || overrides->budget || (scene->effects & direct);
     scene->effects |= scene->direct.called ? direct : 0;
-    return complete_size(scene, source) && call_effects(scene, source);
+    return scene_shape_size(scene, source) && call_effects(scene, source);
 }
 
 static bool override_units(struct scene *scene, struct scene_source *source, const struct scene_overrides *overrides)
@@ -277,6 +258,9 @@ static bool has_one_modulus(const struct scene *scene)
     return true;
 }
 
+/* P/(A_n E'), to which loads go by themselves. */
+static const double least_by_itself = 1e-12;
+
 /* A load in the kind of the others; 0: none. */
 static double one_load(const struct scene_one_load *one, const struct scene *scene, const struct material_pair *pair)
 {
@@ -285,11 +269,12 @@ static double one_load(const struct scene_one_load *one, const struct scene *sce
     return one->load / scene_load_divisor(scene, one->kind, pair) * scene_load_divisor(scene, scene->load.kind, pair);
 }
 
-static bool check_one_load(const struct scene_one_load *one, const char *key, const struct scene *scene,
+/* The loads reach a decade beyond it where the scene leaves them to the program. */
+static bool check_one_load(const struct scene_one_load *one, const char *key, struct scene *scene,
                            struct scene_source *source)
 {
     size_t line = scene_keys_line(source, key);
-    const struct scene_load *load = &scene->load;
+    struct scene_load *load = &scene->load;
     double least = load->from, most = load->to;
     for (size_t i = 0; load->values && i < load->points; i++) {
         least = i == 0 ? load->values[i] : fmin(least, load->values[i]);
@@ -306,12 +291,16 @@ static bool check_one_load(const struct scene_one_load *one, const char *key, co
             load->kind == UNIT_NUMBER ? "P/(A_n E')" : unit_quantity_name(load->kind));
     struct material_pair pair = scene_pair(bodies_at(scene, 0));
     double value = one_load(one, scene, &pair);
+    if (!load->given && value >= least_by_itself && value <= 1) {
+        load->from = least = fmin(least, value / 10);
+        load->to = most = fmax(most, fmin(10 * value, 1));
+    }
     return (value >= least && value <= most) ||
            scene_source_fail(source, line, "'%s' is %g%s%s, outside the loads, %g to %g", key, value,
                              load->kind == UNIT_NUMBER ? "" : " ", unit_si(load->kind), least, most);
 }
 
-static bool check_loads(const struct scene *scene, struct scene_source *source)
+static bool check_loads(struct scene *scene, struct scene_source *source)
 {
     return check_load_kind(scene, source, "load", scene->load.kind, scene_keys_line(source, "load")) &&
            check_load_kind(scene, source, "loads", scene->direct.kind, scene_keys_line(source, "direct")) &&
@@ -355,9 +344,9 @@ static enum status_code complete(struct scene *scene, struct scene_source *sourc
     struct status *status = source->status;
     if (!complete_keys(scene, source) || !override_values(scene, source, overrides) ||
         (scene->surface_count == 0 && scene_files_list(scene, status) != STATUS_OK) ||
-        !complete_all_bodies(scene, source) || !check_loads(scene, source) || !scene_asked_complete(scene, source) ||
-        !override_units(scene, source, overrides) || !check_left(scene, source) || !check_baseline(scene, source) ||
-        !check_template(scene, source))
+        !complete_all_bodies(scene, source) || !scene_shape_complete(scene, source) || !check_loads(scene, source) ||
+        !scene_asked_complete(scene, source) || !override_units(scene, source, overrides) ||
+        !check_left(scene, source) || !check_baseline(scene, source) || !check_template(scene, source))
         return status->code;
     char *path = realpath(scene->directory, NULL); /* the directory's own name, however it is given */
     if (!scene->title)
@@ -401,6 +390,7 @@ void scene_free(struct scene *scene)
     free(scene->surfaces);
     scene_files_free(&scene->counterface_surface);
     scene_files_free(&(struct scene_surface){.measured = scene->measured});
+    scene_shape_free(scene);
     free(scene->targets);
     free(scene->limits);
     free(scene->load.values);

@@ -106,6 +106,17 @@ struct scene_direct {
     enum scene_direct_surfaces surfaces;
 };
 
+/** The shape of the parts, as the scene gives it; what comes of it is in struct joint. */
+struct scene_shape {
+    enum { SCENE_SHAPE_BULGE, SCENE_SHAPE_HEIGHT, SCENE_SHAPE_PRESSURE, SCENE_SHAPE_BOLTS } kind;
+    double flatness_m, over_m, crown_m; /* 0: not given */
+    double size_m[2], thickness_m[2];   /* of the nominal area, 0: not given; of the parts */
+    struct scene_surface files;         /* of height or pressure; its files alone count */
+    unsigned scale;                     /* 1: the field is that of any load */
+    struct shape_bolts bolts;
+    double torque_Nm, thread_m, head_m, nut_factor; /* of each */
+};
+
 /** A target or a limit. */
 struct scene_asked {
     enum quantity quantity;
@@ -143,9 +154,10 @@ struct scene {
     uint64_t models;   /* MODEL_BITs asked for */
     bool models_named; /* by the scene, so that they run whatever the surfaces are */
     bool effects_auto;
-    unsigned effects;           /* EFFECT_BITs asked for by name, and those they build on */
-    unsigned called;            /* EFFECT_BITs whose key the scene gives (effect_row.key): they run */
-    struct joint joint;         /* what those keys say */
+    unsigned effects;   /* EFFECT_BITs asked for by name, and those they build on */
+    unsigned called;    /* EFFECT_BITs whose key the scene gives (effect_row.key): they run */
+    struct joint joint; /* what those keys say */
+    struct scene_shape shape;
     struct scene_bodies bodies; /* of every surface that has none of its own */
     double nominal_area_m2;     /* NaN: resistances stay per area */
     enum scene_mean_free_path mean_free_path;

@@ -156,7 +156,8 @@ static bool is_same(const struct scene *scene, const char *a, const char *b)
     return same;
 }
 
-/* Is the file spoken for: the scene itself, the counterface's scan, or measurements? */
+/* Is the file spoken for: the scene itself, the counterface's scan, measurements, or the parts'
+ * shape? */
 static bool is_taken(const struct scene *scene, const char *file)
 {
     for (size_t i = 0; i < scene->counterface_surface.file_count; i++)
@@ -164,6 +165,9 @@ static bool is_taken(const struct scene *scene, const char *file)
             return true;
     for (size_t i = 0; i < scene->measured.file_count; i++)
         if (is_same(scene, scene->measured.files[i], file))
+            return true;
+    for (size_t i = 0; i < scene->shape.files.file_count; i++)
+        if (is_same(scene, scene->shape.files.files[i], file))
             return true;
     return strcmp(file, "scene.yaml") == 0;
 }

@@ -117,16 +117,6 @@ static bool read_export(struct scene_source *source, const struct scene_key *key
     return good && (*exports || scene_source_memory(source));
 }
 
-/* [20 mm, 10 mm]. */
-static bool read_pair(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
-{
-    double *pair = field;
-    if (value->type != YAML_SEQUENCE_NODE || scene_source_item_count(value) != 2)
-        return scene_source_wrong_type(source, value, key->name, "two lengths, as [20 mm, 10 mm]");
-    return scene_source_quantity(source, key, scene_source_item(source, value, 0), &pair[0]) &&
-           scene_source_quantity(source, key, scene_source_item(source, value, 1), &pair[1]);
-}
-
 /* Wavelengths [shortest, longest]. */
 static bool read_fit_band(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
                           void *field)
@@ -422,37 +412,6 @@ static bool read_plating(struct scene_source *source, const struct scene_key *ke
     return true;
 }
 
-/* How the parts bulge, into a struct scene. */
-static bool read_shape(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
-{
-    enum { FLATNESS, OVER, CROWN, SIZE };
-    struct {
-        double flatness_m, over_m, crown_m;
-        double size_m[2];
-    } all = {0};
-    const struct scene_key keys[] = {
-        {"flatness", NULL, SCENE_QUANTITY(0, UNIT_DISTANCE, 1e-12, 1.0)},
-        {"over", NULL, SCENE_QUANTITY(sizeof(double), UNIT_DISTANCE, 1e-9, 1e3)},
-        {"crown", NULL, SCENE_QUANTITY(2 * sizeof(double), UNIT_DISTANCE, 1e-6, 1e9)},
-        {"size", NULL, read_pair, .at = 3 * sizeof(double), .quantities = UNIT_DISTANCE, .least = 1e-9, .most = 1e3},
-    };
-    struct scene *scene = field;
-    size_t lines[SCENE_COUNT(keys)];
-    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys), lines, &all))
-        return false;
-    if ((lines[FLATNESS] > 0) + (lines[CROWN] > 0) != 1 || (lines[FLATNESS] > 0) != (lines[OVER] > 0))
-        return scene_source_fail_at(source, value,
-                                    "'%s' says how the parts bulge in one way; give {flatness: 5 um, over: 20 mm} or "
-                                    "{crown: 2 m}",
-                                    key->name);
-    if (lines[FLATNESS] > 0 && !(all.flatness_m < all.over_m))
-        return scene_source_fail(source, lines[OVER],
-                                 "'over' is %g m, less than 'flatness'; give the length it is over", all.over_m);
-    scene->joint.bulge_per_m = lines[CROWN] > 0 ? 1 / (2 * all.crown_m) : 4 * all.flatness_m / pow(all.over_m, 2);
-    memcpy(scene->joint.size_m, all.size_m, sizeof all.size_m);
-    return true;
-}
-
 #define AT(member) offsetof(struct scene, member)
 const struct scene_key scene_keys[] = {
     {"title", "heading of the report; default: the directory's name", scene_source_text, .at = AT(title)},
@@ -492,7 +451,7 @@ const struct scene_key scene_keys[] = {
      SCENE_CHOICE(AT(mean_free_path), mean_free_path_names)},
     {"load",
      "{from, to, points}, spaced by equal factors, or {values: [...]}, as P/(A_n E') or with a unit, in which charts "
-     "and tables then stand; default: 1e-6 to 0.1 in 121 points",
+     "and tables then stand; default: 1e-6 to 0.1, and a decade beyond operating_load, in 121 points",
      read_load, .at = AT(load)},
     {"operating_load", "where the first page stands; default: the middle of an area of 0.1 to 10 %", read_one_load,
      .at = AT(operating), LOADS},
@@ -555,10 +514,12 @@ const struct scene_key scene_keys[] = {
     {"film", "insulating film on the spots, a resistance times an area; default: none",
      SCENE_QUANTITY(AT(joint.film_ohm_m2), UNIT_RESISTANCE_AREA, 0.0, 1e6)},
     {"shape",
-     "{flatness: 5 um, over: 20 mm} or {crown: radius} of parts that bulge towards each other, size: [20 mm, 10 mm] of "
-     "the nominal area (default: a square): conductance and ECR of the whole of it; needs nominal_area or size; "
-     "default: the parts are flat",
-     read_shape, .at = 0},
+     "{flatness: 5 um, over: 20 mm} or {crown: radius} of parts that bulge towards each other, {height: map of one "
+     "part}, {pressure: file of x, y, p or of area, p, or several, each of another load, scale: true} or {bolts: "
+     "[[10 mm, 10 mm]], torque: 2 N m, thread: M5, head: 8.5 mm, nut_factor: 0.2}, with thickness: [5 mm, 8 mm] of "
+     "the parts (default: half-spaces) and size: [20 mm, 10 mm] of the nominal area (default: a square), from a corner "
+     "of which places count: conductance and ECR of the whole of it; default: the parts are flat",
+     scene_shape_read, .at = 0},
     {"plating",
      "{thickness, metal: hard gold, soft gold, tin, silver or nickel, or its resistivity, sides: one or both (the "
      "surface's comes first)}; thicker than indents are deep, a metal brings its hardness, below that of 'hardness'; "

@@ -148,6 +148,13 @@ char *scene_files_name(const char *file, bool ending);
 /** Frees what one surface holds. */
 void scene_files_free(struct scene_surface *surface);
 
+/** How the parts are shaped, into a struct scene; a pair of lengths. */
+scene_reader scene_shape_read, scene_shape_pair;
+/** The sides of the nominal area, once that is known, and its fields, once the bodies are. */
+MUST_CHECK bool scene_shape_size(struct scene *scene, struct scene_source *source);
+MUST_CHECK bool scene_shape_complete(struct scene *scene, struct scene_source *source);
+void scene_shape_free(struct scene *scene);
+
 /* What a scene asks of the contact, into a struct scene: `targets`, a list of `key: value` pairs, each a quantity,
  * whose load is sought; `limits` to be kept, `key: {most: value, least: value}`. */
 scene_reader scene_asked_read;

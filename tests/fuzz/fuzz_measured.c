@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "directory.h"
 #include "fuzz/fuzz.h"
 
 #include "scan/text_header.h"
@@ -6,12 +7,12 @@
 #include "scene/scene.h"
 #include <math.h>
 
-static const char kinds[] = "ETJM";
+static const char kinds[] = "ETJMP";
 static size_t runs[sizeof kinds], taken[sizeof kinds];
 
 void fuzz_measured_counts(void)
 {
-    static const char *const names[] = {"ECR", "TCR", "sidecar", "material"};
+    static const char *const names[] = {"ECR", "TCR", "sidecar", "material", "pressure"};
     for (size_t i = 0; i < sizeof kinds - 1; i++)
         fprintf(stderr, "runs of %-8s %9zu, good ones %9zu\n", names[i], runs[i], taken[i]);
 }
@@ -57,6 +58,31 @@ static bool material(const struct text *text)
     return code == STATUS_OK;
 }
 
+/* A field of pressure on the parts, or map of height, in the scene's directory. */
+static bool pressure(const struct text *text)
+{
+    static const char line[] = "material: copper\nnominal_area: 400 mm2\nshape: {pressure: f.csv, scale: true}\n";
+    const struct directory directory = directory_make();
+    struct scene scene;
+    struct status status = {0};
+    struct text whole = {0};
+    text_add(&whole, "%s", line);
+    FUZZ_REQUIRE(text_write_file(directory_path(&directory, "f.csv"), text_string(text), text->length, &status) ==
+                 STATUS_OK);
+    enum status_code code = scene_read(&scene, directory.path, &(struct scene_overrides){.text = &whole}, &status);
+    if (code == STATUS_OK) {
+        const struct shape_field *field = scene.joint.fields;
+        FUZZ_REQUIRE(field->mean > 0 && isfinite(field->mean));
+        for (size_t k = 0; k < field->nx * (field->ny > 0 ? field->ny : 1); k++)
+            FUZZ_REQUIRE(field->value[k] >= 0 && isfinite(field->value[k]));
+    } else
+        FUZZ_REQUIRE(code == STATUS_SCENE && *status.message && !strchr(status.message, '\n'));
+    scene_free(&scene);
+    text_free(&whole);
+    directory_remove(&directory);
+    return code == STATUS_OK;
+}
+
 void fuzz_measured(const uint8_t *bytes, size_t length)
 {
     const char *kind = length > 0 && *bytes ? strchr(kinds, *bytes) : NULL;
@@ -67,6 +93,7 @@ void fuzz_measured(const uint8_t *bytes, size_t length)
     text_add_bytes(&text, (const char *)bytes + 1, length - 1);
     bool good = *kind == 'J'   ? sidecar_read_text(&sidecar, &text, "file.json")
                 : *kind == 'M' ? material(&text)
+                : *kind == 'P' ? pressure(&text)
                                : measured(&text, *kind == 'E' ? SCENE_MEASURED_ECR : SCENE_MEASURED_TCR);
     runs[kind - kinds]++;
     taken[kind - kinds] += good;

@@ -326,6 +326,21 @@ TEST_IN_PLACE(test_area_that_is_load_over_hardness)
     }
 }
 
+/** What rises from the smoothest surface to the roughest is said of surfaces that differ in roughness; of scans of one
+ * surface, whose Rq differs by chance, in none of these eight. */
+TEST_IN_PLACE(test_order_by_roughness)
+{
+    directory_write(place, "same/scene.yaml", "models: [multiscale, statistical]\nmaterial: tin\nload: {values: [1e-4]}\n");
+    for (unsigned long seed = 0; seed < 9; seed++) {
+        pipeline_rough(place, "same/a.csv", 160, 0.1, 100 + 2 * seed);
+        pipeline_rough(place, "same/b.csv", 160, seed == 8 ? 1.5 : 0.1, 101 + 2 * seed);
+        assert_int_equal(pipeline_run(place, "same", "out", 1), 0);
+        struct text page = directory_read(place, "out/report.md");
+        assert_true(!strstr(text_string(&page), "From the smoothest to the roughest") == (seed < 8));
+        text_free(&page);
+    }
+}
+
 /* Brief: the page up to the rule, byte by byte, its figure alone, and the same data. */
 TEST_IN_PLACE(test_brief)
 {

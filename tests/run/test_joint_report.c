@@ -393,6 +393,65 @@ TEST_IN_PLACE(shape_of_the_parts)
     table_free(&before);
 }
 
+/* The same shape as a map of the part's height has the same numbers; pressures that are the same all over, however they
+ * are given, those of flat parts; parts of the area without a place have no way to them. */
+TEST_IN_PLACE(shape_from_files)
+{
+    static const char *const shapes[] = {
+        "{flatness: 3 um, over: 20 mm}", "{height: ../m.csv}",
+        "{pressure: ../p.csv}",          "{pressure: ../rows.csv}",
+        "{pressure: ../two.csv}",        "{flatness: 3 um, over: 20 mm, thickness: [1 mm, 1 mm]}"};
+    struct text map = {0};
+    double bulged = NAN, flat = NAN;
+    text_add(&map, "x [mm],y [mm],z [um]\n");
+    for (int k = 0; k < 41 * 41; k++)
+        text_add(&map, "%g,%g,%.17g\n", k % 41 * 0.5, k / 41 * 0.5,
+                 -3 * (pow(k % 41 - 20., 2) + pow(k / 41 - 20., 2)) / 400);
+    directory_write(place, "m.csv", text_string(&map));
+    text_free(&map);
+    directory_write(place, "p.csv", "x [mm], y [mm], p [bar]\n0,0,10\n20,0,10\n0,20,10\n20,20,10\n");
+    directory_write(place, "rows.csv", "A [mm2], p [MPa]\n300, 1\n100, 1\n");
+    directory_write(place, "two.csv", "A [mm2], p [MPa]\n200, 1.9\n200, 0.1\n");
+    for (size_t k = 0; k < sizeof shapes / sizeof *shapes; k++) {
+        json_t *results = results_of(
+            place, filled("material: copper\ncounterface: aluminium\nnominal_area: 400 mm2\nshape: %s\n"
+                          "load: {from: 1 bar, to: 100 bar, points: 9}\noperating_load: 10 bar\ntolerance: 1e-12\n"
+                          "models: [corrected-persson]\nbaseline: a\ngap: {gas: vacuum}\n"
+                          "surfaces: [{name: a, file: a.csv}]\n",
+                          shapes[k]));
+        struct table contact = directory_table(place, "out/data/contact.csv");
+        size_t middle = contact.rows / 2;
+        double value = number(&contact, middle, "shape_W_per_m2K"),
+               uniform = number(&contact, middle, "joint_W_per_m2K");
+        assert_true(isfinite(value) && isfinite(uniform));
+        bulged = k == 0 ? value : bulged;
+        flat = uniform;
+        if (k == 1)
+            assert_near(value, bulged, 5e-3);
+        else if (k == 5) /* heat has less of a way to come together */
+            assert_true(value > 1.05 * bulged && value < flat);
+        else if (k == 4) /* h grows with nearly the load: halves of it are nearly the whole */
+            assert_true(value < 0.999 * flat && value > 0.9 * flat);
+        else if (k > 1)
+            assert_near(value, flat, 1e-12);
+        struct text page = directory_read(place, "out/report.md"),
+                    script = directory_read(place, "out/figures/joint.gp");
+        assert_true(!strstr(text_string(&script), "Pressure at the operating load") ==
+                    (k == 3 || k == 4)); /* there is no middle */
+        expect_parts(text_string(&script), "with the shape", "flat parts");
+        struct text drawn = directory_read(place, "out/figures/joint.csv"); /* 1 MPa in the middle and at the corners */
+        assert_true(!strstr(text_string(&drawn), "\n0.147313913,1\n") == (k != 2));
+        assert_true(!strstr(text_string(&drawn), "\n13.9948217,1\n") == (k != 2));
+        text_free(&drawn);
+        text_free(&script);
+        assert_true(!strstr(text_string(&page), "The way to the spots is not in them") == (k < 3 || k == 5));
+        assert_true(!strstr(text_string(&page), "The pressures grow with the load") == (k < 2 || k == 5));
+        text_free(&page);
+        table_free(&contact);
+        json_decref(results);
+    }
+}
+
 /** Vacuum carries nothing, no film adds nothing; tin says when it softens and melts. */
 TEST_IN_PLACE(sentences)
 {

@@ -377,6 +377,18 @@ TEST_CASE(test_hardness)
 }
 
 /** A number beside a name is what counts. */
+/** Where the scene leaves the loads to the program, they reach beyond the one that it names. */
+TEST_CASE(test_default_loads_reach_the_operating_load)
+{
+    struct scene scene = scene_of("material: brass\nnominal_area: 1 cm2\noperating_load: 1 N\n");
+    assert_true(scene.load.from < 1e-7 && scene.load.to == 0.1);
+    assert_near(scene.load.from * scene_pair(&scene.bodies).effective_modulus_Pa, 1e3, 1e-12); /* 10 kPa over ten */
+    scene_free(&scene);
+    scene = scene_of("operating_load: 0.5\n");
+    assert_true(scene.load.from == 1e-6 && scene.load.to == 1);
+    scene_free(&scene);
+}
+
 TEST_CASE(test_platings_and_fillers_by_name)
 {
     struct scene scene =

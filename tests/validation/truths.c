@@ -401,6 +401,7 @@ void truths_add(struct page *page)
     add_westergaard(page);
     add_hertz(page);
     add_greenwood(page);
+    shapes_add(page);
     add_published(page);
     add_thesis(page);
 }

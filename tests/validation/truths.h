@@ -25,6 +25,8 @@ void truths_draw(const char *directory);
 struct asperities truths_asperities(int surface);
 /** The integrals of the statistical models by the thesis's rule and by the program's. */
 void quadrature_add(struct page *page);
+/** Bulged rough surfaces: the cells of the joint's shape against direct solutions. */
+void shapes_add(struct page *page);
 /** Simulated coverage of the fit's and the scans' intervals. */
 void truths_add_coverage(struct page *page);
 

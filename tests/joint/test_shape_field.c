@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Fields over the nominal area: planes and their mean, the cone of a bolt, pressures of several loads. */
+#include "joint/shape_field.h"
+#include "support.h"
+
+static const double sides_m[2] = {30e-3, 20e-3};
+
+/** Between nodes a plane is a plane, and beyond the outermost it stays as there. */
+TEST_CASE(test_plane)
+{
+    const double x[] = {0, 5e-3, 12e-3, 30e-3}, y[] = {5e-3, 6e-3, 15e-3};
+    const double *const at[2] = {x, y};
+    const size_t count[2] = {4, 3};
+    double value[12];
+    struct shape_field field;
+    struct status status = {0};
+    for (size_t k = 0; k < 12; k++)
+        value[k] = 1 + 100 * x[k % 4] + 300 * y[k / 4];
+    assert_int_equal(shape_field_grid(&field, at, count, value, sides_m, &status), STATUS_OK);
+    assert_int_equal(field.nx, 64);
+    for (size_t k = 0; k < field.nx * field.ny; k++) {
+        double cx = ((double)(k % field.nx) + 0.5) / 64 * sides_m[0];
+        double cy = ((double)(k / field.nx) + 0.5) / 64 * sides_m[1];
+        assert_near(field.value[k], 1 + 100 * cx + 300 * fmin(fmax(cy, 5e-3), 15e-3), 1e-12);
+    }
+    assert_near(field.mean, 1 + 100 * 15e-3 + 300 * 10e-3, 1e-12);
+    shape_field_free(&field);
+    const size_t line[2] = {4, 1};
+    assert_int_equal(shape_field_grid(&field, at, line, value, sides_m, &status), STATUS_MODEL);
+    shape_field_free(&field);
+}
+
+/** What is under the cone is the force; the slope is 0 at the hole, and at the reach nothing is left, not even of
+ * slope and curvature. */
+TEST_CASE(test_cone)
+{
+    const struct shape_bolts bolts = {.force_N = 700, .hole_m = 2.75e-3, .reach_m = 9.25e-3};
+    enum { STEPS = 20000 };
+    double step = (bolts.reach_m - bolts.hole_m) / STEPS, force_N = 0, least = INFINITY, far = 1e-4;
+    for (int i = 0; i < STEPS; i++) {
+        double r = bolts.hole_m + (i + 0.5) * step, p = shape_bolt_pressure(&bolts, r);
+        force_N += 2 * M_PI * r * p * step;
+        assert_true(p < least);
+        least = p;
+    }
+    assert_near(force_N, 700, 1e-8);
+    double top = shape_bolt_pressure(&bolts, bolts.hole_m);
+    assert_near((top - shape_bolt_pressure(&bolts, bolts.hole_m + 2 * far)) /
+                    (top - shape_bolt_pressure(&bolts, bolts.hole_m + far)),
+                4, 0.03); /* quadratic */
+    assert_near(shape_bolt_pressure(&bolts, bolts.reach_m - 2 * far) / shape_bolt_pressure(&bolts, bolts.reach_m - far),
+                8, 0.02); /* cubic */
+    assert_true(shape_bolt_pressure(&bolts, bolts.hole_m * 0.999) == 0);
+    assert_true(shape_bolt_pressure(&bolts, bolts.reach_m * 1.001) == 0);
+}
+
+/** Each bolt has its force, at the edge too; cells have the pressure of their middle. */
+TEST_CASE(test_bolts_on_an_area)
+{
+    double middle_m[][2] = {{10e-3, 10e-3}, {29e-3, 19e-3}};
+    struct shape_bolts bolts = {middle_m, 2, 700, 2.75e-3, 9.25e-3};
+    struct shape_field field;
+    struct status status = {0};
+    for (bolts.count = 1; bolts.count <= 2; bolts.count++) {
+        assert_int_equal(shape_field_bolts(&field, &bolts, sides_m, &status), STATUS_OK);
+        assert_near(field.mean * sides_m[0] * sides_m[1], 700. * (double)bolts.count, 1e-9);
+        for (size_t k = 0; k < field.nx * field.ny; k++) {
+            double x = ((double)(k % field.nx) + 0.5) / (double)field.nx * sides_m[0] - 10e-3;
+            double y = ((double)(k / field.nx) + 0.5) / (double)field.ny * sides_m[1] - 10e-3, r = hypot(x, y);
+            assert_true(field.value[k] >= 0);
+            if (bolts.count == 1 && r > 4e-3 && r < 7.5e-3)
+                assert_near(field.value[k], shape_bolt_pressure(&bolts, r), 0.02);
+        }
+        shape_field_free(&field);
+    }
+    bolts.reach_m = bolts.hole_m + 1e-9;
+    assert_int_equal(shape_field_bolts(&field, &bolts, sides_m, &status), STATUS_MODEL);
+    assert_non_null(strstr(status.message, "bolt 1 presses on less than a cell"));
+    shape_field_free(&field);
+}
+
+/** At a field's own load it is that field, between two something between, beyond them the outer one, always of the mean
+ * asked for. */
+TEST_CASE(test_pressures_of_several_loads)
+{
+    double values[3][4] = {{1, 1, 1, 1}, {0, 4, 8, 4}, {10, 20, 30, 40}};
+    const struct shape_field fields[] = {
+        {2, 2, values[0], NULL, 1}, {2, 2, values[1], NULL, 4}, {2, 2, values[2], NULL, 25}};
+    for (double mean = 0.01; mean < 1e3; mean *= 1.3) {
+        double out[4], sum = 0;
+        shape_field_press(out, fields, 3, mean);
+        for (int k = 0; k < 4; k++)
+            sum += out[k];
+        assert_near(sum, 4 * mean, 1e-12);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        double out[4], beyond[4];
+        shape_field_press(out, fields, 3, fields[i].mean);
+        shape_field_press(beyond, fields, 3, i == 0 ? fields[0].mean / 10 : fields[2].mean * 10);
+        for (int k = 0; k < 4; k++) {
+            assert_near(out[k], values[i][k], 1e-12);
+            if (i != 1)
+                assert_near(beyond[k], values[i][k] * (i == 0 ? 0.1 : 10), 1e-12);
+        }
+    }
+    double out[4];
+    shape_field_press(out, fields, 3, 2); /* half way in ln */
+    assert_near(out[0], 2 * (0.5 * 1 + 0.5 * 0), 1e-12);
+    assert_near(out[2], 2 * (0.5 * 1 + 0.5 * 2), 1e-12);
+}
