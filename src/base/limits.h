@@ -36,9 +36,11 @@
     X(NAME_BYTES, 255, "bytes", "name", "the name of a surface, which every row of the tables repeats", "shorten it")  \
     X(RESULTS_BYTES, 134217728, "bytes", "results", "a results.json that `compare` reads", "report fewer surfaces")    \
     X(RESULTS_VALUES, 10000000, "values", "values",                                                                    \
-      "values of all that `compare` reads, an array as two, an object as four, a text or name one more",               \
+      "values of all that `compare` reads at once, an array as two, an object as four, a text or name one more",       \
       "compare fewer reports at once")                                                                                 \
     X(COMPARED, 200000, "items", "compared", "numbers and inputs that `compare` prints, each of every report",         \
+      "compare fewer reports at once")                                                                                 \
+    X(RANKED, 2000, "surfaces", "ranked", "surfaces of all reports that `compare` ranks, each tested against each",    \
       "compare fewer reports at once")                                                                                 \
     X(TEMPLATE_BYTES, 1048576, "bytes", "template", "a template, with its partials within one another", "cut it down") \
     X(TEMPLATE_STEPS, 100000000, "steps", "steps",                                                                     \

@@ -2,6 +2,7 @@
 #include "chart/figures.h"
 
 #include "answers/direct_study.h"
+#include "base/number_format.h"
 #include "chart/chart.h"
 #include "joint/heating.h"
 #include "results/accuracy.h"
@@ -458,12 +459,18 @@ static void make_convergence(struct chart *chart, const struct source *source)
         for (size_t m = 0; m < model_count; m++) {
             const struct convergence_sweep_row *sweep = &convergence_sweeps[s];
             char number[20], value[40];
+            struct text load = {0};
             if (!plan_runs_model(results->plan, m) || !model_rows[m]->stacks_scales)
                 continue;
             chart->number = 1 + 2 * s + model_rows[m]->plastic;
             snprintf(number, sizeof number, "6-%02d", chart->number);
-            if (!chart_panel(chart, SAY(parameter[s][1], "number", number, "model", model_rows[m]->label),
-                             SAY("axis.shortest_wavelength"), SAY("axis.area_ratio"), true, true))
+            number_format(&load, results_sweep_load(results, m), 2);
+            const struct chart_panel *panel = chart_panel(
+                chart,
+                SAY(parameter[s][1], "number", number, "model", model_rows[m]->label, "load", text_string(&load)),
+                SAY("axis.shortest_wavelength"), SAY("axis.area_ratio"), true, true);
+            text_free(&load);
+            if (!panel)
                 return;
             for (size_t v = 0; v < sweep->count; v++) {
                 const double *area = results_sweep(results, (enum convergence_sweep)s, m, v);
@@ -516,7 +523,15 @@ static void put_quantity(struct chart *chart, const struct source *source, enum 
         put_curve(chart, source, record, m, &x, &y, look);
 }
 
-/** The baseline in every model, a panel a quantity: those of the contact, or the joint's, of those its whole first. */
+/** Is a panel left to the appendix: of a report's only surface, what the first page has drawn, and gap against area? */
+static bool is_more(const struct source *source, enum quantity quantity, const struct quantity_panel *panel)
+{
+    return source->results->usable_count == 1 &&
+           (panel->against != QUANTITY_LOAD || quantity == source->asked.quantity);
+}
+
+/** The baseline in every model, a panel a quantity: those of the contact, `whole`: but the appendix's; or the joint's,
+ * of those its whole first. */
 static void put_baseline(struct chart *chart, const struct source *source, bool joint, bool whole)
 {
     for (int p = 0; p < 2 * QUANTITY_COUNT; p++) {
@@ -526,7 +541,7 @@ static void put_baseline(struct chart *chart, const struct source *source, bool 
         chart->number = panel->number;
         snprintf(number, sizeof number, "6-%02d", panel->number);
         if (!panel->file || quantity_of_joint(quantity) != joint ||
-            (joint && (quantity_rows[quantity].precedence > 0) != whole) ||
+            (joint ? quantity_rows[quantity].precedence > 0 : !is_more(source, quantity, panel)) != whole ||
             !(plan_quantities(source->results->plan) & QUANTITY_BIT(quantity)) ||
             !begin_panel(chart, source, panel->against, quantity,
                          panel->number == 0 ? quantity_words(source, "panel", quantity)
@@ -539,8 +554,14 @@ static void put_baseline(struct chart *chart, const struct source *source, bool 
 
 static void make_one_surface(struct chart *chart, const struct source *source)
 {
-    chart->panel_height = 150;
+    chart->panel_height = 190;
     put_baseline(chart, source, false, true);
+}
+
+static void make_one_surface_more(struct chart *chart, const struct source *source)
+{
+    chart->panel_height = 190;
+    put_baseline(chart, source, false, false);
 }
 
 /** What the shape of the parts does to the leading model's answer, and where it presses. */
@@ -732,6 +753,7 @@ static const struct figure_row {
     {"surfaces", false, false, make_surfaces},
     {"convergence", false, false, make_convergence},
     {"one-surface", false, false, make_one_surface},
+    {"one-surface-more", false, false, make_one_surface_more},
     {"joint", false, false, make_joint},
     {"measured", false, false, make_measured},
     {"direct", false, true, make_direct},

@@ -7,7 +7,7 @@
 #include "chart/words.h"
 #include "results/results.h"
 
-enum { FIGURES_MOST = 9 + 2 * QUANTITY_COUNT, FIGURE_FEW_POINTS = 200 };
+enum { FIGURES_MOST = 10 + 2 * QUANTITY_COUNT, FIGURE_FEW_POINTS = 200 };
 
 /** What a chart's caption has to say of what is drawn in it. */
 enum figure_note {

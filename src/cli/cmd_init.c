@@ -75,6 +75,40 @@ static enum status_code add_surface(json_t *view, const struct scene *scene, con
     return one && path ? status->code : status_memory(status);
 }
 
+/** Do the names say that two surfaces, each of a sub-directory, are the two sides of a joint? */
+static bool are_mates(const struct scene_surface *one, const struct scene_surface *other)
+{
+    static const char *const pairs[][2] = {
+        {"pin", "socket"},   {"plug", "socket"}, {"plug", "jack"},   {"plug", "header"},   {"tab", "recept"},
+        {"blade", "recept"}, {"male", "female"}, {"upper", "lower"}, {"top", "bottom"},    {"ball", "flat"},
+        {"rider", "flat"},   {"spring", "pad"},  {"chip", "sink"},   {"spreader", "sink"}, {"spreader", "plate"},
+        {"case", "sink"},    {"base", "plate"},  {"contact", "mate"}};
+    bool are = false;
+    for (size_t p = 0; p < sizeof pairs / sizeof *pairs && strchr(one->files[0], '/') && strchr(other->files[0], '/');
+         p++)
+        are = are || (strcasestr(one->name, pairs[p][0]) && strcasestr(other->name, pairs[p][1]));
+    return are;
+}
+
+/** Proposes the first two surfaces that are mates as each other's. */
+static void add_mates(json_t *view, const struct scene *scene)
+{
+    const json_t *surfaces = json_object_get(view, "surfaces");
+    for (size_t i = 0; i < scene->surface_count; i++)
+        for (size_t j = 0; j < scene->surface_count; j++)
+            if (i != j && are_mates(&scene->surfaces[i], &scene->surfaces[j]) &&
+                json_array_size(surfaces) == scene->surface_count && !json_object_get(view, "mates")) {
+                const json_t *one = json_array_get(surfaces, i), *other = json_array_get(surfaces, j);
+                json_t *files = json_array(), *file;
+                size_t f;
+                json_array_foreach(json_object_get(other, "files"), f, file) json_array_append_new(
+                    files, json_pack("{s:O, s:b}", "file", file, "more", f + 1 < scene->surfaces[j].file_count));
+                json_object_set_new(view, "mates",
+                                    json_pack("{s:O, s:O, s:o}", "one", json_object_get(one, "name"), "other",
+                                              json_object_get(other, "name"), "files", files));
+            }
+}
+
 /** The scene as text. */
 static enum status_code make_text(struct text *out, struct scene *scene, const char *templates, struct status *status)
 {
@@ -87,6 +121,8 @@ static enum status_code make_text(struct text *out, struct scene *scene, const c
     enum status_code rc = view ? scene_join_repeats(scene, status) : status_memory(status);
     for (size_t i = 0; i < scene->surface_count && rc == STATUS_OK; i++)
         rc = add_surface(view, scene, &scene->surfaces[i], status);
+    if (rc == STATUS_OK)
+        add_mates(view, scene);
     if (rc == STATUS_OK)
         json_object_set_new(view, "any", json_boolean(json_array_size(json_object_get(view, "surfaces")) > 0));
     if (rc == STATUS_OK)

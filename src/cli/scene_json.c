@@ -53,8 +53,8 @@ static json_t *effects_json(const struct results *results)
     json_t *effects = json_array();
     work_account(rows, results);
     for (int r = 0; r < WORK_ROWS; r++)
-        json_array_append_new(effects, json_pack("{s:s, s:b, s:o}", "effect", rows[r].name, "runs", rows[r].runs,
-                                                 "reason", json_shown(rows[r].reason)));
+        json_array_append_new(effects, json_pack("{s:s, s:b, s:o, s:s}", "effect", rows[r].name, "runs", rows[r].runs,
+                                                 "reason", json_shown(rows[r].reason), "changes", rows[r].changes));
     return effects;
 }
 

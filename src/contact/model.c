@@ -170,11 +170,16 @@ double model_task_longest_waves(const struct model_task *task)
     return task->rows && !task->rows->periodic ? spectrum_longest_waves(task->spectrum) : 0;
 }
 
-double model_surface_sd(const struct model_row *row, enum quantity quantity, double longest_waves)
+double model_few_waves_sd(double longest_waves)
 {
     static const double waves = 2.5, sd = 1.3;
+    return longest_waves > 0 && longest_waves < waves ? sd * log(waves / longest_waves) : 0;
+}
+
+double model_surface_sd(const struct model_row *row, enum quantity quantity, double longest_waves)
+{
     double own = model_sd(row, quantity);
-    return own > 0 && longest_waves > 0 && longest_waves < waves ? hypot(own, sd * log(waves / longest_waves)) : own;
+    return own > 0 ? hypot(own, model_few_waves_sd(longest_waves)) : own;
 }
 
 double model_elastic_share(const struct model_row *row, const struct contact_point *point, double load_over_hardness)

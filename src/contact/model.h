@@ -146,8 +146,10 @@ double model_rms(const struct model_row *row, enum quantity quantity, bool one_s
 double model_sd(const struct model_row *row, enum quantity quantity);
 /** How many of their longest waves the scans hold (spectrum_longest_waves()) whose ends are open; 0: they close. */
 double model_task_longest_waves(const struct model_task *task);
-/** model_sd() with what scans of fewer than 2.5 longest waves cannot know of the surface, in quadrature: 1.3
- * ln(2.5/waves), measured against direct solutions. waves 0: nothing; so of a model without an ln_sd. */
+/** What scans of fewer than 2.5 longest waves cannot know of the surface, of ln a quantity: 1.3 ln(2.5/waves), measured
+ * against direct solutions. waves 0: nothing. */
+double model_few_waves_sd(double longest_waves);
+/** model_sd() with that in quadrature; of a model without an ln_sd nothing. */
 double model_surface_sd(const struct model_row *row, enum quantity quantity, double longest_waves);
 
 /** 1 - (P/(H A))^4 at a point of a model with a hardness: d ln A/d ln A_e of bearing_area(), A_e the elastic area; 1 of

@@ -79,11 +79,12 @@ static void decide_plasticity(struct plan *plan, const struct scene *scene, cons
     for (size_t m = 0; m < model_count; m++)
         needed = needed ||
                  (scene->models_named && plan_runs_model(plan, m) && model_rows[m]->plastic && !model_rows[m]->elastic);
-    bool runs = needed || pow(1 + pow(most, 4), 0.25) - 1 > scene->tolerance;
+    const double change = expm1(log1p(pow(most, 4)) / 4);
+    bool runs = needed || change > scene->tolerance;
     snprintf(effect->reason, sizeof effect->reason,
              runs ? "spots might bear up to %.2g times the hardness"
-                  : "no spot bears more than %.2g times the hardness",
-             fmin(most, DBL_MAX));
+                  : "no spot bears more than %.2g times the hardness: %.1g of the area at most, below the tolerance",
+             fmin(most, DBL_MAX), change);
     if (!runs)
         plan_switch_off(plan, EFFECT_PLASTICITY);
 }

@@ -2,6 +2,7 @@
 #include "report/export.h"
 
 #include "base/mustache.h"
+#include "report/view.h"
 #include "scene/scene_words.h"
 #include <dirent.h>
 #include <errno.h>
@@ -82,24 +83,29 @@ static void add_comment(struct text *out, const char *string)
         text_add_bytes(out, strchr("$&#%!*\"'`\\", *s) ? "_" : s, 1);
 }
 
-static enum status_code write_one(const json_t *item, const char *folder, const char *program, const char *ending,
-                                  const char *directory, struct status *status)
+static enum status_code write_one(json_t *view, const json_t *item, const char *folder, const char *program,
+                                  const char *ending, const char *directory, struct status *status)
 {
-    struct text content = {0};
+    struct text content = {0}, name = {0};
     char dotted[NAME_MAX + 2];
     snprintf(dotted, sizeof dotted, ".%s", ending);
     struct mustache_folder templates = {folder, dotted, NULL, status};
     enum status_code rc = mustache_file(&content, &templates, program, item, add_comment);
+    text_add(&name, "export/%s.%s.%s", json_string_value(json_object_get(item, "file")), program, ending);
     if (rc == STATUS_OK)
-        rc = text_save(&content, status, "%s/export/%s.%s.%s", directory,
-                       json_string_value(json_object_get(item, "file")), program, ending);
+        rc = text_save(&content, status, "%s/%s", directory, text_string(&name));
+    if (json_array_size(json_object_get(view, "exported")) < VIEW_ROWS)
+        view_text(view_item(view_list(view, "exported")), "file", text_string(&name));
+    else
+        view_flag(view, "exported_more", true);
+    text_free(&name);
     mustache_folder_free(&templates);
     text_free(&content);
     return rc;
 }
 
-enum status_code export_write(const json_t *view, const struct scene *scene, const char *templates,
-                              const char *directory, struct status *status)
+enum status_code export_write(json_t *view, const struct scene *scene, const char *templates, const char *directory,
+                              struct status *status)
 {
     struct programs programs;
     struct text folder = {0};
@@ -115,8 +121,10 @@ enum status_code export_write(const json_t *view, const struct scene *scene, con
     {
         for (size_t k = 0; k < programs.count && status->code == STATUS_OK; k++)
             if (asked[k])
-                (void)write_one(item, text_string(&folder), programs.name[k], programs.ending[k], directory, status);
+                (void)write_one(view, item, text_string(&folder), programs.name[k], programs.ending[k], directory,
+                                status);
     }
+    view_separate(json_object_get(view, "exported"));
     text_free(&folder);
     programs_free(&programs);
     return status->code;

@@ -12,9 +12,9 @@
  * without material; STATUS_IO: templates/export cannot be read. */
 MUST_CHECK enum status_code export_check(const struct scene *scene, const char *templates, struct status *status);
 
-/** Writes export/SURFACE.NAME.ENDING below `directory`, which has an export/. Errors: of a template, STATUS_IO,
- * STATUS_MEMORY. */
-MUST_CHECK enum status_code export_write(const json_t *view, const struct scene *scene, const char *templates,
+/** Writes export/SURFACE.NAME.ENDING below `directory`, which has an export/, and names them in the view. Errors: of a
+ * template, STATUS_IO, STATUS_MEMORY. */
+MUST_CHECK enum status_code export_write(json_t *view, const struct scene *scene, const char *templates,
                                          const char *directory, struct status *status);
 
 #endif

@@ -26,7 +26,7 @@ MUST_CHECK enum status_code report_write(json_t *view, const struct report_optio
 MUST_CHECK enum status_code report_terminal(struct text *out, const char *name, const json_t *view,
                                             const char *templates, bool markdown, struct status *status);
 
-enum { REPORTS_COMPARED = 20 /* at most */ };
+enum { REPORTS_COMPARED = 20 /* side by side at most; more are ranked alone */ };
 
 /** Finished reports, by their directories, side by side: what templates/compare.txt is filled from, new
  * (docs/templates.md). Numbers are those of the first one's leading model at its operating load; a surface is held

@@ -14,11 +14,16 @@
 
 struct compared {
     json_t *results[REPORTS_COMPARED], *surfaces[REPORTS_COMPARED]; /* these by name */
-    size_t count;
-    size_t values;                  /* that all of them may have, by LIMIT_RESULTS_VALUES, the files so far */
+    size_t count;          /* of those: all; where there are more reports, the first and the one being read */
+    size_t reports;        /* read so far */
+    struct ranked *ranked; /* the surfaces that have an answer, of all */
+    size_t ranked_count;
+    enum quantity criterion;        /* what they are ranked by, once ranked_count > 0 */
+    size_t values;                  /* that those kept may have, by LIMIT_RESULTS_VALUES */
     size_t items;                   /* of the view, by LIMIT_COMPARED */
     const char *leading;            /* the first one's model */
     double tie;                     /* relative difference that is none */
+    bool beside;                    /* few enough to stand side by side */
     bool any, differ, loads_differ; /* any: a number is in two reports; differ: anything */
 };
 
@@ -100,6 +105,102 @@ static struct side side_of(const struct compared *all, size_t k, const char *nam
         return out;
     out.known = (struct estimate){.count = 1, .mean = log(out.value), .s = s, .degrees = degrees};
     return out;
+}
+
+/** A surface in the ranking of all. */
+struct ranked {
+    json_t *line;
+    struct side side;
+    double cost;  /* less is better */
+    size_t order; /* as given */
+};
+
+/** Takes what a report's surfaces are ranked by at the pressure of the very first: ECR, TCR or area. */
+static enum status_code take_ranked(struct compared *all, size_t k, const char *path, struct status *status)
+{
+    static const enum quantity criteria[] = {QUANTITY_ECR, QUANTITY_TCR, QUANTITY_AREA};
+    const char *name;
+    json_t *ignored;
+    json_object_foreach(all->surfaces[k], name, ignored)
+    {
+        struct side side = {.value = NAN};
+        bool begun = all->ranked_count > 0;
+        for (size_t c = begun ? 2 : 0; !(side.value > 0) && c < 3; c++) {
+            all->criterion = begun ? all->criterion : criteria[c];
+            side = side_of(all, k, name, all->criterion, begun ? &all->ranked[0].side : NULL);
+        }
+        if (!(side.value > 0) || !isfinite(side.value))
+            continue;
+        if (all->ranked_count == limit_most(LIMIT_RANKED))
+            return status_fail(status, STATUS_SCAN, "too many surfaces%s", limit_words(LIMIT_RANKED).text);
+        struct ranked *more = realloc(all->ranked, (all->ranked_count + 1) * sizeof *more);
+        if (!more)
+            return status_memory(status);
+        bool rises = quantity_rows[all->criterion].is & QUANTITY_RISES;
+        json_t *line = json_object();
+        view_count(line, "report", all->reports);
+        view_text(line, "path", path);
+        view_text(line, "surface", name);
+        all->ranked = more;
+        all->ranked[all->ranked_count] =
+            (struct ranked){line, side, rises ? -side.value : side.value, all->ranked_count};
+        all->ranked_count++;
+        all->loads_differ = all->loads_differ || side.elsewhere;
+    }
+    return STATUS_OK;
+}
+
+static int best_first(const void *a, const void *b)
+{
+    const struct ranked *first = a, *second = b;
+    int by_cost = (first->cost > second->cost) - (first->cost < second->cost);
+    return by_cost ? by_cost : first->order > second->order ? 1 : -1;
+}
+
+/** Ranks the surfaces of all reports, by the test that a report has for its own. */
+static enum status_code add_ranking(json_t *view, struct compared *all, struct status *status)
+{
+    const struct quantity_unit unit = quantity_rows[all->criterion].handy;
+    const struct estimate **known = malloc((all->ranked_count + 1) * sizeof *known);
+    struct comparison_ranking ranking = {.count = 0};
+    json_t *out = view_part(view, "ranking");
+    if (!known)
+        return status_memory(status);
+    qsort(all->ranked, all->ranked_count, sizeof *all->ranked, best_first);
+    for (size_t i = 0; i < all->ranked_count; i++)
+        if (all->ranked[i].side.known.count > 0)
+            known[ranking.count++] = &all->ranked[i].side.known;
+    enum status_code rc = comparison_test(&ranking, known, status);
+    view_text(out, "quantity", quantity_shown_name(all->criterion));
+    view_text(out, "symbol", quantity_rows[all->criterion].short_symbol);
+    view_text(out, "unit", unit.unit);
+    view_some(out, "untested", all->ranked_count - ranking.count);
+    view_some(out, "too_many", ranking.count > COMPARISON_RANKED_MOST ? COMPARISON_RANKED_MOST : 0);
+    for (size_t i = 0, place = 0; i < all->ranked_count && rc == STATUS_OK; i++) {
+        const struct side *side = &all->ranked[i].side;
+        json_t *line = all->ranked[i].line, *shown = view_part(line, "shown");
+        char letters[RANKING_LETTERS + 1] = "";
+        bool tested = side->known.count > 0;
+        view_count(line, "rank", i + 1);
+        json_object_set_new(line, "value", json_finite(side->value));
+        view_number(shown, "value", side->value * unit.scale, 3, "");
+        view_interval(shown, "interval", side->ends[0] * unit.scale, side->ends[1] * unit.scale, 2);
+        view_number(shown, "ratio", side->value / all->ranked[0].side.value, 3, "");
+        if (tested && place > 0) { /* against the best of those tested */
+            const struct comparison_pair *pair = comparison_pair_of(&ranking, 0, place);
+            json_object_set_new(line, "p", json_real(pair->p));
+            view_number(shown, "p", pair->p, 2, "");
+            view_flag(line, "worse", comparison_told_apart(pair));
+        }
+        if (tested && ranking.groups.surfaces > 0)
+            ranking_groups_letters(letters, &ranking.groups, place);
+        view_text(line, "letters", letters);
+        json_array_append(view_list(out, "lines"), line);
+        place += tested;
+    }
+    comparison_ranking_free(&ranking);
+    free(known);
+    return rc;
 }
 
 /** Adds a number of a surface, a line for each report that has it; nothing where only one has. */
@@ -260,6 +361,11 @@ static enum status_code add_report(json_t *view, struct compared *all, const cha
     json_t *surface, *item = view_item(view_list(view, "reports")), *results = NULL, *surfaces = json_object();
     struct stat info = {0};
     size_t i;
+    if (!all->beside && all->count > 1) { /* of many only the first stays */
+        json_decref(all->results[--all->count]);
+        json_decref(all->surfaces[all->count]);
+        all->values = 0;
+    }
     text_add(&name, "%s/results.json", path);
     if (stat(text_string(&name), &info) == 0 && (size_t)info.st_size > limit_most(LIMIT_RESULTS_BYTES))
         (void)status_fail(status, STATUS_IO, "'%s' has %zu bytes%s", name.data, (size_t)info.st_size,
@@ -286,24 +392,24 @@ static enum status_code add_report(json_t *view, struct compared *all, const cha
         give_back_loads(json_object_get(results, "scene"), modulus_Pa);
     all->results[all->count] = results;
     all->surfaces[all->count++] = surfaces;
-    view_count(item, "report", all->count);
+    view_count(item, "report", ++all->reports);
     view_text(item, "path", path);
     view_text(item, "leading", string(results, "leading"));
     view_text(item, "version", string(results, "version"));
     view_number(item, "load", isnan(modulus_Pa) ? load : load * modulus_Pa / 1e6, 3, isnan(modulus_Pa) ? "" : "MPa");
-    return rc;
+    all->leading = string(all->results[0], "leading");
+    return rc == STATUS_OK ? take_ranked(all, all->count - 1, path, status) : rc;
 }
 
 enum status_code report_compare(json_t **out, char *const *paths, size_t count, struct status *status)
 {
-    struct compared all = {.count = 0};
+    struct compared all = {.beside = count <= REPORTS_COMPARED};
     json_t *view = *out = json_object(), *ignored;
     const char *name;
-    while (all.count < count && add_report(view, &all, paths[all.count], status) == STATUS_OK)
+    while (all.reports < count && add_report(view, &all, paths[all.reports], status) == STATUS_OK)
         ;
-    all.leading = string(all.results[0], "leading");
     all.tie = real(get(all.results[0], "scene", "tolerance"));
-    if (status->code == STATUS_OK) {
+    if (status->code == STATUS_OK && all.beside) {
         add_input(view, &all, all.results, "", "version");
         add_input(view, &all, all.results, "", "leading");
         add_input(view, &all, all.results, "", "scene");
@@ -313,18 +419,25 @@ enum status_code report_compare(json_t **out, char *const *paths, size_t count, 
                 if (!is_known(all.surfaces, k, name) && all.items <= limit_most(LIMIT_COMPARED))
                     add_surface(view, &all, name);
             }
-        view_text(view, "model", all.leading);
-        view_flag(view, "loads_differ", all.loads_differ);
         view_flag(view, "nothing_differs", !all.differ);
+        view_flag(view, "beside", all.any);
     }
+    view_flag(view, "beside_few", all.beside);
+    view_text(view, "model", all.leading);
+    view_flag(view, "loads_differ", all.loads_differ);
     if (status->code == STATUS_OK && all.items > limit_most(LIMIT_COMPARED))
         (void)status_fail(status, STATUS_SCAN, "too much differs%s", limit_words(LIMIT_COMPARED).text);
-    if (status->code == STATUS_OK && !all.any)
-        (void)status_fail(status, STATUS_SCAN, "nothing to compare: no surface has a number of '%s' in two reports",
+    if (status->code == STATUS_OK && all.ranked_count < 2)
+        (void)status_fail(status, STATUS_SCAN, "nothing to compare: no two surfaces have a number of '%s'",
                           all.leading);
+    if (status->code == STATUS_OK)
+        (void)add_ranking(view, &all, status);
     while (all.count > 0) {
         json_decref(all.results[--all.count]);
         json_decref(all.surfaces[all.count]);
     }
+    while (all.ranked_count > 0)
+        json_decref(all.ranked[--all.ranked_count].line);
+    free(all.ranked);
     return status->code;
 }

@@ -56,9 +56,9 @@ static const char *put_markdown(struct text *out, const char *line)
             cells += *line == '\t';
             text_add_bytes(out, *line == '\t' ? " | " : line, *line == '\t' ? 3 : 1);
         }
-        text_add(out, " |\n%s", head ? "|" : "");
-        for (; head && cells > 0; cells--)
-            text_add(out, "---|%s", cells == 1 ? "\n" : "");
+        text_add(out, " |\n%s", head ? "|---|" : "");
+        for (; head && cells > 1; cells--)
+            text_add(out, "---:|%s", cells == 2 ? "\n" : "");
     }
     return line;
 }

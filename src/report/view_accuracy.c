@@ -48,6 +48,9 @@ static void put_models(json_t *out, const struct view_source *source)
         finest += accuracy.seconds[BENCHMARK_STEPS - 1];
         solved = fmax(solved, accuracy.seconds[accuracy.used]);
     }
+    const double few_waves = accuracy_few_waves_sd(source->results, source->results->baseline);
+    if (few_waves > log(1.05))
+        view_number(out, "few_waves", exp(few_waves), 2, "");
     view_separate(best);
     view_flag(out, "digits_are_free", finest - coarsest < 0.1 * solved);
     put_seconds(out, "digits", finest - coarsest);

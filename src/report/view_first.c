@@ -6,6 +6,7 @@
 #include "base/number_format.h"
 #include "certainty/sensitivity.h"
 #include "joint/flatness.h"
+#include "results/accuracy.h"
 #include <math.h>
 
 enum { DIGITS = 2, NAMED_MOST = 3 };
@@ -53,6 +54,9 @@ static void put_answer(json_t *out, const struct view_source *source, const stru
     if (answer->kind != ANSWER_NONE)
         view_load(out, "load", source, surface, answer->load);
     view_interval(out, "interval", answer->low * scale, answer->high * scale, DIGITS);
+    const struct surface_record *record = &source->results->surfaces[surface];
+    view_flag(out, "beyond",
+              met && record->bands && record->bands[source->leading] && isnan(answer->low) && isnan(answer->high));
 }
 
 static void put_value(json_t *out, const struct view_source *source, size_t surface)
@@ -276,6 +280,11 @@ static void put_chosen(json_t *out, const struct view_source *source)
     view_number(item, "factor", exp(scene->chosen_rms), DIGITS, "");
     view_flag(item, "met", expm1(scene->chosen_rms) <= scene->accuracy);
     view_flag(item, "one_scan", scene->one_scan);
+    double few_waves = 0;
+    for (size_t k = 0; k < source->results->usable_count; k++)
+        few_waves = fmax(few_waves, accuracy_few_waves_sd(source->results, source->results->by_roughness[k]));
+    if (few_waves > log(1.05))
+        view_number(item, "in_all", exp(hypot(scene->chosen_rms, few_waves)), DIGITS, "");
 }
 
 /** The surfaces that have no place in the ranking: some by name, the others counted. */
@@ -780,6 +789,7 @@ void view_first_page(json_t *out, const struct view_source *source)
                   words_say(source->words, "layers", "film", film ? "1" : "", "plating", plating ? "1" : "", "both",
                             film && plating ? "1" : "", NULL));
     view_flag(out, "no_material", !results_has_material(results));
+    view_flag(out, "no_scene", !results->scene->path);
     put_answers(out, source);
     put_other_targets(out, source);
     put_spots(out, source);

@@ -221,7 +221,6 @@ static void put_convergence(json_t *out, const struct view_source *source)
     if (fall > 0)
         view_number(item, "fall_percent", 100 * fall, 2, "");
     view_number(item, "atom_nm", convergence_atom_m * 1e9, 1, "");
-    view_number(item, "load", results->scene->convergence.load, 3, "");
     view_flag(item, "none_diverges", telling > 0 && diverging == 0);
     view_count(item, "surfaces", results->usable_count);
     view_some(item, "diverging", diverging);

@@ -173,13 +173,14 @@ void view_surfaces(json_t *out, const struct view_source *source)
     const struct results *results = source->results;
     const struct scene *scene = results->scene;
     json_t *item = view_part(out, "surfaces"), *rows = view_list(item, "rows");
-    size_t scans = 0, periodic = 0, windowed = 0, lawless = 0, last_lawless = 0;
+    size_t scans = 0, of_maps = 0, periodic = 0, windowed = 0, lawless = 0, last_lawless = 0;
     bool has_heights = false;
     for (size_t i = 0; i < results->surface_count; i++) {
         const struct surface_summary *s = view_summary(source, i);
         if (!s->usable)
             continue;
         scans += s->scans;
+        of_maps += s->repeats.count > 0 && s->repeats.scans == 1 ? s->scans : 0;
         periodic += s->periodic;
         windowed += s->windowed;
         bool law = power_law_holds(&s->power_law);
@@ -199,6 +200,7 @@ void view_surfaces(json_t *out, const struct view_source *source)
     view_flag(item, "level_given", scene->level_given);
     view_count(item, "scans", scans);
     view_flag(item, "one_scan", scans == 1);
+    view_flag(item, of_maps == scans ? "all_rows" : "some_rows", of_maps > 0);
     view_flag(item, "all_periodic", periodic == scans);
     view_flag(item, "some_periodic", periodic > 0 && periodic < scans);
     view_count(item, "periodic", periodic);

@@ -5,7 +5,15 @@
 #include "results/comparison.h"
 #include <math.h>
 
-/** Sets the error: against the direct solution of this surface where there is one, else as it was measured. */
+double accuracy_few_waves_sd(const struct results *results, size_t surface)
+{
+    const struct surface_task asked = results_task(results, surface);
+    const struct model_task task = surface_model_task(&results->surfaces[surface], &asked);
+    return model_few_waves_sd(model_task_longest_waves(&task));
+}
+
+/** Sets the error, without what too few long waves leave open: against the direct solution of this surface where there
+ * is one, else as it was measured. */
 static void set_error(struct accuracy *out, const struct results *results, size_t m, enum quantity quantity)
 {
     const struct surface_summary *summary = &results->surfaces[results->baseline].summary;
@@ -49,6 +57,8 @@ struct accuracy accuracy_of(const struct results *results, size_t model, enum qu
     const double solved = (model_rows[model]->uses_strip ? summary->times.strips : 0) +
                           (model_rows[model]->uses_map ? summary->times.tiles : 0);
     set_error(&out, results, model, quantity);
+    if (out.source != ACCURACY_NONE && out.source != ACCURACY_MAP)
+        out.error = expm1(hypot(log1p(out.error), accuracy_few_waves_sd(results, results->baseline)));
     for (size_t i = 0; i < BENCHMARK_STEPS; i++) {
         const struct benchmark_row *row = &cost->rows[first + i];
         const double tolerance = results->scene->tolerance;

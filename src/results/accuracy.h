@@ -26,6 +26,10 @@ struct accuracy {
 /** NONE: the model does not run, nothing was timed, or nothing tells its error. */
 struct accuracy accuracy_of(const struct results *results, size_t model, enum quantity quantity);
 
+/** What too few of the longest waves in a surface's scans add to the error of ln a quantity, whatever the model, in
+ * quadrature; 0: nothing. */
+double accuracy_few_waves_sd(const struct results *results, size_t surface);
+
 /** What an effect that runs makes of a quantity of the leading model where the summary stands, on the baseline: the
  * value with it over that without. NaN: it has none to change. */
 double accuracy_effect_factor(const struct results *results, enum effect effect, enum quantity quantity);

@@ -56,22 +56,30 @@ struct comparison_pair comparison_of_two(const struct estimate *a, const struct 
                                     welch.high, welch.p};
 }
 
-/** Adjusts p over all pairs, and what follows from it. */
-static enum status_code adjust(struct comparison_ranking *ranking, size_t pairs, struct status *status)
+enum status_code comparison_test(struct comparison_ranking *ranking, const struct estimate *const *estimates,
+                                 struct status *status)
 {
+    size_t count = ranking->count, pairs = count * (count - (count > 0)) / 2;
     double *p = malloc((pairs + 1) * sizeof *p);
     bool *apart = malloc((pairs + 1) * sizeof *apart);
-    for (size_t k = 0; k < pairs && p; k++)
-        p[k] = ranking->pairs[k].p;
-    enum status_code rc = p && apart ? ranking_holm(p, p, pairs, status) : status_memory(status);
+    ranking->pairs = malloc((pairs + 1) * sizeof *ranking->pairs);
+    enum status_code rc = p && apart && ranking->pairs ? STATUS_OK : status_memory(status);
+    for (size_t i = 0; i < count && rc == STATUS_OK; i++)
+        for (size_t j = i + 1; j < count; j++) {
+            size_t k = ranking_pair(i, j, count);
+            ranking->pairs[k] = comparison_of_two(estimates[i], estimates[j]);
+            p[k] = ranking->pairs[k].p;
+        }
+    if (rc == STATUS_OK)
+        rc = ranking_holm(p, p, pairs, status);
     for (size_t k = 0; k < pairs && rc == STATUS_OK; k++) {
         struct comparison_pair *pair = &ranking->pairs[k];
         pair->p = p[k];
         pair->verdict = ranking_verdict(log(pair->ratio), pair->p, estimate_level);
         apart[k] = comparison_told_apart(pair);
     }
-    if (rc == STATUS_OK)
-        rc = ranking_groups_make(&ranking->groups, apart, ranking->count, status);
+    if (rc == STATUS_OK && count <= COMPARISON_RANKED_MOST)
+        rc = ranking_groups_make(&ranking->groups, apart, count, status);
     free(p);
     free(apart);
     return rc;
@@ -108,9 +116,9 @@ static enum status_code rank(struct comparison *out, const struct results *resul
     size_t surfaces = out->extremes[ranking->criterion].count;
     if (surfaces == 0 || surfaces > COMPARISON_RANKED_MOST)
         return STATUS_OK;
+    const struct estimate *estimates[COMPARISON_RANKED_MOST];
     ranking->surface = malloc(surfaces * sizeof *ranking->surface);
-    ranking->pairs = calloc(surfaces * surfaces, sizeof *ranking->pairs);
-    if (!ranking->surface || !ranking->pairs)
+    if (!ranking->surface)
         return status_memory(status);
     for (size_t i = 0; i < results->surface_count; i++) {
         double cost = cost_of(out, results, i);
@@ -122,12 +130,9 @@ static enum status_code rank(struct comparison *out, const struct results *resul
             ranking->surface[at] = ranking->surface[at - 1];
         ranking->surface[at] = i;
     }
-    size_t pairs = 0; /* in the order of ranking_pair() */
     for (size_t i = 0; i < ranking->count; i++)
-        for (size_t j = i + 1; j < ranking->count; j++)
-            ranking->pairs[pairs++] = comparison_of_two(estimate_of(out, results, ranking->surface[i]),
-                                                        estimate_of(out, results, ranking->surface[j]));
-    return adjust(ranking, pairs, status);
+        estimates[i] = estimate_of(out, results, ranking->surface[i]);
+    return comparison_test(ranking, estimates, status);
 }
 
 enum status_code comparison_make(struct comparison *out, const struct results *results, struct status *status)
@@ -138,10 +143,15 @@ enum status_code comparison_make(struct comparison *out, const struct results *r
     return rank(out, results, status);
 }
 
+void comparison_ranking_free(struct comparison_ranking *ranking)
+{
+    free(ranking->surface);
+    free(ranking->pairs);
+    ranking_groups_free(&ranking->groups);
+}
+
 void comparison_free(struct comparison *comparison)
 {
-    free(comparison->ranking.surface);
-    free(comparison->ranking.pairs);
-    ranking_groups_free(&comparison->ranking.groups);
+    comparison_ranking_free(&comparison->ranking);
     *comparison = (struct comparison){0};
 }

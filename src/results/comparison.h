@@ -19,7 +19,7 @@ struct comparison_pair {
     double p;                /* after Holm's adjustment over all pairs */
 };
 
-enum { COMPARISON_RANKED_MOST = 100 /* surfaces; more are not ranked */ };
+enum { COMPARISON_RANKED_MOST = 100 /* surfaces; a report ranks no more, and more have no groups */ };
 
 /** Which surface is better in the leading model at the middle load, by ln of the criterion. Surfaces of which nothing
  * is known of how far another scan would be off are not tested, and have no place. */
@@ -41,6 +41,12 @@ struct comparison {
 MUST_CHECK enum status_code comparison_make(struct comparison *out, const struct results *results,
                                             struct status *status);
 void comparison_free(struct comparison *comparison);
+
+/** Tests what holds the places of a ranking, whose `count` is set, each against each: makes its pairs and, of no more
+ * than COMPARISON_RANKED_MOST, its groups. End it with comparison_ranking_free(). Errors: those of ranking_holm(). */
+MUST_CHECK enum status_code comparison_test(struct comparison_ranking *ranking, const struct estimate *const *estimates,
+                                            struct status *status);
+void comparison_ranking_free(struct comparison_ranking *ranking);
 
 /** Two answers held against each other, `a` over `b`, by the estimates of their logarithms, the scatter alone; p as it
  * is. */

@@ -28,6 +28,14 @@ const double *results_sweep(const struct results *results, enum convergence_swee
     return results->convergence + (before + stacking_before(plan, model)) * results->scene->convergence.scales;
 }
 
+double results_sweep_load(const struct results *results, size_t model)
+{
+    const struct scene_convergence *study = &results->scene->convergence;
+    const struct material_pair *pair = results_pair(results, results->baseline);
+    bool yields = model_rows[model]->plastic && pair->hardness_Pa > 0 && !study->given;
+    return yields ? fmin(study->load, pair->hardness_Pa / material_pair_pressure(pair, 100)) : study->load;
+}
+
 size_t results_sweep_size(const struct results *results)
 {
     return curves_before(results->plan, CONVERGENCE_SWEEP_COUNT) * results->scene->convergence.scales;

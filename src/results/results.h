@@ -78,6 +78,9 @@ const struct direct_study *results_direct_baseline(const struct results *results
 /** Area ratios of one curve of the sweeps by a model that stacks scales: `scene->convergence.scales` values, longest
  * wavelength first. */
 const double *results_sweep(const struct results *results, enum convergence_sweep sweep, size_t model, size_t value);
+/** P/(A_n E') of its sweeps: the scene's; where that says nothing, of a model that yields at most a hundredth of the
+ * hardness, so that it does not touch all over before the first scale. */
+double results_sweep_load(const struct results *results, size_t model);
 /** Doubles that all curves of the sweeps take together. */
 size_t results_sweep_size(const struct results *results);
 /** Scales worth writing and drawing, spread evenly in log wavelength: fills `index` (at most `most`), returns how many.

@@ -19,14 +19,27 @@ static void add_models(struct work_row *elastic, struct work_row *plastic, const
     }
 }
 
+/** What an effect would change: nothing else, nothing at all, or as much as a solve says. "": it is skipped, by a bound
+ * that its reason has or for what the scene lacks. */
+static const char *change_of(enum effect effect, bool runs)
+{
+    const struct effect_row *row = &effect_rows[effect];
+    return row->adds      ? "changes no other number"
+           : row->studies ? "changes no number"
+           : runs         ? "by how much takes a solve: the report says it"
+                          : "";
+}
+
 void work_account(struct work_row rows[WORK_ROWS], const struct results *results)
 {
     const struct plan *plan = results->plan;
     const struct work_studies *studies = &results->studies;
-    rows[0] = (struct work_row){.name = "area", .runs = true, .reason = plan->area_reason};
+    rows[0] = (struct work_row){.name = "area", .runs = true, .reason = plan->area_reason, .changes = ""};
     for (int e = 0; e < EFFECT_COUNT; e++)
-        rows[e + 1] = (struct work_row){
-            .name = effect_rows[e].name, .runs = plan->effects[e].runs, .reason = plan->effects[e].reason};
+        rows[e + 1] = (struct work_row){.name = effect_rows[e].name,
+                                        .runs = plan->effects[e].runs,
+                                        .reason = plan->effects[e].reason,
+                                        .changes = change_of((enum effect)e, plan->effects[e].runs)};
     struct work_row *convergence = &rows[1 + EFFECT_CONVERGENCE], *direct = &rows[1 + EFFECT_DIRECT],
                     *uncertainty = &rows[1 + EFFECT_UNCERTAINTY], *unloading = &rows[1 + EFFECT_UNLOADING];
     convergence->evaluations = studies->sweep_scales;
@@ -59,6 +72,7 @@ uint64_t work_table(struct text *out, const struct results *results, bool done)
             text_add(out, " %12llu %10.4f", (unsigned long long)rows[r].evaluations, rows[r].seconds);
         struct text why = {0};
         text_add_shown(&why, rows[r].reason); /* may name a surface */
+        text_add(&why, "%s%s", done || !rows[r].changes[0] ? "" : "; ", done ? "" : rows[r].changes);
         text_add(out, "  ");
         text_add_wrapped(out, text_string(&why), done ? 1 << 20 : WIDTH, INDENT);
         text_add(out, "\n");

@@ -10,6 +10,7 @@ struct work_row {
     const char *name;
     bool runs;
     const char *reason;
+    const char *changes;  /* of the numbers, as a plan says it; "": the reason does */
     uint64_t evaluations; /* done because of it: visits of scales, asperity laws, loads solved, contacts; 0: none of its
                              own */
     double seconds;       /* that these took, all threads together */
@@ -28,8 +29,8 @@ struct results;
  * done. */
 void work_account(struct work_row rows[WORK_ROWS], const struct results *results);
 
-/** The plan as a table for a terminal: effect, run or skipped, why, how; with what was done and the time it took when
- * `done`. Returns the evaluations, of all effects. */
+/** The plan as a table for a terminal: effect, run or skipped, why, what it would change; with what was done and the
+ * time it took when `done`. Returns the evaluations, of all effects. */
 uint64_t work_table(struct text *out, const struct results *results, bool done);
 
 /** Roughly how long a report on these described surfaces takes on `threads` threads [s], from counts: points, loads,

@@ -51,8 +51,8 @@ static enum status_code run_sweeps(struct run *run, struct status *status)
             for (size_t m = 0; m < model_count; m++) {
                 if (!plan_runs_model(results->plan, m) || !model_rows[m]->stacks_scales)
                     continue;
-                struct convergence_law law = {study->alpha, study->gamma, study->scan_length_m, study->load,
-                                              study->scales};
+                struct convergence_law law = {study->alpha, study->gamma, study->scan_length_m,
+                                              results_sweep_load(results, m), study->scales};
                 *(s == CONVERGENCE_ALPHA ? &law.alpha : &law.gamma) = convergence_sweeps[s].values[v];
                 const double *area = results_sweep(results, (enum convergence_sweep)s, m, v);
                 convergence_areas(run->sweeps + (area - results->convergence), &law,
@@ -240,9 +240,10 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
     out->times.gnuplot = lap(&last);
     char *own = !options->template && run->scene->template ? scene_file_path(run->scene, run->scene->template) : NULL;
     const struct report_options how = {options->templates, own ? own : options->template, options->brief};
-    enum status_code rc = report_write(run->view, &how, staging, status);
+    enum status_code rc = export_write(run->view, run->scene, options->templates, staging, status);
+    rc = rc == STATUS_OK ? report_write(run->view, &how, staging, status) : rc;
     free(own);
-    if (rc != STATUS_OK || export_write(run->view, run->scene, options->templates, staging, status) != STATUS_OK ||
+    if (rc != STATUS_OK ||
         report_terminal(&out->table, "terminal", run->view, options->templates, false, status) != STATUS_OK)
         return status->code;
     out->missed_count = view_missed_limits(&out->missed, run->results);

@@ -34,6 +34,7 @@ enum {
     SMALL_RESULTS_BYTES = 400,
     SMALL_RESULTS_VALUES = 110,
     SMALL_COMPARED = 5,
+    SMALL_RANKED = REPORTS_COMPARED + 1,
     SMALL_TEMPLATE_BYTES = 400,
     SMALL_TEMPLATE_STEPS = 1200,
     SMALL_PAGE_BYTES = 1600,
@@ -427,17 +428,19 @@ TEST_CASE(test_results)
     directory_remove(&directory);
 }
 
-/* Two reports with `a` and `b` beside what they have alike. */
-static void expect_compared(const char *a, const char *b, bool over, enum limit limit)
+/* Reports with `a`, `b`, `a` ... beside what they have alike. */
+static void expect_compared_many(const char *a, const char *b, size_t count, bool over, enum limit limit)
 {
     static const char rest[] = "\"program\": \"roughcontact\", \"leading\": \"m\", \"surfaces\": [{\"surface\": "
                                "\"a\", \"models\": {\"m\": {\"operating\": {\"load_over_AnEp\": 1e-4, "
                                "\"area_ratio\": 0.1}}}}]}";
     const char *const more[] = {a, b};
     struct directory directory = directory_make();
-    char first[sizeof directory.path + 2], second[sizeof first], *const both[] = {first, second};
+    char first[sizeof directory.path + 2], second[sizeof first], *both[2 * REPORTS_COMPARED];
     json_t *view;
     struct status status = {0};
+    for (size_t i = 0; i < count; i++)
+        both[i] = i % 2 ? second : first;
     for (int i = 0; i < 2; i++) {
         struct text text = {0};
         snprintf(both[i], sizeof first, "%s/%d", directory.path, i);
@@ -446,13 +449,18 @@ static void expect_compared(const char *a, const char *b, bool over, enum limit 
         directory_write(&directory, i ? "1/results.json" : "0/results.json", text.data);
         text_free(&text);
     }
-    enum status_code code = report_compare(&view, both, 2, &status);
+    enum status_code code = report_compare(&view, both, count, &status);
     if ((code != STATUS_OK) != over)
         fail_msg("'%s' at the limit '%s'", status.message, limit_rows[limit].name);
     if (over)
         expect_limit(status.message, limit);
     json_decref(view);
     directory_remove(&directory);
+}
+
+static void expect_compared(const char *a, const char *b, bool over, enum limit limit)
+{
+    expect_compared_many(a, b, 2, over, limit);
 }
 
 /* Of what they have alike a report counts 50: 10 are left, and signs within a text are none. */
@@ -469,6 +477,10 @@ TEST_CASE(test_compared_values)
     /* a surface, a number and an input of two reports each; two inputs */
     expect_compared("", "\"version\": 2, ", false, LIMIT_COMPARED);
     expect_compared("\"scene\": 1, ", "\"version\": 2, ", true, LIMIT_COMPARED);
+    /* of many reports two are held at a time, and what they would print side by side is not counted */
+    expect_compared_many("\"scene\": 1, ", "\"version\": 2, ", SMALL_RANKED, false, LIMIT_RANKED);
+    expect_compared_many("", "", SMALL_RANKED + 1, true, LIMIT_RANKED);
+    expect_compared_many("", kinds[0][1], SMALL_RANKED, true, LIMIT_RESULTS_VALUES);
 }
 
 /* Adds what a template makes of `list`, an item a number. */

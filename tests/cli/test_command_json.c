@@ -93,7 +93,8 @@ TEST_IN_WORKSPACE(test_tables)
         const char *key;
         size_t i;
         process_unwrap(&text);
-        size_t layers = c == 0 ? 0 : JOINT_PLATINGS - 1 + JOINT_FILLERS - 1;
+        const size_t fluids = gas_count + gas_liquid_count;
+        size_t layers = c == 0 ? 0 : JOINT_PLATINGS - 1 + JOINT_FILLERS - 1 + fluids;
         assert_int_equal(json_array_size(json), (c == 0 ? model_count : material_table_count) + layers);
         json_array_foreach(json, i, row)
         {
@@ -101,6 +102,8 @@ TEST_IN_WORKSPACE(test_tables)
             if (c == 0 || material)
                 assert_string_equal(text_of(row, c == 0 ? "model" : "material"),
                                     c == 0 ? model_rows[i]->name : material_table[i].name);
+            else if (i >= json_array_size(json) - fluids)
+                assert_true(number_of(row, "least_temperature_K") < number_of(row, "most_temperature_K"));
             else
                 assert_true(number_of(row, "least_thickness_m") < number_of(row, "most_thickness_m"));
             assert_true(strlen(text_of(row, "source")) > 0);

@@ -105,6 +105,37 @@ TEST_IN_WORKSPACE(test_tables_are_narrow)
     }
 }
 
+/* Every effect says what it would change: by a bound, nothing, for want of a key or property, or that a solve tells. */
+TEST_IN_WORKSPACE(a_plan_says_what_each_effect_changes)
+{
+    static const char *const materials[] = {"material: tin\n", "material: tin\ngap: {gas: air}\nfilm: 1e-13\n",
+                                            "material: {E: 40 GPa, nu: 0.3, Sy: 1e12}\n", ""};
+    workspace_scan(place, "d/a.csv", 200, 1);
+    for (size_t i = 0; i < sizeof materials / sizeof *materials; i++) {
+        workspace_write(place, "d/scene.yaml", materials[i]);
+        json_t *plan = process_json(expect_exit(place, 0, "plan", "d", "--json")), *effect;
+        size_t k;
+        json_array_foreach(json_object_get(plan, "effects"), k, effect)
+        {
+            const char *changes = json_string_value(json_object_get(effect, "changes")),
+                       *reason = json_string_value(json_object_get(effect, "reason"));
+            bool runs = json_is_true(json_object_get(effect, "runs"));
+            if (k > 0 && runs && !*changes)
+                fail_msg("%s: %s", json_string_value(json_object_get(effect, "effect")), reason);
+            if (k > 0 && !runs && !*changes && !strstr(reason, "below the tolerance") && !strstr(reason, " no "))
+                fail_msg("%s: %s", json_string_value(json_object_get(effect, "effect")), reason);
+        }
+        effect = json_array_get(json_object_get(plan, "effects"), 1);
+        if (i == 2)
+            expect_part(json_string_value(json_object_get(effect, "reason")),
+                        " of the area at most, below the tolerance");
+        json_decref(plan);
+    }
+    workspace_write(place, "d/scene.yaml", materials[1]);
+    expect_output(expect_exit(place, 0, "plan", "d"), "by how much takes a solve", "changes no other\n",
+                  "changes no number\n");
+}
+
 TEST_IN_WORKSPACE(test_plan)
 {
     workspace_scan(place, "d/a.csv", 200, 1);

@@ -201,3 +201,119 @@ TEST_IN_WORKSPACE(what_reports_say_is_hostile)
     expect_failure(place, 4, 1, "b/results.json", "compare", "a", "b");
     expect_errors(expect_exit(place, 2, "compare", "a"), "give the OUT of two reports or more");
 }
+
+/** The value at a path such as "ranking.lines.0.letters", as JSON. */
+#define LINE(i, key) filled("ranking.lines.%d." key, i)
+
+/* Ten folders of one surface, each with scatter s = 0.2: the 2.5th and 97.5th of 45 pairs lie apart by more than
+ * 1.96 s sqrt(2), but not by what Holm asks of 45. Another surface, 8 times as bad, is set apart from all. */
+TEST_IN_WORKSPACE(ten_folders_of_one_surface_are_not_ranked_apart)
+{
+    static const double z[10] = {-1.62, -1.04, -0.68, -0.39, -0.13, 0.13, 0.39, 0.68, 1.04, 1.62};
+    struct text outs = {0};
+    for (int i = 0; i < 10; i++) {
+        int shuffled = 3 * i % 10;
+        make_results(place, filled("out/%c", 'a' + i), "pin", exp(0.2 * z[shuffled]), KNOWN("0.2", "20"));
+    }
+    json_t *view = process_json(process_end(
+        process_start_list(place, (const char *const[]){"sh", "-c", PROGRAM " compare --json out/*", NULL}, NULL)));
+    for (int i = 0; i < 10; i++) {
+        at(view, LINE(i, "letters"), "\"a\"");
+        assert_near(at(view, LINE(i, "value"), NULL), 2e-9 * exp(0.2 * z[i]), 1e-12); /* the least first */
+        at(view, LINE(i, "worse"), i ? "false" : "");
+    }
+    at(view, LINE(1, "p"), "1.0");
+    double two_alone = at(view, LINE(9, "p"), NULL) / 45; /* Holm's factor of the largest difference */
+    assert_true(two_alone < 0.05 && at(view, LINE(9, "p"), NULL) > 0.05);
+    at(view, "surfaces.0.surface", "\"pin\""); /* few enough to stand side by side too */
+    json_decref(view);
+
+    make_results(place, "out/bad", "pin", 8, KNOWN("0.2", "20"));
+    make_results(place, "out/other", "nut", 1.0001, KNOWN("0.2", "0"));
+    view = process_json(process_end(
+        process_start_list(place, (const char *const[]){"sh", "-c", PROGRAM " compare --json out/*", NULL}, NULL)));
+    at(view, LINE(11, "path"), "\"out/bad\"");
+    at(view, LINE(11, "letters"), "\"b\"");
+    at(view, LINE(11, "worse"), "true");
+    at(view, LINE(5, "path"), "\"out/other\""); /* in its place by its value, untested */
+    at(view, LINE(5, "letters"), "\"\"");
+    at(view, LINE(5, "p"), "");
+    at(view, "ranking.untested", "1");
+    json_decref(view);
+    text_free(&outs);
+}
+
+/* More reports than stand side by side are ranked alone, and a thousand of 1 kB as well as three. */
+TEST_IN_WORKSPACE(many_reports_make_one_table)
+{
+    for (int i = 0; i < 3; i++)
+        make_results(place, filled("some/%d", i), filled("s%d", i), 1 + 0.5 * i, KNOWN("0.05", "20"));
+    free(workspace_shell(place, "i=0; while [ $i -lt 999 ]; do cp -r some/$((i % 3)) out-$i; i=$((i + 1)); done"));
+    json_t *view = process_json(process_end(
+        process_start_list(place, (const char *const[]){"sh", "-c", PROGRAM " compare --json out-*", NULL}, NULL)));
+    at(view, LINE(0, "surface"), "\"s0\"");
+    at(view, LINE(998, "surface"), "\"s2\"");
+    at(view, LINE(998, "worse"), "true");
+    at(view, LINE(332, "worse"), "false"); /* the last of the best */
+    at(view, LINE(332, "p"), "1.0");
+    at(view, "ranking.too_many", "100");
+    at(view, LINE(0, "letters"), "\"\"");
+    at(view, "surfaces", "");
+    json_decref(view);
+    char *page = workspace_shell(place, PROGRAM " compare --html out-*");
+    expect_part(page, "<td>999: s2, ");
+    free(page);
+}
+
+/** The block of docs/many.md that begins so, as a text to free. */
+static char *documented(const char *start)
+{
+    char *page = workspace_read(PROJECT_SOURCE, "docs/many.md"), *at = strstr(page, start), *end;
+    assert_non_null(at);
+    end = strstr(at, "\n```\n");
+    assert_non_null(end);
+    char *block = strndup(at, (size_t)(end + 1 - at));
+    free(page);
+    return block;
+}
+
+/* What docs/many.md says, word for word: by GNU parallel, a Slurm array's task after task, and make. */
+TEST_IN_WORKSPACE(ten_folders_as_documented)
+{
+    static const char *const ways[][2] = {
+        {"parallel", "for folder in"}, {"sh", "#!/bin/sh\n#SBATCH"}, {"make", "folders :="}};
+    static const char *const runs[] = {
+        "rm -rf out; sh block 2>&1",
+        "rm -rf out; for SLURM_ARRAY_TASK_ID in 1 2 3 4 5 6 7 8 9 10; do . ./block; done",
+        "rm -rf out; make -f block >log 2>&1; touch scans/part-3/1.csv; make -f block",
+    };
+    char *path = strdup(getenv("PATH")), *scene = documented("# scene.yaml");
+    assert_int_equal(setenv("PATH", filled("%.*s:%s", (int)(strrchr(PROGRAM, '/') - PROGRAM), PROGRAM, path), 1), 0);
+    workspace_write(place, "scene.yaml", filled("%s%s", scene, "models: [corrected-persson]\n"));
+    for (unsigned i = 0; i < 20; i++)
+        workspace_scan(place, filled("scans/part-%u/%u.csv", i / 2, i % 2), 200, i);
+    for (size_t way = 0; way < sizeof ways / sizeof *ways; way++) {
+        if (!workspace_can_run(place, filled("command -v %s", ways[way][0]))) {
+            print_message("docs/many.md: not tested by %s, which is not there\n", ways[way][0]);
+            continue;
+        }
+        char *block = documented(ways[way][1]);
+        workspace_write(place, "block", block);
+        char *said = workspace_shell(place, runs[way]);
+        if (way == 2) { /* of newer scans alone */
+            const char *first = strstr(said, " report ");
+            assert_true(workspace_has(place, "ranked.html"));
+            assert_ptr_equal(first, strstr(said, " report scans/part-3 "));
+            assert_null(strstr(first + 1, " report "));
+        }
+        free(said);
+        free(block);
+        json_t *view = process_json(process_end(
+            process_start_list(place, (const char *const[]){"sh", "-c", PROGRAM " compare --json out/*", NULL}, NULL)));
+        assert_int_equal(json_array_size(json_object_get(json_object_get(view, "ranking"), "lines")), 10);
+        json_decref(view);
+    }
+    setenv("PATH", path, 1);
+    free(path);
+    free(scene);
+}

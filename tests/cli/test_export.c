@@ -149,6 +149,7 @@ TEST_IN_WORKSPACE(each_is_read_back)
     table_free(&bands);
     expect_in_file(place, "o/export/plain.comsol.txt", "[m] rms height", " mean absolute slope", "[Pa] hardness");
     expect_in_file(place, "o/manifest.txt", "\nexport/plain.ansys.mac\n");
+    expect_in_file(place, "o/report.md", "For other programs", "export/plain.ansys.mac,", "export/plain.moose.csv");
 }
 
 TEST_IN_WORKSPACE(what_is_in_the_joint_is_in_the_tables)

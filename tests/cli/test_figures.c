@@ -6,6 +6,7 @@
 #include "cli/process.h"
 
 #include <jansson.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -160,6 +161,43 @@ TEST_IN_WORKSPACE(direct_solutions_are_of_their_surface)
 }
 
 /* What a contact is heated by comes to a few units in the last place of its temperature. */
+/* Sweeps of an elastic-plastic model that yields from the first scale on would lie on each other. */
+TEST_IN_WORKSPACE(sweeps_that_yield_are_told_apart)
+{
+    workspace_scan(place, "d/a.csv", 300, 1);
+    workspace_write(place, "d/scene.yaml", "material: tin\nmodels: [multiscale]\neffects: [plasticity, convergence]\n");
+    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    struct table sweeps = workspace_table(place, "o/data/convergence.csv");
+    double least = 1, most = 0;
+    for (size_t r = 0; r < sweeps.rows; r++)
+        if (strcmp(table_text(&sweeps, r, "model"), "multiscale-plastic") == 0 &&
+            strcmp(table_text(&sweeps, r, "sweep"), "alpha") == 0) {
+            least = fmin(least, table_number(&sweeps, r, "area_ratio"));
+            most = fmax(most, table_number(&sweeps, r, "area_ratio"));
+        }
+    assert_true(least < 0.1 && most > 2 * least);
+    table_free(&sweeps);
+    char *script = file_of(place, "o", "convergence", "gp");
+    expect_parts(script, "multiscale elastic, at 0.0010'", "multiscale elastic-plastic, at 8.4·10⁻⁶'");
+    free(script);
+}
+
+/* Of a report's only surface the chart of what the first page has drawn, and gap against area, are the appendix's; of
+ * two all are together. */
+TEST_IN_WORKSPACE(one_surface_repeats_nothing)
+{
+    workspace_scan(place, "d/a.csv", 300, 1);
+    run_to_exit(place, 0, "report", "d", "-m", "tin", "--no-cost", "-o", "o");
+    char *report = workspace_read(place, "o/report.md"), *appendix = strstr(report, "# Appendices");
+    expect_parts(report, "![Figures 6\\-05, 6-07, 6-09.");
+    expect_parts(appendix, "![Figures 6\\-06, 6-08.", "(figures/one-surface-more.svg)");
+    free(report);
+    workspace_scan(place, "d/b.csv", 300, 2);
+    run_to_exit(place, 0, "report", "d", "-m", "tin", "--no-cost", "-o", "o");
+    expect_in_file(place, "o/report.md", "![Figures 6\\-05 to 6-09.");
+    assert_false(workspace_has(place, "o/figures/one-surface-more.svg"));
+}
+
 TEST_IN_WORKSPACE(a_temperature_that_hardly_changes)
 {
     static const char *const lightest[] = {"3e4", "5e4"};
@@ -178,19 +216,23 @@ TEST_IN_WORKSPACE(a_temperature_that_hardly_changes)
 }
 
 /* At 400 px every chart is whole, and nothing makes the page wider than its window. */
-TEST_IN_WORKSPACE(charts_are_whole_on_a_telephone)
+/* No chart is cut at 400 px, no table, not even 6.2 with its bands, at 1400 px. */
+TEST_IN_WORKSPACE(charts_and_tables_are_whole)
 {
     char program[4096], frame[4300];
     if (!program_find(program, sizeof program, "chromium"))
         skip();
     run_to_exit(place, 0, "report", PROJECT_SOURCE "/surfaces/connector", "-o", "out", "--no-cost");
-    workspace_write(
-        place, "frame.html",
-        "<iframe id=f src=out/report.html width=400 height=800 style=border:0></iframe><script>\n"
-        "onload = () => { const page = f.contentDocument, figures = [...page.querySelectorAll('figure')];\n"
-        "const cut = figures.filter(one => one.scrollWidth > one.clientWidth).length;\n"
-        "document.title = `${figures.length} charts, ${cut} cut, page ${page.documentElement.scrollWidth}`;\n"
-        "};</script>\n");
+    workspace_write(place, "frame.html",
+                    "<iframe id=f src=out/report.html width=400 height=800 style=border:0></iframe>\n"
+                    "<iframe id=d src=out/report.html width=1400 height=800 style=border:0></iframe><script>\n"
+                    "onload = () => { const tables = [...d.contentDocument.querySelectorAll('.table')];\n"
+                    "const wide = tables.filter(one => one.scrollWidth > one.clientWidth).length; const page = "
+                    "f.contentDocument, figures = [...page.querySelectorAll('figure')];\n"
+                    "const cut = figures.filter(one => one.scrollWidth > one.clientWidth).length;\n"
+                    "document.title = `${figures.length} charts, ${cut} cut, page ${page.documentElement.scrollWidth}`"
+                    " + (tables.length > 4 ? `, ${wide} tables cut` : '');\n"
+                    "};</script>\n");
     snprintf(frame, sizeof frame, "file://%s/frame.html", place);
     const char *const dump[] = {"chromium",
                                 "--headless",
@@ -202,5 +244,5 @@ TEST_IN_WORKSPACE(charts_are_whole_on_a_telephone)
                                 frame,
                                 NULL};
     struct process shown = process_end(process_start_list(place, dump, NULL));
-    expect_output(shown, " charts, 0 cut, page 400</title>");
+    expect_output(shown, " charts, 0 cut, page 400, 0 tables cut</title>");
 }

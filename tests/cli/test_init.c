@@ -112,6 +112,45 @@ TEST_IN_WORKSPACE(what_is_to_be_filled_in)
     process_free(&after);
 }
 
+/* Two sub-directories whose names say so are proposed as the sides of a joint, and no others; every key that init
+ * proposes makes, beside a material and an area, a scene that reads. */
+TEST_IN_WORKSPACE(each_proposal_is_a_scene)
+{
+    make_files(place, "left/1.csv|right/2.csv|pin-1.csv|socket-2.csv");
+    run_to_exit(place, 0, "init", "d");
+    expect_not_in_file(place, "d/scene.yaml", "two sides of one joint");
+    expect_in_file(place, "d/scene.yaml", "\n# counterface: rigid ");
+    free(workspace_shell(place, "rm -r d; mkdir -p d/pins d/Socket"));
+    for (unsigned i = 0; i < 4; i++)
+        workspace_scan(place, filled("d/%s/%u.csv", i < 2 ? "pins" : "Socket", i), 200, i);
+    run_to_exit(place, 0, "init", "d");
+    expect_in_file(place, "d/scene.yaml", "\n# A guess: pins and Socket are the two sides of one joint.",
+                   "\n# counterface: {surface: [\"Socket/2.csv\", \"Socket/3.csv\"], material: copper} ");
+    char *scene = workspace_read(place, "d/scene.yaml");
+    static const char *const proposed[] = {"counterface", "hardness", "shape",   "load",    "operating_load",
+                                           "plating",     "film",     "current", "targets", "gap"};
+    for (size_t k = 0; k < sizeof proposed / sizeof *proposed; k++) {
+        workspace_write(place, "d/scene.yaml", scene);
+        free(workspace_shell(place,
+                             filled("sed -i -E 's/^# (%s|material|nominal_area):/\\1:/' d/scene.yaml", proposed[k])));
+        expect_in_file(place, "d/scene.yaml", filled("\n%s: ", proposed[k]));
+        run_to_exit(place, 0, "plan", "d");
+    }
+    free(scene);
+}
+
+/* Without a scene the page says which three keys make the answer the user's; with one it does not. */
+TEST_IN_WORKSPACE(three_keys_make_it_his)
+{
+    static const char line[] = "`material`, `nominal_area` and `operating_load` in a scene.yaml";
+    workspace_scan(place, "d/a.csv", 200, 1);
+    run_to_exit(place, 0, "report", "d", "--brief", "--no-cost", "-o", "o");
+    expect_in_file(place, "o/report.md", line);
+    workspace_write(place, "d/scene.yaml", "material: tin\n");
+    run_to_exit(place, 0, "report", "d", "--brief", "--no-cost", "-o", "o");
+    expect_not_in_file(place, "o/report.md", line);
+}
+
 TEST_IN_WORKSPACE(nothing_is_written_over)
 {
     make_files(place, "a.csv|b.csv");

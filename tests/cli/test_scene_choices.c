@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a scene may choose: its report's template, the accuracy to be expected, a gap as what is asked for. */
 #include "cli/process.h"
+#include "contact/model.h"
 
 #include <jansson.h>
 #include <math.h>
@@ -18,6 +19,39 @@ TEST_IN_WORKSPACE(a_scene_brings_its_template)
     expect_in_file(place, "o/report.md", "Other: T");
     workspace_write(place, "d/scene.yaml", "title: T\ntemplate: none.md\n");
     expect_failure(place, 3, 1, "scene.yaml:2: cannot read the template 'none.md': No such file", "report", "d");
+}
+
+/* Too few of the longest waves in a scan whose ends are open leave every model open by 1.3 ln(2.5/waves) more, as the
+ * intervals have it. A scan that closes on itself leaves nothing so. */
+TEST_IN_WORKSPACE(few_waves_are_expected_to_cost_accuracy)
+{
+    for (int closed = 0; closed < 2; closed++) {
+        run_to_exit(place, 0, "synth", "--alpha", "0.05", "--gamma", "1.6", "--length", closed ? "0.1mm" : "0.4mm",
+                    "--points", closed ? "400" : "1600", "-o", "whole.csv");
+        free(workspace_shell(place,
+                             closed ? "mkdir -p d; cp whole.csv d/a.csv"
+                                    : "mkdir -p d; head -n 1 whole.csv > d/a.csv; tail -n 400 whole.csv >> d/a.csv"));
+        run_to_exit(place, 0, "report", "d", "-m", "tin", "-o", "o", "--accuracy", "70 %");
+        json_t *results = workspace_json(place, "o/results.json"), *view = workspace_json(place, "o/view.json");
+        double waves = json_number_value(
+            json_object_get(json_array_get(json_object_get(results, "surfaces"), 0), "longest_waves"));
+        const json_t *accuracy = json_object_get(view, "accuracy"), *few = json_object_get(accuracy, "few_waves"),
+                     *in_all = json_object_get(json_object_get(view, "chosen"), "in_all");
+        assert_true(waves > 0 && waves < 2.2);
+        if (!closed) {
+            double own = model_rms(model_rows[model_named("strip-plastic")], QUANTITY_ECR, true, true),
+                   few_sd = 1.3 * log(2.5 / waves);
+            assert_within(atof(json_string_value(few)), exp(few_sd), 0.051 * exp(few_sd));
+            assert_within(atof(json_string_value(in_all)), exp(hypot(own, few_sd)), 0.051 * exp(few_sd));
+            json_t *models = json_object_get(accuracy, "models");
+            const char *factor =
+                json_string_value(json_object_get(json_array_get(models, json_array_size(models) - 1), "factor"));
+            assert_within(atof(factor), exp(hypot(own, few_sd)), 0.051 * exp(few_sd));
+        } else
+            assert_true(!few && !in_all);
+        json_decref(results);
+        json_decref(view);
+    }
 }
 
 /* The cheapest as good: of a scan the textbook within a factor of 3, strips within 2, and no more is solved than that.

@@ -606,6 +606,27 @@ TEST_CASE(an_end_beyond_the_loads_leaves_the_other)
     drop_target(&made, answers);
 }
 
+/* Both ends of a known interval beyond the loads: the page says so once, and the terminal has no dash for it. */
+TEST_CASE(both_ends_beyond_the_loads_are_told)
+{
+    struct made_up made;
+    struct scene_asked target;
+    struct answer *answers = calloc(MADE_UP_USABLE * model_count, sizeof *answers);
+    assert_non_null(answers);
+    made_up_make_of(&made, made_up_models(), PLAIN, NULL);
+    set_target(&made, &target, answers);
+    struct surface_record *record = (struct surface_record *)(uintptr_t)&made.results.surfaces[0];
+    struct ensemble_band **bands = record->bands;
+    answers[made.comparison.leading].low = answers[made.comparison.leading].high = NAN;
+    made_up_again(&made);
+    assert_says_page(&made, "20.0\u00a0N (95 % beyond the loads: widen `load`) on *beta*,", "–…");
+    record->bands = NULL; /* nothing is known of how far it may be off */
+    made_up_again(&made);
+    record->bands = bands;
+    assert_says_page(&made, "20.0\u00a0N on *beta*,", "beyond the loads");
+    drop_target(&made, answers);
+}
+
 TEST_CASE(a_hardness_that_nobody_gives_is_told)
 {
     struct made_up made;
@@ -867,8 +888,9 @@ static void check_names(const json_t *view, const char *document)
 /** Adds all that src/report says. */
 static void add_sources(struct text *out)
 {
-    static const char *const files[] = {"view.c",          "view_first.c",    "view_surfaces.c", "view_models.c",
-                                        "view_accuracy.c", "view_findings.c", "view_export.c",   "report.c"};
+    static const char *const files[] = {"view.c",        "view_first.c",    "view_surfaces.c",
+                                        "view_models.c", "view_accuracy.c", "view_findings.c",
+                                        "view_export.c", "report.c",        "export.c"};
     struct status status = {0};
     for (size_t f = 0; f < sizeof files / sizeof *files; f++) {
         char path[300];

@@ -65,6 +65,26 @@ PLACED(test_a_settled_sweep)
     made.scene.convergence.scales = MADE_UP_SCALES;
 }
 
+/* Where the scene says no load, a model that yields is swept at a hundredth of the hardness, below which not all of a
+ * scale yields at once; the elastic one, and what a scene asks for, stay. */
+PLACED(test_loads_of_sweeps)
+{
+    made_up_make(&made, NULL);
+    const struct material_pair *pair = results_pair(&made.results, made.results.baseline);
+    size_t plastic = made_up_model("multiscale-plastic"), elastic = made_up_model("multiscale-elastic");
+    const bool given = made.scene.convergence.given;
+    made.scene.convergence.given = false;
+    assert_near(results_sweep_load(&made.results, elastic), made.scene.convergence.load, 1e-15);
+    made.scene.convergence.load = 1;
+    assert_near(material_pair_pressure(pair, results_sweep_load(&made.results, plastic)), pair->hardness_Pa / 100,
+                1e-12);
+    made.scene.convergence.load = 1e-12;
+    assert_near(results_sweep_load(&made.results, plastic), 1e-12, 1e-12);
+    made.scene.convergence = (struct scene_convergence){.given = true, .load = 1};
+    assert_near(results_sweep_load(&made.results, plastic), 1, 1e-15);
+    made.scene.convergence.given = given;
+}
+
 /* A leading strip over Gaussian heights of the same material law; nothing where one has no number or does not run. */
 PLACED(test_heights_factor)
 {

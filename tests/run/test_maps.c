@@ -77,7 +77,7 @@ TEST_IN_DIRECTORY(what_leads)
     run_scene(place, "mixed",
               MATERIAL "limits: {ecr: {most: 1 ohm m2}}\nsurfaces: [" MAP("a") ", {name: c, file: line.csv}]\n");
     expect_in_file(place, "mixed/results.json", "\"leading\": \"strip-plastic\"");
-    expect_in_file(place, "mixed/report.md", "1 of the surfaces is no map: ");
+    expect_in_file(place, "mixed/report.md", "1 of the surfaces is no map: ", "scans and rows of maps");
     assert_true(rows_of(place, "mixed/data/contact.csv", "direct-plastic") > 5);
     /* the limit of the map, too, is that of the strip: its value is in the strip's curve */
     struct text json = directory_read(place, "mixed/results.json");
