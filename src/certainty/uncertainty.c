@@ -88,8 +88,10 @@ static enum status_code add_quarters(struct simulated *out, const struct record_
         if (ensemble_add(&out->quarters, k, &part, &scan->how, status) != STATUS_OK)
             return status->code;
     }
-    return out->quarters.keeps_heights ? strips_gather(&out->strips, &out->quarters, scan->body[1].points > 0, status)
-                                       : STATUS_OK;
+    if (out->quarters.keeps_heights &&
+        strips_gather(&out->strips, &out->quarters, scan->body[1].points > 0, status) == STATUS_OK)
+        out->strips.roughly = true;
+    return status->code;
 }
 
 static enum status_code add_records(struct simulated *out, const struct record_heights *body, unsigned long seed,

@@ -12,9 +12,10 @@
 #include <stdint.h>
 
 enum {
-    STRIP_LOADS = 17,       /* rungs of the ladder */
-    STRIP_KNOTS = 32,       /* at most, of a curve */
-    STRIP_SURROGATES = 4,   /* Gaussian strips a ratio is against */
+    STRIP_LOADS = 17,     /* rungs of the ladder */
+    STRIP_KNOTS = 32,     /* at most, of a curve */
+    STRIP_SURROGATES = 4, /* Gaussian strips a ratio is against */
+    STRIP_ROUGHLY = 5,    /* in place of their number where only the scatter of answers is asked: one, half the loads */
     STRIP_LEAST_POINTS = 12 /* in contact, below which a solution says nothing */
 };
 

@@ -329,34 +329,47 @@ static void impose_amplitudes(struct modes *modes)
     modes->exhausted |= !fft_run(modes->backward);
 }
 
-/** Of which the order is that of the values. */
-static uint64_t sort_key(double value)
-{
-    uint64_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    return bits >> 63 ? ~bits : bits | (uint64_t)1 << 63;
-}
-
-/** The places of the values in ascending order, of equal ones in theirs: a radix sort. `order`: 2 count, the second
- * half to work with. */
+/** The places of the values in ascending order, of equal ones in theirs: a radix sort by where they are between the
+ * lowest and the highest, in 2^32 steps, the place below each; those of one step then by their values. `order`: 2
+ * count, the second half to work with. */
 static void rank(uint64_t *order, const double *values, size_t count)
 {
-    enum { DIGIT = 11, DIGITS = 6 }; /* bits of a digit; as many as a key has, and even */
-    uint64_t *from = order, *to = order + count;
-    for (size_t k = 0; k < count; k++)
-        from[k] = k;
-    for (unsigned shift = 0; shift < DIGIT * DIGITS; shift += DIGIT) {
-        size_t start[(1 << DIGIT) + 1] = {0};
+    enum { DIGIT = 8, DIGITS = 4, SHIFT = 32 }; /* bits of a digit; an even number of them, above a place's bits */
+    uint64_t *from = order, *to = order + count, place = ((uint64_t)1 << SHIFT) - 1;
+    size_t start[DIGITS][1 << DIGIT] = {{0}};
+    double low = values[0], high = values[0];
+    for (size_t k = 1; k < count; k++) {
+        low = values[k] < low ? values[k] : low;
+        high = values[k] > high ? values[k] : high;
+    }
+    double scale = high > low ? (double)place / (high - low) : 0;
+    for (size_t k = 0; k < count; k++) {
+        uint64_t step = (uint64_t)((values[k] - low) * scale);
+        from[k] = step << SHIFT | k;
+        for (size_t d = 0; d < DIGITS; d++)
+            start[d][step >> (d * DIGIT) & ((1 << DIGIT) - 1)]++;
+    }
+    for (size_t d = 0; d < DIGITS; d++) {
+        for (size_t i = 0, before = 0, here; i < 1 << DIGIT; i++, before += here) {
+            here = start[d][i];
+            start[d][i] = before;
+        }
         for (size_t k = 0; k < count; k++)
-            start[(sort_key(values[k]) >> shift & ((1 << DIGIT) - 1)) + 1]++;
-        for (size_t digit = 0; digit < 1 << DIGIT; digit++)
-            start[digit + 1] += start[digit];
-        for (size_t k = 0; k < count; k++)
-            to[start[sort_key(values[from[k]]) >> shift & ((1 << DIGIT) - 1)]++] = from[k];
+            to[start[d][from[k] >> (SHIFT + d * DIGIT) & ((1 << DIGIT) - 1)]++] = from[k];
         uint64_t *other = from;
         from = to;
         to = other;
     }
+    for (size_t k = 0, at; k < count; k++) {
+        uint64_t own = order[k];
+        for (at = k;
+             at > 0 && order[at - 1] >> SHIFT == own >> SHIFT && values[order[at - 1] & place] > values[own & place];
+             at--)
+            order[at] = order[at - 1];
+        order[at] = own;
+    }
+    for (size_t k = 0; k < count; k++)
+        order[k] &= place;
 }
 
 /** The rounds proper; values: n² of room, order: 2 n². */

@@ -19,6 +19,7 @@ struct strips {
     double *height_m;            /* theirs */
     struct solved_strip *joined; /* all rows in one strip; NULL: not solved */
     struct status problem;       /* why it is not */
+    bool roughly;                /* only the scatter of the members' answers is asked: STRIP_ROUGHLY */
     bool in_part;                /* of scans, not all, or not whole */
     size_t unsolved;             /* loads at which solutions did not converge, which are left out */
     uint64_t transforms;         /* pairs of transforms times points that solving took */
