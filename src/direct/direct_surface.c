@@ -316,17 +316,23 @@ static enum status_code quantiles(double *out, size_t count, const double *given
     return STATUS_OK;
 }
 
-/** Gives every mode its amplitude and leaves its phase. A mode that is 0 gets the phase 0. */
-static void impose_amplitudes(struct modes *modes)
+/** Gives every mode its amplitude and leaves its phase. A mode that is 0 gets the phase 0. Returns by how much that
+ * changes the heights, over their rms. */
+static double impose_amplitudes(struct modes *modes)
 {
+    double points = (double)(modes->n * modes->n), changed = 0, all = 0;
     modes->exhausted |= !fft_run(modes->forward);
     for (size_t j = 0; j < modes->n; j++)
         for (size_t i = 0; i <= modes->n / 2; i++) {
-            double *mode = mode_at(modes, i, j), size = hypot(mode[0], mode[1]), amplitude = amplitude_at(modes, i, j);
+            double *mode = mode_at(modes, i, j), amplitude = amplitude_at(modes, i, j);
+            double size = sqrt(mode[0] * mode[0] + mode[1] * mode[1]), change = size / points - amplitude;
             mode[0] = size > 0 ? mode[0] * (amplitude / size) : amplitude;
             mode[1] = size > 0 ? mode[1] * (amplitude / size) : 0;
+            changed += change * change;
+            all += amplitude * amplitude;
         }
     modes->exhausted |= !fft_run(modes->backward);
+    return sqrt(changed / all);
 }
 
 /** The places of the values in ascending order, of equal ones in theirs: a radix sort by where they are between the
@@ -372,20 +378,22 @@ static void rank(uint64_t *order, const double *values, size_t count)
         order[k] &= place;
 }
 
-/** The rounds proper; values: n² of room, order: 2 n². */
+/** The rounds proper, until the last leaves the heights as they are to 3e-3 of their rms; values: n² of room, order:
+ * 2 n². */
 static void adjust(struct modes *modes, const double *heights, double *values, uint64_t *order, uint64_t seed)
 {
     enum { ROUNDS = 60 };
     size_t n = modes->n, count = n * n;
+    double changed = 1;
     for (size_t k = 0; k < count; k++)
         values[k] = direct_random(seed, k);
-    for (int round = 0; round <= ROUNDS; round++) {
+    for (int round = 0; round <= ROUNDS && changed > 3e-3; round++) {
         rank(order, values, count);
         for (size_t k = 0; k < count; k++)
             values[order[k]] = heights[k];
         for (size_t j = 0; j < n; j++)
             memcpy(modes->field + j * modes->stride, values + j * n, n * sizeof *values);
-        impose_amplitudes(modes);
+        changed = impose_amplitudes(modes);
         store(values, modes);
     }
 }
