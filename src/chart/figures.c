@@ -72,6 +72,13 @@ static double on_axis(const struct contact_point *point, const struct axis *axis
     return axis->reciprocal ? axis->scale / value : axis->scale * value;
 }
 
+/** Is the i-th of so many points one that a line goes through? Of more than MOST so many, evenly, and both ends. */
+static bool is_drawn(size_t i, size_t count)
+{
+    enum { MOST = 400 };
+    return count <= MOST || i == 0 || i * (MOST - 1) / (count - 1) > (i - 1) * (MOST - 1) / (count - 1);
+}
+
 /** Points of a curve as one line. */
 static void put_part(struct chart *chart, const struct source *source, const struct contact_point *points, size_t count,
                      const struct axis *x, const struct axis *y, double sigma_m)
@@ -81,7 +88,7 @@ static void put_part(struct chart *chart, const struct source *source, const str
         bool full =
             (quantity_rows[y->quantity].is & QUANTITY_ENDS) && points[i].value[QUANTITY_AREA] > nearly_full_area;
         chart->curve.notes |= full ? NOTE(FIGURE_CUT) : 0;
-        if (full || (quantity_rows[y->quantity].sigma_column && value < lowest_separation) ||
+        if (full || !is_drawn(i, count) || (quantity_rows[y->quantity].sigma_column && value < lowest_separation) ||
             (quantity_unit(y->quantity).offset != 0 && value > source->hottest_C))
             continue;
         chart_row(chart, on_axis(&points[i], x, sigma_m), value, 0, 0);
@@ -204,9 +211,10 @@ static void put_band(struct chart *chart, const struct surface_record *record, s
     if (!record->bands || !record->bands[m])
         return;
     CURVE(.kind = CHART_BAND, .legend = "", .colour = colour, .notes = NOTE(FIGURE_BAND));
-    for (size_t i = 0; i < record->band_count && i < curve->count; i++) {
+    size_t count = record->band_count < curve->count ? record->band_count : curve->count;
+    for (size_t i = 0; i < count; i++) {
         double ends[2];
-        if (record->bands[m][i].load != curve->points[i].value[QUANTITY_LOAD] ||
+        if (!is_drawn(i, count) || record->bands[m][i].load != curve->points[i].value[QUANTITY_LOAD] ||
             ((quantity_rows[asked->quantity].is & QUANTITY_ENDS) &&
              curve->points[i].value[QUANTITY_AREA] > nearly_full_area))
             continue;

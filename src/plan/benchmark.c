@@ -5,7 +5,10 @@
 #include <stdlib.h>
 #include <time.h>
 
-enum { HARMONICS_MOST = 100000 /* of a longer scan no more are summed again at every tolerance: they show it too */ };
+enum {
+    HARMONICS_MOST = 100000, /* of a longer scan no more are summed again at every tolerance: they show it too */
+    LOADS_MOST = 400         /* of more, every second, third, ... */
+};
 
 /** Seconds that this thread has worked, whatever others do meanwhile. */
 static double own_seconds(void)
@@ -38,6 +41,8 @@ struct curve_attempt {
     size_t m;
     struct spectrum spectrum; /* of the surface, no more of it than HARMONICS_MOST */
     double tolerance;
+    double loads[LOADS_MOST];
+    size_t load_count;
     struct contact_point *points; /* of the model */
     uint64_t evaluations;
     bool failed;
@@ -51,6 +56,7 @@ static void solve_curve(void *context)
     struct status status = {0};
     task.spectrum = &attempt->spectrum;
     task.tolerance = attempt->tolerance;
+    task = model_task_at(&task, attempt->loads, attempt->load_count);
     attempt->failed = model_run(&curve, model_rows[attempt->m], &task, &status) != STATUS_OK;
     attempt->evaluations = curve.evaluations;
 }
@@ -73,7 +79,8 @@ static enum status_code measure_model(struct benchmark *out, const struct surfac
                                       const struct surface_task *asked, size_t m, struct status *status)
 {
     static const double tolerance[BENCHMARK_STEPS] = {1e-13, 1e-10, 1e-6, 1e-2};
-    struct contact_point *best = calloc(2 * (asked->load_count + 1), sizeof *best);
+    const size_t step = (asked->load_count + LOADS_MOST - 1) / LOADS_MOST;
+    struct contact_point *best = calloc(2 * (LOADS_MOST + 1), sizeof *best);
     if (!best)
         return status_memory(status);
     struct curve_attempt attempt = {.surface = surface, .asked = asked, .m = m, .spectrum = surface->spectrum};
@@ -81,14 +88,16 @@ static enum status_code measure_model(struct benchmark *out, const struct surfac
         attempt.spectrum.count = HARMONICS_MOST;
         attempt.spectrum.has_nyquist = false;
     }
+    for (size_t i = 0; i < asked->load_count; i += step)
+        attempt.loads[attempt.load_count++] = asked->loads[i];
     out->count += BENCHMARK_STEPS;
     for (int t = 0; t < BENCHMARK_STEPS && !attempt.failed; t++) {
         struct benchmark_row *row = &out->rows[out->count - 1 - (size_t)t];
         attempt.tolerance = tolerance[t];
-        attempt.points = t == 0 ? best : best + asked->load_count + 1;
+        attempt.points = t == 0 ? best : best + LOADS_MOST + 1;
         *row = (struct benchmark_row){.model = m, .tolerance = tolerance[t], .seconds = time_of(solve_curve, &attempt)};
         row->evaluations = attempt.evaluations;
-        row->error = largest_error(attempt.points, best, asked->load_count + 1);
+        row->error = largest_error(attempt.points, best, LOADS_MOST + 1);
     }
     free(best);
     return attempt.failed ? status_memory(status) : STATUS_OK;
