@@ -12,6 +12,7 @@ enum {
 static pthread_mutex_t planner = PTHREAD_MUTEX_INITIALIZER; /* of `kept` too */
 static struct {
     size_t n;
+    bool back;
     fftw_plan plan;
 } kept[KEPT];
 static bool ready, left; /* it has all its solvers, and plans may live; it was left at work */
@@ -118,20 +119,24 @@ static void make_small_plan(void *context)
 {
     struct once *once = context;
     size_t k = 0;
-    while (k < KEPT && kept[k].plan && kept[k].n != once->n)
+    while (k < KEPT && kept[k].plan && (kept[k].n != once->n || kept[k].back != once->back))
         k++;
     once->kept = k < KEPT;
     once->plan = once->kept ? kept[k].plan : NULL;
-    if (!once->plan)
+    if (!once->plan && once->back)
+        make_plan(once);
+    else if (!once->plan)
         once->plan = fftw_plan_r2r_1d((int)once->n, once->record, once->record, FFTW_R2HC, FFTW_ESTIMATE);
     if (once->kept)
-        kept[k].n = once->n, kept[k].plan = once->plan;
+        kept[k].n = once->n, kept[k].back = once->back, kept[k].plan = once->plan;
 }
 
 static void run_once(void *context)
 {
     struct once *once = context;
-    if (once->transform)
+    if (once->back)
+        fftw_execute_dft_c2r(once->plan, once->transform, once->record);
+    else if (once->transform)
         fftw_execute(once->plan);
     else
         fftw_execute_r2r(once->plan, once->record, once->record);
@@ -139,7 +144,7 @@ static void run_once(void *context)
 
 static bool transform(struct once once)
 {
-    bool done = fft_plan(once.transform ? make_plan : make_small_plan, &once) && fft_try(run_once, &once);
+    bool done = fft_plan(once.n > SMALL ? make_plan : make_small_plan, &once) && fft_try(run_once, &once);
     if (!once.kept)
         fft_plan_free(once.plan);
     return done;

@@ -184,19 +184,16 @@ static enum status_code descend(struct strip_curve *curve, struct direct_contact
     return STATUS_OK;
 }
 
-static enum status_code solve_strip(struct strip_curve *curve, const double *strip_m, size_t points,
-                                    const struct strip_rows *rows, bool rough, uint64_t *transforms,
-                                    const atomic_bool *stop, struct status *status)
+/** One strip after another of the same points; `contact` is theirs, of no points before the first. */
+static enum status_code solve_strip(struct strip_curve *curve, struct direct_contact *contact, const double *strip_m,
+                                    size_t points, const struct strip_rows *rows, bool rough, const atomic_bool *stop,
+                                    struct direct_contact_effort *effort, struct status *status)
 {
     double slope = sqrt(mean_square_slope(strip_m, points, strip_row_length(rows), rows->spacing_m));
-    struct direct_contact contact;
-    struct direct_contact_effort effort = {0};
-    if (direct_contact_make(&contact, strip_m, points, 1, rows->spacing_m, status) != STATUS_OK)
-        return status->code;
-    (void)descend(curve, &contact, slope, rough, stop, &effort, status);
-    direct_contact_free(&contact);
-    *transforms += effort.convolutions * points;
-    return status->code;
+    enum status_code rc = contact->kernel.points > 0
+                              ? direct_contact_lay(contact, strip_m, status)
+                              : direct_contact_make(contact, strip_m, points, 1, rows->spacing_m, status);
+    return rc == STATUS_OK ? descend(curve, contact, slope, rough, stop, effort, status) : rc;
 }
 
 enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, const size_t *which, size_t count,
@@ -205,6 +202,8 @@ enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, c
     size_t length = strip_row_length(rows), points = count * length;
     bool rough = surrogates == STRIP_ROUGHLY;
     struct phases phases = {0};
+    struct direct_contact contact = {.solved = false};
+    struct direct_contact_effort effort = {0};
     double *strip_m = malloc((points + 1) * sizeof *strip_m);
     *out = (struct strip){.surrogates = 0};
     surrogates = rough ? 1 : surrogates;
@@ -213,7 +212,7 @@ enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, c
     for (size_t r = 0; r < count; r++)
         strip_lay_row(strip_m + r * length, rows, which[r]);
     if (phases_of(&phases, strip_m, length, count, status) == STATUS_OK)
-        (void)solve_strip(&out->own, strip_m, points, rows, rough, &out->transforms, stop, status);
+        (void)solve_strip(&out->own, &contact, strip_m, points, rows, rough, stop, &effort, status);
     out->unsolved = out->own.unsolved;
     for (size_t s = 0; s < surrogates && status->code == STATUS_OK; s++) {
         struct strip_curve *curve = &out->surrogate[out->surrogates];
@@ -221,12 +220,14 @@ enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, c
         for (size_t r = 0; r < count; r++)
             draw_row(strip_m + r * length, &phases, length, which[r], s + 1, status);
         if (status->code == STATUS_OK)
-            (void)solve_strip(curve, strip_m, points, rows, rough, &out->transforms, stop, &problem);
+            (void)solve_strip(curve, &contact, strip_m, points, rows, rough, stop, &effort, &problem);
         out->unsolved += curve->unsolved;
         out->surrogates += problem.code == STATUS_OK;
         if (problem.code != STATUS_OK && (problem.code != STATUS_MODEL || s + 1 - out->surrogates == surrogates))
             (void)status_fail(status, problem.code, "%s", problem.message);
     }
+    out->transforms = effort.convolutions * points;
+    direct_contact_free(&contact);
     phases_free(&phases);
     free(strip_m);
     return status->code;

@@ -56,6 +56,9 @@ struct direct_contact_effort {
  * finite, or a flat surface. */
 MUST_CHECK enum status_code direct_contact_make(struct direct_contact *out, const double *height_m, size_t nx,
                                                 size_t ny, double spacing_m, struct status *status);
+/** The same of other heights on the grid of a strip, whose plans are kept. Error: STATUS_MODEL, as above. */
+MUST_CHECK enum status_code direct_contact_lay(struct direct_contact *contact, const double *height_m,
+                                               struct status *status);
 void direct_contact_free(struct direct_contact *contact);
 
 /** Solves for one load; adds the effort to *effort. Method: Polonsky and Keer, Wear 231 (1999) 206, with points that
