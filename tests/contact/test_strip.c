@@ -287,3 +287,18 @@ TEST_CASE(against_direct_solutions)
     }
     free(height);
 }
+
+/** Roughly, for a scatter: one surrogate and half the loads, a quarter of the work or less, and much the same ratio. */
+TEST_CASE(roughly)
+{
+    static const size_t all[ROWS] = {0, 1, 2, 3};
+    double *height = gaussian_rows(ROWS, 5);
+    struct strip_rows rows = {height, ROWS, POINTS, 1e-6, true};
+    struct strip strip = solved(&rows, all, ROWS, STRIP_SURROGATES), rough = solved(&rows, all, ROWS, STRIP_ROUGHLY);
+    assert_int_equal(rough.surrogates, 1);
+    assert_int_equal(rough.own.count, (strip.own.count + 1) / 2);
+    assert_true(rough.transforms > 0 && 4 * rough.transforms < strip.transforms);
+    for (double area = 0.02; area < 0.9; area *= 2)
+        assert_true(fabs(strip_ratio_at(&rough, area).load - strip_ratio_at(&strip, area).load) < 0.25);
+    free(height);
+}

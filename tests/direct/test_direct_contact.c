@@ -436,3 +436,35 @@ TEST_CASE(convolutions_of_an_iteration)
     }
     free(height);
 }
+
+/** Other heights laid on a strip's grid are solved as if it were new, of complete contact too, which leaves no
+ * response.
+ */
+TEST_CASE(laid_anew)
+{
+    enum { N = 256 };
+    static const double mean[] = {1, 0.03, 0.01};
+    double height[2][N];
+    for (size_t k = 0; k < 2; k++)
+        for (size_t i = 0; i < N; i++)
+            height[k][i] =
+                0.01 * cos(2 * M_PI * (double)((3 + k) * i) / N) + 0.004 * sin(2 * M_PI * (double)(17 * i) / N);
+    struct direct_contact again = contact_of(height[0], N, 1), fresh = contact_of(height[1], N, 1);
+    struct status status = {0};
+    for (size_t k = 0; k < 2; k++) {
+        for (size_t i = 0; i < 3; i++)
+            for (int which = (int)k; which >= 0; which--) {
+                struct direct_contact *contact = which ? &fresh : &again;
+                struct direct_contact_load load = {mean[i], INFINITY, 1e-6, true, NULL};
+                assert_int_equal(direct_contact_solve(contact, &load, &(struct direct_contact_effort){0}, &status),
+                                 STATUS_OK);
+                (void)constriction_of(contact, 1e-6);
+            }
+        if (k == 0)
+            assert_int_equal(direct_contact_lay(&again, height[1], &status), STATUS_OK);
+        else
+            assert_memory_equal(again.pressure, fresh.pressure, N * sizeof(double));
+    }
+    direct_contact_free(&again);
+    direct_contact_free(&fresh);
+}
