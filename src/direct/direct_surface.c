@@ -335,9 +335,8 @@ static double impose_amplitudes(struct modes *modes)
     return sqrt(changed / all);
 }
 
-/** The places of the values in ascending order, of equal ones in theirs: a radix sort by where they are between the
- * lowest and the highest, in 2^32 steps, the place below each; those of one step then by their values. `order`: 2
- * count, the second half to work with. */
+/** The places of the values in ascending order, to 2^-32 of their range, of equal ones in theirs: a radix sort of where
+ * a value lies in it, with the place below. `order`: 2 count, the second half to work with. */
 static void rank(uint64_t *order, const double *values, size_t count)
 {
     enum { DIGIT = 8, DIGITS = 4, SHIFT = 32 }; /* bits of a digit; an even number of them, above a place's bits */
@@ -365,14 +364,6 @@ static void rank(uint64_t *order, const double *values, size_t count)
         uint64_t *other = from;
         from = to;
         to = other;
-    }
-    for (size_t k = 0, at; k < count; k++) {
-        uint64_t own = order[k];
-        for (at = k;
-             at > 0 && order[at - 1] >> SHIFT == own >> SHIFT && values[order[at - 1] & place] > values[own & place];
-             at--)
-            order[at] = order[at - 1];
-        order[at] = own;
     }
     for (size_t k = 0; k < count; k++)
         order[k] &= place;

@@ -61,6 +61,26 @@ static int end(void **state)
     return 0;
 }
 
+/** Of 1200 loads every third is timed. */
+TEST_CASE(many_loads)
+{
+    double many[1200], every_third[400];
+    struct benchmark costs[2];
+    struct status status = {0};
+    for (int i = 0; i < 1200; i++)
+        many[i] = 1e-6 * pow(10, i / 300.0);
+    for (int i = 0; i < 400; i++)
+        every_third[i] = many[3 * i];
+    for (int k = 0; k < 2; k++) {
+        struct surface_task task = asked;
+        task.loads = k ? every_third : many;
+        task.load_count = k ? 400 : 1200;
+        assert_int_equal(benchmark_measure(&costs[k], record, &task, &status), STATUS_OK);
+    }
+    for (size_t i = 0; i < costs[0].count; i++)
+        assert_int_equal(costs[0].rows[i].evaluations, costs[1].rows[i].evaluations);
+}
+
 /* A model's rows follow each other, from the coarsest tolerance to the finest: that is what the others are held
  * against, and a tolerance holds what it promises. */
 TEST_CASE(test_tolerances_hold)
