@@ -344,7 +344,6 @@ static void growth(void)
     print_growth("scales of a stack", scales, seconds);
 }
 
-<<<<<<< HEAD
 /** CPU seconds of parts with a bulge of F over 20 mm at 61 loads over two decades, pressure and resistance, in n x n
  * cells; aluminium, a gap that is logarithmic and a conductance that is a power of the pressure. */
 static double shape_seconds(size_t n, double bulge_m)
@@ -392,18 +391,14 @@ static void shapes(void)
                shape_seconds(64, bulge_um * 1e-6), shape_seconds(32, bulge_um * 1e-6));
 }
 
-int main(void)
-{
-    direct_cases();
-    shapes();
-=======
 /** Given any argument, of how reports grow alone: the table in docs/limits.md. */
 int main(int count, char **argument)
 {
     (void)argument;
-    if (count < 2)
+    if (count < 2) {
         direct_cases();
->>>>>>> dbfc0f78 (README shows what chapter6 prints today)
+        shapes();
+    }
     growth();
     return 0;
 }
