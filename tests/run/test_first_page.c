@@ -330,7 +330,8 @@ TEST_IN_PLACE(test_area_that_is_load_over_hardness)
  * surface, whose Rq differs by chance, in none of these eight. */
 TEST_IN_PLACE(test_order_by_roughness)
 {
-    directory_write(place, "same/scene.yaml", "models: [multiscale, statistical]\nmaterial: tin\nload: {values: [1e-4]}\n");
+    directory_write(place, "same/scene.yaml",
+                    "models: [multiscale, statistical]\nmaterial: tin\nload: {values: [1e-4]}\n");
     for (unsigned long seed = 0; seed < 9; seed++) {
         pipeline_rough(place, "same/a.csv", 160, 0.1, 100 + 2 * seed);
         pipeline_rough(place, "same/b.csv", 160, seed == 8 ? 1.5 : 0.1, 101 + 2 * seed);
