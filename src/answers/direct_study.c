@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "answers/direct_study.h"
 
+#include "base/clock.h"
+
 #include <math.h>
 #include <stdlib.h>
 
@@ -168,6 +170,64 @@ static enum status_code run_models(struct maker *maker, struct status *status)
     return rc;
 }
 
+/** Every `step`-th point of n x n heights, at one load. */
+static enum status_code time_grid(struct direct_study_grid *out, const double *height_m, size_t n, size_t step,
+                                  const struct direct_ladder_def *ladder, double length_m, struct status *status)
+{
+    struct direct_contact contact;
+    struct direct_point point;
+    double begin = clock_seconds(), *every_m = malloc(n / step * (n / step) * sizeof *every_m);
+    *out = (struct direct_study_grid){.n = n / step};
+    if (!every_m)
+        return status_memory(status);
+    for (size_t k = 0; k < out->n * out->n; k++)
+        every_m[k] = height_m[k / out->n * step * n + k % out->n * step];
+    enum status_code rc = direct_contact_make(&contact, every_m, out->n, out->n, length_m / (double)out->n, status);
+    free(every_m);
+    if (rc != STATUS_OK)
+        return rc;
+    rc = direct_ladder_run(&point, &contact, ladder, status);
+    direct_contact_free(&contact);
+    out->seconds = clock_seconds() - begin;
+    for (int q = 0; q < DIRECT_QUANTITIES && rc == STATUS_OK; q++)
+        out->value[q] = point.exists ? direct_point_value(&point, (enum direct_quantity)q) : NAN;
+    return rc;
+}
+
+/** What a finer grid costs, and gains: of the first surface, at the load solved that is nearest to the timed one. */
+static enum status_code time_grids(struct maker *maker, const struct direct_ensemble_def *def, struct status *status)
+{
+    struct direct_study *study = maker->study;
+    const size_t n = def->map ? def->map->n : def->n;
+    const double length_m = def->map ? def->map->spacing_m * (double)n : def->length_m;
+    struct direct_ladder_def ladder = def->ladder;
+    double *made_m = NULL;
+    size_t step = 1;
+    for (size_t i = 0; i < def->ladder.loads; i++)
+        if (fabs(log(def->ladder.load[i] / maker->task->timed_load)) <
+            fabs(log(*ladder.load / maker->task->timed_load)))
+            ladder.load = &def->ladder.load[i];
+    ladder.loads = 1;
+    while (n % (4 * step) == 0 && n / (2 * step) >= DIRECT_STUDY_COARSEST && step < 1 << (DIRECT_STUDY_GRIDS - 1))
+        step *= 2;
+    if (def->ladder.loads == 0 || step == 1)
+        return STATUS_OK;
+    if (!def->map) {
+        made_m = malloc(n * n * sizeof *made_m);
+        if (!made_m)
+            return status_memory(status);
+        if (direct_surface_make(made_m, n, def->variance, def->context, def->given_m, def->given_count, 1, status) !=
+            STATUS_OK)
+            step = 0;
+    }
+    for (; step > 0; step /= 2)
+        if (time_grid(&study->grids[study->grid_count++], def->map ? def->map->height_m : made_m, n, step, &ladder,
+                      length_m, status) != STATUS_OK)
+            break;
+    free(made_m);
+    return status->code;
+}
+
 static enum status_code run(struct maker *maker, struct status *status)
 {
     struct direct_study *study = maker->study;
@@ -189,6 +249,9 @@ static enum status_code run(struct maker *maker, struct status *status)
     for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++)
         if (solve(maker, (enum direct_study_kind)kind, &defs[kind], status) != STATUS_OK)
             return status->code;
+    const bool capped = defs[DIRECT_STUDY_CAPPED].ladder.loads > 0;
+    if (maker->task->timed_load > 0 && time_grids(maker, &defs[capped], status) != STATUS_OK)
+        return status->code;
     return run_models(maker, status);
 }
 
@@ -246,6 +309,16 @@ double direct_study_grid_error(const struct direct_study *study, enum direct_stu
 {
     const struct direct_mean *mean = mean_of(study, kind, quantity, i);
     return mean && isfinite(mean->fine_ratio) ? fabs(mean->fine_ratio - 1) : 0;
+}
+
+double direct_study_grid_off(const struct direct_study *study, enum quantity quantity, size_t k)
+{
+    const struct quantity_solved *solved = &quantity_rows[quantity].solved;
+    if (study->grid_count < 2 || !solved->column)
+        return NAN;
+    const struct direct_study_grid *finest = &study->grids[study->grid_count - 1];
+    double limit = 2 * finest->value[solved->mean] - finest[-1].value[solved->mean];
+    return fabs(study->grids[k].value[solved->mean] / limit - 1);
 }
 
 enum direct_study_kind direct_study_kind_of(const struct direct_study *study, size_t model)

@@ -736,15 +736,14 @@ static void make_accuracy(struct chart *chart, const struct source *source)
         chart_curve(chart, &look);
         chart_row(chart, accuracy.seconds[accuracy.used], accuracy.error, 0, 0);
     }
-    const struct asked_solved solved = asked_direct(source->results, source->asked.quantity,
-                                                    results_operating_load(source->results, source->results->baseline));
-    if (solved.error > 0) {
-        chart_curve(chart, &(struct chart_curve){.kind = CHART_POINTS,
-                                                 .legend = SAY("direct"),
-                                                 .marker = 5,
-                                                 .colour = ink,
-                                                 .notes = NOTE(FIGURE_DIRECT)});
-        chart_row(chart, source->results->studies.contact_seconds, solved.error, 0, 0);
+    const struct direct_study *study = results_direct_baseline(source->results);
+    for (int marks = 0; marks < 2 && study && study->grid_count > 1; marks++) {
+        CURVE(.kind = marks ? CHART_POINTS : CHART_LINE, .legend = marks ? "" : SAY("direct"), .marker = 5,
+              .width = 1.4, .colour = ink, .notes = NOTE(FIGURE_DIRECT));
+        for (size_t k = 0; k < study->grid_count; k++)
+            if (direct_study_grid_off(study, source->asked.quantity, k) > 0)
+                chart_row(chart, study->grids[k].seconds, direct_study_grid_off(study, source->asked.quantity, k), 0,
+                          0);
     }
 }
 

@@ -2,6 +2,7 @@
 /* What accuracy costs, which effects ran and why, how hard cases were kept stable: the user's three questions. */
 #include "report/view.h"
 
+#include "answers/direct_study.h"
 #include "results/accuracy.h"
 #include <math.h>
 
@@ -48,6 +49,15 @@ static void put_models(json_t *out, const struct view_source *source)
         finest += accuracy.seconds[BENCHMARK_STEPS - 1];
         solved = fmax(solved, accuracy.seconds[accuracy.used]);
     }
+    const struct direct_study *study = results_direct_baseline(source->results);
+    json_t *grids = view_list(out, "grids");
+    for (size_t k = 0; study && k < study->grid_count; k++)
+        if (direct_study_grid_off(study, quantity, k) > 0) {
+            json_t *row = view_item(grids);
+            view_count(row, "points", study->grids[k].n);
+            view_number(row, "off", 100 * direct_study_grid_off(study, quantity, k), 2, "%");
+            put_seconds(row, "time", study->grids[k].seconds);
+        }
     const double few_waves = accuracy_few_waves_sd(source->results, source->results->baseline);
     if (few_waves > log(1.05))
         view_number(out, "few_waves", exp(few_waves), 2, "");
