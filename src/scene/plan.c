@@ -55,14 +55,14 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
         snprintf(out->reason, sizeof out->reason,
                  "not called for; it says how far each model is off, in seconds to minutes");
     } else if (row->only_listed && !(scene->effects & EFFECT_BIT(effect))) {
-        snprintf(out->reason, sizeof out->reason, "runs only where effects lists it");
+        snprintf(out->reason, sizeof out->reason, "only where effects lists it");
     } else if (effect == EFFECT_UNLOADING) {
         const struct model_row *leading = model_rows[plan_leading_model(plan)];
         out->runs = leading->plastic;
         snprintf(out->reason, sizeof out->reason,
                  leading->plastic ? "listed in the scene" : "%s, which leads, has no hardness", leading->label);
     } else if (row->key && !(scene->called & EFFECT_BIT(effect))) {
-        snprintf(out->reason, sizeof out->reason, "the scene has no '%s'", row->key);
+        snprintf(out->reason, sizeof out->reason, "no '%s' is given", row->key);
     } else if (row->key && !scene->effects_auto) {
         out->runs = true;
         snprintf(out->reason, sizeof out->reason, "the scene has '%s'", row->key);
