@@ -91,23 +91,20 @@ static inline void directory_folder(const void *place, const char *name)
 /* Makes the directories on the way, too. */
 static inline void directory_write(const void *place, const char *name, const char *content)
 {
-    struct status status = {0};
     char folder[256];
     const char *slash = strrchr(name, '/');
     if (slash) {
         snprintf(folder, sizeof folder, "%.*s", (int)(slash - name), name);
         directory_folder(place, folder);
     }
-    assert_int_equal(text_write_file(directory_path(place, name), content, strlen(content), &status), STATUS_OK);
+    expect_ok(text_write_file, directory_path(place, name), content, strlen(content));
 }
 
 /* The file's text; fails the test when there is none. */
 static inline struct text directory_read(const void *place, const char *name)
 {
     struct text text = {0};
-    struct status status = {0};
-    if (text_read_file(&text, directory_path(place, name), &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(text_read_file, &text, directory_path(place, name));
     return text;
 }
 

@@ -74,12 +74,11 @@ static void make_curve(struct surface_record *record, size_t index, size_t m, co
 /** Of two scans a standard deviation of `deviation` apart (of ln value where `logarithmic`) about this number. */
 static struct estimate about(double value, double deviation, bool logarithmic)
 {
-    struct status status = {0};
     struct estimate estimate;
     double step = deviation / M_SQRT2;
     const double scans[2] = {logarithmic ? value * exp(-step) : value - step,
                              logarithmic ? value * exp(step) : value + step};
-    assert_int_equal(estimate_make(&estimate, scans, NULL, 2, logarithmic, &status), STATUS_OK);
+    expect_ok(estimate_make, &estimate, scans, NULL, 2, logarithmic);
     return estimate;
 }
 
@@ -88,7 +87,6 @@ static void make_estimates(struct made_up *made, struct surface_record *record, 
 {
     struct curve_summary *model = record->summary.models[m];
     struct estimate all[CURVE_ESTIMATES];
-    struct status status = {0};
     const struct contact_point *middle = &record->curves[m].points[MADE_UP_LOADS / 2];
     bool several = index == 0, known = several || plan_runs(&made->plan, EFFECT_UNCERTAINTY);
     all[CURVE_FULL_LOAD] = several ? about(model->full_load, log(1.5), true) : estimate_none;
@@ -99,15 +97,14 @@ static void make_estimates(struct made_up *made, struct surface_record *record, 
         bool held = known && (quantity_rows[q].is & QUANTITY_BANDED) && isfinite(value);
         all[q] = !held ? estimate_none : several ? about(value, 0.05, true) : estimate_of_error(value, 0.05, 4);
     }
-    assert_int_equal(curve_summary_put_estimates(model, all, &status), STATUS_OK);
+    expect_ok(curve_summary_put_estimates, model, all);
 }
 
 /** The mean within a tenth of the curve, another scan within two. */
 static void make_bands(struct surface_record *record, size_t m)
 {
     record->band_count = MADE_UP_LOADS;
-    record->bands[m] = calloc(MADE_UP_LOADS, sizeof *record->bands[m]);
-    assert_non_null(record->bands[m]);
+    record->bands[m] = support_room(MADE_UP_LOADS * sizeof *record->bands[m]);
     for (size_t i = 0; i < MADE_UP_LOADS; i++) {
         const struct contact_point *point = &record->curves[m].points[i];
         struct ensemble_band *band = &record->bands[m][i];
@@ -231,14 +228,12 @@ static void make_measured(struct made_up *made)
         values[MADE_UP_MEASURED + i] = 1.5 * 1.5e-14 / loads[i];
         values[2 * MADE_UP_MEASURED + i] = NAN;
     }
-    made->answers[0].resistance = calloc(model_count * MADE_UP_MEASURED, sizeof(double));
-    assert_non_null(made->answers[0].resistance);
+    made->answers[0].resistance = support_room(model_count * MADE_UP_MEASURED * sizeof(double));
     for (size_t m = 0; m < model_count; m++)
         for (size_t i = 0; i < MADE_UP_MEASURED; i++)
             made->answers[0].resistance[m * MADE_UP_MEASURED + i] =
                 plan_runs_model(&made->plan, m) ? surfaces[0].ecr * 1e-14 / factor_of(m) / loads[i] : NAN;
-    struct status status = {0};
-    assert_int_equal(measured_fit(made->answers, made->measured, plan_leading_model(&made->plan), &status), STATUS_OK);
+    expect_ok(measured_fit, made->answers, made->measured, plan_leading_model(&made->plan));
 }
 
 static void make_benchmark(struct made_up *made)
@@ -262,8 +257,7 @@ void made_up_sweep(struct made_up *made, enum convergence_sweep sweep, const cha
 /** All settle that should. */
 static void make_sweeps(struct made_up *made)
 {
-    made->sweeps = calloc(results_sweep_size(&made->results), sizeof *made->sweeps);
-    assert_non_null(made->sweeps);
+    made->sweeps = support_room(results_sweep_size(&made->results) * sizeof *made->sweeps);
     made->results.convergence = made->sweeps;
     for (int s = 0; s < CONVERGENCE_SWEEP_COUNT; s++)
         for (size_t v = 0; v < convergence_sweeps[s].count; v++)
@@ -295,13 +289,12 @@ void made_up_again(struct made_up *made)
     static const struct figures drawn = {
         .figure = {{"answer", "", false}, {"one-surface", "6-05 to 6-09", false}, {"area", "6-11 to 6-14", false}},
         .count = 3};
-    struct status status = {0};
     struct words words;
     comparison_free(&made->comparison);
     json_decref(made->view);
-    assert_int_equal(comparison_make(&made->comparison, &made->results, &status), STATUS_OK);
-    assert_int_equal(words_read(&words, PROJECT_SOURCE "/templates", &status), STATUS_OK);
-    assert_int_equal(view_make(&made->view, &made->results, &made->comparison, &drawn, &words, &status), STATUS_OK);
+    expect_ok(comparison_make, &made->comparison, &made->results);
+    expect_ok(words_read, &words, PROJECT_SOURCE "/templates");
+    expect_ok(view_make, &made->view, &made->results, &made->comparison, &drawn, &words);
     words_free(&words);
 }
 

@@ -26,6 +26,13 @@ void support_parts(const char *text, const char *const *parts, bool there, const
         }
 }
 
+void *support_room(size_t bytes)
+{
+    void *room = calloc(1, bytes);
+    assert_non_null(room);
+    return room;
+}
+
 const char *filled(const char *format, ...)
 {
     static char texts[16][8192];

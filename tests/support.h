@@ -4,6 +4,8 @@
 #ifndef TEST_SUPPORT_H
 #define TEST_SUPPORT_H
 
+#include "base/status.h"
+
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -43,6 +45,14 @@ void test_group(CMFixtureFunction before, CMFixtureFunction after);
 void support_near(double actual, double expected, double rtol, double atol, const char *what, const char *file,
                   int line);
 
+/** Fails, and says why, unless the function succeeds with these arguments and a status after them. */
+#define expect_ok(function, ...)                                                                                       \
+    do {                                                                                                               \
+        struct status expected_ok = {0};                                                                               \
+        if (function(__VA_ARGS__, &expected_ok) != STATUS_OK)                                                          \
+            fail_msg("%s: %s", #function, expected_ok.message);                                                        \
+    } while (0)
+
 /** Fails unless the text holds every one of these parts, or none of them. */
 #define expect_parts(text, ...)                                                                                        \
     support_parts((text), (const char *const[]){__VA_ARGS__, NULL}, true, __FILE__, __LINE__)
@@ -53,6 +63,9 @@ void support_parts(const char *text, const char *const *parts, bool there, const
 
 /** A text made as by printf(), such as a file's name; good until the next 16 calls. */
 const char *filled(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/** So many bytes, zero, to be freed; fails the test when there are none. */
+void *support_room(size_t bytes);
 
 /** Index in the table of models of the one of that name, such as "gw"; fails the test when there is none. */
 size_t model_named(const char *name);

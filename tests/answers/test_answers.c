@@ -86,8 +86,7 @@ static size_t ask(struct fixture *f, const char *name, double value)
 
 static void find(struct fixture *f)
 {
-    struct status status = {0};
-    assert_int_equal(answers_find(&f->record, &f->scene, &f->plan, &f->task, &status), STATUS_OK);
+    expect_ok(answers_find, &f->record, &f->scene, &f->plan, &f->task);
 }
 
 static const struct answer *answer(const struct fixture *f, size_t target, const char *model)
@@ -101,8 +100,7 @@ static double value_at(const struct model_task *task, const char *model, double 
     struct contact_point points[2];
     struct model_curve curve = {.points = points};
     struct model_task one = model_task_at(task, &load, 1);
-    struct status status = {0};
-    assert_int_equal(model_run(&curve, model_rows[model_named(model)], &one, &status), STATUS_OK);
+    expect_ok(model_run, &curve, model_rows[model_named(model)], &one);
     return curve.count > 0 ? points[0].value[quantity] : NAN;
 }
 
@@ -379,9 +377,8 @@ static void jg_loads(double *tenth, double *full, const struct model_task *task)
 {
     struct contact_point points[LOADS + 1];
     struct model_curve curve = {.points = points};
-    struct status status = {0};
     double low = log(1e-9), high = log(1);
-    assert_int_equal(model_run(&curve, model_rows[model_named("jg")], task, &status), STATUS_OK);
+    expect_ok(model_run, &curve, model_rows[model_named("jg")], task);
     *full = curve.full_load;
     for (int i = 0; i < 60; i++) {
         double middle = (low + high) / 2;
@@ -506,7 +503,6 @@ TEST_CASE(limits_without_a_number)
     static struct contact_point points[LOADS + 1];
     struct scene_asked limit[6] = {{.quantity = QUANTITY_JOINT_ECR}};
     struct fixture f;
-    struct status status = {0};
     make(&f, 1);
     plate(&f);
     size_t m = model_named("jg");
@@ -517,9 +513,9 @@ TEST_CASE(limits_without_a_number)
     f.task = model_task_at(&f.task, loads, 5);
     struct model_curve *curve = &f.record.curves[m];
     curve->points = points;
-    assert_int_equal(model_run(curve, model_rows[m], &f.task, &status), STATUS_OK);
+    expect_ok(model_run, curve, model_rows[m], &f.task);
     const struct joint_task joint = surface_joint(&f.record, &f.scene, &f.plan, &f.task);
-    assert_int_equal(joint_curve(curve, model_rows[m], &f.task, &joint, &status), STATUS_OK);
+    expect_ok(joint_curve, curve, model_rows[m], &f.task, &joint);
     double last = points[1].value[QUANTITY_JOINT_ECR];
     assert_true(last > 2e-12 && isnan(points[2].value[QUANTITY_JOINT_ECR]) && curve->full_load < loads[4]);
     const struct {

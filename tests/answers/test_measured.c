@@ -52,9 +52,7 @@ TEST_CASE(units_are_the_models)
     for (size_t c = 0; c < sizeof cases / sizeof *cases; c++)
         for (size_t d = 0; d < sizeof dialects / sizeof *dialects; d++) {
             struct measured measured;
-            struct status status;
-            if (read_csv(&measured, dialects[d], &cases[c].said, &status) != STATUS_OK)
-                fail_msg("%s", status.message);
+            expect_ok(read_csv, &measured, dialects[d], &cases[c].said);
             assert_int_equal(measured.count, 2);
             assert_near(measured.load[0], cases[c].load, 1e-14);
             assert_near(measured.load[1], cases[c].load / 2, 1e-14); /* in the file's order */
@@ -234,8 +232,7 @@ TEST_CASE(any_bytes_are_read_or_refused)
     size_t taken = 0;
     for (int run = 0; run < 20000; run++) {
         size_t length = sizeof sample - 1, cut = 0;
-        char *bytes = malloc(length);
-        assert_non_null(bytes);
+        char *bytes = support_room(length);
         memcpy(bytes, sample, length);
         for (int change = 0; change < 1 + run % 6; change++) {
             seed = seed * 6364136223846793005u + 1442695040888963407u;
@@ -243,8 +240,7 @@ TEST_CASE(any_bytes_are_read_or_refused)
             bytes[at] = change % 3 ? marks[(seed >> 20) % (sizeof marks - 1)] : (char)(seed >> 25);
             cut = run % 4 ? 0 : at;
         }
-        char *exact = malloc(length - cut); /* a byte read behind its end is seen */
-        assert_non_null(exact);
+        char *exact = support_room(length - cut); /* a byte read behind its end is seen */
         memcpy(exact, bytes, length - cut);
         struct measured_file file;
         struct status status = {0};
@@ -274,7 +270,7 @@ TEST_CASE(files_are_runs)
     directory_write(&place, names[0], "load (N),R (mOhm)\n1,9\n3,5\n2,6\n");
     directory_write(&place, names[1], "R (Ohm),load (mN)\n4e-3,5000\n5e-3,4000\n7e-3,2000\n");
     measured = (struct measured){.given = &given};
-    assert_int_equal(measured_read(&measured, &scene, &plan, &pair, &status), STATUS_OK);
+    expect_ok(measured_read, &measured, &scene, &plan, &pair);
     assert_int_equal(measured.count, 6);
     const struct measured_run runs[] = {{0, 1, 3}, {3, 3, 6}};
     assert_int_equal(measured.run_count, 2);
@@ -337,7 +333,6 @@ static struct estimate fit_made(size_t runs, double points_sd, double runs_sd, c
     struct measured measured = {
         .count = runs * POINTS, .run_count = runs, .runs = parts, .load = loads, .resistance = ohm_m2};
     struct measured_answers answers = no_answers(&measured);
-    struct status status = {0};
     for (size_t r = 0; r < runs; r++) {
         double off = gsl_ran_gaussian(random, runs_sd);
         parts[r] = (struct measured_run){r * POINTS, r * POINTS + UP - 1, (r + 1) * POINTS};
@@ -347,7 +342,7 @@ static struct estimate fit_made(size_t runs, double points_sd, double runs_sd, c
             answers.resistance[measured.count + i] = k == 0 ? NAN : model; /* beyond the run's loads */
         }
     }
-    assert_int_equal(measured_fit(&answers, &measured, 1, &status), STATUS_OK);
+    expect_ok(measured_fit, &answers, &measured, 1);
     const struct estimate fit = answers.fit;
     measured_answers_free(&answers);
     return fit;
@@ -363,7 +358,6 @@ static struct measured_exponent mark_made(double power, size_t points, double sd
     struct measured measured = {
         .count = 2 * points, .run_count = 2, .runs = parts, .load = loads, .resistance = ohm_m2};
     struct measured_answers answers = no_answers(&measured);
-    struct status status = {0};
     answers.fitted = 1;
     for (size_t i = 0; i < 2 * points; i++) {
         double x = log(100) * (double)(i % points) / (double)(points - 1), curve = 0.95 * x - 0.01 * x * x;
@@ -371,7 +365,7 @@ static struct measured_exponent mark_made(double power, size_t points, double sd
         answers.resistance[measured.count + i] = 1e-8 * exp(-curve);
         ohm_m2[i] = (i < points ? 1e-8 : 3e-8) * exp(gsl_ran_gaussian(random, sd) - (isnan(power) ? curve : power * x));
     }
-    assert_int_equal(measured_mark(&answers, &measured, &status), STATUS_OK);
+    expect_ok(measured_mark, &answers, &measured);
     const struct measured_exponent out = answers.exponent;
     measured_answers_free(&answers);
     return out;
@@ -494,8 +488,7 @@ TEST_CASE(models_answer_at_the_measured_loads)
     for (int thermal = 0; thermal < 2; thermal++) {
         struct measured measured = {.count = POINTS, .load = loads, .resistance = resistances, .thermal = thermal};
         struct measured_answers answers;
-        struct status status = {0};
-        assert_int_equal(measured_answer(&answers, &measured, &record, &asked, &status), STATUS_OK);
+        expect_ok(measured_answer, &answers, &measured, &record, &asked);
         for (size_t m = 0; m < model_count; m++) {
             for (int i = 0; i < POINTS; i++) {
                 double answer = answers.resistance[m * POINTS + (size_t)i];
@@ -508,7 +501,7 @@ TEST_CASE(models_answer_at_the_measured_loads)
                     assert_true(isnan(answer));
                     continue;
                 }
-                assert_int_equal(model_run(&curve, model_rows[m], &alone, &status), STATUS_OK);
+                expect_ok(model_run, &curve, model_rows[m], &alone);
                 double expected = thermal ? points[0].value[QUANTITY_TCR] : points[0].value[QUANTITY_ECR];
                 if (points[0].value[QUANTITY_LOAD] == loads[i] && expected > 0)
                     assert_near(answer, expected, 1e-9);

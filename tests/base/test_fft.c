@@ -3,9 +3,7 @@
 #include "base/fft.h"
 #include "support.h"
 
-#include <math.h>
 #include <pthread.h>
-#include <stdlib.h>
 
 static double value(size_t j, size_t n)
 {

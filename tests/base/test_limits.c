@@ -9,8 +9,6 @@
 #include "scene/measured_file.h"
 #include "scene/scene_directory.h"
 
-#include <dirent.h>
-
 enum {
     SMALL_FILES = 5,
     SMALL_SCENE_FILES = 4,
@@ -307,8 +305,7 @@ TEST_CASE(test_gzip)
         }
     for (size_t over = 0; over < 2; over++) { /* what is a thousandth of it when it is packed */
         size_t length = over ? SMALL_UNPACKED_BYTES : limit_unpacked(0), of_heights = sizeof heights - 1;
-        char *blanks = malloc(length);
-        assert_non_null(blanks);
+        char *blanks = support_room(length);
         memset(blanks, '\n', length);
         memcpy(blanks, heights, of_heights);
         expect_scan(gzip(blanks, length), over, LIMIT_UNPACKED_RATIO, SAMPLE_POINTS, 1);

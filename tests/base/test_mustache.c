@@ -3,8 +3,6 @@
 #include "base/mustache.h"
 #include "directory.h"
 #include "hard_case.h"
-#include "support.h"
-#include <string.h>
 
 HARD_CASES("Templates")
 

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/status.h"
 #include "support.h"
 
 #include <stdio.h>

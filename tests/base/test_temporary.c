@@ -31,8 +31,7 @@ static void end_process(pid_t process)
 static void make_and_remove(void)
 {
     struct temporary made;
-    struct status status = {0};
-    assert_int_equal(temporary_make(&made, NULL, NULL, &status), STATUS_OK);
+    expect_ok(temporary_make, &made, NULL, NULL);
     temporary_remove(&made);
 }
 
@@ -88,14 +87,13 @@ PLACED(test_it_is_made_and_removed)
     struct status status = {0};
     struct stat info;
     char file[PATH_MAX + 16];
-    assert_int_equal(temporary_make(&made, NULL, NULL, &status), STATUS_OK);
+    expect_ok(temporary_make, &made, NULL, NULL);
     assert_int_equal(stat(made.path, &info), 0);
     assert_int_equal(info.st_mode & 0777, 0700);
     name_of(made.path);
     snprintf(file, sizeof file, "%s/file", made.path);
     assert_int_equal(mkdir(file, 0700), 0);
-    assert_int_equal(temporary_make(&other, NULL, NULL, &status),
-                     STATUS_OK); /* what lives in this process stays, too */
+    expect_ok(temporary_make, &other, NULL, NULL); /* what lives in this process stays, too */
     assert_int_equal(access(file, F_OK), 0);
     temporary_remove(&other);
     temporary_remove(&made);
@@ -112,20 +110,19 @@ PLACED(test_what_the_dead_left_goes)
     char dead[PATH_MAX], alive[PATH_MAX];
     pid_t first, second;
     struct temporary made;
-    struct status status = {0};
     leave(dead, true, &first);
     assert_true(directory_has(&directory_here, name_of(dead)));
     leave(alive, false, &second); /* which clears the first away, whose name it may have then */
     assert_int_equal(directory_entries(&directory_here, ""), 1);
     leave(dead, true, &first);
     assert_int_equal(directory_entries(&directory_here, ""), 2);
-    assert_int_equal(temporary_make(&made, NULL, NULL, &status), STATUS_OK);
+    expect_ok(temporary_make, &made, NULL, NULL);
     assert_int_equal(directory_entries(&directory_here, ""), 2);
     assert_true(directory_has(&directory_here, name_of(alive)));
     end_process(second);
     temporary_remove(&made);
     assert_true(directory_has(&directory_here, name_of(alive)));
-    assert_int_equal(temporary_make(&made, NULL, NULL, &status), STATUS_OK);
+    expect_ok(temporary_make, &made, NULL, NULL);
     assert_int_equal(directory_entries(&directory_here, ""), 1);
     assert_int_equal(directory_entries(&directory_here, name_of(made.path)), 0);
     temporary_remove(&made);
@@ -193,13 +190,12 @@ PLACED(test_the_end)
 {
     struct temporary first, second, third;
     char kept[PATH_MAX];
-    struct status status = {0};
     directory_write(&directory_here, "mine", "mine");
     assert_int_equal(mkdir(directory_path(&directory_here, "deep"), 0700), 0);
     directory_write(&directory_here, "deep/mine", "mine");
-    assert_int_equal(temporary_make(&first, NULL, NULL, &status), STATUS_OK);
-    assert_int_equal(temporary_make(&second, NULL, NULL, &status), STATUS_OK);
-    assert_int_equal(temporary_make(&third, directory_here.path, NULL, &status), STATUS_OK);
+    expect_ok(temporary_make, &first, NULL, NULL);
+    expect_ok(temporary_make, &second, NULL, NULL);
+    expect_ok(temporary_make, &third, directory_here.path, NULL);
     assert_int_equal(strncmp(name_of(third.path), ".roughcontact-", 14), 0);
     assert_int_equal(mkdirat(first.directory, "a", 0700) + mkdirat(first.directory, "a/b", 0700), 0);
     assert_int_equal(symlinkat("../mine", first.directory, "link") + symlinkat("../deep", first.directory, "deep"), 0);

@@ -3,8 +3,6 @@
 #include "support.h"
 
 #include <ctype.h>
-#include <math.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -241,15 +239,14 @@ TEST_CASE(test_files_come_back_byte_for_byte)
     const char *temporary = getenv("TMPDIR");
     char path[256], *bytes = malloc(LENGTH);
     snprintf(path, sizeof path, "%s/roughcontact-text-XXXXXX", temporary ? temporary : P_tmpdir);
-    struct status status = {0};
     close(mkstemp(path));
     assert_non_null(bytes);
     for (size_t i = 0; i < LENGTH; i++)
         bytes[i] = (char)(i * i % 251); /* with NULs */
     for (size_t length = 0; length <= LENGTH; length += LENGTH) {
         struct text text = {0};
-        assert_int_equal(text_write_file(path, bytes, length, &status), STATUS_OK);
-        assert_int_equal(text_read_file(&text, path, &status), STATUS_OK);
+        expect_ok(text_write_file, path, bytes, length);
+        expect_ok(text_read_file, &text, path);
         assert_int_equal(text.length, length);
         assert_memory_equal(text_string(&text), bytes, length);
         assert_int_equal(text.data[length], '\0');

@@ -79,8 +79,7 @@ TEST_CASE(test_nothing_to_do)
 {
     const struct threads threads = {0};
     struct log log = {.fails = {TASKS, TASKS}, .lock = PTHREAD_MUTEX_INITIALIZER};
-    struct status status = {0};
-    assert_int_equal(threads_run(&threads, 0, task, &log, &status), STATUS_OK);
+    expect_ok(threads_run, &threads, 0, task, &log);
     assert_int_equal(log.begun, 0);
     assert_true(threads_wait(NULL));
 }
@@ -103,12 +102,11 @@ TEST_CASE(test_stacks_do_not_hang_on_the_limit)
     enum { JOBS = 4 };
     size_t bytes[JOBS] = {0}, small = 0;
     pthread_attr_t before, little;
-    struct status status = {0};
     assert_int_equal(pthread_getattr_default_np(&before), 0);
     assert_int_equal(pthread_attr_init(&little), 0);
     assert_int_equal(pthread_attr_setstacksize(&little, 128 << 10), 0);
     assert_int_equal(pthread_setattr_default_np(&little), 0);
-    assert_int_equal(threads_run(&(struct threads){.jobs = JOBS}, JOBS, measure_stack, bytes, &status), STATUS_OK);
+    expect_ok(threads_run, &(struct threads){.jobs = JOBS}, JOBS, measure_stack, bytes);
     for (size_t i = 0; i < JOBS; i++)
         small += bytes[i] < THREAD_STACK_BYTES;
     assert_true(small <= 1); /* the one that calls has what it has */

@@ -6,8 +6,6 @@
 #include "directory.h"
 #include "hard_case.h"
 
-#include <math.h>
-
 HARD_CASES("Charts")
 
 #define PLACED(name) TEST_WITH(name, directory_setup, directory_teardown)
@@ -85,10 +83,9 @@ static struct text draw(const struct directory *place, struct chart *chart)
     text_add(&file, "load '%s.gp'\n", chart->name);
     gnuplot_send(&gnuplot, text_string(&file));
     text_free(&file);
-    if (gnuplot_finish(&gnuplot, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(gnuplot_finish, &gnuplot);
     text_add(&file, "%s/%s.svg", place->path, chart->name);
-    assert_int_equal(text_read_file(&out, text_string(&file), &status), STATUS_OK);
+    expect_ok(text_read_file, &out, text_string(&file));
     assert_well_formed(text_string(&out));
     mustache_folder_free(&folder);
     text_free(&file);
@@ -376,11 +373,11 @@ TEST_CASE(the_programs_names_have_their_words)
     struct status status = {0};
     struct words words;
     size_t names = 0;
-    assert_int_equal(words_read(&words, PROJECT_SOURCE "/templates", &status), STATUS_OK);
+    expect_ok(words_read, &words, PROJECT_SOURCE "/templates");
     for (size_t s = 0; s < sizeof sources / sizeof *sources; s++) {
         struct text source = {0}, path = {0};
         text_add(&path, "%s/src/%s", PROJECT_SOURCE, sources[s]);
-        assert_int_equal(text_read_file(&source, text_string(&path), &status), STATUS_OK);
+        expect_ok(text_read_file, &source, text_string(&path));
         for (const char *at = text_string(&source); (at = strchr(at, '"')); at += strcspn(at + 1, "\"") + 2) {
             char name[80];
             snprintf(name, sizeof name, "%.*s", (int)strcspn(at + 1, "\""), at + 1);

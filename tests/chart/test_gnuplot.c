@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/program.h"
-#include "base/text.h"
 #include "chart/gnuplot.h"
 #include "directory.h"
 
@@ -87,7 +86,7 @@ PLACED(test_a_process_that_ended_early_is_reported_not_deadly)
     assert_int_equal(sigaction(SIGPIPE, &before, NULL), 0);
     struct gnuplot gnuplot;
     struct status status = {0};
-    assert_int_equal(gnuplot_start(&gnuplot, ((struct directory *)*state)->path, &status), STATUS_OK);
+    expect_ok(gnuplot_start, &gnuplot, ((struct directory *)*state)->path);
     gnuplot_send(&gnuplot, "exit\n");
     assert_int_equal(program_wait(gnuplot.process, INFINITY), PROGRAM_ENDED);
     gnuplot_send(&gnuplot, "x = 1\n");
@@ -144,10 +143,10 @@ PLACED(test_no_descriptor_is_left_open)
 
     /* and a process started meanwhile by others does not hold the pipe open */
     status = (struct status){0};
-    assert_int_equal(gnuplot_start(&gnuplot, "/", &status), STATUS_OK);
+    expect_ok(gnuplot_start, &gnuplot, "/");
     assert_true(fcntl(gnuplot.input, F_GETFD) & FD_CLOEXEC);
     assert_true(fcntl(fileno(gnuplot.complaints), F_GETFD) & FD_CLOEXEC);
-    assert_int_equal(gnuplot_finish(&gnuplot, &status), STATUS_OK);
+    expect_ok(gnuplot_finish, &gnuplot);
 }
 
 /* Starts a gnuplot of these lines. */

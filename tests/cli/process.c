@@ -7,14 +7,10 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <fts.h>
-#include <ftw.h>
 #include <poll.h>
 #include <spawn.h>
-#include <stdio.h>
 #include <strings.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 extern char **environ;
 
@@ -162,13 +158,11 @@ char *workspace_read(const char *place, const char *path)
 void workspace_scan(const char *place, const char *path, size_t points, unsigned seed)
 {
     struct synth_def def = synth_def_default();
-    struct status status = {0};
-    double *height_m = calloc(points, sizeof *height_m);
-    assert_non_null(height_m);
+    double *height_m = support_room(points * sizeof *height_m);
     def.points = points;
     def.length_m = 0.5e-6 * (double)points;
     def.seed = seed;
-    assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
+    expect_ok(synth_profile, height_m, &def);
     struct text csv = {0};
     text_add(&csv, "x [um],z [um]\n");
     for (size_t i = 0; i < points; i++)

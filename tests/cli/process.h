@@ -6,7 +6,6 @@
 #include "directory.h"
 
 #include <jansson.h>
-#include <stdbool.h>
 #include <sys/types.h>
 
 /** A finished process: what it wrote and how it ended. */

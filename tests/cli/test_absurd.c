@@ -4,9 +4,6 @@
 #include "cli/process.h"
 #include "hard_case.h"
 
-#include <jansson.h>
-#include <stdio.h>
-
 enum { POINTS = 200, NX = 20, NY = 10 };
 
 /** Heights in units of the case's `height`, by point. */

@@ -4,11 +4,6 @@
 #include "cli/process.h"
 #include "contact/model.h"
 
-#include <jansson.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-
 #define SCENE "material: tin\nnominal_area: 1 mm2\nload: {from: 1e-7, to: 1e-2, points: 31}\n"
 #define JOINT                                                                                                          \
     "material: tin\nnominal_area: 1 mm2\nfilm: 1e-12 ohm m2\ncurrent: 5 A\n"                                           \

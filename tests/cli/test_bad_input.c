@@ -3,9 +3,6 @@
 #include "cli/process.h"
 
 #include "output/exchange.h"
-#include <stdio.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #define HEADER "x [um],z [um]\n"
 #define ROUGH  HEADER "0,1\n1,3\n2,2\n3,5\n4,1\n5,4\n6,2\n7,6\n8,3\n9,1\n"

@@ -6,12 +6,9 @@
 #include "hard_case.h"
 #include "scan/zip_support.h"
 
-#include <stdio.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
-#include <sys/stat.h>
 #include <sys/un.h>
-#include <unistd.h>
 
 HARD_CASES("Small files that would fill a memory")
 
@@ -47,10 +44,8 @@ static struct process run_bounded(const char *place, const char *const *argument
 /* Frees them. */
 static void write_bytes(const char *place, const char *name, struct text *bytes)
 {
-    struct status status = {0};
     assert_false(bytes->failed);
-    if (text_write_file(directory_path(place, name), text_string(bytes), bytes->length, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(text_write_file, directory_path(place, name), text_string(bytes), bytes->length);
     text_free(bytes);
 }
 
@@ -81,8 +76,7 @@ static const char *limit_message(enum limit limit)
 TEST_IN_WORKSPACE(test_shared_streams)
 {
     enum { ENTRIES = 64, SIZE = 4 << 20 };
-    char *zeros = calloc(1, SIZE);
-    assert_non_null(zeros);
+    char *zeros = support_room(SIZE);
     struct packed all[ENTRIES];
     all[0] = pack("a.csv", zeros, SIZE, true);
     for (size_t i = 1; i < ENTRIES; i++) {
@@ -132,8 +126,7 @@ static void put_sur_header(struct text *text, uint32_t nx, uint32_t ny)
 /* A megabyte of compressed heights: more points than may be, and a gigabyte behind a header of six. */
 TEST_IN_WORKSPACE(test_expanding)
 {
-    char *zeros = calloc(1, 1 << 20);
-    assert_non_null(zeros);
+    char *zeros = support_room(1 << 20);
     for (int few = 0; few < 2; few++) {
         struct text text = {0};
         put_sur_header(&text, few ? 3 : 32768, few ? 2 : 16384);

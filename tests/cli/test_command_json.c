@@ -8,8 +8,6 @@
 #include "material/material.h"
 
 #include <inttypes.h>
-#include <jansson.h>
-#include <stdio.h>
 
 static const char *const scene = "material: tin\neffects: [plasticity, electrical]\nnominal_area: 1 mm2\n"
                                  "load: {from: 1e-7, to: 1e-5, points: 7}\nmodels: [multiscale, corrected-persson]\n"

@@ -9,8 +9,6 @@
 #include "contact/effect.h"
 #include "contact/model.h"
 #include "material/material.h"
-#include <jansson.h>
-#include <stdio.h>
 
 TEST_IN_WORKSPACE(test_help)
 {

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* `compare`: reports that the program made, and results.json files made up so that tests can be worked out by hand. */
-#include "base/text.h"
 #include "cli/process.h"
 #include "hard_case.h"
 

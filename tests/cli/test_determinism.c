@@ -5,10 +5,6 @@
 #include "hard_case.h"
 
 #include <locale.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 HARD_CASES("The same bytes")
 

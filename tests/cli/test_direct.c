@@ -2,10 +2,6 @@
 /* The direct solution from the command line to the report: on call, what it writes, and nothing where it is not. */
 #include "cli/process.h"
 #include "contact/model.h"
-#include "support.h"
-
-#include <jansson.h>
-#include <stdio.h>
 
 #define EFFECTS "effects: [plasticity, separation, electrical, thermal]\n"
 

@@ -3,9 +3,6 @@
  * leaves no number anywhere, and says why. */
 #include "cli/process.h"
 
-#include <jansson.h>
-#include <stdio.h>
-
 #define SCENE "material: tin\neffects: [plasticity, separation, electrical, thermal]\n"
 
 /** Height of point i of n [um]. */

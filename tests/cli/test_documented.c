@@ -3,9 +3,6 @@
 #include "cli/process.h"
 #include "contact/model.h"
 
-#include <jansson.h>
-#include <stdio.h>
-
 enum { NAME = 128 };
 
 static char *read_document(void)

@@ -3,10 +3,6 @@
  * it is installed, conducts with them. */
 #include "cli/process.h"
 
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
-
 enum { TABLES = 6, POINTS = 13, ROWS = 20 /* for CalculiX, at most */, NUMBERS = 16 };
 
 /* Where a program has the six tables: h, its low and high end, g, its own. A row's line is the prefix, then numbers

@@ -2,14 +2,7 @@
 /* The charts of whole reports: each caption says what is drawn and no more, the direct solution is where it belongs,
  * and the page shows a chart whole on a telephone. */
 #include "base/program.h"
-#include "base/text.h"
 #include "cli/process.h"
-
-#include <jansson.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 /** A file of a chart. To be freed. */
 static char *file_of(const char *place, const char *out, const char *name, const char *ending)

@@ -4,11 +4,7 @@
 #include "cli/process.h"
 #include "hard_case.h"
 
-#include <dirent.h>
 #include <expat.h>
-#include <jansson.h>
-#include <stdio.h>
-#include <sys/stat.h>
 
 HARD_CASES("Names and words that mean something elsewhere")
 

@@ -3,17 +3,12 @@
 #include "cli/process.h"
 #include "scene/scene.h"
 
-#include <stdio.h>
-#include <unistd.h>
-
 /** Fails the test unless the scene of d has these surfaces: "name=file|file\n", a line each. */
 static void expect_surfaces(const char *place, const char *expected)
 {
     struct scene scene;
-    struct status status = {0};
     struct text found = {0};
-    if (scene_read(&scene, filled("%s/d", place), NULL, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(scene_read, &scene, filled("%s/d", place), NULL);
     assert_non_null(scene.path);
     for (size_t i = 0; i < scene.surface_count; i++) {
         text_add(&found, "%s=", scene.surfaces[i].name);

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What `inspect` says of the real scans, against the figures computed beside them (reference.json). */
-#include "base/text.h"
 #include "cli/inspection.h"
 #include "cli/process.h"
 #include "scan/scan_support.h"
@@ -58,12 +57,10 @@ static struct inspection find(const char *file, const struct profile_options *op
         if (strcmp(file, units[u].file) == 0)
             known = (struct scan_options){.x_unit = units[u].x_unit, .z_unit = units[u].z_unit};
     struct inspection inspection;
-    struct status status = {0};
     struct text text = {0};
-    assert_int_equal(text_read_file(&text, path, &status), STATUS_OK);
+    expect_ok(text_read_file, &text, path);
     const struct scan_bytes bytes = {text.data, text.length, path};
-    if (inspection_make(&inspection, &bytes, &known, options, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(inspection_make, &inspection, &bytes, &known, options);
     text_free(&text);
     return inspection;
 }

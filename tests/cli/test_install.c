@@ -3,9 +3,6 @@
  * it can be taken out again. */
 #include "cli/process.h"
 
-#include <stdio.h>
-#include <unistd.h>
-
 /** Installs the build into `prefix` of the workspace, and returns its whole path. */
 static char *install(const char *place, const char *prefix)
 {

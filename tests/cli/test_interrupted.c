@@ -3,17 +3,13 @@
 #include "cli/process.h"
 #include "hard_case.h"
 
-#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
-#include <stdio.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <time.h>
-#include <unistd.h>
 
 HARD_CASES("Runs that do not end by themselves")
 

@@ -8,9 +8,6 @@
 #include "output/tables.h"
 #include "scene/scene_source.h"
 
-#include <stdio.h>
-#include <unistd.h>
-
 /** The manual page without its roff: what a reader sees of each line. */
 static char *manual_read(void)
 {

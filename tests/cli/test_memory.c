@@ -2,8 +2,6 @@
 /* The program short of memory: one line says so, and what does not fit is all that is lost. */
 #include "cli/process.h"
 
-#include <stdio.h>
-
 #ifdef __SANITIZE_ADDRESS__
 #define NEEDS_LIMIT() skip() /* its shadow alone takes terabytes of addresses */
 #else

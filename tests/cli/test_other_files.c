@@ -1,10 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What lies beside scans, and scans in archives. */
-#include "base/text.h"
 #include "cli/process.h"
-
-#include <stdio.h>
-#include <sys/stat.h>
 
 static void expect_same_files(const char *place, const char *one, const char *other)
 {
@@ -17,11 +13,10 @@ static void expect_same_files(const char *place, const char *one, const char *ot
 /** Writes bytes that may hold NUL. */
 static void write_bytes(const char *place, const char *path, const char *bytes, size_t length)
 {
-    struct status status = {0};
     char *whole;
     assert_true(asprintf(&whole, "%s/%s", place, path) > 0);
     workspace_write(place, path, "");
-    assert_int_equal(text_write_file(whole, bytes, length, &status), STATUS_OK);
+    expect_ok(text_write_file, whole, bytes, length);
     free(whole);
 }
 
@@ -122,8 +117,7 @@ TEST_IN_WORKSPACE(test_packed)
     char *name = NULL;
     assert_true(asprintf(&name, "%s/three.zip", place) > 0);
     struct text bytes = {0};
-    struct status status = {0};
-    assert_int_equal(text_read_file(&bytes, name, &status), STATUS_OK);
+    expect_ok(text_read_file, &bytes, name);
     /* one of three scans of a surface damaged: the others are read, as from files, and it is named */
     char *second = memmem(bytes.data, bytes.length, "2.csv", 5);
     assert_non_null(second);

@@ -3,9 +3,6 @@
  */
 #include "cli/process.h"
 
-#include <stdio.h>
-#include <unistd.h>
-
 static bool is_there(const char *place, const char *program)
 {
     return workspace_can_run(place, filled("command -v %s", program));

@@ -2,14 +2,7 @@
 /* What people ask, each answered on the first page of a scene that asks it: the value stands there, and is the data's.
  */
 #include "base/program.h"
-#include "base/text.h"
 #include "cli/process.h"
-
-#include <jansson.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 /** The first page of a report. To be freed. */
 static char *first_page(const char *place, const char *out)
@@ -179,8 +172,7 @@ static size_t sheets_of(const char *place)
         "chromium", "--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer", to, from, NULL};
     run_list(place, print);
     struct text pdf = {0};
-    struct status status = {0};
-    assert_int_equal(text_read_file(&pdf, filled("%s/out.pdf", place), &status), STATUS_OK);
+    expect_ok(text_read_file, &pdf, filled("%s/out.pdf", place));
     size_t sheets = 0;
     for (size_t i = 0; i + sizeof mark < pdf.length; i++)
         sheets += memcmp(pdf.data + i, mark, sizeof mark - 1) == 0 && pdf.data[i + sizeof mark - 1] != 's';

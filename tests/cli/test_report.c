@@ -1,13 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The main job on the command line: options over the scene, real scans, the terminal's charts and times. */
-#include "base/text.h"
 #include "cli/process.h"
 #include "direct/direct_surface.h"
 
 #include <fcntl.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <unistd.h>
 
 /** The number of a surface in out/d/data/surfaces.csv. */
 static double surface_number(const char *place, const char *surface, const char *column)

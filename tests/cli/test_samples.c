@@ -4,9 +4,6 @@
 #include "cli/process.h"
 
 #include <ctype.h>
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 
 /** Bytes of a time at `at`, "12 ms", with whatever blank stands between; 0: there is none. */
 static size_t time_at(const char *at)

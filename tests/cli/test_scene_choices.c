@@ -3,10 +3,6 @@
 #include "cli/process.h"
 #include "contact/model.h"
 
-#include <jansson.h>
-#include <math.h>
-#include <stdlib.h>
-
 TEST_IN_WORKSPACE(a_scene_brings_its_template)
 {
     workspace_scan(place, "d/a.csv", 200, 1);

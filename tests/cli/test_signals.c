@@ -7,7 +7,6 @@
 #include "directory.h"
 
 #include <fcntl.h>
-#include <math.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>

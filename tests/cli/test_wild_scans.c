@@ -7,8 +7,6 @@
 #include "scene/scene_source.h"
 #include "wild_scene.h"
 
-#include <stdio.h>
-
 HARD_CASES("Folders that no one would make")
 
 static uint64_t random_state;

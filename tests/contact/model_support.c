@@ -7,9 +7,8 @@ struct model_curve model_support_run(struct contact_point *points, const char *m
     struct model_curve curve = {.points = points};
     struct model_task counted = *task;
     uint64_t evaluations = 0;
-    struct status status = {0};
     counted.evaluations = &evaluations;
-    assert_int_equal(model_run(&curve, row, &counted, &status), STATUS_OK);
+    expect_ok(model_run, &curve, row, &counted);
     assert_int_equal(evaluations, curve.evaluations);
     assert_true(curve.count <= task->load_count + 1);
     return curve;
@@ -33,8 +32,7 @@ struct spectrum model_support_law(double length_m, double alpha, double gamma, s
 struct persson model_support_persson(const struct spectrum *spectrum)
 {
     struct persson persson;
-    struct status status = {0};
-    assert_int_equal(persson_make(&persson, spectrum, 0, &status), STATUS_OK);
+    expect_ok(persson_make, &persson, spectrum, 0);
     return persson;
 }
 

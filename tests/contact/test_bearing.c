@@ -25,8 +25,7 @@ TEST_CASE(counted)
     }
     struct strip_rows rows = {height, 2, N, 1e-3, true};
     struct bearing bearing;
-    struct status status = {0};
-    assert_int_equal(bearing_make(&bearing, &rows, &status), STATUS_OK);
+    expect_ok(bearing_make, &bearing, &rows);
     for (double area = 0.1; area < 0.95; area += 0.1) {
         struct bearing_at at = bearing_counted(area, &bearing);
         assert_near(at.gap_m, (1 - area) * (1 - area) / 2, 1e-2); /* even heights: d = 1 - A */
@@ -34,7 +33,7 @@ TEST_CASE(counted)
     }
     bearing_free(&bearing);
     rows.rows = 1;
-    assert_int_equal(bearing_make(&bearing, &rows, &status), STATUS_OK);
+    expect_ok(bearing_make, &bearing, &rows);
     struct bearing_at half = bearing_gaussian(0.5, 1, 1);
     for (double area = 0.1; area < 0.95; area += 0.2) {
         struct bearing_at at = bearing_counted(area, &bearing), gaussian = bearing_gaussian(area, 1, 1);
@@ -56,8 +55,7 @@ TEST_CASE(smooth)
     }
     struct strip_rows rows = {height, 1, N, 1e-6, true};
     struct bearing bearing;
-    struct status status = {0};
-    assert_int_equal(bearing_make(&bearing, &rows, &status), STATUS_OK);
+    expect_ok(bearing_make, &bearing, &rows);
     assert_true(bearing.end[0] < bearing.nodes / 2 && bearing.end[1] > bearing.nodes / 2);
     for (double x = -4; x < 4; x += 0.02) {
         double length = log(bearing_counted(1 / (1 + exp(-x)), &bearing).length_m);
@@ -72,11 +70,10 @@ enum { SIDE = 64, DIRECT_LOADS = 4 };
 static void solve(struct direct_point *out, const double *height_m, const double *load, double hardness)
 {
     struct direct_contact contact;
-    struct status status = {0};
     const struct direct_ladder_def def = {
         .load = load, .loads = DIRECT_LOADS, .hardness = hardness, .tolerance = 1e-6, .resistance = true};
-    assert_int_equal(direct_contact_make(&contact, height_m, SIDE, SIDE, 1e-6, &status), STATUS_OK);
-    assert_int_equal(direct_ladder_run(out, &contact, &def, &status), STATUS_OK);
+    expect_ok(direct_contact_make, &contact, height_m, SIDE, SIDE, 1e-6);
+    expect_ok(direct_ladder_run, out, &contact, &def);
     direct_contact_free(&contact);
 }
 
@@ -90,19 +87,16 @@ TEST_CASE(direct_solutions)
     const struct direct_law law = {0.009, 1.1, 8e-6, SIDE * 1e-6, 4};
     struct direct_spectrum spectrum;
     struct direct_point elastic[DIRECT_LOADS], hard[DIRECT_LOADS];
-    struct status status = {0};
     for (size_t k = 0; k < SIDE * SIDE; k++) {
         double normal = gsl_cdf_ugaussian_Pinv(((double)k + 0.5) / (SIDE * SIDE));
         given[k] = normal < 0 ? normal : 0.15 * normal;
     }
-    assert_int_equal(direct_spectrum_of_law(&spectrum, &law, &status), STATUS_OK);
-    assert_int_equal(
-        direct_surface_make(height, SIDE, direct_spectrum_variance, &spectrum, given, SIDE * SIDE, 3, &status),
-        STATUS_OK);
+    expect_ok(direct_spectrum_of_law, &spectrum, &law);
+    expect_ok(direct_surface_make, height, SIDE, direct_spectrum_variance, &spectrum, given, SIDE * SIDE, 3);
     direct_spectrum_free(&spectrum);
     const struct strip_rows rows = {height, SIDE, SIDE, 1e-6, true};
     struct bearing bearing;
-    assert_int_equal(bearing_make(&bearing, &rows, &status), STATUS_OK);
+    expect_ok(bearing_make, &bearing, &rows);
     solve(elastic, height, load, INFINITY);
     for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
         double square[3] = {0};
@@ -176,15 +170,14 @@ TEST_CASE(models)
                               .strip = &strip};
     struct model_curve curve[4];
     struct bearing bearing;
-    struct status status = {0};
     assert_false(model_support_run(points[3], "strip-plastic", &task).exists); /* not in order */
-    assert_int_equal(bearing_make(&bearing, &rows, &status), STATUS_OK);
+    expect_ok(bearing_make, &bearing, &rows);
     task.bearing = &bearing;
     for (int m = 0; m < 4; m++)
         curve[m] = model_support_run(points[m], names[m], &task);
     double m2 = spectrum_moment(&spectrum, 1);
     struct persson persson;
-    assert_int_equal(persson_make(&persson, &spectrum, 0, &status), STATUS_OK);
+    expect_ok(persson_make, &persson, &spectrum, 0);
     double sixth = corrected_persson_area(load[5], m2);
     struct corrected_persson_point at;
     corrected_persson_curve(&at, &sixth, 1, &persson, true);

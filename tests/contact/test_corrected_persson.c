@@ -11,11 +11,10 @@ static struct spectrum golden_spectrum(const char *name)
     struct table table = table_read("golden/strip/profiles.csv");
     double *height = malloc(table.rows * sizeof *height);
     struct spectrum spectrum;
-    struct status status = {0};
     assert_non_null(height);
     for (size_t i = 0; i < table.rows; i++)
         height[i] = table_number(&table, i, name);
-    assert_int_equal(spectrum_compute(&spectrum, height, table.rows, 1e-6, SPECTRUM_WINDOW_NONE, &status), STATUS_OK);
+    expect_ok(spectrum_compute, &spectrum, height, table.rows, 1e-6, SPECTRUM_WINDOW_NONE);
     spectrum.count = 255;
     spectrum.has_nyquist = false;
     free(height);

@@ -20,8 +20,7 @@ static struct model_curve run(const struct asperities *surface, double yield_str
                               .wanted = EVERYTHING,
                               .tolerance = 1e-6};
     struct model_curve curve = {.points = points};
-    struct status status = {0};
-    assert_int_equal(model_run(&curve, model_rows[model_named("jg")], &task, &status), STATUS_OK);
+    expect_ok(model_run, &curve, model_rows[model_named("jg")], &task);
     return curve;
 }
 
@@ -52,11 +51,10 @@ TEST_CASE(test_numbers_beyond_double)
     const struct roughness sharp = {.m0_m2 = 1e30, .m2 = 1e40, .m4_per_m2 = 1e51};
     struct contact_point points[LOADS + 1];
     struct asperities surface;
-    struct status status = {0};
-    assert_int_equal(roughness_asperities(&surface, &blunt, &status), STATUS_OK);
+    expect_ok(roughness_asperities, &surface, &blunt);
     struct model_curve curve = run(&surface, 14e6, points);
     assert_true(curve.exists && !curve.overflows && curve.count > 1);
-    assert_int_equal(roughness_asperities(&surface, &sharp, &status), STATUS_OK);
+    expect_ok(roughness_asperities, &surface, &sharp);
     curve = run(&surface, 4e12, points);
     assert_true(!curve.exists && curve.overflows && curve.count == 0);
 }
@@ -132,9 +130,8 @@ TEST_CASE(test_any_task)
                                   .rows = points > 1 ? &rows : NULL,
                                   .strip = points > 1 ? &strip : NULL};
         struct bearing bearing = {0};
-        struct status status = {0};
         if (points > 1)
-            assert_int_equal(bearing_make(&bearing, &rows, &status), STATUS_OK);
+            expect_ok(bearing_make, &bearing, &rows);
         task.bearing = points > 1 ? &bearing : NULL;
         for (size_t m = 0; m < model_count; m++) {
             struct contact_point out[MODEL_LOADS + 1];
@@ -179,8 +176,7 @@ static bool stands(void)
                                                      QUANTITY_BIT(QUANTITY_SEPARATION) | QUANTITY_BIT(QUANTITY_ECR)};
     struct contact_point points[2];
     struct model_curve curve = {.points = points};
-    struct status status = {0};
-    assert_int_equal(model_run(&curve, &row, &task, &status), STATUS_OK);
+    expect_ok(model_run, &curve, &row, &task);
     assert_true(curve.exists == !curve.overflows && curve.count == (curve.exists ? 2 : 0));
     return curve.exists;
 }
@@ -228,8 +224,7 @@ TEST_CASE(test_what_is_not_set)
     struct model_task task = {.loads = loads, .load_count = 2, .wanted = (1u << QUANTITY_COUNT) - 1};
     struct contact_point points[3] = {0};
     struct model_curve curve = {.points = points};
-    struct status status = {0};
-    assert_int_equal(model_run(&curve, &row, &task, &status), STATUS_OK);
+    expect_ok(model_run, &curve, &row, &task);
     assert_true(curve.exists && curve.count == 2);
     assert_nothing(&points[0], 0);
     assert_nothing(&points[1], 0);

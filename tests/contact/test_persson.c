@@ -2,7 +2,6 @@
 /* Persson's load and constriction against tests/data/golden/models/persson_lines.csv (a direct double integral in 30
  * digits), against the sums over every wave, and in their limits. */
 #include "base/integral.h"
-#include "contact/persson.h"
 #include "model_support.h"
 
 static double constriction(double load, void *persson)
@@ -98,14 +97,13 @@ TEST_CASE(lost_wave)
     struct spectrum spectrum = model_support_law(1e-3, 0.01, 1.2, 200), longer = model_support_law(2e-3, 0, 1, 400);
     double lost_m2 = persson_lost_wave(&spectrum), powers = 0;
     struct persson persson;
-    struct status status = {0};
     for (size_t i = 0; i < 3; i++)
         powers += spectrum_power(&spectrum, i);
     assert_near(lost_m2, powers / 3, 1e-14);
     longer.amplitude_m[0] = sqrt(2 * lost_m2);
     for (size_t i = 0; i < 200; i++)
         longer.amplitude_m[2 * i + 1] = spectrum.amplitude_m[i];
-    assert_int_equal(persson_make(&persson, &spectrum, lost_m2, &status), STATUS_OK);
+    expect_ok(persson_make, &persson, &spectrum, lost_m2);
     assert_near(persson.m0_m2, spectrum_moment(&longer, 0), 1e-12);
     assert_near(persson.m2, spectrum_moment(&longer, 1), 1e-12);
     for (double load = 1e-6; load < sqrt(persson.m2); load *= 3)

@@ -6,25 +6,19 @@
 #include "contact/model.h"
 #include "support.h"
 
-#include <math.h>
-#include <string.h>
-
 static struct words words;
 
 /** Fails unless words.txt has the words of `kind` and a name. */
 static void expect_word(const char *kind, const char *name)
 {
-    char line[100];
-    snprintf(line, sizeof line, "%s%s", kind, name);
-    if (words_say(&words, line, NULL)[0] == '\0')
+    if (words_say(&words, filled("%s%s", kind, name), NULL)[0] == '\0')
         fail_msg("%s", words.status->message);
 }
 
 TEST_CASE(rows_have_names_units_and_words)
 {
-    struct status status = {0};
     char number[20];
-    assert_int_equal(words_read(&words, PROJECT_SOURCE "/templates", &status), STATUS_OK);
+    expect_ok(words_read, &words, PROJECT_SOURCE "/templates");
     for (int q = 0; q < QUANTITY_COUNT; q++) {
         const struct quantity_row *row = &quantity_rows[q];
         assert_true(row->name && row->short_symbol && row->unit && row->meaning);

@@ -32,8 +32,7 @@ static struct asperities surface_of(double m0, double m2, double m4)
 {
     struct roughness roughness = {.m0_m2 = m0, .m2 = m2, .m4_per_m2 = m4};
     struct asperities surface;
-    struct status status = {0};
-    assert_int_equal(roughness_asperities(&surface, &roughness, &status), STATUS_OK);
+    expect_ok(roughness_asperities, &surface, &roughness);
     return surface;
 }
 
@@ -110,11 +109,8 @@ TEST_CASE(spots_in_the_limits)
     }
     /* far apart, heights above the flat are exponential: F_3/2/F_1 = Gamma(5/2)/sqrt(d) */
     struct statistical model;
-    struct status status = {0};
     uint64_t evaluations = 0;
-    assert_int_equal(
-        statistical_make(&model, &surface, &pair, ASPERITY_HERTZ, 0, 1e-10, INFINITY, &evaluations, &status),
-        STATUS_OK);
+    expect_ok(statistical_make, &model, &surface, &pair, ASPERITY_HERTZ, 0, 1e-10, INFINITY, &evaluations);
     double d = 35;
     struct contact_spots far = statistical_spots(&model, d);
     assert_near(far.radius_m, sqrt(surface.radius_m * surface.sigma_s_m / d) * 0.75 * sqrt(M_PI), 2e-3);

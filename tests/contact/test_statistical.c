@@ -12,14 +12,11 @@ static struct statistical make(double m0, double m2, double m4, enum asperity_mo
 {
     struct roughness roughness = {.m0_m2 = m0, .m2 = m2, .m4_per_m2 = m4};
     struct asperities surface;
-    struct status status = {0};
     struct statistical model;
     struct material_pair pair = model_support_tin();
     uint64_t evaluations = 0;
-    assert_int_equal(roughness_asperities(&surface, &roughness, &status), STATUS_OK);
-    assert_int_equal(
-        statistical_make(&model, &surface, &pair, law, EVERYTHING, tolerance, lowest, &evaluations, &status),
-        STATUS_OK);
+    expect_ok(roughness_asperities, &surface, &roughness);
+    expect_ok(statistical_make, &model, &surface, &pair, law, EVERYTHING, tolerance, lowest, &evaluations);
     return model;
 }
 

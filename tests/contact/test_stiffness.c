@@ -22,9 +22,8 @@ static struct model_task task_of(const struct spectrum *spectrum, const struct a
 static struct asperities some_asperities(void)
 {
     struct asperities asperities;
-    struct status status = {0};
     const struct roughness roughness = {.rq_m = 1e-6, .m0_m2 = 1e-12, .m2 = 0.01, .m4_per_m2 = 1e9};
-    assert_int_equal(roughness_asperities(&asperities, &roughness, &status), STATUS_OK);
+    expect_ok(roughness_asperities, &asperities, &roughness);
     return asperities;
 }
 

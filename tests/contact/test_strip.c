@@ -11,8 +11,7 @@ enum { POINTS = 1024, ROWS = 4 };
 /** Gaussian rows, periodic, wavelengths from L/2 to 16 points, amplitudes falling as of Hurst exponent 0.8. */
 static double *gaussian_rows(size_t rows, uint64_t seed)
 {
-    double *height = calloc(rows * POINTS, sizeof *height);
-    assert_non_null(height);
+    double *height = support_room(rows * POINTS * sizeof *height);
     for (size_t r = 0; r < rows; r++)
         for (size_t n = 2; n <= POINTS / 16; n++) {
             double amplitude = 1e-6 * pow((double)n, -1.3), phase = 2 * M_PI * direct_random(seed, 1000 * r + n);
@@ -25,9 +24,7 @@ static double *gaussian_rows(size_t rows, uint64_t seed)
 static struct strip solved(const struct strip_rows *rows, const size_t *which, size_t count, size_t surrogates)
 {
     struct strip strip;
-    struct status status = {0};
-    if (strip_solve(&strip, rows, which, count, surrogates, NULL, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(strip_solve, &strip, rows, which, count, surrogates, NULL);
     return strip;
 }
 
@@ -107,10 +104,9 @@ TEST_CASE(areas)
     struct strip strip = {.own = {.count = 3, .logit = {-4, -1, 2}, .value = {{-9, 1, 2}, {-6, 0, 1}, {-3, -2, 0}}},
                           .surrogates = 1};
     double loads[LOADS], area[LOADS];
-    struct status status = {0};
     model_support_loads(loads, LOADS, 1e-9, 2);
     strip.surrogate[0] = strip.own;
-    assert_int_equal(strip_areas(area, loads, LOADS, &strip, 0.04, &status), STATUS_OK);
+    expect_ok(strip_areas, area, loads, LOADS, &strip, 0.04);
     for (size_t i = 0; i < LOADS; i++) {
         double expected = corrected_persson_area(loads[i], 0.04);
         if (expected > corrected_persson_largest_area)
@@ -120,7 +116,7 @@ TEST_CASE(areas)
     }
     strip.own.value[1][0] = -8.9; /* hardly more load for a lot more area */
     strip.surrogate[0].logit[0] = -3.5;
-    assert_int_equal(strip_areas(area, loads, LOADS, &strip, 0.04, &status), STATUS_OK);
+    expect_ok(strip_areas, area, loads, LOADS, &strip, 0.04);
     for (size_t i = 1; i < LOADS && !isnan(area[i]); i++)
         assert_true(area[i] >= area[i - 1]);
     double low = exp(strip_ratio_at(&strip, 1e-6).load);
@@ -153,8 +149,7 @@ TEST_CASE(steps_between_rows_are_no_slope)
 TEST_CASE(rows_are_mirrored)
 {
     static const size_t both[2] = {0, 1};
-    double *height = gaussian_rows(2, 9), *mirrored = malloc(4 * POINTS * sizeof *mirrored);
-    assert_non_null(mirrored);
+    double *height = gaussian_rows(2, 9), *mirrored = support_room(4 * POINTS * sizeof *mirrored);
     for (size_t r = 0; r < 2; r++)
         for (size_t i = 0; i < POINTS; i++) {
             double at = height[r * POINTS + i] += 5e-9 * (double)i;
@@ -175,13 +170,12 @@ TEST_CASE(gap_of_the_open_points)
     double *height = gaussian_rows(1, 9), sum = 0;
     struct strip strip = solved(&(struct strip_rows){height, 1, POINTS, 1e-6, true}, &first, 1, 0);
     struct direct_contact contact;
-    struct status status = {0};
     size_t count = 0;
-    assert_int_equal(direct_contact_make(&contact, height, POINTS, 1, 1e-6, &status), STATUS_OK);
+    expect_ok(direct_contact_make, &contact, height, POINTS, 1, 1e-6);
     for (size_t k = 0; k < strip.own.count; k++) {
         struct direct_contact_load load = {exp(strip.own.value[k][0]), INFINITY, 1e-9, true, NULL};
         struct direct_contact_effort effort = {0};
-        assert_int_equal(direct_contact_solve(&contact, &load, &effort, &status), STATUS_OK);
+        expect_ok(direct_contact_solve, &contact, &load, &effort);
         struct direct_quantities truth = direct_quantities_of(&contact, &load);
         if (truth.area_ratio < 0.4 || truth.area_ratio > 0.97)
             continue;
@@ -220,9 +214,8 @@ static void errors(double rms[3], const struct strip *strip, const struct persso
 {
     double area[TRUTHS];
     struct corrected_persson_point point[TRUTHS];
-    struct status status = {0};
     if (strip)
-        assert_int_equal(strip_areas(area, loads, TRUTHS, strip, persson->m2, &status), STATUS_OK);
+        expect_ok(strip_areas, area, loads, TRUTHS, strip, persson->m2);
     for (size_t i = 0; !strip && i < TRUTHS; i++)
         area[i] = corrected_persson_area(loads[i], persson->m2);
     corrected_persson_curve(point, area, TRUTHS, persson, true);
@@ -241,8 +234,7 @@ static void errors(double rms[3], const struct strip *strip, const struct persso
 TEST_CASE(against_direct_solutions)
 {
     static const size_t all[LINES] = {0, 1, 2, 3, 4};
-    double *height = malloc(SIDE * SIDE * sizeof *height), row[LINES * SIDE], given[1000];
-    assert_non_null(height);
+    double *height = support_room(SIDE * SIDE * sizeof *height), row[LINES * SIDE], given[1000];
     for (size_t i = 0; i < 1000; i++)
         given[i] = log(((double)i + 0.5) / 1000);
     for (int pits = 0; pits < 2; pits++) {
@@ -250,17 +242,14 @@ TEST_CASE(against_direct_solutions)
         struct direct_point truth[TRUTHS];
         struct spectrum mean = {0}, one;
         struct persson persson;
-        struct status status = {0};
-        assert_int_equal(direct_surface_make(height, SIDE, variance, NULL, pits ? given : NULL, 1000, 1, &status),
-                         STATUS_OK);
+        expect_ok(direct_surface_make, height, SIDE, variance, NULL, pits ? given : NULL, 1000, 1);
         for (size_t k = 0; k < SIDE * SIDE; k++)
             height[k] *= 1e-6;
         for (size_t r = 0; r < LINES; r++) {
             memcpy(row + r * SIDE, height + r * SIDE / LINES * SIDE, SIDE * sizeof *row);
-            assert_int_equal(spectrum_compute(&one, row + r * SIDE, SIDE, 1e-6, SPECTRUM_WINDOW_NONE, &status),
-                             STATUS_OK);
+            expect_ok(spectrum_compute, &one, row + r * SIDE, SIDE, 1e-6, SPECTRUM_WINDOW_NONE);
             if (r == 0)
-                assert_int_equal(spectrum_copy(&mean, &one, &status), STATUS_OK);
+                expect_ok(spectrum_copy, &mean, &one);
             else
                 spectrum_average(&mean, &one, r);
             spectrum_free(&one);
@@ -270,9 +259,9 @@ TEST_CASE(against_direct_solutions)
             loads[i] = sqrt(2 * square) * (double[TRUTHS]){0.02, 0.08, 0.25, 0.6}[i];
         struct direct_ladder_def ladder = {loads, TRUTHS, INFINITY, 1e-5, true, NULL};
         struct direct_contact contact;
-        assert_int_equal(direct_contact_make(&contact, height, SIDE, SIDE, 1e-6, &status), STATUS_OK);
-        assert_int_equal(direct_ladder_run(truth, &contact, &ladder, &status), STATUS_OK);
-        assert_int_equal(persson_make(&persson, &mean, 0, &status), STATUS_OK);
+        expect_ok(direct_contact_make, &contact, height, SIDE, SIDE, 1e-6);
+        expect_ok(direct_ladder_run, truth, &contact, &ladder);
+        expect_ok(persson_make, &persson, &mean, 0);
         struct strip_rows rows = {row, LINES, SIDE, 1e-6, true};
         struct strip strip = solved(&rows, all, LINES, STRIP_SURROGATES);
         errors(rms, NULL, &persson, loads, truth);

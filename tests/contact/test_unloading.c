@@ -16,13 +16,10 @@ static double variance(double r, const void *hurst)
 /** Of rms gradient 1 in a cell of length 1: waves from a quarter of it to 8 points. To be freed. */
 static double *surface(double hurst, bool pits, uint64_t seed)
 {
-    double *height = malloc(SIDE * SIDE * sizeof *height), given[1000], square = 0;
-    struct status status = {0};
-    assert_non_null(height);
+    double *height = support_room(SIDE * SIDE * sizeof *height), given[1000], square = 0;
     for (size_t i = 0; i < 1000; i++)
         given[i] = log(((double)i + 0.5) / 1000);
-    assert_int_equal(direct_surface_make(height, SIDE, variance, &hurst, pits ? given : NULL, 1000, seed, &status),
-                     STATUS_OK);
+    expect_ok(direct_surface_make, height, SIDE, variance, &hurst, pits ? given : NULL, 1000, seed);
     for (size_t k = 0; k < SIDE * SIDE; k++) {
         double along = height[k - k % SIDE + (k + 1) % SIDE] - height[k], across = height[(k + SIDE) % (SIDE * SIDE)];
         square += along * along + pow(across - height[k], 2);
@@ -37,11 +34,10 @@ static void loop(double ratio[LOADS][3], const double *height, double largest_lo
 {
     double load[LOADS];
     struct direct_point up[LOADS], down[LOADS];
-    struct status status = {0};
     for (size_t i = 0; i < LOADS; i++)
         load[i] = share[i] * largest_load;
     const struct direct_ladder_def def = {load, LOADS, hardness, 1e-5, true, NULL};
-    assert_int_equal(direct_ladder_loop(up, down, height, SIDE, SIDE, 1.0 / SIDE, &def, 0, &status), STATUS_OK);
+    expect_ok(direct_ladder_loop, up, down, height, SIDE, SIDE, 1.0 / SIDE, &def, 0);
     for (size_t i = 0; i < LOADS; i++)
         for (int q = DIRECT_AREA; q <= DIRECT_CONSTRICTION; q++)
             ratio[i][q] = direct_point_value(&down[i], (enum direct_quantity)q) /
@@ -87,14 +83,13 @@ TEST_CASE(strips_tell)
 {
     for (int pits = 0; pits < 2; pits++) {
         double ratio[LOADS][3], square[3] = {0}, *height = surface(0.8, pits, 1), row[LINES * SIDE];
-        struct status status = {0};
         struct unloading own, again;
         for (size_t r = 0; r < LINES; r++)
             memcpy(row + r * SIDE, height + r * SIDE / LINES * SIDE, SIDE * sizeof *row);
         const struct strip_rows rows = {row, LINES, SIDE, 1.0 / SIDE, true};
         loop(ratio, height, 0.02, 0.1);
-        assert_int_equal(unloading_solve(&own, &rows, 0.02, 0.1, NULL, &status), STATUS_OK);
-        assert_int_equal(unloading_solve(&again, &rows, 0.02, 0.1, NULL, &status), STATUS_OK);
+        expect_ok(unloading_solve, &own, &rows, 0.02, 0.1, NULL);
+        expect_ok(unloading_solve, &again, &rows, 0.02, 0.1, NULL);
         assert_memory_equal(&own, &again, sizeof own);
         assert_int_equal(own.count, UNLOADING_SHARES);
         for (size_t i = 1; i < LOADS; i++) {
@@ -103,7 +98,7 @@ TEST_CASE(strips_tell)
                 square[q] += pow(log(unloading_factor(&own, quantity[q], share[i]) / ratio[i][q]), 2) / (LOADS - 1);
         }
         assert_true(sqrt(square[0]) < 0.2 && sqrt(square[1]) < 0.16 && sqrt(square[2]) < 0.25);
-        assert_int_equal(unloading_solve(&own, &rows, 0.02, 20, NULL, &status), STATUS_OK);
+        expect_ok(unloading_solve, &own, &rows, 0.02, 20, NULL);
         for (size_t i = 0; i < own.count; i++)
             for (int q = 0; q < 3; q++)
                 assert_within(own.value[i][q], 0, 0.02);
@@ -119,10 +114,10 @@ TEST_CASE(few_spots)
     struct status status = {0};
     struct unloading own;
     struct strip_rows rows = {height, LINES, SIDE, 1.0 / SIDE, true};
-    assert_int_equal(unloading_solve(&own, &rows, 1e-4, 0.1, NULL, &status), STATUS_OK);
+    expect_ok(unloading_solve, &own, &rows, 1e-4, 0.1, NULL);
     assert_true(own.raised >= 2 && own.raised * 1e-4 <= 0.02 && own.count == UNLOADING_SHARES);
     rows.rows = 1;
-    assert_int_equal(unloading_solve(&own, &rows, 1e-4, 0.1, NULL, &status), STATUS_OK);
+    expect_ok(unloading_solve, &own, &rows, 1e-4, 0.1, NULL);
     assert_near(own.raised, 128, 0);
     assert_true(own.count < UNLOADING_SHARES);
     assert_int_equal(unloading_solve(&own, &rows, 0.1, 0.1, NULL, &status), STATUS_MODEL);

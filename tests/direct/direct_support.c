@@ -24,9 +24,8 @@ double recipe_scale(void)
 double *recipe_surface(size_t n)
 {
     double *height = malloc(n * n * sizeof *height), scale = recipe_scale();
-    struct status status = {0};
     assert_non_null(height);
-    assert_int_equal(direct_surface_make(height, n, recipe_variance, &scale, NULL, 0, 1, &status), STATUS_OK);
+    expect_ok(direct_surface_make, height, n, recipe_variance, &scale, NULL, 0, 1);
     return height;
 }
 
@@ -67,9 +66,7 @@ double gradient_of(const double *height, size_t n, double spacing)
 struct direct_contact contact_of(const double *height, size_t nx, size_t ny)
 {
     struct direct_contact contact;
-    struct status status = {0};
-    if (direct_contact_make(&contact, height, nx, ny, 1 / (double)nx, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(direct_contact_make, &contact, height, nx, ny, 1 / (double)nx);
     return contact;
 }
 
@@ -81,9 +78,7 @@ struct direct_contact_load load_of(double mean_pressure, double hardness, double
 struct direct_quantities solved(struct direct_contact *contact, const struct direct_contact_load *load)
 {
     struct direct_contact_effort effort = {0};
-    struct status status = {0};
-    if (direct_contact_solve(contact, load, &effort, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(direct_contact_solve, contact, load, &effort);
     assert_true(effort.convolutions > 0);
     return direct_quantities_of(contact, load);
 }
@@ -91,10 +86,8 @@ struct direct_quantities solved(struct direct_contact *contact, const struct dir
 double constriction_of(struct direct_contact *contact, double tolerance)
 {
     struct direct_contact_effort effort = {0};
-    struct status status = {0};
     double length;
-    if (direct_constriction_of_contact(&length, contact, tolerance, NULL, &effort, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(direct_constriction_of_contact, &length, contact, tolerance, NULL, &effort);
     return length;
 }
 
@@ -102,14 +95,12 @@ double constriction_of_drawing(const uint8_t *drawing, size_t n, size_t *iterati
 {
     double *height = calloc(n * n, sizeof *height), length;
     struct direct_contact_effort effort = {0};
-    struct status status = {0};
     assert_non_null(height);
     height[0] = 1; /* no surface is solved, but it must not be flat */
     struct direct_contact contact = contact_of(height, n, n);
     for (size_t k = 0; k < n * n; k++)
         contact.pressure[k / n * contact.kernel.stride + k % n] = drawing[k];
-    if (direct_constriction_of_contact(&length, &contact, 1e-9, NULL, &effort, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(direct_constriction_of_contact, &length, &contact, 1e-9, NULL, &effort);
     *iterations = effort.iterations;
     direct_contact_free(&contact);
     free(height);

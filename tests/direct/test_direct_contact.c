@@ -285,10 +285,9 @@ TEST_CASE(monotone_and_warm)
         for (double p = 1e-3; p < 0.4; p *= 1.8) {
             struct direct_contact_load load = load_of(p, capped ? 0.5 : INFINITY, 1e-9);
             struct direct_contact_effort efforts[2] = {0};
-            struct status status = {0};
-            assert_int_equal(direct_contact_solve(&cold, &load, &efforts[0], &status), STATUS_OK);
+            expect_ok(direct_contact_solve, &cold, &load, &efforts[0]);
             load.warm = true;
-            assert_int_equal(direct_contact_solve(&warm, &load, &efforts[1], &status), STATUS_OK);
+            expect_ok(direct_contact_solve, &warm, &load, &efforts[1]);
             struct direct_quantities found = direct_quantities_of(&cold, &load);
             struct direct_quantities other = direct_quantities_of(&warm, &load);
             assert_int_equal(found.contact_points, other.contact_points);
@@ -322,10 +321,9 @@ TEST_CASE(scale_free)
 {
     double *height = recipe_surface(64);
     struct direct_contact contact = contact_of(height, 64, 64), small;
-    struct status status = {0};
     for (size_t k = 0; k < 64 * 64; k++)
         height[k] = height[k] * 1e-9 + 1e-3; /* far off its datum */
-    assert_int_equal(direct_contact_make(&small, height, 64, 64, 1e-9 / 64, &status), STATUS_OK);
+    expect_ok(direct_contact_make, &small, height, 64, 64, 1e-9 / 64);
     struct direct_contact_load load = load_of(0.05, INFINITY, 1e-9);
     struct direct_quantities found = solved(&contact, &load), other = solved(&small, &load);
     assert_int_equal(found.contact_points, other.contact_points);
@@ -341,7 +339,6 @@ TEST_CASE(effort_as_known)
 {
     double *height = recipe_surface(256);
     struct direct_contact contact = contact_of(height, 256, 256);
-    struct status status = {0};
     struct {
         double p, hardness;
         size_t convolutions;
@@ -349,7 +346,7 @@ TEST_CASE(effort_as_known)
     for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
         struct direct_contact_load load = load_of(cases[k].p, cases[k].hardness, 1e-6);
         struct direct_contact_effort effort = {0};
-        assert_int_equal(direct_contact_solve(&contact, &load, &effort, &status), STATUS_OK);
+        expect_ok(direct_contact_solve, &contact, &load, &effort);
         if (effort.convolutions > cases[k].convolutions)
             fail_msg("%zu convolutions at %g", effort.convolutions, cases[k].p);
     }
@@ -364,11 +361,9 @@ TEST_CASE(few_points_at_the_hardness)
     enum { N = 256 };
     struct direct_law law = {1, 1.297, 1.0 / 40, 1, 1};
     struct direct_spectrum spectrum;
-    struct status status = {0};
     double *height = malloc(N * N * sizeof *height);
-    assert_int_equal(direct_spectrum_of_law(&spectrum, &law, &status), STATUS_OK);
-    assert_int_equal(direct_surface_make(height, N, direct_spectrum_variance, &spectrum, NULL, 0, 1, &status),
-                     STATUS_OK);
+    expect_ok(direct_spectrum_of_law, &spectrum, &law);
+    expect_ok(direct_surface_make, height, N, direct_spectrum_variance, &spectrum, NULL, 0, 1);
     struct direct_contact contact = contact_of(height, N, N);
     for (size_t k = 0; k < N * N; k++)
         height[k] *= 9.84e-4 / contact.rms_m;
@@ -376,8 +371,7 @@ TEST_CASE(few_points_at_the_hardness)
     contact = contact_of(height, N, N);
     struct direct_contact_load load = load_of(0.01, 0.05, 1e-6);
     struct direct_contact_effort effort = {0};
-    if (direct_contact_solve(&contact, &load, &effort, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(direct_contact_solve, &contact, &load, &effort);
     struct direct_quantities found = direct_quantities_of(&contact, &load);
     assert_true((double)found.contact_points > 0.6 * N * N);
     assert_in_range(overlap_of(&contact, load.hardness).capped_points, 1, 19);
@@ -403,14 +397,13 @@ TEST_CASE(starts_from_coarse_grids)
         plain.coarse = NULL;
         struct direct_contact_load load = load_of(p, INFINITY, 1e-6);
         struct direct_contact_effort efforts[2] = {0}, again = {0};
-        struct status status = {0};
-        assert_int_equal(direct_contact_solve(&nested, &load, &efforts[0], &status), STATUS_OK);
-        assert_int_equal(direct_contact_solve(&plain, &load, &efforts[1], &status), STATUS_OK);
+        expect_ok(direct_contact_solve, &nested, &load, &efforts[0]);
+        expect_ok(direct_contact_solve, &plain, &load, &efforts[1]);
         struct direct_quantities found = direct_quantities_of(&nested, &load);
         assert_near(found.gap_m, direct_quantities_of(&plain, &load).gap_m, 1e-5);
         assert_true(3 * efforts[0].convolutions < 2 * efforts[1].convolutions);
         load.warm = true;
-        assert_int_equal(direct_contact_solve(&nested, &load, &again, &status), STATUS_OK);
+        expect_ok(direct_contact_solve, &nested, &load, &again);
         assert_int_equal(again.iterations, 0);
         direct_contact_free(&nested);
         direct_contact_free(&plain);
@@ -428,8 +421,7 @@ TEST_CASE(convolutions_of_an_iteration)
         struct direct_contact contact = contact_of(height, N, N);
         struct direct_contact_load load = load_of(p, INFINITY, 1e-6);
         struct direct_contact_effort effort = {0};
-        struct status status = {0};
-        assert_int_equal(direct_contact_solve(&contact, &load, &effort, &status), STATUS_OK);
+        expect_ok(direct_contact_solve, &contact, &load, &effort);
         assert_true(effort.iterations > 5);
         assert_int_equal(effort.convolutions, 1 + 5 * effort.iterations / 2);
         direct_contact_free(&contact);
@@ -450,18 +442,16 @@ TEST_CASE(laid_anew)
             height[k][i] =
                 0.01 * cos(2 * M_PI * (double)((3 + k) * i) / N) + 0.004 * sin(2 * M_PI * (double)(17 * i) / N);
     struct direct_contact again = contact_of(height[0], N, 1), fresh = contact_of(height[1], N, 1);
-    struct status status = {0};
     for (size_t k = 0; k < 2; k++) {
         for (size_t i = 0; i < 3; i++)
             for (int which = (int)k; which >= 0; which--) {
                 struct direct_contact *contact = which ? &fresh : &again;
                 struct direct_contact_load load = {mean[i], INFINITY, 1e-6, true, NULL};
-                assert_int_equal(direct_contact_solve(contact, &load, &(struct direct_contact_effort){0}, &status),
-                                 STATUS_OK);
+                expect_ok(direct_contact_solve, contact, &load, &(struct direct_contact_effort){0});
                 (void)constriction_of(contact, 1e-6);
             }
         if (k == 0)
-            assert_int_equal(direct_contact_lay(&again, height[1], &status), STATUS_OK);
+            expect_ok(direct_contact_lay, &again, height[1]);
         else
             assert_memory_equal(again.pressure, fresh.pressure, N * sizeof(double));
     }

@@ -22,9 +22,7 @@ static struct direct_ensemble_def def_of(const double *scale, unsigned threads)
 static struct direct_ensemble ensemble_of(const struct direct_ensemble_def *def)
 {
     struct direct_ensemble ensemble;
-    struct status status = {0};
-    if (direct_ensemble_run(&ensemble, def, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(direct_ensemble_run, &ensemble, def);
     return ensemble;
 }
 
@@ -140,7 +138,6 @@ TEST_CASE(work_is_told_step_by_step)
     double scale = recipe_scale(), *height_m = recipe_surface(64);
     for (int kind = 0; kind < 3; kind++) {
         struct told told = {0, 0};
-        struct status status = {0};
         struct direct_map map = {0};
         struct direct_map_def square = {64, 64, 1.0 / 64, 1.0 / 64, false, 6};
         struct direct_ensemble_def def = def_of(&scale, 1);
@@ -150,7 +147,7 @@ TEST_CASE(work_is_told_step_by_step)
         def.given_m = kind == 1 ? height_m : NULL;
         def.given_count = 64 * 64;
         if (kind == 2) {
-            assert_int_equal(direct_map_make(&map, height_m, &square, 64, &status), STATUS_OK);
+            expect_ok(direct_map_make, &map, height_m, &square, 64);
             def.map = &map;
             def.n = map.n;
         }

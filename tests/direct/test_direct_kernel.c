@@ -10,8 +10,7 @@ enum { SHAPES = sizeof shapes / sizeof *shapes };
 static struct direct_kernel kernel_of(size_t shape)
 {
     struct direct_kernel kernel;
-    struct status status = {0};
-    assert_int_equal(direct_kernel_make(&kernel, shapes[shape].nx, shapes[shape].ny, 0.1, &status), STATUS_OK);
+    expect_ok(direct_kernel_make, &kernel, shapes[shape].nx, shapes[shape].ny, 0.1);
     return kernel;
 }
 

@@ -13,9 +13,7 @@ static struct direct_map map_of(const double *height, size_t n)
 {
     const struct direct_map_def def = {n, n, 1, 1, false, 0};
     struct direct_map map;
-    struct status status = {0};
-    if (direct_map_make(&map, height, &def, n, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(direct_map_make, &map, height, &def, n);
     return map;
 }
 
@@ -24,7 +22,6 @@ TEST_CASE(mirrored_or_whole)
 {
     enum { N = 32 };
     double height[N * N];
-    struct status status = {0};
     for (size_t k = 0; k < N * N; k++)
         height[k] = 5 + 0.3 * (double)(k % N) - 0.2 * (double)(k / N);
     struct direct_map map = map_of(height, N);
@@ -36,11 +33,11 @@ TEST_CASE(mirrored_or_whole)
         height[k] = 7 + even_wave(k % N) + sin(2 * M_PI * (double)(k / N) / N);
     for (int odd = 0; odd < 2; odd++) { /* part of it is not periodic; of an odd one every second point would not be */
         struct direct_map_def def = {N - (size_t)odd, N, 1, 1, false, 0};
-        assert_int_equal(direct_map_condition(height, &def, &status), STATUS_OK);
+        expect_ok(direct_map_condition, height, &def);
         assert_true(def.periodic == !odd && def.cutoff == 0);
         assert_int_equal(direct_map_side(&def, N / 2), N);
         assert_int_equal(direct_map_side(&(struct direct_map_def){31, 31, 1, 1, true, 0}, N), 62);
-        assert_int_equal(direct_map_make(&map, height, &def, N, &status), STATUS_OK);
+        expect_ok(direct_map_make, &map, height, &def, N);
         assert_int_equal(map.n, odd ? 2 * N - 2 : N);
         for (size_t k = 0; k < N * N && !odd; k++)
             assert_within(map.height_m[k], height[k] - 7, 1e-12);
@@ -54,14 +51,13 @@ TEST_CASE(low_pass)
 {
     enum { NX = 64, NY = 48 };
     double height[NX * NY], passed = exp2(-2 * 36.0 / 256);
-    struct status status = {0};
     for (int noisy = 0; noisy < 3; noisy++) {
         struct direct_map_def def = {NX, NY, 2, 2, false, 0};
         for (size_t k = 0; k < NX * NY; k++)
             height[k] = 3 + even_wave(k % NX) * even_wave(k / NX) + (noisy ? 0.1 : 0) * ((k + k / NX) % 2 ? 1 : -1);
         for (size_t k = 5; k < NX * NY && noisy == 2; k += 97)
             height[k] = NAN;
-        assert_int_equal(direct_map_condition(height, &def, &status), STATUS_OK);
+        expect_ok(direct_map_condition, height, &def);
         assert_true(def.cutoff == (noisy ? 6 : 0));
         assert_true(def.periodic == (noisy < 2)); /* lines with holes do not tell */
         for (size_t k = 0; k < NX * NY; k++)
@@ -75,7 +71,7 @@ TEST_CASE(low_pass)
         height[k] =
             cos(M_PI * ((double)(k % NX) + 0.5) / NX) + 0.1 * cos(M_PI * (NX - 1) * ((double)(k % NX) + 0.5) / NX);
     struct direct_map_def def = {NX, NY, 2, 2, false, 0};
-    assert_int_equal(direct_map_condition(height, &def, &status), STATUS_OK);
+    expect_ok(direct_map_condition, height, &def);
     assert_true(def.cutoff == 6 && !def.periodic);
     for (size_t k = 0; k < NX * NY; k++)
         assert_within(height[k], exp2(-36.0 / (4.0 * NX * NX)) * cos(M_PI * ((double)(k % NX) + 0.5) / NX), 0.03);
@@ -93,10 +89,9 @@ TEST_CASE(holes)
     assert_within(map.height_m[3 * map.n + 5], map.height_m[2 * map.n + 5], 0.01);
     direct_map_free(&map);
     const struct direct_map_def def = {N, N, 1, 1, false, 6};
-    struct status status = {0};
     for (size_t k = 0; k < N * N; k++) /* a step hidden in a hole: half way in the middle of it */
         height[k] = k % N < 12 ? 0 : k % N < 20 ? NAN : 1;
-    assert_int_equal(direct_map_make(&map, height, &def, N, &status), STATUS_OK);
+    expect_ok(direct_map_make, &map, height, &def, N);
     const double *row = map.height_m + 9 * map.n;
     assert_within(row[16] - row[15], 0.30, 0.02); /* 0.35 of a smoothed step, less the plane */
     direct_map_free(&map);
@@ -156,9 +151,7 @@ TEST_CASE(mirrored_periodic_surface)
         double mean[MIRROR_LOADS][3] = {{0}};
         for (uint64_t seed = 1; seed <= SEEDS; seed++) {
             struct direct_point periodic[MIRROR_LOADS], mirrored[MIRROR_LOADS];
-            struct status status = {0};
-            assert_int_equal(direct_surface_make(height, N, rolled_off, &cases[c].waves, NULL, 0, seed, &status),
-                             STATUS_OK);
+            expect_ok(direct_surface_make, height, N, rolled_off, &cases[c].waves, NULL, 0, seed);
             struct direct_map map = map_of(height, N);
             double gradient = gradient_of(map.height_m, map.n, 1);
             solve_mirrored(periodic, height, N, gradient);
@@ -211,8 +204,7 @@ static void hold(struct held out[3], bool skewed, size_t n, double noisy, uint64
     struct status status = {0};
     for (size_t k = 0; k < GIVEN; k++) /* exponential: peaks on a plain */
         given[k] = -log(((double)k + 0.5) / GIVEN);
-    if (direct_surface_make(height, N, band, waves, skewed ? given : NULL, GIVEN, seed, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(direct_surface_make, height, N, band, waves, skewed ? given : NULL, GIVEN, seed);
     double gradient = gradient_of(height, N, 1), tilt = n < N ? gradient / 10 : 0;
     solve_mirrored(truth, height, N, gradient);
     for (size_t k = 0; k < n * n; k++)
@@ -229,8 +221,7 @@ static void hold(struct held out[3], bool skewed, size_t n, double noisy, uint64
         load[i] = mirror_loads[i] * gradient;
     struct direct_ensemble_def ask = {
         .ladder = {load, MIRROR_LOADS, INFINITY, 1e-6, true, NULL}, .map = &map, .seeds = 1, .threads = 2};
-    if (direct_ensemble_run(&found, &ask, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(direct_ensemble_run, &found, &ask);
     for (size_t i = 0; i < MIRROR_LOADS; i++)
         for (int q = DIRECT_AREA; q <= DIRECT_CONSTRICTION; q++) {
             const struct direct_mean *mean = &found.point[i].mean[q];

@@ -5,13 +5,11 @@
 
 #include "base/fft.h"
 #include "direct/direct_constriction.h"
-#include "direct/direct_surface.h"
 
 static struct direct_contact strip_of(const double *height, size_t points, double spacing_m)
 {
     struct direct_contact contact;
-    struct status status = {0};
-    assert_int_equal(direct_contact_make(&contact, height, points, 1, spacing_m, &status), STATUS_OK);
+    expect_ok(direct_contact_make, &contact, height, points, 1, spacing_m);
     return contact;
 }
 
@@ -19,8 +17,7 @@ TEST_CASE(matches_reference)
 {
     struct table profiles = table_read("golden/strip/profiles.csv");
     struct table table = table_read("golden/strip/strip.csv");
-    double *height = malloc(profiles.rows * sizeof *height);
-    assert_non_null(height);
+    double *height = support_room(profiles.rows * sizeof *height);
     assert_int_equal(table.rows, 9);
     for (size_t i = 0; i < table.rows; i++) {
         for (size_t k = 0; k < profiles.rows; k++)
@@ -44,8 +41,7 @@ TEST_CASE(matches_reference)
 TEST_CASE(sinusoid)
 {
     enum { POINTS = 4096 };
-    double *height = malloc(POINTS * sizeof *height), wavelength_m = 1e-3, amplitude_m = 2e-6;
-    assert_non_null(height);
+    double *height = support_room(POINTS * sizeof *height), wavelength_m = 1e-3, amplitude_m = 2e-6;
     for (size_t k = 0; k < POINTS; k++)
         height[k] = amplitude_m * cos(2 * M_PI * (double)k / POINTS);
     struct direct_contact contact = strip_of(height, POINTS, wavelength_m / POINTS);
@@ -113,8 +109,7 @@ TEST_CASE(response)
     load.tolerance = 1e-7;
     load.warm = true;
     struct direct_contact_effort effort = {0};
-    struct status status = {0};
-    assert_int_equal(direct_contact_solve(&contact, &load, &effort, &status), STATUS_OK);
+    expect_ok(direct_contact_solve, &contact, &load, &effort);
     assert_int_equal(effort.iterations, 0);
     double most = 0;
     for (size_t k = 0; k < POINTS; k++)
@@ -127,20 +122,17 @@ TEST_CASE(response)
 TEST_CASE(transforms_of_a_solution)
 {
     for (size_t points = 1024; points <= 16384; points *= 4) {
-        double *height = malloc(points * sizeof *height);
-        assert_non_null(height);
+        double *height = support_room(points * sizeof *height);
         for (size_t k = 0; k < points; k++) /* white */
             height[k] = (double)((k * k * 2654435761u >> 7) % 1009) * 1e-3;
         struct direct_contact contact = strip_of(height, points, 1);
         struct direct_contact_load load = load_of(0.1, INFINITY, 1e-3);
         struct direct_contact_effort effort = {0}, constriction = {0};
-        struct status status = {0};
         double length_m;
         load.warm = true;
         for (int k = 0; k < 5; k++, load.mean_pressure /= 2) {
-            assert_int_equal(direct_contact_solve(&contact, &load, &effort, &status), STATUS_OK);
-            assert_int_equal(direct_constriction_of_contact(&length_m, &contact, 1e-2, NULL, &constriction, &status),
-                             STATUS_OK);
+            expect_ok(direct_contact_solve, &contact, &load, &effort);
+            expect_ok(direct_constriction_of_contact, &length_m, &contact, 1e-2, NULL, &constriction);
         }
         assert_in_range(effort.convolutions, 5, 130);
         assert_in_range(constriction.convolutions, 5, 50);
@@ -171,10 +163,9 @@ TEST_CASE(many_points_join)
     struct direct_contact contact = strip_of(height, POINTS, 1);
     struct direct_contact_load load = load_of(2 * sqrt(slope), INFINITY, 1e-3);
     struct direct_contact_effort effort = {0};
-    struct status status = {0};
     load.warm = true;
     for (int k = 0; k < 12; k++, load.mean_pressure /= 2)
-        assert_int_equal(direct_contact_solve(&contact, &load, &effort, &status), STATUS_OK);
+        expect_ok(direct_contact_solve, &contact, &load, &effort);
     assert_in_range(effort.convolutions, 100, 800);
     direct_contact_free(&contact);
     fft_room_free(&room);

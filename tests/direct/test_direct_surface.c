@@ -55,10 +55,9 @@ TEST_CASE(rows_have_the_law)
         struct direct_spectrum spectrum;
         size_t count = direct_law_harmonics(&law);
         assert_true(count == 60);
-        assert_int_equal(direct_spectrum_of_law(&spectrum, &law, &status), STATUS_OK);
+        expect_ok(direct_spectrum_of_law, &spectrum, &law);
         for (uint64_t seed = 1; seed < 3; seed++) {
-            assert_int_equal(
-                direct_surface_make(height, N, direct_spectrum_variance, &spectrum, NULL, 0, seed, &status), STATUS_OK);
+            expect_ok(direct_surface_make, height, N, direct_spectrum_variance, &spectrum, NULL, 0, seed);
             row_powers(power, count, height, N);
             for (size_t m = 1; m <= count; m++)
                 assert_near(power[m - 1], pow(direct_law_amplitude(&law, m), 2) / 2, m < 40 ? 1e-10 : 1e-6);
@@ -76,12 +75,11 @@ TEST_CASE(rows_have_the_law)
  * 1/2)/(sqrt pi Gamma(gamma)). */
 TEST_CASE(weights_near_the_integral)
 {
-    struct status status = {0};
     for (double gamma = 0.75; gamma < 1.7; gamma += 0.25) {
         struct direct_law law = {1e-3, gamma, 3e-4 / 200, 3e-4, 1};
         struct direct_spectrum spectrum;
         double b = pow(1e-3 * pow(3e-4, gamma), 2) / 4 * tgamma(gamma + 0.5) / (sqrt(M_PI) * tgamma(gamma));
-        assert_int_equal(direct_spectrum_of_law(&spectrum, &law, &status), STATUS_OK);
+        expect_ok(direct_spectrum_of_law, &spectrum, &law);
         for (size_t r = 8; r <= 16; r++)
             assert_near(spectrum.weight_m2[r - 1], b, 0.01);
         direct_spectrum_free(&spectrum);
@@ -109,7 +107,7 @@ TEST_CASE(matched_law)
         for (double roll_off = 1; roll_off < 12; roll_off += 2.3) {
             struct direct_law law = {0.085, gamma, 8e-6, 3e-4, roll_off};
             moments_of(moments, &law);
-            assert_int_equal(direct_law_match(&found, moments, 3e-4, 8e-6, &status), STATUS_OK);
+            expect_ok(direct_law_match, &found, moments, 3e-4, 8e-6);
             assert_near(found.roll_off, roll_off, 1e-7);
             assert_near(found.gamma, gamma, 1e-7);
             assert_near(found.alpha, 0.085, 1e-6);
@@ -118,9 +116,8 @@ TEST_CASE(matched_law)
         static const char *const names[] = {"m0_m2", "m1_m", "m2"};
         for (int k = 0; k < 3; k++)
             moments[k] = table_number(&table, row, names[k]);
-        assert_int_equal(direct_law_match(&found, moments, table_number(&table, row, "length_m"),
-                                          table_number(&table, row, "lambda_s_m"), &status),
-                         STATUS_OK);
+        expect_ok(direct_law_match, &found, moments, table_number(&table, row, "length_m"),
+                  table_number(&table, row, "lambda_s_m"));
         assert_near(found.gamma, table_number(&table, row, "gamma"), 1e-8);
         assert_near(found.roll_off, table_number(&table, row, "m_r"), 1e-8);
     }
@@ -128,7 +125,7 @@ TEST_CASE(matched_law)
     for (int end = 0; end < 2; end++) { /* m0 and m2 stand whatever m1 says */
         double of_found[3], share = end ? 0.98 : 0.2;
         moments[1] = share * sqrt(moments[0] * moments[2]);
-        assert_int_equal(direct_law_match(&found, moments, 5.12e-4, 8e-6, &status), STATUS_OK);
+        expect_ok(direct_law_match, &found, moments, 5.12e-4, 8e-6);
         assert_true(end ? found.roll_off > 8 : found.roll_off == 1);
         moments_of(of_found, &found);
         assert_near(of_found[0], moments[0], 1e-9);
@@ -145,8 +142,7 @@ TEST_CASE(matched_law)
 TEST_CASE(refined_surface)
 {
     double *coarse = recipe_surface(64), *fine = recipe_surface(192), *refined = malloc(192 * 192 * sizeof *refined);
-    struct status status = {0};
-    assert_int_equal(direct_surface_refine(refined, 3, coarse, 64, &status), STATUS_OK);
+    expect_ok(direct_surface_refine, refined, 3, coarse, 64);
     for (size_t k = 0; k < 192 * 192; k++)
         assert_within(refined[k], fine[k], 1e-14);
     free(coarse);
@@ -176,18 +172,18 @@ TEST_CASE(surface_with_heights)
     struct status status = {0};
     for (size_t k = 0; k < GIVEN; k++) /* chi squared of 8 degrees of freedom, upside down: plateaus with pits */
         given[k] = 3 - pow(1 - 2.0 / 72 + sqrt(2.0 / 72) * 3 * cos(M_PI * ((double)k + 0.5) / GIVEN), 3);
-    assert_int_equal(direct_surface_make(other, N, recipe_variance, &scale, NULL, 0, 1, &status), STATUS_OK);
+    expect_ok(direct_surface_make, other, N, recipe_variance, &scale, NULL, 0, 1);
     row_powers(expected, 16, other, N);
-    assert_int_equal(direct_surface_make(height, N, recipe_variance, &scale, given, GIVEN, 1, &status), STATUS_OK);
+    expect_ok(direct_surface_make, height, N, recipe_variance, &scale, given, GIVEN, 1);
     row_powers(power, 16, height, N);
     for (size_t m = 1; m <= 16; m++)
         assert_near(power[m - 1], expected[m - 1], 1e-10);
     assert_true(fabs(moment(other, N * N, 3)) < 0.3);
     assert_within(moment(height, N * N, 3), moment(given, GIVEN, 3), 0.1);
     assert_within(moment(height, N * N, 4), moment(given, GIVEN, 4), 0.2);
-    assert_int_equal(direct_surface_make(other, N, recipe_variance, &scale, given, GIVEN, 1, &status), STATUS_OK);
+    expect_ok(direct_surface_make, other, N, recipe_variance, &scale, given, GIVEN, 1);
     assert_memory_equal(height, other, N * N * sizeof *height);
-    assert_int_equal(direct_surface_make(other, N, recipe_variance, &scale, given, GIVEN, 2, &status), STATUS_OK);
+    expect_ok(direct_surface_make, other, N, recipe_variance, &scale, given, GIVEN, 2);
     assert_memory_not_equal(height, other, N * N * sizeof *height);
     given[5] = NAN;
     assert_int_equal(direct_surface_make(other, N, recipe_variance, &scale, given, GIVEN, 2, &status), STATUS_MODEL);

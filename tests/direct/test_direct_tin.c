@@ -38,7 +38,7 @@ static struct ratios ratios_of(const char *model, const struct direct_law *law,
     struct model_curve curve = {.points = points};
     struct status status = {0};
     roughness_from_spectrum(&roughness, &rows);
-    assert_int_equal(roughness_asperities(&asperities, &roughness, &status), STATUS_OK);
+    expect_ok(roughness_asperities, &asperities, &roughness);
     struct model_task task = {.spectrum = &rows,
                               .asperities = &asperities,
                               .pair = &pair,
@@ -120,15 +120,14 @@ TEST_CASE(laws_matched)
 {
     static const double gammas[] = {1.297, 1.189, 1.041, 0.996};
     for (int k = 0; k < 4; k++) {
-        char path[4096];
         struct scan scan;
         struct scan_options options = {0};
         struct profile profile;
         struct spectrum spectrum;
         struct direct_law law;
         struct status status = {0};
-        snprintf(path, sizeof path, "%s/surfaces/chapter6/surface-%d.csv", PROJECT_SOURCE, k + 1);
-        if (scan_read(&scan, path, &options, &status) != STATUS_OK ||
+        if (scan_read(&scan, filled("%s/surfaces/chapter6/surface-%d.csv", PROJECT_SOURCE, k + 1), &options, &status) !=
+                STATUS_OK ||
             profile_make(&profile, &scan, 0, &(struct profile_options){.level = LEVEL_MEAN}, &status) != STATUS_OK ||
             spectrum_compute(&spectrum, profile.height_m, profile.points, profile.spacing_m, SPECTRUM_WINDOW_NONE,
                              &status) != STATUS_OK ||

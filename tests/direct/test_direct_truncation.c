@@ -5,7 +5,6 @@
 #include "contact/model.h"
 #include "direct_support.h"
 
-#include <stdbool.h>
 #include <stdio.h>
 
 enum { SIDE = 512 };
@@ -31,8 +30,7 @@ static int falling(const void *a, const void *b)
 static double constriction_above(const double *height_m, double plane_m, size_t step)
 {
     size_t side = SIDE / step, iterations;
-    uint8_t *drawing = malloc(side * side);
-    assert_non_null(drawing);
+    uint8_t *drawing = support_room(side * side);
     for (size_t k = 0; k < side * side; k++)
         drawing[k] = height_m[(k / side * SIDE + k % side) * step] > plane_m;
     double length_m = constriction_of_drawing(drawing, side, &iterations);
@@ -54,10 +52,8 @@ TEST_CASE(the_stated_range_holds)
     assert_true(height_m && sorted_m);
     for (size_t b = 0; b < sizeof bands / sizeof *bands; b++)
         for (uint64_t seed = 1; seed <= 2; seed++) {
-            struct status status = {0};
             double m0 = 0, m2 = 0;
-            assert_int_equal(direct_surface_make(height_m, SIDE, variance, &bands[b], NULL, 0, seed, &status),
-                             STATUS_OK);
+            expect_ok(direct_surface_make, height_m, SIDE, variance, &bands[b], NULL, 0, seed);
             for (int i = -SIDE / 2; i < SIDE / 2; i++)
                 for (int j = -SIDE / 2; j < SIDE / 2; j++) {
                     double power = variance(hypot(i, j), &bands[b]);

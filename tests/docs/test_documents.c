@@ -10,7 +10,6 @@
 
 #include <dirent.h>
 #include <fts.h>
-#include <stdbool.h>
 #include <stdio.h>
 #include <unistd.h>
 
@@ -24,9 +23,7 @@ static const char *const documents[] = {"README.md",        "docs/equations.md",
 static char *read_document(const char *path)
 {
     struct text text = {0};
-    struct status status = {0};
-    if (text_read_file(&text, filled("%s/%s", PROJECT_SOURCE, path), &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(text_read_file, &text, filled("%s/%s", PROJECT_SOURCE, path));
     return text.data;
 }
 
@@ -363,7 +360,6 @@ TEST_CASE(rooms_use_only_those_before)
     size_t files = 0;
     assert_int_equal(rooms.count, again.count);
     for (size_t room = 0; room < rooms.count; room++) {
-        char path[4096 + NAME];
         assert_string_equal(rooms.name[room], again.name[room]);
         DIR *directory = opendir(filled("%s/src/%s", PROJECT_SOURCE, rooms.name[room]));
         if (!directory)
@@ -372,8 +368,7 @@ TEST_CASE(rooms_use_only_those_before)
             const char *dot = strrchr(entry->d_name, '.');
             if (!dot || (strcmp(dot, ".c") != 0 && strcmp(dot, ".h") != 0))
                 continue;
-            snprintf(path, sizeof path, "src/%s/%s", rooms.name[room], entry->d_name);
-            check_includes(&rooms, room, path);
+            check_includes(&rooms, room, filled("src/%s/%s", rooms.name[room], entry->d_name));
             files++;
         }
         closedir(directory);

@@ -10,9 +10,7 @@
 static struct text document(const char *name)
 {
     struct text text = {0};
-    struct status status = {0};
-    if (text_read_file(&text, filled("%s/%s", PROJECT_SOURCE, name), &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(text_read_file, &text, filled("%s/%s", PROJECT_SOURCE, name));
     return text;
 }
 

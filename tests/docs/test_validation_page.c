@@ -13,9 +13,8 @@ static const char *const truths[] = {"Software gauges",   "elastic sinusoid (fig
 TEST_CASE(every_truth_is_held)
 {
     struct text page = {0};
-    struct status status = {0};
     size_t bounded = 0;
-    assert_int_equal(text_read_file(&page, PROJECT_SOURCE "/docs/validation.md", &status), STATUS_OK);
+    expect_ok(text_read_file, &page, PROJECT_SOURCE "/docs/validation.md");
     for (size_t i = 0; i < sizeof truths / sizeof *truths; i++)
         if (!strstr(page.data, truths[i]))
             fail_msg("the page says nothing of '%s'", truths[i]);

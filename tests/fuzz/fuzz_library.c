@@ -4,7 +4,6 @@
 #include "library/roughcontact.h"
 #include <math.h>
 #include <stdbool.h>
-#include <stdint.h>
 
 enum { PLACES = 2, LOADS = 8, CALLS_MOST = 48, STRIP_MOST = 256 };
 

@@ -5,7 +5,6 @@
 #include "scan/text_header.h"
 #include "scene/measured_file.h"
 #include "scene/scene.h"
-#include <math.h>
 
 static const char kinds[] = "ETJMP";
 static size_t runs[sizeof kinds], taken[sizeof kinds];

@@ -8,7 +8,6 @@
 #include "scan/format.h"
 #include "support.h"
 #include <dirent.h>
-#include <stdio.h>
 #include <sys/stat.h>
 
 typedef void fuzz_target(const uint8_t *bytes, size_t length);
@@ -97,8 +96,7 @@ static size_t replay(const char *path, fuzz_target *target, size_t versions)
             continue;
         }
         struct text bytes = {0};
-        struct status status = {0};
-        assert_int_equal(text_read_file(&bytes, name, &status), STATUS_OK);
+        expect_ok(text_read_file, &bytes, name);
         fprintf(stderr, "%s\n", strrchr(name, '/') + 1); /* the last of these is the one that aborted */
         run(&bytes, target, versions);
         files++;

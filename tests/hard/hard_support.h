@@ -7,11 +7,9 @@
 #include "hard_case.h"
 #include "material/material.h"
 #include "spectrum/spectrum.h"
-#include "support.h"
 
 #include <fenv.h>
 #include <gsl/gsl_errno.h>
-#include <stdbool.h>
 
 static int hard_start(void **state)
 {

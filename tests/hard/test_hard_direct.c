@@ -13,8 +13,7 @@ static double *surface_of(double gamma, double waves, size_t n, uint64_t seed)
     struct direct_law law = {1e-3, gamma, 1 / waves, 1, 1};
     struct direct_spectrum spectrum;
     struct status status = {0};
-    double *height = malloc(n * n * sizeof *height);
-    assert_non_null(height);
+    double *height = support_room(n * n * sizeof *height);
     if (direct_spectrum_of_law(&spectrum, &law, &status) != STATUS_OK ||
         direct_surface_make(height, n, direct_spectrum_variance, &spectrum, NULL, 0, seed, &status) != STATUS_OK)
         fail_msg("%s", status.message);
@@ -25,9 +24,7 @@ static double *surface_of(double gamma, double waves, size_t n, uint64_t seed)
 static struct direct_contact contact_of(const double *height, size_t n)
 {
     struct direct_contact contact;
-    struct status status = {0};
-    if (direct_contact_make(&contact, height, n, n, 1 / (double)n, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(direct_contact_make, &contact, height, n, n, 1 / (double)n);
     return contact;
 }
 
@@ -142,7 +139,7 @@ TEST_CASE(load_at_the_hardness)
                       fmax(0, shares[i] - solved(&contact, load, hardness).quantities.area_ratio), 0);
             continue;
         }
-        assert_int_equal(direct_ladder_run(&point, &contact, &ladder, &status), STATUS_OK);
+        expect_ok(direct_ladder_run, &point, &contact, &ladder);
         hard_case("a mean pressure of 1 to 1e10 of the hardness", "more load than the material can carry",
                   "no number, and the sentence that contact is complete", "numbers", point.exists, 0);
         assert_true(isnan(point.constriction_m));

@@ -116,15 +116,14 @@ TEST_CASE(loads_beyond_full_contact)
             struct spectrum spectrum = hard_law(alphas[k], gammas[k], SCALES);
             struct roughness roughness = {0};
             struct asperities surface;
-            struct status status = {0};
             roughness_from_spectrum(&roughness, &spectrum);
-            assert_int_equal(roughness_asperities(&surface, &roughness, &status), STATUS_OK);
+            expect_ok(roughness_asperities, &surface, &roughness);
             struct model_task task = task_of(&spectrum, &surface, &pair, loads, LOADS);
             task.sinusoid_fit = (enum sinusoid_fit_id)closure;
             for (size_t m = 0; m < model_count; m++) {
                 struct contact_point points[LOADS + 1];
                 struct model_curve curve = {.points = points};
-                assert_int_equal(model_run(&curve, model_rows[m], &task, &status), STATUS_OK);
+                expect_ok(model_run, &curve, model_rows[m], &task);
                 check_curve(&curve, model_rows[m], &task);
             }
             spectrum_free(&spectrum);
@@ -138,16 +137,15 @@ TEST_CASE(nothing_but_full_contact)
     struct spectrum spectrum = hard_law(0.085, 1.5, SCALES);
     struct roughness roughness = {0};
     struct asperities surface;
-    struct status status = {0};
     roughness_from_spectrum(&roughness, &spectrum);
-    assert_int_equal(roughness_asperities(&surface, &roughness, &status), STATUS_OK);
+    expect_ok(roughness_asperities, &surface, &roughness);
     const double loads[] = {1e3, 1e6, 1e100};
     for (size_t count = 1; count <= 3; count++)
         for (size_t m = 0; m < model_count; m++) {
             struct contact_point points[4];
             struct model_curve curve = {.points = points};
             struct model_task task = task_of(&spectrum, &surface, &pair, loads, count);
-            assert_int_equal(model_run(&curve, model_rows[m], &task, &status), STATUS_OK);
+            expect_ok(model_run, &curve, model_rows[m], &task);
             bool silent = model_rows[m]->largest_area > 0 && !model_rows[m]->asperity_model;
             assert_int_equal(curve.count, silent ? 0 : model_rows[m]->asperity_model ? 1 : count);
             assert_int_equal(curve.exists, !silent);
@@ -174,8 +172,7 @@ TEST_CASE(no_asperities)
     for (size_t m = 0; m < model_count; m++) {
         struct contact_point points[3];
         struct model_curve curve = {.points = points};
-        struct status status = {0};
-        assert_int_equal(model_run(&curve, model_rows[m], &task, &status), STATUS_OK);
+        expect_ok(model_run, &curve, model_rows[m], &task);
         assert_true(curve.exists ==
                     !(model_rows[m]->asperity_model || model_rows[m]->uses_strip || model_rows[m]->uses_map));
         bool ends = model_rows[m]->plastic && model_rows[m]->largest_area > 0;
@@ -197,9 +194,8 @@ TEST_CASE(every_choice_of_quantities)
     struct spectrum spectrum = hard_law(0.085, 1.5, SCALES);
     struct roughness roughness = {0};
     struct asperities surface;
-    struct status status = {0};
     roughness_from_spectrum(&roughness, &spectrum);
-    assert_int_equal(roughness_asperities(&surface, &roughness, &status), STATUS_OK);
+    expect_ok(roughness_asperities, &surface, &roughness);
     const double loads[] = {1e-30, 1e-9, 1e-6, 1e-3, 1e6};
     for (size_t m = 0; m < model_count; m++)
         for (unsigned wanted = 0; wanted <= EVERYTHING; wanted++) {
@@ -209,10 +205,10 @@ TEST_CASE(every_choice_of_quantities)
             struct contact_point all[6], some[6];
             struct model_curve reference = {.points = all}, curve = {.points = some};
             struct model_task task = task_of(&spectrum, &surface, &known, loads, 5);
-            assert_int_equal(model_run(&reference, model_rows[m], &task, &status), STATUS_OK);
+            expect_ok(model_run, &reference, model_rows[m], &task);
             task.wanted = wanted;
             task.pair = conducts ? &known : &bare;
-            assert_int_equal(model_run(&curve, model_rows[m], &task, &status), STATUS_OK);
+            expect_ok(model_run, &curve, model_rows[m], &task);
             assert_int_equal(curve.count, reference.count);
             for (size_t i = 0; i < curve.count; i++) {
                 hard_case("every choice of quantities, without the properties of those left out",
@@ -256,12 +252,11 @@ TEST_CASE(two_bodies_of_huge_ratio)
         const double loads[] = {1e-9, 1e-3};
         for (size_t m = 0; m < model_count; m++) {
             struct contact_point points[2][3];
-            struct status status = {0};
             struct model_curve curve = {.points = points[0]}, alone = {.points = points[1]};
             struct model_task task = task_of(&spectrum, NULL, &pair, loads, 2);
-            assert_int_equal(model_run(&curve, model_rows[m], &task, &status), STATUS_OK);
+            expect_ok(model_run, &curve, model_rows[m], &task);
             task.pair = &rigid;
-            assert_int_equal(model_run(&alone, model_rows[m], &task, &status), STATUS_OK);
+            expect_ok(model_run, &alone, model_rows[m], &task);
             assert_int_equal(curve.count, alone.count);
             for (size_t i = 0; i < curve.count; i++)
                 hard_case("areas of such bodies, every model", "a pressure of the wrong body",
@@ -287,8 +282,7 @@ TEST_CASE(a_million_loads)
         loads[i] = 1e-9 * exp(log(1e6) * (double)i / MANY);
     struct model_task task = task_of(&spectrum, NULL, &pair, loads, MANY);
     struct model_curve curve = {.points = points};
-    struct status status = {0};
-    assert_int_equal(model_run(&curve, model_rows[model_named("multiscale-elastic")], &task, &status), STATUS_OK);
+    expect_ok(model_run, &curve, model_rows[model_named("multiscale-elastic")], &task);
     hard_case("10^6 loads of one curve", "memory, or points that are left out", "one point for each",
               "loads without a point", (double)MANY - (double)curve.count, 0);
     double fall = 0;

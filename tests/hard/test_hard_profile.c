@@ -24,8 +24,7 @@ static struct profile profile_of(double *height_m, size_t points, enum level lev
 {
     struct scan scan = {.kind = SCAN_PROFILE, .nx = points, .ny = 1, .dx_m = spacing_m, .z_m = height_m};
     struct profile profile;
-    struct status status = {0};
-    assert_int_equal(profile_make(&profile, &scan, 0, &(struct profile_options){.level = level}, &status), STATUS_OK);
+    expect_ok(profile_make, &profile, &scan, 0, &(struct profile_options){.level = level});
     for (size_t i = 0; i < points; i++)
         assert_true(isfinite(profile.height_m[i]));
     return profile;
@@ -46,8 +45,7 @@ static void check_same_roughness(const struct profile *profile, const struct pro
 
 static double *heights(size_t points, double offset_m, double tilt)
 {
-    double *height_m = malloc(points * sizeof *height_m);
-    assert_non_null(height_m);
+    double *height_m = support_room(points * sizeof *height_m);
     for (size_t i = 0; i < points; i++)
         height_m[i] = offset_m + tilt * spacing_m * (double)i + rough(i, points);
     return height_m;
@@ -95,9 +93,8 @@ static void check_description(const struct profile *profile)
     struct status status = {0};
     const double everything_m[2] = {0, INFINITY};
     for (int window = SPECTRUM_WINDOW_NONE; window < SPECTRUM_WINDOW_COUNT; window++) {
-        assert_int_equal(spectrum_compute(&spectrum, profile->height_m, profile->points, spacing_m,
-                                          (enum spectrum_window)window, &status),
-                         STATUS_OK);
+        expect_ok(spectrum_compute, &spectrum, profile->height_m, profile->points, spacing_m,
+                  (enum spectrum_window)window);
         for (size_t i = 0; i < spectrum.count; i++)
             assert_true(isfinite(spectrum.amplitude_m[i]) && spectrum.amplitude_m[i] >= 0);
         struct power_law law = power_law_fit(&spectrum, everything_m);
@@ -117,11 +114,8 @@ static void check_description(const struct profile *profile)
 static double lost(const struct profile *profile)
 {
     struct spectrum spectrum;
-    struct status status = {0};
     double sum = 0, square = 0;
-    assert_int_equal(
-        spectrum_compute(&spectrum, profile->height_m, profile->points, spacing_m, SPECTRUM_WINDOW_NONE, &status),
-        STATUS_OK);
+    expect_ok(spectrum_compute, &spectrum, profile->height_m, profile->points, spacing_m, SPECTRUM_WINDOW_NONE);
     for (size_t i = 0; i < spectrum.count; i++) /* the last of an even record has no partner */
         sum += spectrum.amplitude_m[i] * spectrum.amplitude_m[i] / (2 * (i + 1) == profile->points ? 1 : 2);
     for (size_t i = 0; i < profile->points; i++)
@@ -155,8 +149,7 @@ TEST_CASE(extreme_shapes)
 {
     enum { POINTS = 1000 };
     for (int kind = 0; kind < 4; kind++) {
-        double *height_m = malloc(POINTS * sizeof *height_m);
-        assert_non_null(height_m);
+        double *height_m = support_room(POINTS * sizeof *height_m);
         for (size_t i = 0; i < POINTS; i++) {
             const double of[] = {cos(2 * pi * 7 * (double)i / POINTS), i < POINTS / 2 ? 0 : 1, i % 2 ? 1 : -1,
                                  i == 333 ? 1 : 0};
@@ -167,11 +160,8 @@ TEST_CASE(extreme_shapes)
         double left = lost(&profile);
         if (kind == 0) {
             struct spectrum spectrum;
-            struct status status = {0};
             double others = 0;
-            assert_int_equal(
-                spectrum_compute(&spectrum, profile.height_m, POINTS, spacing_m, SPECTRUM_WINDOW_NONE, &status),
-                STATUS_OK);
+            expect_ok(spectrum_compute, &spectrum, profile.height_m, POINTS, spacing_m, SPECTRUM_WINDOW_NONE);
             for (size_t i = 0; i < spectrum.count; i++)
                 others = fmax(others, i == 6 ? 0 : spectrum.amplitude_m[i] / spectrum.amplitude_m[6]);
             hard_case("periodic: 7 waves and nothing else", "leakage looks like roughness at every wavelength",

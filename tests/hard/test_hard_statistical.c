@@ -12,11 +12,9 @@ static struct statistical make(const struct asperities *surface, const struct ma
                                double lowest)
 {
     struct statistical model;
-    struct status status = {0};
     uint64_t evaluations = 0;
-    assert_int_equal(statistical_make(&model, surface, pair, (enum asperity_model_id)law, EVERYTHING, 1e-10, lowest,
-                                      &evaluations, &status),
-                     STATUS_OK);
+    expect_ok(statistical_make, &model, surface, pair, (enum asperity_model_id)law, EVERYTHING, 1e-10, lowest,
+              &evaluations);
     assert_int_equal(evaluations, model.panels.count);
     return model;
 }
@@ -25,8 +23,7 @@ static struct asperities surface_of(double m0, double m2, double m4)
 {
     struct roughness roughness = {.m0_m2 = m0, .m2 = m2, .m4_per_m2 = m4};
     struct asperities surface;
-    struct status status = {0};
-    assert_int_equal(roughness_asperities(&surface, &roughness, &status), STATUS_OK);
+    expect_ok(roughness_asperities, &surface, &roughness);
     return surface;
 }
 

@@ -16,7 +16,7 @@ TEST_CASE(test_plane)
     struct status status = {0};
     for (size_t k = 0; k < 12; k++)
         value[k] = 1 + 100 * x[k % 4] + 300 * y[k / 4];
-    assert_int_equal(shape_field_grid(&field, at, count, value, sides_m, &status), STATUS_OK);
+    expect_ok(shape_field_grid, &field, at, count, value, sides_m);
     assert_int_equal(field.nx, 64);
     for (size_t k = 0; k < field.nx * field.ny; k++) {
         double cx = ((double)(k % field.nx) + 0.5) / 64 * sides_m[0];
@@ -62,7 +62,7 @@ TEST_CASE(test_bolts_on_an_area)
     struct shape_field field;
     struct status status = {0};
     for (bolts.count = 1; bolts.count <= 2; bolts.count++) {
-        assert_int_equal(shape_field_bolts(&field, &bolts, sides_m, &status), STATUS_OK);
+        expect_ok(shape_field_bolts, &field, &bolts, sides_m);
         assert_near(field.mean * sides_m[0] * sides_m[1], 700. * (double)bolts.count, 1e-9);
         for (size_t k = 0; k < field.nx * field.ny; k++) {
             double x = ((double)(k % field.nx) + 0.5) / (double)field.nx * sides_m[0] - 10e-3;

@@ -2,9 +2,6 @@
 /* What libroughcontact.so shows: the functions of its header, no more and no fewer. */
 #include "cli/process.h"
 
-#include <stdbool.h>
-#include <stdio.h>
-
 enum { NAMES = 1024, NAME = 64 };
 
 struct names {

@@ -7,8 +7,6 @@
 
 #include <gsl/gsl_errno.h>
 #include <pthread.h>
-#include <stdio.h>
-#include <unistd.h>
 
 HARD_CASES("Programs that use the library")
 

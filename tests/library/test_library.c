@@ -6,10 +6,6 @@
 #include "library/roughcontact.h"
 #include "scan/zip_support.h"
 
-#include <jansson.h>
-#include <stdio.h>
-#include <sys/stat.h>
-
 static struct roughcontact_scan *read_scan(const char *place, const char *path)
 {
     struct roughcontact_status status;
@@ -289,8 +285,7 @@ TEST_IN_WORKSPACE(bytes_are_as_the_file)
     workspace_scan(place, "a.csv", 500, 7);
     char *content = workspace_read(place, "a.csv");
     size_t length = strlen(content);
-    char *exact = malloc(length); /* no NUL behind it */
-    assert_non_null(exact);
+    char *exact = support_room(length); /* no NUL behind it */
     memcpy(exact, content, length);
     struct roughcontact_scan *bytes = scan_of_bytes(exact, length);
     memset(exact, 0, length); /* they were copied */

@@ -8,10 +8,8 @@
 #include "scan/zip_support.h"
 
 #include <errno.h>
-#include <stdio.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 HARD_CASES("No memory left")
 

@@ -52,17 +52,16 @@ TEST_CASE(three_scans)
     struct member parts[3];
     struct ensemble_scan scans[3] = {{.weight = 1}, {.weight = 1}, {.weight = 1}};
     struct ensemble set = set_of(parts, scan, 3, scans, 3);
-    struct status status = {0};
     struct estimate estimate;
-    assert_int_equal(estimate_all(&estimate, value, &set, true, &status), STATUS_OK);
+    expect_ok(estimate_all, &estimate, value, &set, true);
     double sd = log(4), t = 4.302652729911275;
     assert_near(estimate_value(&estimate), 4, 1e-14);
     assert_near(estimate_end(&estimate, 1), 4 * exp(t * sd / sqrt(3)), 1e-9);
     assert_near(estimate_end(&estimate, 0), 4 / exp(t * sd / sqrt(3)), 1e-9);
     assert_near(estimate_next_end(&estimate, 1), 4 * exp(t * sd * sqrt(1 + 1 / 3.0)), 1e-9);
-    assert_int_equal(estimate_all(&estimate, value, &set, false, &status), STATUS_OK);
+    expect_ok(estimate_all, &estimate, value, &set, false);
     assert_near(estimate_value(&estimate), 7, 1e-14);
-    assert_int_equal(estimate_all(&estimate, value, &set, true, &status), STATUS_OK);
+    expect_ok(estimate_all, &estimate, value, &set, true);
     estimate.model_sd = 0.5; /* its variance is added, and no degree of freedom of it is lost */
     for (int next = 0; next < 2; next++) {
         double square = sd * sd * (next ? 1 + 1 / 3.0 : 1 / 3.0), both = square + 0.25;
@@ -84,9 +83,8 @@ TEST_CASE(pieces)
     struct member parts[3];
     struct ensemble_scan scans[2] = {{.weight = 1}, {.weight = 2}};
     struct ensemble set = set_of(parts, scan, 3, scans, 2);
-    struct status status = {0};
     struct estimate estimate;
-    assert_int_equal(estimate_all(&estimate, value, &set, true, &status), STATUS_OK);
+    expect_ok(estimate_all, &estimate, value, &set, true);
     assert_int_equal(estimate.count, 2);
     assert_near(estimate.mean, (log(2) + 2 * log(16)) / 3, 1e-13);
     assert_near(estimate.effective, 3, 1e-15);
@@ -101,11 +99,10 @@ TEST_CASE(rows)
     struct member parts[MOST];
     struct ensemble_scan scans[1] = {{.weight = 1}};
     struct ensemble set = set_of(parts, scan, MOST, scans, 1);
-    struct status status = {0};
     struct estimate estimate;
     for (int i = 0; i < MOST; i++)
         value[i] = i;
-    assert_int_equal(estimate_all(&estimate, value, &set, false, &status), STATUS_OK);
+    expect_ok(estimate_all, &estimate, value, &set, false);
     assert_near(estimate.mean, 31.5, 1e-14);
     assert_true(isnan(estimate.s) && isnan(estimate_end(&estimate, 0)) && isnan(estimate_next_end(&estimate, 0)));
 }
@@ -119,23 +116,22 @@ TEST_CASE(nothing_known)
     struct member parts[2];
     struct ensemble_scan scans[2] = {{.weight = 1}, {.weight = 1}};
     struct ensemble set = set_of(parts, scan, 2, scans, 2);
-    struct status status = {0};
     struct estimate estimate;
-    assert_int_equal(estimate_all(&estimate, missing, &set, false, &status), STATUS_OK);
+    expect_ok(estimate_all, &estimate, missing, &set, false);
     assert_int_equal(estimate.count, 0);
     assert_true(isnan(estimate_value(&estimate)));
-    assert_int_equal(estimate_all(&estimate, closed, &set, true, &status), STATUS_OK);
+    expect_ok(estimate_all, &estimate, closed, &set, true);
     assert_int_equal(estimate.count, 0);
-    assert_int_equal(estimate_all(&estimate, same, &set, true, &status), STATUS_OK);
+    expect_ok(estimate_all, &estimate, same, &set, true);
     assert_int_equal(estimate.count, 2);
     assert_near(estimate_value(&estimate), 0.3, 1e-15);
     assert_true(isnan(estimate_end(&estimate, 0)) && isnan(estimate_end(&estimate, 1)));
     assert_true(isnan(estimate_next_end(&estimate, 0)));
     static const double apart[] = {1e-30, 1e30}, far[] = {1e-15, 1e15};
-    assert_int_equal(estimate_all(&estimate, apart, &set, true, &status), STATUS_OK);
+    expect_ok(estimate_all, &estimate, apart, &set, true);
     assert_near(estimate_value(&estimate), 1, 1e-12);
     assert_true(isnan(estimate_end(&estimate, 0)) && isnan(estimate_end(&estimate, 1)));
-    assert_int_equal(estimate_all(&estimate, far, &set, true, &status), STATUS_OK); /* no double holds the next's */
+    expect_ok(estimate_all, &estimate, far, &set, true); /* no double holds the next's */
     assert_true(isfinite(estimate_end(&estimate, 1)) && isnan(estimate_next_end(&estimate, 1)));
 }
 
@@ -156,19 +152,18 @@ TEST_CASE(the_mean_of_curves)
     }
     set.sigma_m = 7e-7;
     struct model_task task = task_of(&parts[0], loads, LOADS);
-    struct status status = {0};
     struct contact_point points[LOADS + 1], own_points[3][LOADS + 1];
     struct model_curve curve = {.points = points}, own[3];
     struct ensemble_result result = {.band = ensemble_band_make(loads, LOADS)};
     assert_non_null(result.band);
-    assert_int_equal(ensemble_curve(&curve, &result, &set, model, &task, &status), STATUS_OK);
+    expect_ok(ensemble_curve, &curve, &result, &set, model, &task);
     size_t reached = LOADS;
     double full = 0;
     for (int p = 0; p < 3; p++) {
         struct asperities none;
         struct model_task alone = member_task(&none, &parts[p], &task);
         own[p] = (struct model_curve){.points = own_points[p]};
-        assert_int_equal(model_run(&own[p], model, &alone, &status), STATUS_OK);
+        expect_ok(model_run, &own[p], model, &alone);
         size_t all = 0;
         while (all < own[p].count && all < LOADS && own_points[p][all].value[QUANTITY_LOAD] == loads[all])
             all++;
@@ -227,13 +222,12 @@ TEST_CASE(the_mean_of_one_curve)
     }
     set.sigma_m = sqrt(parts[0].roughness.m0_m2);
     struct model_task task = task_of(&parts[0], loads, LOADS);
-    struct status status = {0};
     struct contact_point points[LOADS + 1], own_points[LOADS + 1];
     struct model_curve curve = {.points = points}, own = {.points = own_points};
     struct ensemble_result result = {.band = ensemble_band_make(loads, LOADS)};
     assert_non_null(result.band);
-    assert_int_equal(ensemble_curve(&curve, &result, &set, model, &task, &status), STATUS_OK);
-    assert_int_equal(model_run(&own, model, &task, &status), STATUS_OK);
+    expect_ok(ensemble_curve, &curve, &result, &set, model, &task);
+    expect_ok(model_run, &own, model, &task);
     assert_int_equal(curve.count, own.count);
     assert_near(curve.full_load, own.full_load, 1e-14);
     for (size_t i = 0; i < own.count; i++) {
@@ -266,17 +260,16 @@ TEST_CASE(the_end_of_curves)
             (struct roughness){.rq_m = sqrt(m0_m2), .m0_m2 = m0_m2, .m2 = 1e8 * m0_m2, .m4_per_m2 = 1e17 * m0_m2};
     }
     struct model_task task = task_of(&parts[0], loads, FINE);
-    struct status status = {0};
     struct contact_point points[FINE + 1], own_points[2][FINE + 1];
     struct model_curve curve = {.points = points}, own[2];
     struct ensemble_result result = {.band = ensemble_band_make(loads, FINE)};
     assert_non_null(result.band);
-    assert_int_equal(ensemble_curve(&curve, &result, &set, model, &task, &status), STATUS_OK);
+    expect_ok(ensemble_curve, &curve, &result, &set, model, &task);
     for (int p = 0; p < 2; p++) {
         struct asperities asperities;
         struct model_task alone = member_task(&asperities, &parts[p], &task);
         own[p] = (struct model_curve){.points = own_points[p]};
-        assert_int_equal(model_run(&own[p], model, &alone, &status), STATUS_OK);
+        expect_ok(model_run, &own[p], model, &alone);
         assert_true(own[p].exists && own[p].count < FINE);
     }
     assert_true(own[0].count < own[1].count);
@@ -339,12 +332,11 @@ TEST_CASE(intervals_of_random_records)
             set.sigma_m = hypot(set.sigma_m, sqrt(parts[p].roughness.m0_m2 / (double)count));
         }
         struct model_task task = task_of(&parts[0], loads, LOADS);
-        struct status status = {0};
         struct contact_point points[LOADS + 1];
         struct model_curve curve = {.points = points};
         struct ensemble_result result = {.band = ensemble_band_make(loads, LOADS)};
         assert_non_null(result.band);
-        assert_int_equal(ensemble_curve(&curve, &result, &set, model, &task, &status), STATUS_OK);
+        expect_ok(ensemble_curve, &curve, &result, &set, model, &task);
         for (size_t i = 0; i < curve.count && i < LOADS && points[i].value[QUANTITY_LOAD] == loads[i]; i++)
             for (int q = QUANTITY_AREA; q <= QUANTITY_ECR; q++) {
                 double value = quantity_shown(&points[i], model_shown(model, (enum quantity)q), set.sigma_m);

@@ -22,13 +22,12 @@ static struct strips strips_of(const double *height_m, size_t rows, size_t point
 
 static struct strips pair(size_t rows, const double *theirs_m, size_t points, double spacing_m, bool periodic)
 {
-    struct status status = {0};
     struct strips strips = strips_of(own_m, rows, POINTS, 1e-6, true),
                   other = strips_of(theirs_m, 2, points, spacing_m, periodic);
     own_set.count = rows;
     for (size_t r = 0; r < 2; r++)
         own_members[r] = their_members[r] = (struct member){.scan = r, .first_piece = r, .pieces = 1};
-    assert_int_equal(strips_pair(&strips, &own_set, &other, &their_set, &status), STATUS_OK);
+    expect_ok(strips_pair, &strips, &own_set, &other, &their_set);
     strips_free(&other);
     return strips;
 }
@@ -89,8 +88,7 @@ TEST_CASE(pairs_are_profiles_at_random_places)
     struct strips same = pair(1, own_m, POINTS, 1e-6, true), many = pair(2, their_m, THEIRS, 1e-6, true);
     assert_true(same.rows.periodic);
     struct strips none = {.rows = {.rows = 0}};
-    struct status status = {0};
-    assert_int_equal(strips_pair(&many, &own_set, &none, &their_set, &status), STATUS_OK);
+    expect_ok(strips_pair, &many, &own_set, &none, &their_set);
     assert_int_equal(many.rows.rows, 0);
     strips_free(&same);
 }
@@ -121,22 +119,21 @@ TEST_CASE(the_other_body_may_have_another_spacing)
 TEST_CASE(pairs_solve_as_what_they_are)
 {
     double flat_m[2 * POINTS] = {0}, noise_m[2 * POINTS];
-    struct status status = {0};
     struct synth_def def = synth_def_default();
     def.points = POINTS;
     def.length_m = POINTS * 1e-6;
     for (size_t r = 0; r < 2; r++) {
         def.seed = r + 1;
-        assert_int_equal(synth_profile(own_m + r * POINTS, &def, &status), STATUS_OK);
+        expect_ok(synth_profile, own_m + r * POINTS, &def);
         def.seed = r + 11;
-        assert_int_equal(synth_profile(noise_m + r * POINTS, &def, &status), STATUS_OK);
+        expect_ok(synth_profile, noise_m + r * POINTS, &def);
     }
     struct strips one = strips_of(own_m, 1, POINTS, 1e-6, true), eight = pair(1, flat_m, POINTS, 1e-6, true),
                   rough = pair(2, noise_m, POINTS, 1e-6, true);
-    assert_int_equal(strips_solve(&one, NULL, &status), STATUS_OK);
-    assert_int_equal(strips_solve(&eight, NULL, &status), STATUS_OK);
-    assert_int_equal(strips_solve(&rough, NULL, &status), STATUS_OK);
-    assert_int_equal(strips_solve_members(&rough, &own_set, NULL, &status), STATUS_OK);
+    expect_ok(strips_solve, &one, NULL);
+    expect_ok(strips_solve, &eight, NULL);
+    expect_ok(strips_solve, &rough, NULL);
+    expect_ok(strips_solve_members, &rough, &own_set, NULL);
     const struct strip_curve *flat = &eight.joined->strip.own, *alike = &one.joined->strip.own;
     for (size_t back = 1; back <= 8; back++)
         for (int q = 0; q < 3; q++)
@@ -150,7 +147,7 @@ TEST_CASE(pairs_solve_as_what_they_are)
     for (size_t p = 0; p < 2; p++) { /* a scan alone: its own pairs */
         const size_t which[] = {4 * p, 4 * p + 1, 4 * p + 2, 4 * p + 3};
         struct strip alone;
-        assert_int_equal(strip_solve(&alone, &rough.rows, which, 4, STRIP_SURROGATES, NULL, &status), STATUS_OK);
+        expect_ok(strip_solve, &alone, &rough.rows, which, 4, STRIP_SURROGATES, NULL);
         assert_non_null(own_members[p].strip);
         assert_memory_equal(own_members[p].strip->strip.own.value, alone.own.value, sizeof alone.own.value);
         solved_strip_free(own_members[p].strip);

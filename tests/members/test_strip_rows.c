@@ -26,18 +26,15 @@ static struct member *add(size_t scan, size_t points, double spacing_m)
 {
     const struct record_conditioning how = {
         .level = LEVEL_MEAN, .periodic = true, .moments = ROUGHNESS_MOMENTS_SPECTRAL};
-    struct status status = {0};
-    double *height_m = calloc(points, sizeof *height_m);
-    assert_non_null(height_m);
+    double *height_m = support_room(points * sizeof *height_m);
     for (size_t i = 0; i < points; i++)
         for (int n = 2; n < 24; n++)
             height_m[i] += 1e-7 * pow(n, -1.3) *
                            cos(2 * M_PI * n * (double)i / (double)points + 7.1 * n * n * (double)(set.count + 1));
     set.keeps_heights = true;
     while (set.scan_count <= scan)
-        assert_int_equal(repeats_add_scan(&set, "scan", &status), STATUS_OK);
-    assert_int_equal(ensemble_add(&set, scan, &(struct record_heights){height_m, points, spacing_m}, &how, &status),
-                     STATUS_OK);
+        expect_ok(repeats_add_scan, &set, "scan");
+    expect_ok(ensemble_add, &set, scan, &(struct record_heights){height_m, points, spacing_m}, &how);
     set.sigma_m = sqrt(set.members[0].roughness.m0_m2);
     free(height_m);
     return &set.members[set.count - 1];
@@ -45,14 +42,13 @@ static struct member *add(size_t scan, size_t points, double spacing_m)
 
 static void gather(void)
 {
-    struct status status = {0};
     strips_free(&strips);
     for (size_t p = 0; p < set.count; p++) {
         solved_strip_free(set.members[p].strip);
         set.members[p].strip = NULL;
         set.members[p].pieces = 0;
     }
-    assert_int_equal(strips_gather(&strips, &set, false, &status), STATUS_OK);
+    expect_ok(strips_gather, &strips, &set, false);
 }
 
 static void assert_row(size_t row, size_t member)
@@ -65,12 +61,11 @@ static void assert_row(size_t row, size_t member)
 FREED(rows_of_scans)
 {
     struct scene scene = {.level = LEVEL_MEAN, .level_given = true};
-    struct status status = {0};
     size_t cut;
     for (size_t scans = 1; scans <= 3; scans++) {
         add(scans - 1, scans < 3 ? POINTS : 2 * POINTS, 1e-6)->periodic = scans < 2;
         if (scans == 3)
-            assert_int_equal(repeats_cut_to_shortest(&set, &cut, &scene, &status), STATUS_OK);
+            expect_ok(repeats_cut_to_shortest, &set, &cut, &scene);
         gather();
         assert_int_equal(set.count, scans < 3 ? scans : 4); /* the long one is two */
         assert_int_equal(strips.rows.rows, set.count);
@@ -135,12 +130,11 @@ FREED(pieces)
     const uint64_t most_cost = 2 * strip_cost(&largest, 1, STRIP_SURROGATES);
     for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
         size_t scans = cases[c].scans, points = cases[c].points, length = cases[c].length, each = cases[c].each;
-        struct status status = {0};
         ensemble_free(&set);
         for (size_t p = 0; p < scans; p++) {
             struct member *member = ensemble_room(&set);
             *member = (struct member){.scan = p, .points = points, .spacing_m = 1e-6, .periodic = true};
-            assert_int_equal(repeats_add_scan(&set, "scan", &status), STATUS_OK);
+            expect_ok(repeats_add_scan, &set, "scan");
             assert_non_null(member->height_m = malloc(points * sizeof(double)));
             for (size_t i = 0; i < points; i++)
                 member->height_m[i] = (double)(p * points + i);
@@ -194,14 +188,13 @@ FREED(solved)
     assert_non_null(strips.joined);
     struct strip expected;
     static const size_t both[] = {0, 1};
-    struct status status = {0};
-    assert_int_equal(strip_solve(&expected, &strips.rows, both, 2, STRIP_SURROGATES, NULL, &status), STATUS_OK);
+    expect_ok(strip_solve, &expected, &strips.rows, both, 2, STRIP_SURROGATES, NULL);
     assert_memory_equal(&strips.joined->strip, &expected, sizeof expected);
     assert_null(set.members[0].strip); /* rows of a map */
     assert_int_equal(strips.transforms, strips.joined->strip.transforms);
     set.members[1].scan = 1;
-    assert_int_equal(repeats_add_scan(&set, "scan", &status), STATUS_OK);
-    assert_int_equal(strips_solve_members(&strips, &set, NULL, &status), STATUS_OK);
+    expect_ok(repeats_add_scan, &set, "scan");
+    expect_ok(strips_solve_members, &strips, &set, NULL);
     uint64_t alone = 0;
     for (size_t p = 0; p < 2; p++) {
         const struct solved_strip *own = set.members[p].strip;
@@ -229,7 +222,6 @@ FREED(scans_alone)
     static const double load = 1e-3;
     const struct material_pair tin = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
     const struct model_row *model = model_rows[model_named("strip-plastic")];
-    struct status status = {0};
     for (size_t p = 0; p < 3; p++)
         add(p, POINTS, 1e-6);
     gather();
@@ -246,7 +238,7 @@ FREED(scans_alone)
                               .bearing = &strips.joined->bearing};
     for (size_t left = 3; left > 0; left--) { /* the others are not solved */
         struct ensemble_curves curves;
-        assert_int_equal(ensemble_run(&curves, &set, model, &task, NULL, &status), STATUS_OK);
+        expect_ok(ensemble_run, &curves, &set, model, &task, NULL);
         assert_int_equal(curves.count, left);
         assert_int_equal(curves.left_out, 0);
         for (size_t p = 0; p < left; p++) {
@@ -256,10 +248,10 @@ FREED(scans_alone)
             alone.spectrum = &set.members[p].spectrum;
             alone.strip = &set.members[p].strip->strip;
             alone.bearing = &set.members[p].strip->bearing;
-            assert_int_equal(model_run(&own, model, &alone, &status), STATUS_OK);
+            expect_ok(model_run, &own, model, &alone);
             assert_near(curves.points[2 * p].value[QUANTITY_ECR], points[0].value[QUANTITY_ECR], 0);
             alone.bearing = &strips.joined->bearing;
-            assert_int_equal(model_run(&own, model, &alone, &status), STATUS_OK);
+            expect_ok(model_run, &own, model, &alone);
             assert_true(curves.points[2 * p].value[QUANTITY_ECR] != points[0].value[QUANTITY_ECR]);
         }
         ensemble_curves_free(&curves);
@@ -282,7 +274,6 @@ FREED(a_curve_from_strips)
     static const enum quantity quantities[] = {QUANTITY_AREA, QUANTITY_SEPARATION, QUANTITY_ECR};
     const struct material_pair pair = material_pair(material_find("tin"), MATERIAL_COUNTERFACE_RIGID, NULL);
     const struct model_row *model = model_rows[model_named("strip")];
-    struct status status = {0};
     for (size_t p = 0; p < 3; p++)
         add(p, POINTS, 1e-6);
     gather();
@@ -302,7 +293,7 @@ FREED(a_curve_from_strips)
         struct asperities none;
         struct model_task alone = p < 3 ? member_task(&none, &set.members[p], &task) : task;
         own[p] = (struct model_curve){.points = own_points[p]};
-        assert_int_equal(model_run(&own[p], model, &alone, &status), STATUS_OK);
+        expect_ok(model_run, &own[p], model, &alone);
         assert_int_equal(own[p].count, LOADS);
     }
     size_t cut_off = 0;
@@ -314,7 +305,7 @@ FREED(a_curve_from_strips)
         assert_non_null(result.band);
         set.scan_count = map ? 1 : 3;
         curve = (struct model_curve){.points = points};
-        assert_int_equal(ensemble_curve(&curve, &result, &set, model, &task, &status), STATUS_OK);
+        expect_ok(ensemble_curve, &curve, &result, &set, model, &task);
         assert_int_equal(curve.count, LOADS);
         for (size_t i = 0; i < LOADS; i++)
             for (int k = 0; k < 3; k++) {

@@ -14,12 +14,10 @@ static struct roughness roughness;
 
 static void describe(double waves, const struct record_conditioning *how)
 {
-    struct status status = {0};
     for (int i = 0; i < POINTS; i++)
         height_m[i] = amplitude_m * sin(2 * M_PI * waves * i / POINTS);
     ensemble_free(&set);
-    assert_int_equal(ensemble_add(&set, 0, &(struct record_heights){height_m, POINTS, spacing_m}, how, &status),
-                     STATUS_OK);
+    expect_ok(ensemble_add, &set, 0, &(struct record_heights){height_m, POINTS, spacing_m}, how);
     spectrum = set.members[0].spectrum;
     roughness = set.members[0].roughness;
     assert_int_equal(spectrum.count, POINTS / 2);
@@ -60,11 +58,9 @@ TEST_CASE(a_subrecord_that_does_not_close)
     struct record_conditioning how = {LEVEL_LINE, true, true, SPECTRUM_WINDOW_AUTO, ROUGHNESS_MOMENTS_SPECTRAL, false};
     struct levelling levelling;
     struct spectrum expected;
-    struct status status = {0};
     describe(3.25, &how);
-    assert_int_equal(level_remove(&levelling, height_m, NULL, POINTS, spacing_m, LEVEL_LINE, &status), STATUS_OK);
-    assert_int_equal(spectrum_compute(&expected, height_m, POINTS, spacing_m, SPECTRUM_WINDOW_HANN, &status),
-                     STATUS_OK);
+    expect_ok(level_remove, &levelling, height_m, NULL, POINTS, spacing_m, LEVEL_LINE);
+    expect_ok(spectrum_compute, &expected, height_m, POINTS, spacing_m, SPECTRUM_WINDOW_HANN);
     for (size_t i = 0; i < expected.count; i++)
         assert_near(spectrum.amplitude_m[i], expected.amplitude_m[i], 1e-12);
     assert_near(roughness.m2, spectrum_moment(&expected, 1), 1e-9);

@@ -26,8 +26,7 @@ static int make(void **state)
                            .fit = POWER_LAW_THESIS,
                            .fit_band_m = {0, INFINITY},
                            .models = (UINT64_C(1) << model_count) - 1};
-    record = calloc(1, sizeof *record);
-    assert_non_null(record);
+    record = support_room(sizeof *record);
     return 0;
 }
 
@@ -67,20 +66,17 @@ static void gather(char *name)
 {
     struct scene_surface surface = {.name = name, .files = &name, .file_count = 1};
     struct hash hash = hash_start();
-    struct status status = {0};
     if (strcmp(name, map_name) == 0)
         snprintf(surface.x_unit, sizeof surface.x_unit, "m"), snprintf(surface.z_unit, sizeof surface.z_unit, "m");
     const struct surface_scans task = {record, &scans, &scene};
     record->summary.scene = &surface;
-    if (surface_files_read_one(&task, name, &hash, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(surface_files_read_one, &task, name, &hash);
     record->summary.scene = NULL;
 }
 
 static void add_long_scan(size_t points, double amplitude_m, double jump_m, double spacing_um)
 {
-    double *height_m = malloc(points * sizeof *height_m);
-    assert_non_null(height_m);
+    double *height_m = support_room(points * sizeof *height_m);
     sine(height_m, points, amplitude_m, jump_m);
     size_t before = record->ensemble.scan_count;
     char *name = before == 0 ? first_name : before == 1 ? second_name : scan_name;
@@ -97,11 +93,9 @@ static void add_scan(double amplitude_m, double jump_m, double spacing_um)
 /** All files are there. */
 static void conclude(void)
 {
-    struct status status = {0};
-    assert_int_equal(surface_read_members(record, &scans, &scene, &status), STATUS_OK);
+    expect_ok(surface_read_members, record, &scans, &scene);
     record->ensemble.sigma_m = sqrt(record->summary.roughness.m0_m2);
-    assert_int_equal(repeats_compare(&record->summary.repeats, &record->ensemble, &record->spectrum, &status),
-                     STATUS_OK);
+    expect_ok(repeats_compare, &record->summary.repeats, &record->ensemble, &record->spectrum);
 }
 
 /** A line each; good until the next call. */
@@ -284,7 +278,6 @@ PLACED(test_scans_are_cut_to_the_shortest)
     static const size_t points[] = {2 * POINTS, POINTS, 2 * POINTS + POINTS / 2}, of[] = {0, 0, 1, 2, 2};
     static const size_t first[] = {0, POINTS, 0, 0, POINTS + POINTS / 2};
     const struct ensemble *set = &record->ensemble;
-    struct status status = {0};
     scene.window = SPECTRUM_WINDOW_AUTO;
     for (int s = 0; s < 3; s++)
         add_long_scan(points[s], 1e-6 * (s + 1), 0, 1);
@@ -297,9 +290,7 @@ PLACED(test_scans_are_cut_to_the_shortest)
         struct ensemble alone = {.count = 0};
         const struct record_conditioning how = record_conditioning_of(&scene, of[p] < 2);
         sine(height_m, points[of[p]], 1e-6 * (double)(of[p] + 1), 0);
-        assert_int_equal(
-            ensemble_add(&alone, 0, &(struct record_heights){height_m + first[p], POINTS, 1e-6}, &how, &status),
-            STATUS_OK);
+        expect_ok(ensemble_add, &alone, 0, &(struct record_heights){height_m + first[p], POINTS, 1e-6}, &how);
         struct spectrum expected = alone.members[0].spectrum;
         assert_int_equal(set->members[p].scan, of[p]);
         assert_int_equal(set->members[p].points, POINTS);
@@ -328,14 +319,13 @@ static const double made_gamma[LAWS] = {1.2, 1.35, 1.5};
 static void make_law(double *height_m, int which, size_t points)
 {
     struct synth_def def = synth_def_default();
-    struct status status = {0};
     def.points = points;
     def.length_m = 1e-6 * (double)points;
     def.gamma = made_gamma[which];
     def.alpha = 1e-7 * pow(1e-5, -def.gamma); /* 0.1 um at 10 um */
     def.scatter_decades = 0;
     def.seed = 11 + (unsigned long)which;
-    assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
+    expect_ok(synth_profile, height_m, &def);
 }
 
 /** Describes the surface of the three scans, scan i of points[i], listed in this order. */
@@ -344,7 +334,6 @@ static void describe_laws(const size_t points[LAWS], const int order[LAWS])
     static char names[LAWS][8] = {"a.csv", "b.csv", "c.csv"};
     char *files[LAWS];
     struct scene_surface surface = {.name = scan_name, .files = files, .file_count = LAWS};
-    struct status status = {0};
     double height_m[2 * LAW_POINTS];
     for (int i = 0; i < LAWS; i++) {
         make_law(height_m, i, points[i]);
@@ -353,7 +342,7 @@ static void describe_laws(const size_t points[LAWS], const int order[LAWS])
     }
     surface_record_free(record);
     *record = (struct surface_record){0};
-    assert_int_equal(surface_read(record, &scene, &surface, NULL, &status), STATUS_OK);
+    expect_ok(surface_read, record, &scene, &surface, NULL);
     assert_true(record->summary.usable);
     record->summary.scene = NULL;
 }
@@ -386,18 +375,17 @@ static void find_laws(double gamma[LAWS], double log_psd[LAWS], const size_t poi
     struct power_law_scans own = {0};
     const struct power_law_scans_def def = {0, NULL};
     struct power_law_band mean, alone;
-    struct status status = {0};
     double height_m[2 * LAW_POINTS];
     for (int i = 0; i < LAWS; i++) {
         make_law(height_m, i, points[i]);
-        assert_int_equal(power_law_scans_add(&own, height_m, points[i], 1e-6, 0, &status), STATUS_OK);
-        assert_int_equal(power_law_scans_end_file(&own, 1, false, &status), STATUS_OK);
+        expect_ok(power_law_scans_add, &own, height_m, points[i], 1e-6, 0);
+        expect_ok(power_law_scans_end_file, &own, 1, false);
     }
-    assert_int_equal(power_law_scans_fit(&mean, &own, &def, &status), STATUS_OK);
+    expect_ok(power_law_scans_fit, &mean, &own, &def);
     assert_int_equal(mean.law, POWER_LAW_BAND_LAW);
     assert_near(record->summary.power_law.gamma, mean.fit.gamma, 1e-6);
     for (int i = 0; i < LAWS; i++) {
-        assert_int_equal(power_law_scans_fit_alone(&alone, &own, (size_t)i, &def, &mean, &status), STATUS_OK);
+        expect_ok(power_law_scans_fit_alone, &alone, &own, (size_t)i, &def, &mean);
         gamma[i] = alone.fit.gamma;
         log_psd[i] = log(alone.psd_m3);
         assert_within(gamma[i], made_gamma[i], 0.05);
@@ -425,7 +413,6 @@ PLACED(test_a_knee_widens_the_laws_interval)
     static char names[LAWS][8] = {"a.csv", "b.csv", "c.csv"};
     char *files[LAWS] = {names[0], names[1], names[2]};
     struct scene_surface surface = {.name = scan_name, .files = files, .file_count = LAWS};
-    struct status status = {0};
     double height_m[LAW_POINTS];
     uint64_t seed = 1;
     for (int i = 0; i < LAWS; i++) {
@@ -437,7 +424,7 @@ PLACED(test_a_knee_widens_the_laws_interval)
         write_scan(names[i], height_m, LAW_POINTS, 1);
     }
     scene.fit = POWER_LAW_AUTO;
-    assert_int_equal(surface_read(record, &scene, &surface, NULL, &status), STATUS_OK);
+    expect_ok(surface_read, record, &scene, &surface, NULL);
     record->summary.scene = NULL;
     const struct estimate *gamma = &record->summary.repeats.gamma, *psd = &record->summary.repeats.psd_m3;
     const struct power_law_band_fit *found = &record->band->fit;
@@ -472,8 +459,7 @@ PLACED(test_the_order_of_the_files)
         struct surface_summary first = record->summary;
         const struct repeats apart = record->summary.repeats;
         struct spectrum spectrum;
-        struct status status = {0};
-        assert_int_equal(spectrum_copy(&spectrum, &record->spectrum, &status), STATUS_OK);
+        expect_ok(spectrum_copy, &spectrum, &record->spectrum);
         describe_laws(points, other);
         assert_string_equal(record->summary.hash, first.hash);
         assert_memory_equal(record->spectrum.amplitude_m, spectrum.amplitude_m, spectrum.count * sizeof(double));
@@ -492,13 +478,11 @@ PLACED(test_the_order_of_the_files)
 /* Powers and moments of both bodies add, also of the scans run alone. */
 PLACED(test_a_rough_counterface)
 {
-    struct status status = {0};
     for (int p = 0; p < 3; p++)
         add_scan(3e-6, 0, 1);
     double other_m[POINTS / 2] = {0}, alone_m[2][POINTS / 2] = {{0}};
     struct member alone[2] = {{.scan = 0, .roughness.m2 = 0.3}, {.scan = 1, .roughness.m2 = 0.7}};
-    struct surface_record *counterface = calloc(1, sizeof *counterface);
-    assert_non_null(counterface);
+    struct surface_record *counterface = support_room(sizeof *counterface);
     counterface->spectrum = (struct spectrum){other_m, POINTS / 2, POINTS * 1e-6, true};
     other_m[2] = 4e-6;
     for (int p = 0; p < 2; p++) {
@@ -508,7 +492,7 @@ PLACED(test_a_rough_counterface)
     counterface->ensemble = (struct ensemble){.members = alone, .count = 2, .scan_count = 2};
     counterface->summary.roughness = (struct roughness){4e-6, NAN, NAN, 16e-12, 0.5, 1e10, 0, 0};
     struct roughness own = record->summary.roughness;
-    assert_int_equal(surface_read_counterface(record, &scans, counterface, &status), STATUS_OK);
+    expect_ok(surface_read_counterface, record, &scans, counterface);
     assert_near(record->spectrum.amplitude_m[2], 5e-6, 1e-6);
     assert_near(record->spectrum.amplitude_m[6], 1.5e-6, 1e-6);
     assert_near(record->summary.roughness.m2, own.m2 + 0.5, 1e-9);
@@ -520,7 +504,7 @@ PLACED(test_a_rough_counterface)
     }
     assert_non_null(strstr(all_notes(), "Rq 2.372 um and 4 um give 4.65 um together"));
     counterface->ensemble.count = 1; /* one scan of the other: the surface is one scan */
-    assert_int_equal(surface_read_counterface(record, &scans, counterface, &status), STATUS_OK);
+    expect_ok(surface_read_counterface, record, &scans, counterface);
     assert_int_equal(record->ensemble.count, 0);
     free(counterface);
 }

@@ -52,12 +52,11 @@ static struct tiles cut(size_t nx, size_t ny, uint64_t seed, double (*look)(doub
 {
     double *surface = malloc(n * n * sizeof *surface), square = 0;
     struct scan scan = {.kind = SCAN_AREAL, .nx = nx, .ny = ny, .dx_m = 1e-6, .dy_m = 1e-6};
-    struct status status = {0};
     struct tiles tiles = {.height_m = NULL};
     scan.z_m = malloc(nx * ny * sizeof *scan.z_m);
     assert_non_null(surface);
     assert_non_null(scan.z_m);
-    assert_int_equal(direct_surface_make(surface, n, power, NULL, NULL, 0, seed, &status), STATUS_OK);
+    expect_ok(direct_surface_make, surface, n, power, NULL, NULL, 0, seed);
     for (size_t k = 0; k < n * n; k++)
         square += surface[k] * surface[k] / (double)(n * n);
     for (size_t k = 0; k < nx * ny; k++)
@@ -80,18 +79,17 @@ static void compare(double rms[3], const struct tiles *tiles, double hardness)
 {
     struct direct_map map;
     struct direct_contact contact;
-    struct status status = {0};
     size_t count = 0;
     double gradient = sqrt(2 * spectrum_moment(&tiles->transfer->spectrum, 1));
-    assert_int_equal(direct_map_make(&map, tiles->height_m, &tiles->def, SIZE_MAX, &status), STATUS_OK);
-    assert_int_equal(direct_contact_make(&contact, map.height_m, map.n, map.n, map.spacing_m, &status), STATUS_OK);
+    expect_ok(direct_map_make, &map, tiles->height_m, &tiles->def, SIZE_MAX);
+    expect_ok(direct_contact_make, &contact, map.height_m, map.n, map.n, map.spacing_m);
     rms[0] = rms[1] = rms[2] = 0;
     for (double share = 0.0021; share < 2; share *= 1.9) {
         double load = share * gradient;
         struct direct_ladder_def ladder = {&load, 1, hardness, 1e-6, true, NULL};
         struct direct_point truth;
         struct transfer_point own;
-        assert_int_equal(direct_ladder_run(&truth, &contact, &ladder, &status), STATUS_OK);
+        expect_ok(direct_ladder_run, &truth, &contact, &ladder);
         if (!truth.exists || truth.quantities.area_ratio > 0.9)
             break;
         assert_true(transfer_at(&own, tiles->transfer, isfinite(hardness), load));
@@ -134,9 +132,8 @@ TEST_CASE(a_map_is_its_direct_solution)
     for (size_t l = 0; l < sizeof looks / sizeof *looks; l++)
         for (size_t h = 0; h < 3; h++) {
             struct tiles tiles = map_of(SIDE, SIDE, 3 + l, looks[l]);
-            struct status status = {0};
             double rms[2][3], own = hardness[h] * gradient_of(&tiles);
-            assert_int_equal(tiles_solve(&tiles, own, NULL, &status), STATUS_OK);
+            expect_ok(tiles_solve, &tiles, own, NULL);
             assert_non_null(tiles.transfer);
             compare(rms[0], &tiles, INFINITY);
             compare(rms[1], &tiles, own);
@@ -160,8 +157,7 @@ static void ask(double value[MAPS][SHARES][ASKED], double s[MAPS][SHARES][ASKED]
     double gradient = 0;
     for (int m = 0; m < MAPS; m++) {
         struct tiles tiles = cut(SIDE, SIDE, 20 + (uint64_t)m, look, n, power);
-        struct status status = {0};
-        assert_int_equal(tiles_solve(&tiles, INFINITY, NULL, &status), STATUS_OK);
+        expect_ok(tiles_solve, &tiles, INFINITY, NULL);
         gradient = m > 0 ? gradient : gradient_of(&tiles);
         for (int i = 0; i < SHARES; i++) {
             struct transfer_point point;
@@ -219,7 +215,6 @@ TEST_CASE(squares_of_a_larger_map)
 {
     enum { LONG = 4 * SIDE + 10 };
     struct tiles tiles = map_of(LONG, SIDE, 9, worn);
-    struct status status = {0};
     double rms[3], all = tiles_cost(&tiles, false);
     assert_int_equal(tiles.columns, 4);
     assert_int_equal(tiles.rows, 1);
@@ -231,11 +226,11 @@ TEST_CASE(squares_of_a_larger_map)
     assert_false(tiles_fit(&tiles, false, 0.2 * all));
     assert_int_equal(tiles.columns, 1);
     tiles.columns = 4;
-    assert_int_equal(tiles_solve(&tiles, INFINITY, NULL, &status), STATUS_OK);
+    expect_ok(tiles_solve, &tiles, INFINITY, NULL);
     assert_true((double)tiles.transforms > all / 3 && (double)tiles.transforms < 3 * all);
     assert_true(tiles.transfer->curve[0].count > 0 && tiles.transfer->curve[1].count == 0);
     struct tiles one = map_of(SIDE, SIDE, 9, worn); /* a corner of it alone says less of it */
-    assert_int_equal(tiles_solve(&one, INFINITY, NULL, &status), STATUS_OK);
+    expect_ok(tiles_solve, &one, INFINITY, NULL);
     double load = 0.05 * sqrt(2 * spectrum_moment(&tiles.transfer->spectrum, 1));
     rms[0] = transfer_error(tiles.transfer, false, 0, load);
     rms[1] = transfer_error(one.transfer, false, 0, load);
@@ -251,7 +246,6 @@ TEST_CASE(other_maps)
     struct scan scan = {.nx = 40, .ny = 40, .dx_m = 1e-6, .dy_m = 1.02e-6, .z_m = height};
     struct tiles tiles = {.height_m = NULL};
     const struct direct_map_def def = {40, 40, 1e-6, 1e-6, false, 0};
-    struct status status = {0};
     tiles_take(&tiles, &scan, &def);
     assert_true(scan.z_m && !tiles.height_m && tiles_cost(&tiles, false) == 0 && !tiles_fit(&tiles, false, INFINITY));
     scan.dy_m = 1e-6;
@@ -261,7 +255,7 @@ TEST_CASE(other_maps)
     struct tiles flat = map_of(SIDE, SIDE, 1, as_they_are);
     for (size_t k = 0; k < SIDE * SIDE; k++)
         flat.height_m[k] = 0;
-    assert_int_equal(tiles_solve(&flat, INFINITY, NULL, &status), STATUS_OK);
+    expect_ok(tiles_solve, &flat, INFINITY, NULL);
     assert_true(!flat.transfer && flat.problem.code != STATUS_OK);
     tiles_free(&flat);
 }

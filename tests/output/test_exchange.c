@@ -43,16 +43,13 @@ static int exit_of(pid_t child)
 
 static void begin(struct exchange *output, const struct directory *place, const char *target)
 {
-    struct status status = {0};
-    if (exchange_begin(output, directory_path(place, target), &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(exchange_begin, output, directory_path(place, target));
 }
 
 /* Writes a file into the staging directory. */
 static void stage(const struct exchange *output, const char *name, const char *word)
 {
-    struct status status = {0};
-    assert_int_equal(text_write_file(filled("%s/%s", output->staging, name), word, strlen(word), &status), STATUS_OK);
+    expect_ok(text_write_file, filled("%s/%s", output->staging, name), word, strlen(word));
 }
 
 static const char *const reports_files[] = {"report.md", "report.html", "results.json", "data/contact.csv",
@@ -68,9 +65,7 @@ static void fill(const struct exchange *output, const char *word)
 
 static void commit(struct exchange *output)
 {
-    struct status status = {0};
-    if (exchange_commit(output, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(exchange_commit, output);
     assert_string_equal(output->staging, "");
     exchange_abandon(output); /* has nothing left to do, as in a run */
 }
@@ -508,14 +503,15 @@ static bool survives(const struct directory *place, const char *name, const char
     bool found = false;
     assert_non_null(open);
     for (const struct dirent *entry; !found && (entry = readdir(open));) {
-        char path[512];
         struct text text = {0};
         struct status status = {0};
         if (strcmp(entry->d_name, "out") != 0 && strncmp(entry->d_name, "out.kept-", 9) != 0)
             continue;
-        snprintf(path, sizeof path, "%s/%s/%s%s", place->path, entry->d_name,
-                 strcmp(entry->d_name, "out") == 0 ? "" : "done/", name);
-        found = text_read_file(&text, path, &status) == STATUS_OK && strcmp(text_string(&text), content) == 0;
+        found = text_read_file(&text,
+                               filled("%s/%s/%s%s", place->path, entry->d_name,
+                                      strcmp(entry->d_name, "out") == 0 ? "" : "done/", name),
+                               &status) == STATUS_OK &&
+                strcmp(text_string(&text), content) == 0;
         text_free(&text);
     }
     closedir(open);
@@ -900,9 +896,7 @@ TEST_IN_DIRECTORY(test_a_full_disk_leaves_the_report_before)
             enum status_code rc = exchange_begin(&output, directory_path(&disk, "out"), &status);
             for (int i = 0; i < 3 && rc == STATUS_OK; i++) {
                 static const char *const files[] = {"report.md", "data/contact.csv", "figures/6-05.svg"};
-                char path[PATH_MAX + 32];
-                snprintf(path, sizeof path, "%s/%s", output.staging, files[i]);
-                rc = text_write_file(path, "two", 3, &status);
+                rc = text_write_file(filled("%s/%s", output.staging, files[i]), "two", 3, &status);
             }
             if (rc == STATUS_OK)
                 rc = exchange_commit(&output, &status);

@@ -2,8 +2,6 @@
 #include "output/tables.h"
 #include "run/pipeline.h"
 
-#include <math.h>
-
 static int place_setup(void **state)
 {
     static struct directory place;

@@ -325,10 +325,9 @@ TEST_CASE(test_infinite_numbers_are_counted)
     for (int grown = 0; grown < 2; grown++) {
         struct made_up made;
         struct results_infinite infinite = {0};
-        struct status status = {0};
         made_up_make(&made, grown ? grow_beyond : NULL);
         made.results.infinite = &infinite;
-        assert_int_equal(tables_write(&made.results, directory_path(*state, "infinite"), &status), STATUS_OK);
+        expect_ok(tables_write, &made.results, directory_path(*state, "infinite"));
         struct text contact = directory_read(*state, "infinite/data/contact.csv");
         assert_null(strstr(text_string(&contact), "inf"));
         assert_int_equal(infinite.count, grown);

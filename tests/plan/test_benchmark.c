@@ -19,19 +19,16 @@ static int make(void **state)
 {
     (void)state;
     struct synth_def def = synth_def_default();
-    struct status status = {0};
     double height_m[POINTS];
     def.points = POINTS;
     def.length_m = 5e-7 * POINTS;
     def.seed = 3;
-    assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
-    record = calloc(1, sizeof *record);
-    assert_non_null(record);
+    expect_ok(synth_profile, height_m, &def);
+    record = support_room(sizeof *record);
     record->summary.usable = true;
     record->summary.roughness = roughness_of_heights(height_m, POINTS, 5e-7);
-    assert_int_equal(spectrum_compute(&record->spectrum, height_m, POINTS, 5e-7, SPECTRUM_WINDOW_NONE, &status),
-                     STATUS_OK);
-    assert_int_equal(roughness_asperities(&record->summary.asperities, &record->summary.roughness, &status), STATUS_OK);
+    expect_ok(spectrum_compute, &record->spectrum, height_m, POINTS, 5e-7, SPECTRUM_WINDOW_NONE);
+    expect_ok(roughness_asperities, &record->summary.asperities, &record->summary.roughness);
     record->summary.has_asperities = true;
     scene = (struct scene){.models = model_defaults(),
                            .effects = (1u << EFFECT_COUNT) - 1,
@@ -48,8 +45,8 @@ static int make(void **state)
     plan_make(&plan, &scene);
     for (int i = 0; i < LOADS; i++)
         loads[i] = pow(10, -6 + i / 4.0);
-    assert_int_equal(curves_run(record, &asked, &status), STATUS_OK);
-    assert_int_equal(benchmark_measure(&cost, record, &asked, &status), STATUS_OK);
+    expect_ok(curves_run, record, &asked);
+    expect_ok(benchmark_measure, &cost, record, &asked);
     return 0;
 }
 
@@ -66,7 +63,6 @@ TEST_CASE(many_loads)
 {
     double many[1200], every_third[400];
     struct benchmark costs[2];
-    struct status status = {0};
     for (int i = 0; i < 1200; i++)
         many[i] = 1e-6 * pow(10, i / 300.0);
     for (int i = 0; i < 400; i++)
@@ -75,7 +71,7 @@ TEST_CASE(many_loads)
         struct surface_task task = asked;
         task.loads = k ? every_third : many;
         task.load_count = k ? 400 : 1200;
-        assert_int_equal(benchmark_measure(&costs[k], record, &task, &status), STATUS_OK);
+        expect_ok(benchmark_measure, &costs[k], record, &task);
     }
     for (size_t i = 0; i < costs[0].count; i++)
         assert_int_equal(costs[0].rows[i].evaluations, costs[1].rows[i].evaluations);
@@ -112,9 +108,7 @@ TEST_CASE(test_a_long_scan)
     enum { WAVES = 150000 };
     uint64_t evaluations[2];
     for (int longer = 0; longer < 2; longer++) {
-        struct surface_record *scan = malloc(sizeof *scan);
-        struct status status = {0};
-        assert_non_null(scan);
+        struct surface_record *scan = support_room(sizeof *scan);
         *scan = *record;
         scan->curves = calloc(model_count, sizeof *scan->curves);
         scan->spectrum.count = longer ? 4 * WAVES : WAVES;
@@ -124,7 +118,7 @@ TEST_CASE(test_a_long_scan)
             scan->spectrum.amplitude_m[i] = 1e-7 * pow((double)(i + 1), -0.6);
         scan->curves[model_named("multiscale-elastic")].exists = true;
         struct benchmark of_scan;
-        assert_int_equal(benchmark_measure(&of_scan, scan, &asked, &status), STATUS_OK);
+        expect_ok(benchmark_measure, &of_scan, scan, &asked);
         assert_int_equal(of_scan.count, 4);
         evaluations[longer] = of_scan.rows[0].evaluations;
         spectrum_free(&scan->spectrum);
@@ -145,11 +139,9 @@ TEST_CASE(test_the_law_in_place_of_the_data)
     for (int law = 0; law < 2; law++) {
         struct multiscale stack;
         struct contact_point point;
-        struct status status = {0};
         for (size_t i = 2; i < 32 && law; i++) /* 4 to 50 um of 128 */
             amplitude_m[i] = 0.2 * pow(1.28e-4 / (double)(i + 1), 1.4);
-        assert_int_equal(multiscale_make(&stack, &spectrum, &record->summary.pair, false, SINUSOID_FIT_THESIS, &status),
-                         STATUS_OK);
+        expect_ok(multiscale_make, &stack, &spectrum, &record->summary.pair, false, SINUSOID_FIT_THESIS);
         multiscale_solve(&point, &stack, &(struct constriction){0}, QUANTITY_BIT(QUANTITY_AREA), at, &(uint64_t){0});
         area[law] = point.value[QUANTITY_AREA];
         multiscale_free(&stack);

@@ -36,9 +36,8 @@ static int make(void **state)
 
 static void bound(void)
 {
-    struct status status = {0};
     record.summary.pressure_over_hardness = record.summary.scale_dependence = 0;
-    assert_int_equal(effects_bound(&record, &asked, &status), STATUS_OK);
+    expect_ok(effects_bound, &record, &asked);
 }
 
 static void add_scans(void)
@@ -82,9 +81,8 @@ PLACED(test_scale_dependence_is_the_elastic_models_own)
     struct contact_point points[3];
     struct model_curve curve = {.points = points};
     struct model_task task = surface_model_task(&record, &asked);
-    struct status status = {0};
     bound();
-    assert_int_equal(model_run(&curve, model_rows[model_named("multiscale-elastic")], &task, &status), STATUS_OK);
+    expect_ok(model_run, &curve, model_rows[model_named("multiscale-elastic")], &task);
     double first = points[0].value[QUANTITY_TCR_SCALE_DEPENDENT] / points[0].value[QUANTITY_TCR] - 1;
     assert_true(first > 0);
     assert_near(record.summary.scale_dependence, first, 1e-12);

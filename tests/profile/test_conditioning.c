@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The pipeline as a whole: header spacings, filters in their order, and the warnings. */
 #include "condition_support.h"
-#include "profile/profile.h"
 #include "scan/scan.h"
 
 enum { POINTS = 8192 };

@@ -1,15 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The Gaussian filter: transmission of sinusoids, constants up to the ends, a direct sum. */
 #include "condition_support.h"
-#include "profile/profile.h"
 
 static void smooth(double *z, size_t points, double spacing_m, double cutoff_m)
 {
-    struct status status = {0};
     double *own = malloc(points * sizeof *own);
     memcpy(own, z, points * sizeof *own);
-    if (filter_gaussian(z, own, points, spacing_m, cutoff_m, false, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(filter_gaussian, z, own, points, spacing_m, cutoff_m, false);
     free(own);
 }
 
@@ -24,13 +21,12 @@ TEST_CASE(test_harmonics_of_a_periodic_record)
     } cases[] = {{100, 12, 9},  {100, 12, 1}, {1000, 100, 7}, {1009, 100, 1},
                  {499, 300, 1}, {15, 8, 1},   {100, 19, 4},   {100, 21, 4}};
     for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
-        struct status status = {0};
         size_t points = cases[c].points;
         double *z = malloc(2 * points * sizeof *z), *own = z + points;
         double passes = pow(2, -pow(cases[c].cutoff * cases[c].harmonic / (double)points, 2));
         for (size_t i = 0; i < points; i++)
             own[i] = 3e-6 + 1e-6 * cos(2 * M_PI * cases[c].harmonic * (double)i / (double)points + 1);
-        assert_int_equal(filter_gaussian(z, own, points, 5e-7, 5e-7 * cases[c].cutoff, true, &status), STATUS_OK);
+        expect_ok(filter_gaussian, z, own, points, 5e-7, 5e-7 * cases[c].cutoff, true);
         for (size_t i = 0; i < points; i++)
             assert_within(z[i], 3e-6 + passes * (own[i] - 3e-6), 1e-14);
         free(z);

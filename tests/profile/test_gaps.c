@@ -37,10 +37,9 @@ TEST_CASE(test_gaps_in_a_sinusoid)
                   "bridged by straight lines and counted in a note", "error over the chord's, (kw)²/8", worst / allowed,
                   1);
         assert_int_equal(profile.points, POINTS);
-        char words[80];
-        snprintf(words, sizeof words,
-                 "%zu missing points in 5 gaps were bridged by straight lines, the longest over %zu ", missing, gap);
-        assert_note(&profile, words);
+        assert_note(
+            &profile,
+            filled("%zu missing points in 5 gaps were bridged by straight lines, the longest over %zu ", missing, gap));
         profile_free(&profile);
     }
 }

@@ -8,9 +8,7 @@ enum { POINTS = 4001, ROUGH = 501 };
 static struct levelling level(double *z, const double *x, size_t points, double spacing_m, enum level how)
 {
     struct levelling levelling;
-    struct status status = {0};
-    if (level_remove(&levelling, z, x, points, spacing_m, how, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(level_remove, &levelling, z, x, points, spacing_m, how);
     return levelling;
 }
 

@@ -160,9 +160,7 @@ TEST_CASE(test_a_row_of_a_map)
     struct scan scan = sample(10, false);
     scan.ny = 3;
     struct profile profile;
-    struct status status = {0};
-    assert_int_equal(profile_make(&profile, &scan, 2, &(struct profile_options){.level = LEVEL_NONE}, &status),
-                     STATUS_OK);
+    expect_ok(profile_make, &profile, &scan, 2, &(struct profile_options){.level = LEVEL_NONE});
     assert_memory_equal(profile.height_m, z_m + 20, 10 * sizeof(double));
     profile_free(&profile);
 }

@@ -10,11 +10,8 @@
 
 static double *make(const struct synth_def *def)
 {
-    struct status status = {0};
-    double *height_m = malloc(def->points * sizeof *height_m);
-    assert_non_null(height_m);
-    if (synth_profile(height_m, def, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    double *height_m = support_room(def->points * sizeof *height_m);
+    expect_ok(synth_profile, height_m, def);
     return height_m;
 }
 
@@ -29,10 +26,8 @@ static double root_mean_square(const double *height_m, size_t points)
 static struct spectrum spectrum_of(const double *height_m, const struct synth_def *def)
 {
     struct spectrum spectrum;
-    struct status status = {0};
-    assert_int_equal(spectrum_compute(&spectrum, height_m, def->points, def->length_m / (double)def->points,
-                                      SPECTRUM_WINDOW_NONE, &status),
-                     STATUS_OK);
+    expect_ok(spectrum_compute, &spectrum, height_m, def->points, def->length_m / (double)def->points,
+              SPECTRUM_WINDOW_NONE);
     return spectrum;
 }
 
@@ -41,7 +36,6 @@ static void assert_comes_back(const struct synth_def *def)
 {
     double *height_m = make(def), *levelled_m = make(def);
     struct spectrum spectrum = spectrum_of(height_m, def);
-    struct status status = {0};
     const double band_m[2] = {def->lambda_s_m, INFINITY};
     struct power_law law = power_law_fit(&spectrum, band_m);
     assert_near(law.alpha, def->alpha, 1e-9);
@@ -52,7 +46,7 @@ static void assert_comes_back(const struct synth_def *def)
     if (def->rq_m > 0)
         assert_near(rq_m, def->rq_m, 1e-9);
     struct levelling line;
-    assert_int_equal(level_remove(&line, levelled_m, NULL, def->points, 1, LEVEL_LINE, &status), STATUS_OK);
+    expect_ok(level_remove, &line, levelled_m, NULL, def->points, 1, LEVEL_LINE);
     for (size_t i = 0; i < def->points; i++)
         assert_within(levelled_m[i], height_m[i], 1e-12 * rq_m);
     spectrum_free(&spectrum);
@@ -184,13 +178,9 @@ static const char *parse_synth_line(char *line, struct synth_def *def)
 
 static void assert_file_holds(const char *file, const struct synth_def *def)
 {
-    char path[4096];
     struct scan scan;
     struct scan_options options = {.x_unit = "", .z_unit = ""};
-    struct status status = {0};
-    snprintf(path, sizeof path, "%s/surfaces/%s", PROJECT_SOURCE, file);
-    if (scan_read(&scan, path, &options, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(scan_read, &scan, filled("%s/surfaces/%s", PROJECT_SOURCE, file), &options);
     double *height_m = make(def);
     assert_int_equal(scan.nx, def->points);
     assert_near(scan.dx_m, def->length_m / (double)def->points, 1e-9);

@@ -13,8 +13,7 @@
 static void take_script_out(struct text *page)
 {
     struct text skeleton = {0};
-    struct status status = {0};
-    assert_int_equal(text_read_file(&skeleton, TEMPLATES "/page.html", &status), STATUS_OK);
+    expect_ok(text_read_file, &skeleton, TEMPLATES "/page.html");
     const char *start = strstr(skeleton.data, "<script>"), *end = strstr(start, "</script>");
     size_t length = (size_t)(end - start);
     char *found = strstr(page->data, "<script>\n// ");
@@ -238,9 +237,7 @@ TEST_CASE(verdicts)
 TEST_CASE(title_is_escaped)
 {
     struct text out = {0};
-    struct status status = {0};
-    assert_int_equal(html_render(&out, "{{title}}\n", "</title><b> & \"γ\" {{body}}", DIRECTORY, TEMPLATES, &status),
-                     STATUS_OK);
+    expect_ok(html_render, &out, "{{title}}\n", "</title><b> & \"γ\" {{body}}", DIRECTORY, TEMPLATES);
     assert_non_null(strstr(text_string(&out), "<title>&lt;/title&gt;&lt;b&gt; &amp; &quot;γ&quot; {{body}}</title>"));
     assert_non_null(strstr(body_of(&out), "<p>{{title}}</p>")); /* what was filled in is not filled in again */
     text_free(&out);

@@ -6,18 +6,14 @@
 
 #include <dirent.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum { DEPTH = 20, NAME = 80 };
 
 static struct text read_source(const char *name)
 {
     struct text path = {0}, out = {0};
-    struct status status = {0};
     text_add(&path, "%s/%s", PROJECT_SOURCE, name);
-    if (text_read_file(&out, text_string(&path), &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(text_read_file, &out, text_string(&path));
     text_free(&path);
     return out;
 }
@@ -25,16 +21,13 @@ static struct text read_source(const char *name)
 /** Adds what stands in the files of a folder that end so. */
 static void add_folder(struct text *out, const char *folder, const char *ending)
 {
-    char path[1000];
     struct dirent **entry;
-    snprintf(path, sizeof path, "%s/%s", PROJECT_SOURCE, folder);
-    int count = scandir(path, &entry, NULL, alphasort);
+    int count = scandir(filled("%s/%s", PROJECT_SOURCE, folder), &entry, NULL, alphasort);
     assert_true(count > 0);
     for (int i = 0; i < count; i++) {
         const char *dot = strrchr(entry[i]->d_name, '.');
         if (dot && strcmp(dot, ending) == 0) {
-            snprintf(path, sizeof path, "%s/%s", folder, entry[i]->d_name);
-            struct text one = read_source(path);
+            struct text one = read_source(filled("%s/%s", folder, entry[i]->d_name));
             text_add_bytes(out, one.data, one.length);
             text_free(&one);
         }
@@ -46,9 +39,7 @@ static void add_folder(struct text *out, const char *folder, const char *ending)
 /** Is `name`, between two marks, in the first `length` characters? */
 static bool has(const char *text, size_t length, char mark, const char *name)
 {
-    char quoted[2 * NAME];
-    snprintf(quoted, sizeof quoted, "%c%s%c", mark, name, mark);
-    const char *found = strstr(text, quoted);
+    const char *found = strstr(text, filled("%c%s%c", mark, name, mark));
     return found && found < text + length;
 }
 
@@ -210,9 +201,7 @@ TEST_CASE(words_are_asked_for)
         if (!asked && (dot = strrchr(kind, '.'))) {
             asked = has(source.data, source.length, '"', name + (dot + 1 - kind));
             snprintf(dot, 4, ".%%s");
-            char prefix[NAME + 2];
-            snprintf(prefix, sizeof prefix, "\"%.*s", (int)(dot - kind), kind);
-            asked = asked && strstr(source.data, prefix);
+            asked = asked && strstr(source.data, filled("\"%.*s", (int)(dot - kind), kind));
         }
         if (!asked)
             fail_msg("words.txt has '%s', which nothing asks for", name);
@@ -230,8 +219,7 @@ TEST_CASE(words_of_ratios_mean_them)
         {"ratio.quarter", "a quarter of"}, {"ratio.third", "a third of"},  {"ratio.half", "half"},
         {"ratio.twice", "twice"},          {"ratio.three", "three times"}, {"ratio.times", "0.7 times"}};
     struct words words;
-    struct status status = {0};
-    assert_int_equal(words_read(&words, PROJECT_SOURCE "/templates", &status), STATUS_OK);
+    expect_ok(words_read, &words, PROJECT_SOURCE "/templates");
     for (size_t i = 0; i < sizeof said / sizeof *said; i++)
         assert_string_equal(words_say(&words, said[i][0], "number", "0.7", NULL), said[i][1]);
     words_free(&words);

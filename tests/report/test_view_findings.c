@@ -4,8 +4,6 @@
 #include "made_up_results.h"
 #include "support.h"
 
-#include <string.h>
-
 static struct made_up made;
 
 static int end(void **state)
@@ -244,12 +242,11 @@ PLACED(test_every_finding_has_its_sentence)
 {
     static const char *const verdicts[] = {"holds", "in_part", "fails", "not_tested"};
     struct text words = {0};
-    struct status status = {0};
     size_t i, sentences = 0;
     json_t *item, *flag;
     const char *name;
     made_up_make(&made, NULL);
-    assert_int_equal(text_read_file(&words, PROJECT_SOURCE "/templates/findings.md", &status), STATUS_OK);
+    expect_ok(text_read_file, &words, PROJECT_SOURCE "/templates/findings.md");
     json_array_foreach(json_object_get(made.view, "findings"), i, item)
     {
         for (size_t v = 0; v < sizeof verdicts / sizeof *verdicts; v++)

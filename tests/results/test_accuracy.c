@@ -6,15 +6,13 @@
 #include "made_up_results.h"
 #include "support.h"
 
-#include <math.h>
 #include <stdio.h>
 
 /* The rows' figures are those that docs/validation.md prints of other heights. */
 TEST_CASE(errors_are_those_of_the_validation)
 {
     struct text page = {0};
-    struct status status = {0};
-    assert_int_equal(text_read_file(&page, PROJECT_SOURCE "/docs/validation.md", &status), STATUS_OK);
+    expect_ok(text_read_file, &page, PROJECT_SOURCE "/docs/validation.md");
     const char *table = strstr(text_string(&page), "\n| other heights |");
     size_t held = 0;
     assert_non_null(table);

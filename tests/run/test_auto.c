@@ -6,8 +6,6 @@
 #include "pipeline.h"
 #include "run/all_surfaces.h"
 
-#include <math.h>
-
 /** What the whole set of effects says of a scene's surfaces, at a finer tolerance. */
 struct truth {
     double plastic;         /* largest relative change by plasticity, up to full contact (separations: over sigma) */
@@ -42,12 +40,9 @@ static double plastic_change(const struct surface_record *record, const char *el
 static void prepare_scene(struct all_surfaces *prepared, struct scene *scene, const char *text, bool describe_only)
 {
     struct run_options options = {.templates = PROJECT_SOURCE "/templates", .jobs = 1};
-    struct status status = {0};
     directory_write(&directory_here, "scene.yaml", text);
-    if (scene_read(scene, directory_here.path, &(struct scene_overrides){0}, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
-    if (all_surfaces_run(prepared, scene, &options, describe_only, NULL, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(scene_read, scene, directory_here.path, &(struct scene_overrides){0});
+    expect_ok(all_surfaces_run, prepared, scene, &options, describe_only, NULL);
 }
 
 static struct truth truth_of(const char *text)
@@ -151,9 +146,8 @@ TEST_CASE(law_below_the_sampling_limit_counts)
     struct all_surfaces prepared;
     prepare_scene(&prepared, &scene, text, true);
     struct surface_record record = {0};
-    struct status status = {0};
     double area[2];
-    assert_int_equal(surface_read(&record, &scene, &scene.surfaces[0], NULL, &status), STATUS_OK);
+    expect_ok(surface_read, &record, &scene, &scene.surfaces[0], NULL);
     for (int plastic = 0; plastic < 2; plastic++)
         area[plastic] = convergence_extend(&record.spectrum, &record.summary.tail, &record.summary.pair, plastic, 1e-2)
                             .area_extended;

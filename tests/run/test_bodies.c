@@ -52,15 +52,13 @@ TEST_IN_DIRECTORY(bodies_are_completed)
 {
     const struct material *tin = material_find("tin"), *copper = material_find("copper");
     struct scene scene;
-    struct status status = {0};
     write_scans(place);
     directory_write(place, "in/scene.yaml",
                     "material: tin\ncounterface: same\nhardness: 50 MPa\nsurfaces:\n  - {name: a, file: a.csv}\n"
                     "  - {name: b, file: b.csv, material: copper}\n"
                     "  - {name: c, file: c.csv, counterface: rigid, hardness: 90 MPa}\n");
-    assert_int_equal(scene_read(&scene, filled("%s", directory_path(place, "in")),
-                                &(struct scene_overrides){.material = "silver"}, &status),
-                     STATUS_OK); /* the command line's is the scene's */
+    expect_ok(scene_read, &scene, filled("%s", directory_path(place, "in")),
+              &(struct scene_overrides){.material = "silver"}); /* the command line's is the scene's */
     const struct material *silver = material_find("silver");
     const struct material_pair expected[] = {material_pair(silver, MATERIAL_COUNTERFACE_ELASTIC, silver),
                                              material_pair(copper, MATERIAL_COUNTERFACE_ELASTIC, copper),
@@ -154,13 +152,10 @@ TEST_IN_DIRECTORY(whose_mean_free_path)
     pipeline_rough(place, "in/a.csv", 400, 1, 5);
     for (int k = 0; k < 2; k++) {
         struct scene scene;
-        struct status status = {0};
         char text[200];
         snprintf(text, sizeof text, "material: tin\neffects: [scale-dependent]\nmean_free_path: %s\n", kinds[k]);
         directory_write(place, "in/scene.yaml", text);
-        assert_int_equal(
-            scene_read(&scene, filled("%s", directory_path(place, "in")), &(struct scene_overrides){0}, &status),
-            STATUS_OK);
+        expect_ok(scene_read, &scene, filled("%s", directory_path(place, "in")), &(struct scene_overrides){0});
         assert_near(scene_pair(&scene.surfaces[0].bodies).mean_free_path_m[0], expected_nm[k] * 1e-9, 1e-5);
         scene_free(&scene);
         assert_int_equal(pipeline_run(place, "in", "out", 1), 0);

@@ -2,7 +2,6 @@
 /* The first page against the data of the same report: what limits the answer, recomputed, and the page by itself. */
 #include "run/pipeline.h"
 
-#include <dirent.h>
 #include <jansson.h>
 
 static int place_setup(void **state)
@@ -346,13 +345,12 @@ TEST_IN_PLACE(test_order_by_roughness)
 TEST_IN_PLACE(test_brief)
 {
     struct run_outcome outcome;
-    struct status status = {0};
     char target[4096];
     snprintf(target, sizeof target, "%s", directory_path(place, "brief"));
     assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
     struct run_options options = {
         .output = target, .templates = PROJECT_SOURCE "/templates", .no_cost = true, .brief = true, .jobs = 1};
-    assert_int_equal(pipeline_try(&outcome, place, "in", options, &status), STATUS_OK);
+    expect_ok(pipeline_try, &outcome, place, "in", options);
     run_outcome_free(&outcome);
     struct text whole = directory_read(place, "out/report.md"), brief = directory_read(place, "brief/report.md");
     const char *rule = strstr(text_string(&whole), "\n---\n");

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The power law, window and levelling that a run gives to periodic records and to records cut out of longer ones. */
-#include "base/text.h"
 #include "run/pipeline.h"
 
 #include <gsl/gsl_randist.h>
@@ -17,16 +16,14 @@ static void write_law(const struct directory *place, const char *name, size_t po
 {
     size_t all = points * longer;
     struct synth_def def = synth_def_default();
-    struct status status = {0};
     def.points = all;
     def.length_m = 5e-7 * (double)all;
     def.alpha = alpha_made;
     def.gamma = gamma_made;
     def.scatter_decades = 0;
     def.seed = seed;
-    double *height_m = malloc(all * sizeof *height_m);
-    assert_non_null(height_m);
-    assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
+    double *height_m = support_room(all * sizeof *height_m);
+    expect_ok(synth_profile, height_m, &def);
     double *part_m = height_m + (longer > 1 ? all / 3 : 0);
     for (size_t i = 0; i < points; i++)
         part_m[i] += tilt * 5e-7 * (double)i;
@@ -224,14 +221,13 @@ TEST_IN_PLACE(test_what_lies_below_a_cut_off)
     static const char finding[] = "| γ ≥ 1, so the area converges | **";
     enum { HEIGHTS = 1200 };
     struct synth_def def = synth_def_default();
-    struct status status = {0};
     struct text csv = {0}, given = {0};
     double height_m[HEIGHTS];
     def.lambda_s_m = 8e-6;
     def.gamma = 0.7;
     def.alpha *= pow(1e-5, 0.8);
     def.scatter_decades = 0.02;
-    assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
+    expect_ok(synth_profile, height_m, &def);
     text_add(&csv, "x [um],z [um]\n");
     for (size_t i = 0; i < HEIGHTS; i++)
         text_add(&csv, "%g,%.6f\n", 0.25 * (double)i, height_m[i] * 1e6);
@@ -268,7 +264,6 @@ TEST_IN_PLACE(test_rows_of_a_map)
 {
     enum { ROWS = 40, ROW = 256 };
     struct synth_def def = synth_def_default();
-    struct status status = {0};
     def.points = ROW;
     def.length_m = 5e-7 * ROW;
     double height_m[ROW], independent[2], error[2];
@@ -277,7 +272,7 @@ TEST_IN_PLACE(test_rows_of_a_map)
         text_add(&xyz, "x [um],y [um],z [um]\n");
         for (unsigned long y = 0; y < ROWS; y++) {
             def.seed = same ? 1 : y + 1;
-            assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
+            expect_ok(synth_profile, height_m, &def);
             for (size_t x = 0; x < ROW; x++)
                 text_add(&xyz, "%g,%g,%.9f\n", 0.5 * (double)x, 0.5 * (double)y, height_m[x] * 1e6);
         }

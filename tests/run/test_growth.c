@@ -26,15 +26,13 @@ static double presses_of(size_t points, size_t loads)
 {
     struct directory place = directory_make();
     struct synth_def def = synth_def_default();
-    struct status status = {0};
     struct text scene = {0}, csv = {0};
-    double *height_m = malloc(points * sizeof *height_m);
-    assert_non_null(height_m);
+    double *height_m = support_room(points * sizeof *height_m);
     def.points = points;
     def.length_m = 3e-4;
     def.gamma = 1.2;
     def.seed = 1;
-    assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
+    expect_ok(synth_profile, height_m, &def);
     text_add(&csv, "x [m],z [m]\n");
     for (size_t i = 0; i < points; i++)
         text_add(&csv, "%.9g,%.9g\n", def.length_m / (double)points * (double)i, height_m[i]);

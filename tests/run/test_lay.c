@@ -25,13 +25,12 @@ static void write_scans(const struct directory *place, const char *prefix, doubl
 {
     for (unsigned long seed = 1; seed <= SCANS; seed++) {
         double height_m[POINTS];
-        struct status status = {0};
         struct text csv = {0};
         struct synth_def def = synth_def_default();
         def.points = POINTS;
         def.length_m = 5e-7 * POINTS;
         def.seed = seed;
-        assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
+        expect_ok(synth_profile, height_m, &def);
         text_add(&csv, "x [um],z [um]\n");
         for (size_t i = 0; i < POINTS; i++)
             text_add(&csv, "%.15g,%.15g\n", 0.5 * apart * (double)i, times * height_m[i] * 1e6);

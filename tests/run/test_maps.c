@@ -18,10 +18,9 @@ static void write_long_map(const struct directory *place, const char *name, uint
 {
     enum { WIDE = 6 * SIDE };
     double *height = malloc(WIDE * WIDE * sizeof *height), square = 0;
-    struct status status = {0};
     struct text xyz = {0};
     assert_non_null(height);
-    assert_int_equal(direct_surface_make(height, WIDE, variance, NULL, NULL, 0, seed, &status), STATUS_OK);
+    expect_ok(direct_surface_make, height, WIDE, variance, NULL, NULL, 0, seed);
     for (size_t k = 0; k < WIDE * WIDE; k++)
         square += height[k] * height[k] / (WIDE * WIDE);
     text_add(&xyz, "x [um],y [um],z [um]\n");

@@ -4,8 +4,6 @@
 #include "support.h"
 
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 
 enum { SURFACES = 50 };
 

@@ -6,7 +6,6 @@
 #include "run/all_surfaces.h"
 
 #include <jansson.h>
-#include <stdio.h>
 
 /* ---------------------------------------------------------------- the two models */
 

@@ -110,9 +110,8 @@ static void tell_slowly(const char *stage, const char *name, double done, double
 PLACED(test_threads_tell_one_at_a_time)
 {
     struct run_outcome outcome;
-    struct status status = {0};
     const struct run_options options = {.jobs = 3, .progress = tell_slowly};
-    assert_int_equal(pipeline_into(&outcome, *state, "in", "out", options, &status), STATUS_OK);
+    expect_ok(pipeline_into, &outcome, *state, "in", "out", options);
     run_outcome_free(&outcome);
     assert_near(told, 3, 0);
     assert_false(at_once);
@@ -142,10 +141,9 @@ enum status_code __wrap_direct_ladder_run(struct direct_point *out, struct direc
 PLACED(test_no_convergence_leaves_the_report)
 {
     struct run_outcome outcome;
-    struct status status = {0};
     directory_write(*state, "in/scene.yaml",
                     "material: tin\neffects: [electrical]\nbaseline: b\ndirect: {grid: 64, seeds: 1, loads: 3}\n");
-    assert_int_equal(pipeline_into(&outcome, *state, "in", "out", (struct run_options){0}, &status), STATUS_OK);
+    expect_ok(pipeline_into, &outcome, *state, "in", "out", (struct run_options){0});
     run_outcome_free(&outcome);
     expect_in_file(*state, "out/report.md", "## How true\n\nNo direct solution: ", "does not converge at p/E' = 0.01",
                    "*b* at ");

@@ -192,11 +192,10 @@ TEST_IN_DIRECTORY(unlike_lengths)
 {
     double height_m[2 * POINTS];
     struct synth_def def = synth_def_default();
-    struct status status = {0};
     def.points = 2 * POINTS;
     def.length_m = 5e-7 * (double)def.points;
     def.seed = 4;
-    assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
+    expect_ok(synth_profile, height_m, &def);
     pipeline_scan(place, "in/long.csv", height_m, 2 * POINTS);
     pipeline_scan(place, "in/left.csv", height_m, POINTS);
     pipeline_scan(place, "in/right.csv", height_m + POINTS, POINTS);
@@ -244,12 +243,11 @@ TEST_IN_DIRECTORY(identical_scans)
 TEST_IN_DIRECTORY(few_longest_waves)
 {
     struct synth_def def = synth_def_default();
-    struct status status = {0};
     double height_m[4 * POINTS];
     def.points = 4 * POINTS;
     def.gamma = 1.8;
     def.length_m = 5e-7 * 4 * POINTS;
-    assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
+    expect_ok(synth_profile, height_m, &def);
     pipeline_scan(place, "in/0.csv", height_m, POINTS);
     report(place, "out", "effects: [separation, electrical, uncertainty]\nmodels: [strip]\n", "{name: m, file: 0.csv}");
     json_t *results = json_load_file(directory_path(place, "out/results.json"), 0, NULL);
@@ -313,12 +311,11 @@ TEST_IN_DIRECTORY(a_scan_that_changes)
 {
     double width[2];
     struct synth_def def = synth_def_default();
-    struct status status = {0};
     double height_m[4 * POINTS];
     def.points = 4 * POINTS;
     def.length_m = 5e-7 * 4 * POINTS;
     def.gamma = 0.8;
-    assert_int_equal(synth_profile(height_m, &def, &status), STATUS_OK);
+    expect_ok(synth_profile, height_m, &def);
     for (int k = 0; k < 2; k++) {
         for (size_t i = 2 * POINTS; k == 1 && i < 4 * POINTS; i++)
             height_m[i] *= 100;

@@ -46,8 +46,7 @@ static int place_setup(void **state)
 static void level(double *height_m, size_t points)
 {
     struct levelling levelling;
-    struct status status = {0};
-    assert_int_equal(level_remove(&levelling, height_m, NULL, points, spacing_m, LEVEL_LINE, &status), STATUS_OK);
+    expect_ok(level_remove, &levelling, height_m, NULL, points, spacing_m, LEVEL_LINE);
 }
 
 /** Value at the middle load of a model in a report of one surface; NaN: no row or an empty cell. */
@@ -79,20 +78,19 @@ static void assert_factor(const struct table *table, size_t row, const char *col
 TEST_IN_PLACE(factors_are_those_of_separate_reports)
 {
     struct synth_def def = synth_def_default();
-    struct status status = {0};
     double z[POINTS], smooth[POINTS];
     def.points = POINTS;
     def.length_m = spacing_m * POINTS;
     def.gamma = 1.2;
     def.alpha = 1e-2;
     def.seed = 3;
-    assert_int_equal(synth_profile(z, &def, &status), STATUS_OK);
+    expect_ok(synth_profile, z, &def);
     for (size_t i = 0; i < POINTS; i++)
         z[i] += 1e-3 * spacing_m * (double)i; /* tilted */
     write_scan(place, "in/a.csv", z, POINTS);
     write_scan(place, "harder/a.csv", z, POINTS);
     level(z, POINTS);
-    assert_int_equal(filter_gaussian(smooth, z, POINTS, spacing_m, 4 * spacing_m, false, &status), STATUS_OK);
+    expect_ok(filter_gaussian, smooth, z, POINTS, spacing_m, 4 * spacing_m, false);
     write_scan(place, "smooth/a.csv", smooth, POINTS);
     write_scan(place, "first/a.csv", z, POINTS / 2);
     write_scan(place, "second/a.csv", z + POINTS / 2, POINTS / 2);
@@ -155,7 +153,6 @@ static void make_report(const struct directory *place, const char *in, const cha
 TEST_IN_PLACE(a_scan_that_closes_stays_closed)
 {
     struct synth_def def = synth_def_default();
-    struct status status = {0};
     double z[POINTS], smooth[POINTS];
     def.points = POINTS;
     def.length_m = spacing_m * POINTS;
@@ -163,7 +160,7 @@ TEST_IN_PLACE(a_scan_that_closes_stays_closed)
     def.alpha = 1e-1;
     def.lambda_s_m = 20 * spacing_m;
     def.seed = 1;
-    assert_int_equal(synth_profile(z, &def, &status), STATUS_OK);
+    expect_ok(synth_profile, z, &def);
     for (int i = 0; i < POINTS; i++) {
         double sum = 0, weights = 0;
         for (int k = -POINTS / 2; k < POINTS / 2; k++) {

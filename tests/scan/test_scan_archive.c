@@ -134,8 +134,7 @@ TEST_CASE(test_x3p_refusals)
 /* A member that claims far more than deflate can have made of its bytes. */
 TEST_CASE(test_bomb)
 {
-    char *zeros = calloc(1, 6000);
-    assert_non_null(zeros);
+    char *zeros = support_room(6000);
     const struct member members[] = {{"main.xml", zeros, 6000}, {NULL, NULL, 0}};
     struct text text = zip(members, true);
     static const char size[] = {0x70, 0x17, 0, 0}; /* 6000 */

@@ -22,10 +22,8 @@ static void assert_parts(const struct text *text, const char *const *parts, cons
     size_t count = 0;
     do {
         struct scan scan;
-        struct status status = {0};
         assert_non_null(parts[count]);
-        if (read_bytes(&scan, text->data, text->length, &options, &status) != STATUS_OK)
-            fail_msg("%s", status.message);
+        expect_ok(read_bytes, &scan, text->data, text->length, &options);
         assert_sound(&scan);
         assert_string_equal(scan.part, parts[count]);
         assert_int_equal(scan.nx, SAMPLE_POINTS);
@@ -270,8 +268,7 @@ TEST_CASE(test_gwy)
     text = gwy(&inner);
     assert_sample(&text, "gwy", SCAN_AREAL, 2, &no_units);
     struct scan scan;
-    struct status status = {0};
-    assert_int_equal(read_bytes(&scan, text.data, text.length, &no_units, &status), STATUS_OK);
+    expect_ok(read_bytes, &scan, text.data, text.length, &no_units);
     assert_true(has_warning(&scan, "1 points under the mask of Gwyddion are taken as missing"));
     assert_true(has_warning(&scan, "the file holds 3 maps: /2/data was read"));
     scan_free(&scan);

@@ -8,9 +8,7 @@ static struct scan read_real(const char *name, const char *x_unit, const char *z
     snprintf(path, sizeof path, "%s/%s", REAL_SCANS, name);
     struct scan_options options = {.x_unit = x_unit, .z_unit = z_unit};
     struct scan scan;
-    struct status status = {0};
-    if (scan_read(&scan, path, &options, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(scan_read, &scan, path, &options);
     assert_sound(&scan);
     return scan;
 }

@@ -108,14 +108,12 @@ TEST_CASE(test_words_of_spacing)
     static const char *const words[] = {"spacing",  "dx",          "deltax", "step",    "X resolution",
                                         "Interval", "x increment", "pitch",  "sampling"};
     static const char *const others[] = {"y", "z", "dy", "dz", "height", "vertical"};
-    char text[128];
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
-        snprintf(text, sizeof text, "# %s = 1 mm\n# z [um]\n0.5\n-1.25\n2.75\n0.125\n", words[i]);
-        assert_four_points(text, "", "");
+        assert_four_points(filled("# %s = 1 mm\n# z [um]\n0.5\n-1.25\n2.75\n0.125\n", words[i]), "", "");
     }
     for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
-        snprintf(text, sizeof text, "# %s step = 1 mm\n# z [um]\n0.5\n-1.25\n2.75\n0.125\n", others[i]);
-        assert_refused(text, "one column is heights only: no spacing");
+        assert_refused(filled("# %s step = 1 mm\n# z [um]\n0.5\n-1.25\n2.75\n0.125\n", others[i]),
+                       "one column is heights only: no spacing");
     }
     /* a pixel's size, but nothing else of it, makes a matrix */
     assert_refused("pixel depth = 2 um\n1 3 2 4\n5 1 3 1\n1 1 1 1\n", "without its pixel size");
@@ -200,9 +198,8 @@ TEST_CASE(test_missing_units)
         assert_refused_bytes(whole, strlen(whole), &no_units, titles[i].refused);
     }
     struct scan scan;
-    struct status status = {0};
     const char *given = "x [km],z [um]\n0,1\n1,2\n2,3\n";
-    assert_int_equal(read_bytes(&scan, given, strlen(given), &x_only, &status), STATUS_OK); /* the scene knows better */
+    expect_ok(read_bytes, &scan, given, strlen(given), &x_only); /* the scene knows better */
     assert_string_equal(scan.x_unit, "mm");
     scan_free(&scan);
 }

@@ -161,9 +161,8 @@ TEST_CASE(test_columns)
         scan_free(&scan);
     }
     struct scan gapped = {.nx = 0};
-    struct status status = {0};
     struct scan_options gap = {.z_column = 3};
-    assert_int_equal(read_bytes(&gapped, FIVE, strlen(FIVE), &gap, &status), STATUS_OK);
+    expect_ok(read_bytes, &gapped, FIVE, strlen(FIVE), &gap);
     assert_int_equal(gapped.missing, 1);
     assert_true(isnan(gapped.z_m[2]));
     scan_free(&gapped);
@@ -199,11 +198,9 @@ static void expect_units(const struct scan_options *options, const char *z_unit,
     assert_string_equal(scan.x_unit, "mm");
     assert_string_equal(scan.z_unit, z_unit);
     if (sidecar) {
-        char note[128];
         assert_non_null(scan.sidecar);
         assert_string_equal(strrchr(scan.sidecar, '/') + 1, sidecar);
-        snprintf(note, sizeof note, "the sidecar '%s' gave the unit", sidecar);
-        assert_non_null(strstr(scan.warnings[0], note));
+        assert_non_null(strstr(scan.warnings[0], filled("the sidecar '%s' gave the unit", sidecar)));
     } else {
         assert_null(scan.sidecar);
     }
@@ -258,10 +255,9 @@ IN_FOLDER(test_sidecars)
     /* before the scene, behind the file */
     struct scan_options scene = {.x_unit = "mm", .z_unit = "um"};
     struct scan scan;
-    struct status status;
     directory_write(folder, "s.txt", "z unit: nm\n");
     expect_units(&scene, "nm", "s.txt");
-    assert_int_equal(take(&scan, &scene, &status), STATUS_OK);
+    expect_ok(take, &scan, &scene);
     assert_string_equal(scan.warnings[1],
                         "the file or its sidecar names its z unit, nm: the scene's z_unit is not used");
     scan_free(&scan);

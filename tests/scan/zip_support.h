@@ -121,8 +121,7 @@ static inline struct text zip(const struct member *members, bool deflated)
     size_t count = 0;
     while (members[count].name)
         count++;
-    struct packed *packed = calloc(count + 1, sizeof *packed);
-    assert_non_null(packed);
+    struct packed *packed = support_room((count + 1) * sizeof *packed);
     for (size_t i = 0; i < count; i++)
         packed[i] = pack(members[i].name, members[i].bytes, members[i].length, deflated);
     struct text text = zip_of(packed, count);

@@ -16,9 +16,7 @@ static inline void scene_directory_add(const struct directory *directory, const 
 static inline struct scene scene_directory_read(const char *path, const struct scene_overrides *overrides)
 {
     struct scene scene;
-    struct status status = {0};
-    if (scene_read(&scene, path, overrides, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(scene_read, &scene, path, overrides);
     return scene;
 }
 
@@ -49,10 +47,9 @@ static inline struct scene scene_of(const char *text)
 static inline double *scene_loads_of(const struct scene *scene, double modulus_Pa, size_t *count)
 {
     const struct material_pair pair = {.effective_modulus_Pa = modulus_Pa};
-    struct status status = {0};
     size_t operating;
     double *loads;
-    assert_int_equal(scene_loads(&loads, count, &operating, scene, &pair, &status), STATUS_OK);
+    expect_ok(scene_loads, &loads, count, &operating, scene, &pair);
     assert_true(*count > 0 && loads[0] > 0 && isfinite(loads[*count - 1]));
     for (size_t i = 1; i < *count; i++)
         assert_true(loads[i] > loads[i - 1]);

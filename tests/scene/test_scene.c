@@ -362,9 +362,7 @@ TEST_CASE(test_hardness)
 {
     static const char *const same[] = {"HV 120", "120 HV", "1.176798 GPa"};
     for (size_t i = 0; i < 3; i++) {
-        char text[80];
-        snprintf(text, sizeof text, "material: tin\nhardness: %s\n", same[i]);
-        struct scene scene = scene_of(text);
+        struct scene scene = scene_of(filled("material: tin\nhardness: %s\n", same[i]));
         assert_near(scene_pair(&scene.bodies).hardness_Pa, 120 * 9.80665e6, 1e-14);
         scene_free(&scene);
     }

@@ -269,12 +269,12 @@ TEST_CASE(test_quantities)
     struct directory directory = two_scans();
     for (size_t k = 0; k < sizeof keys / sizeof *keys; k++)
         for (const char *const *value = keys[k].values; *value; value++) {
-            char text[256], message[800];
+            char text[256];
             const char *place = strchr(keys[k].text, '@');
             snprintf(text, sizeof text, "%.*s%s%s", (int)(place - keys[k].text), keys[k].text, *value, place + 1);
-            snprintf(message, sizeof message, "'%s' is '%s'; give %s", keys[k].key, *value,
-                     scene_quantity_help(keys[k].quantities).text);
-            check_message(&directory, text, 1, message);
+            check_message(
+                &directory, text, 1,
+                filled("'%s' is '%s'; give %s", keys[k].key, *value, scene_quantity_help(keys[k].quantities).text));
         }
     directory_remove(&directory);
 }

@@ -132,10 +132,9 @@ TEST_CASE(test_files_spoken_for)
     struct directory directory = directory_make();
     lay_out(&directory, "a.csv|b.csv|m.csv");
     for (size_t i = 0; i < COUNT(spellings); i++) {
-        char text[256];
-        snprintf(text, sizeof text, "counterface: {surface: %sb.csv}\nmeasured: {file: %sm.csv}\n", spellings[i],
-                 spellings[i]);
-        directory_write(&directory, "scene.yaml", text);
+        directory_write(
+            &directory, "scene.yaml",
+            filled("counterface: {surface: %sb.csv}\nmeasured: {file: %sm.csv}\n", spellings[i], spellings[i]));
         struct scene scene = scene_directory_read(directory.path, &units);
         assert_surfaces(&scene, "a: a.csv");
         assert_string_equal(scene.counterface_surface.x_unit, "mm");
@@ -168,10 +167,8 @@ TEST_CASE(test_many_files)
 {
     struct directory directory = directory_make();
     enum { MANY = 1000 };
-    char name[32];
     for (int i = MANY; i > 0; i--) {
-        snprintf(name, sizeof name, "%d.csv", i);
-        scene_directory_add(&directory, name);
+        scene_directory_add(&directory, filled("%d.csv", i));
     }
     struct scene scene = scene_directory_read(directory.path, NULL);
     assert_int_equal(scene.surface_count, MANY);

@@ -21,9 +21,7 @@ static enum status_code read_with(struct scene *scene, const char *text, const c
 static struct scene good(const char *text, const char *file)
 {
     struct scene scene;
-    struct status status = {0};
-    if (read_with(&scene, text, file, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(read_with, &scene, text, file);
     return scene;
 }
 

@@ -4,10 +4,6 @@
 #include "contact/model.h"
 #include "directory.h"
 #include "selftest/selftest.h"
-#include "support.h"
-
-#include <dirent.h>
-#include <stdio.h>
 
 #define TABLE PROJECT_SOURCE "/src/selftest/selftest.csv"
 
@@ -31,8 +27,7 @@ static int free_table(void **state)
 static double error_of(const struct selftest_reference *reference)
 {
     double value;
-    struct status status = {0};
-    assert_int_equal(selftest_value(&value, reference, &table, &status), STATUS_OK);
+    expect_ok(selftest_value, &value, reference, &table);
     return selftest_error(reference, value);
 }
 
@@ -85,7 +80,7 @@ static void expect_refused(const struct directory *place, const char *bytes, siz
     const char *path = directory_path(place, "selftest.csv");
     (void)remove(path);
     if (bytes)
-        assert_int_equal(text_write_file(path, bytes, length, &status), STATUS_OK);
+        expect_ok(text_write_file, path, bytes, length);
     assert_int_equal(selftest_table_read(&damaged, path, &status), STATUS_IO);
     assert_non_null(strstr(status.message, path));
     assert_non_null(strstr(status.message, part));
@@ -107,8 +102,7 @@ TEST_CASE(a_damaged_table_is_refused)
                    {",2.228,", ",inf,"}};
     struct directory place = directory_make();
     struct text whole = {0};
-    struct status status = {0};
-    assert_int_equal(text_read_file(&whole, TABLE, &status), STATUS_OK);
+    expect_ok(text_read_file, &whole, TABLE);
     expect_refused(&place, NULL, 0, "selftest.csv");
     for (size_t length = 0; length < whole.length; length += 997)
         expect_refused(&place, whole.data, length, "; install the program again");
@@ -167,8 +161,7 @@ static bool has_number(const struct numbers *numbers, double value)
 TEST_CASE(numbers_are_the_references)
 {
     static const char *const folders[] = {"golden", "golden/models", "golden/strip", "statistics"};
-    struct numbers *numbers = calloc(1, sizeof *numbers);
-    assert_non_null(numbers);
+    struct numbers *numbers = support_room(sizeof *numbers);
     for (size_t f = 0; f < sizeof folders / sizeof *folders; f++)
         read_numbers(numbers, folders[f]);
     for (size_t i = 0; i < table.count; i++) {

@@ -39,9 +39,7 @@ static const double windowed = 0.81649658092772603;
 static struct areal compute(const struct scan *scan)
 {
     struct areal areal;
-    struct status status = {0};
-    if (areal_compute(&areal, scan, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(areal_compute, &areal, scan);
     return areal;
 }
 

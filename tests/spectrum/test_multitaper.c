@@ -31,8 +31,7 @@ static void by_definition(double *square_m2, const double *height_m, size_t poin
 
 static void compute(double *square_m2, const double *height_m, size_t points)
 {
-    struct status status = {0};
-    assert_int_equal(multitaper_square(square_m2, height_m, points, &status), STATUS_OK);
+    expect_ok(multitaper_square, square_m2, height_m, points);
 }
 
 static void random_walk(double *height_m, size_t points, unsigned long seed)

@@ -8,8 +8,7 @@ enum { POINTS = 20000 };
 
 static double *room(void)
 {
-    double *z = malloc(POINTS * sizeof *z);
-    assert_non_null(z);
+    double *z = support_room(POINTS * sizeof *z);
     return z;
 }
 
@@ -124,8 +123,7 @@ TEST_CASE(test_sampling_lengths_that_fit)
         size_t n = rows[r].points, out = (n - rows[r].used) / 2;
         for (size_t i = 0; i < n; i++) /* what lies outside is higher than anything inside */
             z[i] = i >= out && i < out + rows[r].used ? 1e-6 * sin((double)i) : 1;
-        struct status status = {0};
-        assert_int_equal(parameters_of_roughness(&p, z, n, 1e-6, 1e-3, &status), STATUS_OK);
+        expect_ok(parameters_of_roughness, &p, z, n, 1e-6, 1e-3);
         assert_int_equal(p.letter, 'R');
         assert_int_equal(p.sampling_lengths, rows[r].sampling_lengths);
         assert_near(p.evaluation_length_m, (double)rows[r].used * 1e-6, 1e-12);
@@ -145,9 +143,7 @@ static struct profile real_profile(const char *name, enum level level, double fr
     snprintf(path, sizeof path, "%s/%s", REAL_SCANS, name);
     struct scan scan, part;
     struct profile profile;
-    struct status status = {0};
-    if (scan_read(&scan, path, &no_units, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(scan_read, &scan, path, &no_units);
     size_t first = 0, end = scan.nx;
     while (scan.x_m && scan.x_m[first] < from_m)
         first++;
@@ -157,8 +153,7 @@ static struct profile real_profile(const char *name, enum level level, double fr
     part.nx = end - first;
     part.x_m = scan.x_m ? scan.x_m + first : NULL;
     part.z_m = scan.z_m + first;
-    if (profile_make(&profile, &part, 0, &(struct profile_options){.level = level}, &status) != STATUS_OK)
-        fail_msg("%s", status.message);
+    expect_ok(profile_make, &profile, &part, 0, &(struct profile_options){.level = level});
     scan_free(&scan);
     return profile;
 }
@@ -204,9 +199,7 @@ TEST_CASE(test_mitutoyo)
                                              {"dq", 0.157, 1e-3}};
     struct profile profile = real_profile("mitutoyo_sj_2.csv", LEVEL_NONE, 0, 1);
     struct parameters p;
-    struct status status = {0};
-    assert_int_equal(parameters_of_roughness(&p, profile.height_m, profile.points, profile.spacing_m, 2.5e-3, &status),
-                     STATUS_OK);
+    expect_ok(parameters_of_roughness, &p, profile.height_m, profile.points, profile.spacing_m, 2.5e-3);
     assert_int_equal(p.sampling_lengths, 4);
     assert_printed(&p, printed, sizeof printed / sizeof *printed);
     profile_free(&profile);

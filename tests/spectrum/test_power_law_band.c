@@ -30,9 +30,7 @@ static int sample_teardown(void **state)
 
 static void sample_read(struct sample *sample, const char *name)
 {
-    char path[200];
-    snprintf(path, sizeof path, "statistics/%s.csv", name);
-    struct table table = table_read(path);
+    struct table table = table_read(filled("statistics/%s.csv", name));
     for (size_t i = 0; i < table.rows; i++)
         sample->square_m2[i] = table_number(&table, i, "square_m2");
     sample->spectrum =
@@ -56,8 +54,7 @@ static void scatter(struct sample *sample, gsl_rng *random, double of)
 
 static const struct power_law_band *find(struct sample *sample)
 {
-    struct status status = {0};
-    assert_int_equal(power_law_band_find(&sample->band, &sample->spectrum, &status), STATUS_OK);
+    expect_ok(power_law_band_find, &sample->band, &sample->spectrum);
     return &sample->band;
 }
 
@@ -385,12 +382,11 @@ static bool has_line(struct sample *sample, const struct kind *kind, size_t scan
                      gsl_rng *random)
 {
     double height_m[LONG], own_m2[LONG], line_m[LOG_BIN_MOST];
-    struct status status = {0};
     size_t count = multitaper_count(LONG);
     memset(sample->square_m2, 0, sizeof sample->square_m2);
     for (size_t m = 0; m < scans; m++) {
         draw(height_m, kind, room, random);
-        assert_int_equal(multitaper_square(own_m2, height_m, LONG, &status), STATUS_OK);
+        expect_ok(multitaper_square, own_m2, height_m, LONG);
         for (size_t n = 0; n < count; n++)
             sample->square_m2[n] += own_m2[n] / (double)scans;
     }
@@ -567,8 +563,7 @@ TEST_CASE(test_a_given_band)
     scatter(sample, random, 5);
     sample->other = *find(sample);
     const struct power_law_band *found = &sample->other, *band = &sample->band;
-    struct status status = {0};
-    assert_int_equal(power_law_band_fit_in(&sample->band, &sample->spectrum, found->fit.band_m, &status), STATUS_OK);
+    expect_ok(power_law_band_fit_in, &sample->band, &sample->spectrum, found->fit.band_m);
     assert_near(band->fit.gamma, found->fit.gamma, 1e-13);
     assert_near(band->fit.gamma_s, found->fit.gamma_s, 1e-13);
     assert_within(found->fit.gamma_bias_s, 0, 0); /* no knee */
@@ -581,17 +576,17 @@ TEST_CASE(test_a_given_band)
         if (n < 17 || n > 911)
             sample->square_m2[n - 1] = sample->square_m2[n < 17 ? 16 : 910];
     const double given_m[2] = {1e-3 / 911, 1e-3 / 17};
-    assert_int_equal(power_law_band_fit_in(&sample->band, &sample->spectrum, given_m, &status), STATUS_OK);
+    expect_ok(power_law_band_fit_in, &sample->band, &sample->spectrum, given_m);
     assert_int_equal(band->fit.first_harmonic, 17);
     assert_int_equal(band->fit.last_harmonic, 911);
     assert_within(band->fit.gamma, 1.3, 1e-10);
     assert_int_equal(band->pieces, 0);
     const double tiny_m[2] = {1e-3 / 911, 1e-3 / 900}, beyond_m[2] = {1, 2}, all_m[2] = {0, INFINITY};
-    assert_int_equal(power_law_band_fit_in(&sample->band, &sample->spectrum, tiny_m, &status), STATUS_OK);
+    expect_ok(power_law_band_fit_in, &sample->band, &sample->spectrum, tiny_m);
     assert_none(band);
-    assert_int_equal(power_law_band_fit_in(&sample->band, &sample->spectrum, beyond_m, &status), STATUS_OK);
+    expect_ok(power_law_band_fit_in, &sample->band, &sample->spectrum, beyond_m);
     assert_none(band);
-    assert_int_equal(power_law_band_fit_in(&sample->band, &sample->spectrum, all_m, &status), STATUS_OK);
+    expect_ok(power_law_band_fit_in, &sample->band, &sample->spectrum, all_m);
     assert_int_equal(band->fit.first_harmonic, 5);
     assert_int_equal(band->fit.last_harmonic, 3000);
     gsl_rng_free(random);

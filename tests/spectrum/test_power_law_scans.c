@@ -27,17 +27,15 @@ static void draw(double *height_m, double gamma, gsl_rng *random)
 
 static void add(struct power_law_scans *scans, const double *height_m, double step_m)
 {
-    struct status status = {0};
-    assert_int_equal(power_law_scans_add(scans, height_m, POINTS, spacing_m, step_m, &status), STATUS_OK);
-    assert_int_equal(power_law_scans_end_file(scans, 1, false, &status), STATUS_OK);
+    expect_ok(power_law_scans_add, scans, height_m, POINTS, spacing_m, step_m);
+    expect_ok(power_law_scans_end_file, scans, 1, false);
 }
 
 static struct power_law_band fit(const struct power_law_scans *scans, double lambda_s_m, const double *band_m)
 {
     struct power_law_band band;
-    struct status status = {0};
     const struct power_law_scans_def def = {lambda_s_m, band_m};
-    assert_int_equal(power_law_scans_fit(&band, scans, &def, &status), STATUS_OK);
+    expect_ok(power_law_scans_fit, &band, scans, &def);
     return band;
 }
 
@@ -56,7 +54,6 @@ TEST_CASE(test_powers_are_averaged)
 {
     double first_m[POINTS], second_m[POINTS], square_m2[2][POINTS];
     struct power_law_scans scans = {0};
-    struct status status = {0};
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     draw(first_m, 1.3, random);
     draw(second_m, 1.3, random);
@@ -65,8 +62,8 @@ TEST_CASE(test_powers_are_averaged)
     struct power_law_band one = fit(&scans, 0, NULL);
     add(&scans, second_m, 0);
     struct power_law_band two = fit(&scans, 0, NULL);
-    assert_int_equal(multitaper_square(square_m2[0], first_m, POINTS, &status), STATUS_OK);
-    assert_int_equal(multitaper_square(square_m2[1], second_m, POINTS, &status), STATUS_OK);
+    expect_ok(multitaper_square, square_m2[0], first_m, POINTS);
+    expect_ok(multitaper_square, square_m2[1], second_m, POINTS);
     assert_int_equal(scans.mean.count, multitaper_count(POINTS));
     for (size_t i = 0; i < scans.mean.count; i++)
         assert_near(scans.mean.amplitude_m[i] * scans.mean.amplitude_m[i], (square_m2[0][i] + square_m2[1][i]) / 2,
@@ -77,7 +74,7 @@ TEST_CASE(test_powers_are_averaged)
 
     const struct power_law_scans_def def = {0, NULL};
     struct power_law_band alone; /* in the band of the mean, with the error of one */
-    assert_int_equal(power_law_scans_fit_alone(&alone, &scans, 1, &def, &two, &status), STATUS_OK);
+    expect_ok(power_law_scans_fit_alone, &alone, &scans, 1, &def, &two);
     assert_near(alone.fit.band_m[0], two.fit.band_m[0], 1e-9);
     assert_near(alone.fit.band_m[1], two.fit.band_m[1], 1e-9);
     assert_true(alone.fit.gamma != two.fit.gamma && alone.fit.gamma_s > two.fit.gamma_s);
@@ -198,7 +195,6 @@ TEST_CASE(test_marks_are_in_the_interval_over_scans)
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
     double *height_m = malloc(LONG * sizeof *height_m);
     struct fft_room room;
-    struct status status = {0};
     const struct power_law_scans_def def = {0, NULL};
     size_t holds = 0;
     assert_true(height_m && fft_room_make(&room, LONG));
@@ -208,16 +204,16 @@ TEST_CASE(test_marks_are_in_the_interval_over_scans)
         struct interval interval;
         for (int i = 0; i < SCANS; i++) {
             draw_marked(height_m, gamma, &room, random);
-            assert_int_equal(power_law_scans_add(&scans, height_m, LONG, spacing_m, 0, &status), STATUS_OK);
-            assert_int_equal(power_law_scans_end_file(&scans, 1, false, &status), STATUS_OK);
+            expect_ok(power_law_scans_add, &scans, height_m, LONG, spacing_m, 0);
+            expect_ok(power_law_scans_end_file, &scans, 1, false);
         }
         struct power_law_band band = fit(&scans, 0, NULL), alone;
         assert_int_not_equal(band.law, POWER_LAW_BAND_NONE);
         for (size_t i = 0; i < SCANS; i++) {
-            assert_int_equal(power_law_scans_fit_alone(&alone, &scans, i, &def, &band, &status), STATUS_OK);
+            expect_ok(power_law_scans_fit_alone, &alone, &scans, i, &def, &band);
             own[i] = alone.fit.gamma;
         }
-        assert_int_equal(interval_scans(&interval, own, NULL, SCANS, 0.95, &status), STATUS_OK);
+        expect_ok(interval_scans, &interval, own, NULL, SCANS, 0.95);
         double both = hypot(interval.s, band.fit.gamma_bias_s), degrees = interval.degrees * pow(both / interval.s, 4);
         holds += fabs(interval.mean - gamma) < interval_quantile(0.95, degrees) * both; /* as estimate_end() */
         power_law_scans_free(&scans);

@@ -17,15 +17,13 @@ static void law(double *square_m2, size_t points, double gamma)
 static struct simulated_record prepare(const double *square_m2, size_t points)
 {
     struct simulated_record spectrum;
-    struct status status = {0};
-    assert_int_equal(simulated_record_prepare(&spectrum, square_m2, points, &status), STATUS_OK);
+    expect_ok(simulated_record_prepare, &spectrum, square_m2, points);
     return spectrum;
 }
 
 static void draw(double *height_m, const struct simulated_record *spectrum, unsigned long seed)
 {
-    struct status status = {0};
-    assert_int_equal(simulated_record_draw(height_m, spectrum, seed, &status), STATUS_OK);
+    expect_ok(simulated_record_draw, height_m, spectrum, seed);
 }
 
 /* Every frequency of an exact law has the law's density: at k/(4L), a quarter of the square; that of harmonic 1 below.
@@ -78,10 +76,9 @@ TEST_CASE(test_the_spectrum_comes_back)
     double square_m2[POINTS], height_m[POINTS], again[POINTS], mean[POINTS] = {0};
     law(square_m2, POINTS, 1.2);
     struct simulated_record spectrum = prepare(square_m2, POINTS);
-    struct status status = {0};
     for (unsigned long r = 0; r < RECORDS; r++) {
         draw(height_m, &spectrum, r);
-        assert_int_equal(multitaper_square(again, height_m, POINTS, &status), STATUS_OK);
+        expect_ok(multitaper_square, again, height_m, POINTS);
         for (size_t n = 10; n <= multitaper_count(POINTS); n++)
             mean[n] += again[n - 1] / square_m2[n - 1] / RECORDS;
     }

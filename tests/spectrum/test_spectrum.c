@@ -22,8 +22,7 @@ static double noise(uint64_t *seed)
 static struct spectrum compute(const double *height_m, size_t points, enum spectrum_window window)
 {
     struct spectrum spectrum;
-    struct status status = {0};
-    assert_int_equal(spectrum_compute(&spectrum, height_m, points, spacing_m, window, &status), STATUS_OK);
+    expect_ok(spectrum_compute, &spectrum, height_m, points, spacing_m, window);
     assert_int_equal(spectrum.count, points / 2);
     assert_int_equal(spectrum.has_nyquist, points % 2 == 0);
     assert_near(spectrum.length_m, (double)points * spacing_m, 1e-15);

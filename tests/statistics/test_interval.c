@@ -14,8 +14,7 @@ static size_t read_list(double *value, const char *list)
 static struct interval scans(const double *value, const double *weight, size_t count, double level)
 {
     struct interval out;
-    struct status status = {0};
-    assert_int_equal(interval_scans(&out, value, weight, count, level, &status), STATUS_OK);
+    expect_ok(interval_scans, &out, value, weight, count, level);
     return out;
 }
 

@@ -7,8 +7,7 @@
 static struct interval scans(const double *value, size_t count)
 {
     struct interval out;
-    struct status status = {0};
-    assert_int_equal(interval_scans(&out, value, NULL, count, 0.95, &status), STATUS_OK);
+    expect_ok(interval_scans, &out, value, NULL, count, 0.95);
     return out;
 }
 
@@ -67,19 +66,19 @@ TEST_CASE(test_holm)
     double p[6] = {0.012, 0.04, 0.0007, 0.3, 0.02, 0.009}, adjusted[6];
     const double expected[6] = {0.048, 0.08, 0.0042, 0.3, 0.06, 0.045};
     struct status status = {0};
-    assert_int_equal(ranking_holm(adjusted, p, 6, &status), STATUS_OK);
+    expect_ok(ranking_holm, adjusted, p, 6);
     for (size_t i = 0; i < 6; i++)
         assert_near(adjusted[i], expected[i], 1e-14);
-    assert_int_equal(ranking_holm(p, p, 6, &status), STATUS_OK); /* in place */
+    expect_ok(ranking_holm, p, p, 6); /* in place */
     assert_memory_equal(p, adjusted, sizeof p);
     double one[1] = {0.3}, large[3] = {0.9, 0.8, 1};
-    assert_int_equal(ranking_holm(one, one, 1, &status), STATUS_OK);
+    expect_ok(ranking_holm, one, one, 1);
     assert_near(one[0], 0.3, 1e-15);
-    assert_int_equal(ranking_holm(large, large, 3, &status), STATUS_OK);
+    expect_ok(ranking_holm, large, large, 3);
     for (size_t i = 0; i < 3; i++)
         assert_near(large[i], 1, 1e-15);
     double close[2] = {0.011, 0.01}; /* an adjusted p is never below that of a smaller p */
-    assert_int_equal(ranking_holm(close, close, 2, &status), STATUS_OK);
+    expect_ok(ranking_holm, close, close, 2);
     assert_near(close[0], 0.02, 1e-15);
     double bad[2] = {0.1, NAN};
     assert_int_equal(ranking_holm(bad, bad, 2, &status), STATUS_SCAN);
@@ -109,8 +108,7 @@ static bool share(const struct ranking_groups *groups, size_t i, size_t j, size_
 static void assert_groups(const bool *apart, size_t surfaces)
 {
     struct ranking_groups groups;
-    struct status status = {0};
-    assert_int_equal(ranking_groups_make(&groups, apart, surfaces, &status), STATUS_OK);
+    expect_ok(ranking_groups_make, &groups, apart, surfaces);
     for (size_t i = 0; i < surfaces; i++) {
         assert_true(share(&groups, i, i, SIZE_MAX));
         for (size_t j = i + 1; j < surfaces; j++)
@@ -159,8 +157,7 @@ TEST_CASE(test_letters_of_a_ranking)
     const bool apart[6] = {false, true, true, false, true, true};
     const char *const expected[4] = {"a", "ab", "b", "c"};
     struct ranking_groups groups;
-    struct status status = {0};
-    assert_int_equal(ranking_groups_make(&groups, apart, 4, &status), STATUS_OK);
+    expect_ok(ranking_groups_make, &groups, apart, 4);
     for (size_t i = 0; i < 4; i++) {
         char letters[RANKING_LETTERS + 1];
         ranking_groups_letters(letters, &groups, i);
@@ -177,8 +174,7 @@ TEST_CASE(test_more_groups_than_letters)
         for (size_t j = i + 1; j < 16; j++)
             apart[ranking_pair(i, j, 16)] = (i < 8) == (j < 8);
     struct ranking_groups groups;
-    struct status status = {0};
-    assert_int_equal(ranking_groups_make(&groups, apart, 16, &status), STATUS_OK);
+    expect_ok(ranking_groups_make, &groups, apart, 16);
     assert_int_equal(groups.groups, 64);
     char letters[RANKING_LETTERS + 1];
     ranking_groups_letters(letters, &groups, 0);

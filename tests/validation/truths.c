@@ -14,7 +14,6 @@
 #include "scan/scan.h"
 #include "selftest/selftest.h"
 #include "spectrum/power_law.h"
-#include "spectrum/roughness.h"
 #include "statistics/coverage.h"
 
 enum { GRIDS = 4 };

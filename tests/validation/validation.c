@@ -13,7 +13,6 @@
 #include "statistics/coverage.h"
 #include "validation/height_laws.h"
 #include "validation/nulls.h"
-#include "validation/truths.h"
 
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_sort.h>
