@@ -53,6 +53,14 @@ void support_near(double actual, double expected, double rtol, double atol, cons
             fail_msg("%s: %s", #function, expected_ok.message);                                                        \
     } while (0)
 
+/** The same where it has to fail with this status and a message that holds `words`. */
+#define expect_fails(expected, words, function, ...)                                                                   \
+    do {                                                                                                               \
+        struct status expected_failure = {0};                                                                          \
+        assert_int_equal(function(__VA_ARGS__, &expected_failure), (expected));                                        \
+        expect_parts(expected_failure.message, (words));                                                               \
+    } while (0)
+
 /** Fails unless the text holds every one of these parts, or none of them. */
 #define expect_parts(text, ...)                                                                                        \
     support_parts((text), (const char *const[]){__VA_ARGS__, NULL}, true, __FILE__, __LINE__)

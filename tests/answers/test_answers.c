@@ -94,6 +94,15 @@ static const struct answer *answer(const struct fixture *f, size_t target, const
     return &f->record.summary.answers[target * model_count + model_named(model)];
 }
 
+static void assert_note(const char *expected, const struct answer *given, double area_m2, double scale,
+                        const char *unit)
+{
+    struct text note = {0};
+    answers_note(&note, given, area_m2, scale, unit);
+    assert_string_equal(text_string(&note), expected);
+    text_free(&note);
+}
+
 /* A quantity of a model at one load, straight from its row; beyond full contact that of full contact. */
 static double value_at(const struct model_task *task, const char *model, double load, enum quantity quantity)
 {
@@ -146,15 +155,12 @@ TEST_CASE(the_reference_forces)
         assert_near(answer(&f, h, "cmy")->load * to_N, table_number(&table, i, "force_N"), 1e-10);
         double spots = (answer(&f, ecr, "cmy"))->spots_per_m2 * area_m2;
         assert_near(spots, table_number(&table, i, "spots"), 1e-10);
-        struct text note = {0};
-        answers_note(&note, answer(&f, ecr, "cmy"), area_m2, 1, "");
         if (target_ohm == 1e-3) {
             assert_within(answer(&f, ecr, "cmy")->load * to_N, 40.5e-3, 0.05e-3);
-            assert_string_equal(text_string(&note), "too few spots for statistics (9.1)");
+            assert_note("too few spots for statistics (9.1)", answer(&f, ecr, "cmy"), area_m2, 1, "");
         } else if (target_ohm == 3e-4) { /* 26 spots */
-            assert_string_equal(text_string(&note), "");
+            assert_note("", answer(&f, ecr, "cmy"), area_m2, 1, "");
         }
-        text_free(&note);
     }
     drop(&f);
     table_free(&table);
@@ -204,7 +210,6 @@ TEST_CASE(the_target_is_met)
 TEST_CASE(no_load_within_the_list)
 {
     struct fixture f;
-    struct text note = {0};
     make(&f, 1);
     double first = value_at(&f.task, "gw", f.loads[0], QUANTITY_ECR);
     size_t light = ask(&f, "ecr", first * 1.01), far = ask(&f, "area", 0.9), just = ask(&f, "ecr", first * 0.99);
@@ -216,15 +221,9 @@ TEST_CASE(no_load_within_the_list)
     assert_int_equal(answer(&f, far, "corrected-persson")->kind, ANSWER_NOT_REACHED);
     assert_true(answer(&f, far, "corrected-persson")->load == f.loads[LOADS - 1]);
     assert_int_equal(answer(&f, far, "jg")->kind, ANSWER_NONE);
-    answers_note(&note, answer(&f, far, "corrected-persson"), NAN, 10, "N");
-    assert_string_equal(text_string(&note), "not reached up to 0.1 N; above the hardness");
-    text_free(&note);
-    answers_note(&note, answer(&f, light, "gw"), NAN, 1, "");
-    assert_string_equal(text_string(&note), "already at the lightest load; above the hardness");
-    text_free(&note);
-    answers_note(&note, answer(&f, far, "jg"), NAN, 1, "");
-    assert_string_equal(text_string(&note), "no value");
-    text_free(&note);
+    assert_note("not reached up to 0.1 N; above the hardness", answer(&f, far, "corrected-persson"), NAN, 10, "N");
+    assert_note("already at the lightest load; above the hardness", answer(&f, light, "gw"), NAN, 1, "");
+    assert_note("no value", answer(&f, far, "jg"), NAN, 1, "");
     f.task.load_count = 1; /* one load: met there, or not */
     find(&f);
     assert_int_equal(answer(&f, light, "gw")->kind, ANSWER_LIGHTEST);
@@ -329,7 +328,6 @@ TEST_CASE(spots_are_those_at_the_answers_load)
 {
     for (size_t scans = 1; scans <= SCANS; scans += SCANS - 1) {
         struct fixture f;
-        struct text note = {0};
         make(&f, scans);
         f.plan.models = MODEL_BIT(model_named("corrected-persson-plastic")) |
                         MODEL_BIT(model_named("corrected-persson")) | MODEL_BIT(model_named("cmy")) |
@@ -347,12 +345,8 @@ TEST_CASE(spots_are_those_at_the_answers_load)
         assert_true(fabs(log(cmy->spots_per_m2 / plastic->spots_per_m2)) > 0.1);
         assert_int_equal(elastic->counted_by, model_named("cmy"));
         assert_near(elastic->spots_per_m2, spots_at(&f, scans, "cmy", elastic->load), 1e-12);
-        answers_note(&note, plastic, 9.5 / plastic->spots_per_m2, 1, "");
-        assert_string_equal(text_string(&note), "too few spots for statistics (9.5)");
-        text_free(&note);
-        answers_note(&note, plastic, 10.5 / plastic->spots_per_m2, 1, "");
-        assert_string_equal(text_string(&note), "");
-        text_free(&note);
+        assert_note("too few spots for statistics (9.5)", plastic, 9.5 / plastic->spots_per_m2, 1, "");
+        assert_note("", plastic, 10.5 / plastic->spots_per_m2, 1, "");
         surface_model_room(&f.record.summary, model_named("cmy"))->invalid_load = f.loads[0];
         find(&f);
         assert_true(isnan(answer(&f, target, "corrected-persson-plastic")->spots_per_m2));
@@ -391,7 +385,6 @@ static void jg_loads(double *tenth, double *full, const struct model_task *task)
 TEST_CASE(full_contact_meets_every_resistance_above_the_film)
 {
     struct fixture f;
-    struct text note = {0};
     make(&f, 1);
     plate(&f);
     double full, end;
@@ -410,9 +403,7 @@ TEST_CASE(full_contact_meets_every_resistance_above_the_film)
         assert_near(found->load, full, found->full ? 1e-9 : 1e-4); /* next to nothing just before it */
     }
     assert_true(answer(&f, above, "jg")->full);
-    answers_note(&note, answer(&f, above, "jg"), NAN, 1, "");
-    assert_string_equal(text_string(&note), "at full contact at the latest; beyond the model's validity");
-    text_free(&note);
+    assert_note("at full contact at the latest; beyond the model's validity", answer(&f, above, "jg"), NAN, 1, "");
     assert_int_equal(answer(&f, below, "jg")->kind, ANSWER_NOT_REACHED);
     assert_true(answer(&f, below, "jg")->load == f.loads[LOADS - 1]);
     assert_int_equal(answer(&f, below, "corrected-persson-plastic")->kind, ANSWER_NOT_REACHED); /* which never closes */

@@ -159,16 +159,15 @@ TEST_CASE(test_maps)
     }
 }
 
-TEST_CASE(test_files)
+TEST_IN_DIRECTORY(test_files)
 {
-    struct directory directory = directory_make();
     for (size_t over = 0; over < 2; over++) {
         struct text text = table(4, 2, 0);
         char path[512];
         while (text.length < SMALL_FILE_BYTES + over)
             text_add(&text, "\n");
-        directory_write(&directory, "a.dat", text.data);
-        snprintf(path, sizeof path, "%s/a.dat", directory.path);
+        directory_write(place, "a.dat", text.data);
+        snprintf(path, sizeof path, "%s/a.dat", place->path);
         text_free(&text);
         FILE *file = fopen(path, "rb");
         int ends[2];
@@ -197,7 +196,6 @@ TEST_CASE(test_files)
         expect_limit(streamed.message, LIMIT_FILE_BYTES);
         expect_limit(piped.message, LIMIT_FILE_BYTES);
     }
-    directory_remove(&directory);
 }
 
 /* The scene, a directory that is listed, one inside it. */
@@ -217,10 +215,9 @@ TEST_CASE(test_directories)
         }
 }
 
-TEST_CASE(test_scene_files)
+TEST_IN_DIRECTORY(test_scene_files)
 {
-    struct directory directory = directory_make();
-    scene_directory_add(&directory, "a.csv");
+    scene_directory_add(place, "a.csv");
     for (size_t over = 0; over < 2; over++) {
         struct text text = {0};
         struct scene scene;
@@ -228,15 +225,14 @@ TEST_CASE(test_scene_files)
         text_add(&text, "surfaces:\n");
         for (size_t i = 0; i < SMALL_SCENE_FILES / 2 + over; i++)
             text_add(&text, "  - {name: s%zu, file: [a.csv, ./a.csv]}\n", i);
-        directory_write(&directory, "scene.yaml", text.data);
-        assert_int_equal(scene_read(&scene, directory.path, NULL, &status), over ? STATUS_SCENE : STATUS_OK);
+        directory_write(place, "scene.yaml", text.data);
+        assert_int_equal(scene_read(&scene, place->path, NULL, &status), over ? STATUS_SCENE : STATUS_OK);
         if (over)
             assert_non_null(strstr(status.message, "more than 4 files in one scene; split it"));
         met[LIMIT_SCENE_FILES] = true;
         scene_free(&scene);
         text_free(&text);
     }
-    directory_remove(&directory);
 }
 
 /* Lines of a measured file, whatever is in them, and bytes of one: a heading, a row, a remark. */
@@ -263,15 +259,13 @@ TEST_CASE(test_measured)
 }
 
 /* What a scene asks for. */
-TEST_CASE(test_scenes)
+TEST_IN_DIRECTORY(test_scenes)
 {
-    struct directory directory = directory_make();
-    scene_directory_add(&directory, "a.csv");
-    expect_scene(&directory, "surfaces: [{file: a.csv, name: abcdefghijklmnopqrst}]\n", false, LIMIT_NAME_BYTES, 1);
-    expect_scene(&directory, "surfaces: [{file: a.csv, name: abcdefghijklmnopqrstu}]\n", true, LIMIT_NAME_BYTES, 0);
-    expect_scene(&directory, "direct: {grid: 64, seeds: 4}\n", false, LIMIT_DIRECT_POINTS, 1);
-    expect_scene(&directory, "direct: {grid: 66, seeds: 4}\n", true, LIMIT_DIRECT_POINTS, 0);
-    directory_remove(&directory);
+    scene_directory_add(place, "a.csv");
+    expect_scene(place, "surfaces: [{file: a.csv, name: abcdefghijklmnopqrst}]\n", false, LIMIT_NAME_BYTES, 1);
+    expect_scene(place, "surfaces: [{file: a.csv, name: abcdefghijklmnopqrstu}]\n", true, LIMIT_NAME_BYTES, 0);
+    expect_scene(place, "direct: {grid: 64, seeds: 4}\n", false, LIMIT_DIRECT_POINTS, 1);
+    expect_scene(place, "direct: {grid: 66, seeds: 4}\n", true, LIMIT_DIRECT_POINTS, 0);
 }
 
 static const char heights[] = "x [um],z [um]\n0,0.5\n0.5,-1.25\n1,2.75\n1.5,0.125\n2,8\n2.5,-3.5\n";
@@ -404,15 +398,14 @@ TEST_CASE(test_x3p)
 }
 
 /* A finished report that is compared. */
-TEST_CASE(test_results)
+TEST_IN_DIRECTORY(test_results)
 {
-    struct directory directory = directory_make();
-    char *const both[] = {directory.path, directory.path};
+    char *const both[] = {directory_here.path, directory_here.path};
     for (int over = 0; over < 2; over++) {
         json_t *view;
         struct status status = {0};
         directory_write(
-            &directory, "results.json",
+            place, "results.json",
             filled(
                 "%-*s", SMALL_RESULTS_BYTES + over,
                 "{\"program\": \"roughcontact\", \"leading\": \"m\", \"surfaces\": [{\"surface\": \"a\", \"models\": "
@@ -422,7 +415,6 @@ TEST_CASE(test_results)
             expect_limit(status.message, LIMIT_RESULTS_BYTES);
         json_decref(view);
     }
-    directory_remove(&directory);
 }
 
 /* Reports with `a`, `b`, `a` ... beside what they have alike. */

@@ -80,7 +80,7 @@ static const struct {
 };
 
 /* A folder's files are parts of a template where they are text, and lie in it. */
-TEST_CASE(parts_come_from_the_folder)
+TEST_IN_DIRECTORY(parts_come_from_the_folder)
 {
     static const struct {
         const char *name, *part, *error;
@@ -94,16 +94,15 @@ TEST_CASE(parts_come_from_the_folder)
         {"in/../../up", NULL, "'in/../../up' is no name"},
         {"none", NULL, "No such file"},
     };
-    struct directory outside = directory_make();
     struct status written = {0};
-    directory_write(&outside, "here/plain.md", "as \u00b5 it is");
-    directory_write(&outside, "here/in/deep.md", "deep");
-    directory_write(&outside, "here/in/a..b.md", "dots");
-    directory_write(&outside, "here/latin.md", "\xb5m");
-    directory_write(&outside, "up.md", "secret");
-    assert_int_equal(text_write_file(directory_path(&outside, "here/nul.md"), "a\0b", 3, &written), STATUS_OK);
-    char here[sizeof outside.path + 8];
-    snprintf(here, sizeof here, "%s/here", outside.path);
+    directory_write(place, "here/plain.md", "as \u00b5 it is");
+    directory_write(place, "here/in/deep.md", "deep");
+    directory_write(place, "here/in/a..b.md", "dots");
+    directory_write(place, "here/latin.md", "\xb5m");
+    directory_write(place, "up.md", "secret");
+    assert_int_equal(text_write_file(directory_path(place, "here/nul.md"), "a\0b", 3, &written), STATUS_OK);
+    char here[sizeof place->path + 8];
+    snprintf(here, sizeof here, "%s/here", place->path);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct status status = {0};
         struct mustache_folder folder = {here, ".md", NULL, &status};
@@ -116,7 +115,6 @@ TEST_CASE(parts_come_from_the_folder)
         }
         mustache_folder_free(&folder);
     }
-    directory_remove(&outside);
 }
 
 TEST_CASE(own_cases_hold)

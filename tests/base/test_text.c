@@ -276,12 +276,8 @@ TEST_CASE(test_what_cannot_be_read_is_named)
 TEST_CASE(test_what_cannot_be_written_is_named)
 {
     char lots[100000] = {0};
-    struct status status = {0};
-    assert_int_equal(text_write_file("/no such directory/x", "a", 1, &status), STATUS_IO);
-    assert_non_null(strstr(status.message, "/no such directory/x"));
+    expect_fails(STATUS_IO, "/no such directory/x", text_write_file, "/no such directory/x", "a", 1);
     for (size_t length = 1; length <= sizeof lots; length += sizeof lots - 1) { /* noticed at the end, or on the way */
-        status = (struct status){0};
-        assert_int_equal(text_write_file("/dev/full", lots, length, &status), STATUS_IO);
-        assert_non_null(strstr(status.message, "No space"));
+        expect_fails(STATUS_IO, "No space", text_write_file, "/dev/full", lots, length);
     }
 }

@@ -70,8 +70,7 @@ TEST_CASE(test_stop)
     static const atomic_bool stop = true;
     const struct threads threads = {.jobs = 3, .stop = &stop};
     struct log log = {.fails = {TASKS, TASKS}, .lock = PTHREAD_MUTEX_INITIALIZER};
-    struct status status = {0};
-    assert_int_equal(threads_run(&threads, TASKS, task, &log, &status), STATUS_INTERRUPTED);
+    expect_fails(STATUS_INTERRUPTED, "", threads_run, &threads, TASKS, task, &log);
     assert_int_equal(log.begun, 0);
 }
 

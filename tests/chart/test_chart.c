@@ -358,7 +358,7 @@ TEST_CASE(words_are_filled_in_by_name)
     assert_int_equal(none.length + open.length, 0);
     struct words read;
     status = (struct status){0};
-    assert_int_equal(words_read(&read, "/no-such-folder", &status), STATUS_IO);
+    expect_fails(STATUS_IO, "", words_read, &read, "/no-such-folder");
     words_free(&read);
     text_free(&force);
     text_free(&axis);

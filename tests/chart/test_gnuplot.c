@@ -46,9 +46,7 @@ PLACED(test_a_missing_gnuplot_names_the_package)
 TEST_CASE(test_a_missing_directory_is_an_error)
 {
     struct gnuplot gnuplot;
-    struct status status = {0};
-    assert_int_equal(gnuplot_start(&gnuplot, "/nonexistent/charts", &status), STATUS_IO);
-    assert_non_null(strstr(status.message, "/nonexistent/charts"));
+    expect_fails(STATUS_IO, "/nonexistent/charts", gnuplot_start, &gnuplot, "/nonexistent/charts");
 }
 
 /* commands, what the message has to say */
@@ -85,13 +83,11 @@ PLACED(test_a_process_that_ended_early_is_reported_not_deadly)
     struct sigaction after;
     assert_int_equal(sigaction(SIGPIPE, &before, NULL), 0);
     struct gnuplot gnuplot;
-    struct status status = {0};
     expect_ok(gnuplot_start, &gnuplot, ((struct directory *)*state)->path);
     gnuplot_send(&gnuplot, "exit\n");
     assert_int_equal(program_wait(gnuplot.process, INFINITY), PROGRAM_ENDED);
     gnuplot_send(&gnuplot, "x = 1\n");
-    assert_int_equal(gnuplot_finish(&gnuplot, &status), STATUS_CHART);
-    assert_non_null(strstr(status.message, "before it had read all commands"));
+    expect_fails(STATUS_CHART, "before it had read all commands", gnuplot_finish, &gnuplot);
     sigset_t pending;
     assert_int_equal(sigpending(&pending), 0);
     assert_int_equal(sigismember(&pending, SIGPIPE), 0);
@@ -134,15 +130,12 @@ PLACED(test_no_descriptor_is_left_open)
 {
     size_t before = open_files();
     run_well(*state, "x = 1");
-    struct status status = {0};
     struct gnuplot gnuplot;
-    assert_int_equal(run(*state, "plot nothing_here", &status), STATUS_CHART);
-    status = (struct status){0};
-    assert_int_equal(gnuplot_start(&gnuplot, "/nonexistent", &status), STATUS_IO);
+    expect_fails(STATUS_CHART, "", run, *state, "plot nothing_here");
+    expect_fails(STATUS_IO, "", gnuplot_start, &gnuplot, "/nonexistent");
     assert_int_equal(open_files(), before);
 
     /* and a process started meanwhile by others does not hold the pipe open */
-    status = (struct status){0};
     expect_ok(gnuplot_start, &gnuplot, "/");
     assert_true(fcntl(gnuplot.input, F_GETFD) & FD_CLOEXEC);
     assert_true(fcntl(fileno(gnuplot.complaints), F_GETFD) & FD_CLOEXEC);
@@ -185,18 +178,16 @@ PLACED(test_endless_messages_are_cut)
 PLACED(test_a_gnuplot_that_hangs_is_ended)
 {
     for (int asked = 0; asked < 2; asked++) {
-        struct status status = {0};
         struct gnuplot gnuplot = start_other(*state, "#!/bin/sh\ntrap '' INT TERM HUP\n/bin/sleep 1000\n");
         assert_true(gnuplot.most_seconds >= 60); /* for the slowest of machines */
         for (int i = 0; i < 100000; i++)
             gnuplot_send(&gnuplot, "x = 1\n");
         if (asked) {
             program_stop();
-            assert_int_equal(gnuplot_finish(&gnuplot, &status), STATUS_INTERRUPTED);
+            expect_fails(STATUS_INTERRUPTED, "", gnuplot_finish, &gnuplot);
         } else {
             gnuplot.most_seconds = 0.2;
-            assert_int_equal(gnuplot_finish(&gnuplot, &status), STATUS_CHART);
-            assert_non_null(strstr(status.message, "gnuplot did not end within 0.2 s and was stopped"));
+            expect_fails(STATUS_CHART, "gnuplot did not end within 0.2 s and was stopped", gnuplot_finish, &gnuplot);
         }
     }
 }

@@ -167,13 +167,11 @@ TEST_CASE(errors_and_stop)
     double scale = recipe_scale(), negative = -1;
     static const atomic_bool stop = true;
     struct direct_ensemble_def def = def_of(&scale, 2);
-    struct status status = {0};
     struct direct_ensemble found;
     def.ladder.stop = &stop;
-    assert_int_equal(direct_ensemble_run(&found, &def, &status), STATUS_INTERRUPTED);
+    expect_fails(STATUS_INTERRUPTED, "", direct_ensemble_run, &found, &def);
     assert_null(found.point);
     def.ladder.stop = NULL;
     def.context = &negative;
-    status = (struct status){0};
-    assert_int_equal(direct_ensemble_run(&found, &def, &status), STATUS_MODEL);
+    expect_fails(STATUS_MODEL, "", direct_ensemble_run, &found, &def);
 }

@@ -95,9 +95,7 @@ static void publish(const struct directory *place, const char *target, const cha
 static void assert_refused(const struct directory *place, const char *target, const char *words)
 {
     struct exchange output;
-    struct status status = {0};
-    assert_int_equal(exchange_begin(&output, directory_path(place, target), &status), STATUS_IO);
-    expect_parts(status.message, words);
+    expect_fails(STATUS_IO, words, exchange_begin, &output, directory_path(place, target));
     exchange_abandon(&output);
 }
 
@@ -166,7 +164,6 @@ static void put_in_place(const struct directory *place, char kind, const char *n
 static void take_step(const struct directory *place, struct exchange *output, const char *word, const char *name,
                       const char *rest)
 {
-    struct status status = {0};
     if (strcmp(word, "begin") == 0)
         begin(output, place, name);
     else if (strcmp(word, "stage") == 0)
@@ -184,8 +181,7 @@ static void take_step(const struct directory *place, struct exchange *output, co
     else if (strcmp(word, "refused") == 0)
         assert_refused(place, name, rest);
     else if (strcmp(word, "refused-late") == 0) {
-        assert_int_equal(exchange_commit(output, &status), STATUS_IO);
-        expect_parts(status.message, rest);
+        expect_fails(STATUS_IO, rest, exchange_commit, output);
     } else if (strcmp(word, "remove") == 0)
         assert_int_equal(remove(directory_path(place, name)), 0);
     else if (strcmp(word, "move") == 0)
@@ -324,14 +320,13 @@ TEST_IN_DIRECTORY(test_what_is_no_file_is_never_replaced)
         for (const char *kind = cases[i].kinds; *kind; kind++) {
             const char *name = cases[i].name;
             struct exchange output;
-            struct status status = {0};
             publish(place, "out", "one");
             begin(&output, place, "out");
             assert_int_equal(rename(directory_path(place, name), directory_path(place, "aside")), 0);
             put_in_place(place, *kind, name, *kind == 'l' ? directory_path(place, "aside") : "mine");
             assert_refused(place, "out", cases[i].words);
             fill(&output, "two");
-            assert_int_equal(exchange_commit(&output, &status), STATUS_IO);
+            expect_fails(STATUS_IO, "", exchange_commit, &output);
             exchange_abandon(&output);
             assert_int_equal(kind_of(place, name), *kind);
             assert_int_equal(directory_entries(place, ""), 2);
@@ -647,11 +642,9 @@ TEST_CASE(test_a_name_that_is_too_long_is_refused)
 {
     char name[PATH_MAX];
     struct exchange output;
-    struct status status = {0};
     memset(name, 'x', sizeof name - 1);
     name[sizeof name - 1] = '\0';
-    assert_int_equal(exchange_begin(&output, name, &status), STATUS_IO);
-    assert_non_null(strstr(status.message, "too long"));
+    expect_fails(STATUS_IO, "too long", exchange_begin, &output, name);
     exchange_abandon(&output);
 }
 
@@ -822,10 +815,10 @@ TEST_IN_DIRECTORY(test_runs_into_one_out)
 TEST_CASE(test_a_mount_point_is_refused)
 {
     struct exchange output;
-    struct status status = {0};
-    assert_int_equal(exchange_begin(&output, "/proc/", &status), STATUS_IO);
-    assert_non_null(strstr(status.message, "is a mount point, which a report cannot take the place of; name a "
-                                           "directory in it"));
+    expect_fails(STATUS_IO,
+                 "is a mount point, which a report cannot take the place of; name a "
+                 "directory in it",
+                 exchange_begin, &output, "/proc/");
     assert_string_equal(output.staging, ""); /* nothing was made */
     exchange_abandon(&output);
 }

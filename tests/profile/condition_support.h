@@ -30,10 +30,7 @@ static inline void assert_profile_refused(const struct scan *scan, const struct 
                                           const char *words)
 {
     struct profile profile;
-    struct status status = {0};
-    assert_int_equal(profile_make(&profile, scan, 0, options, &status), STATUS_SCAN);
-    if (!strstr(status.message, words))
-        fail_msg("'%s' without '%s'", status.message, words);
+    expect_fails(STATUS_SCAN, words, profile_make, &profile, scan, 0, options);
     profile_free(&profile);
 }
 

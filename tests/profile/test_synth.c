@@ -106,10 +106,7 @@ TEST_CASE(test_scaled_to_rq)
 static void assert_refused(const struct synth_def *def, const char *words)
 {
     double height_m[2000];
-    struct status status = {0};
-    assert_int_equal(synth_profile(height_m, def, &status), STATUS_USAGE);
-    if (!strstr(status.message, words))
-        fail_msg("'%s' without '%s'", status.message, words);
+    expect_fails(STATUS_USAGE, words, synth_profile, height_m, def);
 }
 
 TEST_CASE(test_what_cannot_be_made_is_refused)

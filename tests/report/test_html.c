@@ -192,10 +192,7 @@ TEST_CASE(links)
 static void assert_fails(enum status_code code, const char *markdown, const char *templates, const char *message)
 {
     struct text out = {0};
-    struct status status = {0};
-    assert_int_equal(html_render(&out, markdown, "t", DIRECTORY, templates, &status), code);
-    if (!strstr(status.message, message))
-        fail_msg("'%s' does not say '%s'", status.message, message);
+    expect_fails(code, message, html_render, &out, markdown, "t", DIRECTORY, templates);
     text_free(&out);
 }
 

@@ -156,18 +156,6 @@ static int remove_whole(void **state)
 
 /* ---------------------------------------------------------------- helpers */
 
-static void assert_has(const char *in, const char *what)
-{
-    if (!strstr(in, what))
-        fail_msg("no '%s' in\n%s", what, in);
-}
-
-static void assert_lacks(const char *in, const char *what)
-{
-    if (strstr(in, what))
-        fail_msg("'%s' in\n%s", what, in);
-}
-
 /** The Markdown from a heading to the next one, `start` for the first; in place, until the next call. */
 static const char *section(const char *markdown, const char *heading)
 {
@@ -261,7 +249,7 @@ TEST_CASE(test_the_json)
 TEST_CASE(test_the_other_tables)
 {
     static const struct {
-        const char *file, *has[3], *lacks;
+        const char *file, *has[4], *lacks;
     } files[] = {
         {"out/data/surfaces.csv", {",beta_numeric-stack"}, "area-alone"},
         {"out/data/convergence.csv", {"alpha,0.001", ",numeric-stack,"}, "area-alone"},
@@ -272,11 +260,8 @@ TEST_CASE(test_the_other_tables)
         {"out/results.json", {"\"numeric-stack\": {", "\"area-alone\": {", "\"area-alone\"\n"}, "inf"},
     };
     for (size_t f = 0; f < sizeof files / sizeof *files; f++) {
-        struct text text = directory_read(&whole, files[f].file);
-        for (int i = 0; i < 3 && files[f].has[i]; i++)
-            assert_has(text_string(&text), files[f].has[i]);
-        assert_lacks(text_string(&text), files[f].lacks);
-        text_free(&text);
+        directory_expect(&whole, files[f].file, files[f].has, true, __FILE__, __LINE__);
+        expect_not_in_file(&whole, files[f].file, files[f].lacks);
     }
 }
 
@@ -285,20 +270,11 @@ TEST_CASE(test_the_other_tables)
 /** The chart of one surface has all models, each in its colour; of all surfaces the thesis's and the leading one. */
 TEST_CASE(test_the_charts)
 {
-    struct text text = directory_read(&whole, "out/figures/one-surface.gp");
-    assert_has(text_string(&text), "lc rgb '#2E8B57'"); /* numeric-stack */
-    assert_has(text_string(&text), "lc rgb '#8B2E57'"); /* area-alone */
-    assert_has(text_string(&text), "title 'numeric stack'");
-    assert_has(text_string(&text), "title 'area alone'");
-    text_free(&text);
-    text = directory_read(&whole, "out/figures/convergence.gp");
-    assert_has(text_string(&text), "numeric stack");
-    assert_lacks(text_string(&text), "area alone");
-    text_free(&text);
-    text = directory_read(&whole, "out/figures/area.gp");
-    assert_lacks(text_string(&text), "numeric stack");
-    assert_lacks(text_string(&text), "area alone");
-    text_free(&text);
+    expect_in_file(&whole, "out/figures/one-surface.gp", "lc rgb '#2E8B57'", "title 'numeric stack'",
+                   "lc rgb '#8B2E57'", "title 'area alone'");
+    expect_in_file(&whole, "out/figures/convergence.gp", "numeric stack");
+    expect_not_in_file(&whole, "out/figures/convergence.gp", "area alone");
+    expect_not_in_file(&whole, "out/figures/area.gp", "numeric stack", "area alone");
 }
 
 /* ---------------------------------------------------------------- report, terminal, plan */
@@ -308,24 +284,19 @@ TEST_CASE(test_the_report)
     struct text text = directory_read(&whole, "out/report.md");
     const char *md = text_string(&text);
     const char *baseline = section(md, "## One surface, every model");
-    assert_has(baseline, "| numeric stack");
+    expect_parts(baseline, "| numeric stack");
     assert_row(baseline, "| area alone ", 6);
-    assert_has(section(md, "## All surfaces"),
-               " numeric stack | multiscale |"); /* its beta stands beside the others' */
-    assert_lacks(section(md, "## All surfaces"), "area alone |");
-    assert_has(section(md, "## The findings"), "numeric stack ");
+    expect_parts(section(md, "## All surfaces"),
+                 " numeric stack | multiscale |"); /* its beta stands beside the others' */
+    expect_no_parts(section(md, "## All surfaces"), "area alone |");
+    expect_parts(section(md, "## The findings"), "numeric stack ");
     const char *measured = section(md, "## Measured");
-    assert_has(measured, "numeric stack ");
-    assert_lacks(measured, "area alone ");
-    assert_has(section(md, "## Methods and sources"), "- **numeric stack**: ");
-    assert_has(section(md, "## Methods and sources"), "- **area alone**: ");
-    assert_lacks(md, "nan");
-    assert_lacks(md, "inf ");
+    expect_parts(measured, "numeric stack ");
+    expect_no_parts(measured, "area alone ");
+    expect_parts(section(md, "## Methods and sources"), "- **numeric stack**: ", "- **area alone**: ");
+    expect_no_parts(md, "nan", "inf ");
     text_free(&text);
-    text = directory_read(&whole, "out/report.html");
-    assert_has(text_string(&text), "numeric stack");
-    assert_has(text_string(&text), "<strong>area alone</strong>");
-    text_free(&text);
+    expect_in_file(&whole, "out/report.html", "numeric stack", "<strong>area alone</strong>");
 }
 
 TEST_CASE(test_the_work)
@@ -336,27 +307,20 @@ TEST_CASE(test_the_work)
 /* ---------------------------------------------------------------- alone, and in the plan */
 
 /* Nothing but an area: what other models would add has no place in the report. */
-TEST_CASE(test_the_area_alone)
+TEST_IN_DIRECTORY(test_the_area_alone)
 {
-    struct directory place = directory_make();
-    struct run_outcome outcome = report_of(&place,
+    struct run_outcome outcome = report_of(place,
                                            "material: tin\n" LOADS SURFACES "models: [area-alone]\n"
                                            "effects: [separation, electrical, thermal, scale-dependent]\n",
                                            true);
-    struct text text = directory_read(&place, "out/report.md");
-    assert_has(text_string(&text), "the leading model is area alone.");
-    assert_has(text_string(&text), "| model | area (%) |\n");
-    assert_has(text_string(&text), "it is undecided whether surfaces differ significantly"); /* two have one scan */
-    assert_lacks(text_string(&text), "significantly better");
-    assert_true(directory_has(&place, "out/figures/area.svg"));
-    assert_has(text_string(&outcome.table), "contact area");
-    assert_lacks(text_string(&text), "ECR·Aₙ");
-    assert_lacks(text_string(&text), "### Separation");
-    assert_lacks(text_string(&text), "multiscale elastic");
-    assert_false(directory_has(&place, "out/figures/ecr.svg"));
-    text_free(&text);
+    expect_in_file(place, "out/report.md", "the leading model is area alone.", "| model | area (%) |\n",
+                   "it is undecided whether surfaces differ significantly"); /* two have one scan */
+    expect_not_in_file(place, "out/report.md", "significantly better", "ECR·Aₙ", "### Separation",
+                       "multiscale elastic");
+    expect_parts(text_string(&outcome.table), "contact area");
+    assert_true(directory_has(place, "out/figures/area.svg"));
+    assert_false(directory_has(place, "out/figures/ecr.svg"));
     run_outcome_free(&outcome);
-    directory_remove(&place);
 }
 
 /** The table of the plan of the scene in place/in, before any model runs. */
@@ -378,20 +342,18 @@ static struct text plan_of(const struct directory *place)
 }
 
 /* A plastic model alone tells what scale dependence adds. */
-TEST_CASE(test_the_plan)
+TEST_IN_DIRECTORY(test_the_plan)
 {
     struct text table = plan_of(&whole);
     text_free(&table);
 
-    struct directory place = directory_make();
-    mkdir(directory_path(&place, "in"), 0777);
-    pipeline_rough(&place, "in/a.csv", 128, 1, 1);
-    directory_write(&place, "in/scene.yaml", "material: tin\n" LOADS "effects: auto\nmodels: [registered]\n");
-    table = plan_of(&place);
-    assert_has(text_string(&table), "scale-dependent  run");
-    assert_lacks(text_string(&table), " inf");
+    mkdir(directory_path(place, "in"), 0777);
+    pipeline_rough(place, "in/a.csv", 128, 1, 1);
+    directory_write(place, "in/scene.yaml", "material: tin\n" LOADS "effects: auto\nmodels: [registered]\n");
+    table = plan_of(place);
+    expect_parts(text_string(&table), "scale-dependent  run");
+    expect_no_parts(text_string(&table), " inf");
     text_free(&table);
-    directory_remove(&place);
 }
 
 TEST_GROUP(make_whole, remove_whole)

@@ -162,8 +162,7 @@ static void assert_prefixes_refused(const struct text *text)
 {
     for (size_t length = 0; length < text->length; length++) {
         struct scan scan;
-        struct status status = {0};
-        assert_int_equal(read_bytes(&scan, text->data, length, &no_units, &status), STATUS_SCAN);
+        expect_fails(STATUS_SCAN, "", read_bytes, &scan, text->data, length, &no_units);
         scan_free(&scan);
     }
 }

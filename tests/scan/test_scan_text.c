@@ -221,9 +221,7 @@ TEST_CASE(test_no_file)
         {"/", "is a directory"}, {TEST_DATA "/no such file", "no such file"}, {"/dev/null", "/dev/null"}};
     for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) {
         struct scan scan;
-        struct status status = {0};
-        assert_int_equal(scan_read(&scan, paths[i][0], &no_units, &status), STATUS_IO);
-        assert_non_null(strstr(status.message, paths[i][1]));
+        expect_fails(STATUS_IO, paths[i][1], scan_read, &scan, paths[i][0], &no_units);
         scan_free(&scan);
     }
 }

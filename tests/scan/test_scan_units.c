@@ -210,10 +210,7 @@ static void expect_units(const struct scan_options *options, const char *z_unit,
 static void expect_refusal(const struct scan_options *options, const char *message)
 {
     struct scan scan;
-    struct status status;
-    assert_int_equal(take(&scan, options, &status), STATUS_SCAN);
-    if (!strstr(status.message, message))
-        fail_msg("'%s' should hold '%s'", status.message, message);
+    expect_fails(STATUS_SCAN, message, take, &scan, options);
     scan_free(&scan);
 }
 

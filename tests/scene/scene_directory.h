@@ -25,9 +25,7 @@ static inline void scene_directory_refused(const char *path, const struct scene_
                                            enum status_code code, const char *words)
 {
     struct scene scene;
-    struct status status = {0};
-    assert_int_equal(scene_read(&scene, path, overrides, &status), code);
-    expect_parts(status.message, words);
+    expect_fails(code, words, scene_read, &scene, path, overrides);
     scene_free(&scene);
 }
 

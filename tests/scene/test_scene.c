@@ -73,19 +73,17 @@ TEST_CASE(test_defaults_without_scene)
     scene_free(&scene);
 }
 
-TEST_CASE(test_defaults_of_texts_that_say_nothing)
+TEST_IN_DIRECTORY(test_defaults_of_texts_that_say_nothing)
 {
     static const char *const texts[] = {"", "\n", "# only a comment\n", "---\n", "---\n...\n", "{}", "~\n", "load: {}"};
-    struct directory directory = directory_make();
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
-        directory_write(&directory, "scene.yaml", texts[i]);
-        struct scene scene = scene_directory_read(directory.path, NULL);
+        directory_write(place, "scene.yaml", texts[i]);
+        struct scene scene = scene_directory_read(place->path, NULL);
         check_defaults(&scene);
         assert_non_null(scene.path);
         assert_int_equal(scene.surface_count, 0); /* scene.yaml is no scan */
         scene_free(&scene);
     }
-    directory_remove(&directory);
 }
 
 static void check_full_material(const struct material *material)
@@ -331,14 +329,12 @@ TEST_CASE(test_wrong_overrides)
 }
 
 /* What is wrong in the file is told of the file, whatever the command line overrode. */
-TEST_CASE(test_an_override_is_read_alone)
+TEST_IN_DIRECTORY(test_an_override_is_read_alone)
 {
-    struct directory directory = directory_make();
-    scene_directory_add(&directory, "a.csv");
-    directory_write(&directory, "scene.yaml", "\nbaseline: b\n");
-    scene_directory_refused(directory.path, &(struct scene_overrides){.tolerance = "1e-3"}, STATUS_SCENE,
+    scene_directory_add(place, "a.csv");
+    directory_write(place, "scene.yaml", "\nbaseline: b\n");
+    scene_directory_refused(place->path, &(struct scene_overrides){.tolerance = "1e-3"}, STATUS_SCENE,
                             "/scene.yaml:2: 'baseline' is 'b'");
-    directory_remove(&directory);
 }
 
 TEST_CASE(test_units_of_loads_and_what_fills_the_gaps)

@@ -318,14 +318,12 @@ TEST_CASE(test_aliases_do_not_multiply)
     text_free(&end);
 }
 
-TEST_CASE(test_scene_that_is_no_file)
+TEST_IN_DIRECTORY(test_scene_that_is_no_file)
 {
-    struct directory directory = directory_make();
-    const char *path = directory_path(&directory, "scene.yaml");
+    const char *path = directory_path(place, "scene.yaml");
     assert_int_equal(symlink("nowhere", path), 0);
-    scene_directory_refused(directory.path, NULL, STATUS_IO, "/scene.yaml': No such file or directory");
+    scene_directory_refused(place->path, NULL, STATUS_IO, "/scene.yaml': No such file or directory");
     assert_int_equal(unlink(path), 0);
     assert_int_equal(mkfifo(path, 0600), 0); /* reading it would wait for ever */
-    scene_directory_refused(directory.path, NULL, STATUS_SCENE, "/scene.yaml' is no regular file; remove it");
-    directory_remove(&directory);
+    scene_directory_refused(place->path, NULL, STATUS_SCENE, "/scene.yaml' is no regular file; remove it");
 }

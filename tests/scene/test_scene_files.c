@@ -92,7 +92,7 @@ TEST_CASE(test_listings)
     }
 }
 
-TEST_CASE(test_patterns_of_nothing)
+TEST_IN_DIRECTORY(test_patterns_of_nothing)
 {
     static const char *const bad[][2] = {
         {"surfaces:\n  - {file: a}\n  - {file: \"x*.csv\"}\n", "scene.yaml:2: cannot find surface file 'a'"},
@@ -100,48 +100,42 @@ TEST_CASE(test_patterns_of_nothing)
          "scene.yaml:4: 'x*.csv' matches no file; paths start at the scene's directory"},
         {"surfaces:\n  - {file: \"nowhere/*\"}\n", "scene.yaml:2: cannot list '"},
         {"surfaces:\n  - {file: \"r*/run-1.csv\"}\n", "scene.yaml:2: cannot list '"}};
-    struct directory directory = directory_make();
-    lay_out(&directory, "run-1.csv|r/|r/run-1.csv");
+    lay_out(place, "run-1.csv|r/|r/run-1.csv");
     for (size_t i = 0; i < COUNT(bad); i++) {
-        directory_write(&directory, "scene.yaml", bad[i][0]);
-        scene_directory_refused(directory.path, NULL, STATUS_SCENE, bad[i][1]);
+        directory_write(place, "scene.yaml", bad[i][0]);
+        scene_directory_refused(place->path, NULL, STATUS_SCENE, bad[i][1]);
     }
-    directory_remove(&directory);
 }
 
-TEST_CASE(test_what_is_no_scan)
+TEST_IN_DIRECTORY(test_what_is_no_scan)
 {
-    struct directory directory = directory_make();
-    lay_out(&directory, "scan.csv|.hidden.csv|folder.csv/");
-    directory_write(&directory, "scene.yaml", "{}");
-    assert_int_equal(mkfifo(directory_path(&directory, "pipe.csv"), 0600), 0);
-    assert_int_equal(symlink("nowhere", directory_path(&directory, "dangling.csv")), 0);
-    assert_int_equal(symlink(directory_path(&directory, ".hidden.csv"), directory_path(&directory, "link.csv")), 0);
-    struct scene scene = scene_directory_read(directory.path, NULL); /* a link to a file is as good as the file */
+    lay_out(place, "scan.csv|.hidden.csv|folder.csv/");
+    directory_write(place, "scene.yaml", "{}");
+    assert_int_equal(mkfifo(directory_path(place, "pipe.csv"), 0600), 0);
+    assert_int_equal(symlink("nowhere", directory_path(place, "dangling.csv")), 0);
+    assert_int_equal(symlink(directory_path(place, ".hidden.csv"), directory_path(place, "link.csv")), 0);
+    struct scene scene = scene_directory_read(place->path, NULL); /* a link to a file is as good as the file */
     assert_surfaces(&scene, "link: link.csv|scan: scan.csv");
     scene_free(&scene);
-    directory_remove(&directory);
 }
 
 /* The counterface's scan and the measurements are no surfaces, however their paths are spelt; units given for all
  * surfaces are the counterface's too. */
-TEST_CASE(test_files_spoken_for)
+TEST_IN_DIRECTORY(test_files_spoken_for)
 {
     static const char *const spellings[] = {"", "./", ".//./"};
     const struct scene_overrides units = {.x_unit = "mm", .z_unit = "um"};
-    struct directory directory = directory_make();
-    lay_out(&directory, "a.csv|b.csv|m.csv");
+    lay_out(place, "a.csv|b.csv|m.csv");
     for (size_t i = 0; i < COUNT(spellings); i++) {
         directory_write(
-            &directory, "scene.yaml",
+            place, "scene.yaml",
             filled("counterface: {surface: %sb.csv}\nmeasured: {file: %sm.csv}\n", spellings[i], spellings[i]));
-        struct scene scene = scene_directory_read(directory.path, &units);
+        struct scene scene = scene_directory_read(place->path, &units);
         assert_surfaces(&scene, "a: a.csv");
         assert_string_equal(scene.counterface_surface.x_unit, "mm");
         assert_string_equal(scene.counterface_surface.z_unit, "um");
         scene_free(&scene);
     }
-    directory_remove(&directory);
 }
 
 TEST_CASE(test_columns)
@@ -163,19 +157,17 @@ TEST_CASE(test_columns)
     scene_free(&scene);
 }
 
-TEST_CASE(test_many_files)
+TEST_IN_DIRECTORY(test_many_files)
 {
-    struct directory directory = directory_make();
     enum { MANY = 1000 };
     for (int i = MANY; i > 0; i--) {
-        scene_directory_add(&directory, filled("%d.csv", i));
+        scene_directory_add(place, filled("%d.csv", i));
     }
-    struct scene scene = scene_directory_read(directory.path, NULL);
+    struct scene scene = scene_directory_read(place->path, NULL);
     assert_int_equal(scene.surface_count, MANY);
     for (int i = 0; i < MANY; i++)
         assert_int_equal(atoi(scene.surfaces[i].name), i + 1);
     scene_free(&scene);
-    directory_remove(&directory);
 }
 
 TEST_CASE(test_no_directory)

@@ -89,7 +89,7 @@ static void expect_refused(const struct directory *place, const char *bytes, siz
 
 /** No table, a cell that is no number, a tolerance of none, a column too few, an input that is none.
  */
-TEST_CASE(a_damaged_table_is_refused)
+TEST_IN_DIRECTORY(a_damaged_table_is_refused)
 {
     static const struct {
         const char *from, *to;
@@ -100,12 +100,11 @@ TEST_CASE(a_damaged_table_is_refused)
                    {"input,plateau,", "input,elsewhere,"},
                    {" -20.74669085342877", ""},
                    {",2.228,", ",inf,"}};
-    struct directory place = directory_make();
     struct text whole = {0};
     expect_ok(text_read_file, &whole, TABLE);
-    expect_refused(&place, NULL, 0, "selftest.csv");
+    expect_refused(place, NULL, 0, "selftest.csv");
     for (size_t length = 0; length < whole.length; length += 997)
-        expect_refused(&place, whole.data, length, "; install the program again");
+        expect_refused(place, whole.data, length, "; install the program again");
     for (size_t i = 0; i < sizeof changes / sizeof *changes; i++) {
         struct text changed = {0};
         const char *at = strstr(whole.data, changes[i].from);
@@ -114,11 +113,10 @@ TEST_CASE(a_damaged_table_is_refused)
         text_add_bytes(&changed, whole.data, (size_t)(at - whole.data));
         text_add(&changed, "%s", changes[i].to);
         text_add_bytes(&changed, at + strlen(changes[i].from), strlen(at) - strlen(changes[i].from));
-        expect_refused(&place, changed.data, changed.length, ": damaged; install the program again");
+        expect_refused(place, changed.data, changed.length, ": damaged; install the program again");
         text_free(&changed);
     }
     text_free(&whole);
-    directory_remove(&place);
 }
 
 enum { NUMBERS_MOST = 40000 };

@@ -96,9 +96,7 @@ TEST_CASE(test_what_cannot_be_simulated)
     double square_m2[POINTS];
     struct simulated_record spectrum;
     memset(square_m2, 0, sizeof square_m2); /* constant heights */
-    struct status status = {0};
-    assert_int_equal(simulated_record_prepare(&spectrum, square_m2, POINTS, &status), STATUS_SCAN);
-    assert_non_null(strstr(status.message, "no power"));
+    expect_fails(STATUS_SCAN, "no power", simulated_record_prepare, &spectrum, square_m2, POINTS);
     assert_false(simulated_record_possible(square_m2, POINTS));
     law(square_m2, POINTS, 1);
     assert_true(simulated_record_possible(square_m2, POINTS));
