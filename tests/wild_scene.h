@@ -78,21 +78,28 @@ static const struct wild_key {
 enum { WILD_KEYS = sizeof wild_keys / sizeof *wild_keys, WILD_VALUES = sizeof wild_keys->values / sizeof(char *) };
 
 /* Adds the lines of a scene but those of keys in `but`, NULL behind the last; `below` gives a number from 0 to below
- * the one it is given. */
-static inline void wild_scene(struct text *out, const char *const *but, size_t (*below)(size_t count))
+ * the one it is given. The value of number `sure`, counted over all keys, is taken for sure. Returns how many there
+ * are.
+ */
+static inline size_t wild_scene(struct text *out, const char *const *but, size_t (*below)(size_t count), size_t sure)
 {
+    size_t values = 0;
     text_add(out, "title: wild\n");
     for (const struct wild_key *key = wild_keys; key < wild_keys + WILD_KEYS; key++) {
         size_t count = 0;
         while (count < WILD_VALUES && key->values[count])
             count++;
         const char *value = below(key->once_in) == 0 ? key->values[below(count)] : "";
+        if (sure >= values && sure < values + count)
+            value = key->values[sure - values];
+        values += count;
         size_t i = 0;
         while (but[i] && strcmp(but[i], key->key) != 0)
             i++;
         if (*value && !but[i])
             text_add(out, "%s: %s\n", key->key, value);
     }
+    return values;
 }
 
 #endif

@@ -78,8 +78,8 @@ static void expect_hash(const char *place, const char *path, const char *file)
     free(text);
 }
 
-/* One large scan; by some models, and by all: its strips take seconds, so that they are solved but twice, and not where
- * the address sanitizer makes minutes of them: it sees those of small scans. */
+/* One large scan by some models, and a smaller one by all: its strips take seconds, so that they are solved but twice,
+ * and not where the address sanitizer makes minutes of them: it sees those of small scans. */
 TEST_IN_WORKSPACE(test_one_large_scan)
 {
     static const char *const scenes[] = {
@@ -88,15 +88,15 @@ TEST_IN_WORKSPACE(test_one_large_scan)
         "material: tin\n",
 #endif
     };
-    workspace_scan(place, "d/a.csv", 70000, 5);
     for (size_t s = 0; s < sizeof scenes / sizeof *scenes; s++) {
+        workspace_scan(place, "d/a.csv", s == 0 ? 70000 : 20000, 5);
         workspace_write(place, "d/scene.yaml", scenes[s]);
         run(place, "one", "--jobs=1");
-        expect_hash(place, "one/results.json", "d/a.csv");
         char *reference = workspace_digest(place, "one");
         run(place, "two", "--jobs=2");
         expect_same(place, reference, "two");
         if (s == 0) {
+            expect_hash(place, "one/results.json", "d/a.csv");
             run(place, "seven", "--jobs=7");
             expect_same(place, reference, "seven");
         }

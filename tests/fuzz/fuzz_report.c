@@ -155,7 +155,7 @@ void fuzz_report(const uint8_t *bytes, size_t length)
     char *file = fuzz_file((const char *)bytes, &length);
     put("scan.dat", file, length);
     put("again.dat", file, length);
-    wild_scene(&text, quick, below);
+    wild_scene(&text, quick, below, SIZE_MAX);
     text_add(&text, "load: {from: 1e-4, to: 0.1, points: 3}\ntolerance: 0.1\neffects: %s\n",
              effects[below(below(8) > 0 ? 3 : 4)]);
     text_add(&text, "surfaces: [%s]\n", surfaces[below(sizeof surfaces / sizeof *surfaces)]);

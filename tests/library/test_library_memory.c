@@ -222,7 +222,7 @@ static void expect_survives(const struct use *given, long stride)
 TEST_IN_WORKSPACE(a_host_survives_every_failing_allocation)
 {
     char path[512];
-    workspace_scan(place, "a.csv", 256, 3);
+    workspace_scan(place, "a.csv", 128, 3);
     snprintf(path, sizeof path, "%s/a.csv", place);
     struct use plain = {.path = path, .models = {"multiscale-plastic", "jg"}},
                strip = {.path = path, .models = {"corrected-persson-plastic", "strip", "gw"}, .lambda_s_m = 4e-6};
@@ -234,7 +234,7 @@ TEST_IN_WORKSPACE(a_host_survives_every_failing_allocation)
 TEST_IN_WORKSPACE(transforms_may_find_no_memory_either)
 {
     char path[512];
-    workspace_scan(place, "a.csv", 251, 3);
+    workspace_scan(place, "a.csv", 127, 3);
     snprintf(path, sizeof path, "%s/a.csv", place);
     struct use use = {.path = path, .models = {"strip"}};
     expect_survives(&use, 797);
