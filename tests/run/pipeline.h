@@ -21,7 +21,8 @@ static inline void pipeline_scan(const struct directory *place, const char *name
 /* Writes a made-up profile in place/NAME. */
 static inline void pipeline_synth(const struct directory *place, const char *name, const struct synth_def *def)
 {
-    double *height_m = support_room(def->points * sizeof *height_m);
+    double *height_m = calloc(def->points, sizeof *height_m);
+    assert_non_null(height_m);
     expect_ok(synth_profile, height_m, def);
     pipeline_scan(place, name, height_m, def->points);
     free(height_m);
