@@ -324,10 +324,11 @@ static void find_mark(struct measured_exponent *out, const double *ln_load, cons
 
 enum status_code measured_mark(struct measured_answers *out, const struct measured *measured, struct status *status)
 {
-    double *at = calloc(3 * measured->count + 1, sizeof *at);
+    double *room = calloc(3 * measured->count + 1, sizeof *room), *at = room, *model = NULL, *conductance = NULL;
     size_t *run = calloc(measured->count + 1, sizeof *run), count = 0, runs = 0;
-    double *model = at + measured->count, *conductance = model + measured->count;
-    if (at && run)
+    if (room && run) {
+        model = at + measured->count;
+        conductance = model + measured->count;
         for (size_t r = 0; r < measured->run_count; r++) {
             size_t before = count;
             for (size_t i = measured->runs[r].first; i <= measured->runs[r].turn; i++) {
@@ -339,11 +340,12 @@ enum status_code measured_mark(struct measured_answers *out, const struct measur
             }
             runs += count > before;
         }
+    }
     out->exponent = (struct measured_exponent){.measured = NAN, .model = NAN, .sd = NAN, .times = NAN};
     if (count >= runs + 3)
         find_mark(&out->exponent, at, model, conductance, run, count, runs);
-    enum status_code rc = at && run ? STATUS_OK : status_memory(status);
-    free(at);
+    enum status_code rc = room && run ? STATUS_OK : status_memory(status);
+    free(room);
     free(run);
     return rc;
 }

@@ -237,9 +237,10 @@ static bool lay_rows(struct scene *scene, struct scene_source *source, const cha
                      size_t rows)
 {
     size_t count[2];
-    double *room = calloc(3 * rows, sizeof *room), *at[2] = {room, room + rows}, *value = room + 2 * rows;
+    double *room = calloc(3 * rows, sizeof *room);
     if (!room)
         return scene_source_memory(source);
+    double *at[2] = {room, room + rows}, *value = room + 2 * rows;
     for (int side = 0; side < 2; side++)
         count[side] = distinct(at[side], column[side], rows);
     bool good = count[0] * count[1] == rows && count[0] > 1 && count[1] > 1;
