@@ -13,12 +13,10 @@ enum {
     LOADS = 31       /* of a whole area */
 };
 static const double nodes_per_decade = 12;
-static const double lighter = 1e-3;       /* than the lightest load, where the curve begins */
-static const double beyond = 1.02;        /* the loads on either side, so that all of them lie within */
-static const double largest_area = 0.97;  /* beyond, a model's gap and resistance are close to 0, and stay */
-static const double yielding_most = 0.05; /* share of the load in cells at the hardness */
-static const double carrying = 0.9;       /* share of the load that the area carries which is said to carry it */
-static const double no_pressure = 1e-12;  /* over the mean one */
+static const double lighter = 1e-3;      /* than the lightest load, where the curve begins */
+static const double beyond = 1.02;       /* the loads on either side, so that all of them lie within */
+static const double carrying = 0.9;      /* share of the load that the area carries which is said to carry it */
+static const double no_pressure = 1e-12; /* over the mean one */
 
 /** Values over rising pressures or loads. */
 struct table {
@@ -47,7 +45,7 @@ static enum status_code own_curve(struct table *out, const struct surface_record
         const double *value = points[i].value;
         double heat = 1 / joint_resistance(value, joint, JOINT_HEAT), gap_m = value[QUANTITY_SEPARATION];
         double current = 1 / joint_resistance(value, joint, JOINT_CURRENT);
-        if (!isfinite(heat) || !isfinite(gap_m) || !(value[QUANTITY_AREA] <= largest_area))
+        if (!isfinite(heat) || !isfinite(gap_m) || !(value[QUANTITY_AREA] <= shape_largest_area))
             continue;
         out->at[out->count] = material_pair_pressure(task->pair, value[QUANTITY_LOAD]);
         out->value[0][out->count] = gap_m;
@@ -165,7 +163,7 @@ static enum status_code solve_one(struct solved *out, struct cells *cells, const
         return status->code;
     const struct shape_spread spread = shape_spread(&cells->shape, cells->hardness_Pa);
     *out = (struct solved){.area = spread.area, .yielding_load = spread.yielding_load};
-    for (int way = 0; way < JOINT_WAYS && spread.yielding_load <= yielding_most; way++)
+    for (int way = 0; way < JOINT_WAYS && spread.yielding_load <= shape_yielding_most; way++)
         if (cells->conductance[way].count > 0) {
             if (shape_resistance(&out->whole[way], &out->spots[way], &cells->shape, &cells->conductance[way],
                                  cells->bodies[way], status) != STATUS_OK)
@@ -213,7 +211,7 @@ static enum status_code solve(struct joint_shape *out, struct cells *cells, cons
             break;
         if (solve_one(&at, cells, task, pressure_Pa, status) != STATUS_OK)
             return status->code;
-        if (at.yielding_load > yielding_most)
+        if (at.yielding_load > shape_yielding_most)
             break;
         for (int way = 0; way < JOINT_WAYS; way++) {
             if (cells->conductance[way].count == 0)
@@ -229,7 +227,7 @@ static enum status_code solve(struct joint_shape *out, struct cells *cells, cons
     if (area.count < 3)
         return status_fail(status, STATUS_MODEL,
                            "the joint's shape: over %g %% of the load lies on cells at the hardness",
-                           100 * yielding_most);
+                           100 * shape_yielding_most);
     if (take_rings(out, cells, task, status) != STATUS_OK)
         return status->code;
     out->least = area.at[0];

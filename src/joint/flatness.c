@@ -11,7 +11,6 @@ const double flatness_usual = 1e-4;
 double flatness_factor(const struct model_curve *curve, const struct model_row *row, const struct joint_task *joint,
                        double load, int way)
 {
-    static const double largest_area = 0.97, yielding_most = 0.05; /* as with a shape that is given */
     const struct material_pair *pair = joint->pair;
     const double side_m[2] = {sqrt(joint->nominal_area_m2) / 2, sqrt(joint->nominal_area_m2) / 2};
     const double hardness_Pa = row->plastic ? pair->hardness_Pa : INFINITY,
@@ -31,7 +30,7 @@ double flatness_factor(const struct model_curve *curve, const struct model_row *
         at[count] = material_pair_pressure(pair, value[QUANTITY_LOAD]);
         gap_m[count] = value[QUANTITY_SEPARATION];
         conductance[count] = 1 / joint_resistance(value, joint, way);
-        count += value[QUANTITY_AREA] <= largest_area && isfinite(gap_m[count]) && isfinite(conductance[count]) &&
+        count += value[QUANTITY_AREA] <= shape_largest_area && isfinite(gap_m[count]) && isfinite(conductance[count]) &&
                  conductance[count] > 0;
     }
     for (size_t k = 0; k < CELLS * CELLS; k++) /* from the middle, over a half of the side */
@@ -43,7 +42,7 @@ double flatness_factor(const struct model_curve *curve, const struct model_row *
         shape_press(&shape, bulge_m, &gap, pair->effective_modulus_Pa, hardness_Pa, mean_Pa, &status) == STATUS_OK &&
         shape_resistance(&factor, &share, &shape, &law, bodies, &status) == STATUS_OK) {
         const struct shape_spread spread = shape_spread(&shape, hardness_Pa);
-        bool known = spread.yielding_load <= yielding_most && spread.largest_Pa <= at[count - 1];
+        bool known = spread.yielding_load <= shape_yielding_most && spread.largest_Pa <= at[count - 1];
         factor *= known ? side_m[0] * side_m[1] * exp(shape_curve_value(&slope, &law, log(mean_Pa))) : NAN;
     }
     shape_free(&shape);

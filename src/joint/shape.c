@@ -7,6 +7,7 @@
 #include <string.h>
 
 enum { STEPS_MOST = 200, STEPS_WHOLE = 25, ITERATIONS_MOST = 5000, FIELDS = 11 };
+const double shape_largest_area = 0.97, shape_yielding_most = 0.05;
 static const double precision = 1e-12;     /* of conjugate gradients */
 static const double converged = 1e-11;     /* change of a pressure over the mean one */
 static const double step_most = 2;         /* rise of ln p(1 - p/H)^-1 below the hardness, fall at it */

@@ -17,7 +17,9 @@
 #include <gsl/gsl_interp.h>
 #include <stddef.h>
 
-enum { SHAPE_SIDE_MOST = 1024 }; /* cells */
+enum { SHAPE_SIDE_MOST = 1024 };         /* cells */
+extern const double shape_largest_area;  /* beyond, a model's gap and resistance are close to 0, and stay */
+extern const double shape_yielding_most; /* share of the load in cells at the hardness; beyond, there is no answer */
 
 /** What the surface has at uniform pressure, against ln p: monotone between its points (Steffen 1990, Astron.
  * Astrophys. 239, 443), straight beyond them. Owned: shape_curve_free(). */

@@ -352,7 +352,8 @@ static int by_load(const void *a, const void *b)
 static bool hold_load(struct scene *scene, struct scene_source *source)
 {
     const struct shape_field *fields = scene->joint.fields;
-    const struct material_pair pair = scene_pair(&scene->bodies);
+    const struct material_pair pair =
+        scene_pair(scene->surface_count > 0 ? &scene->surfaces[0].bodies : &scene->bodies);
     size_t count = scene->joint.field_count;
     qsort(scene->joint.fields, count, sizeof *fields, by_load);
     for (size_t i = 1; i < count; i++)

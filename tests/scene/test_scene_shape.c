@@ -66,6 +66,16 @@ TEST_CASE(test_areas_and_pressures)
     scene_free(&scene);
 }
 
+/** The load is held where the material is a surface's own, too. */
+TEST_CASE(test_material_of_the_surface)
+{
+    static const char own[] = "nominal_area: 400 mm2\nsurfaces: [{name: a, file: a.csv, material: copper}]\n"
+                              "shape: {pressure: g.csv}\n";
+    struct scene scene = good(own, "");
+    assert_near(scene.operating.load, 1e6, 1e-12);
+    scene_free(&scene);
+}
+
 /** A map of the part's height becomes a gap: where it is highest there is none. */
 TEST_CASE(test_map_of_height)
 {
