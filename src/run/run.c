@@ -318,10 +318,10 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
         measured_answers_free(&run.answers[i]);
     free(run.answers);
     all_surfaces_free(&run.prepared);
+    (void)gnuplot_end(&run.gnuplot); /* before its directory goes: it still draws there */
     exchange_abandon(&run.output);
     free(run.sweeps);
     comparison_free(&run.comparison);
-    (void)gnuplot_end(&run.gnuplot);
     words_free(&run.words);
     json_decref(run.view);
     out->times.total = clock_seconds() - run.started;

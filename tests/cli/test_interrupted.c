@@ -37,11 +37,11 @@ static void write_report(const char *place)
     process_free(&process);
 }
 
-/** Starts the slow run and sends it `signal_number` while it works. */
+/** Starts the slow run and sends it `signal_number` while it works, once its hidden folder holds a report. */
 static struct process interrupt(const char *place, int signal_number)
 {
     struct process_running running = process_start(place, "report", "slow");
-    for (int i = 0; i < 2000 && workspace_count(place, ".roughcontact-") == 0; i++)
+    for (int i = 0; i < 2000 && workspace_count(place, "export") == 0; i++)
         support_pause();
     support_pause();
     assert_true(workspace_count(place, ".roughcontact-") > 0);
