@@ -5,6 +5,7 @@
 #include "members/surface.h"
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum {
     CELLS = 32,      /* a side of a quarter of the area, the others being its mirror images */
@@ -17,12 +18,29 @@ static const double lighter = 1e-3;      /* than the lightest load, where the cu
 static const double beyond = 1.02;       /* the loads on either side, so that all of them lie within */
 static const double carrying = 0.9;      /* share of the load that the area carries which is said to carry it */
 static const double no_pressure = 1e-12; /* over the mean one */
+const double shaped_usual_flatness = 1e-4;
 
 /** Values over rising pressures or loads. */
 struct table {
     size_t count;
     double at[NODES], value[1 + JOINT_WAYS][NODES]; /* gap, or area; of the ways heat and current take */
 };
+
+/** Every `step`-th point of a curve, of those that have a gap and conduct that way; what they conduct of current. */
+static void take_points(struct table *out, const struct model_curve *curve, size_t step, const struct joint_task *joint,
+                        int way)
+{
+    for (size_t i = 0; i < curve->count; i += step) {
+        const double *value = curve->points[i].value;
+        double conductance = 1 / joint_resistance(value, joint, way), gap_m = value[QUANTITY_SEPARATION];
+        if (!isfinite(conductance) || !isfinite(gap_m) || !(value[QUANTITY_AREA] <= shape_largest_area))
+            continue;
+        out->at[out->count] = material_pair_pressure(joint->pair, value[QUANTITY_LOAD]);
+        out->value[0][out->count] = gap_m;
+        out->value[1 + JOINT_HEAT][out->count] = conductance;
+        out->value[1 + JOINT_CURRENT][out->count++] = 1 / joint_resistance(value, joint, JOINT_CURRENT);
+    }
+}
 
 /** The model's own curve, of the points that have all that is asked. */
 static enum status_code own_curve(struct table *out, const struct surface_record *record, size_t m,
@@ -40,18 +58,8 @@ static enum status_code own_curve(struct table *out, const struct surface_record
         rc = ensemble_curve(&curve, NULL, &record->ensemble, model_rows[m], &dense, status);
     if (rc == STATUS_OK)
         rc = joint_curve(&curve, model_rows[m], &dense, joint, status);
-    out->count = 0;
-    for (size_t i = 0; rc == STATUS_OK && curve.exists && i < curve.count && i < count; i++) {
-        const double *value = points[i].value;
-        double heat = 1 / joint_resistance(value, joint, JOINT_HEAT), gap_m = value[QUANTITY_SEPARATION];
-        double current = 1 / joint_resistance(value, joint, JOINT_CURRENT);
-        if (!isfinite(heat) || !isfinite(gap_m) || !(value[QUANTITY_AREA] <= shape_largest_area))
-            continue;
-        out->at[out->count] = material_pair_pressure(task->pair, value[QUANTITY_LOAD]);
-        out->value[0][out->count] = gap_m;
-        out->value[1 + JOINT_HEAT][out->count] = heat;
-        out->value[1 + JOINT_CURRENT][out->count++] = current;
-    }
+    if (rc == STATUS_OK && curve.exists)
+        take_points(out, &curve, 1, joint, JOINT_HEAT);
     free(points);
     return rc;
 }
@@ -272,4 +280,35 @@ enum status_code shaped_make(struct surface_record *record, size_t m, const stru
     *out = (struct joint_shape){0};
     note_add(&record->summary.notes, NULL, "no shape with %s: %s", model_rows[m]->label, problem.message);
     return STATUS_OK;
+}
+
+double shaped_usual_factor(const struct model_curve *curve, const struct model_row *row, const struct joint_task *joint,
+                           double load, int way)
+{
+    const double length_m = sqrt(joint->nominal_area_m2), mean_Pa = material_pair_pressure(joint->pair, load);
+    const struct joint bulge = {.bulge_per_m = 4 * shaped_usual_flatness / length_m,
+                                .size_m = {length_m, length_m},
+                                .thickness_m = {INFINITY, INFINITY}};
+    const struct model_task task = {.pair = joint->pair};
+    struct table *own = calloc(1, sizeof *own);
+    struct cells *cells = calloc(1, sizeof *cells);
+    struct status status = {0};
+    struct solved at;
+    double factor = NAN, slope;
+    if (own && cells) {
+        take_points(own, curve, curve->count / NODES + 1, joint, way);
+        cells->hardness_Pa = row->plastic ? joint->pair->hardness_Pa : INFINITY;
+    }
+    if (own && cells && mean_Pa < cells->hardness_Pa && lay_out(cells, &bulge, own, &task, &status) == STATUS_OK) {
+        memcpy(cells->bodies[JOINT_HEAT], cells->bodies[way], sizeof *cells->bodies); /* all that is asked */
+        shape_curve_free(&cells->conductance[JOINT_CURRENT]);
+        if (solve_one(&at, cells, &task, mean_Pa, &status) == STATUS_OK && at.yielding_load <= shape_yielding_most &&
+            shape_spread(&cells->shape, cells->hardness_Pa).largest_Pa <= own->at[own->count - 1])
+            factor = at.whole[JOINT_HEAT] * exp(shape_curve_value(&slope, cells->conductance, log(mean_Pa)));
+    }
+    if (cells)
+        cells_free(cells);
+    free(cells);
+    free(own);
+    return factor;
 }

@@ -3,9 +3,9 @@
 #include "report/view.h"
 
 #include "answers/direct_study.h"
+#include "answers/shaped.h"
 #include "base/number_format.h"
 #include "certainty/sensitivity.h"
-#include "joint/flatness.h"
 #include "results/accuracy.h"
 #include <math.h>
 
@@ -612,14 +612,14 @@ static void put_flatness(json_t *out, const struct view_source *source)
         !record->curves || !record->curves[source->leading].exists ||
         (way == JOINT_HEAT && asked != QUANTITY_TCR && asked != QUANTITY_JOINT))
         return;
-    const double factor = flatness_factor(&record->curves[source->leading], model_rows[source->leading], &joint,
-                                          results_operating_load(results, results->baseline), way);
+    const double factor = shaped_usual_factor(&record->curves[source->leading], model_rows[source->leading], &joint,
+                                              results_operating_load(results, results->baseline), way);
     if (!(factor >= 1.05))
         return;
     json_t *item = view_part(out, "flatness");
     const double side_m = sqrt(joint.nominal_area_m2);
     view_number(item, "factor", factor, DIGITS, "");
-    view_number(item, "bulge", flatness_usual * side_m * 1e6, DIGITS, "µm");
+    view_number(item, "bulge", shaped_usual_flatness * side_m * 1e6, DIGITS, "µm");
     view_number(item, "over", side_m * 1e3, DIGITS, "mm");
     view_flag(item, "current", way == JOINT_CURRENT);
 }

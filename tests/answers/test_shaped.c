@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What a usual flatness costs: tests/data/golden/joint/shape.csv's plates with a bulge of 2 um, and where it is nothing
  * or is not known. */
-#include "joint/flatness.h"
+#include "answers/shaped.h"
 #include "support.h"
 
 enum { POINTS = 61 };
@@ -11,8 +11,8 @@ static double factor_of(double u_m, double side_m, double most_Pa, double hardne
 {
     const struct material_pair pair = {.effective_modulus_Pa = 3.9e10,
                                        .hardness_Pa = hardness_Pa,
-                                       .conductivity_W_per_mK = 170,
-                                       .resistivity_ohm_m = 1.0 / 170};
+                                       .side_conductivity_W_per_mK = {170, 170},
+                                       .side_resistivity_ohm_m = {1.0 / 170, 1.0 / 170}};
     const struct model_row row = {.plastic = isfinite(hardness_Pa)};
     const struct joint nothing = joint_default();
     const struct joint_task joint = {.joint = &nothing, .pair = &pair, .nominal_area_m2 = side_m * side_m};
@@ -25,12 +25,12 @@ static double factor_of(double u_m, double side_m, double most_Pa, double hardne
         points[i].value[QUANTITY_TCR] = points[i].value[QUANTITY_ECR] = 1 / (0.05 * pow(pressure_Pa, 0.95));
     }
     const struct model_curve curve = {.exists = true, .points = points, .count = POINTS};
-    return flatness_factor(&curve, &row, &joint, 1e6 / pair.effective_modulus_Pa, way);
+    return shaped_usual_factor(&curve, &row, &joint, 1e6 / pair.effective_modulus_Pa, way);
 }
 
 TEST_CASE(as_a_shape_that_is_given)
 {
-    assert_near(flatness_usual * 0.02, 2e-6, 1e-15);
+    assert_near(shaped_usual_flatness * 0.02, 2e-6, 1e-15);
     assert_near(factor_of(0.3e-6, 0.02, 1e8, INFINITY, JOINT_HEAT), 1.8580507634439836, 1e-6);
     assert_near(factor_of(0.3e-6, 0.02, 1e8, INFINITY, JOINT_CURRENT), 1.8580507634439836, 1e-6);
     assert_true(factor_of(0.3e-6, 0.04, 1e8, INFINITY, JOINT_HEAT) > 2.5);
