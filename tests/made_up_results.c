@@ -315,8 +315,7 @@ void made_up_make_of(struct made_up *made, uint64_t models, unsigned effects,
                                                 .counterface = material_unknown("rigid"),
                                                 .hardness_Pa = NAN};
         made->names[i] = (struct scene_surface){.name = i < MADE_UP_USABLE ? surfaces[i].name : "broken",
-                                                .files = made->files,
-                                                .file_count = 1,
+                                                .files = {made->files, 1},
                                                 .bodies = made->bodies[i]};
     }
     for (size_t i = 0; i < MADE_UP_LOADS; i++)

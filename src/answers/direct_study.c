@@ -60,7 +60,7 @@ enum status_code direct_study_plan(struct surface_record *record, const struct s
         .hardness = capped ? hardness_Pa / surface->pair.effective_modulus_Pa : INFINITY,
         .resistance =
             plan->running & (EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL) | EFFECT_BIT(EFFECT_STIFFNESS)),
-        .gaussian = scene->counterface_surface.file_count > 0 || is_nearly_gaussian(&surface->roughness),
+        .gaussian = scene->counterface_surface.files.count > 0 || is_nearly_gaussian(&surface->roughness),
     };
     surface->direct = calloc(1, sizeof *surface->direct);
     if (!surface->direct)

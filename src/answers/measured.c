@@ -134,11 +134,11 @@ enum status_code measured_read(struct measured *out, const struct scene *scene, 
         return status_fail(status, STATUS_SCENE,
                            "'%s' holds measured %s, but the effect %s does not run; add it to "
                            "effects, or take out measured",
-                           given->files[0], out->thermal ? "TCR" : "ECR", effect_rows[needed].name);
-    if (!(out->runs = calloc(given->file_count, sizeof *out->runs)))
+                           given->files.path[0], out->thermal ? "TCR" : "ECR", effect_rows[needed].name);
+    if (!(out->runs = calloc(given->files.count, sizeof *out->runs)))
         return status_memory(status);
-    for (size_t f = 0; f < given->file_count; f++)
-        if (read_run(out, given->files[f], scene, pair, status) != STATUS_OK)
+    for (size_t f = 0; f < given->files.count; f++)
+        if (read_run(out, given->files.path[f], scene, pair, status) != STATUS_OK)
             return status->code;
     return STATUS_OK;
 }

@@ -58,13 +58,13 @@ static enum status_code add_surface(json_t *view, const struct scene *scene, con
                                     struct status *status)
 {
     json_t *files = json_array(), *name = json_shown(surface->name);
-    bool several = surface->file_count > 1, folder = strchr(surface->files[0], '/');
-    char *path = scene_file_path(scene, surface->files[0]);
+    bool several = surface->files.count > 1, folder = strchr(surface->files.path[0], '/');
+    char *path = scene_file_path(scene, surface->files.path[0]);
     bool good = json_string_length(name) <= limit_most(LIMIT_NAME_BYTES);
-    for (size_t i = 0; i < surface->file_count; i++)
-        good = json_array_append_new(files, path_json(surface->files[i])) == 0 && good;
+    for (size_t i = 0; i < surface->files.count; i++)
+        good = json_array_append_new(files, path_json(surface->files.path[i])) == 0 && good;
     json_t *one = json_pack("{s:o, s:O, s:b, s:b, s:o}", "name", name, "files", files, "folder", several && folder,
-                            "alike", several && !folder, "count", json_sprintf("%zu", surface->file_count));
+                            "alike", several && !folder, "count", json_sprintf("%zu", surface->files.count));
     if (json_array_size(files) == 1)
         json_object_set(one, "file", json_array_get(files, 0));
     if (good && path)
@@ -84,8 +84,8 @@ static bool are_mates(const struct scene_surface *one, const struct scene_surfac
         {"rider", "flat"},   {"spring", "pad"},  {"chip", "sink"},   {"spreader", "sink"}, {"spreader", "plate"},
         {"case", "sink"},    {"base", "plate"},  {"contact", "mate"}};
     bool are = false;
-    for (size_t p = 0; p < sizeof pairs / sizeof *pairs && strchr(one->files[0], '/') && strchr(other->files[0], '/');
-         p++)
+    for (size_t p = 0;
+         p < sizeof pairs / sizeof *pairs && strchr(one->files.path[0], '/') && strchr(other->files.path[0], '/'); p++)
         are = are || (strcasestr(one->name, pairs[p][0]) && strcasestr(other->name, pairs[p][1]));
     return are;
 }
@@ -103,7 +103,7 @@ static void add_mates(json_t *view, const struct scene *scene)
                 size_t f;
                 json_array_foreach(json_object_get(other, "files"), f, file)
                 {
-                    bool more = f + 1 < scene->surfaces[j].file_count;
+                    bool more = f + 1 < scene->surfaces[j].files.count;
                     json_array_append_new(files, json_pack("{s:O, s:b}", "file", file, "more", more));
                 }
                 json_object_set_new(view, "mates",
@@ -118,7 +118,7 @@ static enum status_code make_text(struct text *out, struct scene *scene, const c
     struct mustache_folder folder = {templates, ".yaml", NULL, status};
     size_t scans = 0;
     for (size_t i = 0; i < scene->surface_count; i++)
-        scans += scene->surfaces[i].file_count;
+        scans += scene->surfaces[i].files.count;
     json_t *view = json_pack("{s:o, s:o, s:[], s:[]}", "scans", json_sprintf("%zu", scans), "passed_over",
                              json_lines(scene->passed_over ? scene->passed_over : ""), "surfaces", "left_out");
     enum status_code rc = view ? scene_join_repeats(scene, status) : status_memory(status);

@@ -217,12 +217,12 @@ static void inspect_directory(struct outcome *outcome, const struct arguments *a
         refuse(outcome, arguments, path, status.message);
     for (size_t i = 0; code == STATUS_OK && i < scene.surface_count; i++) {
         const struct scene_surface *surface = &scene.surfaces[i];
-        for (size_t f = 0; f < surface->file_count; f++) {
-            char *file = scene_file_path(&scene, surface->files[f]);
+        for (size_t f = 0; f < surface->files.count; f++) {
+            char *file = scene_file_path(&scene, surface->files.path[f]);
             if (file)
                 inspect_file(outcome, arguments, file, options_of(arguments, surface));
             else
-                refuse(outcome, arguments, surface->files[f], "out of memory");
+                refuse(outcome, arguments, surface->files.path[f], "out of memory");
             free(file);
         }
     }

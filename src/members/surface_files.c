@@ -119,13 +119,13 @@ static void note_refused(struct surface_summary *summary, char *const *refusal, 
 enum status_code surface_files_read(const struct surface_scans *task, struct hash *hash, struct status *status)
 {
     const struct scene_surface *surface = task->record->summary.scene;
-    size_t count = surface->file_count, used = 0;
+    size_t count = surface->files.count, used = 0;
     struct status refused = {0};
     const char **file = malloc((count + 1) * sizeof *file);
     char **refusal = calloc(count + 1, sizeof *refusal);
     enum status_code rc = file && refusal ? STATUS_OK : status_memory(status);
     for (size_t f = 0; f < count && rc == STATUS_OK; f++)
-        file[f] = surface->files[f];
+        file[f] = surface->files.path[f];
     if (rc == STATUS_OK) /* what comes out does not depend on the order in which a scene lists them */
         qsort(file, count, sizeof *file, by_name);
     for (size_t f = 0; f < count && rc == STATUS_OK; f++) {

@@ -85,7 +85,7 @@ enum status_code surface_read_members(struct surface_record *record, struct powe
     if (set->count > 1 && profiles &&
         repeats_cut_to_shortest(set, &record->summary.repeats.cut, scene, status) != STATUS_OK)
         return status->code;
-    bool paired = scene->counterface_surface.file_count > 0;
+    bool paired = scene->counterface_surface.files.count > 0;
     if (set->keeps_heights && strips_gather(&record->strips, set, paired, status) != STATUS_OK)
         return status->code;
     if (set->keeps_heights && record->strips.rows.rows == 0)
@@ -222,10 +222,9 @@ static enum status_code take_along(struct surface_summary *summary, const struct
     struct status problem = {0};
     const struct surface_scans task = {&along, &scans, scene};
     surface.files = surface.along;
-    surface.file_count = surface.along_count;
     enum status_code rc = STATUS_OK;
-    for (size_t f = 0; f < surface.file_count && rc == STATUS_OK; f++)
-        rc = surface_files_read_one(&task, surface.files[f], hash, &problem);
+    for (size_t f = 0; f < surface.files.count && rc == STATUS_OK; f++)
+        rc = surface_files_read_one(&task, surface.files.path[f], hash, &problem);
     double unlike = along.summary.spacing_m / summary->spacing_m;
     if (rc == STATUS_OK)
         surface_set_lay(summary, sqrt(along.summary.roughness.m2 / summary->roughness.m2),
@@ -244,7 +243,7 @@ static enum status_code find_lay(struct surface_summary *summary, const struct s
                                  struct status *status)
 {
     const struct scene_surface *surface = summary->scene;
-    if (surface->along_count > 0)
+    if (surface->along.count > 0)
         return take_along(summary, scene, hash, status);
     if (surface->lay_given || (scene->lay_given && !summary->has_lay))
         surface_set_lay(summary, surface->lay_given ? surface->lay : scene->lay, "");

@@ -69,7 +69,7 @@ static enum status_code keep_direct(struct surface_record *record, const struct 
  */
 static bool keeps_direct(const struct surface_record *record, const struct scene *scene)
 {
-    return scene->direct.called && scene->counterface_surface.file_count == 0 &&
+    return scene->direct.called && scene->counterface_surface.files.count == 0 &&
            (record->summary.map.nx == 0 || record->direct_count == 0);
 }
 
@@ -122,7 +122,7 @@ static enum status_code add_profile(const struct surface_scans *task, const stru
         (scene->fit == POWER_LAW_AUTO || scan->kind == SCAN_AREAL)) /* of a map, how many rows are independent */
         rc = power_law_scans_add(task->scans, profile->height_m, profile->points, profile->spacing_m, profile->digit_m,
                                  status);
-    if (rc == STATUS_OK && scene->counterface_surface.file_count == 0)
+    if (rc == STATUS_OK && scene->counterface_surface.files.count == 0)
         rc = variants_add(&record->variants, profile, had, scene->window, scene->moments, status);
     if (rc == STATUS_OK && scan->kind == SCAN_PROFILE && keeps_direct(record, scene))
         rc = keep_direct(record, scan, profile, status);
@@ -217,7 +217,7 @@ static enum status_code keep_map(const struct surface_scans *task, const struct 
 {
     struct surface_record *record = task->record;
     measure_lay(&record->summary, scan);
-    if (task->scene->counterface_surface.file_count > 0)
+    if (task->scene->counterface_surface.files.count > 0)
         return STATUS_OK;
     record->summary.map = *map;
     return keeps_direct(record, task->scene) ? keep_direct(record, scan, NULL, status) : STATUS_OK;

@@ -115,12 +115,12 @@ static json_t *scene_json(const struct results *results)
         set_word(json, "curves", "in data/contact.csv alone");
     json_set(json, "lay", scene->lay_given ? scene->lay : NAN);
     json_object_set_new(json, "baseline", json_shown(results->surfaces[results->baseline].summary.scene->name));
-    if (scene->measured.file_count == 1)
-        json_object_set_new(json, "measured_file", json_shown(scene->measured.files[0]));
+    if (scene->measured.files.count == 1)
+        json_object_set_new(json, "measured_file", json_shown(scene->measured.files.path[0]));
     if (results->counterface)
         json_object_set_new(json, "counterface_surface",
-                            json_pack("{s:o, s:s}", "file", json_shown(scene->counterface_surface.files[0]), "sha256",
-                                      results->counterface->summary.hash));
+                            json_pack("{s:o, s:s}", "file", json_shown(scene->counterface_surface.files.path[0]),
+                                      "sha256", results->counterface->summary.hash));
     json_set_all(json, "fit_band_m", scene->fit_band_m, 2);
 #define FIELD(...) RECORD_FIELD(struct scene_convergence, __VA_ARGS__)
     static const struct record_field convergence[] = {
@@ -216,11 +216,11 @@ static json_t *fit_json(const struct surface_record *record, enum power_law_meth
     return json;
 }
 
-static json_t *files_json(char *const *names, size_t count)
+static json_t *files_json(const struct scene_files *of)
 {
     json_t *files = json_array();
-    for (size_t f = 0; f < count; f++)
-        json_array_append_new(files, json_shown(names[f]));
+    for (size_t f = 0; f < of->count; f++)
+        json_array_append_new(files, json_shown(of->path[f]));
     return files;
 }
 
@@ -230,8 +230,8 @@ static json_t *lay_json(const struct surface_summary *s, const struct plan *plan
     json_t *json = json_object();
     json_set(json, "r", s->has_lay ? s->lay : NAN);
     json_set(json, "kappa", surface_kappa(s));
-    if (s->scene->along_count > 0)
-        json_object_set_new(json, "along", files_json(s->scene->along, s->scene->along_count));
+    if (s->scene->along.count > 0)
+        json_object_set_new(json, "along", files_json(&s->scene->along));
     if (s->perfect_lay[0] != 0) {
         set_word(json, "perfect_lay_model", model_rows[plan_leading_model(plan)]->name);
         json_set(json, "perfect_lay_area_factor", s->perfect_lay[0]);
@@ -249,9 +249,9 @@ static json_t *measured_json(const struct results *results, size_t index)
     const double ends[] = {estimate_end(&answers->fit, 0), estimate_end(&answers->fit, 1)};
     const char *quantity = quantity_rows[measured_quantity(measured, results->plan->running)].name;
     json_t *models = json_object();
-    json_t *json = json_pack(
-        "{s:o, s:s, s:b, s:s, s:o}", "files", files_json(measured->given->files, measured->given->file_count), "model",
-        model_rows[answers->fitted]->name, "carried", answers->carried, "quantity", quantity, "models", models);
+    json_t *json = json_pack("{s:o, s:s, s:b, s:s, s:o}", "files", files_json(&measured->given->files), "model",
+                             model_rows[answers->fitted]->name, "carried", answers->carried, "quantity", quantity,
+                             "models", models);
     json_object_set_new(json, "units_of_file",
                         json_pack("[o, o]", json_shown(measured->load_unit), json_shown(measured->resistance_unit)));
     set_count(json, "points", measured->count);
@@ -286,8 +286,7 @@ static json_t *surface_json(const struct results *results, size_t index)
             json_object_set_new(models, model_rows[m]->name, model);
         }
     json_t *json = json_pack("{s:o, s:o, s:s, s:s, s:s}", "surface", json_shown(s->scene->name), "files",
-                             files_json(s->scene->files, s->scene->file_count), "sha256", s->hash, "format", s->format,
-                             "units", s->units);
+                             files_json(&s->scene->files), "sha256", s->hash, "format", s->format, "units", s->units);
     if (s->scene->bodies.material_given || s->scene->bodies.counterface_given) {
         json_object_set_new(json, "material", material_json(&s->scene->bodies.material));
         json_object_set_new(json, "counterface", counterface_json(&s->scene->bodies));

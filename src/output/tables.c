@@ -210,8 +210,8 @@ static void fill_surface(struct table *table, const struct results *results, siz
     struct text files = {0};
     if (!s->usable)
         return;
-    for (size_t f = 0; f < s->scene->file_count; f++)
-        text_add(&files, "%s%s", f > 0 ? ";" : "", s->scene->files[f]);
+    for (size_t f = 0; f < s->scene->files.count; f++)
+        text_add(&files, "%s%s", f > 0 ? ";" : "", s->scene->files.path[f]);
     put_text(table, "surface", s->scene->name);
     put_text(table, "files", text_string(&files));
     put_fields(table, surface_fields, s, plan_uses_asperities(plan) ? RECORD_ASPERITIES : 0);

@@ -410,7 +410,7 @@ static void put_measured_on(json_t *item, const struct view_source *source, size
     const struct measured_answers *answers = &source->results->answers[surface];
     const struct scene_asked *target = source->asked.target;
     const double times = exp(answers->fit.half_width);
-    if (view_summary(source, surface)->scene->measured.file_count > 0 || source->results->usable_count > 1)
+    if (view_summary(source, surface)->scene->measured.files.count > 0 || source->results->usable_count > 1)
         view_text(item, "of", view_name(source, surface));
     if (target && source->asked.quantity == results_measured_quantity(source->results)) {
         put_meeting(item, source, surface, false, target->value);

@@ -236,11 +236,11 @@ static void put_notes(json_t *out, const struct view_source *source)
 static void put_files(json_t *row, const struct surface_summary *s)
 {
     json_t *files = view_list(row, "files");
-    for (size_t f = 0; f < s->scene->file_count && f < 5; f++)
-        view_text(view_item(files), "file", s->scene->files[f]);
+    for (size_t f = 0; f < s->scene->files.count && f < 5; f++)
+        view_text(view_item(files), "file", s->scene->files.path[f]);
     view_separate(files);
-    if (s->scene->file_count > 5)
-        view_count(row, "more_files", s->scene->file_count - 5);
+    if (s->scene->files.count > 5)
+        view_count(row, "more_files", s->scene->files.count - 5);
 }
 
 void view_inputs(json_t *out, const struct view_source *source)

@@ -14,7 +14,7 @@
 /** Reads the rough counterface, if the scene has one. It must be readable: no result would mean anything without it. */
 static enum status_code read_counterface(struct all_surfaces *out, const struct scene *scene, struct status *status)
 {
-    if (scene->counterface_surface.file_count == 0)
+    if (scene->counterface_surface.files.count == 0)
         return STATUS_OK;
     out->counterface = calloc(1, sizeof *out->counterface);
     if (!out->counterface)
@@ -163,7 +163,7 @@ static enum status_code evaluate_one(const struct pass *all, size_t index, struc
         return STATUS_OK;
     enum status_code rc =
         all->describe_only ? direct_study_plan(record, &asked, status) : surface_answers_find(record, &asked, status);
-    if (scene->measured.file_count == 0 && scene->surfaces[index].measured.file_count == 0)
+    if (scene->measured.files.count == 0 && scene->surfaces[index].measured.files.count == 0)
         surface_drop_scans(record); /* else measured loads will be answered on each */
     return rc == STATUS_MEMORY ? surface_put_aside(record, scene, status) : rc;
 }
@@ -257,7 +257,7 @@ static enum status_code run_shown(struct pass *all, struct status *status)
     struct results *results = &all->prepared->results;
     for (size_t i = 0; i < results->surface_count; i++) {
         struct surface_record *record = &results->surfaces[i];
-        bool shown = i == results->baseline || record->summary.scene->measured.file_count > 0;
+        bool shown = i == results->baseline || record->summary.scene->measured.files.count > 0;
         for (size_t k = 0; k < results->shown_count; k++)
             shown = shown || results->shown[k] == i;
         if (!record->summary.usable || !shown)
@@ -279,13 +279,13 @@ static enum status_code read_measured(struct all_surfaces *out, struct status *s
     for (size_t k = 0; k < results->usable_count; k++) {
         size_t i = results->by_roughness[k];
         const struct scene_surface *surface = &scene->surfaces[i];
-        bool both = i == results->baseline && scene->measured.file_count > 0;
+        bool both = i == results->baseline && scene->measured.files.count > 0;
         const struct scene_measured *given = both ? &scene->measured : &surface->measured;
-        if (both && surface->measured.file_count > 0)
+        if (both && surface->measured.files.count > 0)
             return status_fail(status, STATUS_SCENE,
                                "the baseline, '%s', has 'measured' of its own and the scene's; remove either",
                                scene_words_show(surface->name).text);
-        if (given->file_count == 0)
+        if (given->files.count == 0)
             continue;
         if (!out->measured && !(out->measured = calloc(results->surface_count, sizeof *out->measured)))
             return status_memory(status);

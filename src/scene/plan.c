@@ -165,7 +165,7 @@ void plan_choose_model(struct scene *scene)
     size_t chosen = model_count;
     bool met = false;
     for (size_t i = 0; i < scene->surface_count; i++)
-        scene->one_scan = scene->one_scan || scene->surfaces[i].file_count == 1;
+        scene->one_scan = scene->one_scan || scene->surfaces[i].files.count == 1;
     for (size_t m = 0; m < model_count; m++) {
         const struct model_row *row = model_rows[m], *before = chosen < model_count ? model_rows[chosen] : NULL;
         const double rms = plan_runs_model(&plan, m) && row->plastic == hard

@@ -331,8 +331,8 @@ static bool check_baseline(const struct scene *scene, struct scene_source *sourc
 
 static bool check_left(const struct scene *scene, struct scene_source *source)
 {
-    const char *key = scene->counterface_surface.file_count > 0 ? "counterface" : "measured";
-    if (scene->surface_count > 0 || scene->counterface_surface.file_count + scene->measured.file_count == 0)
+    const char *key = scene->counterface_surface.files.count > 0 ? "counterface" : "measured";
+    if (scene->surface_count > 0 || scene->counterface_surface.files.count + scene->measured.files.count == 0)
         return true;
     return scene_source_fail(source, scene_keys_line(source, key),
                              "no scan is left for the surfaces beside the files of '%s'", key);
@@ -386,10 +386,10 @@ enum status_code scene_read(struct scene *out, const char *directory, const stru
 void scene_free(struct scene *scene)
 {
     for (size_t i = 0; i < scene->surface_count; i++)
-        scene_files_free(&scene->surfaces[i]);
+        scene_surfaces_free(&scene->surfaces[i]);
     free(scene->surfaces);
-    scene_files_free(&scene->counterface_surface);
-    scene_files_free(&(struct scene_surface){.measured = scene->measured});
+    scene_surfaces_free(&scene->counterface_surface);
+    scene_files_free(&scene->measured.files);
     scene_shape_free(scene);
     free(scene->targets);
     free(scene->limits);

@@ -26,10 +26,16 @@ enum scene_measured_quantity { SCENE_MEASURED_ECR, SCENE_MEASURED_TCR, SCENE_MEA
 /** What, by quantity, a measured resistance may be: enum unit_quantity bits. A load may be any of UNIT_LOADS. */
 extern const unsigned scene_measured_resistances[SCENE_MEASURED_QUANTITY_COUNT];
 
+/** Files as a scene has them: scene_file_path() says where they are. */
+struct scene_files {
+    char **path;
+    size_t count;
+};
+
 /** Measured contact resistance to hold the models against. */
 struct scene_measured {
-    char **files;      /* file_count paths as given, each a run of its own */
-    size_t file_count; /* 0: nothing was measured */
+    struct scene_files files; /* each a run of its own; none: nothing was measured */
+    size_t file_count;        /* 0: nothing was measured */
     enum scene_measured_quantity quantity;
     char load_unit[UNIT_LENGTH];       /* "" when the scene gives none */
     char resistance_unit[UNIT_LENGTH]; /* the same: total, or times the nominal area */
@@ -40,11 +46,10 @@ struct scene_measured {
 struct scene_surface {
     struct scene_bodies bodies; /* once the scene is read completed with the scene's */
     char *name;                 /* as printed; hostile until escaped */
-    char **files;               /* file_count paths as given: see scene_file_path() */
+    struct scene_files files;
     size_t file_count;
     struct scene_measured measured;
-    char **along; /* along_count of scans along the lay, the same */
-    size_t along_count;
+    struct scene_files along; /* scans along the lay */
     bool lay_given;
     double lay;      /* rms slope along over across the lay; 0: a perfect one */
     char x_unit[16]; /* "" when the scene gives none */
@@ -111,7 +116,7 @@ struct scene_shape {
     enum { SCENE_SHAPE_BULGE, SCENE_SHAPE_HEIGHT, SCENE_SHAPE_PRESSURE, SCENE_SHAPE_BOLTS } kind;
     double flatness_m, over_m, crown_m; /* 0: not given */
     double size_m[2], thickness_m[2];   /* of the nominal area, 0: not given; of the parts */
-    struct scene_surface files;         /* of height or pressure; its files alone count */
+    struct scene_files files;           /* of height or pressure */
     unsigned scale;                     /* 1: the field is that of any load */
     struct shape_bolts bolts;
     double torque_Nm, thread_m, head_m, nut_factor; /* of each */
@@ -188,7 +193,7 @@ struct scene {
     enum scan_direction direction; /* of the profiles taken from an areal map */
     bool lay_given;
     double lay;                               /* of surfaces that neither say theirs nor were measured along it */
-    struct scene_surface counterface_surface; /* file_count 0: the counterface is smooth */
+    struct scene_surface counterface_surface; /* no files: the counterface is smooth */
     struct scene_measured measured;           /* on the baseline, where that does not say its own */
     struct scene_asked *targets, *limits;     /* NULL: none */
     size_t target_count, limit_count;

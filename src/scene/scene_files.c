@@ -26,15 +26,13 @@ char *scene_file_path(const struct scene *scene, const char *file)
     return asprintf(&path, "%s%s%s", directory, joined ? "" : "/", file) < 0 ? NULL : path;
 }
 
-enum status_code scene_files_add(struct scene_surface *surface, const char *file, struct status *status)
+enum status_code scene_files_add(struct scene_files *files, const char *file, struct status *status)
 {
-    char **files = reallocarray(surface->files, surface->file_count + 1, sizeof *files);
-    if (!files)
+    char **path = reallocarray(files->path, files->count + 1, sizeof *path);
+    files->path = path ? path : files->path;
+    if (!path || !(path[files->count] = strdup(file)))
         return status_memory(status);
-    surface->files = files;
-    if (!(files[surface->file_count] = strdup(file)))
-        return status_memory(status);
-    surface->file_count++;
+    files->count++;
     return STATUS_OK;
 }
 
@@ -55,42 +53,40 @@ static bool is_sidecar(const struct scene *scene, const char *file)
     return is;
 }
 
-enum status_code scene_files_match(struct scene_surface *surface, const struct scene *scene, const char *pattern,
+enum status_code scene_files_match(struct scene_files *files, const struct scene *scene, const char *pattern,
                                    mode_t kind, struct status *status)
 {
     const char *slash = strrchr(pattern, '/'), *name = slash ? slash + 1 : pattern;
-    size_t first = surface->file_count;
+    size_t first = files->count;
     char *folder = strndup(pattern, (size_t)(name - pattern));
     char *path = folder && *folder ? scene_file_path(scene, folder) : strdup(scene->directory);
     struct dirent **entries = NULL;
     enum status_code code = folder && path ? STATUS_OK : status_memory(status);
     int count = path ? scandir(path, &entries, NULL, NULL) : 0;
-    int directory = path ? open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC) : -1;
-    if (path && (count < 0 || directory < 0))
+    if (count < 0)
         code = status_fail(status, STATUS_IO, "cannot list '%s': %s", scene_words_show(path).text, strerror(errno));
     if (count > 0 && (size_t)count > limit_most(LIMIT_FILES))
         code = status_fail(status, STATUS_SCENE, "%d files in '%s'%s", count, scene_words_show(path).text,
                            limit_words(LIMIT_FILES).text);
     for (int i = 0; i < count; i++) {
-        char *file = NULL;
+        char *file = NULL, *at = NULL;
         struct stat info;
-        if (code == STATUS_OK && fnmatch(name, entries[i]->d_name, FNM_PERIOD) == 0 &&
-            fstatat(directory, entries[i]->d_name, &info, 0) == 0 && (info.st_mode & S_IFMT) == kind) {
-            if (asprintf(&file, "%s%s", folder, entries[i]->d_name) < 0)
+        if (code == STATUS_OK && fnmatch(name, entries[i]->d_name, FNM_PERIOD) == 0) {
+            if (asprintf(&file, "%s%s", folder, entries[i]->d_name) < 0 || !(at = scene_file_path(scene, file)))
                 code = status_memory(status);
-            else if (kind == S_IFDIR || !is_sidecar(scene, file))
-                code = scene_files_add(surface, file, status);
+            else if (stat(at, &info) == 0 && (info.st_mode & S_IFMT) == kind &&
+                     (kind == S_IFDIR || !is_sidecar(scene, file)))
+                code = scene_files_add(files, file, status);
         }
+        free(at);
         free(file);
         free(entries[i]);
     }
     free(entries);
-    if (directory >= 0)
-        close(directory);
     free(path);
     free(folder);
-    if (surface->file_count > first)
-        qsort(surface->files + first, surface->file_count - first, sizeof *surface->files, compare_naturally);
+    if (files->count > first)
+        qsort(files->path + first, files->count - first, sizeof *files->path, compare_naturally);
     return code;
 }
 
@@ -100,17 +96,18 @@ char *scene_files_name(const char *file, bool ending)
     return !ending && dot && dot > start ? strndup(start, (size_t)(dot - start)) : strdup(start);
 }
 
-void scene_files_free(struct scene_surface *surface)
+void scene_files_free(struct scene_files *files)
 {
-    for (size_t i = 0; i < surface->file_count; i++)
-        free(surface->files[i]);
-    free(surface->files);
-    for (size_t i = 0; i < surface->along_count; i++)
-        free(surface->along[i]);
-    free(surface->along);
-    for (size_t i = 0; i < surface->measured.file_count; i++)
-        free(surface->measured.files[i]);
-    free(surface->measured.files);
+    for (size_t i = 0; i < files->count; i++)
+        free(files->path[i]);
+    free(files->path);
+}
+
+void scene_surfaces_free(struct scene_surface *surface)
+{
+    scene_files_free(&surface->files);
+    scene_files_free(&surface->along);
+    scene_files_free(&surface->measured.files);
     free(surface->name);
 }
 
@@ -118,7 +115,7 @@ static int compare_surfaces(const void *a, const void *b)
 {
     const struct scene_surface *first = a, *second = b;
     int order = strverscmp(first->name, second->name);
-    return order ? order : strcmp(first->files[0], second->files[0]);
+    return order ? order : strcmp(first->files.path[0], second->files.path[0]);
 }
 
 /* Gives surfaces that share a name the ending of their file, until all differ (file names do). */
@@ -132,10 +129,10 @@ static enum status_code tell_apart(struct scene *scene, struct status *status)
             for (end = i + 1; end < scene->surface_count && strcmp(all[i].name, all[end].name) == 0;)
                 end++;
             for (size_t j = i; end > i + 1 && j < end; j++) {
-                if (strchr(all[j].files[0], '/')) /* a directory's name is all it has */
+                if (strchr(all[j].files.path[0], '/')) /* a directory's name is all it has */
                     continue;
                 free(all[j].name);
-                if (!(all[j].name = scene_files_name(all[j].files[0], true)))
+                if (!(all[j].name = scene_files_name(all[j].files.path[0], true)))
                     return status_memory(status);
                 again = true;
             }
@@ -160,25 +157,22 @@ static bool is_same(const struct scene *scene, const char *a, const char *b)
  * shape? */
 static bool is_taken(const struct scene *scene, const char *file)
 {
-    for (size_t i = 0; i < scene->counterface_surface.file_count; i++)
-        if (is_same(scene, scene->counterface_surface.files[i], file))
-            return true;
-    for (size_t i = 0; i < scene->measured.file_count; i++)
-        if (is_same(scene, scene->measured.files[i], file))
-            return true;
-    for (size_t i = 0; i < scene->shape.files.file_count; i++)
-        if (is_same(scene, scene->shape.files.files[i], file))
-            return true;
+    const struct scene_files *const all[] = {&scene->counterface_surface.files, &scene->measured.files,
+                                             &scene->shape.files};
+    for (size_t k = 0; k < SCENE_COUNT(all); k++)
+        for (size_t i = 0; i < all[k]->count; i++)
+            if (is_same(scene, all[k]->path[i], file))
+                return true;
     return strcmp(file, "scene.yaml") == 0;
 }
 
 /* "passed over: 2 x PNG picture (a.png, b.png)", a line a kind. Each of `others` is its kind, a line end, its name. */
-static enum status_code tell_others(struct scene *scene, struct scene_surface *others, struct status *status)
+static enum status_code tell_others(struct scene *scene, struct scene_files *others, struct status *status)
 {
     enum { NAMED = 8 };
     struct text lines = {0};
-    char **files = others->files;
-    size_t count = others->file_count;
+    char **files = others->path;
+    size_t count = others->count;
     if (count > 0)
         qsort(files, count, sizeof *files, compare_naturally);
     for (size_t i = 0, end; i < count; i = end) {
@@ -220,7 +214,7 @@ static const char *kind_of_other(const struct scene *scene, const char *name)
 
 /* Adds a surface of one file, or of all that are in a folder, its repeated scans; of those that are spoken for, or no
  * scans, which are noted, none. */
-static enum status_code add_surface(struct scene *scene, struct scene_surface *others, const char *name, bool folder,
+static enum status_code add_surface(struct scene *scene, struct scene_files *others, const char *name, bool folder,
                                     struct status *status)
 {
     struct scene_surface *surface = &scene->surfaces[scene->surface_count++];
@@ -229,14 +223,14 @@ static enum status_code add_surface(struct scene *scene, struct scene_surface *o
     size_t kept = 0;
     if (!surface->name || (folder && asprintf(&pattern, "%s/*", name) < 0))
         return status_memory(status);
-    enum status_code code =
-        folder ? scene_files_match(surface, scene, pattern, S_IFREG, status) : scene_files_add(surface, name, status);
-    for (size_t i = 0; i < surface->file_count; i++) {
-        char *file = surface->files[i], *noted = NULL;
+    enum status_code code = folder ? scene_files_match(&surface->files, scene, pattern, S_IFREG, status)
+                                   : scene_files_add(&surface->files, name, status);
+    for (size_t i = 0; i < surface->files.count; i++) {
+        char *file = surface->files.path[i], *noted = NULL;
         bool taken = is_taken(scene, file);
         const char *kind = taken ? NULL : kind_of_other(scene, file);
         if (!taken && !kind) {
-            surface->files[kept++] = file;
+            surface->files.path[kept++] = file;
             continue;
         }
         if (kind && code == STATUS_OK)
@@ -246,9 +240,9 @@ static enum status_code add_surface(struct scene *scene, struct scene_surface *o
         free(file);
     }
     free(pattern);
-    surface->file_count = kept;
+    surface->files.count = kept;
     if (kept == 0) {
-        scene_files_free(surface);
+        scene_surfaces_free(surface);
         scene->surface_count--;
     }
     return code;
@@ -267,18 +261,18 @@ static bool may_hold_scans(const struct scene *scene, const char *folder)
 
 enum status_code scene_files_list(struct scene *scene, struct status *status)
 {
-    struct scene_surface files = {0}, folders = {0}, others = {0};
+    struct scene_files files = {0}, folders = {0}, others = {0};
     if (scene_files_match(&files, scene, "*", S_IFREG, status) == STATUS_OK &&
         scene_files_match(&folders, scene, "*", S_IFDIR, status) == STATUS_OK) {
-        scene->surfaces = calloc(files.file_count + folders.file_count + 1, sizeof *scene->surfaces);
+        scene->surfaces = calloc(files.count + folders.count + 1, sizeof *scene->surfaces);
         if (!scene->surfaces)
             (void)status_memory(status);
     }
-    for (size_t i = 0; i < files.file_count && status->code == STATUS_OK; i++)
-        (void)add_surface(scene, &others, files.files[i], false, status);
-    for (size_t i = 0; i < folders.file_count && status->code == STATUS_OK; i++)
-        if (may_hold_scans(scene, folders.files[i]))
-            (void)add_surface(scene, &others, folders.files[i], true, status);
+    for (size_t i = 0; i < files.count && status->code == STATUS_OK; i++)
+        (void)add_surface(scene, &others, files.path[i], false, status);
+    for (size_t i = 0; i < folders.count && status->code == STATUS_OK; i++)
+        if (may_hold_scans(scene, folders.path[i]))
+            (void)add_surface(scene, &others, folders.path[i], true, status);
     if (status->code == STATUS_OK && tell_others(scene, &others, status) == STATUS_OK)
         (void)tell_apart(scene, status);
     scene_files_free(&files);
@@ -325,8 +319,8 @@ static int compare_roots(const char *a, const char *b)
 
 static int compare_repeats(const void *a, const void *b)
 {
-    const char *first = ((const struct scene_surface *)a)->files[0];
-    const char *second = ((const struct scene_surface *)b)->files[0];
+    const char *first = ((const struct scene_surface *)a)->files.path[0];
+    const char *second = ((const struct scene_surface *)b)->files.path[0];
     int order = compare_roots(first, second);
     return order ? order : strverscmp(first, second);
 }
@@ -339,11 +333,11 @@ enum status_code scene_join_repeats(struct scene *scene, struct status *status)
     for (size_t i = 0, end; i < scene->surface_count; i = end) {
         struct scene_surface *surface = &all[joined++];
         *surface = all[i];
-        const char *file = surface->files[0];
-        for (end = i + 1; end < scene->surface_count && compare_roots(file, all[end].files[0]) == 0 &&
-                          scene_files_add(surface, all[end].files[0], status) == STATUS_OK;
+        const char *file = surface->files.path[0];
+        for (end = i + 1; end < scene->surface_count && compare_roots(file, all[end].files.path[0]) == 0 &&
+                          scene_files_add(&surface->files, all[end].files.path[0], status) == STATUS_OK;
              end++)
-            scene_files_free(&all[end]);
+            scene_surfaces_free(&all[end]);
         if (end == i + 1)
             continue;
         free(surface->name);

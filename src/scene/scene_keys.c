@@ -254,24 +254,13 @@ static bool read_convergence(struct scene_source *source, const struct scene_key
     return scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys), lines, field);
 }
 
-static bool read_measured_file(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
-                               void *field)
-{
-    struct scene_surface runs = {0};
-    struct scene_measured *measured = field;
-    bool good = scene_surfaces_files(source, key, value, &runs);
-    measured->files = runs.files;
-    measured->file_count = runs.file_count;
-    return good;
-}
-
 #define MEASURED(member) offsetof(struct scene_measured, member)
 bool scene_keys_measured(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
                          void *field)
 {
     static const char *const carry[] = {"false", "true"};
     static const struct scene_key keys[] = {
-        {"file", NULL, read_measured_file, .at = 0},
+        {"file", NULL, scene_surfaces_files, .at = MEASURED(files)},
         {"quantity", NULL, SCENE_CHOICE(MEASURED(quantity), measured_quantity_names)},
         {"load_unit", NULL, scene_source_unit, .at = MEASURED(load_unit), .quantities = UNIT_LOADS},
         {"resistance_unit", NULL, scene_source_unit, .at = MEASURED(resistance_unit),
@@ -288,7 +277,7 @@ bool scene_keys_measured(struct scene_source *source, const struct scene_key *ke
     if (*text && unit_read(&unit, text, strlen(text)) && !unit_of(&unit, known))
         return scene_source_fail(source, lines[3], "'resistance_unit' is '%s'; understood: %s", text,
                                  unit_known(known).text);
-    return measured->file_count > 0 ||
+    return measured->files.count > 0 ||
            scene_source_fail_at(source, value, "'measured' has no 'file'; name a CSV of load and resistance");
 }
 

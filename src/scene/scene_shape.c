@@ -107,8 +107,8 @@ bool scene_shape_read(struct scene_source *source, const struct scene_key *key, 
         return scene_source_fail_at(source, value, "'thickness' is missing beside 'bolts'; add it");
     if (lines[BOLTS] && !(shape->head_m > hole * shape->thread_m))
         return scene_source_fail(source, lines[HEAD], "'head' is %g m, no wider than its hole", shape->head_m);
-    if (lines[HEIGHT] && shape->files.file_count > 1)
-        return scene_source_fail(source, lines[HEIGHT], "'height' is one map, not %zu", shape->files.file_count);
+    if (lines[HEIGHT] && shape->files.count > 1)
+        return scene_source_fail(source, lines[HEIGHT], "'height' is one map, not %zu", shape->files.count);
     return lines[SCALE] == 0 || lines[BOLTS] || lines[PRESSURE] ||
            scene_source_fail(source, lines[SCALE], "'scale' is for 'pressure' and 'bolts'; remove it");
 }
@@ -382,12 +382,12 @@ bool scene_shape_complete(struct scene *scene, struct scene_source *source)
     struct shape_bolts *bolts = &shape->bolts;
     if (shape_line(source) == 0 || shape->kind == SCENE_SHAPE_BULGE)
         return true;
-    joint->fields = calloc(shape->files.file_count + 1, sizeof *joint->fields);
+    joint->fields = calloc(shape->files.count + 1, sizeof *joint->fields);
     if (!joint->fields)
         return scene_source_memory(source);
     joint->pressed = shape->kind != SCENE_SHAPE_HEIGHT;
-    for (size_t i = 0; i < shape->files.file_count; i++)
-        if (!(joint->pressed ? read_pressure : read_height)(scene, source, shape->files.files[i]))
+    for (size_t i = 0; i < shape->files.count; i++)
+        if (!(joint->pressed ? read_pressure : read_height)(scene, source, shape->files.path[i]))
             return false;
     for (size_t i = 0; i < bolts->count; i++)
         for (int side = 0; side < 2; side++)

@@ -115,7 +115,7 @@ scene_reader scene_surfaces_hardness;
 scene_reader scene_surfaces_body;
 /** What was measured, into a struct scene_measured. */
 scene_reader scene_keys_measured;
-/** One file or a list of them, each checked to exist, into a struct scene_surface. */
+/** One file or a list of them, each checked to exist, into a struct scene_files. */
 scene_reader scene_surfaces_files;
 
 /** What bodies lack for an effect, to stand in a message: "'resistivity'; add it to 'material' of surface 'b'";
@@ -127,15 +127,15 @@ bool scene_lack_words(struct scene_lack_words *out, const struct scene_bodies *b
                       const struct effect_row *effect);
 
 /* Files of a directory: those that a pattern matches, in natural order. */
-/** Adds to surface->files what `pattern` (fnmatch(3); its last component alone is one) matches, below the scene's
+/** Adds to `files` what `pattern` (fnmatch(3); its last component alone is one) matches, below the scene's
  * directory unless it is absolute, and is of `kind`, S_IFREG or S_IFDIR; in natural order (2 before 10). Hidden files
  * and sidecars of others among them are left out. None may match. Errors: STATUS_IO: the directory cannot be listed;
  * STATUS_SCENE: it has more files than LIMIT_FILES; STATUS_MEMORY. */
-MUST_CHECK enum status_code scene_files_match(struct scene_surface *surface, const struct scene *scene,
-                                              const char *pattern, mode_t kind, struct status *status);
+MUST_CHECK enum status_code scene_files_match(struct scene_files *files, const struct scene *scene, const char *pattern,
+                                              mode_t kind, struct status *status);
 
 /** Adds one file. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code scene_files_add(struct scene_surface *surface, const char *file, struct status *status);
+MUST_CHECK enum status_code scene_files_add(struct scene_files *files, const char *file, struct status *status);
 
 /** Adds to a scene without surfaces one for each regular file of its directory that is not hidden, not
  * scene.yaml, no sidecar, and may be a scan, and one for each such sub-directory that holds files, which are its
@@ -145,8 +145,9 @@ MUST_CHECK enum status_code scene_files_list(struct scene *scene, struct status 
 
 /** The name of a surface read from `file`: its last component, without the ending unless `ending`; malloc'ed. */
 char *scene_files_name(const char *file, bool ending);
+void scene_files_free(struct scene_files *files);
 /** Frees what one surface holds. */
-void scene_files_free(struct scene_surface *surface);
+void scene_surfaces_free(struct scene_surface *surface);
 
 /** How the parts are shaped, into a struct scene; a pair of lengths. */
 scene_reader scene_shape_read, scene_shape_pair;

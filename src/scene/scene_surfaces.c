@@ -70,10 +70,9 @@ static bool count_files(struct scene_source *source, size_t more, size_t line)
 }
 
 /* Adds what a path names: one file, or those that its pattern matches where no file has that name. */
-static bool add_files(struct scene_source *source, struct scene_surface *surface, const yaml_node_t *node,
-                      const char *file)
+static bool add_files(struct scene_source *source, struct scene_files *files, const yaml_node_t *node, const char *file)
 {
-    size_t before = surface->file_count, line = scene_source_line(node);
+    size_t before = files->count, line = scene_source_line(node);
     struct scene_words_shown shown = scene_words_show(file);
     struct stat info;
     char *path = scene_file_path(source->scene, file);
@@ -82,7 +81,7 @@ static bool add_files(struct scene_source *source, struct scene_surface *surface
     int failed = stat(path, &info), reason = errno;
     free(path);
     if (!failed || !strpbrk(file, "*?[")) {
-        if (scene_files_add(surface, file, source->status) != STATUS_OK)
+        if (scene_files_add(files, file, source->status) != STATUS_OK)
             return false;
         if (failed)
             return scene_source_fail(source, line,
@@ -92,20 +91,19 @@ static bool add_files(struct scene_source *source, struct scene_surface *surface
                scene_source_fail(source, line, "surface file '%s' is no regular file; name a scan", shown.text);
     }
     struct status problem = {0};
-    if (scene_files_match(surface, source->scene, file, S_IFREG, &problem) == STATUS_MEMORY)
+    if (scene_files_match(files, source->scene, file, S_IFREG, &problem) == STATUS_MEMORY)
         return scene_source_memory(source);
     if (problem.code != STATUS_OK)
         return scene_source_fail(source, line, "%s", problem.message);
-    if (!count_files(source, surface->file_count - before, line))
+    if (!count_files(source, files->count - before, line))
         return false;
-    return surface->file_count > before ||
+    return files->count > before ||
            scene_source_fail(source, line, "'%s' matches no file; paths start at the scene's directory", shown.text);
 }
 
 bool scene_surfaces_files(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
                           void *field)
 {
-    struct scene_surface *surface = field;
     size_t count = scene_source_item_count(value), line = scene_source_line(value);
     if (count == 0)
         return scene_source_fail(source, line, "'%s' lists none; name one or more scans", key->name);
@@ -114,7 +112,7 @@ bool scene_surfaces_files(struct scene_source *source, const struct scene_key *k
     for (size_t i = 0; i < count; i++) {
         char *file = NULL;
         const yaml_node_t *item = scene_source_item(source, value, i);
-        bool good = scene_source_text(source, key, item, &file) && add_files(source, surface, item, file);
+        bool good = scene_source_text(source, key, item, &file) && add_files(source, field, item, file);
         free(file);
         if (!good)
             return false;
@@ -161,23 +159,13 @@ bool scene_surfaces_body(struct scene_source *source, const struct scene_key *ke
     return read_material(source, key, value, &bodies->material);
 }
 
-/* Scans along the lay. */
-static bool read_along(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
-{
-    struct scene_surface *surface = field, along = {0};
-    bool good = scene_surfaces_files(source, key, value, &along);
-    surface->along = along.files;
-    surface->along_count = along.file_count;
-    return good;
-}
-
 #define AT(member) offsetof(struct scene_surface, member)
 enum { UNIT_BYTES = sizeof((struct scene_surface *)NULL)->x_unit };
 bool scene_surfaces_counterface(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
                                 void *field)
 {
     static const struct scene_key keys[] = {
-        {"surface", NULL, scene_surfaces_files, .at = 0},
+        {"surface", NULL, scene_surfaces_files, .at = AT(files)},
         {"material", NULL, read_body, .at = AT(bodies)},
         {"x_unit", NULL, SCENE_SHORT_TEXT(AT(x_unit), UNIT_BYTES)},
         {"z_unit", NULL, SCENE_SHORT_TEXT(AT(z_unit), UNIT_BYTES)},
@@ -229,8 +217,8 @@ static bool read_surface(struct scene_source *source, const yaml_node_t *node, s
 {
     static const struct scene_key keys[] = {
         {"name", NULL, scene_source_text, .at = AT(name)},
-        {"file", NULL, scene_surfaces_files, .at = 0},
-        {"along", NULL, read_along, .at = 0},
+        {"file", NULL, scene_surfaces_files, .at = AT(files)},
+        {"along", NULL, scene_surfaces_files, .at = AT(along)},
         {"lay", NULL, SCENE_NUMBER(AT(lay), 0.0, 1.0)},
         {"material", NULL, scene_surfaces_body, .at = AT(bodies)},
         {"counterface", NULL, read_body, .at = AT(bodies)},
@@ -244,16 +232,16 @@ static bool read_surface(struct scene_source *source, const yaml_node_t *node, s
     size_t lines[SCENE_COUNT(keys)];
     if (!scene_source_mapping(source, node, "surfaces", keys, SCENE_COUNT(keys), lines, surface))
         return false;
-    if (surface->file_count == 0)
+    if (surface->files.count == 0)
         return scene_source_fail_at(source, node, "a surface has no 'file'; add one");
     surface->lay_given = lines[3] > 0;
-    if (surface->lay_given && surface->along_count > 0)
+    if (surface->lay_given && surface->along.count > 0)
         return scene_source_fail(source, lines[3], "'lay' stands beside 'along', whose scans tell it; remove either");
     if (surface->name && strlen(surface->name) > limit_most(LIMIT_NAME_BYTES))
         return scene_source_fail(source, lines[0], "a name of %zu bytes%s", strlen(surface->name),
                                  limit_words(LIMIT_NAME_BYTES).text);
     if (!surface->name)
-        surface->name = scene_files_name(surface->files[0], false);
+        surface->name = scene_files_name(surface->files.path[0], false);
     return surface->name || scene_source_memory(source);
 }
 

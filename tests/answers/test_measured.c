@@ -20,7 +20,7 @@ static enum status_code read_csv(struct measured *out, const char *csv, const st
     static char name[] = "ecr.csv", *names[] = {name};
     struct plan plan = {.running = EFFECT_BIT(EFFECT_ELECTRICAL) | EFFECT_BIT(EFFECT_THERMAL)};
     struct scene scene = {.directory = place.path, .nominal_area_m2 = said->area_m2};
-    scene.measured = (struct scene_measured){.files = names, .file_count = 1, .quantity = said->quantity};
+    scene.measured = (struct scene_measured){.files = {names, 1}, .quantity = said->quantity};
     snprintf(scene.measured.load_unit, UNIT_LENGTH, "%s", said->load_unit);
     snprintf(scene.measured.resistance_unit, UNIT_LENGTH, "%s", said->resistance_unit);
     const struct material_pair pair = {.effective_modulus_Pa = 1e10};
@@ -265,7 +265,7 @@ TEST_CASE(files_are_runs)
     struct plan plan = {.running = EFFECT_BIT(EFFECT_ELECTRICAL)};
     struct status status = {0};
     struct scene scene = {.directory = place.path, .nominal_area_m2 = 1e-6};
-    struct scene_measured given = {.files = names, .file_count = 2};
+    struct scene_measured given = {.files = {names, 2}};
     const struct material_pair pair = {.effective_modulus_Pa = 1e10};
     directory_write(&place, names[0], "load (N),R (mOhm)\n1,9\n3,5\n2,6\n");
     directory_write(&place, names[1], "R (Ohm),load (mN)\n4e-3,5000\n5e-3,4000\n7e-3,2000\n");

@@ -12,8 +12,8 @@ static void expect_surfaces(const char *place, const char *expected)
     assert_non_null(scene.path);
     for (size_t i = 0; i < scene.surface_count; i++) {
         text_add(&found, "%s=", scene.surfaces[i].name);
-        for (size_t f = 0; f < scene.surfaces[i].file_count; f++)
-            text_add(&found, "%s%s", f > 0 ? "|" : "", scene.surfaces[i].files[f]);
+        for (size_t f = 0; f < scene.surfaces[i].files.count; f++)
+            text_add(&found, "%s%s", f > 0 ? "|" : "", scene.surfaces[i].files.path[f]);
         text_add(&found, "\n");
     }
     assert_string_equal(text_string(&found), expected);

@@ -20,7 +20,7 @@ static void require_sound(const struct scene *scene)
         struct material_pair pair = scene_pair(&surface->bodies);
         double *loads;
         size_t count, operating;
-        FUZZ_REQUIRE(surface->name && surface->file_count > 0);
+        FUZZ_REQUIRE(surface->name && surface->files.count > 0);
         for (size_t other = 0; other < i; other++)
             FUZZ_REQUIRE(strcmp(surface->name, scene->surfaces[other].name) != 0);
         FUZZ_REQUIRE(pair.unknown || (pair.effective_modulus_Pa > 0 && isfinite(pair.effective_modulus_Pa)));

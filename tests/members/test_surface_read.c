@@ -64,7 +64,7 @@ static char first_name[] = "first.csv", second_name[] = "second.csv", scan_name[
 
 static void gather(char *name)
 {
-    struct scene_surface surface = {.name = name, .files = &name, .file_count = 1};
+    struct scene_surface surface = {.name = name, .files = {&name, 1}};
     struct hash hash = hash_start();
     if (strcmp(name, map_name) == 0)
         snprintf(surface.x_unit, sizeof surface.x_unit, "m"), snprintf(surface.z_unit, sizeof surface.z_unit, "m");
@@ -333,7 +333,7 @@ static void describe_laws(const size_t points[LAWS], const int order[LAWS])
 {
     static char names[LAWS][8] = {"a.csv", "b.csv", "c.csv"};
     char *files[LAWS];
-    struct scene_surface surface = {.name = scan_name, .files = files, .file_count = LAWS};
+    struct scene_surface surface = {.name = scan_name, .files = {files, LAWS}};
     double height_m[2 * LAW_POINTS];
     for (int i = 0; i < LAWS; i++) {
         make_law(height_m, i, points[i]);
@@ -412,7 +412,7 @@ PLACED(test_a_knee_widens_the_laws_interval)
 {
     static char names[LAWS][8] = {"a.csv", "b.csv", "c.csv"};
     char *files[LAWS] = {names[0], names[1], names[2]};
-    struct scene_surface surface = {.name = scan_name, .files = files, .file_count = LAWS};
+    struct scene_surface surface = {.name = scan_name, .files = {files, LAWS}};
     double height_m[LAW_POINTS];
     uint64_t seed = 1;
     for (int i = 0; i < LAWS; i++) {

@@ -99,14 +99,14 @@ static void check_full_surfaces(const struct scene *scene)
     assert_int_equal(scene->surface_count, 2);
     const struct scene_surface *first = &scene->surfaces[0], *second = &scene->surfaces[1];
     assert_string_equal(first->name, "1");
-    assert_int_equal(first->file_count, 1);
-    assert_string_equal(first->files[0], "surface-1.csv");
+    assert_int_equal(first->files.count, 1);
+    assert_string_equal(first->files.path[0], "surface-1.csv");
     assert_string_equal(first->x_unit, "");
     assert_string_equal(first->z_unit, "");
     assert_string_equal(second->name, "2");
-    assert_int_equal(second->file_count, 2);
-    assert_string_equal(second->files[0], "a.csv");
-    assert_string_equal(second->files[1], "../full/b.csv");
+    assert_int_equal(second->files.count, 2);
+    assert_string_equal(second->files.path[0], "a.csv");
+    assert_string_equal(second->files.path[1], "../full/b.csv");
     assert_string_equal(second->x_unit, "mm");
     assert_string_equal(second->z_unit, "um");
 }

@@ -36,8 +36,8 @@ static void assert_surfaces(const struct scene *scene, const char *expected)
     struct text text = {0};
     for (size_t i = 0; i < scene->surface_count; i++) {
         text_add(&text, "%s%s:", i > 0 ? "|" : "", scene->surfaces[i].name);
-        for (size_t k = 0; k < scene->surfaces[i].file_count; k++)
-            text_add(&text, " %s", scene->surfaces[i].files[k]);
+        for (size_t k = 0; k < scene->surfaces[i].files.count; k++)
+            text_add(&text, " %s", scene->surfaces[i].files.path[k]);
     }
     assert_string_equal(text_string(&text), expected);
     text_free(&text);
