@@ -105,22 +105,15 @@ static enum status_code read_run(struct measured *out, const char *name, const s
 {
     const unsigned resistances = scene_measured_resistances[out->given->quantity];
     const unsigned quantities[MEASURED_COLUMNS] = {UNIT_LOADS, resistances, resistances | UNIT_NUMBER | UNIT_PERCENT};
-    struct text content = {0};
     struct measured_file file = {0};
     char *path = scene_file_path(scene, name);
-    enum status_code rc = path ? text_read_file(&content, path, status) : status_memory(status);
-    if (rc == STATUS_OK && memchr(text_string(&content), '\0', content.length))
-        rc = status_fail(status, STATUS_SCENE, "%s: a NUL byte in the file; save it as plain text (UTF-8)", name);
-    const char *start = text_string(&content);
-    if (rc == STATUS_OK)
-        rc = measured_file_read(&file, (struct string_view){start, start + content.length}, name, quantities, status);
+    enum status_code rc = path ? measured_file_take(&file, path, name, quantities, status) : status_memory(status);
     if (rc == STATUS_OK)
         rc = complete_units(&file, name, out->given, quantities, status);
     if (rc == STATUS_OK)
         rc = add_run(out, &file, name, scene, pair, status);
     measured_file_free(&file);
     free(path);
-    text_free(&content);
     return rc;
 }
 

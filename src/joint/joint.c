@@ -54,6 +54,7 @@ struct joint joint_default(void)
                           .conductivity_W_per_mK = NAN,
                           .temperature_K = gas_table_temperature_K,
                           .film_ohm_m2 = NAN,
+                          .thickness_m = {INFINITY, INFINITY},
                           .plating_thickness_m = NAN,
                           .plating_ohm_m = NAN,
                           .current_A = NAN};

@@ -41,8 +41,8 @@ struct joint {
     unsigned both_plated; /* 1: both bodies; 0: the first, which is the surface's */
     double current_A;
     double bulge_per_m;         /* gap of the unloaded parts over the square of the distance from the middle; 0: flat */
-    double size_m[2];           /* of the nominal area */
-    double thickness_m[2];      /* of the parts */
+    double size_m[2];           /* of the nominal area; 0: not given */
+    double thickness_m[2];      /* of the parts; INFINITY: half spaces */
     struct shape_field *fields; /* in place of the bulge, of rising load; owned by the scene */
     size_t field_count;
     bool pressed; /* they are pressures, not the gap of the unloaded parts */

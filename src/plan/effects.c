@@ -71,7 +71,6 @@ enum status_code effects_bound(struct surface_record *record, const struct surfa
 static void decide_plasticity(struct plan *plan, const struct scene *scene, const struct surface_record *surfaces,
                               size_t count)
 {
-    struct plan_effect *effect = &plan->effects[EFFECT_PLASTICITY];
     double most = 0;
     bool needed = false;
     for (size_t i = 0; i < count; i++)
@@ -81,58 +80,48 @@ static void decide_plasticity(struct plan *plan, const struct scene *scene, cons
                  (scene->models_named && plan_runs_model(plan, m) && model_rows[m]->plastic && !model_rows[m]->elastic);
     const double change = expm1(log1p(pow(most, 4)) / 4);
     bool runs = needed || change > scene->tolerance;
-    snprintf(effect->reason, sizeof effect->reason,
-             runs ? "spots might bear up to %.2g times the hardness"
-                  : "no spot bears more than %.2g times the hardness: %.1g of the area at most, below the tolerance",
-             fmin(most, DBL_MAX), change);
-    if (!runs)
-        plan_switch_off(plan, EFFECT_PLASTICITY);
+    plan_decide(plan, EFFECT_PLASTICITY, runs,
+                runs ? "spots might bear up to %.2g times the hardness"
+                     : "no spot bears more than %.2g times the hardness: %.1g of the area at most, below the tolerance",
+                fmin(most, DBL_MAX), change);
 }
 
 static void decide_scale_dependence(struct plan *plan, const struct surface_record *surfaces, size_t count,
                                     double tolerance)
 {
-    struct plan_effect *effect = &plan->effects[EFFECT_SCALE_DEPENDENT];
     double most = 0;
     for (size_t i = 0; i < count; i++)
         most = fmax(most, surfaces[i].summary.scale_dependence);
-    snprintf(effect->reason, sizeof effect->reason, "(8/3π) λmfp/a raises TCR by up to %.2g%s", fmin(most, DBL_MAX),
-             most > tolerance ? "" : ", below the tolerance");
-    if (!(most > tolerance))
-        plan_switch_off(plan, EFFECT_SCALE_DEPENDENT);
+    plan_decide(plan, EFFECT_SCALE_DEPENDENT, most > tolerance, "(8/3π) λmfp/a raises TCR by up to %.2g%s",
+                fmin(most, DBL_MAX), most > tolerance ? "" : ", below the tolerance");
 }
 
 /** Runs where some spectrum can be carried on below what is known, or the scene says what to sweep. */
 static void decide_convergence(struct plan *plan, const struct scene *scene, const struct surface_record *surfaces,
                                size_t count)
 {
-    struct plan_effect *effect = &plan->effects[EFFECT_CONVERGENCE];
     size_t usable = 0, carried_on = 0;
     for (size_t i = 0; i < count; i++) {
         usable += surfaces[i].summary.usable;
         carried_on += surfaces[i].summary.usable && !isnan(surfaces[i].summary.tail.gamma);
     }
-    snprintf(effect->reason, sizeof effect->reason,
-             "sweeps, and the spectra of %zu of %zu surfaces carried on below what is known", carried_on, usable);
-    if (carried_on > 0 || scene->convergence.given)
-        return;
-    snprintf(effect->reason, sizeof effect->reason, "no spectrum can be carried on below what is known");
-    plan_switch_off(plan, EFFECT_CONVERGENCE);
+    const bool runs = carried_on > 0 || scene->convergence.given;
+    plan_decide(plan, EFFECT_CONVERGENCE, runs,
+                runs ? "sweeps, and the spectra of %zu of %zu surfaces carried on below what is known"
+                     : "no spectrum can be carried on below what is known",
+                carried_on, usable);
 }
 
 /** Runs where a surface has one scan. */
 static void decide_uncertainty(struct plan *plan, const struct surface_record *surfaces, size_t count)
 {
-    struct plan_effect *effect = &plan->effects[EFFECT_UNCERTAINTY];
     size_t single = 0;
     for (size_t i = 0; i < count && !model_rows[plan_leading_model(plan)]->uses_map; i++)
         single += surfaces[i].summary.usable && surfaces[i].summary.single_points > 0;
-    snprintf(effect->reason, sizeof effect->reason, "%zu surface%s with one scan that records can be simulated of",
-             single, single == 1 ? "" : "s");
-    if (single > 0)
-        return;
-    snprintf(effect->reason, sizeof effect->reason, "no surface with one scan that records can be simulated of");
-    plan_switch_off(plan, EFFECT_UNCERTAINTY);
+    plan_decide(plan, EFFECT_UNCERTAINTY, single > 0,
+                single > 0 ? "%zu surface%s with one scan that records can be simulated of"
+                           : "no surface with one scan that records can be simulated of",
+                single, single == 1 ? "" : "s");
 }
 
 const double effects_transform_seconds = 12e-9;

@@ -272,6 +272,20 @@ enum status_code measured_file_read(struct measured_file *out, struct string_vie
     return rc;
 }
 
+enum status_code measured_file_take(struct measured_file *out, const char *path, const char *name,
+                                    const unsigned quantities[MEASURED_COLUMNS], struct status *status)
+{
+    struct text content = {0};
+    enum status_code rc = text_read_file(&content, path, status);
+    const char *start = text_string(&content);
+    if (rc == STATUS_OK && memchr(start, '\0', content.length))
+        rc = status_fail(status, STATUS_SCENE, "%s: a NUL byte in the file; save it as plain text (UTF-8)", name);
+    if (rc == STATUS_OK)
+        rc = measured_file_read(out, (struct string_view){start, start + content.length}, name, quantities, status);
+    text_free(&content);
+    return rc;
+}
+
 void measured_file_free(struct measured_file *file)
 {
     free(file->rows);

@@ -39,6 +39,9 @@ struct measured_file {
  * unit that is unknown or not of the column's quantities; STATUS_MEMORY. */
 MUST_CHECK enum status_code measured_file_read(struct measured_file *out, struct string_view content, const char *name,
                                                const unsigned quantities[MEASURED_COLUMNS], struct status *status);
+/** The same of the file at `path`, which is text without a NUL byte. Errors also: STATUS_IO. */
+MUST_CHECK enum status_code measured_file_take(struct measured_file *out, const char *path, const char *name,
+                                               const unsigned quantities[MEASURED_COLUMNS], struct status *status);
 void measured_file_free(struct measured_file *file);
 
 #endif

@@ -2,42 +2,44 @@
 #include "scene/plan.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stddef.h>
 #include <stdio.h>
 
-/** The bodies of surface `i`; the scene's where it has no surface. */
-static const struct scene_bodies *bodies_of(const struct scene *scene, size_t i)
+void plan_decide(struct plan *plan, enum effect effect, bool runs, const char *format, ...)
 {
-    return i < scene->surface_count ? &scene->surfaces[i].bodies : &scene->bodies;
+    struct plan_effect *out = &plan->effects[effect];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(out->reason, sizeof out->reason, format, args);
+    va_end(args);
+    out->runs = runs;
+    plan->running = runs ? plan->running | EFFECT_BIT(effect) : plan->running & ~EFFECT_BIT(effect);
+    plan->wanted = quantity_wanted(plan->running);
 }
 
 /** Says what an effect lacks to run on every surface, and whose; false: nothing. */
-static bool say_lack(struct plan_effect *out, const struct effect_row *row, const struct scene *scene)
+static bool say_lack(struct plan *plan, enum effect effect, const struct scene *scene)
 {
     size_t lacking = 0, count = scene->surface_count > 0 ? scene->surface_count : 1, first = 0;
     const struct material_property *property = NULL;
-    for (size_t k = 0; k < count; k++) {
-        const struct scene_bodies *bodies = bodies_of(scene, k);
-        bool other = bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC, lacks = false;
-        for (size_t i = 0; row->properties[i] && !lacks; i++) {
-            const struct material_property *own = material_property_find(row->properties[i]);
-            lacks = isnan(material_value(&bodies->material, own)) ||
-                    (other && isnan(material_value(&bodies->counterface, own)));
-            property = property || !lacks ? property : own;
-            first = lacks && lacking == 0 ? k : first;
-        }
-        lacking += lacks;
+    for (size_t k = count; k-- > 0;) {
+        const char *body;
+        const struct material_property *own = scene_lack(&body, scene_bodies_of(scene, k), &effect_rows[effect]);
+        lacking += own != NULL;
+        first = own ? k : first;
+        property = own ? own : property;
     }
     if (lacking == 0)
         return false;
     if (lacking < count) { /* escaped where the reason is written */
         const char *name = scene->surfaces[first].name;
-        snprintf(out->reason, sizeof out->reason, "the material of surface '%.*s' has no %s", (int)text_fit(name, 100),
-                 name, property->name);
+        plan_decide(plan, effect, false, "the material of surface '%.*s' has no %s", (int)text_fit(name, 100), name,
+                    property->name);
     } else {
-        bool none = isnan(bodies_of(scene, 0)->material.youngs_modulus_Pa);
-        snprintf(out->reason, sizeof out->reason, none ? "no material is given, so no %s" : "the material has no %s",
-                 property->name);
+        bool none = isnan(scene_bodies_of(scene, 0)->material.youngs_modulus_Pa);
+        plan_decide(plan, effect, false, none ? "no material is given, so no %s" : "the material has no %s",
+                    property->name);
     }
     return true;
 }
@@ -45,44 +47,38 @@ static bool say_lack(struct plan_effect *out, const struct effect_row *row, cons
 static void decide(struct plan *plan, enum effect effect, const struct scene *scene)
 {
     const struct effect_row *row = &effect_rows[effect];
-    struct plan_effect *out = &plan->effects[effect];
-    unsigned lacking = row->needs_effects & ~plan->running;
-    const uint64_t stack_scales = model_flagged(offsetof(struct model_row, stacks_scales));
-    if (effect == EFFECT_CONVERGENCE && !(plan_running_models(plan) & stack_scales)) {
-        snprintf(out->reason, sizeof out->reason, "a question to the multiscale models, which do not run");
+    const bool listed = scene->effects & EFFECT_BIT(effect);
+    if (effect == EFFECT_CONVERGENCE &&
+        !(plan_running_models(plan) & model_flagged(offsetof(struct model_row, stacks_scales)))) {
+        plan_decide(plan, effect, false, "a question to the multiscale models, which do not run");
     } else if (effect == EFFECT_DIRECT) { /* seconds where the rest takes milliseconds: never unasked */
-        out->runs = scene->direct.called;
-        snprintf(out->reason, sizeof out->reason,
-                 "not called for; it says how far each model is off, in seconds to minutes");
-    } else if (row->only_listed && !(scene->effects & EFFECT_BIT(effect))) {
-        snprintf(out->reason, sizeof out->reason, "only where effects lists it");
+        plan_decide(plan, effect, scene->direct.called,
+                    "not called for; it says how far each model is off, in seconds to minutes");
+    } else if (row->only_listed && !listed) {
+        plan_decide(plan, effect, false, "only where effects lists it");
     } else if (effect == EFFECT_UNLOADING) {
         const struct model_row *leading = model_rows[plan_leading_model(plan)];
-        out->runs = leading->plastic;
-        snprintf(out->reason, sizeof out->reason,
-                 leading->plastic ? "listed in the scene" : "%s, which leads, has no hardness", leading->label);
+        plan_decide(plan, effect, leading->plastic,
+                    leading->plastic ? "listed in the scene" : "%s, which leads, has no hardness", leading->label);
     } else if (row->key && !(scene->called & EFFECT_BIT(effect))) {
-        snprintf(out->reason, sizeof out->reason, "no '%s' is given", row->key);
-    } else if (row->key && !scene->effects_auto) {
-        out->runs = true;
-        snprintf(out->reason, sizeof out->reason, "the scene has '%s'", row->key);
+        plan_decide(plan, effect, false, "no '%s' is given", row->key);
     } else if (!scene->effects_auto) {
-        out->runs = scene->effects & EFFECT_BIT(effect);
-        snprintf(out->reason, sizeof out->reason, out->runs ? "listed in the scene" : "not listed in the scene");
-    } else if (say_lack(out, row, scene)) {
-        out->runs = false;
-    } else if (lacking) {
-        snprintf(out->reason, sizeof out->reason, "builds on an effect that does not run");
+        plan_decide(plan, effect, row->key || listed,
+                    row->key ? "the scene has '%s'"
+                    : listed ? "listed in the scene"
+                             : "not listed in the scene",
+                    row->key);
+    } else if (say_lack(plan, effect, scene)) {
+        return;
+    } else if (row->needs_effects & ~plan->running) {
+        plan_decide(plan, effect, false, "builds on an effect that does not run");
     } else {
-        out->runs = true;
-        snprintf(out->reason, sizeof out->reason,
-                 row->key             ? "the scene has '%s'"
-                 : row->properties[0] ? "the material gives what it needs"
-                                      : "needs no more than E'",
-                 row->key);
+        plan_decide(plan, effect, true,
+                    row->key             ? "the scene has '%s'"
+                    : row->properties[0] ? "the material gives what it needs"
+                                         : "needs no more than E'",
+                    row->key);
     }
-    if (out->runs)
-        plan->running |= EFFECT_BIT(effect);
 }
 
 /** What a report is asked for first: the first target, else what models compute of the greatest precedence. */
@@ -100,19 +96,11 @@ void plan_make(struct plan *out, const struct scene *scene)
     };
     for (int e = 0; e < EFFECT_COUNT; e++)
         decide(out, (enum effect)e, scene);
-    out->wanted = quantity_wanted(out->running);
 }
 
 bool plan_runs(const struct plan *plan, enum effect effect)
 {
     return plan->running & EFFECT_BIT(effect);
-}
-
-void plan_switch_off(struct plan *plan, enum effect effect)
-{
-    plan->effects[effect].runs = false;
-    plan->running &= ~EFFECT_BIT(effect);
-    plan->wanted = quantity_wanted(plan->running);
 }
 
 bool plan_runs_model(const struct plan *plan, size_t m)

@@ -31,8 +31,8 @@ void plan_choose_model(struct scene *scene);
 
 /** Does `effect` run? */
 bool plan_runs(const struct plan *plan, enum effect effect);
-/** Takes an effect, and the quantities that belong to it, out again. */
-void plan_switch_off(struct plan *plan, enum effect effect);
+/** Puts an effect into the plan, or takes it and the quantities that belong to it out again, and says why. */
+void plan_decide(struct plan *plan, enum effect effect, bool runs, const char *format, ...) PRINTF_LIKE(4, 5);
 
 /** Does model `m` of the table run? */
 bool plan_runs_model(const struct plan *plan, size_t m);

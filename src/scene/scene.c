@@ -226,19 +226,13 @@ static bool complete_all_bodies(struct scene *scene, struct scene_source *source
            scene_source_fail(source, line, "'hardness' stands without a material; add 'material'");
 }
 
-/* The bodies of surface `i`; without surfaces the scene's. */
-static const struct scene_bodies *bodies_at(const struct scene *scene, size_t i)
-{
-    return scene->surface_count > 0 ? &scene->surfaces[i].bodies : &scene->bodies;
-}
-
 /* Can loads of that kind be turned into P/(A_n E') on every surface? */
 static bool check_load_kind(const struct scene *scene, struct scene_source *source, const char *key,
                             enum unit_quantity kind, size_t line)
 {
     bool known = true;
     for (size_t i = 0; i == 0 || i < scene->surface_count; i++)
-        known = known && !isnan(bodies_at(scene, i)->material.youngs_modulus_Pa);
+        known = known && !isnan(scene_bodies_of(scene, i)->material.youngs_modulus_Pa);
     if (kind == UNIT_FORCE && isnan(scene->nominal_area_m2))
         return scene_source_fail(source, line, "'%s' is a force, but on which area? add 'nominal_area'", key);
     return kind == UNIT_NUMBER || known ||
@@ -289,7 +283,7 @@ static bool check_one_load(const struct scene_one_load *one, const char *key, st
             source, line, "'%s' is %s and the loads are %s, which differ from material to material; give both alike",
             key, unit_quantity_name(one->kind),
             load->kind == UNIT_NUMBER ? "P/(A_n E')" : unit_quantity_name(load->kind));
-    struct material_pair pair = scene_pair(bodies_at(scene, 0));
+    struct material_pair pair = scene_pair(scene_bodies_of(scene, 0));
     double value = one_load(one, scene, &pair);
     if (!load->given && value >= least_by_itself && value <= 1) {
         load->from = least = fmin(least, value / 10);

@@ -115,7 +115,6 @@ struct scene_direct {
 struct scene_shape {
     enum { SCENE_SHAPE_BULGE, SCENE_SHAPE_HEIGHT, SCENE_SHAPE_PRESSURE, SCENE_SHAPE_BOLTS } kind;
     double flatness_m, over_m, crown_m; /* 0: not given */
-    double size_m[2], thickness_m[2];   /* of the nominal area, 0: not given; of the parts */
     struct scene_files files;           /* of height or pressure */
     unsigned scale;                     /* 1: the field is that of any load */
     struct shape_bolts bolts;
@@ -253,6 +252,9 @@ char *scene_file_path(const struct scene *scene, const char *file);
 
 /** The pair of bodies of a surface, or of the scene; material_pair_unknown() without a material. */
 struct material_pair scene_pair(const struct scene_bodies *bodies);
+
+/** The bodies of surface `i`; the scene's where it has no such. */
+const struct scene_bodies *scene_bodies_of(const struct scene *scene, size_t i);
 
 /** A property that the effect needs and one of the bodies does not have, and which body; NULL: they have all. */
 const struct material_property *scene_lack(const char **body, const struct scene_bodies *bodies,

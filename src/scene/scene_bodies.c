@@ -18,6 +18,11 @@ struct material_pair scene_pair(const struct scene_bodies *bodies)
     return pair;
 }
 
+const struct scene_bodies *scene_bodies_of(const struct scene *scene, size_t i)
+{
+    return i < scene->surface_count ? &scene->surfaces[i].bodies : &scene->bodies;
+}
+
 const struct material_property *scene_lack(const char **body, const struct scene_bodies *bodies,
                                            const struct effect_row *effect)
 {

@@ -17,6 +17,9 @@ static const double largest = 1e15;    /* of what a file may hold, in SI */
 static const double hole = 1.1;        /* over the thread: ISO 273, medium */
 enum { BOLTS_MOST = 1000 };
 
+/* Fails in the line of the key. */
+#define SHAPE_FAIL(source, ...) scene_source_fail((source), scene_keys_line((source), "shape"), __VA_ARGS__)
+
 /* [20 mm, 10 mm]. */
 bool scene_shape_pair(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
 {
@@ -57,7 +60,7 @@ static bool read_thread(struct scene_source *source, const struct scene_key *key
            scene_source_fail_at(source, value, "'thread' is no metric thread; give it as M5 (M1 to M100)");
 }
 
-#define AT(member) offsetof(struct scene_shape, member)
+#define AT(member) offsetof(struct scene, shape.member)
 enum { FLATNESS, CROWN, HEIGHT, PRESSURE, BOLTS, WAYS, OVER = WAYS, SIZE, THICKNESS, SCALE, TORQUE, THREAD, HEAD };
 bool scene_shape_read(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
 {
@@ -69,21 +72,21 @@ bool scene_shape_read(struct scene_source *source, const struct scene_key *key, 
         [HEIGHT] = {"height", NULL, scene_surfaces_files, .at = AT(files)},
         [PRESSURE] = {"pressure", NULL, scene_surfaces_files, .at = AT(files)},
         [BOLTS] = {"bolts", NULL, read_bolts, .at = AT(bolts), .quantities = UNIT_DISTANCE, .least = 0, .most = 1e3},
-        [SIZE] = {"size", NULL, scene_shape_pair, .at = AT(size_m), .quantities = UNIT_DISTANCE, .least = 1e-9,
-                  .most = 1e3},
-        [THICKNESS] = {"thickness", NULL, scene_shape_pair, .at = AT(thickness_m), .quantities = UNIT_DISTANCE,
-                       .least = 1e-9, .most = 1e3},
+        [SIZE] = {"size", NULL, scene_shape_pair, .at = offsetof(struct scene, joint.size_m),
+                  .quantities = UNIT_DISTANCE, .least = 1e-9, .most = 1e3},
+        [THICKNESS] = {"thickness", NULL, scene_shape_pair, .at = offsetof(struct scene, joint.thickness_m),
+                       .quantities = UNIT_DISTANCE, .least = 1e-9, .most = 1e3},
         [SCALE] = {"scale", NULL, SCENE_CHOICE(AT(scale), scale)},
         [TORQUE] = {"torque", NULL, SCENE_QUANTITY(AT(torque_Nm), UNIT_TORQUE, 1e-9, 1e9)},
         [THREAD] = {"thread", NULL, read_thread, .at = AT(thread_m)},
         [HEAD] = {"head", NULL, SCENE_QUANTITY(AT(head_m), UNIT_DISTANCE, 1e-4, 1.0)},
         {"nut_factor", NULL, SCENE_NUMBER(AT(nut_factor), 0.01, 1.0)},
     };
-    struct scene_shape *shape = &((struct scene *)field)->shape;
+    struct scene_shape *shape = &source->scene->shape;
     size_t lines[SCENE_COUNT(keys)];
     int ways = 0;
-    *shape = (struct scene_shape){.thickness_m = {INFINITY, INFINITY}, .nut_factor = nut_factor};
-    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys), lines, shape))
+    shape->nut_factor = nut_factor;
+    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys), lines, field))
         return false;
     for (int way = 0; way < WAYS; way++)
         ways += lines[way] > 0;
@@ -113,31 +116,22 @@ bool scene_shape_read(struct scene_source *source, const struct scene_key *key, 
            scene_source_fail(source, lines[SCALE], "'scale' is for 'pressure' and 'bolts'; remove it");
 }
 
-static size_t shape_line(const struct scene_source *source)
-{
-    return scene_keys_line(source, "shape");
-}
-
 bool scene_shape_size(struct scene *scene, struct scene_source *source)
 {
-    double *side_m = scene->joint.size_m;
     const struct scene_shape *shape = &scene->shape;
-    double area_m2 = shape->size_m[0] * shape->size_m[1];
-    size_t line = shape_line(source);
-    if (line == 0)
+    double *side_m = scene->joint.size_m, area_m2 = side_m[0] * side_m[1];
+    if (scene_keys_line(source, "shape") == 0)
         return true;
-    memcpy(side_m, shape->size_m, sizeof shape->size_m);
-    memcpy(scene->joint.thickness_m, shape->thickness_m, sizeof shape->thickness_m);
     scene->joint.bulge_per_m = shape->crown_m > 0  ? 1 / (2 * shape->crown_m)
                                : shape->over_m > 0 ? 4 * shape->flatness_m / pow(shape->over_m, 2)
                                                    : 0;
     if (area_m2 > 0 && isnan(scene->nominal_area_m2))
         scene->nominal_area_m2 = area_m2;
     if (isnan(scene->nominal_area_m2))
-        return scene_source_fail(source, line, "'shape' is of which area? add 'nominal_area', or 'size' to it");
+        return SHAPE_FAIL(source, "'shape' is of which area? add 'nominal_area', or 'size' to it");
     if (area_m2 > 0 && !(fabs(area_m2 / scene->nominal_area_m2 - 1) < 1e-3))
-        return scene_source_fail(source, line, "'size' is %g m2 and 'nominal_area' %g m2; correct either", area_m2,
-                                 scene->nominal_area_m2);
+        return SHAPE_FAIL(source, "'size' is %g m2 and 'nominal_area' %g m2; correct either", area_m2,
+                          scene->nominal_area_m2);
     if (!(area_m2 > 0))
         side_m[0] = side_m[1] = sqrt(scene->nominal_area_m2);
     return true;
@@ -156,41 +150,41 @@ static bool fits(double *shift, const double *at, size_t count, double side_m)
 }
 
 /* Lays values at places on the cells; the places are moved to the corner. */
-static bool lay(struct scene *scene, struct scene_source *source, const char *file, double *const at[2],
-                const size_t count[2], const double *value)
+static bool lay(struct scene_source *source, const char *file, double *const at[2], const size_t count[2],
+                const double *value)
 {
-    const double *side_m = scene->joint.size_m;
+    struct joint *joint = &source->scene->joint;
+    const double *side_m = joint->size_m;
     for (int side = 0; side < 2; side++) {
         double shift;
         if (!fits(&shift, at[side], count[side], side_m[side]))
-            return scene_source_fail(source, shape_line(source),
-                                     "'%s' is %g m long in %c, the nominal area %g m; correct 'size' or the file",
-                                     scene_words_show(file).text, at[side][count[side] - 1] - at[side][0], "xy"[side],
-                                     side_m[side]);
+            return SHAPE_FAIL(source, "'%s' is %g m long in %c, the nominal area %g m; correct 'size' or the file",
+                              scene_words_show(file).text, at[side][count[side] - 1] - at[side][0], "xy"[side],
+                              side_m[side]);
         for (size_t i = 0; i < count[side]; i++)
             at[side][i] += shift;
     }
     const double *const places[2] = {at[0], at[1]};
-    return shape_field_grid(&scene->joint.fields[scene->joint.field_count++], places, count, value, side_m,
-                            source->status) == STATUS_OK;
+    return shape_field_grid(&joint->fields[joint->field_count++], places, count, value, side_m, source->status) ==
+           STATUS_OK;
 }
 
-static bool read_height(struct scene *scene, struct scene_source *source, const char *file)
+static bool read_height(struct scene_source *source, const char *file)
 {
     struct scan scan = {0};
     struct status problem = {0};
-    char *path = scene_file_path(scene, file);
+    char *path = scene_file_path(source->scene, file);
     double *at[2] = {NULL, NULL}, top = -INFINITY;
     bool good = path && scan_read(&scan, path, &(struct scan_options){0}, &problem) == STATUS_OK;
     if (!path)
         good = scene_source_memory(source);
     else if (!good)
-        good = scene_source_fail(source, shape_line(source), "%s", problem.message);
+        good = SHAPE_FAIL(source, "%s", problem.message);
     else if (scan.kind != SCAN_AREAL || scan.missing > 0 || scan.units_lacking)
-        good = scene_source_fail(source, shape_line(source), "'%s' %s", scene_words_show(file).text,
-                                 scan.kind != SCAN_AREAL ? "is a profile; give a map of the part's height"
-                                 : scan.missing > 0      ? "has points missing; fill them"
-                                                         : "names no units; write them into it");
+        good = SHAPE_FAIL(source, "'%s' %s", scene_words_show(file).text,
+                          scan.kind != SCAN_AREAL ? "is a profile; give a map of the part's height"
+                          : scan.missing > 0      ? "has points missing; fill them"
+                                                  : "names no units; write them into it");
     if (good) {
         const size_t count[2] = {scan.nx, scan.ny};
         for (int side = 0; side < 2; side++) {
@@ -202,7 +196,7 @@ static bool read_height(struct scene *scene, struct scene_source *source, const 
             top = fmax(top, scan.z_m[k]);
         for (size_t k = 0; k < scan.nx * scan.ny; k++)
             scan.z_m[k] = top - scan.z_m[k];
-        good = at[0] && at[1] ? lay(scene, source, file, at, count, scan.z_m) : scene_source_memory(source);
+        good = at[0] && at[1] ? lay(source, file, at, count, scan.z_m) : scene_source_memory(source);
     }
     free(at[0]);
     free(at[1]);
@@ -233,8 +227,7 @@ static size_t place(const double *at, size_t count, double value)
 }
 
 /* Rows of x, y and pressure, in any order. */
-static bool lay_rows(struct scene *scene, struct scene_source *source, const char *file, const double *column[3],
-                     size_t rows)
+static bool lay_rows(struct scene_source *source, const char *file, const double *column[3], size_t rows)
 {
     size_t count[2];
     double *room = calloc(3 * rows, sizeof *room);
@@ -250,19 +243,19 @@ static bool lay_rows(struct scene *scene, struct scene_source *source, const cha
         value[place(at[1], count[1], column[1][k]) * count[0] + place(at[0], count[0], column[0][k])] = column[2][k];
     for (size_t k = 0; good && k < rows; k++)
         good = !isnan(value[k]);
-    good = good ? lay(scene, source, file, at, count, value)
-                : scene_source_fail(source, shape_line(source),
-                                    "'%s' has %zu places, no grid of x and y; give each x with each y",
-                                    scene_words_show(file).text, rows);
+    good = good ? lay(source, file, at, count, value)
+                : SHAPE_FAIL(source, "'%s' has %zu places, no grid of x and y; give each x with each y",
+                             scene_words_show(file).text, rows);
     free(room);
     return good;
 }
 
 /* Rows of an area and its pressure, by falling pressure. */
-static bool take_parts(struct scene *scene, struct scene_source *source, const char *file, const double *column[2],
-                       size_t rows)
+static bool take_parts(struct scene_source *source, const char *file, const double *column[2], size_t rows)
 {
-    struct shape_field *field = &scene->joint.fields[scene->joint.field_count++];
+    const double area_m2 = source->scene->nominal_area_m2;
+    struct joint *joint = &source->scene->joint;
+    struct shape_field *field = &joint->fields[joint->field_count++];
     size_t *order = calloc(rows, sizeof *order);
     double sum = 0;
     *field = (struct shape_field){
@@ -275,19 +268,17 @@ static bool take_parts(struct scene *scene, struct scene_source *source, const c
     for (size_t k = 0; k < rows; k++) {
         size_t from = order[rows - 1 - k];
         field->value[k] = column[1][from];
-        field->share[k] = column[0][from] / scene->nominal_area_m2;
+        field->share[k] = column[0][from] / area_m2;
         field->mean += field->value[k] * field->share[k];
         sum += field->share[k];
     }
     free(order);
-    return sum <= 1 + balance ||
-           scene_source_fail(source, shape_line(source), "the areas of '%s' are %g m2 together, the nominal one %g m2",
-                             scene_words_show(file).text, sum * scene->nominal_area_m2, scene->nominal_area_m2);
+    return sum <= 1 + balance || SHAPE_FAIL(source, "the areas of '%s' are %g m2 together, the nominal one %g m2",
+                                            scene_words_show(file).text, sum * area_m2, area_m2);
 }
 
 /* The file's columns in SI: rows of place, place and pressure, or of area and pressure. */
-static bool take_columns(struct scene *scene, struct scene_source *source, const char *file,
-                         const struct measured_file *read)
+static bool take_columns(struct scene_source *source, const char *file, const struct measured_file *read)
 {
     size_t rows = read->count;
     const bool parts = unit_of(&read->units[0].unit, UNIT_AREA);
@@ -298,44 +289,39 @@ static bool take_columns(struct scene *scene, struct scene_source *source, const
     for (int c = 0; good && c < columns; c++) {
         const struct measured_unit *unit = &read->units[c];
         if (!unit->known || !unit_of(&unit->unit, c == columns - 1 ? UNIT_PRESSURE : parts ? UNIT_AREA : UNIT_DISTANCE))
-            good = scene_source_fail(source, shape_line(source),
-                                     "'%s' does not name its units; head it with x [mm], y [mm], p [MPa], or with A "
-                                     "[mm2], p [MPa]",
-                                     scene_words_show(file).text);
+            good = SHAPE_FAIL(source,
+                              "'%s' does not name its units; head it with x [mm], y [mm], p [MPa], or with A "
+                              "[mm2], p [MPa]",
+                              scene_words_show(file).text);
         for (size_t i = 0; good && i < rows; i++) {
             double value = read->rows[i].value[c] * unit->unit.factor;
             room[(size_t)c * rows + i] = value;
             if (!(fabs(value) < largest && (value >= 0 || (!parts && c < 2))))
-                good = scene_source_fail(source, shape_line(source), "'%s', line %zu: %s", scene_words_show(file).text,
-                                         read->rows[i].line,
-                                         fabs(value) < largest ? "less than nothing; pressures and areas are positive"
-                                                               : "a number is missing or too large");
+                good = SHAPE_FAIL(source, "'%s', line %zu: %s", scene_words_show(file).text, read->rows[i].line,
+                                  fabs(value) < largest ? "less than nothing; pressures and areas are positive"
+                                                        : "a number is missing or too large");
         }
     }
-    good =
-        good && (parts ? take_parts(scene, source, file, column, rows) : lay_rows(scene, source, file, column, rows));
+    good = good && (parts ? take_parts(source, file, column, rows) : lay_rows(source, file, column, rows));
     free(room);
     return good;
 }
 
-static bool read_pressure(struct scene *scene, struct scene_source *source, const char *file)
+static bool read_pressure(struct scene_source *source, const char *file)
 {
     static const unsigned quantities[MEASURED_COLUMNS] = {UNIT_DISTANCE | UNIT_AREA, UNIT_DISTANCE | UNIT_PRESSURE,
                                                           UNIT_PRESSURE};
+    const struct joint *joint = &source->scene->joint;
     struct measured_file read = {0};
-    struct text content = {0};
     struct status problem = {0};
-    char *path = scene_file_path(scene, file);
-    enum status_code rc = path ? text_read_file(&content, path, &problem) : status_memory(&problem);
-    const char *start = text_string(&content);
-    if (rc == STATUS_OK)
-        rc = measured_file_read(&read, (struct string_view){start, start + content.length}, path, quantities, &problem);
-    bool good = rc == STATUS_OK ? take_columns(scene, source, file, &read)
-                                : scene_source_fail(source, shape_line(source), "%s", problem.message);
-    if (good && !(scene->joint.fields[scene->joint.field_count - 1].mean > 0))
-        good = scene_source_fail(source, shape_line(source), "'%s' presses nowhere", scene_words_show(file).text);
+    char *path = scene_file_path(source->scene, file);
+    bool good = path && measured_file_take(&read, path, path, quantities, &problem) == STATUS_OK;
+    good = !path  ? scene_source_memory(source)
+           : good ? take_columns(source, file, &read)
+                  : SHAPE_FAIL(source, "%s", problem.message);
+    if (good && !(joint->fields[joint->field_count - 1].mean > 0))
+        good = SHAPE_FAIL(source, "'%s' presses nowhere", scene_words_show(file).text);
     measured_file_free(&read);
-    text_free(&content);
     free(path);
     return good;
 }
@@ -352,15 +338,13 @@ static int by_load(const void *a, const void *b)
 static bool hold_load(struct scene *scene, struct scene_source *source)
 {
     const struct shape_field *fields = scene->joint.fields;
-    const struct material_pair pair =
-        scene_pair(scene->surface_count > 0 ? &scene->surfaces[0].bodies : &scene->bodies);
+    const struct material_pair pair = scene_pair(scene_bodies_of(scene, 0));
     size_t count = scene->joint.field_count;
     qsort(scene->joint.fields, count, sizeof *fields, by_load);
     for (size_t i = 1; i < count; i++)
         if (fields[i].nx != fields[0].nx || fields[i].ny != fields[0].ny || !(fields[i].mean > fields[i - 1].mean) ||
             fields[0].share)
-            return scene_source_fail(source, shape_line(source),
-                                     "the files of 'pressure' are grids alike, each of another load");
+            return SHAPE_FAIL(source, "the files of 'pressure' are grids alike, each of another load");
     if (count > 1 || scene->shape.scale || pair.unknown)
         return true;
     if (scene->operating.load == 0) {
@@ -370,9 +354,9 @@ static bool hold_load(struct scene *scene, struct scene_source *source)
     double asked_Pa = scene_load_of(&scene->operating, scene, &pair) * pair.effective_modulus_Pa;
     double off = fields[0].mean / asked_Pa - 1;
     return fabs(off) <= balance ||
-           scene_source_fail(source, shape_line(source),
-                             "'shape' carries %g N, %+.3g %% from 'operating_load'; correct either, or add scale: true",
-                             fields[0].mean * scene->nominal_area_m2, 100 * off);
+           SHAPE_FAIL(source,
+                      "'shape' carries %g N, %+.3g %% from 'operating_load'; correct either, or add scale: true",
+                      fields[0].mean * scene->nominal_area_m2, 100 * off);
 }
 
 bool scene_shape_complete(struct scene *scene, struct scene_source *source)
@@ -380,29 +364,29 @@ bool scene_shape_complete(struct scene *scene, struct scene_source *source)
     struct scene_shape *shape = &scene->shape;
     struct joint *joint = &scene->joint;
     struct shape_bolts *bolts = &shape->bolts;
-    if (shape_line(source) == 0 || shape->kind == SCENE_SHAPE_BULGE)
+    if (scene_keys_line(source, "shape") == 0 || shape->kind == SCENE_SHAPE_BULGE)
         return true;
     joint->fields = calloc(shape->files.count + 1, sizeof *joint->fields);
     if (!joint->fields)
         return scene_source_memory(source);
     joint->pressed = shape->kind != SCENE_SHAPE_HEIGHT;
     for (size_t i = 0; i < shape->files.count; i++)
-        if (!(joint->pressed ? read_pressure : read_height)(scene, source, shape->files.path[i]))
+        if (!(joint->pressed ? read_pressure : read_height)(source, shape->files.path[i]))
             return false;
     for (size_t i = 0; i < bolts->count; i++)
         for (int side = 0; side < 2; side++)
             if (bolts->middle_m[i][side] > joint->size_m[side])
-                return scene_source_fail(source, shape_line(source),
-                                         "bolt %zu is at %g m in %c, the area ends at %g m; places count from a corner",
-                                         i + 1, bolts->middle_m[i][side], "xy"[side], joint -> size_m[side]);
+                return SHAPE_FAIL(source,
+                                  "bolt %zu is at %g m in %c, the area ends at %g m; places count from a corner", i + 1,
+                                  bolts->middle_m[i][side], "xy"[side], joint -> size_m[side]);
     if (bolts->count > 0) {
         struct status problem = {0};
         bolts->force_N = shape->torque_Nm / (shape->nut_factor * shape->thread_m);
         bolts->hole_m = hole * shape->thread_m / 2;
-        bolts->reach_m = shape->head_m / 2 + fmin(shape->thickness_m[0], shape->thickness_m[1]);
+        bolts->reach_m = shape->head_m / 2 + fmin(joint->thickness_m[0], joint->thickness_m[1]);
         joint->field_count = 1;
         if (shape_field_bolts(joint->fields, bolts, joint->size_m, &problem) != STATUS_OK)
-            return scene_source_fail(source, shape_line(source), "%s", problem.message);
+            return SHAPE_FAIL(source, "%s", problem.message);
     }
     return !joint->pressed || hold_load(scene, source);
 }

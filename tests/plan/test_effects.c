@@ -86,7 +86,7 @@ PLACED(test_scale_dependence_is_the_elastic_models_own)
     double first = points[0].value[QUANTITY_TCR_SCALE_DEPENDENT] / points[0].value[QUANTITY_TCR] - 1;
     assert_true(first > 0);
     assert_near(record.summary.scale_dependence, first, 1e-12);
-    plan_switch_off(&plan, EFFECT_SCALE_DEPENDENT);
+    plan_decide(&plan, EFFECT_SCALE_DEPENDENT, false, "not asked");
     bound();
     assert_true(record.summary.scale_dependence == 0);
     scene.effects_auto = false;
