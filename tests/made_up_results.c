@@ -234,6 +234,7 @@ static void make_measured(struct made_up *made)
             made->answers[0].resistance[m * MADE_UP_MEASURED + i] =
                 plan_runs_model(&made->plan, m) ? surfaces[0].ecr * 1e-14 / factor_of(m) / loads[i] : NAN;
     expect_ok(measured_fit, made->answers, made->measured, plan_leading_model(&made->plan));
+    made->answers->exponent = (struct measured_exponent){0};
 }
 
 static void make_benchmark(struct made_up *made)

@@ -84,17 +84,10 @@ static enum status_code find_rows(struct maker *maker, struct status *status)
             study->rows.amplitude_m[i] = direct_law_amplitude(&plan->law, i + 1);
         return STATUS_OK;
     }
-    for (size_t row = 0; row < maker->map.n; row++) {
-        struct spectrum one = {0};
-        if (spectrum_compute(row > 0 ? &one : &study->rows, maker->map.height_m + row * maker->map.n, maker->map.n,
-                             maker->map.spacing_m, SPECTRUM_WINDOW_NONE, status) != STATUS_OK) {
-            spectrum_free(&one);
+    for (size_t row = 0; row < maker->map.n; row++)
+        if (spectrum_add_record(&study->rows, row, maker->map.height_m + row * maker->map.n, maker->map.n,
+                                maker->map.spacing_m, status) != STATUS_OK)
             return status->code;
-        }
-        if (row > 0)
-            spectrum_average(&study->rows, &one, row);
-        spectrum_free(&one);
-    }
     study->rows.length_m /= surface_kappa(&maker->task->surface->summary);
     return STATUS_OK;
 }

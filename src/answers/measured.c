@@ -230,42 +230,19 @@ enum status_code measured_answer(struct measured_answers *out, const struct meas
     return rc;
 }
 
-enum status_code measured_fit(struct measured_answers *out, const struct measured *measured, size_t m,
-                              struct status *status)
-{
-    double *ratio = malloc(2 * measured->count * sizeof *ratio);
-    size_t points = 0, runs = 0;
-    if (!ratio)
-        return status_memory(status);
-    double *mean = ratio + measured->count;
-    for (size_t r = 0; r < measured->run_count; r++) {
-        const struct measured_run *run = &measured->runs[r];
-        size_t before = points;
-        double sum = 0;
-        for (size_t i = run->first; i <= run->turn; i++) {
-            double model = out->resistance[m * measured->count + i];
-            if (isnan(model))
-                continue;
-            ratio[points] = model / measured->resistance[i]; /* of conductances: measured over predicted */
-            sum += log(ratio[points++]);
-        }
-        if (points > before)
-            mean[runs++] = exp(sum / (double)(points - before));
-    }
-    out->fitted = m;
-    enum status_code rc =
-        estimate_make(&out->fit, runs > 1 ? mean : ratio, NULL, runs > 1 ? runs : points, true, status);
-    free(ratio);
-    return rc;
-}
+/** The loading points that a model answers, run by run. */
+struct answered {
+    double *ln_load, *ln_model, *ln_conductance;
+    size_t *run, count, runs; /* those without a point are not counted */
+};
 
 /** Least squares of the logarithms of conductance over `by`, whose runs have each their own level; slope NaN: fitted.
  * Returns the sum of squares that it leaves, of points whose logarithms are not known better than 1e-9. */
-static double leaves(double *slope, double *spread, const double *by, const double *of, const size_t *run, size_t count,
-                     size_t runs)
+static double leaves(double *slope, double *spread, const double *by, const double *of, const struct answered *points)
 {
+    const size_t *run = points->run, count = points->count;
     double xx = 0, xy = 0, yy = 0;
-    for (size_t r = 0; r < runs; r++) {
+    for (size_t r = 0; r < points->runs; r++) {
         double x = 0, y = 0, n = 0;
         for (size_t i = 0; i < count; i++)
             if (run[i] == r) {
@@ -287,23 +264,21 @@ static double leaves(double *slope, double *spread, const double *by, const doub
 
 /** With the scatter and the levels integrated out, the likelihood of an exponent goes as the squares that it leaves to
  * the power -(points - runs)/2; one that is fitted is averaged over all from 0 to 1. */
-static void find_mark(struct measured_exponent *out, const double *ln_load, const double *ln_model,
-                      const double *ln_conductance, const size_t *run, size_t count, size_t runs)
+static void find_mark(struct measured_exponent *out, const struct answered *of)
 {
     static const double exponents[MEASURED_MARKS] = {
         [MEASURED_ROUGH] = 1, [MEASURED_ELASTIC_SPOT] = 1.0 / 3, [MEASURED_PLASTIC_SPOT] = 0.5, [MEASURED_FILM] = 1,
         [MEASURED_BULK] = 0,  [MEASURED_NOT_FLAT] = NAN};
-    const double freedom = (double)(count - runs);
+    const double freedom = (double)(of->count - of->runs);
     double ln_likely[MEASURED_MARKS], spread, fitted = NAN, best = -INFINITY, next = -INFINITY;
-    double least = leaves(&fitted, &spread, ln_load, ln_conductance, run, count, runs);
+    double least = leaves(&fitted, &spread, of->ln_load, of->ln_conductance, of);
     out->model = NAN;
-    leaves(&out->model, &spread, ln_load, ln_model, run, count, runs);
+    leaves(&out->model, &spread, of->ln_load, of->ln_model, of);
     out->measured = fitted;
     out->sd = sqrt(least / (freedom - 1) / spread);
     for (int k = 0; k < MEASURED_MARKS; k++) {
         double slope = exponents[k], unused;
-        double left =
-            leaves(&slope, &unused, k == MEASURED_ROUGH ? ln_model : ln_load, ln_conductance, run, count, runs);
+        double left = leaves(&slope, &unused, k == MEASURED_ROUGH ? of->ln_model : of->ln_load, of->ln_conductance, of);
         ln_likely[k] = -freedom / 2 * log(left);
         ln_likely[k] += k == MEASURED_NOT_FLAT ? log(fmin(sqrt(2 * M_PI) * out->sd, 1)) : 0;
         next = fmax(next, fmin(best, ln_likely[k]));
@@ -315,29 +290,37 @@ static void find_mark(struct measured_exponent *out, const double *ln_load, cons
         out->times = NAN;
 }
 
-enum status_code measured_mark(struct measured_answers *out, const struct measured *measured, struct status *status)
+enum status_code measured_fit(struct measured_answers *out, const struct measured *measured, size_t m,
+                              struct status *status)
 {
-    double *room = calloc(3 * measured->count + 1, sizeof *room), *at = room, *model = NULL, *conductance = NULL;
-    size_t *run = calloc(measured->count + 1, sizeof *run), count = 0, runs = 0;
-    if (room && run) {
-        model = at + measured->count;
-        conductance = model + measured->count;
-        for (size_t r = 0; r < measured->run_count; r++) {
-            size_t before = count;
-            for (size_t i = measured->runs[r].first; i <= measured->runs[r].turn; i++) {
-                at[count] = log(measured->load[i]);
-                model[count] = -log(out->resistance[out->fitted * measured->count + i]);
-                conductance[count] = -log(measured->resistance[i]);
-                run[count] = runs;
-                count += isfinite(at[count]) && isfinite(model[count]) && isfinite(conductance[count]);
-            }
-            runs += count > before;
+    const size_t most = measured->count;
+    double *room = calloc(5 * most + 1, sizeof *room), *ratio = room, *mean = room + most;
+    size_t *run = calloc(most + 1, sizeof *run);
+    struct answered of = {room + 2 * most, room + 3 * most, room + 4 * most, run, 0, 0};
+    for (size_t r = 0; room && run && r < measured->run_count; r++) {
+        size_t before = of.count;
+        double sum = 0;
+        for (size_t i = measured->runs[r].first; i <= measured->runs[r].turn; i++) {
+            double model = out->resistance[m * most + i];
+            if (isnan(model))
+                continue;
+            ratio[of.count] = model / measured->resistance[i]; /* of conductances: measured over predicted */
+            sum += log(ratio[of.count]);
+            of.ln_load[of.count] = log(measured->load[i]);
+            of.ln_model[of.count] = -log(model);
+            of.ln_conductance[of.count] = -log(measured->resistance[i]);
+            run[of.count++] = of.runs;
         }
+        if (of.count > before)
+            mean[of.runs++] = exp(sum / (double)(of.count - before));
     }
+    out->fitted = m;
     out->exponent = (struct measured_exponent){.measured = NAN, .model = NAN, .sd = NAN, .times = NAN};
-    if (count >= runs + 3)
-        find_mark(&out->exponent, at, model, conductance, run, count, runs);
-    enum status_code rc = room && run ? STATUS_OK : status_memory(status);
+    if (of.count >= of.runs + 3)
+        find_mark(&out->exponent, &of);
+    enum status_code rc = room && run ? estimate_make(&out->fit, of.runs > 1 ? mean : ratio, NULL,
+                                                      of.runs > 1 ? of.runs : of.count, true, status)
+                                      : status_memory(status);
     free(room);
     free(run);
     return rc;
@@ -370,27 +353,20 @@ struct measured_distance measured_compare(const struct measured *measured, const
     return out;
 }
 
-struct measured_ranking measured_rank(const struct measured *measured, const struct measured_answers *models)
+size_t measured_nearest(const struct measured *measured, const struct measured_answers *models)
 {
-    struct measured_ranking out = {model_count, model_count};
-    double least = INFINITY, greatest = -INFINITY;
-    size_t most = 1;
+    size_t nearest = model_count, most = 1;
+    double least = INFINITY;
     for (size_t m = 0; m < model_count; m++) {
         size_t points = measured_compare(measured, models, m).points;
         most = points > most ? points : most;
     }
     for (size_t m = 0; m < model_count; m++) {
         struct measured_distance distance = measured_compare(measured, models, m);
-        if (2 * distance.points < most)
-            continue;
-        if (distance.rms_decades < least) {
+        if (2 * distance.points >= most && distance.rms_decades < least) {
             least = distance.rms_decades;
-            out.nearest = m;
-        }
-        if (distance.rms_decades > greatest) {
-            greatest = distance.rms_decades;
-            out.farthest = m;
+            nearest = m;
         }
     }
-    return out;
+    return nearest;
 }

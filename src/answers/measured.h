@@ -68,12 +68,10 @@ MUST_CHECK enum status_code measured_answer(struct measured_answers *out, const 
                                             const struct surface_record *record, const struct surface_task *asked,
                                             struct status *status);
 /** Fits the factor that the loading points carry of the conductance of model `m`, with the interval of their scatter;
- * of several runs that of the runs' means. Error: STATUS_MEMORY. */
+ * of several runs that of the runs' means; and what the growth of their conductance is a mark of. Error: STATUS_MEMORY.
+ */
 MUST_CHECK enum status_code measured_fit(struct measured_answers *out, const struct measured *measured, size_t m,
                                          struct status *status);
-/** Fills `exponent`, of the loading points, beside the model of measured_fit(). Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code measured_mark(struct measured_answers *out, const struct measured *measured,
-                                          struct status *status);
 void measured_answers_free(struct measured_answers *answers);
 
 /** How far a model is from the measurements, over the loads that it answers. */
@@ -96,11 +94,8 @@ void measured_free(struct measured *measured);
 struct measured_distance measured_compare(const struct measured *measured, const struct measured_answers *answers,
                                           size_t m);
 
-/** The models of least and greatest RMS distance among those that answer at least half as many points as the one that
- * answers most; model_count when none answers any. */
-struct measured_ranking {
-    size_t nearest, farthest;
-};
-struct measured_ranking measured_rank(const struct measured *measured, const struct measured_answers *answers);
+/** The model of least RMS distance among those that answer at least half as many points as the one that answers most;
+ * model_count when none answers any. */
+size_t measured_nearest(const struct measured *measured, const struct measured_answers *answers);
 
 #endif

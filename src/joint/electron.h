@@ -3,16 +3,6 @@
 #ifndef JOINT_ELECTRON_H
 #define JOINT_ELECTRON_H
 
-#include <stddef.h>
-
-/** A metal's free electrons. */
-struct electron_metal {
-    const char *name; /* as in the material table */
-    double density_per_m3;
-};
-/** The row of that name (case-insensitive), NULL when there is none. */
-const struct electron_metal *electron_metal_find(const char *name);
-
 /** l = (rho l)/rho [m], rho l = hbar (3 pi²)^(1/3)/(e² n^(2/3)) of n free electrons per m³ (Drude's formula, spherical
  * Fermi surface). The length of (4.52) is one of phonons: in a metal electrons carry the heat. */
 double electron_mean_free_path(double density_per_m3, double resistivity_ohm_m);

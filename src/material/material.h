@@ -20,7 +20,7 @@ struct material {
     const char *source;             /* where the numbers are from; a constant of the program */
     double hardness_Pa;             /* H; NaN: 2.84 S_y */
     double mean_free_path_m;        /* of what carries the heat; NaN: 3k/(density v_s c_p) */
-    const char *electrons;          /* the metal whose free electrons it has: electron_metal_find(); NULL: not known */
+    double electrons_per_m3;        /* free ones; 0: not known */
 };
 
 /** One row a property: drives the scene's keys, the `materials` command and the range checks. */

@@ -95,20 +95,6 @@ bool tiles_fit(struct tiles *tiles, bool capped, double most)
     return tiles->height_m && tiles_cost(tiles, capped) <= most;
 }
 
-/** Averages the power of a line into `mean`, which holds `so_far` of them; lines of one length. */
-static enum status_code add_line(struct spectrum *mean, size_t so_far, const double *line_m, size_t points,
-                                 double spacing_m, struct status *status)
-{
-    struct spectrum one = {0};
-    if (spectrum_compute(so_far > 0 ? &one : mean, line_m, points, spacing_m, SPECTRUM_WINDOW_NONE, status) !=
-        STATUS_OK)
-        return status->code;
-    if (so_far > 0)
-        spectrum_average(mean, &one, so_far);
-    spectrum_free(&one);
-    return STATUS_OK;
-}
-
 /** Bridges what is missing of a line by straight lines; false: all of it is. */
 static bool bridge(double *line_m, size_t points)
 {
@@ -127,37 +113,41 @@ static bool bridge(double *line_m, size_t points)
     return last < points;
 }
 
-/** Mean power of all `lines` of heights `step` apart, each over the mean of the map and continued as its mirror image
- * unless they close. */
-static enum status_code spectrum_along(struct spectrum *out, const double *height_m, size_t lines, size_t next,
-                                       size_t points, size_t step, double spacing_m, bool mirrored,
-                                       struct status *status)
+/** Lines of heights that are `step` apart, the first ones of each `next`. */
+struct lines {
+    size_t count, next, points, step;
+};
+
+/** Mean power of all lines of a map, each over the mean of the map and continued as its mirror image unless they
+ * close. */
+static enum status_code spectrum_along(struct spectrum *out, const struct scan *map, const struct lines *lines,
+                                       bool mirrored, struct status *status)
 {
+    const size_t points = lines->points;
     double *line_m = malloc(2 * points * sizeof *line_m);
     size_t taken = 0;
-    if (!line_m)
-        return status_memory(status);
-    for (size_t k = 0; k < lines && status->code == STATUS_OK; k++) {
+    enum status_code rc = line_m ? STATUS_OK : status_memory(status);
+    for (size_t k = 0; k < lines->count && rc == STATUS_OK; k++) {
         for (size_t i = 0; i < points; i++)
-            line_m[i] = height_m[k * next + i * step];
+            line_m[i] = map->z_m[k * lines->next + i * lines->step];
         if (!bridge(line_m, points))
             continue;
         for (size_t i = 0; i < points; i++)
             line_m[2 * points - 1 - i] = mirrored ? line_m[i] : line_m[2 * points - 1 - i];
-        (void)add_line(out, taken++, line_m, (mirrored ? 2 : 1) * points, spacing_m, status);
+        rc = spectrum_add_record(out, taken++, line_m, (mirrored ? 2 : 1) * points, map->dx_m, status);
     }
     free(line_m);
-    return status->code;
+    return rc;
 }
 
 /** Of rows and columns alike: that of an isotropic surface with the mean-square gradient of this one. */
-static enum status_code spectrum_of(struct spectrum *out, const double *height_m, size_t nx, size_t ny,
-                                    double spacing_m, bool mirrored, struct status *status)
+static enum status_code spectrum_of(struct spectrum *out, const struct scan *map, bool mirrored, struct status *status)
 {
+    const struct lines rows = {map->ny, map->nx, map->nx, 1}, columns = {map->nx, 1, map->ny, map->nx};
     struct spectrum across = {0};
-    enum status_code rc = spectrum_along(out, height_m, ny, nx, nx, 1, spacing_m, mirrored, status);
+    enum status_code rc = spectrum_along(out, map, &rows, mirrored, status);
     if (rc == STATUS_OK)
-        rc = spectrum_along(&across, height_m, nx, 1, ny, nx, spacing_m, mirrored, status);
+        rc = spectrum_along(&across, map, &columns, mirrored, status);
     if (rc == STATUS_OK)
         rc = grid_average(out, &across, 1, status);
     spectrum_free(&across);
@@ -169,16 +159,17 @@ static enum status_code spectrum_of_all(struct spectrum *out, const struct tiles
                                         const struct transfer_square *square, struct status *status)
 {
     const struct direct_map_def *def = &tiles->def;
-    const struct scan scan = {.nx = def->nx, .ny = def->ny, .z_m = tiles->height_m};
+    struct scan scan = {.nx = def->nx, .ny = def->ny, .dx_m = def->dx_m, .z_m = tiles->height_m};
     if (tiles->all == 1 && def->nx == def->ny)
         return spectrum_copy(out, &square->spectrum, status);
     double *flat_m = malloc(def->nx * def->ny * sizeof *flat_m);
     if (!flat_m)
         return status_memory(status);
-    if (areal_flatten(flat_m, &scan, status) == STATUS_OK)
-        (void)spectrum_of(out, flat_m, def->nx, def->ny, def->dx_m, !def->periodic, status);
+    enum status_code rc = areal_flatten(flat_m, &scan, status);
+    scan.z_m = flat_m;
+    rc = rc == STATUS_OK ? spectrum_of(out, &scan, !def->periodic, status) : rc;
     free(flat_m);
-    return status->code;
+    return rc;
 }
 
 /** What one map is solved for. */
@@ -186,20 +177,19 @@ struct ladder {
     double load[TRANSFER_LOADS];
     size_t loads, least; /* points in contact, below which it tells nothing */
     double hardness;
-    const size_t *only; /* these `count` loads; NULL: all */
-    size_t count;
+    uint64_t *transforms; /* counts them */
     const atomic_bool *stop;
 };
 
 static enum status_code solve_load(struct transfer_point *out, struct direct_contact *contact, double load,
-                                   const struct ladder *ladder, uint64_t *transforms, struct status *status)
+                                   const struct ladder *ladder, struct status *status)
 {
     const struct direct_ladder_def one = {&load, 1, ladder->hardness, tolerance, true, ladder->stop};
     struct direct_point point;
     *out = (struct transfer_point){load, NAN, NAN, NAN};
     if (direct_ladder_run(&point, contact, &one, status) != STATUS_OK)
         return status->code;
-    *transforms += point.convolutions * contact->kernel.points;
+    *ladder->transforms += point.convolutions * contact->kernel.points;
     if (point.exists && point.quantities.contact_points >= ladder->least)
         *out = (struct transfer_point){load, point.quantities.area_ratio, point.quantities.gap_m, point.constriction_m};
     return STATUS_OK;
@@ -221,31 +211,27 @@ static size_t coarsest(const struct transfer_point *point, size_t loads)
     return at;
 }
 
-/** Solves a map at the loads of the ladder, to which it adds some if `refine`; the others, and what tells nothing,
- * become NaN. */
+/** Solves a map at the loads of the ladder, to which it adds some if `refine`; what tells nothing becomes NaN. */
 static enum status_code solve(struct transfer_point *out, const struct direct_map *map, struct ladder *ladder,
-                              bool refine, uint64_t *transforms, struct status *status)
+                              bool refine, struct status *status)
 {
     struct direct_contact contact;
-    size_t all = ladder->only ? ladder->count : ladder->loads, at;
+    size_t at;
     ladder->least = LEAST_POINTS * (map->mirrored ? 4 : 1);
     for (size_t i = 0; i < ladder->loads; i++)
         out[i] = (struct transfer_point){ladder->load[i], NAN, NAN, NAN};
     if (direct_contact_make(&contact, map->height_m, map->n, map->n, map->spacing_m, status) != STATUS_OK)
         return status->code;
-    for (size_t k = 0; k < all && status->code == STATUS_OK; k++) {
-        size_t i = ladder->only ? ladder->only[k] : k;
-        if (solve_load(&out[i], &contact, ladder->load[i], ladder, transforms, status) != STATUS_OK ||
-            out[i].area_ratio > enough)
+    for (size_t i = 0; i < ladder->loads && status->code == STATUS_OK; i++)
+        if (solve_load(&out[i], &contact, ladder->load[i], ladder, status) != STATUS_OK || out[i].area_ratio > enough)
             break;
-    }
     while (refine && status->code == STATUS_OK && ladder->loads < TRANSFER_LOADS &&
            (at = coarsest(out, ladder->loads)) > 0) {
         double load = sqrt(ladder->load[at - 1] * ladder->load[at]);
         memmove(out + at + 1, out + at, (ladder->loads - at) * sizeof *out);
         memmove(ladder->load + at + 1, ladder->load + at, (ladder->loads++ - at) * sizeof *ladder->load);
         ladder->load[at] = load;
-        (void)solve_load(&out[at], &contact, load, ladder, transforms, status);
+        (void)solve_load(&out[at], &contact, load, ladder, status);
     }
     direct_contact_free(&contact);
     return status->code;
@@ -273,34 +259,36 @@ static double scatter(const double *value, size_t count)
  * not halved, as a mean's would be: where waves are as long as the map, maps differ as much as their quarters do.
  */
 static enum status_code find_errors(struct transfer_errors *out, const struct direct_map *map,
-                                    struct transfer_point *const *square, size_t count, struct ladder ladder,
-                                    uint64_t *transforms, struct status *status)
+                                    struct transfer_point *const *square, size_t count, const struct ladder *whole,
+                                    struct status *status)
 {
     struct transfer_point part[DIRECT_MAP_PARTS][TRANSFER_LOADS] = {0};
+    struct ladder ladder = *whole;
     size_t only[TRANSFER_ERRORS];
     bool quartered = count < 4; /* a periodic map too: it is one of many of its surface */
-    ladder.only = only;
-    ladder.count = ladder.loads < TRANSFER_ERRORS ? ladder.loads : TRANSFER_ERRORS;
-    for (size_t k = 0; k < ladder.count; k++)
-        only[k] = ladder.loads * (k + 1) / (ladder.count + 1); /* neither end: little touches, or all */
-    memcpy(part[DIRECT_MAP_WHOLE], square[0], ladder.loads * sizeof **part);
+    ladder.loads = whole->loads < TRANSFER_ERRORS ? whole->loads : TRANSFER_ERRORS;
+    for (size_t k = 0; k < ladder.loads; k++) {
+        only[k] = whole->loads * (k + 1) / (ladder.loads + 1); /* neither end: little touches, or all */
+        ladder.load[k] = whole->load[only[k]];
+        part[DIRECT_MAP_WHOLE][k] = square[0][only[k]];
+    }
     for (int p = DIRECT_MAP_SECOND; p < DIRECT_MAP_PARTS; p++) {
         struct direct_map taken;
         if (p >= DIRECT_MAP_QUARTER ? !quartered : !direct_map_has(map, (enum direct_map_part)p))
             continue;
         if (direct_map_take(&taken, map, (enum direct_map_part)p, status) != STATUS_OK)
             return status->code;
-        (void)solve(part[p], &taken, &ladder, false, transforms, status);
+        (void)solve(part[p], &taken, &ladder, false, status);
         direct_map_free(&taken);
         if (status->code != STATUS_OK)
             return status->code;
     }
-    for (size_t k = 0; k < ladder.count; k++) {
-        out->ln_load[k] = log(ladder.load[only[k]]);
+    for (size_t k = 0; k < ladder.loads; k++) {
+        out->ln_load[k] = log(ladder.load[k]);
         for (int q = 0; q < 3; q++) {
             double of[DIRECT_MAP_PARTS], over[TILES_MOST];
             for (int p = 0; p < DIRECT_MAP_PARTS; p++)
-                of[p] = ln_of(&part[p][only[k]], q);
+                of[p] = ln_of(&part[p][k], q);
             for (size_t s = 0; s < count; s++)
                 over[s] = ln_of(&square[s][only[k]], q);
             double error = of[DIRECT_MAP_WHOLE] - of[DIRECT_MAP_SECOND];
@@ -309,7 +297,7 @@ static enum status_code find_errors(struct transfer_errors *out, const struct di
             out->value[k][q] = hypot(error, quartered ? scatter(of + DIRECT_MAP_QUARTER, 4) : scatter(over, count));
         }
     }
-    out->count = ladder.count;
+    out->count = ladder.loads;
     return STATUS_OK;
 }
 
@@ -321,12 +309,6 @@ static size_t first_of(const struct tiles *tiles, size_t s)
     size_t x = tiles->columns > 1 ? column * free_x / (tiles->columns - 1) : free_x / 2,
            y = tiles->rows > 1 ? row * free_y / (tiles->rows - 1) : free_y / 2;
     return y * tiles->def.nx + x;
-}
-
-/** Makes square s ready. */
-static enum status_code make_square(struct direct_map *out, const struct tiles *tiles, size_t s, struct status *status)
-{
-    return direct_map_make(out, tiles->height_m + first_of(tiles, s), &tiles->def, tiles->side, status);
 }
 
 static enum status_code take_bearing(double out[TRANSFER_BEARING], const struct direct_map *map, struct status *status)
@@ -348,9 +330,10 @@ static enum status_code solve_squares(struct tiles *tiles, struct transfer_squar
     double gradient = 0;
     for (size_t s = 0; s < count && status->code == STATUS_OK; s++) {
         struct direct_map map = {0}, *own = s == 0 ? first : &map;
-        if (make_square(own, tiles, s, status) != STATUS_OK ||
-            spectrum_of(&square[s].spectrum, own->height_m, own->n, own->n, own->spacing_m, false, status) !=
-                STATUS_OK) {
+        if (direct_map_make(own, tiles->height_m + first_of(tiles, s), &tiles->def, tiles->side, status) != STATUS_OK)
+            break;
+        const struct scan all = {.nx = own->n, .ny = own->n, .dx_m = own->spacing_m, .z_m = own->height_m};
+        if (spectrum_of(&square[s].spectrum, &all, false, status) != STATUS_OK) {
             direct_map_free(&map);
             break;
         }
@@ -361,8 +344,8 @@ static enum status_code solve_squares(struct tiles *tiles, struct transfer_squar
             ladder[0].loads = TRANSFER_LADDER;
             ladder[1].loads = transfer_capped_loads(ladder[1].load, gradient, ladder[1].hardness);
         }
-        if (solve(square[s].elastic, own, &ladder[0], s == 0, &tiles->transforms, status) == STATUS_OK)
-            (void)solve(square[s].capped, own, &ladder[1], s == 0, &tiles->transforms, status);
+        if (solve(square[s].elastic, own, &ladder[0], s == 0, status) == STATUS_OK)
+            (void)solve(square[s].capped, own, &ladder[1], s == 0, status);
         square[s].elastic_count = ladder[0].loads;
         square[s].capped_count = ladder[1].loads;
         if (status->code == STATUS_OK)
@@ -377,7 +360,8 @@ static enum status_code run(struct tiles *tiles, double hardness, const atomic_b
     size_t count = tiles->columns * tiles->rows;
     struct transfer_square *square = calloc(count, sizeof *square);
     struct transfer *transfer = tiles->transfer = calloc(1, sizeof *transfer);
-    struct ladder ladder[2] = {{.hardness = INFINITY, .stop = stop}, {.hardness = hardness, .stop = stop}};
+    struct ladder ladder[2] = {{.hardness = INFINITY, .transforms = &tiles->transforms, .stop = stop},
+                               {.hardness = hardness, .transforms = &tiles->transforms, .stop = stop}};
     struct direct_map first = {0};
     enum status_code rc = square && transfer ? STATUS_OK : status_memory(status);
     if (rc == STATUS_OK)
@@ -391,7 +375,7 @@ static enum status_code run(struct tiles *tiles, double hardness, const atomic_b
         for (size_t s = 0; s < count; s++)
             points[s] = kind == 0 ? square[s].elastic : square[s].capped;
         if (ladder[kind].loads > 0)
-            rc = find_errors(&transfer->error[kind], &first, points, count, ladder[kind], &tiles->transforms, status);
+            rc = find_errors(&transfer->error[kind], &first, points, count, &ladder[kind], status);
     }
     for (size_t s = 0; square && s < count; s++)
         spectrum_free(&square[s].spectrum);

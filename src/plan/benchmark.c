@@ -18,22 +18,6 @@ static double own_seconds(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/** Times `work(context)`: the least of several runs while they are short. */
-static double time_of(void (*work)(void *context), void *context)
-{
-    enum { RUNS_MOST = 12 };
-    const double enough_seconds = 2e-3;
-    double least = INFINITY, total = 0;
-    for (int run = 0; run < RUNS_MOST && total < enough_seconds; run++) {
-        double started = own_seconds();
-        work(context);
-        double passed = own_seconds() - started;
-        least = fmin(least, passed);
-        total += passed;
-    }
-    return least;
-}
-
 /** A model's curve from the surface on. */
 struct curve_attempt {
     const struct surface_record *surface;
@@ -48,9 +32,8 @@ struct curve_attempt {
     bool failed;
 };
 
-static void solve_curve(void *context)
+static void solve_curve(struct curve_attempt *attempt)
 {
-    struct curve_attempt *attempt = context;
     struct model_task task = surface_model_task(attempt->surface, attempt->asked);
     struct model_curve curve = {.points = attempt->points};
     struct status status = {0};
@@ -59,6 +42,22 @@ static void solve_curve(void *context)
     task = model_task_at(&task, attempt->loads, attempt->load_count);
     attempt->failed = model_run(&curve, model_rows[attempt->m], &task, &status) != STATUS_OK;
     attempt->evaluations = curve.evaluations;
+}
+
+/** Times it: the least of several runs while they are short. */
+static double time_of(struct curve_attempt *attempt)
+{
+    enum { RUNS_MOST = 12 };
+    const double enough_seconds = 2e-3;
+    double least = INFINITY, total = 0;
+    for (int run = 0; run < RUNS_MOST && total < enough_seconds; run++) {
+        double started = own_seconds();
+        solve_curve(attempt);
+        double passed = own_seconds() - started;
+        least = fmin(least, passed);
+        total += passed;
+    }
+    return least;
 }
 
 /** The largest relative error of every quantity that a chart shows. */
@@ -95,7 +94,7 @@ static enum status_code measure_model(struct benchmark *out, const struct surfac
         struct benchmark_row *row = &out->rows[out->count - 1 - (size_t)t];
         attempt.tolerance = tolerance[t];
         attempt.points = t == 0 ? best : best + LOADS_MOST + 1;
-        *row = (struct benchmark_row){.model = m, .tolerance = tolerance[t], .seconds = time_of(solve_curve, &attempt)};
+        *row = (struct benchmark_row){.model = m, .tolerance = tolerance[t], .seconds = time_of(&attempt)};
         row->evaluations = attempt.evaluations;
         row->error = largest_error(attempt.points, best, LOADS_MOST + 1);
     }

@@ -427,9 +427,9 @@ static void put_measured_models(json_t *item, const struct view_source *source, 
         view_number(row, "factor", pow(10, distance.rms_decades), 3, "");
         view_number(row, "ratio", pow(10, distance.bias_decades), 3, "");
     }
-    struct measured_ranking rank = measured_rank(measured, answers);
-    if (rank.nearest < model_count)
-        view_text(item, "nearest", model_rows[rank.nearest]->label);
+    size_t nearest = measured_nearest(measured, answers);
+    if (nearest < model_count)
+        view_text(item, "nearest", model_rows[nearest]->label);
     put_branches(item, source, surface);
     put_exponent(item, &answers->exponent);
     view_counted(item, "points", measured->count, NULL);

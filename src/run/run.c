@@ -90,8 +90,7 @@ static enum status_code run_measured_on(struct run *run, size_t surface, struct 
     const struct surface_task asked = results_task(results, surface);
     const struct model_task task = surface_model_task(record, &asked);
     if (measured_answer(answers, measured, record, &asked, status) != STATUS_OK ||
-        measured_fit(answers, measured, plan_leading_model(results->plan), status) != STATUS_OK ||
-        measured_mark(answers, measured, status) != STATUS_OK)
+        measured_fit(answers, measured, plan_leading_model(results->plan), status) != STATUS_OK)
         return status->code;
     record->summary.carried_model = answers->fitted;
     record->summary.carried_quantity = measured_quantity(measured, results->plan->running);

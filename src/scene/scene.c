@@ -169,9 +169,8 @@ static bool give_mean_free_path(struct material *material, const struct scene *s
     if (scene->mean_free_path == SCENE_MEAN_FREE_PATH_THESIS || !isnan(material->mean_free_path_m) ||
         isnan(material->youngs_modulus_Pa))
         return true;
-    const struct electron_metal *metal = material->electrons ? electron_metal_find(material->electrons) : NULL;
-    if (metal && material->resistivity_ohm_m > 0) {
-        material->mean_free_path_m = electron_mean_free_path(metal->density_per_m3, material->resistivity_ohm_m);
+    if (material->electrons_per_m3 > 0 && material->resistivity_ohm_m > 0) {
+        material->mean_free_path_m = electron_mean_free_path(material->electrons_per_m3, material->resistivity_ohm_m);
         return true;
     }
     return scene_source_fail(

@@ -73,6 +73,18 @@ void spectrum_average(struct spectrum *mean, const struct spectrum *other, size_
     mean->has_nyquist = has_nyquist;
 }
 
+enum status_code spectrum_add_record(struct spectrum *mean, size_t so_far, const double *height_m, size_t points,
+                                     double spacing_m, struct status *status)
+{
+    struct spectrum one = {0};
+    enum status_code rc =
+        spectrum_compute(so_far > 0 ? &one : mean, height_m, points, spacing_m, SPECTRUM_WINDOW_NONE, status);
+    if (rc == STATUS_OK && so_far > 0)
+        spectrum_average(mean, &one, so_far);
+    spectrum_free(&one);
+    return rc;
+}
+
 enum status_code spectrum_copy(struct spectrum *out, const struct spectrum *in, struct status *status)
 {
     *out = *in;

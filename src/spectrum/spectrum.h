@@ -42,6 +42,9 @@ MUST_CHECK enum status_code spectrum_of_record(struct spectrum *out, struct fft_
 /** Adds another scan's spectrum to a mean over scans: powers averaged harmonic by harmonic; the mean keeps the fewest
  * harmonics and the first scan's length. `so_far` is how many scans `mean` holds. */
 void spectrum_average(struct spectrum *mean, const struct spectrum *other, size_t so_far);
+/** The same of a record as long as the others; the first one makes the mean. No window. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code spectrum_add_record(struct spectrum *mean, size_t so_far, const double *height_m,
+                                                size_t points, double spacing_m, struct status *status);
 
 /** Of a root mean square height: what no instrument resolves beside it, and files and transforms round to. */
 extern const double spectrum_resolved;

@@ -364,7 +364,7 @@ static struct measured_exponent mark_made(double power, size_t points, double sd
         answers.resistance[measured.count + i] = 1e-8 * exp(-curve);
         ohm_m2[i] = (i < points ? 1e-8 : 3e-8) * exp(gsl_ran_gaussian(random, sd) - (isnan(power) ? curve : power * x));
     }
-    expect_ok(measured_mark, &answers, &measured);
+    expect_ok(measured_fit, &answers, &measured, 1);
     const struct measured_exponent out = answers.exponent;
     measured_answers_free(&answers);
     return out;
@@ -445,20 +445,16 @@ TEST_CASE(models_are_ranked)
             if (m < 3 || i == 2) /* the fourth meets one point alone */
                 answers.resistance[m * POINTS + i] = resistances[i] * above[m];
     }
-    struct measured_ranking rank = measured_rank(&measured, &answers);
-    assert_int_equal(rank.nearest, 1);
-    assert_int_equal(rank.farthest, 2);
+    assert_int_equal(measured_nearest(&measured, &answers), 1);
     for (int i = 0; i < POINTS; i++)
         answers.resistance[POINTS + i] = NAN;
-    assert_int_equal(measured_rank(&measured, &answers).nearest, 0);
+    assert_int_equal(measured_nearest(&measured, &answers), 0);
     for (int i = 0; i < 3; i++) /* three of five, and those are met */
         answers.resistance[3 * POINTS + i] = resistances[i];
-    assert_int_equal(measured_rank(&measured, &answers).nearest, 3);
+    assert_int_equal(measured_nearest(&measured, &answers), 3);
     measured_answers_free(&answers);
     answers = no_answers(&measured);
-    rank = measured_rank(&measured, &answers);
-    assert_int_equal(rank.nearest, model_count);
-    assert_int_equal(rank.farthest, model_count);
+    assert_int_equal(measured_nearest(&measured, &answers), model_count);
     measured_answers_free(&answers);
 }
 
