@@ -190,7 +190,6 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
             struct curve_summary *model = surface_model_room(summary, m);
             assert_non_null(model);
             curve_summary_make(model, &record->curves[m], model_rows[m], rq_m, made->loads[MADE_UP_LOADS / 2]);
-            model->extended = model_rows[m]->stacks_scales;
             if (model_rows[m]->stacks_scales)
                 model->extension = (struct convergence_extension){0.4, 0.3, 100};
             else

@@ -26,7 +26,6 @@ static void extend(struct surface_record *record, const struct scene *scene)
             continue;
         model->extension = convergence_extend(&record->spectrum, &summary->tail, &summary->pair, model_rows[m]->plastic,
                                               scene->convergence.load);
-        model->extended = true;
     }
     summary->times.convergence = clock_seconds() - started;
 }
@@ -246,7 +245,9 @@ static void note_joint(struct surface_record *record, const struct scene *scene,
                  joint_plating_names[joint->plating], metal->least_m * 1e6, metal->most_m * 1e6);
 }
 
-enum status_code curves_run(struct surface_record *record, const struct surface_task *asked, struct status *status)
+/** Runs the models that the plan calls for on a described surface, one after another. */
+static enum status_code curves_run(struct surface_record *record, const struct surface_task *asked,
+                                   struct status *status)
 {
     const struct scene *scene = asked->scene;
     const struct plan *plan = asked->plan;

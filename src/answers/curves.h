@@ -11,8 +11,4 @@
 MUST_CHECK enum status_code surface_answers_find(struct surface_record *record, const struct surface_task *task,
                                                  struct status *status);
 
-/** Runs the models that the plan calls for on a described surface, one after another. Errors: STATUS_INTERRUPTED,
- * STATUS_MEMORY. */
-MUST_CHECK enum status_code curves_run(struct surface_record *record, const struct surface_task *asked,
-                                       struct status *status);
 #endif

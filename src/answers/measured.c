@@ -5,6 +5,7 @@
 #include "joint/joint.h"
 
 #include "scene/measured_file.h"
+#include <gsl/gsl_sort.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -151,12 +152,6 @@ enum quantity measured_quantity(const struct measured *measured, unsigned effect
     return quantity_of_key(&how, measured->thermal ? "tcr" : "ecr", effects);
 }
 
-static int compare_numbers(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /** The different measured loads within those of the run, ascending; returns how many. */
 static size_t loads_within(double *loads, const struct measured *measured, const struct model_task *task)
 {
@@ -164,7 +159,7 @@ static size_t loads_within(double *loads, const struct measured *measured, const
     for (size_t i = 0; i < measured->count; i++)
         if (measured->load[i] >= task->loads[0] && measured->load[i] <= task->loads[task->load_count - 1])
             loads[count++] = measured->load[i];
-    qsort(loads, count, sizeof *loads, compare_numbers);
+    gsl_sort(loads, 1, count);
     for (size_t i = 0; i < count; i++)
         if (kept == 0 || loads[i] != loads[kept - 1])
             loads[kept++] = loads[i];

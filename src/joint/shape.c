@@ -2,6 +2,7 @@
 #include "joint/shape.h"
 
 #include "base/fft.h"
+#include <gsl/gsl_sort.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -303,25 +304,19 @@ enum status_code shape_resistance(double *out, double *spots, struct shape *shap
     return STATUS_OK;
 }
 
-static int falling(const void *a, const void *b)
-{
-    const double *x = a, *y = b;
-    return (*x < *y) - (*x > *y);
-}
-
 struct shape_spread shape_spread(struct shape *shape, double hardness_Pa)
 {
     size_t n = shape->cells, most = 0, carrying = 0;
     double *sorted = shape->room, total = 0, at_most = 0, sum = 0;
     memcpy(sorted, shape->pressure_Pa, n * sizeof *sorted);
-    qsort(sorted, n, sizeof *sorted, falling);
-    for (size_t k = 0; k < n; k++)
+    gsl_sort(sorted, 1, n);
+    for (size_t k = n; k-- > 0;)
         total += sorted[k];
-    for (; most < n && sorted[most] >= yields * hardness_Pa; most++)
-        at_most += sorted[most];
+    for (; most < n && sorted[n - 1 - most] >= yields * hardness_Pa; most++)
+        at_most += sorted[n - 1 - most];
     for (; carrying < n && sum < carried * total; carrying++)
-        sum += sorted[carrying];
-    return (struct shape_spread){.largest_Pa = sorted[0],
+        sum += sorted[n - 1 - carrying];
+    return (struct shape_spread){.largest_Pa = sorted[n - 1],
                                  .area = (double)carrying / (double)n,
                                  .yielding = most,
                                  .yielding_load = at_most / total};

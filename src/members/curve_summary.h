@@ -35,8 +35,7 @@ struct curve_summary {
     uint64_t clamped;           /* visits in which the published plastic area was cut off at 1 */
     double most_radius_clamped; /* largest share of the load on asperities whose a/R is clamped to 1 */
     uint64_t evaluations;       /* that the curve and what is known of it took */
-    bool extended;              /* the fitted power law was carried on below the sampling limit */
-    struct convergence_extension extension;
+    struct convergence_extension extension; /* the fitted power law carried on below the sampling limit */
     double law_factor; /* area at the operating load with the fitted law in place of the harmonics of its band, over
                           that with them; NaN: not asked, or no law */
     struct estimate *estimates; /* CURVE_ESTIMATES of them; owned; NULL: none known, as of most single scans */

@@ -48,7 +48,7 @@ static void describe_direct(struct text *out, const struct direct_plan *plan)
 /** The direct solution's part of the plan: what it is of, and costs, or in `plan` would. */
 static void plan_direct(struct plan *plan, const struct results *results)
 {
-    struct plan_effect *effect = &plan->effects[EFFECT_DIRECT];
+    const bool runs = plan_runs(plan, EFFECT_DIRECT);
     const struct direct_plan *first = NULL, *none = results->surfaces[results->baseline].summary.direct;
     double budget_s = results->scene->direct.budget_s;
     struct text reason = {0};
@@ -62,16 +62,16 @@ static void plan_direct(struct plan *plan, const struct results *results)
         surfaces++;
     }
     if (!first) {
-        text_add(&reason, effect->runs ? "called for, but %s" : "not called for; %s", none->problem);
+        text_add(&reason, runs ? "called for, but %s" : "not called for; %s", none->problem);
     } else {
-        text_add(&reason, "%s on %zu surface%s: ",
-                 effect->runs ? "called for" : "not called for; `roughcontact direct` solves it", surfaces,
-                 surfaces == 1 ? "" : "s");
+        text_add(&reason,
+                 "%s on %zu surface%s: ", runs ? "called for" : "not called for; `roughcontact direct` solves it",
+                 surfaces, surfaces == 1 ? "" : "s");
         describe_direct(&reason, first);
         if (first->over_budget)
             text_add(&reason, ", more than the budget of %g s, which nothing fits", budget_s);
     }
-    snprintf(effect->reason, sizeof effect->reason, "%s", text_string(&reason));
+    plan_decide(plan, EFFECT_DIRECT, runs, "%s", text_string(&reason));
     text_free(&reason);
 }
 

@@ -258,14 +258,13 @@ static bool read_convergence(struct scene_source *source, const struct scene_key
 bool scene_keys_measured(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
                          void *field)
 {
-    static const char *const carry[] = {"false", "true"};
     static const struct scene_key keys[] = {
         {"file", NULL, scene_surfaces_files, .at = MEASURED(files)},
         {"quantity", NULL, SCENE_CHOICE(MEASURED(quantity), measured_quantity_names)},
         {"load_unit", NULL, scene_source_unit, .at = MEASURED(load_unit), .quantities = UNIT_LOADS},
         {"resistance_unit", NULL, scene_source_unit, .at = MEASURED(resistance_unit),
          .quantities = UNIT_RESISTANCE | UNIT_RESISTANCE_AREA | UNIT_THERMAL_RESISTANCE | UNIT_THERMAL_RESISTANCE_AREA},
-        {"carry", NULL, SCENE_CHOICE(MEASURED(carry), carry)},
+        {"carry", NULL, SCENE_YES(MEASURED(carry))},
     };
     struct scene_measured *measured = field;
     size_t lines[SCENE_COUNT(keys)];
@@ -449,8 +448,7 @@ const struct scene_key scene_keys[] = {
     {"hardness",
      "of the softer body: a pressure, HV 120 (kgf/mm2), or {c1, c2} of the Vickers hardness c1 (d/1 um)^c2 of an "
      "indentation of diagonal d; default: the material's, else 2.84 of its yield strength",
-     scene_surfaces_hardness, .at = AT(bodies), .quantities = UNIT_PRESSURE, .least = 1e3, .most = 1e12,
-     .alias = "hardness_Pa"},
+     SCENE_HARDNESS(AT(bodies))},
     {"mean_free_path",
      "of what carries heat, for scale-dependent, where the material does not give its own: of phonons, or of a metal's "
      "free electrons; default: thesis",

@@ -64,7 +64,6 @@ static bool read_thread(struct scene_source *source, const struct scene_key *key
 enum { FLATNESS, CROWN, HEIGHT, PRESSURE, BOLTS, WAYS, OVER = WAYS, SIZE, THICKNESS, SCALE, TORQUE, THREAD, HEAD };
 bool scene_shape_read(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
 {
-    static const char *const scale[] = {"false", "true"};
     static const struct scene_key keys[] = {
         [FLATNESS] = {"flatness", NULL, SCENE_QUANTITY(AT(flatness_m), UNIT_DISTANCE, 1e-12, 1.0)},
         [OVER] = {"over", NULL, SCENE_QUANTITY(AT(over_m), UNIT_DISTANCE, 1e-9, 1e3)},
@@ -76,7 +75,7 @@ bool scene_shape_read(struct scene_source *source, const struct scene_key *key, 
                   .quantities = UNIT_DISTANCE, .least = 1e-9, .most = 1e3},
         [THICKNESS] = {"thickness", NULL, scene_shape_pair, .at = offsetof(struct scene, joint.thickness_m),
                        .quantities = UNIT_DISTANCE, .least = 1e-9, .most = 1e3},
-        [SCALE] = {"scale", NULL, SCENE_CHOICE(AT(scale), scale)},
+        [SCALE] = {"scale", NULL, SCENE_YES(AT(scale))},
         [TORQUE] = {"torque", NULL, SCENE_QUANTITY(AT(torque_Nm), UNIT_TORQUE, 1e-9, 1e9)},
         [THREAD] = {"thread", NULL, read_thread, .at = AT(thread_m)},
         [HEAD] = {"head", NULL, SCENE_QUANTITY(AT(head_m), UNIT_DISTANCE, 1e-4, 1.0)},

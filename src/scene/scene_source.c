@@ -10,6 +10,8 @@
 /* A scene needs 4 levels and few anchors. libyaml's time grows with the square of both, so they are bounded. */
 enum { DEEPEST_NESTING = 16, MOST_ANCHORS = 1000 };
 
+const char *const scene_source_yes[2] = {"false", "true"};
+
 bool scene_source_fail(struct scene_source *source, size_t line, const char *format, ...)
 {
     char message[sizeof source->status->message];

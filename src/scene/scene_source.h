@@ -97,6 +97,11 @@ bool scene_source_quantity_of(struct scene_quantity *out, struct scene_source *s
     scene_source_whole, .at = (place), .quantities = UNIT_NUMBER, .least = (lowest), .most = (highest)
 #define SCENE_CHOICE(place, spellings)                                                                                 \
     scene_source_choice, .at = (place), .choices = (spellings), .choice_count = SCENE_COUNT(spellings)
+extern const char *const scene_source_yes[2];
+#define SCENE_YES(place) SCENE_CHOICE(place, scene_source_yes)
+#define SCENE_HARDNESS(place)                                                                                          \
+    scene_surfaces_hardness, .at = (place), .quantities = UNIT_PRESSURE, .least = 1e3, .most = 1e12,                   \
+                             .alias = "hardness_Pa"
 #define SCENE_SHORT_TEXT(place, size) scene_source_short_text, .at = (place), .most = (size)
 
 /** `effects` with those they build on. */

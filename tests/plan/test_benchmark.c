@@ -45,7 +45,7 @@ static int make(void **state)
     plan_make(&plan, &scene);
     for (int i = 0; i < LOADS; i++)
         loads[i] = pow(10, -6 + i / 4.0);
-    expect_ok(curves_run, record, &asked);
+    expect_ok(surface_answers_find, record, &asked);
     expect_ok(benchmark_measure, &cost, record, &asked);
     return 0;
 }
