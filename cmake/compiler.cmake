@@ -28,7 +28,9 @@ if(NOT ROUGHCONTACT_SANITIZE AND NOT ROUGHCONTACT_THREAD_SANITIZE)
 endif()
 if(ROUGHCONTACT_SANITIZE)
     target_compile_options(roughcontact_warnings INTERFACE -fsanitize=address,undefined,float-cast-overflow
-                           -fno-sanitize-recover=all -fno-omit-frame-pointer)
+                           -fno-sanitize-recover=all -fno-omit-frame-pointer
+                           -Wno-format-truncation -Wno-maybe-uninitialized
+                           -Wno-stringop-overread) # false of instrumented code
     target_link_options(roughcontact_warnings INTERFACE -fsanitize=address,undefined)
 endif()
 if(ROUGHCONTACT_FUZZ)

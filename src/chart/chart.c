@@ -31,8 +31,6 @@ struct chart chart_make(const char *name)
 {
     struct chart out = {.legend = json_array()};
     snprintf(out.name, sizeof out.name, "%s", name);
-    out.panel = calloc(CHART_PANELS, sizeof *out.panel);
-    status_lost |= !out.panel;
     return out;
 }
 
@@ -50,21 +48,19 @@ void chart_free(struct chart *chart)
     while (chart->panels > 0)
         drop_panel(chart);
     json_decref(chart->legend);
-    free(chart->panel);
     text_free(&chart->data);
-    *chart = (struct chart){0};
 }
 
 static struct chart_panel *last(struct chart *chart)
 {
-    return chart->panels > 0 ? &chart->panel[chart->panels - 1] : NULL;
+    return &chart->panel[chart->panels - 1];
 }
 
 /** A panel without curves goes. */
 static void drop_empty(struct chart *chart)
 {
     chart_end(chart);
-    if (last(chart) && json_array_size(last(chart)->curves) == 0)
+    if (chart->panels > 0 && json_array_size(last(chart)->curves) == 0)
         drop_panel(chart);
 }
 
@@ -72,8 +68,8 @@ struct chart_panel *chart_panel(struct chart *chart, const char *title, const ch
                                 bool log_x, bool log_y)
 {
     drop_empty(chart);
-    if (!chart->panel || chart->panels == CHART_PANELS)
-        return NULL;
+    if (chart->panels == CHART_PANELS)
+        drop_panel(chart);
     struct chart_panel *panel = &chart->panel[chart->panels++];
     *panel = (struct chart_panel){.number = chart->number,
                                   .log_x = log_x,
@@ -113,8 +109,6 @@ void chart_row(struct chart *chart, double x, double y, double from, double to)
 {
     const struct chart_panel *panel = last(chart);
     const double cell[] = {x, y, from, to};
-    if (!panel)
-        return;
     bool across = chart->curve.kind == CHART_DOTS;
     for (size_t c = 0; c < kinds[chart->curve.kind].columns; c++)
         if (!isfinite(cell[c]) || (cell[c] <= 0 && (c == 0 || (across && c > 1) ? panel->log_x : panel->log_y)))
@@ -146,7 +140,7 @@ void chart_end(struct chart *chart)
 {
     struct chart_panel *panel = last(chart);
     const struct chart_curve *curve = &chart->curve;
-    if (chart->rows == 0 || !panel)
+    if (chart->rows == 0)
         return;
     enum chart_kind kind = curve->kind == CHART_LINE && chart->rows == 1 ? CHART_POINTS : curve->kind;
     json_t *item =
@@ -167,7 +161,7 @@ void chart_mark(struct chart *chart, bool vertical, double at, const char *name)
 {
     struct chart_panel *panel = last(chart);
     chart_end(chart);
-    if (!panel || !isfinite(at) || (at <= 0 && (vertical ? panel->log_x : panel->log_y)))
+    if (!isfinite(at) || (at <= 0 && (vertical ? panel->log_x : panel->log_y)))
         return;
     json_array_append_new(panel->marks, json_pack("{sb sf so}", vertical ? "vertical" : "horizontal", 1, "at", at,
                                                   "name", json_shown(name)));
@@ -178,12 +172,9 @@ void chart_name_row(struct chart *chart, double y, const char *name)
 {
     struct chart_panel *panel = last(chart);
     chart_end(chart);
-    if (panel)
-        json_array_append_new(panel->names, json_pack("{sf so}", "at", y, "label", json_shown(name)));
-    if (panel) { /* room above for what is marked */
-        reach(&panel->y, y - 0.4);
-        reach(&panel->y, y + 0.9);
-    }
+    json_array_append_new(panel->names, json_pack("{sf so}", "at", y, "label", json_shown(name)));
+    reach(&panel->y, y - 0.4); /* room above for what is marked */
+    reach(&panel->y, y + 0.9);
 }
 
 /** A tic's number: plain from 0.001 to 9999, else a power of ten; in ASCII on a terminal. */

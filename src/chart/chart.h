@@ -31,7 +31,7 @@ struct chart_extent {
     double low, high;
 };
 
-enum { CHART_PANELS = 64, CHART_NAME = 32, CHART_TEXT = 160 };
+enum { CHART_PANELS = 40, CHART_NAME = 32, CHART_TEXT = 160 };
 
 struct chart_panel {
     char title[CHART_TEXT], x_label[CHART_TEXT], y_label[CHART_TEXT];
@@ -48,7 +48,7 @@ struct chart {
     int number;            /* of panels begun from here on, in chapter 6: 11 of figure 6-11; 0: none */
     bool shares;           /* all panels but those `alone` have one x and one y axis */
     double panel_height;   /* 0: as is usual; never less than a y axis's label takes */
-    struct chart_panel *panel;
+    struct chart_panel panel[CHART_PANELS];
     size_t panels;
     unsigned notes; /* of all curves drawn */
     json_t *legend; /* owned */
@@ -61,8 +61,8 @@ struct chart {
 /** Starts a chart. Owned: chart_free(). */
 struct chart chart_make(const char *name);
 void chart_free(struct chart *chart);
-/** Starts a panel; what is not said by the format strings is set in what it returns. NULL: out of memory, or too many.
- */
+/** Starts a panel, of more than CHART_PANELS in the place of the last; what else there is to say of it is set in what
+ * it returns. Before the first there is nothing to draw or mark in. */
 struct chart_panel *chart_panel(struct chart *chart, const char *title, const char *x_label, const char *y_label,
                                 bool log_x, bool log_y);
 /** Starts a curve in the panel begun last; one without rows is left out. */

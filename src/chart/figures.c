@@ -288,8 +288,7 @@ static void make_answer(struct chart *chart, const struct source *source)
     const struct axis y = {asked->quantity, asked->reciprocal, asked->scale};
     const struct axis x = {QUANTITY_LOAD, false, asked_load_of(results, results->baseline).scale};
     size_t textbook = asked_textbook(results);
-    if (!chart_panel(chart, "", load_label(source, true), asked_label(source, "axis.asked"), true, true))
-        return;
+    chart_panel(chart, "", load_label(source, true), asked_label(source, "axis.asked"), true, true);
     for (size_t k = 0; k < results->shown_count && results->shown_count <= 4; k++)
         put_band(chart, &results->surfaces[results->shown[k]], source->leading, asked,
                  asked_load_of(results, results->shown[k]).scale, surface_colour(k));
@@ -318,6 +317,7 @@ struct row {
     const char *label, *colour;
     double distance;
 };
+enum { ROWS_MOST = 64 }; /* models, by the bits that name them, and the direct solution */
 
 static int nearer(const void *a, const void *b)
 {
@@ -330,7 +330,7 @@ static void make_models(struct chart *chart, const struct source *source)
 {
     const struct results *results = source->results;
     const struct asked *asked = &source->asked;
-    struct row *rows = calloc(model_count + 1, sizeof *rows);
+    struct row rows[ROWS_MOST + 1];
     size_t count = 0;
     double load = results_operating_load(results, results->baseline);
     const struct asked_solved solved = asked_direct(results, asked->quantity, load);
@@ -338,11 +338,7 @@ static void make_models(struct chart *chart, const struct source *source)
     double direct = known ? asked_shown(asked, solved.value) : NAN, error = solved.error;
     double leading =
         asked_shown(asked, comparison_middle(results, source->leading, results->baseline).value[asked->quantity]);
-    if (!rows || !chart_panel(chart, "", asked_label(source, "axis.asked_operating"), "", true, false)) {
-        free(rows);
-        status_lost |= !rows;
-        return;
-    }
+    chart_panel(chart, "", asked_label(source, "axis.asked_operating"), "", true, false);
     if (known)
         rows[count++] =
             (struct row){direct, {direct / (1 + error), direct * (1 + error)}, SAY("direct", "surface", ""), ink, -1};
@@ -372,7 +368,6 @@ static void make_models(struct chart *chart, const struct source *source)
     if (asked->target)
         chart_mark(chart, true, asked_shown(asked, asked->target->value), SAY("target"));
     chart->panel_height = 42 + 26 * (double)count;
-    free(rows);
 }
 
 /* ---- The surfaces ---- */
@@ -395,11 +390,9 @@ static void put_profile(struct chart *chart, const struct source *source, const 
 {
     char rq[40];
     snprintf(rq, sizeof rq, "%.3g", record->summary.roughness.rq_m * 1e6);
-    struct chart_panel *panel = chart_panel(chart, SAY("panel.profile", "surface", short_name(source, name), "rq", rq),
-                                            SAY("axis.position"), SAY("axis.height"), false, false);
-    if (!panel)
-        return;
-    panel->alone = true;
+    chart_panel(chart, SAY("panel.profile", "surface", short_name(source, name), "rq", rq), SAY("axis.position"),
+                SAY("axis.height"), false, false)
+        ->alone = true;
     CURVE(.legend = "", .width = 1, .colour = colour);
     for (size_t i = 0; i < record->preview_points; i++)
         chart_row(chart, record->preview_x_m[i] * 1e3, record->preview_z_m[i] * 1e6, 0, 0);
@@ -414,10 +407,9 @@ static void put_spectrum(struct chart *chart, const struct source *source, const
     char gamma[40], error[40];
     snprintf(gamma, sizeof gamma, "%.2f", law->gamma);
     snprintf(error, sizeof error, "%.2f", law->gamma_error);
-    if (!chart_panel(chart,
-                     isfinite(law->gamma) ? SAY("panel.spectrum", "gamma", gamma, "error", error) : SAY("panel.no_law"),
-                     SAY("axis.wavelength"), SAY("axis.amplitude"), true, true))
-        return;
+    chart_panel(chart,
+                isfinite(law->gamma) ? SAY("panel.spectrum", "gamma", gamma, "error", error) : SAY("panel.no_law"),
+                SAY("axis.wavelength"), SAY("axis.amplitude"), true, true);
     CURVE(.legend = "", .width = 0.8, .colour = colour);
     for (size_t i = 0; i < count; i++)
         chart_row(chart, 1e6 / spectrum_frequency(&record->spectrum, index[i]),
@@ -473,13 +465,11 @@ static void make_convergence(struct chart *chart, const struct source *source)
             chart->number = 1 + 2 * s + model_rows[m]->plastic;
             snprintf(number, sizeof number, "6-%02d", chart->number);
             number_format(&load, results_sweep_load(results, m), 2);
-            const struct chart_panel *panel = chart_panel(
+            chart_panel(
                 chart,
                 SAY(parameter[s][1], "number", number, "model", model_rows[m]->label, "load", text_string(&load)),
                 SAY("axis.shortest_wavelength"), SAY("axis.area_ratio"), true, true);
             text_free(&load);
-            if (!panel)
-                return;
             for (size_t v = 0; v < sweep->count; v++) {
                 const double *area = results_sweep(results, (enum convergence_sweep)s, m, v);
                 snprintf(value, sizeof value, "%g", sweep->values[v]);
@@ -504,12 +494,12 @@ static double scale_of(enum quantity quantity)
     return quantity_rows[quantity].unit[0] ? quantity_unit(quantity).scale : 1;
 }
 
-static bool begin_panel(struct chart *chart, const struct source *source, enum quantity x, enum quantity y,
+static void begin_panel(struct chart *chart, const struct source *source, enum quantity x, enum quantity y,
                         const char *title)
 {
-    return chart_panel(chart, title, x == QUANTITY_LOAD ? load_label(source, false) : quantity_words(source, "axis", x),
-                       quantity_words(source, "axis", y), !(quantity_rows[x].is & QUANTITY_LINEAR),
-                       !(quantity_rows[y].is & QUANTITY_LINEAR) && quantity_unit(y).offset == 0);
+    chart_panel(chart, title, x == QUANTITY_LOAD ? load_label(source, false) : quantity_words(source, "axis", x),
+                quantity_words(source, "axis", y), !(quantity_rows[x].is & QUANTITY_LINEAR),
+                !(quantity_rows[y].is & QUANTITY_LINEAR) && quantity_unit(y).offset == 0);
 }
 
 /** A model's curve of a surface in such a panel: a statistical separation adjusted; dotted what belongs beside it. */
@@ -550,11 +540,10 @@ static void put_baseline(struct chart *chart, const struct source *source, bool 
         snprintf(number, sizeof number, "6-%02d", panel->number);
         if (!panel->file || quantity_of_joint(quantity) != joint ||
             (joint ? quantity_rows[quantity].precedence > 0 : !is_more(source, quantity, panel)) != whole ||
-            !(plan_quantities(source->results->plan) & QUANTITY_BIT(quantity)) ||
-            !begin_panel(chart, source, panel->against, quantity,
-                         panel->number == 0 ? quantity_words(source, "panel", quantity)
-                                            : SAY(number, "number", number)))
+            !(plan_quantities(source->results->plan) & QUANTITY_BIT(quantity)))
             continue;
+        begin_panel(chart, source, panel->against, quantity,
+                    panel->number == 0 ? quantity_words(source, "panel", quantity) : SAY(number, "number", number));
         for (size_t m = 0; m < model_count; m++)
             put_quantity(chart, source, panel->against, quantity, source->results->baseline, m, model_look(m));
     }
@@ -587,10 +576,10 @@ static void put_shape(struct chart *chart, const struct source *source)
     for (int way = 0; way < 2; way++) {
         const enum quantity whole = ways[way][0].quantity;
         const bool made = computes(source, source->leading, ways[way][1].quantity);
-        if (!computes(source, source->leading, whole) ||
-            !begin_panel(chart, source, QUANTITY_LOAD, whole,
-                         SAY("panel.model", "model", model_rows[source->leading]->label)))
+        if (!computes(source, source->leading, whole))
             continue;
+        begin_panel(chart, source, QUANTITY_LOAD, whole,
+                    SAY("panel.model", "model", model_rows[source->leading]->label));
         for (int flat = 0; flat < 2; flat++) {
             struct axis y = ways[way][flat == 0 ? 0 : made ? 1 : 2];
             y.scale = scale_of(whole);
@@ -600,9 +589,9 @@ static void put_shape(struct chart *chart, const struct source *source)
                                            .width = flat ? 0 : 2.6});
         }
     }
-    if (!(shape->ring_Pa[JOINT_RINGS / 2] > 0) ||
-        !chart_panel(chart, SAY("panel.rings"), SAY("axis.rings"), SAY("axis.ring_pressure"), false, false))
+    if (!(shape->ring_Pa[JOINT_RINGS / 2] > 0))
         return;
+    chart_panel(chart, SAY("panel.rings"), SAY("axis.rings"), SAY("axis.ring_pressure"), false, false);
     CURVE(.legend = "", .colour = baseline_colour(source), .width = 2);
     for (int ring = 0; ring < JOINT_RINGS; ring++)
         if (shape->ring_Pa[ring] > 0)
@@ -631,9 +620,8 @@ static void make_all_surfaces(struct chart *chart, const struct source *source, 
             chart->number = place < 5 && panel->first > 0 ? panel->first + place - 1 : 0;
             if (chart->number > 0)
                 snprintf(number, sizeof number, "6-%02d", chart->number);
-            if (!begin_panel(chart, source, panel->against, quantity,
-                             SAY("panel.model", "number", number, "model", model_rows[m]->label)))
-                return;
+            begin_panel(chart, source, panel->against, quantity,
+                        SAY("panel.model", "number", number, "model", model_rows[m]->label));
             for (size_t k = 0; k < results->shown_count; k++)
                 put_quantity(chart, source, panel->against, quantity, results->shown[k], m, surface_look(source, k));
         }
@@ -657,10 +645,8 @@ static void make_measured(struct chart *chart, const struct source *source)
         const char *title = results->usable_count > 1 ? short_name(source, record->summary.scene->name) : "";
         if (!results_measured(results, results->shown[k]))
             continue;
-        if (!chart_panel(chart, title, load_label(source, true),
-                         own ? asked_label(source, "axis.asked") : quantity_words(source, "axis", quantity), true,
-                         true))
-            return;
+        chart_panel(chart, title, load_label(source, true),
+                    own ? asked_label(source, "axis.asked") : quantity_words(source, "axis", quantity), true, true);
         chart->shares = panels++ > 0;
         for (size_t m = 0; m < model_count; m++)
             if (computes(source, m, quantity))
@@ -680,14 +666,11 @@ static void make_direct(struct chart *chart, const struct source *source)
     chart->panel_height = 150;
     for (int q = 0; study && q < QUANTITY_COUNT; q++) {
         const enum quantity quantity = (enum quantity)q;
-        struct chart_panel *panel =
-            quantity_rows[q].solved.ratio && (results->plan->wanted & QUANTITY_BIT(q))
-                ? chart_panel(chart, quantity_words(source, "panel.direct", quantity), load_label(source, false),
-                              SAY("axis.model_over_direct"), true, true)
-                : NULL;
-        if (!panel)
+        if (!quantity_rows[q].solved.ratio || !(results->plan->wanted & QUANTITY_BIT(q)))
             continue;
-        panel->y_most = (struct chart_extent){0.1, 10};
+        chart_panel(chart, quantity_words(source, "panel.direct", quantity), load_label(source, false),
+                    SAY("axis.model_over_direct"), true, true)
+            ->y_most = (struct chart_extent){0.1, 10};
         CURVE(.kind = CHART_BAND, .legend = SAY("direct.error"), .colour = ink);
         for (size_t i = 0; i < study->plan.loads; i++) {
             double error, value = direct_study_value(study, pair, DIRECT_STUDY_ELASTIC, quantity, i, &error);
@@ -717,9 +700,9 @@ static void make_direct(struct chart *chart, const struct source *source)
 static void make_accuracy(struct chart *chart, const struct source *source)
 {
     chart->panel_height = 180;
-    if (!source->results->benchmark ||
-        !chart_panel(chart, "", SAY("axis.time"), asked_label(source, "axis.error_of"), true, true))
+    if (!source->results->benchmark)
         return;
+    chart_panel(chart, "", SAY("axis.time"), asked_label(source, "axis.error_of"), true, true);
     for (size_t m = 0; m < model_count; m++) {
         const struct accuracy accuracy = accuracy_of(source->results, m, source->asked.quantity);
         if (accuracy.source == ACCURACY_NONE)

@@ -21,11 +21,6 @@ static const double slope_below = 0.115, slope_above = 0.13;
 static const double step = 0.2; /* in logit A, of the integral */
 static const double reach = 8;  /* in logit A beyond the largest area: from there on the integrand falls as a power */
 
-static double logit(double area_ratio)
-{
-    return log(area_ratio) - log1p(-area_ratio);
-}
-
 /** Slope at knot k of the monotone cubic through (x, y), 0 where the data turn (Fritsch and Butland, SIAM J. Sci. Stat.
  * Comput. 5 (1984) 300); at an end that of the parabola through three, limited. */
 static double slope_at(size_t k, const double *x, const double *y)
@@ -122,11 +117,6 @@ static double between(const struct place *a, const struct place *b, const struct
             (2 - first / second) * c->product_m);
 }
 
-static double area_of(double logit)
-{
-    return 1 / (1 + exp(-logit));
-}
-
 void corrected_persson_curve(struct corrected_persson_point *out, const double *area_ratio, size_t count,
                              const struct persson *persson, bool with_separation)
 {
@@ -135,7 +125,7 @@ void corrected_persson_curve(struct corrected_persson_point *out, const double *
     if (!with_separation)
         return;
     double x = logit(corrected_persson_largest_area) + reach;
-    struct place above = place_at(area_of(x), persson), below = place_at(area_of(x - step), persson);
+    struct place above = place_at(logistic(x), persson), below = place_at(logistic(x - step), persson);
     /* l p falls as a power of 1 - A, and p does not */
     double sum_m =
         (above.product_m + below.product_m) * (above.ln_load - below.ln_load) / log(below.product_m / above.product_m);
@@ -143,8 +133,8 @@ void corrected_persson_curve(struct corrected_persson_point *out, const double *
         double area = i == count ? knot_area[KNOTS - 1] : area_ratio[i], to = logit(area);
         double steps = fmax(1, ceil((x - to) / step)), width = (x - to) / steps;
         for (double k = 1; k <= steps && fabs(x - to) > 1e-9; k++) { /* an area at the knot is there already */
-            struct place middle = place_at(area_of(x - (k - 0.5) * width), persson),
-                         here = place_at(k < steps ? area_of(x - k * width) : area, persson);
+            struct place middle = place_at(logistic(x - (k - 0.5) * width), persson),
+                         here = place_at(k < steps ? logistic(x - k * width) : area, persson);
             sum_m += 2 * between(&here, &middle, &above);
             above = here;
         }

@@ -5,6 +5,18 @@
 #define CONTACT_CORRECTED_PERSSON_H
 
 #include "contact/persson.h"
+#include <math.h>
+
+static inline double logit(double share)
+{
+    return log(share) - log1p(-share);
+}
+
+/** Its inverse. */
+static inline double logistic(double logit)
+{
+    return 1 / (1 + exp(-logit));
+}
 
 /** Largest A/A_n that the direct solutions reach: 0.97. */
 extern const double corrected_persson_largest_area;

@@ -24,10 +24,7 @@ uint64_t model_find(const char *name)
 
 uint64_t model_defaults(void)
 {
-    uint64_t models = 0;
-    for (size_t m = 0; m < model_count; m++)
-        models |= MODEL_BIT(m);
-    return models;
+    return MODEL_BIT(model_count) - 1;
 }
 
 uint64_t model_flagged(size_t offset)

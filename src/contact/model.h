@@ -108,7 +108,7 @@ struct model_row {
 };
 
 extern const struct model_row *const model_rows[];
-extern const size_t model_count; /* at most 64: sets of models are bits of a uint64_t */
+extern const size_t model_count; /* below 64: sets of models are bits of a uint64_t */
 
 /** Bit of a model in a set of models. */
 #define MODEL_BIT(model) (UINT64_C(1) << (model))

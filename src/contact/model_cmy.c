@@ -30,24 +30,17 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
 {
     struct cmy surface;
     struct cmy_contact contact;
-    (void)row;
     (void)status;
     curve->evaluations = task->load_count;
-    bool has_law = surface_of(&surface, task), gap = task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION);
+    bool has_law = surface_of(&surface, task);
     for (size_t i = 0; i < task->load_count && has_law; i++) {
         double area_ratio = pressure_over_hardness(&surface, task, i);
         if (!cmy_press(&contact, &surface, area_ratio))
             break;
-        double spread_m = surface.sigma_m / surface.slope / contact.conductance;
-        struct contact_point *point = &curve->points[curve->count++];
-        point->value[QUANTITY_LOAD] = task->loads[i];
-        point->value[QUANTITY_AREA] = area_ratio;
-        if (gap && contact.separation_over_sigma >= 0)
-            point->value[QUANTITY_SEPARATION] = contact.separation_over_sigma * surface.sigma_m;
-        if (task->wanted & QUANTITY_BIT(QUANTITY_ECR))
-            point->value[QUANTITY_ECR] = task->pair->resistivity_ohm_m * spread_m;
-        if (task->wanted & QUANTITY_BIT(QUANTITY_TCR))
-            point->value[QUANTITY_TCR] = spread_m / task->pair->conductivity_W_per_mK;
+        double l = contact.separation_over_sigma, spread_m = surface.sigma_m / surface.slope / contact.conductance;
+        const struct transfer_point point = {task->loads[i], area_ratio, l >= 0 ? l * surface.sigma_m : NAN,
+                                             spread_m / 2};
+        curve->points[curve->count++] = model_point(&point, row, task);
     }
     curve->exists = curve->count > 0;
     return STATUS_OK;
@@ -75,8 +68,7 @@ const struct model_row model_cmy = {
     .family = "cmy",
     .plastic = true,
     .ln_rms = {{0}, {0}, {0.61, 0.56, 0.84}},
-    .quantities = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
-                  QUANTITY_BIT(QUANTITY_STIFFNESS) | QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR),
+    .quantities = QUANTITY_USUAL,
     .stiffness_step = MODEL_STIFFNESS_STEP,
     .textbook = true,
     .may_be_empty = QUANTITY_BIT(QUANTITY_SEPARATION),

@@ -4,11 +4,6 @@
 
 extern const struct model_row model_corrected_persson, model_corrected_persson_plastic;
 
-enum {
-    COMPUTES = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
-               QUANTITY_BIT(QUANTITY_STIFFNESS) | QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR)
-};
-
 static enum status_code run(struct model_curve *curve, const struct model_row *row, const struct model_task *task,
                             struct status *status)
 {
@@ -35,7 +30,7 @@ const struct model_row model_direct = {
     .precedence = 9,
     .gaussian = &model_corrected_persson,
     .uses_map = true,
-    .quantities = COMPUTES,
+    .quantities = QUANTITY_USUAL,
     .largest_area = 0.97, /* that of corrected_persson.h */
     .ends = true,
     .colour = "#E07B39",
@@ -58,7 +53,7 @@ const struct model_row model_direct_plastic = {
     .elastic = &model_direct,
     .gaussian = &model_corrected_persson_plastic,
     .uses_map = true,
-    .quantities = COMPUTES,
+    .quantities = QUANTITY_USUAL,
     .stiffness_step = 0.1, /* one step of the grid that it lies on */
     .largest_area = 0.97,  /* that of corrected_persson.h */
     .ends = true,

@@ -47,10 +47,7 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     return STATUS_OK;
 }
 
-enum {
-    COMPUTES = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
-               QUANTITY_BIT(QUANTITY_STIFFNESS) | QUANTITY_RESISTANCES | QUANTITY_BIT(QUANTITY_ECR_LAST_SCALE)
-};
+enum { COMPUTES = QUANTITY_USUAL | QUANTITY_RESISTANCES | QUANTITY_BIT(QUANTITY_ECR_LAST_SCALE) };
 
 const struct model_row model_multiscale_elastic = {
     .name = "multiscale-elastic",

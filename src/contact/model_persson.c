@@ -8,11 +8,6 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum {
-    COMPUTES = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
-               QUANTITY_BIT(QUANTITY_STIFFNESS) | QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR)
-};
-
 /** Elastic contact at the task's loads up to the largest area; `count` of them. */
 static enum status_code elastic(struct strip_contact *out, size_t *count, const struct persson *persson,
                                 const struct model_row *row, const struct model_task *task, struct status *status)
@@ -107,7 +102,7 @@ const struct model_row model_corrected_persson = {
     .family = "corrected-persson",
     .precedence = 5,
     .ln_rms = {{0.81, 0.53, 0.83}, {0.89, 0.74, 0.94}, {1.34, 0.90, 1.37}},
-    .quantities = COMPUTES,
+    .quantities = QUANTITY_USUAL,
     .largest_area = 0.97, /* that of corrected_persson.h */
     .ends = true,
     .colour = "#B08BDD",
@@ -129,7 +124,7 @@ const struct model_row model_corrected_persson_plastic = {
     .plastic = true,
     .elastic = &model_corrected_persson,
     .ln_rms = {{0}, {0}, {0.50, 0.60, 0.68}},
-    .quantities = COMPUTES,
+    .quantities = QUANTITY_USUAL,
     .stiffness_step = MODEL_STIFFNESS_STEP,
     .largest_area = 0.97, /* that of corrected_persson.h */
     .ends = true,
@@ -153,7 +148,7 @@ const struct model_row model_strip = {
     .uses_strip = true,
     .ln_sd = {0.37, 0.48, 0.54},
     .ln_rms = {{0.22, 0.24, 0.31}, {0.34, 0.56, 0.53}, {1.13, 0.80, 1.13}},
-    .quantities = COMPUTES,
+    .quantities = QUANTITY_USUAL,
     .largest_area = 0.97, /* that of corrected_persson.h */
     .ends = true,
     .colour = "#35A27B",
@@ -179,7 +174,7 @@ const struct model_row model_strip_plastic = {
     .uses_strip = true,
     .ln_sd = {0.37, 0.48, 0.54},
     .ln_rms = {{0}, {0}, {0.08, 0.37, 0.37}},
-    .quantities = COMPUTES,
+    .quantities = QUANTITY_USUAL,
     .stiffness_step = 0.5, /* its separations are of few heights and lie on lines between areas */
     .largest_area = 0.97,  /* that of corrected_persson.h */
     .ends = true,

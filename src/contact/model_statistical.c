@@ -58,10 +58,7 @@ static enum status_code spots(struct contact_spots *out, const struct model_row 
     return rc;
 }
 
-enum {
-    COMPUTES = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
-               QUANTITY_BIT(QUANTITY_STIFFNESS) | QUANTITY_BIT(QUANTITY_ADJUSTED) | QUANTITY_RESISTANCES
-};
+enum { COMPUTES = QUANTITY_USUAL | QUANTITY_BIT(QUANTITY_ADJUSTED) | QUANTITY_RESISTANCES };
 #define TOUCHING_AREA 0.1 /* A/A_n up to which asperities may be taken as apart */
 
 const struct model_row model_gw = {

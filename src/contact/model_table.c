@@ -23,4 +23,4 @@ MODELS(DECLARE)
 
 const struct model_row *const model_rows[] = {MODELS(ENTRY)};
 const size_t model_count = sizeof model_rows / sizeof *model_rows;
-_Static_assert(sizeof model_rows / sizeof *model_rows <= 64, "sets of models are bits of a uint64_t");
+_Static_assert(sizeof model_rows / sizeof *model_rows < 64, "sets of models are bits of a uint64_t");

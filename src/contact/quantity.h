@@ -49,10 +49,12 @@ struct contact_spots {
 /** Bit of a quantity in a set of quantities. */
 #define QUANTITY_BIT(quantity) (1u << (quantity))
 
-/** The resistances. */
+/** The resistances, and what every model computes. */
 enum {
     QUANTITY_RESISTANCES =
-        QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR) | QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT)
+        QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR) | QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT),
+    QUANTITY_USUAL = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | QUANTITY_BIT(QUANTITY_SEPARATION) |
+                     QUANTITY_BIT(QUANTITY_STIFFNESS) | QUANTITY_BIT(QUANTITY_ECR) | QUANTITY_BIT(QUANTITY_TCR)
 };
 
 /** What a number is printed in: scale times the SI number (of a length: of the multiple of sigma) less an offset. */

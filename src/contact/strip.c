@@ -28,11 +28,6 @@ enum { ROUGH_STEP = 2, ROUGH_TOLERANCE = 3 };
 
 static const double least_share = 0.3; /* of the points in contact that their outline leaves */
 
-static double logit(double area_ratio)
-{
-    return log(area_ratio) - log1p(-area_ratio);
-}
-
 size_t strip_row_length(const struct strip_rows *rows)
 {
     return rows->periodic ? rows->points : 2 * rows->points;
@@ -281,7 +276,7 @@ static size_t range_of(double range[2], const struct strip *strip)
 
 static double area_of(const double range[2], double share)
 {
-    return 1 / (1 + exp(-(range[0] + (range[1] - range[0]) * share)));
+    return logistic(range[0] + (range[1] - range[0]) * share);
 }
 
 enum status_code strip_areas(double *area_ratio, const double *loads, size_t count, const struct strip *strip,

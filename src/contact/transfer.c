@@ -29,23 +29,13 @@ size_t transfer_capped_loads(double load[TRANSFER_LOADS], double gradient, doubl
     return count;
 }
 
-static double logit(double area_ratio)
-{
-    return log(area_ratio) - log1p(-area_ratio);
-}
-
-static double share_of(double logit)
-{
-    return 1 / (1 + exp(-logit));
-}
-
 /** What corrected-persson has at the knots of `out`. */
 static void add_gaussian(struct strip_curve *out, const struct persson *persson)
 {
     double area[STRIP_KNOTS];
     struct corrected_persson_point point[STRIP_KNOTS];
     for (size_t k = 0; k < out->count; k++)
-        area[k] = share_of(out->logit[k]);
+        area[k] = logistic(out->logit[k]);
     corrected_persson_curve(point, area, out->count, persson, true);
     for (size_t k = 0; k < out->count; k++) {
         out->value[k][0] += log(corrected_persson_load(area[k], persson->m2));
@@ -95,7 +85,7 @@ static void join(struct strip *out, const struct strip *strip, size_t count, con
         for (int q = 0; q < 3; q++)
             own->value[k][q] = 0;
         for (size_t s = 0; s < count; s++) {
-            struct strip_ratio ratio = strip_ratio_at(&strip[s], share_of(own->logit[k]));
+            struct strip_ratio ratio = strip_ratio_at(&strip[s], logistic(own->logit[k]));
             own->value[k][0] += ratio.load / (double)count;
             own->value[k][1] += ratio.constriction / (double)count;
             own->value[k][2] += ratio.separation / (double)count;
@@ -190,7 +180,7 @@ void transfer_bearing(double out[TRANSFER_BEARING], double *height_m, size_t cou
     for (size_t i = 0; i < count && k < TRANSFER_BEARING; i++) {
         below += i > 0 ? (double)i * (height_m[i] - height_m[i - 1]) : 0;
         for (; k < TRANSFER_BEARING; k++) { /* from the largest share on */
-            double share = share_of(bearing_first + bearing_step * (double)(TRANSFER_BEARING - 1 - k));
+            double share = logistic(bearing_first + bearing_step * (double)(TRANSFER_BEARING - 1 - k));
             if ((double)(count - i) > share * (double)count + 1)
                 break;
             out[TRANSFER_BEARING - 1 - k] = log(fmax(below / (double)count, least));

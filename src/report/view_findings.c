@@ -16,8 +16,9 @@ struct tally {
 struct finding {
     const struct view_source *source;
     const struct check *row;
-    double law_m; /* wavelength that power laws are held against each other at */
-    size_t m;
+    double law_m;    /* wavelength that power laws are held against each other at */
+    size_t m, other; /* the model, and the one that it is held against; model_count: there is none */
+    size_t step;     /* to the surface that one is held against */
     struct tally own, first /* the smoothest surface's part of it */, all;
     double least, most; /* least > most: none */
 };
@@ -109,20 +110,6 @@ static void widen(struct finding *f, double value)
     f->most = fmax(f->most, value);
 }
 
-/** Index of the model that the check's model is held against; model_count: there is none. */
-static size_t other_model(const struct finding *f)
-{
-    const struct model_row *model = model_rows[f->m];
-    return f->row->with == NEIGHBOUR ? f->m
-                                     : model_index(f->row->with == ELASTIC ? model->elastic : model->counterpart);
-}
-
-/** The surface that the k-th smoothest one is held against. */
-static size_t beside(const struct finding *f, size_t k)
-{
-    return f->row->with == NEIGHBOUR ? k + 1 : k;
-}
-
 /** What a model says of the k-th smoothest surface at place `i` of its loads; NULL: nothing, as where a statistical
  * curve closes with a load of its own. */
 static const struct contact_point *point_at(const struct finding *f, size_t m, size_t k, size_t i)
@@ -145,16 +132,12 @@ static double mean_of(const struct finding *f, size_t k, enum quantity quantity,
     const enum quantity other = quantity == QUANTITY_ADJUSTED ? QUANTITY_SEPARATION : quantity;
     double sum = 0, count = 0;
     for (size_t i = 0; i < f->source->results->load_count; i++) {
-        const struct contact_point *a = point_at(f, f->m, k, i), *b = point_at(f, other_model(f), beside(f, k), i);
-        if (!a || !b)
-            continue;
-        double x = a->value[quantity], y = b->value[other];
-        bool full = quantity == QUANTITY_AREA && !(a->value[QUANTITY_ECR] > 0 && b->value[QUANTITY_ECR] > 0);
-        if (mean != APART && (full || !(x > 0 && y > 0)))
-            continue;
-        double step = mean == APART ? y - x : log10(y / x);
-        sum += mean == DECADES ? step : fabs(step);
-        count++;
+        const struct contact_point *a = point_at(f, f->m, k, i), *b = point_at(f, f->other, k + f->step, i);
+        double x = a ? a->value[quantity] : NAN, y = b ? b->value[other] : NAN;
+        bool full = quantity == QUANTITY_AREA && a && b && !(a->value[QUANTITY_ECR] > 0 && b->value[QUANTITY_ECR] > 0);
+        double step = mean == APART ? y - x : full || !(x > 0 && y > 0) ? NAN : log10(y / x);
+        sum += isnan(step) ? 0 : mean == DECADES ? step : fabs(step);
+        count += !isnan(step);
     }
     return sum / count;
 }
@@ -201,14 +184,14 @@ static double number_of(const struct finding *f, size_t m, size_t k)
     case STEP:
         return mean_of(f, k, results_criterion(f->source->results), DECADES);
     case SHOULDER:
-        most = curves && other_model(f) < model_count ? curves[other_model(f)].kink.load : 0;
+        most = curves && f->other < model_count ? curves[f->other].kink.load : 0;
         return most > 0 ? most / curve->full_load : NAN;
     case SPREAD:
     case MEAN_SPREAD:
         for (size_t i = 0; i < f->source->results->load_count; i++) {
             const double spread = spread_at(f, m, i);
             most = fmax(most, spread); /* of a number and NaN, the number */
-            if (isfinite(spread_at(f, f->m, i)) && isfinite(spread_at(f, other_model(f), i))) {
+            if (isfinite(spread_at(f, f->m, i)) && isfinite(spread_at(f, f->other, i))) {
                 sum += log10(spread);
                 count++;
             }
@@ -236,11 +219,11 @@ static double error_of(const struct finding *f, size_t k)
 /** Is a number less than the other's, beyond the tolerance, or the errors of both laws? */
 static void check_order(struct finding *f, size_t k)
 {
-    const size_t other = other_model(f), next = beside(f, k);
-    if (other == model_count || next >= f->source->results->usable_count ||
+    const size_t next = k + f->step;
+    if (f->other == model_count || next >= f->source->results->usable_count ||
         (f->row->with != NEIGHBOUR && !record_of(f, k)->curves))
         return;
-    double x = number_of(f, f->m, k), y = number_of(f, other, next);
+    double x = number_of(f, f->m, k), y = number_of(f, f->other, next);
     double slack = f->row->is & ONCE    ? hypot(error_of(f, k), error_of(f, next))
                    : f->row->is & WHOLE ? slack_of(f, 1, 0) /* of decades */
                                         : slack_of(f, x, y);
@@ -260,9 +243,9 @@ static void check_loads(struct finding *f, size_t k)
     const enum quantity quantity = f->row->quantity;
     const struct quantity_row *row = &quantity_rows[quantity];
     const double least = row->sigma_column ? 1 : 0; /* what a difference of gaps is small against */
-    const size_t next = beside(f, k);
+    const size_t next = k + f->step;
     for (size_t i = 0; i < f->source->results->load_count; i++) {
-        const struct contact_point *a = point_at(f, f->m, k, i), *b = point_at(f, other_model(f), next, i);
+        const struct contact_point *a = point_at(f, f->m, k, i), *b = point_at(f, f->other, next, i);
         if (!a || !b || (a->value[QUANTITY_AREA] == 1 && b->value[QUANTITY_AREA] == 1) ||
             ((f->row->is & HIGH) && !is_high(f, k, a) && !is_high(f, next, b)))
             continue;
@@ -362,9 +345,11 @@ static const struct check checks[] = {
     {"6.4.4", "family_ecr", ELECTRICAL, FAMILIES, 2, check_closer, COUNTERPART, .quantity = QUANTITY_ECR, .high = 0.5},
 };
 
-static unsigned kind_of(size_t m)
+/** Of which kind is a model that runs and speaks here? 0: it does not. */
+static unsigned speaks(const struct plan *plan, size_t m)
 {
-    return model_rows[m]->stacks_scales ? SCALES : ASPERITIES;
+    const bool does = model_rows[m]->in_findings && plan_runs_model(plan, m);
+    return !does ? 0 : model_rows[m]->stacks_scales ? SCALES : ASPERITIES;
 }
 
 /** Adds the cases of a model to those of all: each of them, or one, which is what they say together. */
@@ -393,23 +378,17 @@ static void conclude(struct finding *f)
         f->least = INFINITY;
 }
 
-/** One of the surfaces, or pairs, on which a model speaks against the finding. */
-static void put_opposed(json_t *list, const struct finding *f, size_t k)
-{
-    const bool pair = f->row->with == NEIGHBOUR && f->row->check != check_number;
-    json_t *item = view_item(list);
-    view_text(item, "surface", record_of(f, k)->summary.scene->name);
-    if (pair)
-        view_text(item, "beside", record_of(f, k + 1)->summary.scene->name);
-}
-
+/** Adds a model's numbers, and the surfaces, or pairs, on which it speaks against the finding. */
 static void check_model(struct finding *f, json_t *numbers, json_t *opposed, size_t m)
 {
-    const bool others = f->row->number == SHOULDER;
+    const struct model_row *model = model_rows[m];
+    const bool pairs = f->row->with == NEIGHBOUR && f->row->check != check_number;
     const size_t before = f->all.bad, places = f->row->is & WHOLE ? 1 : f->source->results->usable_count;
     json_t *against = json_object(), *on = view_list(against, "on");
-    size_t tested = 0; /* surfaces, or pairs of them */
+    size_t tested = 0;
     f->m = m;
+    f->step = f->row->with == NEIGHBOUR;
+    f->other = f->step ? m : model_index(f->row->with == ELASTIC ? model->elastic : model->counterpart);
     f->own = f->first = (struct tally){0};
     f->least = INFINITY;
     f->most = -INFINITY;
@@ -418,40 +397,39 @@ static void check_model(struct finding *f, json_t *numbers, json_t *opposed, siz
         f->row->check(f, k);
         f->first = k == 0 ? f->own : f->first;
         tested += f->own.good + f->own.bad > was.good + was.bad;
-        if (f->own.bad > was.bad && places > 1 && !(f->row->is & TOGETHER) && json_array_size(on) < VIEW_ROWS)
-            put_opposed(on, f, k);
+        if (f->own.bad == was.bad || places == 1 || (f->row->is & TOGETHER) || json_array_size(on) >= VIEW_ROWS)
+            continue;
+        json_t *item = view_item(on);
+        view_text(item, "surface", record_of(f, k)->summary.scene->name);
+        if (pairs)
+            view_text(item, "beside", record_of(f, k + 1)->summary.scene->name);
     }
     conclude(f);
-    if (f->all.bad > before) {
-        if (!(f->row->is & ONCE))
-            view_text(against, "label", model_rows[m]->label);
-        if (!(f->row->is & ONCE) && json_array_size(on) == tested) /* on all */
+    if (!(f->row->is & ONCE)) {
+        view_text(against, "label", model->label);
+        if (json_array_size(on) == tested) /* on all */
             json_array_clear(on);
-        view_separate(on);
-        if (!(f->row->is & ONCE) || json_array_size(on) > 0)
-            json_array_append(opposed, against);
     }
+    view_separate(on);
+    if (f->all.bad > before && (!(f->row->is & ONCE) || json_array_size(on) > 0))
+        json_array_append(opposed, against);
     json_decref(against);
     if (!(f->least <= f->most))
         return;
     json_t *item = view_item(numbers);
-    view_text(item, "label", model_rows[others ? other_model(f) : m]->label);
+    view_text(item, "label", model_rows[f->row->number == SHOULDER ? f->other : m]->label);
     view_range(item, "range", f->least, f->most, 2, "");
 }
 
 void view_findings(json_t *out, const struct view_source *source)
 {
     const struct plan *plan = source->results->plan;
-    uint64_t speaks = 0;
+    const double law_m = results_law_wavelength_m(source->results);
     unsigned kinds = 0;
     for (size_t m = 0; m < model_count; m++)
-        if (model_rows[m]->in_findings && plan_runs_model(plan, m)) {
-            speaks |= MODEL_BIT(m);
-            kinds |= kind_of(m);
-        }
-    if (!source->results->convergence || !speaks)
+        kinds |= speaks(plan, m);
+    if (!source->results->convergence || !kinds)
         return;
-    const double law_m = results_law_wavelength_m(source->results);
     json_t *list = view_list(out, "findings");
     view_flag(out, "has_findings", true);
     for (size_t i = 0; i < sizeof checks / sizeof *checks; i++) {
@@ -461,7 +439,7 @@ void view_findings(json_t *out, const struct view_source *source)
             continue;
         json_t *item = view_item(list), *numbers = view_list(item, "numbers"), *opposed = view_list(item, "opposed");
         for (size_t m = 0, called = 0; m < model_count && !((row->is & ONCE) && called > 0); m++)
-            if ((speaks & MODEL_BIT(m)) && (!row->models || (row->models & kind_of(m))) && ++called)
+            if (((row->models ? row->models : FAMILIES) & speaks(plan, m)) && ++called)
                 check_model(&finding, numbers, opposed, m);
         const size_t good = finding.all.good, all = good + finding.all.bad;
         view_separate(numbers);

@@ -222,6 +222,22 @@ TEST_CASE(panels_have_room)
             }
 }
 
+/* Of too many panels the last takes the place of the one before; none is written behind the end. */
+TEST_CASE(test_too_many_panels)
+{
+    struct chart chart = chart_make("many");
+    for (int p = 0; p < CHART_PANELS + 3; p++) {
+        chart_panel(&chart, filled("%d", p), "x", "y", false, false);
+        chart_curve(&chart, &(struct chart_curve){.legend = "", .colour = "#000000"});
+        chart_row(&chart, 1, p, 0, 0);
+    }
+    chart_end(&chart);
+    assert_int_equal(chart.panels, CHART_PANELS);
+    assert_string_equal(chart.panel[CHART_PANELS - 1].title, filled("%d", CHART_PANELS + 2));
+    assert_int_equal(chart.blocks, CHART_PANELS + 3);
+    chart_free(&chart);
+}
+
 TEST_CASE(what_an_axis_cannot_show_is_left_out)
 {
     struct chart chart = chart_make("chart");
