@@ -138,10 +138,10 @@ static void add_legend(struct chart *chart, json_t *curve)
 
 void chart_end(struct chart *chart)
 {
-    struct chart_panel *panel = last(chart);
     const struct chart_curve *curve = &chart->curve;
     if (chart->rows == 0)
         return;
+    struct chart_panel *panel = last(chart);
     enum chart_kind kind = curve->kind == CHART_LINE && chart->rows == 1 ? CHART_POINTS : curve->kind;
     json_t *item =
         json_pack("{si sb ss si sf si sb so}", "index", (int)chart->blocks++, kinds[kind].name, 1, "colour",
