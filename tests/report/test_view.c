@@ -391,6 +391,19 @@ TEST_OF_PLAIN(the_ranking_names_quantity_load_and_who_was_tested)
     report_says("\nIn contact resistance at 10.0\u00a0N *alpha* is significantly better than *beta*",
                 ". Not tested, as no interval is known: *gamma*.\n");
     report_lacks("all others");
+    json_t *ranking = json_object_get(made.view, "ranking");
+    json_object_set_new(ranking, "significant", json_false());
+    json_object_set_new(ranking, "two", json_false());
+    json_object_set_new(ranking, "undecided", json_true());
+    const struct report_options how = {PROJECT_SOURCE "/templates", NULL, false};
+    struct text out = {0};
+    expect_ok(report_markdown, &out, made.view, &how);
+    expect_parts(text_string(&out), " the best of those tested, *alpha*, does not differ significantly from *beta*");
+    json_object_set_new(ranking, "all_tested", json_true());
+    text_free(&out);
+    expect_ok(report_markdown, &out, made.view, &how);
+    expect_parts(text_string(&out), " the best, *alpha*, does not differ");
+    text_free(&out);
     forget_scatter(&made.surfaces[1], 1);
     report_says("\nIn contact resistance at 10.0\u00a0N it is undecided whether surfaces differ significantly:");
     report_lacks("better than");
