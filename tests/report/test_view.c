@@ -448,14 +448,14 @@ TEST_OF_PLAIN(too_few_spots_are_told)
         leading[i * model_count].spots_per_m2 = 20e6;
     assert_says_page("0.1\u00a0mΩ takes", "spots"); /* twenty of them */
     leading[2 * model_count].spots_per_m2 = 1.6e6;
-    assert_says_page("**Too few spots for statistics**, on *gamma*: 1.6.", "surfaces:");
+    assert_says_page("**Too few spots for statistics**, on *gamma*: 1.6 carry the load.", "surfaces:");
     leading[1 * model_count].spots_per_m2 = 3e6;
-    assert_says_page("**Too few spots for statistics**, on 2 surfaces: 1.6 to 3.0.", "on *gamma*:");
+    assert_says_page("**Too few spots for statistics**, on 2 surfaces: 1.6 to 3.0 carry the load.", "on *gamma*:");
     leading[0].spots_per_m2 = 9e6;
-    assert_says_page("**Too few spots for statistics**: 1.6 to 9.0.", "surfaces:");
+    assert_says_page("**Too few spots for statistics**: 1.6 to 9.0 carry the load.", "surfaces:");
     free_made(NULL);
     made_up_make(&made, NULL); /* without a target those where the page stands: 150 to 1125 on a square metre */
-    assert_says_page("**Too few spots for statistics**: 1.5·10⁻⁴ to 0.0011.", "surfaces:");
+    assert_says_page("**Too few spots for statistics**: 1.5·10⁻⁴ to 0.0011 carry the load.", "surfaces:");
 }
 
 TEST_OF_PLAIN(a_limit_names_the_one_surface_and_counts_several)
