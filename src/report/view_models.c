@@ -498,6 +498,6 @@ void view_direct(json_t *out, const struct view_source *source)
             continue;
         json_t *row = view_item(view_list(item, "not_solved"));
         view_text(row, "surface", view_name(source, i));
-        view_text(row, "why", s->direct->problem);
+        view_text(row, "why", direct_plan_problem(s->direct, source->words));
     }
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A name that a template fills in is one that it can have: a mistyped one would be filled with nothing, in silence. */
 #include "base/text.h"
-#include "chart/words.h"
+#include "base/words.h"
 #include "support.h"
 
 #include <dirent.h>
@@ -166,7 +166,8 @@ TEST_CASE(other_templates_fill_in_what_the_program_says)
                                         "templates/words.txt",        "templates/scene.yaml",
                                         "templates/page.html",        "templates/charts/letters.gp",
                                         "templates/charts/panels.gp", "templates/charts/style.gp"};
-    static const char *const folders[] = {"src/chart", "src/report", "src/cli", "src/output", "src/results"};
+    static const char *const folders[] = {"src/chart",   "src/report", "src/cli",  "src/output",
+                                          "src/results", "src/scene",  "src/plan", "src/run"};
     struct text source = {0};
     size_t names = 0;
     for (size_t f = 0; f < sizeof folders / sizeof *folders; f++)
@@ -187,7 +188,8 @@ TEST_CASE(other_templates_fill_in_what_the_program_says)
 TEST_CASE(words_are_asked_for)
 {
     struct text words = read_source("templates/words.txt"), source = {0};
-    static const char *const folders[] = {"src/chart", "src/report", "src/cli", "src/results", "src/contact"};
+    static const char *const folders[] = {"src/chart",   "src/report", "src/cli",  "src/results",
+                                          "src/contact", "src/scene",  "src/plan", "src/run"};
     size_t lines = 0;
     for (size_t f = 0; f < sizeof folders / sizeof *folders; f++)
         add_folder(&source, folders[f], ".c");
