@@ -279,8 +279,7 @@ static void make_plan(struct plan *plan, uint64_t models, unsigned effects)
 {
     *plan = (struct plan){.models = models, .running = effects, .wanted = quantity_wanted(effects)};
     for (int e = 0; e < EFFECT_COUNT; e++) {
-        plan->effects[e].runs = effects & EFFECT_BIT(e);
-        snprintf(plan->effects[e].reason, sizeof plan->effects[e].reason, "reason %d", e);
+        plan->effects[e] = (struct plan_effect){effects & EFFECT_BIT(e), effect_rows[e].name};
     }
 }
 

@@ -3,8 +3,8 @@
 #ifndef CHART_FIGURES_H
 #define CHART_FIGURES_H
 
+#include "base/words.h"
 #include "chart/gnuplot.h"
-#include "chart/words.h"
 #include "results/results.h"
 
 enum { FIGURES_MOST = 10 + 2 * QUANTITY_COUNT, FIGURE_FEW_POINTS = 200 };

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/temporary.h"
+#include "base/words.h"
 #include "chart/chart.h"
 #include "chart/gnuplot.h"
-#include "chart/words.h"
 #include "cli/command.h"
 #include "cli/inspection.h"
 #include "scan/string_view.h"

@@ -313,7 +313,7 @@ static void print_plan(const struct results *results, double rough_seconds)
     }
     text_add(&table, "\n");
     if (!results_has_material(results)) {
-        text_add_wrapped(&table, results_without_material, WIDTH, 0);
+        text_add_wrapped(&table, words_say(plan->words, "effect.without_material", NULL), WIDTH, 0);
         text_add(&table, "\n\n");
     }
     fputs(text_string(&table), stdout);
@@ -341,6 +341,7 @@ int command_plan(int argc, char **argv)
     enum status_code rc = scene_read(&scene, arguments.directory, &arguments.overrides, &status);
     if (rc == STATUS_OK && (rc = command_share(&templates, "templates", &status)) == STATUS_OK)
         rc = export_check(&scene, text_string(&templates), &status);
+    arguments.run.templates = text_string(&templates);
     if (rc == STATUS_OK)
         rc = all_surfaces_run(&prepared, &scene, &arguments.run, true, NULL, &status);
     const struct results *results = &prepared.results;

@@ -33,14 +33,14 @@ static void moments(double out[3], const struct spectrum *spectrum, double lambd
 
 /** Loads from 100 points in contact (with a third to spare, as surfaces scatter) to about 0.9 of the area: A is about
  * 2 p/(E' g), g the root mean square gradient. */
-static void range_of_loads(double range[2], const struct direct_plan *plan, const struct direct_plan_task *task)
+static void range_of_loads(struct direct_plan *plan, const struct direct_plan_task *task)
 {
     double points = (double)plan->grid * (double)plan->grid, known[3] = {0, 0, task->slope * task->slope};
     if (plan->coarse)
         moments(known, task->spectrum, plan->lambda_s_m, true);
     double gradient = sqrt(2 * known[2]);
-    range[0] = 1.3 * DIRECT_ENSEMBLE_POINTS / (2 * points) * gradient;
-    range[1] = 0.8 * gradient;
+    plan->range[0] = 1.3 * DIRECT_ENSEMBLE_POINTS / (2 * points) * gradient;
+    plan->range[1] = 0.8 * gradient;
 }
 
 /** Loads as the scene lists them for it, else spread evenly over those of its own that lie in the range, the middle
@@ -48,7 +48,7 @@ static void range_of_loads(double range[2], const struct direct_plan *plan, cons
 static void choose_loads(struct direct_plan *plan, const struct direct_plan_task *task)
 {
     const struct scene_direct *direct = task->direct;
-    double range[2], middle = task->loads[task->operating];
+    double middle = task->loads[task->operating];
     size_t first = 0, end = task->load_count, wanted = direct->loads ? direct->loads : LOADS, nearest = 0;
     plan->loads = 0;
     if (direct->values) {
@@ -56,10 +56,10 @@ static void choose_loads(struct direct_plan *plan, const struct direct_plan_task
             plan->load[k] = direct->values[k] / task->divisor;
         plan->loads = direct->loads;
     } else {
-        range_of_loads(range, plan, task);
-        while (first < end && task->loads[first] < range[0])
+        range_of_loads(plan, task);
+        while (first < end && task->loads[first] < plan->range[0])
             first++;
-        while (end > first && task->loads[end - 1] > range[1])
+        while (end > first && task->loads[end - 1] > plan->range[1])
             end--;
         wanted = wanted < end - first ? wanted : end - first;
         for (size_t k = 0; k < wanted; k++) {
@@ -173,20 +173,22 @@ void direct_plan_give_up(struct direct_plan *plan, const char *problem)
     snprintf(plan->problem, sizeof plan->problem, "%.*s", (int)sizeof plan->problem - 1, problem);
 }
 
+const char *direct_plan_problem(const struct direct_plan *plan, struct words *words)
+{
+    return plan->problem[0] ? plan->problem
+                            : words_say(words, "direct.no_load", "least", words_number("%.2g", plan->range[0]).text,
+                                        "most", words_number("%.2g", plan->range[1]).text, "grid",
+                                        words_number("%zu", plan->grid).text, NULL);
+}
+
 void direct_plan_make(struct direct_plan *out, const struct direct_plan_task *task)
 {
-    double known[3], range[2];
+    double known[3];
     struct status problem = {0};
     *out = (struct direct_plan){.possible = true};
     choose(out, task);
-    range_of_loads(range, out, task);
     moments(known, task->spectrum, out->lambda_s_m, out->coarse);
-    if (out->loads == 0)
-        (void)status_fail(&problem, STATUS_MODEL,
-                          "no load of the scene lies between %.2g and %.2g E', where the grid of %zu points a side "
-                          "resolves the contact",
-                          range[0], range[1], out->grid);
-    if (problem.code != STATUS_OK ||
+    if (out->loads == 0 ||
         (out->side == 0 && direct_law_match(&out->law, known, out->length_m, out->lambda_s_m, &problem) != STATUS_OK))
         direct_plan_give_up(out, problem.message);
 }

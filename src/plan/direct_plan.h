@@ -4,6 +4,7 @@
 #ifndef PLAN_DIRECT_PLAN_H
 #define PLAN_DIRECT_PLAN_H
 
+#include "base/words.h"
 #include "direct/direct_map.h"
 #include "direct/direct_surface.h"
 #include "scene/scene.h"
@@ -28,8 +29,9 @@ struct direct_plan_task {
 };
 
 struct direct_plan {
-    bool possible; /* false: `problem` says why not */
-    char problem[320];
+    bool possible;
+    char problem[320]; /* where it is not; "": no load lies in `range` */
+    double range[2];   /* of loads that the grid resolves, where the scene lists none for it */
     size_t side;       /* a map: points along the square taken; 0: a profile */
     size_t grid;       /* points a side */
     size_t seeds;      /* surfaces; 1 of a map */
@@ -55,6 +57,8 @@ struct direct_plan {
  * at the grid's. Never fails: see out->possible. */
 void direct_plan_make(struct direct_plan *out, const struct direct_plan_task *task);
 
+/** Why it is not possible. */
+const char *direct_plan_problem(const struct direct_plan *plan, struct words *words);
 /** Makes a plan impossible. */
 void direct_plan_give_up(struct direct_plan *plan, const char *problem);
 

@@ -6,7 +6,6 @@
 #include <float.h>
 #include <math.h>
 #include <stddef.h>
-#include <stdio.h>
 
 /** What spots of any heights bear over what those of Gaussian heights do, at most. */
 static const double heights_factor = 4;
@@ -81,9 +80,9 @@ static void decide_plasticity(struct plan *plan, const struct scene *scene, cons
     const double change = expm1(log1p(pow(most, 4)) / 4);
     bool runs = needed || change > scene->tolerance;
     plan_decide(plan, EFFECT_PLASTICITY, runs,
-                runs ? "spots might bear up to %.2g times the hardness"
-                     : "no spot bears more than %.2g times the hardness: %.1g of the area at most, below the tolerance",
-                fmin(most, DBL_MAX), change);
+                words_say(plan->words, runs ? "effect.yields" : "effect.yields_little", "times",
+                          words_number("%.2g", fmin(most, DBL_MAX)).text, "change", words_number("%.1g", change).text,
+                          NULL));
 }
 
 static void decide_scale_dependence(struct plan *plan, const struct surface_record *surfaces, size_t count,
@@ -92,8 +91,9 @@ static void decide_scale_dependence(struct plan *plan, const struct surface_reco
     double most = 0;
     for (size_t i = 0; i < count; i++)
         most = fmax(most, surfaces[i].summary.scale_dependence);
-    plan_decide(plan, EFFECT_SCALE_DEPENDENT, most > tolerance, "(8/3π) λmfp/a raises TCR by up to %.2g%s",
-                fmin(most, DBL_MAX), most > tolerance ? "" : ", below the tolerance");
+    plan_decide(plan, EFFECT_SCALE_DEPENDENT, most > tolerance,
+                words_say(plan->words, "effect.raises_tcr", "by", words_number("%.2g", fmin(most, DBL_MAX)).text,
+                          "little", most > tolerance ? "" : "1", NULL));
 }
 
 /** Runs where some spectrum can be carried on below what is known, or the scene says what to sweep. */
@@ -107,9 +107,8 @@ static void decide_convergence(struct plan *plan, const struct scene *scene, con
     }
     const bool runs = carried_on > 0 || scene->convergence.given;
     plan_decide(plan, EFFECT_CONVERGENCE, runs,
-                runs ? "sweeps, and the spectra of %zu of %zu surfaces carried on below what is known"
-                     : "no spectrum can be carried on below what is known",
-                carried_on, usable);
+                words_say(plan->words, runs ? "effect.sweeps" : "effect.no_spectrum", "carried_on",
+                          words_number("%zu", carried_on).text, "surfaces", words_number("%zu", usable).text, NULL));
 }
 
 /** Runs where a surface has one scan. */
@@ -119,9 +118,8 @@ static void decide_uncertainty(struct plan *plan, const struct surface_record *s
     for (size_t i = 0; i < count && !model_rows[plan_leading_model(plan)]->uses_map; i++)
         single += surfaces[i].summary.usable && surfaces[i].summary.single_points > 0;
     plan_decide(plan, EFFECT_UNCERTAINTY, single > 0,
-                single > 0 ? "%zu surface%s with one scan that records can be simulated of"
-                           : "no surface with one scan that records can be simulated of",
-                single, single == 1 ? "" : "s");
+                words_say(plan->words, single > 0 ? "effect.one_scan" : "effect.no_scan", "surfaces",
+                          words_number("%zu", single).text, "one", single == 1 ? "1" : "", NULL));
 }
 
 const double effects_transform_seconds = 12e-9;
@@ -138,8 +136,7 @@ static void decide_strips(struct plan *plan, const struct surface_record *surfac
     if (has > 0 || lacking == 0 || !(plan->models & users))
         return;
     plan->models &= ~users;
-    snprintf(plan->area_reason, sizeof plan->area_reason,
-             "every report has it; no strip transfer, as no surface has one");
+    plan->area_reason = words_say(plan->words, "area.no_strips", NULL);
 }
 
 /** The direct solution of maps leads where every surface has one; where some have it stands beside the model that all
@@ -162,15 +159,10 @@ static void decide_tiles(struct plan *plan, const struct surface_record *surface
         plan->beside |= users;
     else
         plan->models &= ~users;
-    if (dear > 0)
-        snprintf(plan->area_reason, sizeof plan->area_reason,
-                 "every report has it; direct solutions of the maps would take about %.2g s: name the model direct to "
-                 "have them",
-                 cost * effects_transform_seconds);
-    else if (maps > 0)
-        snprintf(plan->area_reason, sizeof plan->area_reason,
-                 "every report has it; as %zu of the surfaces %s no map, direct solutions of the maps do not lead",
-                 lacking, lacking == 1 ? "is" : "are");
+    if (maps > 0 || dear > 0)
+        plan->area_reason = words_say(plan->words, dear > 0 ? "area.dear_maps" : "area.without_map", "seconds",
+                                      words_number("%.2g", cost * effects_transform_seconds).text, "surfaces",
+                                      words_number("%zu", lacking).text, "one", lacking == 1 ? "1" : "", NULL);
 }
 
 void effects_fit_models(struct plan *plan, const struct surface_record *surfaces, size_t count)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Finished reports side by side, from their results.json. That may be anything: what is not there is NaN or "". */
 #include "base/limits.h"
-#include "chart/words.h"
+#include "base/words.h"
 #include "output/json.h"
 #include "report/report.h"
 #include "report/view.h"

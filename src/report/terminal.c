@@ -2,7 +2,7 @@
 /* What templates say, for a terminal: lines with tabs as tables in columns, sentences in lines, those of the report
  * without the marks of Markdown. */
 #include "base/mustache.h"
-#include "chart/words.h"
+#include "base/words.h"
 #include "report/report.h"
 
 #include <limits.h>

@@ -86,22 +86,14 @@ static void put_surface(json_t *item, const struct view_source *source, size_t s
     const struct model_curve *curve = &record->curves[source->leading];
     const unsigned computed = plan_quantities(results->plan);
     struct law laws[LAWS] = {
-        {"thermal", "thermal_ends", "h", "h_low", "h_high", QUANTITY_JOINT, QUANTITY_TCR, {.scale = 1}, false, true},
-        {"electrical",
-         "electrical_ends",
-         "g",
-         "g_low",
-         "g_high",
-         QUANTITY_JOINT_ECR,
-         QUANTITY_ECR,
-         {.scale = 1},
-         false,
-         true}};
+        {"thermal", "thermal_ends", "h", "h_low", "h_high", QUANTITY_JOINT, QUANTITY_TCR, .ends = true},
+        {"electrical", "electrical_ends", "g", "g_low", "g_high", QUANTITY_JOINT_ECR, QUANTITY_ECR, .ends = true}};
     for (int k = 0; k < LAWS; k++) {
         struct law *law = &laws[k];
         bool whole = computed & QUANTITY_BIT(law->whole);
         law->asked.quantity = whole ? law->whole : law->contact;
         law->asked.reciprocal = law->asked.quantity != QUANTITY_JOINT;
+        law->asked.scale = 1;
         for (size_t i = 0; i < curve->count; i++)
             law->exists = law->exists || isfinite(curve->points[i].value[law->asked.quantity]);
     }

@@ -115,19 +115,13 @@ static void put_unloading(json_t *out, const struct view_source *source)
 static void put_one_surface(json_t *out, const struct view_source *source)
 {
     const struct results *results = source->results;
-    size_t first = 0;
-    while (first < model_count &&
-           !(plan_runs_model(results->plan, first) && surface_model(&source->baseline->summary, first)->exists))
-        first++;
-    if (first == model_count)
-        return;
-    json_t *item = view_part(out, "one_surface");
+    json_t *item = json_object();
     view_text(item, "surface", view_name(source, results->baseline));
     view_load(item, "load", source, results->baseline, results_operating_load(results, results->baseline));
     for (int q = 0; q < QUANTITY_COUNT; q++)
         if (in_table(source, (enum quantity)q))
             put_head(item, source, "table", (enum quantity)q);
-    for (size_t m = first; m < model_count; m++)
+    for (size_t m = 0; m < model_count; m++)
         if (plan_runs_model(results->plan, m) && surface_model(&source->baseline->summary, m)->exists)
             put_model(item, source, m);
     const struct material_pair *pair = results_pair(results, results->baseline);
@@ -146,6 +140,9 @@ static void put_one_surface(json_t *out, const struct view_source *source)
             view_number(one, "wavelength_um", kink->wavelength_m * 1e6, 2, "");
         }
     put_unloading(item, source);
+    if (json_object_get(item, "rows"))
+        json_object_set(out, "one_surface", item);
+    json_decref(item);
 }
 
 /** Has this model a gap that is adjusted, and so a β? */
@@ -498,6 +495,6 @@ void view_direct(json_t *out, const struct view_source *source)
             continue;
         json_t *row = view_item(view_list(item, "not_solved"));
         view_text(row, "surface", view_name(source, i));
-        view_text(row, "why", s->direct->problem);
+        view_text(row, "why", direct_plan_problem(s->direct, source->words));
     }
 }

@@ -84,28 +84,32 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
     put_amplitude(row, "amplitude_um", law, isfinite(wavelength_m) ? wavelength_m : law->wavelength_m);
 }
 
-/** Takes what is to be said of a surface into a list of VIEW_ROWS at most, where what is the same of several stands
- * once, as the `body` of an item: with the first one's name, the others counted. */
-static void put_once(json_t *list, json_t *own, const char *surface)
+/** The item of a list that is, or whose `part` is, the same as another; NULL: none. */
+static json_t *alike(const json_t *list, const char *part, const json_t *other)
 {
     size_t i;
     json_t *item;
     json_array_foreach(list, i, item)
     {
-        if (json_equal(json_object_get(item, "body"), own)) {
-            json_int_t more = json_integer_value(json_object_get(item, "more_surfaces"));
-            view_count(item, "more_surfaces", (size_t)more + 1);
-            json_decref(own);
-            return;
-        }
+        if (json_equal(part ? json_object_get(item, part) : item, other))
+            return item;
     }
-    if (i == VIEW_ROWS) {
-        json_decref(own);
-        return;
+    return NULL;
+}
+
+/** Takes what is to be said of a surface into a list of VIEW_ROWS at most, where what is the same of several stands
+ * once, as the `body` of an item: with the first one's name, the others counted. */
+static void put_once(json_t *list, json_t *own, const char *surface)
+{
+    json_t *item = alike(list, "body", own);
+    if (item) {
+        view_count(item, "more_surfaces", (size_t)json_integer_value(json_object_get(item, "more_surfaces")) + 1);
+    } else if (json_array_size(list) < VIEW_ROWS) {
+        item = view_item(list);
+        json_object_set(item, "body", own);
+        view_text(item, "surface", surface);
     }
-    item = view_item(list);
-    json_object_set_new(item, "body", own);
-    view_text(item, "surface", surface);
+    json_decref(own);
 }
 
 /** A row of table 6.1: a property of the material in the unit that engineers have it in; of a pair what the models have
@@ -115,26 +119,19 @@ static void put_material(json_t *out, const struct material *material, const str
     static const struct {
         const char *key;
         double scale;
-    } columns[] = {{"E", 1e-9}, {"nu", 1}, {"Sy", 1e-6}, {"resistivity", 1}, {"conductivity", 1}};
-    json_t *list = view_list(out, "materials"), *row = json_object(), *other;
-    size_t i;
+    } columns[] = {{"E_Pa", 1e-9}, {"nu", 1}, {"Sy_Pa", 1e-6}, {"resistivity_ohm_m", 1}, {"conductivity_W_per_mK", 1}};
+    json_t *list = view_list(out, "materials"), *row = json_object();
     view_text(row, "material", material->name);
-    for (size_t c = 0; c < sizeof columns / sizeof *columns; c++)
-        for (size_t p = 0; p < material_property_count; p++)
-            if (strcmp(material_properties[p].name, columns[c].key) == 0)
-                view_number(row, columns[c].key, columns[c].scale * material_value(material, &material_properties[p]),
-                            3, "");
+    for (size_t c = 0; c < sizeof columns / sizeof *columns; c++) {
+        const struct material_property *property = material_property_find(columns[c].key);
+        view_number(row, property->name, columns[c].scale * material_value(material, property), 3, "");
+    }
     if (pair && !pair->unknown) {
         view_number(row, "modulus", pair->effective_modulus_Pa * 1e-9, 3, "");
         view_number(row, "hardness", pair->hardness_Pa * 1e-6, 3, "");
     }
     view_text(row, "source", material->source ? material->source : "");
-    json_array_foreach(list, i, other)
-    {
-        if (json_equal(row, other))
-            break;
-    }
-    if (i == json_array_size(list) && i < VIEW_ROWS)
+    if (!alike(list, NULL, row) && json_array_size(list) < VIEW_ROWS)
         json_array_append(list, row);
     json_decref(row);
 }

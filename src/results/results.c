@@ -66,10 +66,6 @@ bool results_intervals(const struct results *results)
     return false;
 }
 
-const char results_without_material[] =
-    "No material is given, so area and separation against P/(Aₙ E′) are all there is; one (`material: tin`, or "
-    "--material) would add yielding, electrical and thermal resistance, pressures and forces.";
-
 const double *results_loads(const struct results *results, size_t surface)
 {
     return results->loads + (results->loads_apart ? surface * results->load_count : 0);

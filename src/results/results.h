@@ -60,8 +60,6 @@ enum quantity results_criterion(const struct results *results);
 double results_law_wavelength_m(const struct results *results);
 /** What the models need of a surface's bodies. */
 const struct material_pair *results_pair(const struct results *results, size_t surface);
-/** What a report on surfaces of no material says of it: one sentence. */
-extern const char results_without_material[];
 /** Is any surface's material known? */
 bool results_has_material(const struct results *results);
 

@@ -21,12 +21,12 @@ static void add_models(struct work_row *elastic, struct work_row *plastic, const
 
 /** What an effect would change: nothing else, nothing at all, or as much as a solve says. "": it is skipped, by a bound
  * that its reason has or for what the scene lacks. */
-static const char *change_of(enum effect effect, bool runs)
+static const char *change_of(struct words *words, enum effect effect, bool runs)
 {
     const struct effect_row *row = &effect_rows[effect];
-    return row->adds      ? "changes no other number"
-           : row->studies ? "changes no number"
-           : runs         ? "by how much takes a solve: the report says it"
+    return row->adds      ? words_say(words, "changes.no_other", NULL)
+           : row->studies ? words_say(words, "changes.none", NULL)
+           : runs         ? words_say(words, "changes.solve", NULL)
                           : "";
 }
 
@@ -39,7 +39,7 @@ void work_account(struct work_row rows[WORK_ROWS], const struct results *results
         rows[e + 1] = (struct work_row){.name = effect_rows[e].name,
                                         .runs = plan->effects[e].runs,
                                         .reason = plan->effects[e].reason,
-                                        .changes = change_of((enum effect)e, plan->effects[e].runs)};
+                                        .changes = change_of(plan->words, (enum effect)e, plan->effects[e].runs)};
     struct work_row *convergence = &rows[1 + EFFECT_CONVERGENCE], *direct = &rows[1 + EFFECT_DIRECT],
                     *uncertainty = &rows[1 + EFFECT_UNCERTAINTY], *unloading = &rows[1 + EFFECT_UNLOADING];
     convergence->evaluations = studies->sweep_scales;

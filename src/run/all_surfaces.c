@@ -28,30 +28,27 @@ static enum status_code read_counterface(struct all_surfaces *out, const struct 
     return STATUS_OK;
 }
 
-/** "256 x 256 points, 12 surfaces, 13 loads, about 5.2 s of one core". */
-static void describe_direct(struct text *out, const struct direct_plan *plan)
+/** What the direct solution is of, and costs, or in `plan` would. */
+static const char *say_direct(const struct plan *plan, const struct direct_plan *first, size_t surfaces,
+                              double budget_s)
 {
-    text_add(out, "%zu x %zu points, ", plan->grid, plan->grid);
-    if (plan->side > 0)
-        text_add(out, plan->mirrored ? "the map mirrored, " : "the map, ");
-    else
-        text_add(out, "%zu surface%s%s, ", plan->seeds, plan->seeds == 1 ? "" : "s",
-                 plan->fine_times > 1 ? " and a finer grid" : "");
-    text_add(out, "%zu load%s, about ", plan->loads, plan->loads == 1 ? "" : "s");
-    text_add(out, plan->seconds < 100 ? "%.2g s" : "%.2g min",
-             plan->seconds < 100 ? plan->seconds : plan->seconds / 60);
-    text_add(out, " of one core");
-    if (plan->of_spacing) /* else the scene says what the surface is */
-        text_add(out, ", down to waves of four spacings, for want of a lambda_s: true at this resolution");
+    const bool minutes = first->seconds >= 100;
+    return words_say(plan->words, "direct.planned", "called", plan_runs(plan, EFFECT_DIRECT) ? "1" : "", "surfaces",
+                     words_number("%zu", surfaces).text, "one_surface", surfaces == 1 ? "1" : "", "grid",
+                     words_number("%zu", first->grid).text, "map", first->side > 0 ? "1" : "", "mirrored",
+                     first->mirrored ? "1" : "", "seeds", words_number("%zu", first->seeds).text, "one_seed",
+                     first->seeds == 1 ? "1" : "", "finer", first->fine_times > 1 ? "1" : "", "loads",
+                     words_number("%zu", first->loads).text, "one_load", first->loads == 1 ? "1" : "", "time",
+                     words_number("%.2g", minutes ? first->seconds / 60 : first->seconds).text, "minutes",
+                     minutes ? "1" : "", "of_spacing", first->of_spacing ? "1" : "", "over_budget",
+                     first->over_budget ? words_number("%g", budget_s).text : "", NULL);
 }
 
-/** The direct solution's part of the plan: what it is of, and costs, or in `plan` would. */
+/** The direct solution's part of the plan. */
 static void plan_direct(struct plan *plan, const struct results *results)
 {
     const bool runs = plan_runs(plan, EFFECT_DIRECT);
     const struct direct_plan *first = NULL, *none = results->surfaces[results->baseline].summary.direct;
-    double budget_s = results->scene->direct.budget_s;
-    struct text reason = {0};
     size_t surfaces = 0;
     if (results->usable_count == 0 || !none)
         return;
@@ -61,18 +58,10 @@ static void plan_direct(struct plan *plan, const struct results *results)
         first = first && i != results->baseline ? first : results->surfaces[i].summary.direct;
         surfaces++;
     }
-    if (!first) {
-        text_add(&reason, runs ? "called for, but %s" : "not called for; %s", none->problem);
-    } else {
-        text_add(&reason,
-                 "%s on %zu surface%s: ", runs ? "called for" : "not called for; `roughcontact direct` solves it",
-                 surfaces, surfaces == 1 ? "" : "s");
-        describe_direct(&reason, first);
-        if (first->over_budget)
-            text_add(&reason, ", more than the budget of %g s, which nothing fits", budget_s);
-    }
-    plan_decide(plan, EFFECT_DIRECT, runs, "%s", text_string(&reason));
-    text_free(&reason);
+    plan_decide(plan, EFFECT_DIRECT, runs,
+                first ? say_direct(plan, first, surfaces, results->scene->direct.budget_s)
+                      : words_say(plan->words, "direct.impossible", "called", runs ? "1" : "", "why",
+                                  direct_plan_problem(none, plan->words), NULL));
 }
 
 /** The loads of every surface: the same list, or each its own of as many. */
@@ -305,7 +294,6 @@ enum status_code all_surfaces_run(struct all_surfaces *out, const struct scene *
                                   struct status *status)
 {
     *out = (struct all_surfaces){.counterface = NULL};
-    plan_make(&out->plan, scene);
     struct results *results = &out->results;
     *results = (struct results){
         .scene = scene, .plan = &out->plan, .surface_count = scene->surface_count, .infinite = &out->infinite};
@@ -314,6 +302,10 @@ enum status_code all_surfaces_run(struct all_surfaces *out, const struct scene *
                            scene->directory);
     if (!(results->surfaces = calloc(scene->surface_count, sizeof *results->surfaces)))
         return status_memory(status);
+    if (words_read(&out->words, options->templates, status) == STATUS_OK)
+        plan_make(&out->plan, scene, &out->words);
+    if (status->code != STATUS_OK)
+        return status->code;
     if (make_loads(out, scene, status) != STATUS_OK || read_counterface(out, scene, status) != STATUS_OK)
         return status->code;
     const struct threads threads = {.jobs = options->jobs, .stop = options->stop};
@@ -327,7 +319,8 @@ enum status_code all_surfaces_run(struct all_surfaces *out, const struct scene *
         (all.bounded && threads_run(&threads, scene->surface_count, bound_one, &all, status) != STATUS_OK))
         return status->code;
     struct plan ran = out->plan;
-    if (all.bounded) /* what one surface calls for runs on all; of more than memory holds, all that is allowed */
+    ran.words = NULL; /* which are for one thread */
+    if (all.bounded)  /* what one surface calls for runs on all; of more than memory holds, all that is allowed */
         effects_decide(&out->plan, scene, results->surfaces, results->surface_count);
     ran.running = out->plan.running;
     ran.wanted = out->plan.wanted;
@@ -358,7 +351,8 @@ enum status_code all_surfaces_run(struct all_surfaces *out, const struct scene *
         if (record->curves) /* alone, a map was led by its own solution */
             answers_check_limits(record, scene, &out->plan, &task);
     }
-    return read_measured(out, status);
+    (void)read_measured(out, status);
+    return status->code; /* perhaps for want of a word */
 }
 
 void all_surfaces_free(struct all_surfaces *prepared)
@@ -374,5 +368,6 @@ void all_surfaces_free(struct all_surfaces *prepared)
     free(prepared->counterface);
     free(prepared->loads);
     free(prepared->results.by_roughness);
+    words_free(&prepared->words);
     *prepared = (struct all_surfaces){0};
 }

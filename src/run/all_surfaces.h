@@ -15,6 +15,7 @@ struct all_surfaces {
     double *loads;                      /* P/(A_n E') */
     struct surface_record *counterface; /* NULL: smooth */
     struct measured *measured;          /* one a surface; NULL: none */
+    struct words words;
     struct results results;
     struct results_infinite infinite; /* of the tables */
 };

@@ -31,7 +31,6 @@ struct run {
     struct measured_answers *answers; /* one a surface */
     struct comparison comparison;
     struct gnuplot gnuplot;
-    struct words words;
     json_t *view;
     double *sweeps;
     struct direct_study *direct; /* results->direct_count of them */
@@ -211,8 +210,9 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
 {
     const struct run_options *options = run->options;
     const char *staging = run->output.staging;
-    struct figures_task drawing = {&run->gnuplot, staging, options->templates, options->terminal_size, options->brief,
-                                   &run->words,   false};
+    struct figures_task drawing = {
+        &run->gnuplot,        staging, options->templates, options->terminal_size, options->brief,
+        &run->prepared.words, false};
     struct figures figures = {.count = 0};
     double last = clock_seconds();
     if (figures_draw(&figures, run->results, &drawing, status) != STATUS_OK || stopped(run))
@@ -231,7 +231,7 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
     if (tables_write(run->results, staging, status) != STATUS_OK || stopped(run) ||
         comparison_make(&run->comparison, run->results, status) != STATUS_OK ||
         json_write(run->results, &run->comparison, staging, status) != STATUS_OK || stopped(run) ||
-        view_make(&run->view, run->results, &run->comparison, &figures, &run->words, status) != STATUS_OK)
+        view_make(&run->view, run->results, &run->comparison, &figures, &run->prepared.words, status) != STATUS_OK)
         return status->code;
     out->times.tables = lap(&last);
     if (gnuplot_finish(&run->gnuplot, status) != STATUS_OK ||
@@ -285,10 +285,8 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     *out = (struct run_outcome){.times.models = calloc(model_count, sizeof *out->times.models)};
     if (!out->times.models)
         (void)status_memory(status);
-    else if (export_check(scene, options->templates, status) == STATUS_OK &&
-             words_read(&run.words, options->templates, status) == STATUS_OK &&
-             begin_output(&run, status) == STATUS_OK && begin_charts(&run, status) == STATUS_OK &&
-             evaluate(&run, out, status) == STATUS_OK && !stopped(&run))
+    else if (export_check(scene, options->templates, status) == STATUS_OK && begin_output(&run, status) == STATUS_OK &&
+             begin_charts(&run, status) == STATUS_OK && evaluate(&run, out, status) == STATUS_OK && !stopped(&run))
         (void)write_all(&run, out, status);
     enum status_code rc = status->code;
     if (run.output.staging[0] && (stopped(&run) || rc == STATUS_INTERRUPTED)) {
@@ -321,7 +319,6 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     exchange_abandon(&run.output);
     free(run.sweeps);
     comparison_free(&run.comparison);
-    words_free(&run.words);
     json_decref(run.view);
     out->times.total = clock_seconds() - run.started;
     return rc;

@@ -2,24 +2,17 @@
 #include "scene/plan.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stddef.h>
-#include <stdio.h>
 
-void plan_decide(struct plan *plan, enum effect effect, bool runs, const char *format, ...)
+void plan_decide(struct plan *plan, enum effect effect, bool runs, const char *reason)
 {
-    struct plan_effect *out = &plan->effects[effect];
-    va_list args;
-    va_start(args, format);
-    vsnprintf(out->reason, sizeof out->reason, format, args);
-    va_end(args);
-    out->runs = runs;
+    plan->effects[effect] = (struct plan_effect){runs, reason};
     plan->running = runs ? plan->running | EFFECT_BIT(effect) : plan->running & ~EFFECT_BIT(effect);
     plan->wanted = quantity_wanted(plan->running);
 }
 
-/** Says what an effect lacks to run on every surface, and whose; false: nothing. */
-static bool say_lack(struct plan *plan, enum effect effect, const struct scene *scene)
+/** What an effect lacks to run on every surface, and on which, as the plan says it; NULL: nothing. */
+static const char *say_lack(const struct plan *plan, enum effect effect, const struct scene *scene)
 {
     size_t lacking = 0, count = scene->surface_count > 0 ? scene->surface_count : 1, first = 0;
     const struct material_property *property = NULL;
@@ -31,54 +24,47 @@ static bool say_lack(struct plan *plan, enum effect effect, const struct scene *
         property = own ? own : property;
     }
     if (lacking == 0)
-        return false;
-    if (lacking < count) { /* escaped where the reason is written */
-        const char *name = scene->surfaces[first].name;
-        plan_decide(plan, effect, false, "the material of surface '%.*s' has no %s", (int)text_fit(name, 100), name,
-                    property->name);
-    } else {
-        bool none = isnan(scene_bodies_of(scene, 0)->material.youngs_modulus_Pa);
-        plan_decide(plan, effect, false, none ? "no material is given, so no %s" : "the material has no %s",
-                    property->name);
-    }
-    return true;
+        return NULL;
+    if (lacking < count) /* escaped where the reason is written */
+        return words_say(plan->words, "effect.surface_lacks", "surface", scene->surfaces[first].name, "property",
+                         property->name, NULL);
+    bool none = isnan(scene_bodies_of(scene, 0)->material.youngs_modulus_Pa);
+    return words_say(plan->words, none ? "effect.no_material" : "effect.material_lacks", "property", property->name,
+                     NULL);
 }
 
 static void decide(struct plan *plan, enum effect effect, const struct scene *scene)
 {
     const struct effect_row *row = &effect_rows[effect];
     const bool listed = scene->effects & EFFECT_BIT(effect);
+    const struct model_row *leading = model_rows[plan_leading_model(plan)];
+    bool runs = false;
+    const char *why, *lack = NULL;
     if (effect == EFFECT_CONVERGENCE &&
         !(plan_running_models(plan) & model_flagged(offsetof(struct model_row, stacks_scales)))) {
-        plan_decide(plan, effect, false, "a question to the multiscale models, which do not run");
+        why = "effect.no_multiscale";
     } else if (effect == EFFECT_DIRECT) { /* seconds where the rest takes milliseconds: never unasked */
-        plan_decide(plan, effect, scene->direct.called,
-                    "not called for; it says how far each model is off, in seconds to minutes");
+        runs = scene->direct.called;
+        why = "effect.direct";
     } else if (row->only_listed && !listed) {
-        plan_decide(plan, effect, false, "only where effects lists it");
+        why = "effect.only_listed";
     } else if (effect == EFFECT_UNLOADING) {
-        const struct model_row *leading = model_rows[plan_leading_model(plan)];
-        plan_decide(plan, effect, leading->plastic,
-                    leading->plastic ? "listed in the scene" : "%s, which leads, has no hardness", leading->label);
+        runs = leading->plastic;
+        why = runs ? "effect.listed" : "effect.no_hardness";
     } else if (row->key && !(scene->called & EFFECT_BIT(effect))) {
-        plan_decide(plan, effect, false, "no '%s' is given", row->key);
+        why = "effect.no_key";
     } else if (!scene->effects_auto) {
-        plan_decide(plan, effect, row->key || listed,
-                    row->key ? "the scene has '%s'"
-                    : listed ? "listed in the scene"
-                             : "not listed in the scene",
-                    row->key);
-    } else if (say_lack(plan, effect, scene)) {
-        return;
-    } else if (row->needs_effects & ~plan->running) {
-        plan_decide(plan, effect, false, "builds on an effect that does not run");
+        runs = row->key || listed;
+        why = row->key ? "effect.key" : listed ? "effect.listed" : "effect.not_listed";
+    } else if ((lack = say_lack(plan, effect, scene)) || (row->needs_effects & ~plan->running)) {
+        why = "effect.needs_effect";
     } else {
-        plan_decide(plan, effect, true,
-                    row->key             ? "the scene has '%s'"
-                    : row->properties[0] ? "the material gives what it needs"
-                                         : "needs no more than E'",
-                    row->key);
+        runs = true;
+        why = row->key ? "effect.key" : row->properties[0] ? "effect.material" : "effect.needs_none";
     }
+    plan_decide(plan, effect, runs,
+                lack ? lack
+                     : words_say(plan->words, why, "key", row->key ? row->key : "", "leading", leading->label, NULL));
 }
 
 /** What a report is asked for first: the first target, else what models compute of the greatest precedence. */
@@ -87,12 +73,13 @@ static enum quantity asked_quantity(const struct plan *plan, const struct scene 
     return scene->target_count > 0 ? scene->targets[0].quantity : quantity_first(plan_quantities(plan));
 }
 
-void plan_make(struct plan *out, const struct scene *scene)
+void plan_make(struct plan *out, const struct scene *scene, struct words *words)
 {
     *out = (struct plan){
         .models = scene->models,
         .all_uncertain = scene->effects & EFFECT_BIT(EFFECT_UNCERTAINTY),
-        .area_reason = "every report has it",
+        .area_reason = words_say(words, "area.always", NULL),
+        .words = words,
     };
     for (int e = 0; e < EFFECT_COUNT; e++)
         decide(out, (enum effect)e, scene);
@@ -148,7 +135,7 @@ size_t plan_leading_model(const struct plan *plan)
 void plan_choose_model(struct scene *scene)
 {
     struct plan plan;
-    plan_make(&plan, scene);
+    plan_make(&plan, scene, NULL);
     const bool hard = plan_runs(&plan, EFFECT_PLASTICITY);
     size_t chosen = model_count;
     bool met = false;

@@ -3,26 +3,28 @@
 #ifndef SCENE_PLAN_H
 #define SCENE_PLAN_H
 
+#include "base/words.h"
 #include "scene/scene.h"
 
 struct plan_effect {
     bool runs;
-    char reason[400];
+    const char *reason;
 };
 
 struct plan {
     struct plan_effect effects[EFFECT_COUNT];
-    unsigned running;       /* EFFECT_BITs of those that run */
-    unsigned wanted;        /* QUANTITY_BITs that follow */
-    uint64_t models;        /* MODEL_BITs asked for; a plastic one runs only with plasticity */
-    uint64_t beside;        /* those that some surfaces alone have an answer by: they do not lead */
-    bool all_uncertain;     /* the effect uncertainty was listed: of all models; else of the leading one alone */
-    size_t operating_place; /* as in struct model_task */
-    char area_reason[160];  /* why the area is computed as it is, for the account */
+    unsigned running;        /* EFFECT_BITs of those that run */
+    unsigned wanted;         /* QUANTITY_BITs that follow */
+    uint64_t models;         /* MODEL_BITs asked for; a plastic one runs only with plasticity */
+    uint64_t beside;         /* those that some surfaces alone have an answer by: they do not lead */
+    bool all_uncertain;      /* the effect uncertainty was listed: of all models; else of the leading one alone */
+    size_t operating_place;  /* as in struct model_task */
+    const char *area_reason; /* why the area is computed as it is, for the account */
+    struct words *words;     /* that reasons are said in; NULL: a reason is the name of its words alone */
 };
 
 /** Listed effects run (the scene was checked); with `auto` an effect runs where the given properties allow it. */
-void plan_make(struct plan *out, const struct scene *scene);
+void plan_make(struct plan *out, const struct scene *scene, struct words *words);
 
 /** Leaves in scene->models the cheapest one that is expected within scene->accuracy, with the elastic one that it
  * yields from: by docs/validation.md for so many scans, metal that yields or not. Dearer is what solves strips; of
@@ -32,7 +34,7 @@ void plan_choose_model(struct scene *scene);
 /** Does `effect` run? */
 bool plan_runs(const struct plan *plan, enum effect effect);
 /** Puts an effect into the plan, or takes it and the quantities that belong to it out again, and says why. */
-void plan_decide(struct plan *plan, enum effect effect, bool runs, const char *format, ...) PRINTF_LIKE(4, 5);
+void plan_decide(struct plan *plan, enum effect effect, bool runs, const char *reason);
 
 /** Does model `m` of the table run? */
 bool plan_runs_model(const struct plan *plan, size_t m);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A quantity's row is whole: what it is called, and a word wherever one is looked for. */
 #include "base/unit.h"
+#include "base/words.h"
 #include "chart/figures.h"
-#include "chart/words.h"
 #include "contact/model.h"
 #include "support.h"
 

@@ -42,7 +42,7 @@ static int make(void **state)
     record->summary.tail.gamma = NAN;
     record->summary.power_law = (struct power_law){.alpha = 0.2, .gamma = 1.4, .band_m = {3.9e-6, 5e-5}};
     record->summary.power_law.found = POWER_LAW_BAND_LAW;
-    plan_make(&plan, &scene);
+    plan_make(&plan, &scene, NULL);
     for (int i = 0; i < LOADS; i++)
         loads[i] = pow(10, -6 + i / 4.0);
     expect_ok(surface_answers_find, record, &asked);

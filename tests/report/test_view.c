@@ -755,6 +755,7 @@ static void add_sources(struct text *out)
     }
     expect_ok(text_read_file, out, PROJECT_SOURCE "/src/chart/figures.c");
     expect_ok(text_read_file, out, PROJECT_SOURCE "/src/contact/quantity.c");
+    expect_ok(text_read_file, out, PROJECT_SOURCE "/src/material/material.c");
 }
 
 TEST_OF_WHOLE(the_list_of_names_is_the_views)

@@ -329,7 +329,7 @@ static struct text plan_of(const struct directory *place)
     struct scene scene;
     struct all_surfaces prepared;
     struct status status = {0};
-    struct run_options options = {.jobs = 1};
+    struct run_options options = {.templates = PROJECT_SOURCE "/templates", .jobs = 1};
     struct text table = {0};
     if (scene_read(&scene, directory_path(place, "in"), &(struct scene_overrides){0}, &status) != STATUS_OK ||
         all_surfaces_run(&prepared, &scene, &options, true, NULL, &status) != STATUS_OK)

@@ -153,7 +153,7 @@ static void hold(struct count *out, const struct directory *place)
     double *loads;
     size_t count, operating;
     coverage_must(scene_read(&scene, place->path, NULL, &status), &status);
-    plan_make(&plan, &scene);
+    plan_make(&plan, &scene, NULL);
     struct material_pair pair = scene_pair(&scene.surfaces[0].bodies);
     coverage_must(scene_loads(&loads, &count, &operating, &scene, &pair, &status), &status);
     plan.operating_place = operating + 1;

@@ -218,7 +218,7 @@ static void hold(struct findings *findings, const double *height_m, const struct
     size_t count, operating;
     write_scans(&place, height_m, part, hardness);
     coverage_must(scene_read(&scene, place.path, NULL, &status), &status);
-    plan_make(&plan, &scene);
+    plan_make(&plan, &scene, NULL);
     struct material_pair pair = scene_pair(&scene.surfaces[0].bodies);
     coverage_must(scene_loads(&own, &count, &operating, &scene, &pair, &status), &status);
     plan.operating_place = operating + 1;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* templates/words.txt: what axes, panels, legends and marks are called, and what is asked for. */
-#ifndef CHART_WORDS_H
-#define CHART_WORDS_H
+/* templates/words.txt: what axes, panels, legends and marks are called, what is asked for, why effects run. */
+#ifndef BASE_WORDS_H
+#define BASE_WORDS_H
 
 #include "base/text.h"
 #include <jansson.h>
@@ -19,8 +19,13 @@ MUST_CHECK enum status_code words_read(struct words *out, const char *templates,
 void words_free(struct words *words);
 
 /** The words of `name`, filled in from names and texts in turn, the last NULL: as long as `words` lives. What came
- * from outside is still to be shown as such. */
+ * from outside is still to be shown as such. Where there are none, `words` NULL, the name stands for them. */
 const char *words_say(struct words *words, const char *name, ...) __attribute__((sentinel));
+/** A number to fill in, as printf writes it. */
+struct words_number {
+    char text[32];
+};
+struct words_number words_number(const char *format, ...) PRINTF_LIKE(1, 2);
 
 /** Characters of a text. */
 int words_width(const char *string, size_t length);

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "chart/words.h"
+#include "base/words.h"
 
 #include "base/mustache.h"
 #include <stdarg.h>
+#include <stdio.h>
 #include <string.h>
 
 enum status_code words_read(struct words *out, const char *templates, struct status *status)
@@ -38,6 +39,8 @@ static bool find(struct text *out, const struct words *words, const char *name)
 const char *words_say(struct words *words, const char *name, ...)
 {
     struct text source = {0}, filled = {0};
+    if (!words)
+        return name;
     json_t *view = json_object();
     const struct mustache how = {.view = view};
     va_list pairs;
@@ -55,6 +58,16 @@ const char *words_say(struct words *words, const char *name, ...)
     text_free(&filled);
     const json_t *said = json_array_get(words->said, json_array_size(words->said) - 1);
     return words->status->code == STATUS_OK ? json_string_value(said) : "";
+}
+
+struct words_number words_number(const char *format, ...)
+{
+    struct words_number out;
+    va_list number;
+    va_start(number, format);
+    vsnprintf(out.text, sizeof out.text, format, number);
+    va_end(number);
+    return out;
 }
 
 int words_width(const char *string, size_t length)
