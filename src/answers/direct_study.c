@@ -104,10 +104,8 @@ static struct direct_ensemble_def ensemble_def(struct maker *maker, enum direct_
         .length_m = plan->length_m,
         .n = plan->grid,
         .fine_times = plan->fine_times,
-        .variance = direct_spectrum_variance,
-        .context = &maker->spectrum,
-        .given_m = plan->gaussian ? NULL : surface->direct_m,
-        .given_count = surface->direct_count,
+        .recipe = {direct_spectrum_variance, &maker->spectrum, plan->gaussian ? NULL : surface->direct_m,
+                   surface->direct_count},
         .seeds = capped ? plan->fewer : plan->seeds,
         .threads = maker->task->threads,
         .solved = maker->task->progress ? tell : NULL,
@@ -209,8 +207,7 @@ static enum status_code time_grids(struct maker *maker, const struct direct_ense
         made_m = malloc(n * n * sizeof *made_m);
         if (!made_m)
             return status_memory(status);
-        if (direct_surface_make(made_m, n, def->variance, def->context, def->given_m, def->given_count, 1, status) !=
-            STATUS_OK)
+        if (direct_surface_make(made_m, n, &def->recipe, 1, status) != STATUS_OK)
             step = 0;
     }
     for (; step > 0; step /= 2)

@@ -79,10 +79,11 @@ static bool is_drawn(size_t i, size_t count)
     return count <= MOST || i == 0 || i * (MOST - 1) / (count - 1) > (i - 1) * (MOST - 1) / (count - 1);
 }
 
-/** Points of a curve as one line. */
+/** Points of a curve as one line over x and y. */
 static void put_part(struct chart *chart, const struct source *source, const struct contact_point *points, size_t count,
-                     const struct axis *x, const struct axis *y, double sigma_m)
+                     const struct axis axis[2], double sigma_m)
 {
+    const struct axis *y = &axis[1];
     for (size_t i = 0; i < count; i++) {
         double value = on_axis(&points[i], y, sigma_m);
         bool full =
@@ -91,13 +92,13 @@ static void put_part(struct chart *chart, const struct source *source, const str
         if (full || !is_drawn(i, count) || (quantity_rows[y->quantity].sigma_column && value < lowest_separation) ||
             (quantity_unit(y->quantity).offset != 0 && value > source->hottest_C))
             continue;
-        chart_row(chart, on_axis(&points[i], x, sigma_m), value, 0, 0);
+        chart_row(chart, on_axis(&points[i], axis, sigma_m), value, 0, 0);
     }
 }
 
 /** A model's curve of a surface, dashed outside its range of validity, and that of falling load, named once. */
 static void put_curve(struct chart *chart, const struct source *source, const struct surface_record *record, size_t m,
-                      const struct axis *x, const struct axis *y, struct chart_curve look)
+                      const struct axis axis[2], struct chart_curve look)
 {
     const struct model_curve *curve = &record->curves[m];
     const struct surface_unloading *unloading = record->summary.unloading;
@@ -105,23 +106,23 @@ static void put_curve(struct chart *chart, const struct source *source, const st
     if (!curve->exists)
         return;
     struct curve_validity valid = curve_summary_validity(curve, model_rows[m]);
-    for (int n = 0; n < FIGURE_NOTES && quantity_rows[y->quantity].note; n++)
-        look.notes |= strcmp(figure_notes[n], quantity_rows[y->quantity].note) == 0 ? NOTE(n) : 0;
+    for (int n = 0; n < FIGURE_NOTES && quantity_rows[axis[1].quantity].note; n++)
+        look.notes |= strcmp(figure_notes[n], quantity_rows[axis[1].quantity].note) == 0 ? NOTE(n) : 0;
     struct chart_curve outside = look, falling = look;
     outside.dash = DASH_OUTSIDE;
     outside.width = 1.2;
     outside.legend = valid.end > valid.first ? "" : look.legend;
     outside.notes |= NOTE(FIGURE_OUTSIDE);
     chart_curve(chart, &look);
-    put_part(chart, source, curve->points + valid.first, valid.end - valid.first, x, y, sigma_m);
+    put_part(chart, source, curve->points + valid.first, valid.end - valid.first, axis, sigma_m);
     if (valid.first > 0) {
         chart_curve(chart, &outside);
-        put_part(chart, source, curve->points, valid.first + 1, x, y, sigma_m);
+        put_part(chart, source, curve->points, valid.first + 1, axis, sigma_m);
     }
     if (valid.end < curve->count) {
         size_t from = valid.end > 0 ? valid.end - 1 : 0;
         chart_curve(chart, &outside);
-        put_part(chart, source, curve->points + from, curve->count - from, x, y, sigma_m);
+        put_part(chart, source, curve->points + from, curve->count - from, axis, sigma_m);
     }
     if (!unloading || unloading->model != m)
         return;
@@ -129,7 +130,7 @@ static void put_curve(struct chart *chart, const struct source *source, const st
     falling.dash = DASH_UNLOADING;
     falling.width = 1.6;
     chart_curve(chart, &falling);
-    put_part(chart, source, unloading->points, unloading->ratio.count, x, y, sigma_m);
+    put_part(chart, source, unloading->points, unloading->ratio.count, axis, sigma_m);
 }
 
 static struct chart_curve model_look(size_t m)
@@ -285,30 +286,30 @@ static void make_answer(struct chart *chart, const struct source *source)
 {
     const struct results *results = source->results;
     const struct asked *asked = &source->asked;
-    const struct axis y = {asked->quantity, asked->reciprocal, asked->scale};
-    const struct axis x = {QUANTITY_LOAD, false, asked_load_of(results, results->baseline).scale};
+    const double scale = asked_load_of(results, results->baseline).scale;
+    struct axis axis[2] = {{QUANTITY_LOAD, false, scale}, {asked->quantity, asked->reciprocal, asked->scale}};
     size_t textbook = asked_textbook(results);
     chart_panel(chart, "", load_label(source, true), asked_label(source, "axis.asked"), true, true);
     for (size_t k = 0; k < results->shown_count && results->shown_count <= 4; k++)
         put_band(chart, &results->surfaces[results->shown[k]], source->leading, asked,
                  asked_load_of(results, results->shown[k]).scale, surface_colour(k));
     if (textbook < model_count && textbook != source->leading)
-        put_curve(chart, source, source->baseline, textbook, &x, &y,
+        put_curve(chart, source, source->baseline, textbook, axis,
                   (struct chart_curve){.legend = SAY("textbook", "model", model_rows[textbook]->label),
                                        .colour = quiet,
                                        .dash = DASH_OTHER});
     for (size_t k = 0; k < results->shown_count; k++) {
-        const struct axis own = {QUANTITY_LOAD, false, asked_load_of(results, results->shown[k]).scale};
         struct chart_curve look = surface_look(source, k);
         look.width = look.width < 2 ? look.width : 2.6;
-        put_curve(chart, source, &results->surfaces[results->shown[k]], source->leading, &own, &y, look);
+        axis[0].scale = asked_load_of(results, results->shown[k]).scale;
+        put_curve(chart, source, &results->surfaces[results->shown[k]], source->leading, axis, look);
     }
-    put_direct(chart, source, x.scale);
+    put_direct(chart, source, scale);
     for (size_t k = 0; k < results->shown_count && asked->quantity == results_measured_quantity(results); k++)
         put_measured(chart, source, asked, k);
     if (asked->target)
         chart_mark(chart, false, asked_shown(asked, asked->target->value), SAY("target"));
-    chart_mark(chart, true, x.scale * results_operating_load(results, results->baseline), SAY("operating_load"));
+    chart_mark(chart, true, scale * results_operating_load(results, results->baseline), SAY("operating_load"));
 }
 
 /** A model at the operating load on the baseline. */
@@ -502,23 +503,23 @@ static void begin_panel(struct chart *chart, const struct source *source, enum q
                 !(quantity_rows[y].is & QUANTITY_LINEAR) && quantity_unit(y).offset == 0);
 }
 
-/** A model's curve of a surface in such a panel: a statistical separation adjusted; dotted what belongs beside it. */
-static void put_quantity(struct chart *chart, const struct source *source, enum quantity against,
-                         enum quantity quantity, size_t surface, size_t m, struct chart_curve look)
+/** A model's curve of a surface in a panel of one quantity over another: a statistical separation adjusted; dotted what
+ * belongs beside it. */
+static void put_quantity(struct chart *chart, const struct source *source, const enum quantity of[2], size_t surface,
+                         size_t m, struct chart_curve look)
 {
     const struct surface_record *record = &source->results->surfaces[surface];
-    const struct axis x = {against, false,
-                           against == QUANTITY_LOAD ? load_of(source, surface, false).scale : scale_of(against)};
-    struct axis y = {model_shown(model_rows[m], quantity), false, scale_of(quantity)};
-    if (!computes(source, m, quantity))
+    const double scale = of[1] == QUANTITY_LOAD ? load_of(source, surface, false).scale : scale_of(of[1]);
+    struct axis axis[2] = {{of[1], false, scale}, {model_shown(model_rows[m], of[0]), false, scale_of(of[0])}};
+    if (!computes(source, m, of[0]))
         return;
-    put_curve(chart, source, record, m, &x, &y, look);
-    y.quantity = quantity_rows[quantity].dotted;
+    put_curve(chart, source, record, m, axis, look);
+    axis[1].quantity = quantity_rows[of[0]].dotted;
     look.dash = 3;
     look.width = 1.4;
     look.legend = "";
-    if (y.quantity != QUANTITY_LOAD && computes(source, m, y.quantity))
-        put_curve(chart, source, record, m, &x, &y, look);
+    if (axis[1].quantity != QUANTITY_LOAD && computes(source, m, axis[1].quantity))
+        put_curve(chart, source, record, m, axis, look);
 }
 
 /** Is a panel left to the appendix: of a report's only surface, what the first page has drawn, and gap against area? */
@@ -545,7 +546,8 @@ static void put_baseline(struct chart *chart, const struct source *source, bool 
         begin_panel(chart, source, panel->against, quantity,
                     panel->number == 0 ? quantity_words(source, "panel", quantity) : SAY(number, "number", number));
         for (size_t m = 0; m < model_count; m++)
-            put_quantity(chart, source, panel->against, quantity, source->results->baseline, m, model_look(m));
+            put_quantity(chart, source, (enum quantity[]){quantity, panel->against}, source->results->baseline, m,
+                         model_look(m));
     }
 }
 
@@ -581,9 +583,9 @@ static void put_shape(struct chart *chart, const struct source *source)
         begin_panel(chart, source, QUANTITY_LOAD, whole,
                     SAY("panel.model", "model", model_rows[source->leading]->label));
         for (int flat = 0; flat < 2; flat++) {
-            struct axis y = ways[way][flat == 0 ? 0 : made ? 1 : 2];
-            y.scale = scale_of(whole);
-            put_curve(chart, source, source->baseline, source->leading, &load, &y,
+            struct axis axis[2] = {load, ways[way][flat == 0 ? 0 : made ? 1 : 2]};
+            axis[1].scale = scale_of(whole);
+            put_curve(chart, source, source->baseline, source->leading, axis,
                       (struct chart_curve){.legend = SAY(flat ? "flat_parts" : "with_shape"),
                                            .colour = flat ? quiet : baseline_colour(source),
                                            .width = flat ? 0 : 2.6});
@@ -623,7 +625,8 @@ static void make_all_surfaces(struct chart *chart, const struct source *source, 
             begin_panel(chart, source, panel->against, quantity,
                         SAY("panel.model", "number", number, "model", model_rows[m]->label));
             for (size_t k = 0; k < results->shown_count; k++)
-                put_quantity(chart, source, panel->against, quantity, results->shown[k], m, surface_look(source, k));
+                put_quantity(chart, source, (enum quantity[]){quantity, panel->against}, results->shown[k], m,
+                             surface_look(source, k));
         }
 }
 
@@ -640,8 +643,8 @@ static void make_measured(struct chart *chart, const struct source *source)
         asked = (struct asked){.quantity = quantity, .scale = 1};
     for (size_t k = 0, panels = 0; k < results->shown_count; k++) {
         const struct surface_record *record = &results->surfaces[results->shown[k]];
-        const struct axis x = {QUANTITY_LOAD, false, asked_load_of(results, results->shown[k]).scale},
-                          y = {quantity, asked.reciprocal, asked.scale};
+        const struct axis axis[2] = {{QUANTITY_LOAD, false, asked_load_of(results, results->shown[k]).scale},
+                                     {quantity, asked.reciprocal, asked.scale}};
         const char *title = results->usable_count > 1 ? short_name(source, record->summary.scene->name) : "";
         if (!results_measured(results, results->shown[k]))
             continue;
@@ -650,7 +653,7 @@ static void make_measured(struct chart *chart, const struct source *source)
         chart->shares = panels++ > 0;
         for (size_t m = 0; m < model_count; m++)
             if (computes(source, m, quantity))
-                put_curve(chart, source, record, m, &x, &y, model_look(m));
+                put_curve(chart, source, record, m, axis, model_look(m));
         put_measured(chart, source, &asked, k);
     }
 }

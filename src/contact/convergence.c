@@ -39,20 +39,6 @@ void convergence_areas(double *area_ratio, const struct convergence_law *law, co
     *evaluations += law->scales;
 }
 
-size_t convergence_known(const struct spectrum *spectrum, double shortest_m, double step_m)
-{
-    double all = 0, shorter = 0;
-    for (size_t i = 0; i < spectrum->count; i++)
-        all += spectrum_power(spectrum, i);
-    double limit = fmax(step_m * step_m, spectrum_resolved * spectrum_resolved * all) / 6;
-    size_t count = spectrum->count;
-    while (count > 0 && (shorter += spectrum_power(spectrum, count - 1)) < limit)
-        count--;
-    while (count > 0 && spectrum->length_m / (double)count < shortest_m * (1 - 1e-12))
-        count--;
-    return count;
-}
-
 struct convergence_tail convergence_tail(const struct spectrum *spectrum, size_t count)
 {
     static const double half_decade = 3.1622776601683795; /* sqrt(10) */

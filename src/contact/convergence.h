@@ -41,11 +41,6 @@ struct convergence_tail {
     size_t count;        /* harmonics that are known */
 };
 
-/** How many of the harmonics say something of the surface: none shorter than shortest_m (0: no limit), and none whose
- * mean square height with all shorter ones is below q²/6, twice what rounding to steps of q leaves; q is step_m, and at
- * least spectrum_resolved of the root mean square height. */
-size_t convergence_known(const struct spectrum *spectrum, double shortest_m, double step_m);
-
 /** The spectrum's own short end: the least-squares line of log Delta on log lambda over the shortest half decade of
  * wavelengths of its first `count` harmonics; amplitudes of zero are left out. A slope above 3 is a filter's. */
 struct convergence_tail convergence_tail(const struct spectrum *spectrum, size_t count);

@@ -17,11 +17,11 @@ static enum status_code run(struct model_curve *curve, const struct model_row *r
     if (!task->asperities)
         return STATUS_OK;
     struct statistical model;
-    if (statistical_make(&model, task->asperities, task->pair, asperity_model_of(row), task->wanted, task->tolerance,
-                         INFINITY, &curve->evaluations, status) != STATUS_OK) {
+    if (statistical_make(&model, task, asperity_model_of(row), INFINITY, status) != STATUS_OK) {
         statistical_free(&model);
         return status->code;
     }
+    curve->evaluations += model.panels.count;
     double d = 3; /* a first guess; the solution of one load starts the next */
     for (size_t i = 0; i < task->load_count; i++) {
         curve->evaluations++;
@@ -42,13 +42,13 @@ static enum status_code spots(struct contact_spots *out, const struct model_row 
                               struct status *status)
 {
     struct statistical model;
-    uint64_t nodes = 0;
+    struct model_task spots_alone = *task;
+    spots_alone.wanted = 0;
     for (size_t i = 0; i < task->load_count; i++)
         out[i] = (struct contact_spots){NAN, NAN};
     if (!task->asperities)
         return STATUS_OK;
-    enum status_code rc = statistical_make(&model, task->asperities, task->pair, asperity_model_of(row), 0,
-                                           task->tolerance, INFINITY, &nodes, status);
+    enum status_code rc = statistical_make(&model, &spots_alone, asperity_model_of(row), INFINITY, status);
     struct contact_point point;
     double d = 3;
     for (size_t i = 0; rc == STATUS_OK && i < task->load_count; i++)

@@ -5,9 +5,9 @@
 #define CONTACT_QUADRATURE_H
 
 #include "base/status.h"
-#include "contact/asperity.h"
 #include <stddef.h>
-#include <stdint.h>
+
+struct statistical;
 
 /** Nodes in u = omega/sigma_s, ascending, each with quadrature weight times law, the 1/sqrt(2 pi) of the Gaussian
  * included. Owned: quadrature_free(). */
@@ -33,12 +33,10 @@ struct quadrature_sums {
 
 /** For (4.25), (4.26), (4.43*), (4.46*) and (4.51) under the Gaussian of (4.23): lays panels that break where the law
  * changes (1.9 omega_c, a/R = 0.41, a/R = 1), in t = sqrt(u) so that the square root at u = 0 does no harm, wide enough
- * for d >= lowest_d (in sigma_s) and fine enough for `tolerance` (relative). Adds the number of law evaluations to
- * *evaluations. Errors: STATUS_MEMORY; STATUS_MODEL when lowest_d is below about -2000. */
-MUST_CHECK enum status_code quadrature_make(struct quadrature *out, const struct asperity *asperity,
-                                            enum asperity_model_id law, double sigma_s_m, double knudsen_length_m,
-                                            double lowest_d, double tolerance, uint64_t *evaluations,
-                                            struct status *status);
+ * for d >= lowest_d (in sigma_s) and fine enough for `tolerance` (relative). One law evaluation a node. Errors:
+ * STATUS_MEMORY; STATUS_MODEL when lowest_d is below about -2000. */
+MUST_CHECK enum status_code quadrature_make(struct quadrature *out, const struct statistical *model, double lowest_d,
+                                            double tolerance, struct status *status);
 void quadrature_free(struct quadrature *panels);
 
 /** All sums at separation d (in sigma_s) under the Gaussian of (4.23), d >= the lowest_d of quadrature_make(). */

@@ -5,11 +5,16 @@
 
 #include <math.h>
 
+bool statistical_is_scale_dependent(const struct statistical *model)
+{
+    return model->wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
+}
+
 /** The integrals of (4.25), (4.26), (4.43*), (4.46*) at d, in closed form for GW, else from the panels; GW's
  * scale-dependent one, which alone needs its panels, only when it is wanted. */
 static void integrate(struct quadrature_sums *sums, const struct statistical *model, double d)
 {
-    bool scale_dependence = model->wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
+    bool scale_dependence = statistical_is_scale_dependent(model);
     if (model->law != ASPERITY_HERTZ || scale_dependence)
         quadrature_sum(sums, &model->panels, d);
     if (model->law != ASPERITY_HERTZ)
@@ -76,25 +81,22 @@ static double solve(const struct statistical *model, bool area, double log_targe
     return d;
 }
 
-enum status_code statistical_make(struct statistical *out, const struct asperities *surface,
-                                  const struct material_pair *pair, enum asperity_model_id law, unsigned wanted,
-                                  double tolerance, double lowest_d, uint64_t *evaluations, struct status *status)
+enum status_code statistical_make(struct statistical *out, const struct model_task *task, enum asperity_model_id law,
+                                  double lowest_d, struct status *status)
 {
-    bool scale_dependence = wanted & QUANTITY_BIT(QUANTITY_TCR_SCALE_DEPENDENT);
+    const struct asperities *surface = task->asperities;
     *out = (struct statistical){
         .surface = *surface,
-        .asperity = asperity_make(surface->radius_m, pair, law),
+        .asperity = asperity_make(surface->radius_m, task->pair, law),
         .law = law,
-        .spot = constriction_make(pair),
-        .wanted = wanted,
+        .spot = constriction_make(task->pair),
+        .wanted = task->wanted,
     };
     struct statistical elastic = *out;
     elastic.law = ASPERITY_HERTZ;
-    out->full_d = solve(&elastic, true, 0, 0);         /* below it no law has anything to say */
-    if ((law != ASPERITY_HERTZ || scale_dependence) && /* else closed forms serve */
-        quadrature_make(&out->panels, &out->asperity, law, surface->sigma_s_m,
-                        scale_dependence ? out->spot.knudsen_length_m : 0, fmin(lowest_d, out->full_d), tolerance,
-                        evaluations, status) != STATUS_OK)
+    out->full_d = solve(&elastic, true, 0, 0);                            /* below it no law has anything to say */
+    if ((law != ASPERITY_HERTZ || statistical_is_scale_dependent(out)) && /* else closed forms serve */
+        quadrature_make(&out->panels, out, fmin(lowest_d, out->full_d), task->tolerance, status) != STATUS_OK)
         return status->code;
     if (law != ASPERITY_HERTZ)
         out->full_d = solve(out, true, 0, out->full_d);

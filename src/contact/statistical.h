@@ -5,13 +5,10 @@
 #ifndef CONTACT_STATISTICAL_H
 #define CONTACT_STATISTICAL_H
 
-#include "contact/asperity.h"
 #include "contact/constriction.h"
+#include "contact/model.h"
 #include "contact/quadrature.h"
-#include "contact/quantity.h"
-#include "spectrum/roughness.h"
 #include <stdbool.h>
-#include <stdint.h>
 
 /** One surface in one law, ready for any separation. Owned: statistical_free(). */
 struct statistical {
@@ -26,13 +23,13 @@ struct statistical {
     double beta;              /* -2 delta_full/sigma: makes delta_ADJ = 0 at A = A_n (4.54) */
 };
 
-/** Prepares the model, with beta (4.54), for separations d >= `lowest_d` sigma_s and always down to its full contact
- * (pass INFINITY for just that). Counts law evaluations. Errors: STATUS_MEMORY; STATUS_MODEL when full contact or
- * lowest_d is below about -2000 (no surface of roughness_asperities() is). */
-MUST_CHECK enum status_code statistical_make(struct statistical *out, const struct asperities *surface,
-                                             const struct material_pair *pair, enum asperity_model_id law,
-                                             unsigned wanted, double tolerance, double lowest_d, uint64_t *evaluations,
-                                             struct status *status);
+/** Prepares the model of what a task asks, with beta (4.54), for separations d >= `lowest_d` sigma_s and always down to
+ * its full contact (pass INFINITY for just that). Errors: STATUS_MEMORY; STATUS_MODEL when full contact or lowest_d is
+ * below about -2000 (no surface of roughness_asperities() is). */
+MUST_CHECK enum status_code statistical_make(struct statistical *out, const struct model_task *task,
+                                             enum asperity_model_id law, double lowest_d, struct status *status);
+/** Is (4.51) wanted? */
+bool statistical_is_scale_dependent(const struct statistical *model);
 void statistical_free(struct statistical *model);
 
 /** Contact with the flat at d = `d` sigma_s: A (4.25), P (4.26), delta (4.29), delta_ADJ (4.54), and the resistances

@@ -23,20 +23,20 @@ static double ratio(const struct direct_point *down, const struct direct_point *
 /** Loads to which a strip with too few spots may be taken in place of the largest, over the hardness. */
 static const double light = 0.2;
 
-static enum status_code solve(struct unloading *out, const double *strip_m, size_t points, double spacing_m,
-                              double largest_load, double hardness, const atomic_bool *stop, struct status *status)
+static enum status_code solve(struct unloading *out, struct direct_contact *strip, double largest_load, double hardness,
+                              const atomic_bool *stop, struct status *status)
 {
     double load[UNLOADING_SHARES];
     struct direct_point up[UNLOADING_SHARES], down[UNLOADING_SHARES];
     const struct direct_ladder_def def = {load, UNLOADING_SHARES, hardness, tolerance, true, stop};
     for (size_t i = 0; i < UNLOADING_SHARES; i++)
         load[i] = shares[i] * largest_load;
-    enum status_code rc = direct_ladder_loop(up, down, strip_m, points, 1, spacing_m, &def, LEAST_SPOTS, status);
+    enum status_code rc = direct_ladder_loop(up, down, strip, &def, LEAST_SPOTS, status);
     out->count = 0;
     for (size_t i = 0; i < UNLOADING_SHARES && rc == STATUS_OK && up[i].exists; i++) {
         for (int q = DIRECT_AREA; q <= DIRECT_CONSTRICTION; q++)
             out->value[i][q] = i > 0 ? ratio(&down[i], &up[i], (enum direct_quantity)q) : 0;
-        out->transforms += points * (up[i].convolutions + down[i].convolutions);
+        out->transforms += strip->kernel.points * (up[i].convolutions + down[i].convolutions);
         out->share[out->count++] = shares[i];
     }
     return rc;
@@ -52,10 +52,14 @@ enum status_code unloading_solve(struct unloading *out, const struct strip_rows 
         return status_memory(status);
     for (size_t r = 0; r < rows->rows; r++)
         strip_lay_row(strip_m + r * length, rows, r);
-    while (solve(out, strip_m, points, rows->spacing_m, out->raised * largest_load, hardness, stop, status) ==
-               STATUS_OK &&
-           out->count < UNLOADING_SHARES && 2 * out->raised * largest_load <= light * hardness)
-        out->raised *= 2;
+    for (bool few = true; few; out->raised *= few ? 2 : 1) {
+        struct direct_contact strip;
+        if (direct_contact_make(&strip, strip_m, points, 1, rows->spacing_m, status) == STATUS_OK)
+            (void)solve(out, &strip, out->raised * largest_load, hardness, stop, status);
+        direct_contact_free(&strip);
+        few = status->code == STATUS_OK && out->count < UNLOADING_SHARES &&
+              2 * out->raised * largest_load <= light * hardness;
+    }
     free(strip_m);
     return status->code;
 }

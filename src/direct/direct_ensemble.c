@@ -24,7 +24,7 @@ static void tell(const struct direct_ensemble_def *def, double work)
 /** What a surface with given heights costs to make, and the ladder of n x n points, in points solved. */
 static double making_work(const struct direct_ensemble_def *def)
 {
-    return def->given_m && !def->map ? direct_ensemble_making * (double)(def->n * def->n) : 0;
+    return def->recipe.given_m && !def->map ? direct_ensemble_making * (double)(def->n * def->n) : 0;
 }
 
 static double ladder_work(const struct direct_ensemble_def *def, size_t n)
@@ -58,9 +58,8 @@ static enum status_code solve_surface(struct direct_point *out, const struct dir
 {
     size_t n = def->n, fine_n = n * times;
     double *height_m = malloc(n * n * sizeof *height_m);
-    enum status_code rc = height_m ? direct_surface_make(height_m, n, def->variance, def->context, def->given_m,
-                                                         def->given_count, 1 + seed, status)
-                                   : status_memory(status);
+    enum status_code rc =
+        height_m ? direct_surface_make(height_m, n, &def->recipe, 1 + seed, status) : status_memory(status);
     if (rc == STATUS_OK && times > 1) {
         double *fine_m = malloc(fine_n * fine_n * sizeof *fine_m);
         rc = fine_m ? direct_surface_refine(fine_m, times, height_m, n, status) : status_memory(status);

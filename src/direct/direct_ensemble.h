@@ -21,10 +21,7 @@ struct direct_ensemble_def {
     double length_m;              /* L */
     size_t n;                     /* points a side, even; lambda_s/dx >= 6 and n >= 256 keep the errors below 1 % */
     size_t fine_times;            /* the first seed also on fine_times n points a side; 0 or 1: not */
-    direct_variance *variance;
-    const void *context;   /* its */
-    const double *given_m; /* heights whose distribution the surfaces take; NULL: Gaussian */
-    size_t given_count;
+    struct direct_recipe recipe;
     size_t seeds;     /* 1 ... seeds */
     unsigned threads; /* 0: one a processor. The result does not depend on it */
     void (*solved)(void *context,

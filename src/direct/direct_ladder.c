@@ -43,44 +43,39 @@ enum status_code direct_ladder_run(struct direct_point *out, struct direct_conta
     return STATUS_OK;
 }
 
-/** The heights of a solved contact, what overlaps taken off. */
-static void flow(double *height_m, const struct direct_contact *contact)
+/** The surface of a solved contact, what overlaps taken off. */
+static enum status_code flow(struct direct_contact *out, const struct direct_contact *contact, struct status *status)
 {
     const struct direct_kernel *kernel = &contact->kernel;
-    for (size_t j = 0; j < kernel->ny; j++)
-        for (size_t i = 0; i < kernel->nx; i++) {
-            size_t k = j * kernel->stride + i;
-            height_m[j * kernel->nx + i] = contact->height_m[k] + fmin(contact->gap_m[k], 0);
-        }
-}
-
-enum status_code direct_ladder_loop(struct direct_point *up, struct direct_point *down, const double *height_m,
-                                    size_t nx, size_t ny, double spacing_m, const struct direct_ladder_def *def,
-                                    size_t least_patches, struct status *status)
-{
-    struct direct_contact loaded, flowed = {.height_m = NULL};
-    struct direct_contact_load most = {def->load[0], def->hardness, def->tolerance, true, def->stop};
-    struct direct_contact_effort effort = {0};
-    double *flowed_m = malloc((nx * ny + 1) * sizeof *flowed_m);
+    double *flowed_m = malloc(kernel->points * sizeof *flowed_m);
     if (!flowed_m)
         return status_memory(status);
-    enum status_code rc = direct_contact_make(&loaded, height_m, nx, ny, spacing_m, status);
-    if (rc == STATUS_OK)
-        rc = direct_contact_solve(&loaded, &most, &effort, status);
-    if (rc == STATUS_OK) {
-        flow(flowed_m, &loaded);
-        rc = direct_contact_make(&flowed, flowed_m, nx, ny, spacing_m, status);
+    for (size_t p = 0; p < kernel->points; p++) {
+        size_t k = p / kernel->nx * kernel->stride + p % kernel->nx;
+        flowed_m[p] = contact->height_m[k] + fmin(contact->gap_m[k], 0);
     }
+    enum status_code rc = direct_contact_make(out, flowed_m, kernel->nx, kernel->ny, kernel->spacing_m, status);
+    free(flowed_m);
+    return rc;
+}
+
+enum status_code direct_ladder_loop(struct direct_point *up, struct direct_point *down, struct direct_contact *loaded,
+                                    const struct direct_ladder_def *def, size_t least_patches, struct status *status)
+{
+    struct direct_contact flowed = {.height_m = NULL};
+    struct direct_contact_load most = {def->load[0], def->hardness, def->tolerance, true, def->stop};
+    struct direct_contact_effort effort = {0};
+    enum status_code rc = direct_contact_solve(loaded, &most, &effort, status);
+    if (rc == STATUS_OK)
+        rc = flow(&flowed, loaded, status);
     for (size_t i = 0; i < def->loads; i++)
         up[i] = down[i] = (struct direct_point){.constriction_m = NAN};
     for (size_t i = 0; i < def->loads && rc == STATUS_OK; i++) {
-        rc = solve_load(&up[i], &loaded, def, def->load[i], status);
+        rc = solve_load(&up[i], loaded, def, def->load[i], status);
         if (rc != STATUS_OK || !(up[i].exists = up[i].patches >= least_patches))
             break;
         rc = solve_load(&down[i], &flowed, def, def->load[i], status);
     }
-    direct_contact_free(&loaded);
     direct_contact_free(&flowed);
-    free(flowed_m);
     return rc;
 }

@@ -15,6 +15,11 @@ static const double noise_share = 0.02;  /* of the mean square slope, below that
 static const double most_seam = 3;       /* mean square second difference across the join of a periodic map's ends, over
                                             that inside: of any other it is far more */
 
+struct direct_map_lines direct_map_lines(size_t nx, size_t ny, bool columns)
+{
+    return columns ? (struct direct_map_lines){nx, 1, ny, nx} : (struct direct_map_lines){ny, nx, nx, 1};
+}
+
 /** What the rows, or the columns, of a map say. */
 struct lines {
     size_t count;        /* without a missing point */
@@ -22,18 +27,19 @@ struct lines {
     double slope, noise; /* mean square slopes, and their part below the cut-off */
 };
 
-/** Adds `count` lines of `points` heights `step` apart. */
-static enum status_code look_along(struct lines *out, const double *height_m, size_t count, size_t next, size_t points,
-                                   size_t step, struct status *status)
+/** Adds the lines of a map. */
+static enum status_code look_along(struct lines *out, const double *height_m, struct direct_map_lines lines,
+                                   struct status *status)
 {
+    const size_t points = lines.points;
     double *line = malloc(points * sizeof *line);
     if (!line)
         return status_memory(status);
-    for (size_t k = 0; k < count && points >= LEAST_LINE && status->code == STATUS_OK; k++) {
+    for (size_t k = 0; k < lines.count && points >= LEAST_LINE && status->code == STATUS_OK; k++) {
         struct spectrum spectrum;
         bool whole = true;
         for (size_t i = 0; i < points; i++) {
-            line[i] = height_m[k * next + i * step];
+            line[i] = height_m[k * lines.next + i * lines.step];
             whole &= isfinite(line[i]) != 0;
         }
         bool periodic = whole && record_window_is_periodic(line, points);
@@ -56,39 +62,41 @@ static enum status_code look_along(struct lines *out, const double *height_m, si
     return status->code;
 }
 
-/** Convolves `lines` records of `points` values `step` apart with a Gaussian of `reach` weights to a side; beyond an
+/** Convolves the lines of a map with a Gaussian of `reach` weights to a side; beyond an
  * end a record goes on as its mirror image, or of a periodic map at its other end. `room`: points + 2 reach. */
-static void smooth_along(double *field, size_t lines, size_t next, size_t points, size_t step, const double *weight,
-                         size_t reach, bool periodic, double *room)
+static void smooth_along(double *field, struct direct_map_lines lines, const double *weight, size_t reach,
+                         bool periodic, double *room)
 {
+    const size_t points = lines.points;
     size_t period = periodic ? points : 2 * points;
-    for (size_t k = 0; k < lines; k++) {
-        double *line = field + k * next;
+    for (size_t k = 0; k < lines.count; k++) {
+        double *line = field + k * lines.next;
         for (size_t i = 0; i < points + 2 * reach; i++) {
             size_t at = (i + period * reach - reach) % period;
-            room[i] = line[(at < points ? at : period - 1 - at) * step];
+            room[i] = line[(at < points ? at : period - 1 - at) * lines.step];
         }
         for (size_t i = 0; i < points; i++) {
             double sum = weight[0] * room[i + reach];
             for (size_t r = 1; r <= reach; r++)
                 sum += weight[r] * (room[i + reach - r] + room[i + reach + r]);
-            line[i * step] = sum;
+            line[i * lines.step] = sum;
         }
     }
 }
 
-/** Gaussian low-pass of ISO 16610-61, transmission 1/2 at a wave of `cutoff` points in any direction, from the points
+/** Gaussian low-pass of ISO 16610-61, transmission 1/2 at a wave of the map's cut-off in any direction, from the points
  * that are there; NaN where none is near. */
-static enum status_code low_pass(double *smooth, const double *height, size_t nx, size_t ny, double cutoff,
-                                 bool periodic, struct status *status)
+static enum status_code low_pass(double *smooth, const double *height, const struct direct_map_def *def,
+                                 struct status *status)
 {
-    size_t reach = (size_t)ceil(1.5 * cutoff), count = nx * ny, places = (nx > ny ? nx : ny) + 2 * reach;
+    const size_t nx = def->nx, ny = def->ny, reach = (size_t)ceil(1.5 * def->cutoff), count = nx * ny;
+    const size_t places = (nx > ny ? nx : ny) + 2 * reach;
     double *there = malloc((count + places + reach + 1) * sizeof *there), sum = 0, offset = NAN;
     if (!there)
         return status_memory(status);
     double *fields[] = {smooth, there}, *room = there + count, *weight = room + places;
     for (size_t r = 0; r <= reach; r++) {
-        weight[r] = exp(-pow(M_PI * (double)r / cutoff, 2) / M_LN2);
+        weight[r] = exp(-pow(M_PI * (double)r / def->cutoff, 2) / M_LN2);
         sum += weight[r] * (r > 0 ? 2 : 1);
     }
     for (size_t r = 0; r <= reach; r++)
@@ -98,10 +106,8 @@ static enum status_code low_pass(double *smooth, const double *height, size_t nx
         there[k] = isfinite(height[k]);
         smooth[k] = there[k] > 0 ? height[k] - offset : 0;
     }
-    for (int f = 0; f < 2; f++) {
-        smooth_along(fields[f], ny, nx, nx, 1, weight, reach, periodic, room);
-        smooth_along(fields[f], nx, 1, ny, nx, weight, reach, periodic, room);
-    }
+    for (int f = 0; f < 4; f++)
+        smooth_along(fields[f / 2], direct_map_lines(nx, ny, f % 2), weight, reach, def->periodic, room);
     for (size_t k = 0; k < count; k++)
         smooth[k] = smooth[k] / there[k] + offset;
     free(there);
@@ -112,8 +118,8 @@ enum status_code direct_map_condition(double *height_m, struct direct_map_def *d
 {
     struct lines along = {0}, across = {0};
     size_t nx = def->nx, ny = def->ny;
-    if (look_along(&along, height_m, ny, nx, nx, 1, status) != STATUS_OK ||
-        look_along(&across, height_m, nx, 1, ny, nx, status) != STATUS_OK)
+    if (look_along(&along, height_m, direct_map_lines(nx, ny, false), status) != STATUS_OK ||
+        look_along(&across, height_m, direct_map_lines(nx, ny, true), status) != STATUS_OK)
         return status->code;
     def->periodic = along.count == ny && across.count == nx && along.seam <= most_seam * along.inside &&
                     across.seam <= most_seam * across.inside;
@@ -129,7 +135,7 @@ enum status_code direct_map_condition(double *height_m, struct direct_map_def *d
     double *smooth = flat + nx * ny;
     if (areal_flatten(flat, &scan, &none) != STATUS_OK) /* else a slope would bend where it is mirrored */
         memcpy(flat, height_m, nx * ny * sizeof *flat);
-    if (low_pass(smooth, flat, nx, ny, def->cutoff, def->periodic, status) == STATUS_OK)
+    if (low_pass(smooth, flat, def, status) == STATUS_OK)
         for (size_t k = 0; k < nx * ny; k++)
             height_m[k] = isnan(height_m[k]) ? NAN : height_m[k] - flat[k] + smooth[k];
     free(flat);
@@ -176,13 +182,14 @@ static void take_plane(double *height, size_t n, bool mean_only)
 /** Missing points take the nearest one's height, smoothed as the map has been, so that no steps stand between them. */
 static enum status_code fill(double *height, const bool *missing, size_t n, double cutoff, struct status *status)
 {
+    const struct direct_map_def square = {.nx = n, .ny = n, .cutoff = cutoff};
     double *smooth = malloc(n * n * sizeof *smooth);
     if (!smooth)
         return status_memory(status);
     for (size_t k = 0; k < n * n; k++)
         if (missing[k])
             height[k] = nearest(height, missing, n, k % n, k / n);
-    if (cutoff > 0 && low_pass(smooth, height, n, n, cutoff, false, status) == STATUS_OK)
+    if (cutoff > 0 && low_pass(smooth, height, &square, status) == STATUS_OK)
         for (size_t k = 0; k < n * n; k++)
             height[k] = missing[k] ? smooth[k] : height[k];
     free(smooth);
@@ -261,8 +268,9 @@ enum status_code direct_map_take(struct direct_map *out, const struct direct_map
                                  struct status *status)
 {
     size_t every = part == DIRECT_MAP_WHOLE ? 1 : 2, half = map->n / (map->mirrored ? 4 : 2), n = map->n / every;
+    const bool wider = part == DIRECT_MAP_WIDER;
+    const struct direct_map_def def = {map->n, map->n, map->spacing_m, map->spacing_m, wider, map->cutoff};
     if (part >= DIRECT_MAP_QUARTER) {
-        const struct direct_map_def def = {map->n, map->n, map->spacing_m, map->spacing_m, false, map->cutoff};
         size_t quarter = (size_t)(part - DIRECT_MAP_QUARTER);
         return direct_map_make(out, map->height_m + (quarter / 2 * map->n + quarter % 2) * half, &def, half, status);
     }
@@ -273,8 +281,7 @@ enum status_code direct_map_take(struct direct_map *out, const struct direct_map
     if (!out->height_m)
         return status_memory(status);
     memcpy(out->height_m, map->height_m, map->n * map->n * sizeof *out->height_m);
-    if (part == DIRECT_MAP_WIDER &&
-        low_pass(out->height_m, map->height_m, map->n, map->n, map->cutoff, true, status) != STATUS_OK)
+    if (wider && low_pass(out->height_m, map->height_m, &def, status) != STATUS_OK)
         direct_map_free(out);
     for (size_t k = 0; k < n * n && out->height_m; k++)
         out->height_m[k] = out->height_m[k / n * every * map->n + k % n * every];

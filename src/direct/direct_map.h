@@ -16,6 +16,13 @@ struct direct_map_def {
     double cutoff; /* of the low-pass that it has had, in spacings; 0: none */
 };
 
+/** Rows or columns of a map: `count` lines of `points` heights that are `step` apart, the first ones `next`. */
+struct direct_map_lines {
+    size_t count, next, points, step;
+};
+/** Those of ny rows of nx heights. */
+struct direct_map_lines direct_map_lines(size_t nx, size_t ny, bool columns);
+
 /** Conditions ny rows of nx heights (NaN: missing, and stays so) in place. The map is periodic if over
  * its rows, and over its columns, the mean square second difference across the join of their ends is at most 3 times
  * that inside: record_window_is_periodic() asks the same of one record. Where more than 2 % of their mean square slope

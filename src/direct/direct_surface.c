@@ -282,9 +282,11 @@ enum status_code direct_surface_refine(double *fine_m, size_t times, const doubl
 }
 
 /** `count` quantiles of the given heights, ascending, of mean 0 and the given mean square. */
-static enum status_code quantiles(double *out, size_t count, const double *given_m, size_t given_count,
-                                  double mean_square, struct status *status)
+static enum status_code quantiles(double *out, size_t count, const struct direct_recipe *recipe, double mean_square,
+                                  struct status *status)
 {
+    const double *given_m = recipe->given_m;
+    const size_t given_count = recipe->given_count;
     double *sorted = malloc((given_count + 1) * sizeof *sorted), mean = 0, square = 0;
     if (!sorted)
         return status_memory(status);
@@ -390,7 +392,7 @@ static void adjust(struct modes *modes, const double *heights, double *values, u
 }
 
 /** A surface with given heights. */
-static enum status_code give_heights(double *height_m, struct modes *modes, const double *given_m, size_t given_count,
+static enum status_code give_heights(double *height_m, struct modes *modes, const struct direct_recipe *recipe,
                                      uint64_t seed, struct status *status)
 {
     size_t n = modes->n;
@@ -401,22 +403,22 @@ static enum status_code give_heights(double *height_m, struct modes *modes, cons
             mean_square += (i > 0 ? 2 : 1) * pow(amplitude_at(modes, i, j), 2);
     if (!heights || !order)
         (void)status_memory(status);
-    else if (quantiles(heights, n * n, given_m, given_count, mean_square, status) == STATUS_OK)
+    else if (quantiles(heights, n * n, recipe, mean_square, status) == STATUS_OK)
         adjust(modes, heights, height_m, order, seed);
     free(heights);
     free(order);
     return status->code;
 }
 
-enum status_code direct_surface_make(double *height_m, size_t n, direct_variance *variance, const void *context,
-                                     const double *given_m, size_t given_count, uint64_t seed, struct status *status)
+enum status_code direct_surface_make(double *height_m, size_t n, const struct direct_recipe *recipe, uint64_t seed,
+                                     struct status *status)
 {
     struct modes modes;
     if (modes_make(&modes, n, status) != STATUS_OK)
         return status->code;
-    if (modes_amplitudes(&modes, variance, context, status) == STATUS_OK) {
-        if (given_m)
-            (void)give_heights(height_m, &modes, given_m, given_count, seed, status);
+    if (modes_amplitudes(&modes, recipe->variance, recipe->context, status) == STATUS_OK) {
+        if (recipe->given_m)
+            (void)give_heights(height_m, &modes, recipe, seed, status);
         else
             realise(height_m, &modes, seed);
         if (modes.exhausted)

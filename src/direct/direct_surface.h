@@ -58,6 +58,14 @@ void direct_spectrum_free(struct direct_spectrum *spectrum);
 /** v(r) of a struct direct_spectrum: a direct_variance. */
 double direct_spectrum_variance(double r, const void *spectrum);
 
+/** What surfaces are made of. */
+struct direct_recipe {
+    direct_variance *variance;
+    const void *context;   /* its */
+    const double *given_m; /* heights whose distribution they take; NULL: Gaussian */
+    size_t given_count;
+};
+
 /** Fills n x n heights, n even. Gaussian (given_m NULL): each pair of modes +-(i, j), |i|, |j| < n/2, gets the
  * amplitude sqrt(4 v) and a phase hashed from seed, i and j alone. So every seed has the same row spectrum, and a seed
  * is the same surface on every grid that holds its modes. Else with the same spectrum and, as nearly as that allows,
@@ -67,8 +75,7 @@ double direct_spectrum_variance(double r, const void *spectrum);
  * exact spectrum. Equal heights rank by their place. Errors:
  * STATUS_MEMORY; STATUS_MODEL: a variance negative or not finite; fewer than 2 given heights, all equal, or one not
  * finite. */
-MUST_CHECK enum status_code direct_surface_make(double *height_m, size_t n, direct_variance *variance,
-                                                const void *context, const double *given_m, size_t given_count,
+MUST_CHECK enum status_code direct_surface_make(double *height_m, size_t n, const struct direct_recipe *recipe,
                                                 uint64_t seed, struct status *status);
 
 /** A number of 0 ... 1 (without 1) that the seed and the index alone decide, the same everywhere. */

@@ -191,7 +191,7 @@ static enum status_code describe(struct surface_record *record, struct power_law
     size_t lines = 0;
     summary->longest_waves = spectrum_longest_waves(&record->spectrum);
     summary->independent = fmax(1, scans->independent);
-    size_t known = convergence_known(&record->spectrum, fmax(2 * def.lambda_s_m, scene->fit_band_m[0]), scans->step_m);
+    size_t known = spectrum_known(&record->spectrum, fmax(2 * def.lambda_s_m, scene->fit_band_m[0]), scans->step_m);
     summary->tail = convergence_tail(&record->spectrum, known);
     summary->line = power_law_fit(&record->spectrum, scene->fit_band_m);
     if (scene->fit == POWER_LAW_THESIS) {

@@ -113,23 +113,18 @@ static bool bridge(double *line_m, size_t points)
     return last < points;
 }
 
-/** Lines of heights that are `step` apart, the first ones of each `next`. */
-struct lines {
-    size_t count, next, points, step;
-};
-
 /** Mean power of all lines of a map, each over the mean of the map and continued as its mirror image unless they
  * close. */
-static enum status_code spectrum_along(struct spectrum *out, const struct scan *map, const struct lines *lines,
+static enum status_code spectrum_along(struct spectrum *out, const struct scan *map, struct direct_map_lines lines,
                                        bool mirrored, struct status *status)
 {
-    const size_t points = lines->points;
+    const size_t points = lines.points;
     double *line_m = malloc(2 * points * sizeof *line_m);
     size_t taken = 0;
     enum status_code rc = line_m ? STATUS_OK : status_memory(status);
-    for (size_t k = 0; k < lines->count && rc == STATUS_OK; k++) {
+    for (size_t k = 0; k < lines.count && rc == STATUS_OK; k++) {
         for (size_t i = 0; i < points; i++)
-            line_m[i] = map->z_m[k * lines->next + i * lines->step];
+            line_m[i] = map->z_m[k * lines.next + i * lines.step];
         if (!bridge(line_m, points))
             continue;
         for (size_t i = 0; i < points; i++)
@@ -143,11 +138,10 @@ static enum status_code spectrum_along(struct spectrum *out, const struct scan *
 /** Of rows and columns alike: that of an isotropic surface with the mean-square gradient of this one. */
 static enum status_code spectrum_of(struct spectrum *out, const struct scan *map, bool mirrored, struct status *status)
 {
-    const struct lines rows = {map->ny, map->nx, map->nx, 1}, columns = {map->nx, 1, map->ny, map->nx};
     struct spectrum across = {0};
-    enum status_code rc = spectrum_along(out, map, &rows, mirrored, status);
+    enum status_code rc = spectrum_along(out, map, direct_map_lines(map->nx, map->ny, false), mirrored, status);
     if (rc == STATUS_OK)
-        rc = spectrum_along(&across, map, &columns, mirrored, status);
+        rc = spectrum_along(&across, map, direct_map_lines(map->nx, map->ny, true), mirrored, status);
     if (rc == STATUS_OK)
         rc = grid_average(out, &across, 1, status);
     spectrum_free(&across);

@@ -186,13 +186,11 @@ static const char *const comment_marks[] = {"#", "//", "%", ";"};
 struct string_view text_header_uncomment(struct string_view line, bool *comment)
 {
     line = string_view_trim(line);
-    *comment = false;
-    for (size_t i = 0; i < COUNT(comment_marks); i++) {
-        while (string_view_starts(line, comment_marks[i])) {
+    const char *start = line.start;
+    for (size_t i = 0; i < COUNT(comment_marks); i++)
+        while (string_view_starts(line, comment_marks[i]))
             line.start += strlen(comment_marks[i]);
-            *comment = true;
-        }
-    }
+    *comment = line.start > start;
     return string_view_trim(line);
 }
 

@@ -376,9 +376,9 @@ static void conclude(struct power_law_band *band, const struct power_law_band_fi
 
 /** A piece without the bins beside its knees. */
 struct candidate {
-    size_t piece, first, last;
+    size_t first, last;
     bool knee[2]; /* at the long, at the short end */
-    double width_decades, gamma;
+    double width_decades;
 };
 
 /** Shortens piece k at its knees by 2, 1 or no bins, the most that leaves enough. A steep one has a knee at its long
@@ -388,7 +388,7 @@ static bool candidate_of(struct candidate *out, const struct selection *selectio
 {
     bool steep =
         line_through(selection, pieces->first[k], pieces->first[k + 1] - 1, one_law_square).slope > steep_gamma;
-    *out = (struct candidate){.piece = k, .knee = {k > 0 || steep, k + 1 < pieces->count}};
+    *out = (struct candidate){.knee = {k > 0 || steep, k + 1 < pieces->count}};
     for (size_t trim = KNEE_BINS + 1; trim-- > 0;) {
         size_t first = pieces->first[k] + (out->knee[0] ? trim : 0), end = pieces->first[k + 1];
         end -= out->knee[1] ? trim : 0;
@@ -399,8 +399,8 @@ static bool candidate_of(struct candidate *out, const struct selection *selectio
         out->width_decades =
             log10((double)bin_at(selection, out->last)->last / (double)bin_at(selection, first)->first);
         if (out->width_decades >= least_width_decades) {
-            out->gamma = line_through(selection, out->first, out->last, one_law_square).slope;
-            return out->gamma >= least_gamma && out->gamma <= most_gamma;
+            double gamma = line_through(selection, out->first, out->last, one_law_square).slope;
+            return gamma >= least_gamma && gamma <= most_gamma;
         }
     }
     return false;
@@ -448,7 +448,6 @@ static void describe_pieces(struct power_law_band *band, const struct selection 
         size_t first = pieces->first[k], last = pieces->first[k + 1] - 1;
         struct power_law_band_piece *piece = &band->piece[k];
         piece->gamma = line_through(selection, first, last, one_law_square).slope;
-        piece->candidate_gamma = NAN;
         piece->band_m[0] = length_m / (double)bin_at(selection, last)->last;
         piece->band_m[1] = length_m / (double)bin_at(selection, first)->first;
         if (k > 0)
@@ -471,8 +470,7 @@ enum status_code power_law_band_find(struct power_law_band *out, const struct po
     struct candidate candidate[POWER_LAW_BAND_PIECES] = {0};
     size_t candidates = 0;
     for (size_t k = 0; k < pieces.count; k++)
-        if (candidate_of(&candidate[candidates], &selection, &pieces, k))
-            out->piece[k].candidate_gamma = candidate[candidates++].gamma;
+        candidates += candidate_of(&candidate[candidates], &selection, &pieces, k);
     qsort(candidate, candidates, sizeof *candidate, wider_first);
     for (size_t c = 0; c < candidates; c++) {
         struct selection used = part_of(&selection, candidate[c].first, candidate[c].last - candidate[c].first + 1);
@@ -481,7 +479,6 @@ enum status_code power_law_band_find(struct power_law_band *out, const struct po
             continue;
         add_knee_errors(&fit, &selection, &candidate[c], spectrum);
         conclude(out, &fit, &used, spectrum);
-        out->chosen = candidate[c].piece;
         break;
     }
     return STATUS_OK;
@@ -522,18 +519,4 @@ size_t power_law_band_lines(double wavelength_m[LOG_BIN_MOST], const struct powe
         wavelength_m[count++] = pow(10, band->bin[highest].x);
     }
     return count;
-}
-
-double power_law_band_digitising_limit(const struct power_law_band_spectrum *spectrum, double step_m)
-{
-    double all = 0, sum = 0;
-    for (size_t n = 1; n <= spectrum->count; n++)
-        all += spectrum->square_m2[n - 1] / 2;
-    double limit = fmax(step_m * step_m, spectrum_resolved * spectrum_resolved * all) / 6;
-    for (size_t n = spectrum->count; n > 0; n--) {
-        sum += spectrum->square_m2[n - 1] / 2;
-        if (sum >= limit)
-            return n < spectrum->count ? spectrum->length_m / (double)n : 0;
-    }
-    return spectrum->length_m;
 }

@@ -54,8 +54,7 @@ struct power_law_band_fit {
 /** A straight piece of the segmented spectrum. */
 struct power_law_band_piece {
     double gamma;
-    double band_m[2];       /* shortest and longest wavelength */
-    double candidate_gamma; /* without the bins beside its knees; NaN: too short, or not within 0.5 ... 2.28 */
+    double band_m[2]; /* shortest and longest wavelength */
 };
 
 /** All that a report prints and draws. Arrays by bin run from long to short waves. */
@@ -66,7 +65,6 @@ struct power_law_band {
     double psd_m3; /* amplitude² L/2: the one-sided spectral density, which does not depend on the scan's length */
     double alpha;  /* m^(1-gamma), derived: amplitude/wavelength^gamma */
     double slope_share; /* share of the mean square slope m2 that the band's harmonics carry */
-    size_t chosen;      /* which piece the band lies in */
 
     size_t pieces; /* of a found band: none when too few bins are left to look */
     struct power_law_band_piece piece[POWER_LAW_BAND_PIECES];
@@ -106,10 +104,5 @@ MUST_CHECK enum status_code power_law_band_fit_in(struct power_law_band *out,
 
 /** Wavelengths of the lines, longest first: of each run of bins that are one, the highest bin's. Returns how many. */
 size_t power_law_band_lines(double wavelength_m[LOG_BIN_MOST], const struct power_law_band *band);
-
-/** Wavelength below which heights rounded to steps of step_m, and at least of spectrum_resolved, say nothing about the
- * surface: where the mean square of all shorter harmonics, sum Delta²/2, first reaches step²/6, twice that of rounding.
- * L when they never do; 0 where all say something. */
-double power_law_band_digitising_limit(const struct power_law_band_spectrum *spectrum, double step_m);
 
 #endif

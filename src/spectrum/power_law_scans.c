@@ -127,17 +127,17 @@ enum status_code power_law_scans_end_file(struct power_law_scans *scans, size_t 
 
 /** The law of one spectrum that is the mean of `independent` scans. */
 static enum status_code fit(struct power_law_band *out, const struct spectrum *spectrum, double independent,
-                            double step_m, const struct power_law_scans_def *def, const double *band_m,
-                            struct status *status)
+                            double step_m, const struct power_law_scans_def *def, struct status *status)
 {
+    size_t known = spectrum_known(spectrum, 0, step_m);
+    double shortest_m = known < spectrum->count ? spectrum->length_m / fmax(1, (double)known) : 0;
     double *square_m2 = squares_of(spectrum);
     if (!square_m2)
         return status_memory(status);
-    struct power_law_band_spectrum powers = {
-        .square_m2 = square_m2, .count = spectrum->count, .length_m = spectrum->length_m, .scans = independent};
-    powers.shortest_m = fmax(2 * def->lambda_s_m, power_law_band_digitising_limit(&powers, step_m));
-    enum status_code rc =
-        band_m ? power_law_band_fit_in(out, &powers, band_m, status) : power_law_band_find(out, &powers, status);
+    const struct power_law_band_spectrum powers = {square_m2, spectrum->count, spectrum->length_m, independent,
+                                                   fmax(2 * def->lambda_s_m, shortest_m)};
+    enum status_code rc = def->band_m ? power_law_band_fit_in(out, &powers, def->band_m, status)
+                                      : power_law_band_find(out, &powers, status);
     free(square_m2);
     return rc;
 }
@@ -148,14 +148,15 @@ enum status_code power_law_scans_fit(struct power_law_band *out, const struct po
     *out = (struct power_law_band){.law = POWER_LAW_BAND_NONE};
     if (scans->scan_count == 0)
         return STATUS_OK;
-    return fit(out, &scans->mean, fmax(1, scans->independent), scans->step_m, def, def->band_m, status);
+    return fit(out, &scans->mean, fmax(1, scans->independent), scans->step_m, def, status);
 }
 
 enum status_code power_law_scans_fit_alone(struct power_law_band *out, const struct power_law_scans *scans, size_t i,
                                            const struct power_law_scans_def *def, const struct power_law_band *mean,
                                            struct status *status)
 {
-    return fit(out, &scans->scan[i], 1, scans->step_m, def, mean->fit.band_m, status);
+    const struct power_law_scans_def there = {def->lambda_s_m, mean->fit.band_m};
+    return fit(out, &scans->scan[i], 1, scans->step_m, &there, status);
 }
 
 void power_law_scans_free(struct power_law_scans *scans)

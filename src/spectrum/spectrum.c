@@ -7,7 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-const double spectrum_resolved = 1e-4;
+/** Of a root mean square height: what no instrument resolves beside it, and files and transforms round to. */
+static const double resolved = 1e-4;
 
 const char *const spectrum_window_names[SPECTRUM_WINDOW_COUNT] = {"auto", "none", "hann"};
 
@@ -60,17 +61,12 @@ enum status_code spectrum_compute(struct spectrum *out, const double *height_m, 
 
 void spectrum_average(struct spectrum *mean, const struct spectrum *other, size_t so_far)
 {
-    bool shorter = other->count < mean->count;
-    size_t count = shorter ? other->count : mean->count;
-    bool has_nyquist = shorter ? other->has_nyquist : mean->has_nyquist;
     double weight = 1 / (double)(so_far + 1);
-    for (size_t i = 0; i < count; i++) {
-        /* powers, not squared amplitudes: the last harmonic may be the Nyquist one of one record only */
+    assert(other->count == mean->count && other->has_nyquist == mean->has_nyquist);
+    for (size_t i = 0; i < mean->count; i++) {
         double power = (1 - weight) * spectrum_power(mean, i) + weight * spectrum_power(other, i);
-        mean->amplitude_m[i] = sqrt(has_nyquist && i + 1 == count ? power : 2 * power);
+        mean->amplitude_m[i] = sqrt(mean->has_nyquist && i + 1 == mean->count ? power : 2 * power);
     }
-    mean->count = count;
-    mean->has_nyquist = has_nyquist;
 }
 
 enum status_code spectrum_add_record(struct spectrum *mean, size_t so_far, const double *height_m, size_t points,
@@ -145,6 +141,20 @@ double spectrum_longest_waves(const struct spectrum *spectrum)
         sum += power;
     }
     return 0;
+}
+
+size_t spectrum_known(const struct spectrum *spectrum, double shortest_m, double step_m)
+{
+    double all = 0, shorter = 0;
+    for (size_t i = 0; i < spectrum->count; i++)
+        all += spectrum_power(spectrum, i);
+    double limit = fmax(step_m * step_m, resolved * resolved * all) / 6;
+    size_t count = spectrum->count;
+    while (count > 0 && (shorter += spectrum_power(spectrum, count - 1)) < limit)
+        count--;
+    while (count > 0 && spectrum->length_m / (double)count < shortest_m * (1 - 1e-12))
+        count--;
+    return count;
 }
 
 double spectrum_moment(const struct spectrum *spectrum, int k)

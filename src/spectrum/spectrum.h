@@ -39,15 +39,12 @@ MUST_CHECK enum status_code spectrum_compute(struct spectrum *out, const double 
 MUST_CHECK enum status_code spectrum_of_record(struct spectrum *out, struct fft_room *room, size_t points,
                                                double spacing_m, enum spectrum_window window, struct status *status);
 
-/** Adds another scan's spectrum to a mean over scans: powers averaged harmonic by harmonic; the mean keeps the fewest
- * harmonics and the first scan's length. `so_far` is how many scans `mean` holds. */
+/** Adds another scan's spectrum to a mean over scans of the same harmonics: powers averaged harmonic by harmonic.
+ * `so_far` is how many scans `mean` holds. */
 void spectrum_average(struct spectrum *mean, const struct spectrum *other, size_t so_far);
 /** The same of a record as long as the others; the first one makes the mean. No window. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code spectrum_add_record(struct spectrum *mean, size_t so_far, const double *height_m,
                                                 size_t points, double spacing_m, struct status *status);
-
-/** Of a root mean square height: what no instrument resolves beside it, and files and transforms round to. */
-extern const double spectrum_resolved;
 
 /** A copy with amplitudes of its own. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code spectrum_copy(struct spectrum *out, const struct spectrum *in, struct status *status);
@@ -73,6 +70,10 @@ double spectrum_power(const struct spectrum *spectrum, size_t i);
 /** How many of its longest waves a record holds: its length over the wavelength that half of the mean square height is
  * longer than, straight between harmonics; 0: flat. */
 double spectrum_longest_waves(const struct spectrum *spectrum);
+/** How many of the harmonics say something of the surface: none shorter than shortest_m (0: no limit), and none whose
+ * mean square height with all shorter ones is below q²/6, twice what rounding to steps of q leaves; q is step_m, and at
+ * least 1e-4 of the root mean square height. */
+size_t spectrum_known(const struct spectrum *spectrum, double shortest_m, double step_m);
 /** Spectral moment m_{2k} = sum (2 pi f)^{2k} power [m^(2-2k)], k = 0, 1, 2. */
 double spectrum_moment(const struct spectrum *spectrum, int k);
 

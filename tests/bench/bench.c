@@ -105,7 +105,8 @@ static struct direct_result direct_case(size_t n, double hardness)
     double *height_m = malloc(n * n * sizeof *height_m);
     if (!height_m)
         exit(1);
-    must(direct_surface_make(height_m, n, direct_spectrum_variance, &spectrum, NULL, 0, 1, &status));
+    must(direct_surface_make(height_m, n, &(struct direct_recipe){direct_spectrum_variance, &spectrum, NULL, 0}, 1,
+                             &status));
     double before = bytes_held();
     must(direct_contact_make(&contact, height_m, n, n, 3e-4 / (double)n, &status));
     for (int run = 0; run < DIRECT_RUNS; run++) {
@@ -133,8 +134,7 @@ static struct direct_result direct_ladder_case(void)
     struct direct_ensemble_def def = {.ladder = {load, 13, INFINITY, 1e-6, true, NULL},
                                       .length_m = 3e-4,
                                       .n = 256,
-                                      .variance = direct_spectrum_variance,
-                                      .context = &spectrum,
+                                      .recipe = {direct_spectrum_variance, &spectrum, NULL, 0},
                                       .seeds = 12,
                                       .threads = 2};
     struct direct_result result = {0, INFINITY, INFINITY, NAN};

@@ -92,7 +92,8 @@ TEST_CASE(direct_solutions)
         given[k] = normal < 0 ? normal : 0.15 * normal;
     }
     expect_ok(direct_spectrum_of_law, &spectrum, &law);
-    expect_ok(direct_surface_make, height, SIDE, direct_spectrum_variance, &spectrum, given, SIDE * SIDE, 3);
+    expect_ok(direct_surface_make, height, SIDE,
+              &(struct direct_recipe){direct_spectrum_variance, &spectrum, given, SIDE * SIDE}, 3);
     direct_spectrum_free(&spectrum);
     const struct strip_rows rows = {height, SIDE, SIDE, 1e-6, true};
     struct bearing bearing;

@@ -34,30 +34,6 @@ static struct spectrum spectrum_of_law(size_t count, double length_m, double alp
     return spectrum;
 }
 
-/** Harmonics are known down to a cut-off, to what rounding leaves, and to 1e-4 of Rq. */
-TEST_CASE(what_is_known_of_a_spectrum)
-{
-    struct spectrum spectrum = spectrum_of_law(400, 1e-3, 1e-3, 1.2, 1);
-    assert_int_equal(convergence_known(&spectrum, 0, 0), 400);
-    assert_int_equal(convergence_known(&spectrum, 1e-3 / 50, 0), 50);
-    assert_int_equal(convergence_known(&spectrum, 1e-3 / 49.9, 0), 49);
-    assert_int_equal(convergence_known(&spectrum, 2e-3, 0), 0);
-    double shorter_m2 = 0; /* of harmonic 71 and above */
-    for (size_t i = 400; i-- > 70;)
-        shorter_m2 += spectrum_power(&spectrum, i);
-    assert_int_equal(convergence_known(&spectrum, 0, sqrt(6 * shorter_m2) * (1 - 1e-9)), 71);
-    assert_int_equal(convergence_known(&spectrum, 0, sqrt(6 * shorter_m2) * (1 + 1e-9)), 70);
-    for (double size = 1e-9; size < 1e9; size *= 1e3) { /* without a step, whatever the unit */
-        for (int n = 1; n <= 400; n++)
-            spectrum.amplitude_m[n - 1] = size * (n == 1 ? 1 : n <= 30 ? 4.5e-5 : 1e-7);
-        assert_int_equal(convergence_known(&spectrum, 0, 0), 30);
-        for (int n = 2; n <= 30; n++) /* 29 waves are 4.04e-5 of Rq, and 1e-4/sqrt(6) is 4.08e-5 */
-            spectrum.amplitude_m[n - 1] = size * 7.5e-6;
-        assert_int_equal(convergence_known(&spectrum, 0, 0), 1);
-    }
-    spectrum_free(&spectrum);
-}
-
 /** The tail is the law at the short end of what is known, whatever the long harmonics are and whatever is beyond. */
 TEST_CASE(the_tail_is_the_short_end)
 {

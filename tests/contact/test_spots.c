@@ -109,8 +109,8 @@ TEST_CASE(spots_in_the_limits)
     }
     /* far apart, heights above the flat are exponential: F_3/2/F_1 = Gamma(5/2)/sqrt(d) */
     struct statistical model;
-    uint64_t evaluations = 0;
-    expect_ok(statistical_make, &model, &surface, &pair, ASPERITY_HERTZ, 0, 1e-10, INFINITY, &evaluations);
+    const struct model_task one = {.asperities = &surface, .pair = &pair, .tolerance = 1e-10};
+    expect_ok(statistical_make, &model, &one, ASPERITY_HERTZ, INFINITY);
     double d = 35;
     struct contact_spots far = statistical_spots(&model, d);
     assert_near(far.radius_m, sqrt(surface.radius_m * surface.sigma_s_m / d) * 0.75 * sqrt(M_PI), 2e-3);

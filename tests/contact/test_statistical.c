@@ -14,9 +14,10 @@ static struct statistical make(double m0, double m2, double m4, enum asperity_mo
     struct asperities surface;
     struct statistical model;
     struct material_pair pair = model_support_tin();
-    uint64_t evaluations = 0;
+    const struct model_task task = {
+        .asperities = &surface, .pair = &pair, .wanted = EVERYTHING, .tolerance = tolerance};
     expect_ok(roughness_asperities, &surface, &roughness);
-    expect_ok(statistical_make, &model, &surface, &pair, law, EVERYTHING, tolerance, lowest, &evaluations);
+    expect_ok(statistical_make, &model, &task, law, lowest);
     return model;
 }
 

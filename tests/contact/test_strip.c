@@ -241,7 +241,8 @@ TEST_CASE(against_direct_solutions)
         struct direct_point truth[TRUTHS];
         struct spectrum mean = {0}, one;
         struct persson persson;
-        expect_ok(direct_surface_make, height, SIDE, variance, NULL, pits ? given : NULL, 1000, 1);
+        expect_ok(direct_surface_make, height, SIDE, &(struct direct_recipe){variance, NULL, pits ? given : NULL, 1000},
+                  1);
         for (size_t k = 0; k < SIDE * SIDE; k++)
             height[k] *= 1e-6;
         for (size_t r = 0; r < LINES; r++) {

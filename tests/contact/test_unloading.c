@@ -19,7 +19,8 @@ static double *surface(double hurst, bool pits, uint64_t seed)
     double *height = support_room(SIDE * SIDE * sizeof *height), given[1000], square = 0;
     for (size_t i = 0; i < 1000; i++)
         given[i] = log(((double)i + 0.5) / 1000);
-    expect_ok(direct_surface_make, height, SIDE, variance, &hurst, pits ? given : NULL, 1000, seed);
+    expect_ok(direct_surface_make, height, SIDE, &(struct direct_recipe){variance, &hurst, pits ? given : NULL, 1000},
+              seed);
     for (size_t k = 0; k < SIDE * SIDE; k++) {
         double along = height[k - k % SIDE + (k + 1) % SIDE] - height[k], across = height[(k + SIDE) % (SIDE * SIDE)];
         square += along * along + pow(across - height[k], 2);
@@ -37,7 +38,10 @@ static void loop(double ratio[LOADS][3], const double *height, double largest_lo
     for (size_t i = 0; i < LOADS; i++)
         load[i] = share[i] * largest_load;
     const struct direct_ladder_def def = {load, LOADS, hardness, 1e-5, true, NULL};
-    expect_ok(direct_ladder_loop, up, down, height, SIDE, SIDE, 1.0 / SIDE, &def, 0);
+    struct direct_contact contact;
+    expect_ok(direct_contact_make, &contact, height, SIDE, SIDE, 1.0 / SIDE);
+    expect_ok(direct_ladder_loop, up, down, &contact, &def, 0);
+    direct_contact_free(&contact);
     for (size_t i = 0; i < LOADS; i++)
         for (int q = DIRECT_AREA; q <= DIRECT_CONSTRICTION; q++)
             ratio[i][q] = direct_point_value(&down[i], (enum direct_quantity)q) /

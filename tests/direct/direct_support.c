@@ -25,7 +25,7 @@ double *recipe_surface(size_t n)
 {
     double *height = malloc(n * n * sizeof *height), scale = recipe_scale();
     assert_non_null(height);
-    expect_ok(direct_surface_make, height, n, recipe_variance, &scale, NULL, 0, 1);
+    expect_ok(direct_surface_make, height, n, &(struct direct_recipe){recipe_variance, &scale, NULL, 0}, 1);
     return height;
 }
 

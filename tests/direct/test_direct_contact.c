@@ -361,7 +361,7 @@ TEST_CASE(few_points_at_the_hardness)
     struct direct_spectrum spectrum;
     double *height = malloc(N * N * sizeof *height);
     expect_ok(direct_spectrum_of_law, &spectrum, &law);
-    expect_ok(direct_surface_make, height, N, direct_spectrum_variance, &spectrum, NULL, 0, 1);
+    expect_ok(direct_surface_make, height, N, &(struct direct_recipe){direct_spectrum_variance, &spectrum, NULL, 0}, 1);
     struct direct_contact contact = contact_of(height, N, N);
     for (size_t k = 0; k < N * N; k++)
         height[k] *= 9.84e-4 / contact.rms_m;

@@ -13,8 +13,7 @@ static struct direct_ensemble_def def_of(const double *scale, unsigned threads)
                                         .length_m = 1,
                                         .n = 64,
                                         .fine_times = 2,
-                                        .variance = recipe_variance,
-                                        .context = scale,
+                                        .recipe = {recipe_variance, scale, NULL, 0},
                                         .seeds = 6,
                                         .threads = threads};
 }
@@ -80,8 +79,8 @@ TEST_CASE(threads_do_not_matter)
         struct direct_ensemble first = {0};
         for (unsigned threads = 1; threads <= 5; threads += 2) {
             struct direct_ensemble_def def = def_of(&scale, threads);
-            def.given_m = skewed ? given : NULL;
-            def.given_count = 200;
+            def.recipe.given_m = skewed ? given : NULL;
+            def.recipe.given_count = 200;
             struct direct_ensemble found = ensemble_of(&def);
             if (threads == 1) {
                 first = found;
@@ -144,8 +143,8 @@ TEST_CASE(work_is_told_step_by_step)
         def.seeds = 2;
         def.solved = tell;
         def.solved_context = &told;
-        def.given_m = kind == 1 ? height_m : NULL;
-        def.given_count = 64 * 64;
+        def.recipe.given_m = kind == 1 ? height_m : NULL;
+        def.recipe.given_count = 64 * 64;
         if (kind == 2) {
             expect_ok(direct_map_make, &map, height_m, &square, 64);
             def.map = &map;
@@ -172,6 +171,6 @@ TEST_CASE(errors_and_stop)
     expect_fails(STATUS_INTERRUPTED, "", direct_ensemble_run, &found, &def);
     assert_null(found.point);
     def.ladder.stop = NULL;
-    def.context = &negative;
+    def.recipe.context = &negative;
     expect_fails(STATUS_MODEL, "", direct_ensemble_run, &found, &def);
 }

@@ -148,7 +148,8 @@ TEST_CASE(mirrored_periodic_surface)
         double mean[MIRROR_LOADS][3] = {{0}};
         for (uint64_t seed = 1; seed <= SEEDS; seed++) {
             struct direct_point periodic[MIRROR_LOADS], mirrored[MIRROR_LOADS];
-            expect_ok(direct_surface_make, height, N, rolled_off, &cases[c].waves, NULL, 0, seed);
+            expect_ok(direct_surface_make, height, N, &(struct direct_recipe){rolled_off, &cases[c].waves, NULL, 0},
+                      seed);
             struct direct_map map = map_of(height, N);
             double gradient = gradient_of(map.height_m, map.n, 1);
             solve_mirrored(periodic, height, N, gradient);
@@ -201,7 +202,7 @@ static void hold(struct held out[3], bool skewed, size_t n, double noisy, uint64
     struct status status = {0};
     for (size_t k = 0; k < GIVEN; k++) /* exponential: peaks on a plain */
         given[k] = -log(((double)k + 0.5) / GIVEN);
-    expect_ok(direct_surface_make, height, N, band, waves, skewed ? given : NULL, GIVEN, seed);
+    expect_ok(direct_surface_make, height, N, &(struct direct_recipe){band, waves, skewed ? given : NULL, GIVEN}, seed);
     double gradient = gradient_of(height, N, 1), tilt = n < N ? gradient / 10 : 0;
     solve_mirrored(truth, height, N, gradient);
     for (size_t k = 0; k < n * n; k++)

@@ -56,7 +56,8 @@ TEST_CASE(rows_have_the_law)
         assert_true(count == 60);
         expect_ok(direct_spectrum_of_law, &spectrum, &law);
         for (uint64_t seed = 1; seed < 3; seed++) {
-            expect_ok(direct_surface_make, height, N, direct_spectrum_variance, &spectrum, NULL, 0, seed);
+            expect_ok(direct_surface_make, height, N,
+                      &(struct direct_recipe){direct_spectrum_variance, &spectrum, NULL, 0}, seed);
             row_powers(power, count, height, N);
             for (size_t m = 1; m <= count; m++)
                 assert_near(power[m - 1], pow(direct_law_amplitude(&law, m), 2) / 2, m < 40 ? 1e-10 : 1e-6);
@@ -168,24 +169,27 @@ TEST_CASE(surface_with_heights)
     double power[40], expected[40], scale = 1;
     for (size_t k = 0; k < GIVEN; k++) /* chi squared of 8 degrees of freedom, upside down: plateaus with pits */
         given[k] = 3 - pow(1 - 2.0 / 72 + sqrt(2.0 / 72) * 3 * cos(M_PI * ((double)k + 0.5) / GIVEN), 3);
-    expect_ok(direct_surface_make, other, N, recipe_variance, &scale, NULL, 0, 1);
+    expect_ok(direct_surface_make, other, N, &(struct direct_recipe){recipe_variance, &scale, NULL, 0}, 1);
     row_powers(expected, 16, other, N);
-    expect_ok(direct_surface_make, height, N, recipe_variance, &scale, given, GIVEN, 1);
+    expect_ok(direct_surface_make, height, N, &(struct direct_recipe){recipe_variance, &scale, given, GIVEN}, 1);
     row_powers(power, 16, height, N);
     for (size_t m = 1; m <= 16; m++)
         assert_near(power[m - 1], expected[m - 1], 1e-10);
     assert_true(fabs(moment(other, N * N, 3)) < 0.3);
     assert_within(moment(height, N * N, 3), moment(given, GIVEN, 3), 0.1);
     assert_within(moment(height, N * N, 4), moment(given, GIVEN, 4), 0.2);
-    expect_ok(direct_surface_make, other, N, recipe_variance, &scale, given, GIVEN, 1);
+    expect_ok(direct_surface_make, other, N, &(struct direct_recipe){recipe_variance, &scale, given, GIVEN}, 1);
     assert_memory_equal(height, other, N * N * sizeof *height);
-    expect_ok(direct_surface_make, other, N, recipe_variance, &scale, given, GIVEN, 2);
+    expect_ok(direct_surface_make, other, N, &(struct direct_recipe){recipe_variance, &scale, given, GIVEN}, 2);
     assert_memory_not_equal(height, other, N * N * sizeof *height);
     given[5] = NAN;
-    expect_fails(STATUS_MODEL, "", direct_surface_make, other, N, recipe_variance, &scale, given, GIVEN, 2);
-    expect_fails(STATUS_MODEL, "", direct_surface_make, other, N, recipe_variance, &scale, given, 1, 2);
+    expect_fails(STATUS_MODEL, "", direct_surface_make, other, N,
+                 &(struct direct_recipe){recipe_variance, &scale, given, GIVEN}, 2);
+    expect_fails(STATUS_MODEL, "", direct_surface_make, other, N,
+                 &(struct direct_recipe){recipe_variance, &scale, given, 1}, 2);
     given[0] = given[1] = 4;
-    expect_fails(STATUS_MODEL, "", direct_surface_make, other, N, recipe_variance, &scale, given, 2, 2);
+    expect_fails(STATUS_MODEL, "", direct_surface_make, other, N,
+                 &(struct direct_recipe){recipe_variance, &scale, given, 2}, 2);
     free(height);
     free(other);
 }

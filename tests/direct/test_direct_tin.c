@@ -82,8 +82,7 @@ static struct direct_ensemble_point solve(const struct direct_law *law, size_t n
     struct direct_ensemble_def def = {.ladder = {&load, 1, INFINITY, 1e-6, true, NULL},
                                       .length_m = law->length_m,
                                       .n = n,
-                                      .variance = direct_spectrum_variance,
-                                      .context = &spectrum,
+                                      .recipe = {direct_spectrum_variance, &spectrum, NULL, 0},
                                       .seeds = seeds};
     if (direct_spectrum_of_law(&spectrum, law, &status) != STATUS_OK ||
         direct_ensemble_run(&ensemble, &def, &status) != STATUS_OK)

@@ -53,7 +53,7 @@ TEST_CASE(the_stated_range_holds)
     for (size_t b = 0; b < sizeof bands / sizeof *bands; b++)
         for (uint64_t seed = 1; seed <= 2; seed++) {
             double m0 = 0, m2 = 0;
-            expect_ok(direct_surface_make, height_m, SIDE, variance, &bands[b], NULL, 0, seed);
+            expect_ok(direct_surface_make, height_m, SIDE, &(struct direct_recipe){variance, &bands[b], NULL, 0}, seed);
             for (int i = -SIDE / 2; i < SIDE / 2; i++)
                 for (int j = -SIDE / 2; j < SIDE / 2; j++) {
                     double power = variance(hypot(i, j), &bands[b]);

@@ -15,7 +15,8 @@ static double *surface_of(double gamma, double waves, size_t n, uint64_t seed)
     struct status status = {0};
     double *height = support_room(n * n * sizeof *height);
     if (direct_spectrum_of_law(&spectrum, &law, &status) != STATUS_OK ||
-        direct_surface_make(height, n, direct_spectrum_variance, &spectrum, NULL, 0, seed, &status) != STATUS_OK)
+        direct_surface_make(height, n, &(struct direct_recipe){direct_spectrum_variance, &spectrum, NULL, 0}, seed,
+                            &status) != STATUS_OK)
         fail_msg("%s", status.message);
     direct_spectrum_free(&spectrum);
     return height;
@@ -212,8 +213,7 @@ static struct direct_ensemble_def ensemble_of(const struct direct_spectrum *spec
     return (struct direct_ensemble_def){.ladder = {loads, count, INFINITY, 1e-6, true, NULL},
                                         .length_m = 1,
                                         .n = n,
-                                        .variance = direct_spectrum_variance,
-                                        .context = spectrum,
+                                        .recipe = {direct_spectrum_variance, spectrum, NULL, 0},
                                         .seeds = 3,
                                         .threads = 1};
 }

@@ -12,10 +12,8 @@ static struct statistical make(const struct asperities *surface, const struct ma
                                double lowest)
 {
     struct statistical model;
-    uint64_t evaluations = 0;
-    expect_ok(statistical_make, &model, surface, pair, (enum asperity_model_id)law, EVERYTHING, 1e-10, lowest,
-              &evaluations);
-    assert_int_equal(evaluations, model.panels.count);
+    const struct model_task task = {.asperities = surface, .pair = pair, .wanted = EVERYTHING, .tolerance = 1e-10};
+    expect_ok(statistical_make, &model, &task, (enum asperity_model_id)law, lowest);
     return model;
 }
 

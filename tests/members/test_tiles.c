@@ -56,7 +56,7 @@ static struct tiles cut(size_t nx, size_t ny, uint64_t seed, double (*look)(doub
     scan.z_m = malloc(nx * ny * sizeof *scan.z_m);
     assert_non_null(surface);
     assert_non_null(scan.z_m);
-    expect_ok(direct_surface_make, surface, n, power, NULL, NULL, 0, seed);
+    expect_ok(direct_surface_make, surface, n, &(struct direct_recipe){power, NULL, NULL, 0}, seed);
     for (size_t k = 0; k < n * n; k++)
         square += surface[k] * surface[k] / (double)(n * n);
     for (size_t k = 0; k < nx * ny; k++)

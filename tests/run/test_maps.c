@@ -20,7 +20,7 @@ static void write_long_map(const struct directory *place, const char *name, uint
     double *height = malloc(WIDE * WIDE * sizeof *height), square = 0;
     struct text xyz = {0};
     assert_non_null(height);
-    expect_ok(direct_surface_make, height, WIDE, variance, NULL, NULL, 0, seed);
+    expect_ok(direct_surface_make, height, WIDE, &(struct direct_recipe){variance, NULL, NULL, 0}, seed);
     for (size_t k = 0; k < WIDE * WIDE; k++)
         square += height[k] * height[k] / (WIDE * WIDE);
     text_add(&xyz, "x [um],y [um],z [um]\n");

@@ -102,16 +102,11 @@ TEST_CASE(test_reference_values)
         assert_near(band->fit.band_m[1], table_number(&table, r, "longest_band_m"), 1e-12);
         assert_string_equal(power_law_band_class_names[band->law], table_text(&table, r, "class"));
 
-        double gamma[POWER_LAW_BAND_PIECES], other[POWER_LAW_BAND_PIECES], line_m[LOG_BIN_MOST];
-        size_t others = 0;
-        for (size_t k = 0; k < band->pieces; k++) {
+        double gamma[POWER_LAW_BAND_PIECES], line_m[LOG_BIN_MOST];
+        for (size_t k = 0; k < band->pieces; k++)
             gamma[k] = band->piece[k].gamma;
-            if (k != band->chosen && !isnan(band->piece[k].candidate_gamma))
-                other[others++] = band->piece[k].candidate_gamma;
-        }
         assert_list(table_text(&table, r, "gammas"), gamma, band->pieces, 1e-9);
         assert_list(table_text(&table, r, "knees_m"), band->knee_m, band->pieces - 1, 1e-12);
-        assert_list(table_text(&table, r, "others"), other, others, 1e-9);
         assert_list(table_text(&table, r, "lines_m"), line_m, lines_of(band, line_m), 1e-12);
     }
     table_free(&table);
@@ -227,7 +222,6 @@ TEST_CASE(test_knees_bound_the_band)
         assert_true(bias_s >= 0.04 && bias_s < band->fit.gamma_s);
         assert_true(amplitude_bias_s >= 0.02 && amplitude_bias_s < band->fit.log10_amplitude_s);
         assert_int_equal(band->pieces, 3);
-        assert_int_equal(band->chosen, 1);
         assert_within(log2(band->knee_m[0] / (1e-2 / 30)), 0, 1);
         assert_within(log2(band->knee_m[1] / (1e-2 / 1500)), 0, 1);
         assert_true(band->fit.band_m[1] < band->knee_m[0] && band->fit.band_m[0] > band->knee_m[1]);
@@ -592,23 +586,6 @@ TEST_CASE(test_a_given_band)
     gsl_rng_free(random);
 }
 
-TEST_CASE(test_digitising_limit)
-{
-    struct sample *sample = *state;
-    for (size_t n = 0; n < 100; n++)
-        sample->square_m2[n] = 2;
-    sample->spectrum = (struct power_law_band_spectrum){sample->square_m2, 100, 1, 1, 0};
-    assert_within(power_law_band_digitising_limit(&sample->spectrum, 0), 0, 0);
-    for (size_t n = 40; n < 100; n++) /* of 40 before: together 1.5e-4 of their root mean square, and 60 of 0.5e-4 */
-        sample->square_m2[n] = n < 41 ? 80e-8 * 2.25 / 6 : 80e-8 * 0.25 / 6 / 59;
-    assert_near(power_law_band_digitising_limit(&sample->spectrum, 0), 1.0 / 41, 1e-12);
-    for (size_t n = 40; n < 100; n++)
-        sample->square_m2[n] = 2;
-    assert_near(power_law_band_digitising_limit(&sample->spectrum, sqrt(6 * 29.9)), 1.0 / 71, 1e-12);
-    assert_near(power_law_band_digitising_limit(&sample->spectrum, sqrt(6 * 30.1)), 1.0 / 70, 1e-12);
-    assert_near(power_law_band_digitising_limit(&sample->spectrum, sqrt(6 * 101)), 1, 1e-12);
-}
-
 /* Bins that alternate about the law: no line, as every second is alike, and no pieces to follow them. */
 TEST_CASE(test_lack_of_fit_has_a_limit)
 {
@@ -639,7 +616,6 @@ TEST_CASE(test_a_short_piece_is_no_candidate)
         assert_int_equal(band->pieces, 3);
         assert_within(band->piece[1].gamma, 1.2, 1e-9);
         assert_int_equal(band->law, last == 315 ? POWER_LAW_BAND_NONE : POWER_LAW_BAND_NARROW);
-        assert_true(isnan(band->piece[1].candidate_gamma) == (last == 315));
     }
 }
 

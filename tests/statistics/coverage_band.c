@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "coverage.h"
 
-#include "spectrum/multitaper.h"
-#include "spectrum/power_law_band.h"
+#include "spectrum/power_law_scans.h"
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -144,7 +143,6 @@ static void count(struct tally *tally, const struct kind *kind, const struct cov
 static double run(FILE *out, const struct kind *kind, size_t sets, gsl_rng *random)
 {
     double *height = coverage_allocate(kind->points, sizeof *height);
-    double *square = coverage_allocate(kind->points, sizeof *square);
     struct power_law_band *band = coverage_allocate(1, sizeof *band);
     struct tally tally = {0};
     struct status status = {0};
@@ -157,11 +155,11 @@ static double run(FILE *out, const struct kind *kind, size_t sets, gsl_rng *rand
         if (kind->level)
             coverage_level(height, kind->points);
         double step = kind->step_from > 0 ? quantise(height, kind, &surface) : 0;
-        coverage_must(multitaper_square(square, height, kind->points, &status), &status);
-        struct power_law_band_spectrum spectrum = {square, multitaper_count(kind->points), (double)kind->points, 1,
-                                                   2 * kind->cut_off};
-        spectrum.shortest_m = fmax(spectrum.shortest_m, power_law_band_digitising_limit(&spectrum, step));
-        coverage_must(power_law_band_find(band, &spectrum, &status), &status);
+        struct power_law_scans scans = {0};
+        const struct power_law_scans_def def = {.lambda_s_m = kind->cut_off};
+        coverage_must(power_law_scans_add(&scans, height, kind->points, 1, step, &status), &status);
+        coverage_must(power_law_scans_fit(band, &scans, &def, &status), &status);
+        power_law_scans_free(&scans);
         count(&tally, kind, &surface, band);
     }
     double all = (double)sets, found = (double)tally.found, right = (double)tally.right / all;
@@ -174,7 +172,6 @@ static double run(FILE *out, const struct kind *kind, size_t sets, gsl_rng *rand
     }
     fprintf(out, "%*s%s\n", kind->expected == NO_GAMMA ? 49 : 7, "", kind->published);
     free(height);
-    free(square);
     free(band);
     return right;
 }

@@ -57,9 +57,10 @@ static double *make_surface(const struct kind *kind, uint64_t seed)
     struct status status = {0};
     double *height_m = coverage_allocate((size_t)SIDE * SIDE, sizeof *height_m), square = 0, slopes = 0;
     coverage_must(direct_spectrum_of_law(&spectrum, &rows, &status), &status);
-    coverage_must(
-        direct_surface_make(height_m, SIDE, direct_spectrum_variance, &spectrum, NULL, 0, 1000 + seed, &status),
-        &status);
+    coverage_must(direct_surface_make(height_m, SIDE,
+                                      &(struct direct_recipe){direct_spectrum_variance, &spectrum, NULL, 0},
+                                      1000 + seed, &status),
+                  &status);
     direct_spectrum_free(&spectrum);
     for (size_t i = 0; i < (size_t)SIDE * SIDE; i++)
         square += height_m[i] * height_m[i];

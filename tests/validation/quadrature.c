@@ -72,10 +72,8 @@ static double panels(struct integral *of, double tolerance, uint64_t *evaluation
     struct quadrature laid;
     struct quadrature_sums sums;
     struct status status = {0};
-    *evaluations = 0;
-    coverage_must(quadrature_make(&laid, &model->asperity, model->law, model->surface.sigma_s_m, 0, model->full_d,
-                                  tolerance, evaluations, &status),
-                  &status);
+    coverage_must(quadrature_make(&laid, model, model->full_d, tolerance, &status), &status);
+    *evaluations = laid.count;
     quadrature_sum(&sums, &laid, of->d);
     quadrature_free(&laid);
     const double value[QUANTITIES] = {sums.area, sums.load, sums.radius};
@@ -97,11 +95,10 @@ void quadrature_add(struct page *page)
     struct asperities surface = truths_asperities(2);
     struct statistical models[ASPERITY_MODEL_COUNT];
     struct status status = {0};
-    uint64_t evaluations = 0;
+    uint64_t evaluations;
+    const struct model_task task = {.asperities = &surface, .pair = &pair, .tolerance = 1e-10};
     for (int m = 0; m < ASPERITY_MODEL_COUNT; m++)
-        coverage_must(statistical_make(&models[m], &surface, &pair, (enum asperity_model_id)m, 0, 1e-10, INFINITY,
-                                       &evaluations, &status),
-                      &status);
+        coverage_must(statistical_make(&models[m], &task, (enum asperity_model_id)m, INFINITY, &status), &status);
     page_rows(page, "quadrature");
     for (const struct row *row = rows; row < rows + sizeof rows / sizeof *rows; row++) {
         text_add(&page->text, "| %s | %g |", row->name, row->setting);

@@ -70,7 +70,8 @@ void shapes_add(struct page *page)
         struct direct_point point[NODES], bulged[PRESSED];
         double load[NODES], gap_m[NODES], conductance[NODES];
         struct shape_curve gap, ways;
-        coverage_must(direct_surface_make(rough_m, SIDE, variance, NULL, NULL, 0, 1 + (uint64_t)seed, &status),
+        coverage_must(direct_surface_make(rough_m, SIDE, &(struct direct_recipe){variance, NULL, NULL, 0},
+                                          1 + (uint64_t)seed, &status),
                       &status);
         sum = 0;
         for (size_t k = 0; k < SIDE * SIDE; k++)

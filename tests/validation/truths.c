@@ -284,11 +284,10 @@ static double beta_of(const struct roughness *roughness, enum asperity_model_id 
     struct asperities asperities;
     struct statistical model;
     struct status status = {0};
-    uint64_t evaluations = 0;
+    const struct model_task task = {
+        .asperities = &asperities, .pair = &pair, .wanted = QUANTITY_BIT(QUANTITY_SEPARATION), .tolerance = 1e-6};
     coverage_must(roughness_asperities(&asperities, roughness, &status), &status);
-    coverage_must(statistical_make(&model, &asperities, &pair, law, QUANTITY_BIT(QUANTITY_SEPARATION), 1e-6, INFINITY,
-                                   &evaluations, &status),
-                  &status);
+    coverage_must(statistical_make(&model, &task, law, INFINITY, &status), &status);
     double beta = model.beta;
     statistical_free(&model);
     return beta;

@@ -80,8 +80,10 @@ static double *make_surface(size_t law, double hurst, double roll_off, uint64_t 
     coverage_must(direct_spectrum_of_law(&spectrum, &rows, &status), &status);
     for (size_t k = 0; k < GIVEN; k++)
         given[k] = height_laws[law].of(gsl_cdf_ugaussian_Pinv(((double)k + 0.5) / GIVEN));
-    coverage_must(direct_surface_make(height_m, SIDE, direct_spectrum_variance, &spectrum, law == 0 ? NULL : given,
-                                      GIVEN, seed, &status),
+    coverage_must(direct_surface_make(
+                      height_m, SIDE,
+                      &(struct direct_recipe){direct_spectrum_variance, &spectrum, law == 0 ? NULL : given, GIVEN},
+                      seed, &status),
                   &status);
     direct_spectrum_free(&spectrum);
     free(given);
