@@ -7,8 +7,19 @@ const char *const power_law_method_names[POWER_LAW_METHOD_COUNT] = {"auto", "the
 
 static struct power_law no_law(const double band_m[2])
 {
-    return (struct power_law){POWER_LAW_BAND_NONE,    NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN,
-                              {band_m[0], band_m[1]}, 0,   NAN, NAN, NAN};
+    return (struct power_law){.found = POWER_LAW_BAND_NONE,
+                              .alpha = NAN,
+                              .gamma = NAN,
+                              .gamma_error = NAN,
+                              .amplitude_m = NAN,
+                              .amplitude_error_decades = NAN,
+                              .wavelength_m = NAN,
+                              .psd_m3 = NAN,
+                              .misfit_decades = NAN,
+                              .band_m = {band_m[0], band_m[1]},
+                              .knee_m = NAN,
+                              .gamma_below = NAN,
+                              .gamma_above = NAN};
 }
 
 /** Running sums of a straight-line fit y = intercept + slope x, about a fixed origin to keep digits. */
