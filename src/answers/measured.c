@@ -289,10 +289,16 @@ enum status_code measured_fit(struct measured_answers *out, const struct measure
                               struct status *status)
 {
     const size_t most = measured->count;
-    double *room = calloc(5 * most + 1, sizeof *room), *ratio = room, *mean = room + most;
+    double *room = calloc(5 * most + 1, sizeof *room);
     size_t *run = calloc(most + 1, sizeof *run);
+    if (!room || !run) {
+        free(room);
+        free(run);
+        return status_memory(status);
+    }
+    double *ratio = room, *mean = room + most;
     struct answered of = {room + 2 * most, room + 3 * most, room + 4 * most, run, 0, 0};
-    for (size_t r = 0; room && run && r < measured->run_count; r++) {
+    for (size_t r = 0; r < measured->run_count; r++) {
         size_t before = of.count;
         double sum = 0;
         for (size_t i = measured->runs[r].first; i <= measured->runs[r].turn; i++) {
@@ -313,9 +319,8 @@ enum status_code measured_fit(struct measured_answers *out, const struct measure
     out->exponent = (struct measured_exponent){.measured = NAN, .model = NAN, .sd = NAN, .times = NAN};
     if (of.count >= of.runs + 3)
         find_mark(&out->exponent, &of);
-    enum status_code rc = room && run ? estimate_make(&out->fit, of.runs > 1 ? mean : ratio, NULL,
-                                                      of.runs > 1 ? of.runs : of.count, true, status)
-                                      : status_memory(status);
+    enum status_code rc =
+        estimate_make(&out->fit, of.runs > 1 ? mean : ratio, NULL, of.runs > 1 ? of.runs : of.count, true, status);
     free(room);
     free(run);
     return rc;

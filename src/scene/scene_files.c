@@ -29,8 +29,10 @@ char *scene_file_path(const struct scene *scene, const char *file)
 enum status_code scene_files_add(struct scene_files *files, const char *file, struct status *status)
 {
     char **path = reallocarray(files->path, files->count + 1, sizeof *path);
-    files->path = path ? path : files->path;
-    if (!path || !(path[files->count] = strdup(file)))
+    if (!path)
+        return status_memory(status);
+    files->path = path;
+    if (!(files->path[files->count] = strdup(file)))
         return status_memory(status);
     files->count++;
     return STATUS_OK;
