@@ -246,8 +246,10 @@ int text_characters(const char *string)
 
 void text_add_wrapped(struct text *text, const char *string, int width, int indent)
 {
-    const char *line = memrchr(text_string(text), '\n', text->length); /* from its end: the text may be long */
-    int at = text_characters(line ? line + 1 : text_string(text));
+    size_t line = text->length; /* from its end, as the text may be long; sanitizers look at all that memrchr() may */
+    while (line > 0 && text->data[line - 1] != '\n')
+        line--;
+    int at = text_characters(text_string(text) + line);
     bool begun = false; /* a word stands on this line, which the next is told from by a blank */
     while (*string) {
         size_t length = strcspn(string, " \n");
