@@ -100,21 +100,26 @@ static inline void directory_write(const void *place, const char *name, const ch
     expect_ok(text_write_file, directory_path(place, name), content, strlen(content));
 }
 
-/* The file's text; fails the test when there is none. */
-static inline struct text directory_read(const void *place, const char *name)
+/* The file's text, the test's; fails it when there is none. */
+static inline char *directory_read(const void *place, const char *name)
 {
-    struct text text = {0};
-    expect_ok(text_read_file, &text, directory_path(place, name));
-    return text;
+    struct text *text = support_text();
+    expect_ok(text_read_file, text, directory_path(place, name));
+    text_add(text, "%s", "");
+    return text->data;
+}
+
+/* The JSON value in the file, the test's. */
+static inline json_t *directory_json(const void *place, const char *name)
+{
+    return support_json(directory_read(place, name));
 }
 
 /* expect_parts() and expect_no_parts() of a file. */
 static inline void directory_expect(const void *place, const char *name, const char *const *parts, bool there,
                                     const char *file, int line)
 {
-    struct text text = directory_read(place, name);
-    support_parts(text_string(&text), parts, there, file, line);
-    text_free(&text);
+    support_parts(directory_read(place, name), parts, there, file, line);
 }
 
 #define expect_in_file(place, name, ...)                                                                               \
@@ -124,20 +129,18 @@ static inline void directory_expect(const void *place, const char *name, const c
 
 static inline void directory_expect_same(const void *place, const char *a, const char *b)
 {
-    struct text first = directory_read(place, a), second = directory_read(place, b);
-    assert_true(first.length > 0);
-    assert_int_equal(first.length, second.length);
-    assert_memory_equal(first.data, second.data, first.length);
-    text_free(&first);
-    text_free(&second);
+    struct text *first = support_text(), *second = support_text();
+    expect_ok(text_read_file, first, directory_path(place, a));
+    expect_ok(text_read_file, second, directory_path(place, b));
+    assert_true(first->length > 0);
+    assert_int_equal(first->length, second->length);
+    assert_memory_equal(first->data, second->data, first->length);
 }
 
 /* The file has this text, to the byte. */
 static inline void directory_holds(const void *place, const char *name, const char *content)
 {
-    struct text text = directory_read(place, name);
-    assert_string_equal(text_string(&text), content);
-    text_free(&text);
+    assert_string_equal(directory_read(place, name), content);
 }
 
 static inline struct table directory_table(const void *place, const char *name)

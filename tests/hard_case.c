@@ -107,16 +107,15 @@ static bool section_holds(const char *at)
 /** The page with this section in its place, or at the end. */
 static void write_section(const struct text *page, const char *start, const char *end)
 {
-    struct text all = {0};
+    struct text *all = support_text();
     struct status status = {0};
-    text_add_bytes(&all, page->data, (size_t)(start - page->data));
-    text_add(&all, "%s%s", *start ? "" : "\n", section_start());
+    text_add_bytes(all, page->data, (size_t)(start - page->data));
+    text_add(all, "%s%s", *start ? "" : "\n", section_start());
     for (size_t i = 0; i < row_count; i++)
-        text_add(&all, "%s%s%s", before_number(rows[i]), number_text(rows[i]->worst), behind_number(rows[i]));
-    text_add(&all, "%s", end);
-    if (text_write_file(PAGE, all.data, all.length, &status) != STATUS_OK)
+        text_add(all, "%s%s%s", before_number(rows[i]), number_text(rows[i]->worst), behind_number(rows[i]));
+    text_add(all, "%s", end);
+    if (text_write_file(PAGE, all->data, all->length, &status) != STATUS_OK)
         print_error("%s\n", status.message);
-    text_free(&all);
 }
 
 int hard_cases_hold(void)
@@ -125,24 +124,23 @@ int hard_cases_hold(void)
         return 0;
     bool writes = getenv("ROUGHCONTACT_WRITE_DOCS"), holds = true;
     FILE *lock = writes ? fopen(PROJECT_SOURCE "/docs", "r") : NULL; /* programs write one after the other */
-    struct text page = {0};
+    struct text *page = support_text();
     struct status status = {0};
     if (lock)
         (void)flock(fileno(lock), LOCK_EX);
-    if (text_read_file(&page, PAGE, &status) != STATUS_OK) {
+    if (text_read_file(page, PAGE, &status) != STATUS_OK) {
         print_error("%s\n", status.message);
         return 1;
     }
-    const char *start = strstr(page.data, filled("\n## %s\n", section_heading)),
-               *end = start ? strstr(start + 1, "\n## ") : NULL, *last = page.data + page.length;
+    const char *start = strstr(page->data, filled("\n## %s\n", section_heading)),
+               *end = start ? strstr(start + 1, "\n## ") : NULL, *last = page->data + page->length;
     start = start ? start + 1 : last;
     if (writes)
-        write_section(&page, start, end ? end : last);
+        write_section(page, start, end ? end : last);
     else
         holds = section_holds(start);
     if (!holds)
         print_error("run this test with ROUGHCONTACT_WRITE_DOCS=1 and look at what it changes\n");
-    text_free(&page);
     if (lock)
         fclose(lock);
     return holds ? 0 : 1;

@@ -104,7 +104,8 @@ static void make_estimates(struct made_up *made, struct surface_record *record, 
 static void make_bands(struct surface_record *record, size_t m)
 {
     record->band_count = MADE_UP_LOADS;
-    record->bands[m] = support_room(MADE_UP_LOADS * sizeof *record->bands[m]);
+    record->bands[m] = calloc(MADE_UP_LOADS, sizeof *record->bands[m]);
+    assert_non_null(record->bands[m]);
     for (size_t i = 0; i < MADE_UP_LOADS; i++) {
         const struct contact_point *point = &record->curves[m].points[i];
         struct ensemble_band *band = &record->bands[m][i];
@@ -227,7 +228,8 @@ static void make_measured(struct made_up *made)
         values[MADE_UP_MEASURED + i] = 1.5 * 1.5e-14 / loads[i];
         values[2 * MADE_UP_MEASURED + i] = NAN;
     }
-    made->answers[0].resistance = support_room(model_count * MADE_UP_MEASURED * sizeof(double));
+    made->answers[0].resistance = calloc(model_count * MADE_UP_MEASURED, sizeof(double));
+    assert_non_null(made->answers[0].resistance);
     for (size_t m = 0; m < model_count; m++)
         for (size_t i = 0; i < MADE_UP_MEASURED; i++)
             made->answers[0].resistance[m * MADE_UP_MEASURED + i] =
@@ -360,7 +362,6 @@ void made_up_free(struct made_up *made)
     json_decref(made->view);
     for (size_t i = 0; i < MADE_UP_SURFACES; i++)
         surface_record_free(&made->surfaces[i]);
-    free(made->sweeps);
     measured_answers_free(made->answers);
 }
 

@@ -23,7 +23,14 @@ void test_group(CMFixtureFunction before, CMFixtureFunction after)
     after_all = after;
 }
 
+static int begin_all(void **state)
+{
+    int rc = before_all ? before_all(state) : 0;
+    test_keep();
+    return rc;
+}
+
 int main(void)
 {
-    return count == 0 || _cmocka_run_group_tests("tests", tests, count, before_all, after_all) || hard_cases_hold();
+    return count == 0 || _cmocka_run_group_tests("tests", tests, count, begin_all, after_all) || hard_cases_hold();
 }

@@ -1,10 +1,42 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "support.h"
 
+#include "base/text.h"
 #include "contact/model.h"
 #include <signal.h>
 #include <stdio.h>
 #include <time.h>
+
+static struct {
+    void *what;
+    void (*end)(void *what);
+} * owned;
+static size_t owned_count, kept;
+
+void *test_owns(void *what, void (*end)(void *what))
+{
+    assert_non_null(what);
+    owned = realloc(owned, (owned_count + 1) * sizeof *owned);
+    assert_non_null(owned);
+    owned[owned_count].what = what;
+    owned[owned_count++].end = end;
+    return what;
+}
+
+int test_end(void **state, CMFixtureFunction after)
+{
+    int rc = after ? after(state) : 0;
+    while (owned_count > kept) {
+        owned_count--;
+        owned[owned_count].end(owned[owned_count].what);
+    }
+    return rc;
+}
+
+void test_keep(void)
+{
+    kept = owned_count;
+}
 
 void support_near(double actual, double expected, double rtol, double atol, const char *what, const char *file,
                   int line)
@@ -28,9 +60,32 @@ void support_parts(const char *text, const char *const *parts, bool there, const
 
 void *support_room(size_t bytes)
 {
-    void *room = calloc(1, bytes);
-    assert_non_null(room);
-    return room;
+    return test_owns(calloc(1, bytes), free);
+}
+
+static void end_text(void *text)
+{
+    text_free(text);
+    free(text);
+}
+
+struct text *support_text(void)
+{
+    return test_owns(calloc(1, sizeof(struct text)), end_text);
+}
+
+static void end_json(void *json)
+{
+    json_decref(json);
+}
+
+json_t *support_json(const char *text)
+{
+    json_error_t error;
+    json_t *json = json_loads(text, JSON_REJECT_DUPLICATES, &error);
+    if (!json)
+        fail_msg("no JSON: %s, line %d: %.400s", error.text, error.line, text);
+    return test_owns(json, end_json);
 }
 
 const char *filled(const char *format, ...)
@@ -44,6 +99,16 @@ const char *filled(const char *format, ...)
     va_end(args);
     assert_true(length >= 0 && (size_t)length < sizeof texts[0]);
     return text;
+}
+
+char *lasting(const char *format, ...)
+{
+    char *text = NULL;
+    va_list args;
+    va_start(args, format);
+    assert_true(vasprintf(&text, format, args) >= 0);
+    va_end(args);
+    return test_owns(text, free);
 }
 
 size_t model_named(const char *name)
@@ -87,24 +152,17 @@ struct table table_read_path(const char *path)
         assert_int_equal(count_columns(line), table.columns);
         table.cell = realloc(table.cell, (lines + 1) * table.columns * sizeof *table.cell);
         assert_non_null(table.cell);
-        char *rest = line;
+        char *rest = test_owns(strdup(line), free);
         for (size_t c = 0; c < table.columns; c++)
-            table.cell[lines * table.columns + c] = strdup(strsep(&rest, ","));
+            table.cell[lines * table.columns + c] = strsep(&rest, ",");
         lines++;
     }
     free(line);
     fclose(file);
     assert_true(lines > 1);
     table.rows = lines - 1;
+    test_owns(table.cell, free);
     return table;
-}
-
-void table_free(struct table *table)
-{
-    for (size_t i = 0; i < (table->rows + 1) * table->columns; i++)
-        free(table->cell[i]);
-    free(table->cell);
-    *table = (struct table){0};
 }
 
 const char *table_text(const struct table *table, size_t row, const char *column)

@@ -16,15 +16,20 @@
 #include <string.h>
 
 #include <cmocka.h>
+#include <jansson.h>
 
 /** Defines a cmocka test, `TEST_CASE(name) { ... }`, which main.c runs: in the order of the file, with *state from its
  * fixture, if any. TEST_GROUP() is the fixture of all tests of the file together. */
 #define TEST_CASE(name) TEST_WITH(name, NULL, NULL)
 #define TEST_WITH(name, before, after)                                                                                 \
     static void name(void **state);                                                                                    \
+    static int name##_end(void **state)                                                                                \
+    {                                                                                                                  \
+        return test_end(state, after);                                                                                 \
+    }                                                                                                                  \
     __attribute__((constructor)) static void name##_add(void)                                                          \
     {                                                                                                                  \
-        test_add(#name, name, before, after);                                                                          \
+        test_add(#name, name, before, name##_end);                                                                     \
     }                                                                                                                  \
     static void name(__attribute__((unused)) void **state)
 #define TEST_GROUP(before, after)                                                                                      \
@@ -35,6 +40,14 @@
 
 void test_add(const char *name, CMUnitTestFunction run, CMFixtureFunction before, CMFixtureFunction after);
 void test_group(CMFixtureFunction before, CMFixtureFunction after);
+
+/** What the helpers of the tests give is the test's: it ends with it, and nobody else frees it. What the fixture of a
+ * group was given lasts as long as the program. Returns `what`, on which `end` is called then; never NULL. */
+void *test_owns(void *what, void (*end)(void *what));
+/** The end of a test: its fixture's, then that of all it owns. Returns what the fixture does. */
+int test_end(void **state, CMFixtureFunction after);
+/** The fixture of the group is made: what was given so far is not the first test's. */
+void test_keep(void);
 
 /** Fails unless |actual - expected| <= rtol |expected| (both zero passes; non-finite never does). */
 #define assert_near(actual, expected, rtol) support_near((actual), (expected), (rtol), 0.0, #actual, __FILE__, __LINE__)
@@ -72,13 +85,20 @@ void support_parts(const char *text, const char *const *parts, bool there, const
 /** A text made as by printf(), such as a file's name; good until the next 16 calls. */
 const char *filled(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/** So many bytes, zero, to be freed; fails the test when there are none. */
+/** The same, the test's. */
+char *lasting(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
+/** So many bytes, zero, the test's; fails it when there are none. */
 void *support_room(size_t bytes);
+/** An empty text, the test's, to be added to. */
+struct text *support_text(void);
+/** A JSON value, the test's; fails it when the text is none, or one with a key twice. */
+json_t *support_json(const char *text);
 
 /** Index in the table of models of the one of that name, such as "gw"; fails the test when there is none. */
 size_t model_named(const char *name);
 
-/** A reference table: a CSV file of tests/data; lines that start with # name its origin. Cells are text. */
+/** A reference table, the test's: a CSV file of tests/data; lines that start with # name its origin. Cells are text. */
 struct table {
     size_t rows, columns;
     char **cell; /* (rows + 1) x columns, row 0 is the header */
@@ -87,7 +107,6 @@ struct table {
 struct table table_read(const char *name);
 /** The same of a file anywhere, such as one the program wrote (no quoted cells). */
 struct table table_read_path(const char *path);
-void table_free(struct table *table);
 /** Text of `column` in data row `row` (from 0); fails the test when there is no such column. */
 const char *table_text(const struct table *table, size_t row, const char *column);
 /** The same as a number. */

@@ -15,7 +15,7 @@ static void check(size_t n, size_t periods)
 {
     struct fft_room room;
     assert_true(fft_room_make(&room, n));
-    double *record = room.record, *before = malloc(n * sizeof *before);
+    double *record = room.record, *before = support_room(n * sizeof *before);
     fftw_complex *transform = room.transform;
     for (size_t j = 0; j < n; j++)
         record[j] = before[j] = periods ? cos(2 * M_PI * (double)periods * (double)j / (double)n + 0.3) : value(j, n);
@@ -34,7 +34,6 @@ static void check(size_t n, size_t periods)
     assert_true(fft_backward(record, transform, n));
     for (size_t j = 0; j < n; j++)
         assert_true(fabs(record[j] / (double)n - before[j]) < 1e-13);
-    free(before);
     fft_room_free(&room);
 }
 

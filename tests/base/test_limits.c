@@ -219,19 +219,18 @@ TEST_IN_DIRECTORY(test_scene_files)
 {
     scene_directory_add(place, "a.csv");
     for (size_t over = 0; over < 2; over++) {
-        struct text text = {0};
+        struct text *text = support_text();
         struct scene scene;
         struct status status = {0};
-        text_add(&text, "surfaces:\n");
+        text_add(text, "surfaces:\n");
         for (size_t i = 0; i < SMALL_SCENE_FILES / 2 + over; i++)
-            text_add(&text, "  - {name: s%zu, file: [a.csv, ./a.csv]}\n", i);
-        directory_write(place, "scene.yaml", text.data);
+            text_add(text, "  - {name: s%zu, file: [a.csv, ./a.csv]}\n", i);
+        directory_write(place, "scene.yaml", text->data);
         assert_int_equal(scene_read(&scene, place->path, NULL, &status), over ? STATUS_SCENE : STATUS_OK);
         if (over)
             assert_non_null(strstr(status.message, "more than 4 files in one scene; split it"));
         met[LIMIT_SCENE_FILES] = true;
         scene_free(&scene);
-        text_free(&text);
     }
 }
 
@@ -242,19 +241,18 @@ TEST_CASE(test_measured)
     static const char *const begun[] = {"F (N),R (mOhm)", "1,2", "#"};
     for (size_t over = 0; over < 2; over++)
         for (size_t kind = 0; kind < 4; kind++) {
-            struct text text = {0};
+            struct text *text = support_text();
             struct measured_file file;
             struct status status = {0};
             if (kind < 3)
-                text_add(&text, "%-*s\n1,2\n", SMALL_MEASURED_LINE_BYTES + (int)over, begun[kind]);
+                text_add(text, "%-*s\n1,2\n", SMALL_MEASURED_LINE_BYTES + (int)over, begun[kind]);
             for (size_t i = 0; kind == 3 && i < SMALL_MEASURED_LINES + over; i++)
-                text_add(&text, i % 2 ? "1,2\n" : "\n");
-            enum status_code code = measured_file_read(&file, string_view_of(text.data), "a", quantities, &status);
+                text_add(text, i % 2 ? "1,2\n" : "\n");
+            enum status_code code = measured_file_read(&file, string_view_of(text->data), "a", quantities, &status);
             assert_int_equal(code, over ? STATUS_SCENE : STATUS_OK);
             if (over)
                 expect_limit(status.message, kind < 3 ? LIMIT_MEASURED_LINE_BYTES : LIMIT_MEASURED_LINES);
             measured_file_free(&file);
-            text_free(&text);
         }
 }
 
@@ -303,7 +301,6 @@ TEST_CASE(test_gzip)
         memset(blanks, '\n', length);
         memcpy(blanks, heights, of_heights);
         expect_scan(gzip(blanks, length), over, LIMIT_UNPACKED_RATIO, SAMPLE_POINTS, 1);
-        free(blanks);
     }
     struct text once = gzip(heights, sizeof heights - 1), twice = gzip(once.data, once.length);
     text_free(&once);
@@ -355,18 +352,17 @@ TEST_CASE(test_archives)
 /* A profile of six points in main.xml itself, with `more` in it. */
 static struct text x3p(const char *more, size_t length)
 {
-    struct text main = {0};
-    text_add(&main, "<p:ISO5436_2><Record1><FeatureType>PRF</FeatureType><Axes>" AXIS("CX", "I") AXIS("CY", "I")
-                        AXIS("CZ", "A") "</Axes></Record1><Record3><ListDimension>6</ListDimension><DataList>");
+    struct text *main = support_text();
+    text_add(main, "<p:ISO5436_2><Record1><FeatureType>PRF</FeatureType><Axes>" AXIS("CX", "I") AXIS("CY", "I")
+                       AXIS("CZ", "A") "</Axes></Record1><Record3><ListDimension>6</ListDimension><DataList>");
     for (size_t i = 0; i < SAMPLE_POINTS; i++)
-        text_add(&main, "<Datum>%g</Datum>", sample_um[i]);
-    text_add(&main, "</DataList></Record3>%s", more);
-    while (main.length + strlen("</p:ISO5436_2>") < length)
-        text_add(&main, "\n");
-    text_add(&main, "</p:ISO5436_2>");
-    const struct member members[] = {{"main.xml", main.data, main.length}, {NULL, NULL, 0}};
+        text_add(main, "<Datum>%g</Datum>", sample_um[i]);
+    text_add(main, "</DataList></Record3>%s", more);
+    while (main->length + strlen("</p:ISO5436_2>") < length)
+        text_add(main, "\n");
+    text_add(main, "</p:ISO5436_2>");
+    const struct member members[] = {{"main.xml", main->data, main->length}, {NULL, NULL, 0}};
     struct text text = zip(members, false);
-    text_free(&main);
     return text;
 }
 
@@ -431,12 +427,11 @@ static void expect_compared_many(const char *a, const char *b, size_t count, boo
     for (size_t i = 0; i < count; i++)
         both[i] = i % 2 ? second : first;
     for (int i = 0; i < 2; i++) {
-        struct text text = {0};
+        struct text *text = support_text();
         snprintf(both[i], sizeof first, "%s/%d", directory.path, i);
-        text_add(&text, "{%s%s", more[i], rest);
-        assert_true(text.length <= SMALL_RESULTS_BYTES);
-        directory_write(&directory, i ? "1/results.json" : "0/results.json", text.data);
-        text_free(&text);
+        text_add(text, "{%s%s", more[i], rest);
+        assert_true(text->length <= SMALL_RESULTS_BYTES);
+        directory_write(&directory, i ? "1/results.json" : "0/results.json", text->data);
     }
     enum status_code code = report_compare(&view, both, count, &status);
     if ((code != STATUS_OK) != over)
@@ -477,17 +472,16 @@ static void expect_filled(const char *source, const char *partial, size_t items,
 {
     json_t *view = json_object(), *list = json_array(), *partials = json_pack("{s:s}", "p", partial);
     struct mustache how = {view, NULL, from_object, partials};
-    struct text out = {0};
+    struct text *out = support_text();
     struct status status = {0};
     for (size_t i = 0; i < items; i++)
         json_array_append_new(list, json_integer((json_int_t)i));
     json_object_set_new(view, "list", list);
-    enum status_code code = mustache_render(&out, source, "it.md", &how, &status);
+    enum status_code code = mustache_render(out, source, "it.md", &how, &status);
     if (code != (over ? STATUS_USAGE : STATUS_OK))
         fail_msg("'%s' at the limit '%s'", status.message, limit_rows[limit].name);
     if (over)
         expect_limit(status.message, limit);
-    text_free(&out);
     json_decref(view);
     json_decref(partials);
 }

@@ -27,15 +27,14 @@ static const char *from_object(void *context, const char *name)
 static void check_case(const char *file, const json_t *test)
 {
     struct mustache how = {json_object_get(test, "data"), escape_html, from_object, json_object_get(test, "partials")};
-    struct text out = {0};
+    struct text *out = support_text();
     struct status status = {0};
     const char *source = json_string_value(json_object_get(test, "template"));
     const char *expected = json_string_value(json_object_get(test, "expected"));
-    enum status_code rc = mustache_render(&out, source, file, &how, &status);
-    if (rc != STATUS_OK || strcmp(text_string(&out), expected) != 0)
-        fail_msg("%s, '%s': '%s' %s", file, json_string_value(json_object_get(test, "name")), text_string(&out),
+    enum status_code rc = mustache_render(out, source, file, &how, &status);
+    if (rc != STATUS_OK || strcmp(text_string(out), expected) != 0)
+        fail_msg("%s, '%s': '%s' %s", file, json_string_value(json_object_get(test, "name")), text_string(out),
                  status.message);
-    text_free(&out);
 }
 
 TEST_CASE(the_specification_holds)
@@ -122,26 +121,25 @@ TEST_CASE(own_cases_hold)
     for (size_t i = 0; i < sizeof own_cases / sizeof *own_cases; i++) {
         json_t *data = json_loads(own_cases[i].data, 0, NULL), *partials = json_object();
         struct mustache how = {data, escape_html, from_object, partials};
-        struct text out = {0};
+        struct text *out = support_text();
         struct status status = {0};
         json_object_set_new(partials, "p", json_string(own_cases[i].partial));
-        enum status_code rc = mustache_render(&out, own_cases[i].source, "own", &how, &status);
+        enum status_code rc = mustache_render(out, own_cases[i].source, "own", &how, &status);
         if (own_cases[i].expected && strncmp(own_cases[i].source, "{{=", 3) == 0)
             hard_case("a template whose delimiters begin or end with a sign of its own: [ &], [ #], [ !]",
                       "a tag that has swallowed its end is taken for another",
                       "what stands right behind the opening one is the tag's own", "other texts than expected",
-                      strcmp(text_string(&out), own_cases[i].expected) != 0, 0);
+                      strcmp(text_string(out), own_cases[i].expected) != 0, 0);
         if (strcmp(own_cases[i].source, "{{>p}}") == 0)
             hard_case("a partial that holds itself", "recursion without end", "an error: without end", "pages",
                       rc == STATUS_OK, 0);
         if (own_cases[i].expected) {
             assert_int_equal(rc, STATUS_OK);
-            assert_string_equal(text_string(&out), own_cases[i].expected);
+            assert_string_equal(text_string(out), own_cases[i].expected);
         } else {
             assert_int_equal(rc, STATUS_USAGE);
             assert_non_null(strstr(status.message, own_cases[i].error));
         }
-        text_free(&out);
         json_decref(data);
         json_decref(partials);
     }

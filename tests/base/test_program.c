@@ -38,9 +38,9 @@ static enum program_state run(char *lines, double seconds, int *how)
 
 PLACED(test_find)
 {
-    char path[4096], *before = strdup(getenv("PATH")), *with = NULL;
+    char path[4096], *before = lasting("%s", getenv("PATH")), *with = NULL;
     directory_write(&directory_here, "tool", "#!/bin/sh\n");
-    assert_true(asprintf(&with, "relative::%s:%s", directory_here.path, before) > 0);
+    with = lasting("relative::%s:%s", directory_here.path, before);
     assert_int_equal(setenv("PATH", with, 1), 0);
     assert_false(program_find(path, sizeof path, "tool")); /* no program yet */
     assert_int_equal(chmod(directory_path(&directory_here, "tool"), 0700), 0);
@@ -49,8 +49,6 @@ PLACED(test_find)
     assert_false(program_find(path, strlen(directory_here.path), "tool"));
     assert_false(program_find(path, sizeof path, "no-such-tool"));
     assert_int_equal(setenv("PATH", before, 1), 0);
-    free(before);
-    free(with);
 }
 
 /* It gets both outputs, its directory, no input, a process group of its own, nothing of the environment but PATH, and
@@ -68,7 +66,7 @@ PLACED(test_what_it_gets)
     sigfillset(&signals);
     pthread_sigmask(SIG_BLOCK, &signals, NULL);
     assert_int_equal(setenv("LC_ALL", "C", 1) + setenv("KEPT", "kept", 1), 0);
-    char *path = strdup(getenv("PATH"));
+    char *path = lasting("%s", getenv("PATH"));
     assert_int_equal(setenv("PATH", "/usr/bin:/bin:/kept", 1), 0);
     assert_int_equal(run(first, 60, &how), PROGRAM_ENDED);
     assert_int_equal(how, 0);
@@ -81,7 +79,6 @@ PLACED(test_what_it_gets)
     pthread_sigmask(SIG_UNBLOCK, &signals, NULL);
     signal(SIGPIPE, pipes);
     assert_int_equal(setenv("PATH", path, 1), 0);
-    free(path);
 }
 
 PLACED(test_how_it_ends)
@@ -120,9 +117,8 @@ PLACED(test_it_ends_with_its_parent)
     }
     assert_int_equal(waitpid(parent, &how, 0), parent);
     assert_true(WIFSIGNALED(how) && WTERMSIG(how) == SIGKILL);
-    struct text text = directory_read(&directory_here, "number");
-    pid_t process = (pid_t)atoi(text_string(&text)), gone = 0;
-    text_free(&text);
+    char *text = directory_read(&directory_here, "number");
+    pid_t process = (pid_t)atoi(text), gone = 0;
     assert_true(process > 0);
     for (double until = clock_seconds() + 60; gone == 0 && clock_seconds() < until;)
         gone = waitpid(process, &how, WNOHANG); /* it is this one's child now */

@@ -20,21 +20,21 @@ TEST_CASE(test_an_unused_text_is_an_empty_string)
 
 TEST_CASE(test_a_text_grows_and_keeps_every_byte)
 {
-    struct text text = {0};
+    struct text *text = support_text();
     char expected[6 * 3000 + 1];
     for (int i = 0; i < 3000; i++) {
-        text_add(&text, "%05d;", i);
+        text_add(text, "%05d;", i);
         snprintf(expected + 6 * i, 7, "%05d;", i);
     }
-    assert_int_equal(text.length, strlen(expected));
-    assert_string_equal(text_string(&text), expected);
-    assert_true(text.capacity > text.length);
-    assert_false(text.failed);
-    text_add_bytes(&text, "a\0b", 3);
-    assert_memory_equal(text.data + text.length - 3, "a\0b", 4);
-    text_free(&text);
-    assert_null(text.data);
-    assert_int_equal(text.length, 0);
+    assert_int_equal(text->length, strlen(expected));
+    assert_string_equal(text_string(text), expected);
+    assert_true(text->capacity > text->length);
+    assert_false(text->failed);
+    text_add_bytes(text, "a\0b", 3);
+    assert_memory_equal(text->data + text->length - 3, "a\0b", 4);
+    text_free(text);
+    assert_null(text->data);
+    assert_int_equal(text->length, 0);
 }
 
 TEST_CASE(test_more_than_memory_fails_and_stays_failed)
@@ -54,10 +54,9 @@ TEST_CASE(test_more_than_memory_fails_and_stays_failed)
 /* As a name from outside comes into Markdown. */
 static void add_markdown(struct text *text, const char *string)
 {
-    struct text shown = {0};
-    text_add_shown(&shown, string);
-    text_add_markdown_shown(text, text_string(&shown));
-    text_free(&shown);
+    struct text *shown = support_text();
+    text_add_shown(shown, string);
+    text_add_markdown_shown(text, text_string(shown));
 }
 
 /* Every ASCII punctuation mark that Markdown or HTML gives a meaning to is defused at a beginning; the rest is left
@@ -111,10 +110,9 @@ TEST_CASE(test_csv)
         {"", ""},           {"plain text", "plain text"},       {"a;b", "\"a;b\""}, {"a;-1", "\"a;-1\""},
         {"a,b", "\"a,b\""}, {"say \"x\"", "\"say \"\"x\"\"\""}, {"\"", "\"\"\"\""}, {",\",\"", "\",\"\",\"\"\""},
     };
-    struct text behind = {0}; /* where semicolons delimit, the cell is cut there, whatever is around it */
-    text_add_csv(&behind, "a;=HYPERLINK(1)");
-    assert_string_equal(text_string(&behind), "\"a;'=HYPERLINK(1)\"");
-    text_free(&behind);
+    struct text *behind = support_text(); /* where semicolons delimit, the cell is cut there, whatever is around it */
+    text_add_csv(behind, "a;=HYPERLINK(1)");
+    assert_string_equal(text_string(behind), "\"a;'=HYPERLINK(1)\"");
     for (size_t i = 0; i < sizeof fields / sizeof *fields; i++) {
         struct text text = {0};
         char back[64];
@@ -188,10 +186,9 @@ TEST_CASE(test_different_texts_are_shown_differently)
 /** Does the field of this text begin with an apostrophe more? */
 static bool is_guarded(const char *string)
 {
-    struct text field = {0};
-    text_add_csv(&field, string);
-    bool guarded = strlen(text_string(&field)) == strlen(string) + 1;
-    text_free(&field);
+    struct text *field = support_text();
+    text_add_csv(field, string);
+    bool guarded = strlen(text_string(field)) == strlen(string) + 1;
     return guarded;
 }
 
@@ -237,33 +234,29 @@ TEST_CASE(test_files_come_back_byte_for_byte)
 {
     enum { LENGTH = 300001 };
     const char *temporary = getenv("TMPDIR");
-    char path[256], *bytes = malloc(LENGTH);
+    char path[256], *bytes = support_room(LENGTH);
     snprintf(path, sizeof path, "%s/roughcontact-text-XXXXXX", temporary ? temporary : P_tmpdir);
     close(mkstemp(path));
-    assert_non_null(bytes);
     for (size_t i = 0; i < LENGTH; i++)
         bytes[i] = (char)(i * i % 251); /* with NULs */
     for (size_t length = 0; length <= LENGTH; length += LENGTH) {
-        struct text text = {0};
+        struct text *text = support_text();
         expect_ok(text_write_file, path, bytes, length);
-        expect_ok(text_read_file, &text, path);
-        assert_int_equal(text.length, length);
-        assert_memory_equal(text_string(&text), bytes, length);
-        assert_int_equal(text.data[length], '\0');
-        text_free(&text);
+        expect_ok(text_read_file, text, path);
+        assert_int_equal(text->length, length);
+        assert_memory_equal(text_string(text), bytes, length);
+        assert_int_equal(text->data[length], '\0');
     }
-    free(bytes);
     unlink(path);
 }
 
 static void assert_unreadable(const char *path, const char *reason)
 {
     struct status status = {0};
-    struct text text = {0};
-    assert_int_equal(text_read_file(&text, path, &status), STATUS_IO);
+    struct text *text = support_text();
+    assert_int_equal(text_read_file(text, path, &status), STATUS_IO);
     assert_non_null(strstr(status.message, path));
     assert_non_null(strstr(status.message, reason));
-    text_free(&text);
 }
 
 TEST_CASE(test_what_cannot_be_read_is_named)

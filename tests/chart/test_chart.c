@@ -332,16 +332,15 @@ PLACED(hostile_names_mean_nothing)
 TEST_CASE(a_script_that_is_not_there_is_an_error)
 {
     struct chart chart = chart_make("chart");
-    struct text out = {0};
+    struct text *out = support_text();
     struct status status = {0};
     const double points[][2] = {{1, 1}, {2, 2}};
     struct mustache_folder folder = {"/no-such-folder", ".gp", NULL, &status};
     chart_panel(&chart, "", "x", "y", false, false);
     line(&chart, "one", points, 2);
-    assert_int_equal(chart_script(&out, &chart, &folder, NULL), STATUS_IO);
+    assert_int_equal(chart_script(out, &chart, &folder, NULL), STATUS_IO);
     assert_non_null(strstr(status.message, "/no-such-folder/charts/panels.gp"));
     mustache_folder_free(&folder);
-    text_free(&out);
     chart_free(&chart);
 }
 
@@ -417,9 +416,8 @@ TEST_CASE(the_programs_names_have_their_words)
 /* A long name is cut in its middle, by characters. */
 TEST_CASE(names_are_cut_in_their_middle)
 {
-    struct text out = {0};
-    words_cut(&out, "µµµµµfffggggg", strlen("µµµµµfffggggg"), 10);
-    assert_string_equal(text_string(&out), "µµµµµ…gggg");
-    assert_int_equal(words_width(text_string(&out), out.length), 10);
-    text_free(&out);
+    struct text *out = support_text();
+    words_cut(out, "µµµµµfffggggg", strlen("µµµµµfffggggg"), 10);
+    assert_string_equal(text_string(out), "µµµµµ…gggg");
+    assert_int_equal(words_width(text_string(out), out->length), 10);
 }

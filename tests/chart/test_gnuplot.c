@@ -29,7 +29,7 @@ static void run_well(const struct directory *place, const char *commands)
 
 PLACED(test_a_missing_gnuplot_names_the_package)
 {
-    char *path = strdup(getenv("PATH"));
+    char *path = lasting("%s", getenv("PATH"));
     const char *const without[] = {"", ":", ".:bin", "/nonexistent"};
     for (size_t i = 0; i < sizeof without / sizeof *without; i++) {
         struct status started = {0};
@@ -40,7 +40,6 @@ PLACED(test_a_missing_gnuplot_names_the_package)
         assert_int_equal(start, STATUS_CHART);
         assert_non_null(strstr(started.message, "gnuplot-nox"));
     }
-    free(path);
 }
 
 TEST_CASE(test_a_missing_directory_is_an_error)
@@ -147,14 +146,13 @@ static struct gnuplot start_other(const struct directory *place, const char *lin
 {
     struct gnuplot gnuplot;
     struct status status = {0};
-    char path[1024], *before = strdup(getenv("PATH"));
+    char path[1024], *before = lasting("%s", getenv("PATH"));
     directory_write(place, "gnuplot", lines);
     snprintf(path, sizeof path, "%s/gnuplot", place->path);
     assert_int_equal(chmod(path, 0755), 0);
     assert_int_equal(setenv("PATH", place->path, 1), 0);
     enum status_code started = gnuplot_start(&gnuplot, place->path, &status);
     assert_int_equal(setenv("PATH", before, 1), 0);
-    free(before);
     assert_int_equal(started, STATUS_OK);
     return gnuplot;
 }

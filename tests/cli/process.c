@@ -83,14 +83,9 @@ struct process process_end(struct process_running running)
     while (waitpid(running.pid, &end, 0) < 0)
         assert_int_equal(errno, EINTR);
     process.status = WIFSIGNALED(end) ? 128 + WTERMSIG(end) : WEXITSTATUS(end);
+    test_owns(process.out, free);
+    test_owns(process.err, free);
     return process;
-}
-
-void process_free(struct process *process)
-{
-    free(process->out);
-    free(process->err);
-    *process = (struct process){0};
 }
 
 void process_unwrap(struct process *process)
@@ -121,13 +116,11 @@ struct process process_expect(struct process process, int status, const char *fi
 void process_expect_only(struct process process, int status, const char *file, int line)
 {
     process_expect(process, status, file, line);
-    process_free(&process);
 }
 
 void process_expect_parts(struct process process, bool out, const char *const *parts, const char *file, int line)
 {
     support_parts(out ? process.out : process.err, parts, true, file, line);
-    process_free(&process);
 }
 
 void process_expect_failure(struct process process, int status, size_t lines, const char *message, const char *file,
@@ -146,13 +139,6 @@ void process_expect_failure(struct process process, int status, size_t lines, co
         print_error("missing: %s\n", message);
         complain(&process, "unexpected message", file, line);
     }
-    process_free(&process);
-}
-
-char *workspace_read(const char *place, const char *path)
-{
-    struct text text = directory_read(place, path);
-    return text.data ? text.data : strdup("");
 }
 
 void workspace_scan(const char *place, const char *path, size_t points, unsigned seed)
@@ -163,13 +149,11 @@ void workspace_scan(const char *place, const char *path, size_t points, unsigned
     def.length_m = 0.5e-6 * (double)points;
     def.seed = seed;
     expect_ok(synth_profile, height_m, &def);
-    struct text csv = {0};
-    text_add(&csv, "x [um],z [um]\n");
+    struct text *csv = support_text();
+    text_add(csv, "x [um],z [um]\n");
     for (size_t i = 0; i < points; i++)
-        text_add(&csv, "%.1f,%.6f\n", 0.5 * (double)i, height_m[i] * 1e6);
-    directory_write(place, path, text_string(&csv));
-    text_free(&csv);
-    free(height_m);
+        text_add(csv, "%.1f,%.6f\n", 0.5 * (double)i, height_m[i] * 1e6);
+    directory_write(place, path, text_string(csv));
 }
 
 static int by_name(const FTSENT **a, const FTSENT **b)
@@ -194,7 +178,8 @@ static size_t walk(const char *place, const char *path, struct hash *hash, const
         hash_add(hash, entry->fts_path + start, strlen(entry->fts_path + start) + 1);
         if (entry->fts_info != FTS_F)
             continue;
-        struct text content = directory_read("", entry->fts_path);
+        struct text content = {0};
+        expect_ok(text_read_file, &content, entry->fts_path);
         hash_add(hash, text_string(&content), content.length + 1);
         text_free(&content);
     }
@@ -210,17 +195,15 @@ char *workspace_digest(const char *place, const char *path)
     struct hash hash = hash_start();
     walk(place, path, &hash, NULL);
     hash_finish(&hash, digits);
-    return strdup(digits);
+    return test_owns(strdup(digits), free);
 }
 
 void workspace_expect_digest(const char *place, const char *path, const char *digest, const char *file, int line)
 {
-    char *now = workspace_digest(place, path);
-    if (strcmp(now, digest) != 0) {
+    if (strcmp(workspace_digest(place, path), digest) != 0) {
         print_error("'%s' is not what it was\n", path);
         _fail(file, line);
     }
-    free(now);
 }
 
 size_t workspace_count(const char *place, const char *prefix)
@@ -277,15 +260,12 @@ static int expect_numbers_in(const char *path, const struct stat *info, int type
     (void)info;
     if (type != FTW_F)
         return 0;
-    char *template_path;
-    assert_true(asprintf(&template_path, "%s/templates/%s", PROJECT_SOURCE, path + level->base) > 0);
-    bool code = access(template_path, F_OK) == 0; /* gnuplot's NaN, as in the templates */
-    free(template_path);
-    if (code)
-        return 0;
-    char *content = workspace_read("", path);
-    process_expect_numbers(content, path);
-    free(content);
+    if (access(filled("%s/templates/%s", PROJECT_SOURCE, path + level->base), F_OK) == 0)
+        return 0; /* gnuplot's NaN, as in the templates */
+    struct text content = {0};
+    expect_ok(text_read_file, &content, path);
+    process_expect_numbers(text_string(&content), path);
+    text_free(&content);
     files_seen++;
     return 0;
 }
@@ -299,61 +279,27 @@ size_t workspace_expect_numbers(const char *place, const char *path)
 
 char *workspace_program(const char *place, const char *name, const char *lines)
 {
-    char *before = strdup(getenv("PATH")), *path, *file;
-    assert_true(asprintf(&file, "bin/%s", name) > 0);
+    const char *file = filled("bin/%s", name);
+    char *before = test_owns(strdup(getenv("PATH")), free);
     workspace_write(place, file, lines);
     assert_int_equal(chmod(directory_path(place, file), 0755), 0);
-    assert_true(asprintf(&path, "%s/bin:%s", place, before) > 0);
-    assert_int_equal(setenv("PATH", path, 1), 0);
-    free(path);
-    free(file);
+    assert_int_equal(setenv("PATH", filled("%s/bin:%s", place, before), 1), 0);
     return before;
 }
 
 void workspace_take_back(char *path)
 {
     assert_int_equal(setenv("PATH", path, 1), 0);
-    free(path);
 }
 
 bool workspace_can_run(const char *place, const char *line)
 {
     const char *const command[] = {"sh", "-c", line, NULL};
-    struct process process = process_end(process_start_list(place, command, NULL));
-    int status = process.status;
-    process_free(&process);
-    return status == 0;
+    return process_end(process_start_list(place, command, NULL)).status == 0;
 }
 
 char *workspace_shell(const char *place, const char *line)
 {
     const char *const command[] = {"sh", "-ec", line, NULL};
-    struct process process =
-        process_expect(process_end(process_start_list(place, command, NULL)), 0, __FILE__, __LINE__);
-    free(process.err);
-    return process.out;
-}
-
-static json_t *parse(const char *text)
-{
-    json_error_t error;
-    json_t *json = json_loads(text, 0, &error);
-    if (!json)
-        fail_msg("no JSON: %s, line %d", error.text, error.line);
-    return json;
-}
-
-json_t *process_json(struct process process)
-{
-    json_t *json = parse(process.out);
-    process_free(&process);
-    return json;
-}
-
-json_t *workspace_json(const char *place, const char *path)
-{
-    char *text = workspace_read(place, path);
-    json_t *json = parse(text);
-    free(text);
-    return json;
+    return process_expect(process_end(process_start_list(place, command, NULL)), 0, __FILE__, __LINE__).out;
 }

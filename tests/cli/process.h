@@ -8,7 +8,7 @@
 #include <jansson.h>
 #include <sys/types.h>
 
-/** A finished process: what it wrote and how it ended. */
+/** A finished process, the test's: what it wrote and how it ended. */
 struct process {
     int status;      /* its exit status, or 128 + the signal that ended it */
     char *out, *err; /* NUL-terminated */
@@ -32,29 +32,28 @@ struct process_running {
 
 /** Starts the program in the workspace. */
 #define process_start(place, ...) process_start_list((place), (const char *const[]){PROGRAM, __VA_ARGS__, NULL}, NULL)
-/** Runs the program to its end; the result is to be freed with process_free(). */
+/** Runs the program to its end. */
 #define process_run(place, ...) process_end(process_start(place, __VA_ARGS__))
 /** The same for any program, found in PATH; stdout goes to the file `output` (NULL: it is collected). */
 struct process_running process_start_list(const char *place, const char *const *arguments, const char *output);
 struct process process_end(struct process_running running);
-void process_free(struct process *process);
 /** Joins lines of stdout that were broken to fit a terminal. */
 void process_unwrap(struct process *process);
 
-/** Runs the program and fails the test unless it exits with `status`; its result is to be freed. */
+/** Runs the program and fails the test unless it exits with `status`. */
 #define expect_exit(place, status, ...) process_expect(process_run(place, __VA_ARGS__), status, __FILE__, __LINE__)
 struct process process_expect(struct process process, int status, const char *file, int line);
 /** The same where its output does not matter. */
 #define run_to_exit(place, status, ...) process_expect_only(process_run(place, __VA_ARGS__), status, __FILE__, __LINE__)
 void process_expect_only(struct process process, int status, const char *file, int line);
-/** Fails the test unless stdout, or stderr, of a process that ended holds every one of these parts; frees it. */
+/** Fails the test unless stdout, or stderr, of a process that ended holds every one of these parts. */
 #define expect_output(process, ...)                                                                                    \
     process_expect_parts((process), true, (const char *const[]){__VA_ARGS__, NULL}, __FILE__, __LINE__)
 #define expect_errors(process, ...)                                                                                    \
     process_expect_parts((process), false, (const char *const[]){__VA_ARGS__, NULL}, __FILE__, __LINE__)
 void process_expect_parts(struct process process, bool out, const char *const *parts, const char *file, int line);
-/** What a process, which is freed, wrote to stdout: a JSON value and nothing else; or fails the test. */
-json_t *process_json(struct process process);
+/** What a process wrote to stdout: a JSON value and nothing else; or fails the test. */
+#define process_json(process) support_json((process).out)
 /** Runs any program, which must end with 0. */
 #define run_list(place, arguments)                                                                                     \
     process_expect_only(process_end(process_start_list((place), (arguments), NULL)), 0, __FILE__, __LINE__)
@@ -75,21 +74,20 @@ void process_expect_numbers(const char *text, const char *where);
 /** The same of every file below `path`, but gnuplot's templates. Returns their number. */
 size_t workspace_expect_numbers(const char *place, const char *path);
 
-/** Files below the workspace. Parents are made; read returns a text to free, and fails the test when there is none. */
+/** Files below the workspace. Parents are made; what is read is the test's, which fails when there is none. */
 #define workspace_write  directory_write
 #define workspace_folder directory_folder
 #define workspace_has    directory_has
 #define workspace_table  directory_table
-char *workspace_read(const char *place, const char *path);
+#define workspace_read   directory_read
+#define workspace_json   directory_json
 /** Writes a rough scan of `points` points with units in its header; another `seed`, another surface. */
 void workspace_scan(const char *place, const char *path, size_t points, unsigned seed);
-/** SHA-256 over the names and contents of everything below `path`, as a text to free: the same for the same bytes. */
+/** SHA-256 over the names and contents of everything below `path`: the same for the same bytes. */
 char *workspace_digest(const char *place, const char *path);
 /** Fails the test unless that is `digest`. */
 #define expect_digest(place, path, digest) workspace_expect_digest((place), (path), (digest), __FILE__, __LINE__)
 void workspace_expect_digest(const char *place, const char *path, const char *digest, const char *file, int line);
-/** A JSON value that the program wrote below the workspace. */
-json_t *workspace_json(const char *place, const char *path);
 /** How many entries, at any depth, have a name that begins with `prefix`. */
 size_t workspace_count(const char *place, const char *prefix);
 /** Puts the lines of a shell first in PATH as the program `name`. Returns PATH as it was, for workspace_take_back(). */
@@ -97,7 +95,7 @@ char *workspace_program(const char *place, const char *name, const char *lines);
 void workspace_take_back(char *path);
 /** Does a shell's command line succeed in the workspace? */
 bool workspace_can_run(const char *place, const char *line);
-/** Runs a shell's command line, which must succeed; its stdout, to be freed. */
+/** Runs a shell's command line, which must succeed; its stdout. */
 char *workspace_shell(const char *place, const char *line);
 
 #endif

@@ -15,7 +15,7 @@ static void scans(const char *place)
     workspace_scan(place, "in/b.csv", 300, 2);
 }
 
-/** Runs a scene; the result is to be freed. */
+/** Runs a scene. */
 static struct process run_scene(const char *place, int status, const char *text, const char *check)
 {
     workspace_write(place, "in/scene.yaml", text);
@@ -28,7 +28,6 @@ TEST_IN_WORKSPACE(targets_are_answered)
     scans(place);
     struct process run = run_scene(place, 0, SCENE "targets: [{ecr: 0.1 mohm}, {area: 5 %}]\n", NULL);
     expect_parts(run.out, "\n0.1 mΩ takes ", "\nA/Aₙ of 5 % takes ", " on a");
-    process_free(&run);
     char *report = workspace_read(place, "out/report.md");
     char *results = workspace_read(place, "out/results.json");
     expect_part(report, "\n\n**0.1 mΩ takes "); /* the first thing said */
@@ -49,9 +48,6 @@ TEST_IN_WORKSPACE(targets_are_answered)
         intervals++;
     }
     assert_true(table.rows >= 24 && intervals > 0); /* of the leading model, by simulated records */
-    table_free(&table);
-    free(report);
-    free(results);
 }
 
 TEST_IN_WORKSPACE(a_missed_limit_ends_with_5)
@@ -64,17 +60,13 @@ TEST_IN_WORKSPACE(a_missed_limit_ends_with_5)
                  "surface 'a' misses the limit h ≥ 1e+12 W/m2/K: ", "surface 'b' misses the limit h ≥ 1e+12 W/m2/K: ");
     expect_no_part(run.err, "A/Aₙ");
     expect_parts(run.out, "Limit A/Aₙ ≥ 1·10⁻⁹: all surfaces meet it.\n", "): missed by 2 surfaces.\n");
-    process_free(&run);
     expect_in_file(place, "out/report.md", "| ✗ missed |", "**missed by 2 surfaces**.");
     run = run_scene(place, 0, missed, NULL); /* nobody asked for the check */
     expect_no_part(run.err, "misses");
-    process_free(&run);
     workspace_write(place, "in/c.csv", "x [um],z [um]\n0,1\n1,two\n");
     run = run_scene(place, 5, missed, "--check"); /* before 1, of a refused scan */
     expect_part(run.err, "refused");
-    process_free(&run);
-    run = run_scene(place, 1, SCENE "limits: {area: {least: 1e-9}}\n", "--check");
-    process_free(&run);
+    run_scene(place, 1, SCENE "limits: {area: {least: 1e-9}}\n", "--check");
 }
 
 TEST_IN_WORKSPACE(a_check_of_nothing_is_refused)
@@ -87,7 +79,6 @@ TEST_IN_WORKSPACE(a_check_of_nothing_is_refused)
     assert_false(workspace_has(place, "out/data/answers.csv"));
     expect_not_in_file(place, "out/results.json", "\"answers\"", "\"limits\"");
     expect_no_part(run.out, "takes");
-    process_free(&run);
 }
 
 /** Reads "0.396" or "3.05·10⁻⁴"; returns what follows. */
@@ -119,12 +110,11 @@ TEST_IN_WORKSPACE(the_sentence_is_of_the_data)
 {
     scans(place);
     workspace_scan(place, "in/c.csv", 300, 3);
-    struct process run = run_scene(place, 0,
-                                   "material: tin\nnominal_area: 1 mm2\nload: {from: 0.01 N, to: 1 kN, points: 31}\n"
-                                   "effects: [plasticity, electrical, uncertainty]\ntargets: [{ecr: 0.1 mohm}]\n"
-                                   "surfaces: [{name: a, file: [a.csv, b.csv]}, {name: c, file: c.csv}]\n",
-                                   NULL);
-    process_free(&run);
+    run_scene(place, 0,
+              "material: tin\nnominal_area: 1 mm2\nload: {from: 0.01 N, to: 1 kN, points: 31}\n"
+              "effects: [plasticity, electrical, uncertainty]\ntargets: [{ecr: 0.1 mohm}]\n"
+              "surfaces: [{name: a, file: [a.csv, b.csv]}, {name: c, file: c.csv}]\n",
+              NULL);
     json_t *view = workspace_json(place, "out/view.json"), *answers = json_object_get(view, "answers"), *answer;
     const char *leading = json_string_value(json_object_get(view, "leading"));
     size_t compared = 0, k, m = 0;
@@ -149,8 +139,6 @@ TEST_IN_WORKSPACE(the_sentence_is_of_the_data)
         compared++;
     }
     assert_int_equal(compared, 2);
-    table_free(&table);
-    json_decref(view);
 }
 
 /** Every number of results.json that is a load says in its key what it is in; returns how many keys there are. */
@@ -182,11 +170,10 @@ static size_t check_load_keys(const json_t *json)
 TEST_IN_WORKSPACE(loads_say_what_they_are_in)
 {
     scans(place);
-    struct process run = run_scene(place, 0,
-                                   "material: tin\nnominal_area: 1 mm2\nload: {from: 0.01 N, to: 100 N, points: 9}\n"
-                                   "targets: [{ecr: 0.1 mohm}]\n",
-                                   NULL);
-    process_free(&run);
+    run_scene(place, 0,
+              "material: tin\nnominal_area: 1 mm2\nload: {from: 0.01 N, to: 100 N, points: 9}\n"
+              "targets: [{ecr: 0.1 mohm}]\n",
+              NULL);
     json_t *root = workspace_json(place, "out/results.json"), *answers = json_object_get(root, "answers");
     struct table table = workspace_table(place, "out/data/answers.csv");
     size_t intervals = 0;
@@ -207,8 +194,6 @@ TEST_IN_WORKSPACE(loads_say_what_they_are_in)
         assert_string_equal(json_string_value(json_object_get(answer, "note")), note);
     }
     assert_true(intervals > 0);
-    table_free(&table);
-    json_decref(root);
 }
 
 /** Is the value, of that model's curve in out/, met between the rows on both sides of that load? */
@@ -222,7 +207,6 @@ static bool is_met_at(const char *place, const char *model, double load, const c
                table_number(&table, i - 1, "load_over_AnEp") <= load &&
                load <= table_number(&table, i, "load_over_AnEp") && (before - value) * (after - value) <= 0;
     }
-    table_free(&table);
     return met;
 }
 
@@ -243,7 +227,6 @@ TEST_IN_WORKSPACE(targets_of_a_joint)
                         "targets: [{ecr: 0.2 mohm}, {conductance: 1e5 W/m2/K}, {temperature: 30 degC}]\n",
                   NULL);
     expect_parts(run.out, "0.2 mΩ takes ", "T_max of 30 °C takes ");
-    process_free(&run);
     struct table table = workspace_table(place, "out/data/answers.csv");
     for (size_t i = 0; i < table.rows; i++)
         for (size_t a = 0; a < sizeof asked / sizeof *asked; a++)
@@ -257,5 +240,4 @@ TEST_IN_WORKSPACE(targets_of_a_joint)
                 intervals[a]++;
             }
     assert_true(answered >= 8 && intervals[0] > 0 && intervals[1] > 0);
-    table_free(&table);
 }

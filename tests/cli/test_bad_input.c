@@ -55,8 +55,7 @@ TEST_IN_WORKSPACE(test_bad_inputs)
         char work[32];
         snprintf(work, sizeof work, "case-%zu", i);
         workspace_folder(place, work);
-        char *here;
-        assert_true(asprintf(&here, "%s/%s", place, work) > 0);
+        const char *here = lasting("%s/%s", place, work);
         workspace_folder(here, "d");
         if (bad->scene)
             workspace_write(here, "d/scene.yaml", bad->scene);
@@ -69,9 +68,6 @@ TEST_IN_WORKSPACE(test_bad_inputs)
         char *before = workspace_digest(here, ".");
         expect_failure(here, bad->status, bad->lines, bad->message, "report", "d");
         expect_digest(here, ".", before);
-        free(alone);
-        free(before);
-        free(here);
     }
 }
 
@@ -99,23 +95,20 @@ TEST_IN_WORKSPACE(test_where_it_cannot_write)
     expect_failure(place, 2, 1, "'' is no name for a report's directory", "report", "d", "-o", "");
     expect_failure(place, 2, 1, "'.' is no name", "report", "d", "-o", ".");
     expect_digest(place, ".", before);
-    free(before);
     if (geteuid() == 0)
         return; /* whom no mode stops */
     workspace_folder(place, "closed");
-    char *closed;
-    assert_true(asprintf(&closed, "%s/closed", place) > 0);
+    const char *closed = lasting("%s/closed", place);
     assert_int_equal(chmod(closed, 0555), 0);
     expect_failure(place, 4, 1, "cannot make a directory in 'closed/': Permission denied", "report", "d", "-o",
                    "closed/report");
     assert_int_equal(chmod(closed, 0755), 0);
-    free(closed);
 }
 
 TEST_IN_WORKSPACE(test_without_gnuplot)
 {
     workspace_scan(place, "d/a.csv", 200, 1);
-    char *before = workspace_digest(place, "."), *path = strdup(getenv("PATH"));
+    char *before = workspace_digest(place, "."), *path = lasting("%s", getenv("PATH"));
     assert_int_equal(setenv("PATH", "/nowhere", 1), 0);
     expect_failure(place, 4, 1, "no gnuplot in PATH to draw the charts: install the package gnuplot-nox", "report",
                    "d");
@@ -123,10 +116,7 @@ TEST_IN_WORKSPACE(test_without_gnuplot)
     assert_int_equal(setenv("PATH", path, 1), 0);
     expect_part(inspect.out, "Rq ");
     expect_part(inspect.err, "no chart: no gnuplot in PATH");
-    process_free(&inspect);
     expect_digest(place, ".", before);
-    free(before);
-    free(path);
 }
 
 TEST_IN_WORKSPACE(test_one_bad_scan_stops_no_other)
@@ -137,7 +127,6 @@ TEST_IN_WORKSPACE(test_one_bad_scan_stops_no_other)
     struct process process = expect_exit(place, 1, "report", "d", "--material", "tin", "--effects", "plasticity");
     expect_part(process.err, "surface 'b' refused: b.csv:4: 'x' in a column of numbers; correct or remove this line\n");
     expect_part(process.out, "\nout/d/report.html\n");
-    process_free(&process);
     expect_in_file(place, "out/d/report.md", "**1 refused**", "'x' in a column of numbers");
     expect_in_file(place, "out/d/report.html", "b.csv:4: 'x' in a column of numbers");
     expect_in_file(place, "out/d/results.json", "\"surface\": \"b\"",
@@ -158,7 +147,6 @@ TEST_IN_WORKSPACE(test_one_bad_scan_of_a_surface)
     struct process process = expect_exit(place, 1, "report", "d", "--no-cost");
     expect_part(process.err, said);
     expect_no_part(process.err, "predicted, ");
-    process_free(&process);
     expect_errors(expect_exit(place, 1, "plan", "d"), said);
     workspace_write(place, "d/s/a.csv", "x [um],z [um]\n0,1\n1,2\n2,y\n");
     workspace_write(place, "d/s/c.csv", "x [um],z [um]\n0,1\n1,2\n2,z\n");

@@ -99,7 +99,6 @@ TEST_IN_WORKSPACE(test_shared_streams)
     text_free(&two[0].bytes);
     text_free(&inner.bytes);
     text_free(&all[0].bytes);
-    free(zeros);
 }
 
 static void put_sur_header(struct text *text, uint32_t nx, uint32_t ny)
@@ -139,7 +138,6 @@ TEST_IN_WORKSPACE(test_expanding)
     }
     hard_case("compressed heights: a gigabyte behind a header of six points", "a gigabyte is unpacked",
               "refused: longer than the file can hold", "memory, MB", megabytes(), 512);
-    free(zeros);
 }
 
 /* Heights and then as many zeros as say, deflated. */
@@ -174,16 +172,16 @@ TEST_IN_WORKSPACE(test_points_as_announced)
         "<CZ><AxisType>A</AxisType><DataType>D</DataType></CZ></Axes></Record1><Record3><MatrixDimension>"
         "<SizeX>4096</SizeX><SizeY>1</SizeY></MatrixDimension>"
         "<DataLink><PointDataLink>d</PointDataLink></DataLink></Record3></p>";
-    struct text heights = {0};
+    struct text *heights = support_text();
     for (size_t i = 0; i < POINTS; i++)
-        put_f64(&heights, 1e-6 * (double)(i * i % 101));
+        put_f64(heights, 1e-6 * (double)(i * i % 101));
     for (int few = 0; few < 2; few++) {
         size_t zeros = few ? FEW : ZEROS;
         struct packed members[2] = {pack("main.xml", main, sizeof main - 1, true),
                                     {.name = "d",
-                                     .bytes = deflated_with_zeros(&heights, zeros),
+                                     .bytes = deflated_with_zeros(heights, zeros),
                                      .method = 8,
-                                     .size = heights.length + zeros,
+                                     .size = heights->length + zeros,
                                      .at = SIZE_MAX}};
         struct text text = zip_of(members, 2);
         write_bytes(place, "a.x3p", &text);
@@ -198,7 +196,6 @@ TEST_IN_WORKSPACE(test_points_as_announced)
     hard_case("600 MB of zeros deflated behind 4096 points", "all is unpacked to see what it is",
               "no more than the header announces; refused beyond 100 times the packed size", "memory, MB", megabytes(),
               512);
-    text_free(&heights);
 }
 
 /* Headers that say more than any file holds. */
@@ -265,11 +262,11 @@ static void make_link(const char *place, const char *name, const char *to)
 /* Rows are counted over all that a scene names. */
 TEST_IN_WORKSPACE(test_measured_again_and_again)
 {
-    struct text rows = {0};
-    text_add(&rows, "F (N),R (mOhm)\n");
-    while (rows.length < 4 * 60000)
-        text_add(&rows, "1,2\n");
-    workspace_write(place, "d/ecr.txt", text_string(&rows));
+    struct text *rows = support_text();
+    text_add(rows, "F (N),R (mOhm)\n");
+    while (rows->length < 4 * 60000)
+        text_add(rows, "1,2\n");
+    workspace_write(place, "d/ecr.txt", text_string(rows));
     workspace_scan(place, "d/a.csv", 200, 1);
     workspace_scan(place, "d/b.csv", 200, 2);
     workspace_write(place, "d/scene.yaml",
@@ -279,8 +276,6 @@ TEST_IN_WORKSPACE(test_measured_again_and_again)
     struct process process = RUN(place, "report", "d");
     assert_int_equal(process.status, 3);
     expect_part(process.err, "too many rows of all that was measured");
-    process_free(&process);
-    text_free(&rows);
 }
 
 /* Pipes, sockets, devices and links in circles lie in a directory; folders in folders lead nowhere. */
@@ -312,15 +307,12 @@ TEST_IN_WORKSPACE(test_no_files)
     struct process process = process_expect(RUN(place, "inspect", "d"), 0, __FILE__, __LINE__);
     expect_parts(process.out, "d/a.csv", "b.csv");
     expect_no_parts(process.out, "pipe", "zero");
-    process_free(&process);
     process = process_expect(RUN(place, "plan", "d"), 0, __FILE__, __LINE__);
-    process_free(&process);
     static const char *const none[] = {"d/pipe.csv", "d/socket.csv", "d/zero.csv"};
     for (size_t i = 0; i < 3; i++) {
         struct process opened = RUN(place, "inspect", none[i]);
         hard_case("pipes, sockets, /dev/zero, links in circles, a thousand folders in folders", "it waits for ever",
                   "passed over; refused where named", "read as scans", opened.status != 4, 0);
-        process_free(&opened);
         process_expect_failure(RUN(place, "inspect", none[i]), 4, 1, "is no regular file", __FILE__, __LINE__);
     }
     process_expect_failure(RUN(place, "inspect", "d/self.csv"), 4, 1, "Too many levels of symbolic links", __FILE__,
@@ -334,12 +326,11 @@ TEST_IN_WORKSPACE(test_no_files)
 /* A file that is replaced by a pipe after the scene was read is not waited for either: all reading goes this way. */
 TEST_IN_WORKSPACE(test_reading_a_pipe)
 {
-    struct text text = {0};
+    struct text *text = support_text();
     struct status status = {0};
     make_pipe(place, "pipe");
     alarm(250);
-    assert_int_equal(text_read_file(&text, directory_path(place, "pipe"), &status), STATUS_IO);
+    assert_int_equal(text_read_file(text, directory_path(place, "pipe"), &status), STATUS_IO);
     alarm(0);
     expect_part(status.message, "pipe' is no regular file");
-    text_free(&text);
 }

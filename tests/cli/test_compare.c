@@ -29,7 +29,6 @@ static json_t *compare(const char *place, const char *a, const char *b, const ch
         expect_part(process.out, part);
         for (char *line; (line = strsep(&rest, "\n")) && !markdown;)
             assert_true(text_characters(line) <= 80);
-        process_free(&process);
     }
     return process_json(expect_exit(place, 0, "compare", a, b, "--json"));
 }
@@ -58,7 +57,6 @@ TEST_IN_WORKSPACE(finished_reports)
     make_report(place, "copper", 1, "material: copper\noperating_load: 2 N");
     json_t *view = compare(place, "one", "one", "Nothing differs.");
     at(view, "surfaces.1.numbers.3.lines.1.same", "true");
-    json_decref(view);
     view = compare(place, "one", "hard", "same scans");
     at(view, "inputs.0.key", "\"scene.hardness_Pa\"");
     at(view, "inputs.0.values.1.value", "\"60000000.0\"");
@@ -67,21 +65,16 @@ TEST_IN_WORKSPACE(finished_reports)
     json_t *results = workspace_json(place, "hard/results.json");
     assert_near(at(view, "surfaces.0.numbers.0.lines.1.value", NULL),
                 at(results, "surfaces.0.models.corrected-persson-plastic.operating.area_ratio", NULL), 1e-15);
-    json_decref(results);
-    json_decref(view);
     view = compare(place, "one", "copper", "material"); /* the loads are the same newtons */
     char *inputs = json_dumps(json_object_get(view, "inputs"), 0);
     expect_part(inputs, "scene.material.E_Pa");
     assert_null(strstr(inputs, "loads"));
     free(inputs);
-    json_decref(view);
     view = compare(place, "one", "scans", "(p = ");
     at(view, "inputs.0.key", "\"a.sha256\"");
     at(view, "inputs.1", "");
     at(view, "surfaces.1.numbers.2.lines.1.same", "true");
-    json_decref(view);
     view = compare(place, "one", "load", "scene.loads_N");
-    json_decref(view);
     /* another load and E': between rows of contact.csv, at 2 MPa; the last such are those of b, plastic */
     view = compare(place, "one", "load", "Operating loads differ");
     struct table table = workspace_table(place, "load/data/contact.csv");
@@ -95,8 +88,6 @@ TEST_IN_WORKSPACE(finished_reports)
     }
     assert_near(at(view, "surfaces.1.numbers.1.lines.1.value", NULL), expected, 1e-12);
     at(view, "surfaces.1.numbers.1.lines.1.low_95", "null");
-    table_free(&table);
-    json_decref(view);
 }
 
 /** A report of one surface: ECR 2e-9 `factor`, from 1e-9 to 4e-9 of it, and with a film of 1e-9; `known` of both. */
@@ -146,7 +137,6 @@ TEST_IN_WORKSPACE(tests_are_those_of_the_textbook)
             assert_near(at(view, "surfaces.0.numbers.1.lines.1.high_95", NULL), 17e-9, 1e-12);
             assert_near(at(view, "surfaces.0.numbers.1.lines.1.p", NULL), 0.060345272708532, 1e-9);
         }
-        json_decref(view);
     }
 }
 
@@ -163,8 +153,8 @@ TEST_IN_WORKSPACE(what_reports_say_is_hostile)
     make_results(place, "a", "\\u001b[31m|\\u202e\\t*x", 1, "'\\u001b]0;x': 1");
     make_results(place, "b", "\\u001b[31m|\\u202e\\t*x", 2, "'': {'': []}");
     make_results(place, "c", "s", 2, "'x': 1");
-    free(workspace_shell(place, "sed -i 's/\"1\"/\"\\\\u009b1;|\"/; s/baseline/\\\\n`b\\\\u001b/' b/results.json"));
-    json_decref(compare(place, "a", "b", "x1b"));
+    workspace_shell(place, "sed -i 's/\"1\"/\"\\\\u009b1;|\"/; s/baseline/\\\\n`b\\\\u001b/' b/results.json");
+    compare(place, "a", "b", "x1b");
     expect_output(expect_exit(place, 0, "compare", "a", "b", "--markdown"), "[31m\\|");
     expect_output(expect_exit(place, 0, "compare", "a", "b", "c"), "in 1.\n- s has no partner in 2.\n");
     for (size_t i = 0; i < sizeof damaged / sizeof *damaged; i++) {
@@ -173,30 +163,26 @@ TEST_IN_WORKSPACE(what_reports_say_is_hostile)
         hard_case("a results.json that is cut off, of no program, or has words where numbers belong",
                   "it is compared with zeros", "refused: damaged, or nothing to compare", "tables printed",
                   *forged.out != '\0', 0);
-        process_free(&forged);
         expect_failure(place, 4, 1, damaged[i][1], "compare", "b", "c");
         expect_output(expect_exit(place, 4, "compare", "b", "c", "--json"), "\"error\": ");
     }
     /* small files that would be parsed to gigabytes; scenes of which every key differs */
-    free(workspace_shell(place, "(printf '{\"x\": ['; yes '{},' | head -n 2000000; printf '0]}') > b/results.json"));
+    workspace_shell(place, "(printf '{\"x\": ['; yes '{},' | head -n 2000000; printf '0]}') > b/results.json");
     expect_failure(place, 4, 1, "; at most 10000000 values: ", "compare", "c", "b");
     struct process values = process_run(place, "compare", "c", "b");
     hard_case("a results.json of two million empty objects, 8 MB", "it is parsed to gigabytes",
               "counted before it is parsed: at most 10 000 000 values", "tables printed", *values.out != '\0', 0);
-    process_free(&values);
     for (int i = 0; i < 2; i++) {
-        struct text many = {0};
+        struct text *many = support_text();
         char *made = workspace_read(place, "c/results.json"), *inside = strstr(made, "\"tolerance\"");
-        text_add_bytes(&many, made, (size_t)(inside - made));
+        text_add_bytes(many, made, (size_t)(inside - made));
         for (int k = 0; k < 80000; k++)
-            text_add(&many, "\"k%d\": %d, ", k, k + i);
-        text_add(&many, "%s", inside);
-        workspace_write(place, i ? "b/results.json" : "a/results.json", text_string(&many));
-        text_free(&many);
-        free(made);
+            text_add(many, "\"k%d\": %d, ", k, k + i);
+        text_add(many, "%s", inside);
+        workspace_write(place, i ? "b/results.json" : "a/results.json", text_string(many));
     }
     expect_output(expect_exit(place, 0, "compare", "a", "b"), "- scene.k79999: 79999 in 1, 80000 in 2\n");
-    free(workspace_shell(place, "rm b/results.json; mkfifo b/results.json"));
+    workspace_shell(place, "rm b/results.json; mkfifo b/results.json");
     expect_failure(place, 4, 1, "b/results.json", "compare", "a", "b");
     expect_errors(expect_exit(place, 2, "compare", "a"), "give the OUT of two reports or more");
 }
@@ -209,7 +195,6 @@ TEST_IN_WORKSPACE(what_reports_say_is_hostile)
 TEST_IN_WORKSPACE(ten_folders_of_one_surface_are_not_ranked_apart)
 {
     static const double z[10] = {-1.62, -1.04, -0.68, -0.39, -0.13, 0.13, 0.39, 0.68, 1.04, 1.62};
-    struct text outs = {0};
     for (int i = 0; i < 10; i++) {
         int shuffled = 3 * i % 10;
         make_results(place, filled("out/%c", 'a' + i), "pin", exp(0.2 * z[shuffled]), KNOWN("0.2", "20"));
@@ -225,7 +210,6 @@ TEST_IN_WORKSPACE(ten_folders_of_one_surface_are_not_ranked_apart)
     double two_alone = at(view, LINE(9, "p"), NULL) / 45; /* Holm's factor of the largest difference */
     assert_true(two_alone < 0.05 && at(view, LINE(9, "p"), NULL) > 0.05);
     at(view, "surfaces.0.surface", "\"pin\""); /* few enough to stand side by side too */
-    json_decref(view);
 
     make_results(place, "out/bad", "pin", 8, KNOWN("0.2", "20"));
     make_results(place, "out/other", "nut", 1.0001, KNOWN("0.2", "0"));
@@ -238,8 +222,6 @@ TEST_IN_WORKSPACE(ten_folders_of_one_surface_are_not_ranked_apart)
     at(view, LINE(5, "letters"), "\"\"");
     at(view, LINE(5, "p"), "");
     at(view, "ranking.untested", "1");
-    json_decref(view);
-    text_free(&outs);
 }
 
 /* More reports than stand side by side are ranked alone, and a thousand of 1 kB as well as three. */
@@ -247,7 +229,7 @@ TEST_IN_WORKSPACE(many_reports_make_one_table)
 {
     for (int i = 0; i < 3; i++)
         make_results(place, filled("some/%d", i), filled("s%d", i), 1 + 0.5 * i, KNOWN("0.05", "20"));
-    free(workspace_shell(place, "i=0; while [ $i -lt 999 ]; do cp -r some/$((i % 3)) out-$i; i=$((i + 1)); done"));
+    workspace_shell(place, "i=0; while [ $i -lt 999 ]; do cp -r some/$((i % 3)) out-$i; i=$((i + 1)); done");
     json_t *view = process_json(process_end(
         process_start_list(place, (const char *const[]){"sh", "-c", PROGRAM " compare --json out-*", NULL}, NULL)));
     at(view, LINE(0, "surface"), "\"s0\"");
@@ -258,22 +240,18 @@ TEST_IN_WORKSPACE(many_reports_make_one_table)
     at(view, "ranking.too_many", "100");
     at(view, LINE(0, "letters"), "\"\"");
     at(view, "surfaces", "");
-    json_decref(view);
     char *page = workspace_shell(place, PROGRAM " compare --html out-*");
     expect_part(page, "<td>999: s2, ");
-    free(page);
 }
 
-/** The block of docs/many.md that begins so, as a text to free. */
+/** The block of docs/many.md that begins so, as a text. */
 static char *documented(const char *start)
 {
     char *page = workspace_read(PROJECT_SOURCE, "docs/many.md"), *at = strstr(page, start), *end;
     assert_non_null(at);
     end = strstr(at, "\n```\n");
     assert_non_null(end);
-    char *block = strndup(at, (size_t)(end + 1 - at));
-    free(page);
-    return block;
+    return lasting("%.*s", (int)(end + 1 - at), at);
 }
 
 /* What docs/many.md says, word for word: by GNU parallel, a Slurm array's task after task, and make. */
@@ -286,7 +264,7 @@ TEST_IN_WORKSPACE(ten_folders_as_documented)
         "rm -rf out; for SLURM_ARRAY_TASK_ID in 1 2 3 4 5 6 7 8 9 10; do . ./block; done",
         "rm -rf out; make -f block >log 2>&1; touch scans/part-3/1.csv; make -f block",
     };
-    char *path = strdup(getenv("PATH")), *scene = documented("# scene.yaml");
+    char *path = lasting("%s", getenv("PATH")), *scene = documented("# scene.yaml");
     assert_int_equal(setenv("PATH", filled("%.*s:%s", (int)(strrchr(PROGRAM, '/') - PROGRAM), PROGRAM, path), 1), 0);
     workspace_write(place, "scene.yaml", filled("%s%s", scene, "models: [corrected-persson]\n"));
     for (unsigned i = 0; i < 20; i++)
@@ -305,14 +283,9 @@ TEST_IN_WORKSPACE(ten_folders_as_documented)
             assert_ptr_equal(first, strstr(said, " report scans/part-3 "));
             assert_null(strstr(first + 1, " report "));
         }
-        free(said);
-        free(block);
         json_t *view = process_json(process_end(
             process_start_list(place, (const char *const[]){"sh", "-c", PROGRAM " compare --json out/*", NULL}, NULL)));
         assert_int_equal(json_array_size(json_object_get(json_object_get(view, "ranking"), "lines")), 10);
-        json_decref(view);
     }
     setenv("PATH", path, 1);
-    free(path);
-    free(scene);
 }

@@ -15,7 +15,6 @@ static void expect_same(const char *place, const char *reference, const char *re
         "1, 2 and 7 threads, other directories, locales with a comma, time zones, terminals, over a former report",
         "a last digit that hangs on who was first", "the same bytes", "reports that differ",
         strcmp(digits, reference) != 0, 0);
-    free(digits);
 }
 
 static void run(const char *place, const char *output, const char *extra)
@@ -61,7 +60,6 @@ TEST_IN_WORKSPACE(test_same_bytes)
         free(usual[i]);
     }
     expect_same(place, reference, "deep/er/two");
-    free(reference);
 }
 
 /* results.json has the hash of the bytes of the one file, which is large enough to be hashed beside being read. */
@@ -74,8 +72,6 @@ static void expect_hash(const char *place, const char *path, const char *file)
     hash_finish(&hash, digits);
     snprintf(line, sizeof line, "\"sha256\": \"%s\"", digits);
     expect_part(text, line);
-    free(bytes);
-    free(text);
 }
 
 /* One large scan by some models, and a smaller one by all: its strips take seconds, so that they are solved but twice,
@@ -100,7 +96,6 @@ TEST_IN_WORKSPACE(test_one_large_scan)
             run(place, "seven", "--jobs=7");
             expect_same(place, reference, "seven");
         }
-        free(reference);
     }
 }
 
@@ -115,9 +110,9 @@ TEST_IN_WORKSPACE(test_other_directories)
     expect_same(place, reference, "slashes");
 
     char *below, *absolute, *elsewhere;
-    assert_true(asprintf(&below, "%s/e/f", place) > 0);
-    assert_true(asprintf(&absolute, "%s/d", place) > 0);
-    assert_true(asprintf(&elsewhere, "%s/elsewhere", place) > 0);
+    below = lasting("%s/e/f", place);
+    absolute = lasting("%s/d", place);
+    elsewhere = lasting("%s/elsewhere", place);
     workspace_folder(place, "e/f");
     run_to_exit(below, 0, "report", "--no-cost", "../../d");
     expect_same(place, reference, "e/f/out/d");
@@ -125,8 +120,4 @@ TEST_IN_WORKSPACE(test_other_directories)
     expect_same(place, reference, "elsewhere");
     run_to_exit(absolute, 0, "report", "--no-cost", ".", "-o", elsewhere);
     expect_same(place, reference, "elsewhere");
-    free(elsewhere);
-    free(below);
-    free(absolute);
-    free(reference);
 }

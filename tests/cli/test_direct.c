@@ -80,9 +80,6 @@ TEST_IN_WORKSPACE(test_numbers)
             persson++;
         }
     assert_true(persson > 0);
-    json_decref(all);
-    table_free(&t);
-    table_free(&r);
 }
 
 /* `plan` says what the direct solution takes, called for or not; a budget on the command line calls for it and makes it
@@ -100,8 +97,6 @@ TEST_IN_WORKSPACE(test_plan_and_budget)
     report(place, "out", "1");
     char *one = workspace_read(place, "line/data/direct.csv"), *other = workspace_read(place, "out/data/direct.csv");
     assert_string_equal(one, other);
-    free(one);
-    free(other);
 }
 
 /* Barber: stiffness and conductance of elastic contact are one number, k ECR A_n = E' rho, of the models too. */
@@ -125,9 +120,6 @@ TEST_IN_WORKSPACE(test_stiffness)
             assert_near(table_number(&r, i, "stiffness") * table_number(&r, i, "ecr"), 1, 1e-9);
     expect_in_file(place, "out/report.md", "| model | area | gap | ECR | stiffness |", " k/Aₙ (Pa/m) |");
     expect_in_file(place, "out/figures/one-surface.gp", "Stiffness versus load");
-    table_free(&t[0]);
-    table_free(&t[1]);
-    table_free(&r);
 }
 
 TEST_IN_WORKSPACE(test_off)
@@ -143,7 +135,6 @@ TEST_IN_WORKSPACE(test_off)
                        "direct (not called for; it says how far each model is off, in seconds to minutes)");
         json_t *all = workspace_json(place, "out/results.json");
         assert_null(json_object_get(all, "direct"));
-        json_decref(all);
     }
 }
 
@@ -151,19 +142,15 @@ TEST_IN_WORKSPACE(test_off)
 TEST_IN_WORKSPACE(test_called_for)
 {
     write_profile(place, "effects: [separation]\ndirect: {grid: 32, seeds: 1, loads: [2e-2]}\n");
-    struct process run = expect_exit(place, 0, "report", "d", "--no-cost", "--effects", "separation");
+    run_to_exit(place, 0, "report", "d", "--no-cost", "--effects", "separation");
     assert_false(workspace_has(place, "out/d/data/direct.csv"));
-    process_free(&run);
-    run = expect_exit(place, 0, "direct", "d", "--no-cost", "--effects", "separation");
+    run_to_exit(place, 0, "direct", "d", "--no-cost", "--effects", "separation");
     assert_true(workspace_has(place, "out/d/data/direct.csv"));
-    process_free(&run);
     struct table t = workspace_table(place, "out/d/data/direct.csv");
     assert_int_equal(t.columns, 12); /* no resistance: no column */
-    table_free(&t);
-    run = expect_exit(place, 0, "report", "d", "--no-cost", "-o", "o2", "--effects", "direct");
+    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o2", "--effects", "direct");
     assert_true(workspace_has(place, "o2/data/direct.csv"));
     assert_false(workspace_has(place, "o2/figures/direct-ecr.svg"));
-    process_free(&run);
 }
 
 /* A map is its own surface: one solution, no law, no other heights. */
@@ -199,7 +186,6 @@ TEST_IN_WORKSPACE(test_map)
     }
     assert_true(numbers >= 2);
     assert_true(differs > 0);
-    table_free(&t);
     expect_in_file(place, "out/report.md", "without a model: the map itself, 40 × 40 points",
                    "All of it is true at this resolution");
 }
@@ -212,7 +198,6 @@ TEST_IN_WORKSPACE(test_resolution)
     struct process plan = expect_exit(place, 0, "plan", "d");
     process_unwrap(&plan);
     expect_part(plan.out, ", down to waves of four spacings, for want of a lambda_s: true at this resolution");
-    process_free(&plan);
     report(place, "out", "2");
     char *page = workspace_read(place, "out/report.md");
     expect_part(page, "All of it is true at this resolution");
@@ -220,8 +205,6 @@ TEST_IN_WORKSPACE(test_resolution)
     double gamma = json_number_value(json_object_get(json_array_get(json_object_get(all, "direct"), 0), "gamma"));
 
     assert_true(gamma < 1.5);
-    json_decref(all);
-    free(page);
     write_scene(place, EFFECTS "direct: {grid: 128, seeds: 2, loads: [2e-3, 1e-2]}\nlambda_s_m: 6e-6\n");
     report(place, "out", "2");
     expect_not_in_file(place, "out/report.md", "true at this resolution");
@@ -246,7 +229,6 @@ TEST_IN_WORKSPACE(test_grids_in_time)
     assert_true(off[0] > off[1] && off[1] > off[2]);
     assert_within(off[2] / off[1], 0.5, 0.2); /* exactly half, to the digits printed */
     expect_in_file(place, "out/report.md", "| direct, 256 points a side | ");
-    json_decref(view);
     report(place, "out", "1");
     expect_not_in_file(place, "out/report.md", "points a side | ");
 }

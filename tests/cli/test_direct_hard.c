@@ -62,7 +62,6 @@ static void report(const char *place, int status, const char *direct)
     struct process run = expect_exit(place, status, "report", "d", "-o", "out", "--no-cost");
     process_expect_numbers(run.out, "stdout");
     process_expect_numbers(run.err, "stderr");
-    process_free(&run);
     assert_true(workspace_expect_numbers(place, "out") > 20);
 }
 
@@ -82,7 +81,6 @@ static size_t points_drawn(const char *place)
                 commas += *at == ',';
             count += *line != '#' && commas == 2;
         }
-        free(chart);
     }
     return count;
 }
@@ -118,8 +116,6 @@ TEST_IN_WORKSPACE(test_from_none_to_complete)
             assert_string_equal(table_text(&r, i, "ecr"), "");
         }
     }
-    table_free(&t);
-    table_free(&r);
     assert_true(points_drawn(place) >= 3); /* of the middle load */
     report(place, 0, "grid: 64, seeds: 2, loads: [1e-9], surfaces: all");
     assert_int_equal(points_drawn(place), 0);
@@ -147,7 +143,6 @@ TEST_IN_WORKSPACE(test_loads_at_the_hardness)
     }
     assert_int_equal(elastic, 3);
     assert_int_equal(capped, 1);
-    table_free(&t);
 }
 
 /* Exponents at both ends, a spike, and the coarsest grid: numbers where enough points touch, and only numbers. A flat
@@ -174,5 +169,4 @@ TEST_IN_WORKSPACE(test_strange_surfaces)
             assert_true(given && table_number(&t, i, "area_ratio") == 1);
     }
     assert_true(rows[0] >= 4 && rows[1] >= 4 && rows[2] >= 4);
-    table_free(&t);
 }

@@ -56,7 +56,6 @@ static void expect_flags(const char *place, const char *out, const char *name, c
     numbers_in(numbers, sizeof numbers, script);
     const char *said = json_string_value(json_object_get(figure, "numbers"));
     assert_string_equal(said ? said : "", surfaces ? "6-10" : numbers);
-    free(script);
 }
 
 /** Makes a report and holds all its captions against its charts. */
@@ -66,7 +65,6 @@ static void expect_captions(const char *place, const char *directory, const char
     json_t *view = workspace_json(place, filled("%s/view.json", out)), *figure;
     const char *name;
     json_object_foreach(json_object_get(view, "figures"), name, figure) expect_flags(place, out, name, figure);
-    json_decref(view);
 }
 
 TEST_IN_WORKSPACE(captions_say_what_is_drawn)
@@ -129,7 +127,6 @@ TEST_IN_WORKSPACE(direct_solutions_are_of_their_surface)
             few += touching < 200;
             many += touching >= 200;
         }
-        table_free(&table);
         char *script = file_of(place, "out", "answer", "gp"), *data = file_of(place, "out", "answer", "csv");
         assert_int_equal(rows_of_points(script, data, 5, colour), many);
         assert_int_equal(rows_of_points(script, data, 4, open_colour), few);
@@ -139,17 +136,12 @@ TEST_IN_WORKSPACE(direct_solutions_are_of_their_surface)
         const char *line = strstr(data, "# b\n");
         assert_non_null(line);
         expect_part(script, filled("lines lc rgb '%s' lw 2.6 dt 1 title 'b'", colour));
-        free(script);
-        free(data);
         script = file_of(place, "out", "direct", "gp");
         data = file_of(place, "out", "direct", "csv");
         assert_int_equal(rows_of_points(script, data, 6, open_colour) > 0, some);
-        free(script);
-        free(data);
         char *report = workspace_read(place, "out/report.md");
         assert_int_equal(strstr(report, "pen squares: fewer than 200 points of the grid touch.") != NULL, some);
         assert_int_equal(strstr(report, "; open: fewer than 200 points of the grid touch.") != NULL, some);
-        free(report);
     }
 }
 
@@ -169,10 +161,8 @@ TEST_IN_WORKSPACE(sweeps_that_yield_are_told_apart)
             most = fmax(most, table_number(&sweeps, r, "area_ratio"));
         }
     assert_true(least < 0.1 && most > 2 * least);
-    table_free(&sweeps);
     char *script = file_of(place, "o", "convergence", "gp");
     expect_parts(script, "multiscale elastic, at 0.0010'", "multiscale elastic-plastic, at 8.4·10⁻⁶'");
-    free(script);
 }
 
 /* Of a report's only surface the chart of what the first page has drawn, and gap against area, are the appendix's; of
@@ -184,7 +174,6 @@ TEST_IN_WORKSPACE(one_surface_repeats_nothing)
     char *report = workspace_read(place, "o/report.md"), *appendix = strstr(report, "# Appendices");
     expect_parts(report, "![Figures 6\\-05, 6-07, 6-09.");
     expect_parts(appendix, "![Figures 6\\-06, 6-08.", "(figures/one-surface-more.svg)");
-    free(report);
     workspace_scan(place, "d/b.csv", 300, 2);
     run_to_exit(place, 0, "report", "d", "-m", "tin", "--no-cost", "-o", "o");
     expect_in_file(place, "o/report.md", "![Figures 6\\-05 to 6-09.");

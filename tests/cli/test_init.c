@@ -7,17 +7,16 @@
 static void expect_surfaces(const char *place, const char *expected)
 {
     struct scene scene;
-    struct text found = {0};
+    struct text *found = support_text();
     expect_ok(scene_read, &scene, filled("%s/d", place), NULL);
     assert_non_null(scene.path);
     for (size_t i = 0; i < scene.surface_count; i++) {
-        text_add(&found, "%s=", scene.surfaces[i].name);
+        text_add(found, "%s=", scene.surfaces[i].name);
         for (size_t f = 0; f < scene.surfaces[i].files.count; f++)
-            text_add(&found, "%s%s", f > 0 ? "|" : "", scene.surfaces[i].files.path[f]);
-        text_add(&found, "\n");
+            text_add(found, "%s%s", f > 0 ? "|" : "", scene.surfaces[i].files.path[f]);
+        text_add(found, "\n");
     }
-    assert_string_equal(text_string(&found), expected);
-    text_free(&found);
+    assert_string_equal(text_string(found), expected);
     scene_free(&scene);
 }
 
@@ -27,14 +26,13 @@ static const char numbers[] = "0,1\n1,2\n2,1.5\n3,1\n";
 static void make_files(const char *place, const char *files)
 {
     char list[512], *rest = list, path[256];
-    free(workspace_shell(place, "rm -rf d"));
+    workspace_shell(place, "rm -rf d");
     snprintf(list, sizeof list, "%s", files);
     for (char *file; (file = strsep(&rest, "|"));) {
-        struct text content = {0};
+        struct text *content = support_text();
         snprintf(path, sizeof path, "d/%s", file);
-        text_add(&content, "x [um],z [um]\n%s", numbers);
-        workspace_write(place, path, text_string(&content));
-        text_free(&content);
+        text_add(content, "x [um],z [um]\n%s", numbers);
+        workspace_write(place, path, text_string(content));
     }
 }
 
@@ -82,7 +80,7 @@ TEST_IN_WORKSPACE(names_tell_surfaces)
 TEST_IN_WORKSPACE(what_is_to_be_filled_in)
 {
     workspace_scan(place, "d/a.csv", 200, 1);
-    free(workspace_shell(place, "tail -n +2 d/a.csv > d/both.csv; (echo 'x [um],z'; cat d/both.csv) > d/z.csv"));
+    workspace_shell(place, "tail -n +2 d/a.csv > d/both.csv; (echo 'x [um],z'; cat d/both.csv) > d/z.csv");
     workspace_write(place, "d/short.csv", "x [um],z [um]\n0,1\n");
     workspace_write(place, "d/picture.png", "\x89PNG\r\n\x1a\n");
     struct process before = expect_exit(place, 1, "report", "d", "--brief", "--no-cost");
@@ -93,7 +91,7 @@ TEST_IN_WORKSPACE(what_is_to_be_filled_in)
                    "# The scene of 4 scans.", "file: \"both.csv\"\n    # x_unit: mm ", "\n    # z_unit: um ",
                    "file: \"short.csv\"\n    # This is refused as it stands: ", "file: \"z.csv\"\n    # z_unit: um ");
     /* with every line in force it is a scene, too */
-    free(workspace_shell(place, "sed -i -E 's/^( *)# ([a-z_]+:)/\\1\\2/' d/scene.yaml"));
+    workspace_shell(place, "sed -i -E 's/^( *)# ([a-z_]+:)/\\1\\2/' d/scene.yaml");
     expect_in_file(place, "d/scene.yaml", "\nmaterial: ", "\ncounterface: ", "\nnominal_area: ", "\nshape: ",
                    "\nload: ", "\noperating_load: ", "\ntargets: ", "\n    x_unit: mm ", "\n    z_unit: um ");
     json_t *plan = process_json(expect_exit(place, 1, "plan", "d", "--json")), *surface;
@@ -102,9 +100,6 @@ TEST_IN_WORKSPACE(what_is_to_be_filled_in)
         assert_int_equal(json_is_null(json_object_get(surface, "refused")), i != 2); /* short.csv */
     assert_int_equal(json_integer_value(json_object_get(plan, "targets")), 3);
     assert_true(json_is_true(json_object_get(plan, "material_known")));
-    json_decref(plan);
-    process_free(&before);
-    process_free(&after);
 }
 
 /* Two sub-directories whose names say so are proposed as the sides of a joint, and no others; every key that init
@@ -115,7 +110,7 @@ TEST_IN_WORKSPACE(each_proposal_is_a_scene)
     run_to_exit(place, 0, "init", "d");
     expect_not_in_file(place, "d/scene.yaml", "two sides of one joint");
     expect_in_file(place, "d/scene.yaml", "\n# counterface: rigid ");
-    free(workspace_shell(place, "rm -r d; mkdir -p d/pins d/Socket"));
+    workspace_shell(place, "rm -r d; mkdir -p d/pins d/Socket");
     for (unsigned i = 0; i < 4; i++)
         workspace_scan(place, filled("d/%s/%u.csv", i < 2 ? "pins" : "Socket", i), 200, i);
     run_to_exit(place, 0, "init", "d");
@@ -126,8 +121,7 @@ TEST_IN_WORKSPACE(each_proposal_is_a_scene)
                                            "plating",     "film",     "current", "targets", "gap"};
     for (size_t k = 0; k < sizeof proposed / sizeof *proposed; k++) {
         workspace_write(place, "d/scene.yaml", scene);
-        free(workspace_shell(place,
-                             filled("sed -i -E 's/^# (%s|material|nominal_area):/\\1:/' d/scene.yaml", proposed[k])));
+        workspace_shell(place, filled("sed -i -E 's/^# (%s|material|nominal_area):/\\1:/' d/scene.yaml", proposed[k]));
         expect_in_file(place, "d/scene.yaml", filled("\n%s: ", proposed[k]));
         run_to_exit(place, 0, "plan", "d");
         if (strcmp(proposed[k], "plating") == 0) { /* as thick as the tables of materials say is usual */
@@ -135,7 +129,6 @@ TEST_IN_WORKSPACE(each_proposal_is_a_scene)
             expect_not_in_file(place, "o/results.json", "are usual");
         }
     }
-    free(scene);
 }
 
 /* Without a scene the page says which three keys make the answer the user's; with one it does not. */
@@ -158,8 +151,7 @@ TEST_IN_WORKSPACE(nothing_is_written_over)
     expect_failure(place, 4, 1, "'d/scene.yaml' is there already; move it away", "init", "d");
     expect_failure(place, 4, 1, "cannot open directory 'no'", "init", "no");
     expect_digest(place, ".", digest);
-    free(digest);
-    free(workspace_shell(place, "rm d/scene.yaml; ln -s nowhere d/scene.yaml"));
+    workspace_shell(place, "rm d/scene.yaml; ln -s nowhere d/scene.yaml");
     expect_failure(place, 4, 1, "cannot write 'd/scene.yaml': File exists", "init", "d");
     assert_false(workspace_has(place, "d/nowhere"));
     /* what really stands against it; no mode stops root unless it gives up the right to pass over modes */

@@ -57,11 +57,10 @@ static struct inspection find(const char *file, const struct profile_options *op
         if (strcmp(file, units[u].file) == 0)
             known = (struct scan_options){.x_unit = units[u].x_unit, .z_unit = units[u].z_unit};
     struct inspection inspection;
-    struct text text = {0};
-    expect_ok(text_read_file, &text, path);
-    const struct scan_bytes bytes = {text.data, text.length, path};
+    struct text *text = support_text();
+    expect_ok(text_read_file, text, path);
+    const struct scan_bytes bytes = {text->data, text->length, path};
     expect_ok(inspection_make, &inspection, &bytes, &known, options);
-    text_free(&text);
     return inspection;
 }
 
@@ -158,13 +157,9 @@ TEST_CASE(test_roughness_profile)
 
 static json_t *inspect_first(struct process process)
 {
-    json_error_t error;
-    json_t *all = json_loads(process.out, 0, &error);
+    json_t *all = support_json(process.out);
     assert_int_equal(json_array_size(all), 1);
-    json_t *first = json_incref(json_array_get(all, 0));
-    json_decref(all);
-    process_free(&process);
-    return first;
+    return json_array_get(all, 0);
 }
 
 /* What the template prints, to the byte. */
@@ -182,7 +177,6 @@ TEST_IN_WORKSPACE(test_the_text_of_a_map)
                                      "  to paste    sigma_asp 0.956183 um, m_asp 0.0683901 (of two rough sides the "
                                      "root of the sum of squares)\n"
                                      "  power law   - (no power law found)\n");
-    process_free(&process);
 }
 
 TEST_IN_WORKSPACE(test_the_text_of_a_profile)
@@ -207,7 +201,6 @@ TEST_IN_WORKSPACE(test_the_text_of_a_profile)
                         "              rms amplitude 0.001925 um x/: 1.08 at 6.14 um, C 5.56e-22 m3\n"
                         "  note        gaussian high-pass lambda_c = 80 um (ISO 16610-21; its end goes on at its "
                         "beginning)\n");
-    process_free(&process);
 }
 
 /* A map of 6 x 4 heights, of which the plane leaves (-1)^(x + y) um. */
@@ -226,7 +219,6 @@ TEST_IN_WORKSPACE(test_a_map_on_the_command_line)
     assert_near(number(map, "sz_m"), 2e-6, 0.1);
     assert_near(number(map, "m4_per_m2"), 1e12, 1e-9); /* (4 um/(2 um)²)² */
     assert_null(json_object_get(map, "parameters"));
-    json_decref(map);
     expect_output(expect_exit(place, 0, "inspect", "--z-unit", "um", "map.txt"),
                   "points      6 x 4, spacing 2 um x 2 um, 0 missing", "plane out   Sq ");
 }
@@ -238,8 +230,6 @@ TEST_IN_WORKSPACE(test_options)
     json_t *smooth = inspect_first(expect_exit(place, 0, "inspect", "--json", "--lambda-s", "8e-6", "a.csv"));
     assert_true(number(smooth, "m4_per_m2") < number(raw, "m4_per_m2"));
     assert_near(number(json_object_get(smooth, "parameters"), "lambda_s_m"), 8e-6, 0);
-    json_decref(raw);
-    json_decref(smooth);
     expect_output(expect_exit(place, 0, "inspect", "a.csv"), "parameters  Pa ");
     struct process metres =
         expect_exit(place, 0, "inspect", "--json", "--lambda-s=8e-6", "--lambda-c", "8e-5", "a.csv");
@@ -248,9 +238,7 @@ TEST_IN_WORKSPACE(test_options)
         struct process same =
             expect_exit(place, 0, "inspect", "--json", spelled[i][0], "--lambda-c", spelled[i][1], "a.csv");
         assert_string_equal(same.out, metres.out);
-        process_free(&same);
     }
-    process_free(&metres);
     expect_failure(place, 2, 3, "--lambda-s must be a length such as 0.31mm, not '8 N'", "inspect", "--lambda-s", "8 N",
                    "a.csv");
     expect_failure(place, 2, 3, "--lambda-c is not above --lambda-s", "inspect", "--lambda-s", "8e-6", "--lambda-c",
@@ -281,7 +269,7 @@ TEST_IN_WORKSPACE(test_standard_input)
 {
     workspace_scan(place, "d/a.csv", 400, 1);
     const char *const gzip[] = {"gzip", "-k", "d/a.csv", NULL};
-    struct process packed = process_expect(process_end(process_start_list(place, gzip, NULL)), 0, __FILE__, __LINE__);
+    run_list(place, gzip);
     struct process file = expect_exit(place, 0, "inspect", "--json", "d/a.csv");
     expect_part(file.out, "\"file\": \"d/a.csv\"");
     static const char *const inputs[] = {"--json - <d/a.csv", "--json - <d/a.csv.gz"};
@@ -289,10 +277,7 @@ TEST_IN_WORKSPACE(test_standard_input)
         struct process input = process_expect(inspect_input(place, inputs[i]), 0, __FILE__, __LINE__);
         expect_part(input.out, "\"file\": \"-\"");
         expect_same(input.out, file.out);
-        process_free(&input);
     }
-    process_free(&file);
-    process_free(&packed);
     workspace_write(place, "bad.csv", "hello\n");
     struct process bad = process_expect(inspect_input(place, "--json - <bad.csv"), 4, __FILE__, __LINE__);
     expect_output(bad, "\"error\": \"-: no line of numbers in it: not a scan\"");
@@ -314,8 +299,6 @@ TEST_IN_WORKSPACE(test_a_directory)
     assert_string_equal(all.out, one.out);
     expect_part(all.err, "passed over, no scan: 1 x text without a row of numbers (notes.txt)");
     assert_string_equal(one.err, "");
-    process_free(&all);
-    process_free(&one);
     workspace_write(place, "d/bad.csv", "nothing\n");
     expect_output(expect_exit(place, 1, "inspect", "--json", "d"), "\"file\": \"d/s/b.csv\"",
                   "no line of numbers in it: not a scan");

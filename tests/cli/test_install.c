@@ -6,8 +6,7 @@
 /** Installs the build into `prefix` of the workspace, and returns its whole path. */
 static char *install(const char *place, const char *prefix)
 {
-    char *path;
-    assert_true(asprintf(&path, "%s/%s", place, prefix) > 0);
+    char *path = lasting("%s/%s", place, prefix);
     const char *const command[] = {CMAKE_PROGRAM, "--install", BUILD_DIRECTORY, "--prefix", path, NULL};
     run_list(place, command);
     return path;
@@ -28,21 +27,20 @@ static void run_installed(const char *place, const char *program, const char *ou
 TEST_IN_WORKSPACE(test_install)
 {
     char *prefix = install(place, "first"), *moved, *program, *links;
-    assert_true(asprintf(&moved, "%s/moved here", place) > 0);
-    assert_true(asprintf(&links, "%s/roughcontact", place) > 0);
+    moved = lasting("%s/moved here", place);
+    links = lasting("%s/roughcontact", place);
     assert_true(workspace_has(place, "first/share/roughcontact/templates/page.html"));
 
     assert_true(workspace_has(place, "first/share/man/man1/roughcontact.1.gz"));
     assert_true(workspace_has(place, "first/share/bash-completion/completions/roughcontact"));
 
     workspace_scan(place, "d/a.csv", 200, 1);
-    assert_true(asprintf(&program, "%s/bin/roughcontact", prefix) > 0);
+    program = lasting("%s/bin/roughcontact", prefix);
     run_installed(place, program, "one");
     char *reference = workspace_digest(place, "one");
-    free(program);
 
     assert_int_equal(rename(prefix, moved), 0);
-    assert_true(asprintf(&program, "%s/bin/roughcontact", moved) > 0);
+    program = lasting("%s/bin/roughcontact", moved);
     run_installed(place, program, "two");
     assert_int_equal(symlink(program, links), 0);
     run_installed(place, links, "three");
@@ -52,11 +50,9 @@ TEST_IN_WORKSPACE(test_install)
 
     /* without its templates it says what to do */
     assert_true(rename(moved, prefix) == 0);
-    char *templates;
-    assert_true(asprintf(&templates, "%s/share/roughcontact/templates", prefix) > 0);
+    const char *templates = lasting("%s/share/roughcontact/templates", prefix);
     assert_int_equal(rename(templates, moved), 0);
-    free(program);
-    assert_true(asprintf(&program, "%s/bin/roughcontact", prefix) > 0);
+    program = lasting("%s/bin/roughcontact", prefix);
     const char *const report[] = {program, "report", "d", NULL};
     process_expect_failure(process_end(process_start_list(place, report, NULL)), 4, 1,
                            "first/share/roughcontact/templates'; install the program with cmake --install", __FILE__,
@@ -65,22 +61,14 @@ TEST_IN_WORKSPACE(test_install)
     const char *const self_test[] = {program, "self-test", NULL};
     run_list(place, self_test);
     /* a number that is off is named, and which one of its group is worst */
-    free(workspace_shell(place, "cd first/share/roughcontact; sed -i s/6.3663e-07/6.3e-07/ selftest.csv; "
-                                "sed -i s/1.98e-06/1.98001e-06/ selftest.csv"));
+    workspace_shell(place, "cd first/share/roughcontact; sed -i s/6.3663e-07/6.3e-07/ selftest.csv; "
+                           "sed -i s/1.98e-06/1.98001e-06/ selftest.csv");
     expect_output(process_expect(process_end(process_start_list(place, self_test, NULL)), 1, __FILE__, __LINE__),
                   "WRONG: 2 of them; triangle, t is 1.98", "numbers: this build does NOT compute correctly here");
     assert_int_equal(unlink_in(place, "first/share/roughcontact/selftest.csv"), 0);
     process_expect_failure(process_end(process_start_list(place, self_test, NULL)), 4, 1,
                            "first/share/roughcontact/selftest.csv'; install the program with cmake --install", __FILE__,
                            __LINE__);
-    free(reference);
-    free(second);
-    free(third);
-    free(templates);
-    free(program);
-    free(links);
-    free(moved);
-    free(prefix);
 }
 
 /** The numbers of the examples' table are the program's. */
@@ -96,14 +84,13 @@ static void expect_table(const char *place, const char *printed)
     }
     assert_int_equal(table.rows, 3); /* the model ends before the other two of the loads */
     expect_part(printed, " nan          nan  beyond the model's range\n");
-    table_free(&table);
 }
 
 /** Both examples, built through pkg-config and run in an installed tree that was moved. */
 TEST_IN_WORKSPACE(test_examples)
 {
     char *prefix = install(place, "first"), *moved, *text;
-    assert_true(asprintf(&moved, "%s/moved", place) > 0);
+    moved = lasting("%s/moved", place);
     assert_int_equal(rename(prefix, moved), 0);
     workspace_scan(place, "d/a.csv", 900, 6);
     workspace_write(place, "d/scene.yaml",
@@ -112,15 +99,13 @@ TEST_IN_WORKSPACE(test_examples)
     workspace_write(place, "bare.csv", "0,1\n1,2\n2,1\n");
 
     setenv("PKG_CONFIG_PATH", "moved/" LIBRARY_FOLDER "/pkgconfig", 1);
-    free(workspace_shell(place, C_COMPILER " -Wall -Wextra -Werror " SANITIZE_OPTIONS
-                                           " -o contact moved/share/roughcontact/examples/contact.c"
-                                           " $(pkg-config --cflags --libs roughcontact)"));
+    workspace_shell(place, C_COMPILER " -Wall -Wextra -Werror " SANITIZE_OPTIONS
+                                      " -o contact moved/share/roughcontact/examples/contact.c"
+                                      " $(pkg-config --cflags --libs roughcontact)");
     text = workspace_shell(place, "pkg-config --modversion roughcontact");
     struct process version = expect_exit(place, 0, "--version");
     text[strcspn(text, "\n")] = '\0';
     expect_part(version.out, text);
-    process_free(&version);
-    free(text);
     unsetenv("PKG_CONFIG_PATH");
 
     setenv("LD_LIBRARY_PATH", "moved/" LIBRARY_FOLDER, 1);
@@ -128,21 +113,15 @@ TEST_IN_WORKSPACE(test_examples)
     expect_table(place, of_c);
     text = workspace_shell(place, "! ./contact bare.csv 2>&1");
     expect_parts(text, "bare.csv: ", "unit");
-    free(text);
     if (*SANITIZE_OPTIONS || !workspace_can_run(place, "python3 -c 'import ctypes'")) {
         print_message("no Python here that could load the library\n");
     } else {
         char *of_python = workspace_shell(place, "python3 moved/share/roughcontact/examples/contact.py d/a.csv");
         assert_string_equal(of_python, of_c);
-        free(of_python);
         text = workspace_shell(place, "! python3 moved/share/roughcontact/examples/contact.py bare.csv 2>&1");
         expect_part(text, "bare.csv: ");
-        free(text);
     }
     unsetenv("LD_LIBRARY_PATH");
-    free(of_c);
-    free(moved);
-    free(prefix);
 }
 
 /** Takes out what the installation before put, as the target `uninstall` does. */
@@ -163,32 +142,26 @@ static struct process uninstall(const char *place)
 TEST_IN_WORKSPACE(test_uninstall)
 {
     workspace_folder(place, "new");
-    free(install(place, "new/made/by it"));
+    install(place, "new/made/by it");
     struct process process = process_expect(uninstall(place), 0, __FILE__, __LINE__);
-    process_free(&process);
     assert_true(workspace_has(place, "new"));
     assert_false(workspace_has(place, "new/made"));
     process = uninstall(place); /* nothing is left to take out */
     assert_int_equal(process.status, 1);
     expect_part(process.err, "nothing to uninstall");
-    process_free(&process);
 
     workspace_folder(place, "shared/bin"); /* empty before, and so again */
     workspace_folder(place, "shared/share/doc");
     workspace_write(place, "shared/include/other.h", "");
-    free(install(place, "shared"));
+    install(place, "shared");
     workspace_write(place, "shared/share/roughcontact/surfaces/mine.csv", "");
     workspace_write(place, "shared/share/roughcontact/templates/.hidden", "");
     char *digest = workspace_digest(place, "shared/include/other.h");
     assert_int_equal(unlink_in(place, "shared/share/roughcontact/templates/page.html"), 0); /* gone already */
     process = process_expect(uninstall(place), 0, __FILE__, __LINE__);
-    process_free(&process);
     char *left = workspace_shell(place, "cd shared && find . | LC_ALL=C sort | tr '\\n' ' '"), *again;
     assert_string_equal(left, ". ./bin ./include ./include/other.h ./share ./share/doc ./share/roughcontact "
                               "./share/roughcontact/surfaces ./share/roughcontact/surfaces/mine.csv "
                               "./share/roughcontact/templates ./share/roughcontact/templates/.hidden ");
     assert_string_equal(again = workspace_digest(place, "shared/include/other.h"), digest);
-    free(again);
-    free(left);
-    free(digest);
 }

@@ -32,9 +32,7 @@ static void write_slow_scene(const char *place)
 static void write_report(const char *place)
 {
     workspace_scan(place, "good/a.csv", 200, 1);
-    struct process process =
-        expect_exit(place, 0, "report", "--no-cost", "good", "-o", "out/slow", "-m", "tin", "-e", "plasticity");
-    process_free(&process);
+    run_to_exit(place, 0, "report", "--no-cost", "good", "-o", "out/slow", "-m", "tin", "-e", "plasticity");
 }
 
 /** Starts the slow run and sends it `signal_number` while it works, once its hidden folder holds a report. */
@@ -63,9 +61,7 @@ TEST_IN_WORKSPACE(test_signals)
         hard_case("SIGINT, SIGTERM or SIGHUP while it works", "half a report over the one before",
                   "the report before stays, the status says by what it was stopped", "trees that differ",
                   strcmp(before, after) != 0, 0);
-        free(after);
     }
-    free(before);
 }
 
 TEST_IN_WORKSPACE(test_kill)
@@ -75,7 +71,6 @@ TEST_IN_WORKSPACE(test_kill)
     char *before = workspace_digest(place, "out/slow");
     struct process process = interrupt(place, SIGKILL);
     assert_int_equal(process.status, 128 + SIGKILL);
-    process_free(&process);
     expect_digest(place, "out/slow", before);
     /* what is left behind disturbs no later run, which removes it */
     assert_int_equal(workspace_count(place, ".roughcontact-"), 1);
@@ -83,18 +78,15 @@ TEST_IN_WORKSPACE(test_kill)
     expect_digest(place, "out/slow", before);
     hard_case("kill -9, and then a run", "hidden folders that stay", "the next run removes what was left",
               "folders left", (double)workspace_count(place, ".roughcontact-"), 0);
-    free(before);
 }
 
 /** Puts a gnuplot first in PATH that never ends and takes no signal; its id is then in the file `hangs`. Returns PATH
  * as it was. */
 static char *hang_gnuplot(const char *place)
 {
-    char *script;
-    assert_true(asprintf(&script, "#!/bin/sh\ntrap '' INT TERM HUP\necho $$ > %s/new; mv %s/new %s/hangs\nsleep 1000\n",
-                         place, place, place) > 0);
+    const char *script = lasting("#!/bin/sh\ntrap '' INT TERM HUP\necho $$ > %s/new; mv %s/new %s/hangs\nsleep 1000\n",
+                                 place, place, place);
     char *before = workspace_program(place, "gnuplot", script);
-    free(script);
     return before;
 }
 
@@ -132,18 +124,15 @@ TEST_IN_WORKSPACE(test_a_hanging_gnuplot)
                                "roughcontact: stopped by a signal; 'out/slow' is as it was before\n", __FILE__,
                                __LINE__);
         assert_int_equal(workspace_count(place, ".roughcontact-"), 0);
-        assert_true(asprintf(&name, "%s/hangs", place) > 0);
+        name = lasting("%s/hangs", place);
         assert_int_equal(unlink(name), 0);
-        free(name);
         while (waitpid(-1, NULL, 0) > 0) /* all that it had started comes to this process, and is gone */
             ;
         assert_int_equal(kill((pid_t)strtol(id, NULL, 10), 0), -1);
         assert_int_equal(errno, ESRCH);
-        free(id);
     }
     workspace_take_back(path);
     expect_digest(place, "out", before);
-    free(before);
 }
 
 /** Runs the program by a shell that sets the stage, with `arguments` besides DIR. */
@@ -177,14 +166,9 @@ TEST_IN_WORKSPACE(test_no_standard_output)
         assert_string_equal(process.out, "");
         char *report = workspace_read(place, "out/slow/report.html");
         expect_part(report, "</html>"); /* and nothing that was meant for the terminal is in it */
-        free(report);
-        process_free(&process);
         process = expect_exit(place, 0, "report", "--no-cost", "good", "-o", "out/other");
         char *one = workspace_digest(place, "out/slow"), *two = workspace_digest(place, "out/other");
         assert_string_equal(one, two);
-        free(one);
-        free(two);
-        process_free(&process);
     }
     static const char *const commands[][3] = {{"materials"},
                                               {"--help"},
@@ -207,7 +191,6 @@ TEST_IN_WORKSPACE(test_little_stack)
     workspace_write(place, "good/scene.yaml", "material: tin\ndirect: {grid: 32, seeds: 2, loads: [1e-3, 1e-2]}\n");
     struct process process = staged(place, "ulimit -s 64;", "direct", "good", "-o", "out/slow", "--show");
     hard_case("64 kB of stack", "arrays of a solution on it", "solved all the same", "exit status", process.status, 0);
-    process_free(&process);
 }
 
 /** No room for files: as on a full disk, every write beyond some size fails. */
@@ -230,7 +213,6 @@ TEST_IN_WORKSPACE(test_no_room)
         process_expect_failure(process_end(running), 4, 1, "ulimit -f", __FILE__, __LINE__);
         expect_digest(place, ".", before);
     }
-    free(before);
 }
 
 /** A file that is written stays as it was where the new one is too large. */
@@ -245,11 +227,9 @@ TEST_IN_WORKSPACE(test_no_room_for_a_scan)
         char *after = workspace_digest(place, ".");
         hard_case("a disk that is full within a file", "half a scan over the one before", "the file before stays",
                   "trees that differ", strcmp(before, after) != 0, 0);
-        free(after);
     }
     run_to_exit(place, 0, "synth", "-o", "a.csv");
     expect_in_file(place, "a.csv", "x [um],z [um]\n");
-    free(before);
     assert_int_equal(workspace_count(place, ".roughcontact-"), 0);
 }
 

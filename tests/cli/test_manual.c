@@ -15,17 +15,16 @@ static char *manual_read(void)
                                            {"\\-", "-"},   {"\\e", "\\"}, {"\\(aq", "'"}, {"\\(ga", "`"},
                                            {"\\(ha", "^"}, {"\\(ti", "~"}};
     char *page = workspace_read(PROJECT_SOURCE, "docs/roughcontact.1");
-    struct text plain = {0};
+    struct text *plain = support_text();
     for (const char *at = page; *at;) {
         size_t m = 0, marks_count = sizeof marks / sizeof *marks;
         assert_true(*at == '\n' || (*at >= ' ' && *at < 127));
         while (m < marks_count && strncmp(at, marks[m][0], strlen(marks[m][0])) != 0)
             m++;
-        text_add_bytes(&plain, m < marks_count ? marks[m][1] : at, m < marks_count ? strlen(marks[m][1]) : 1);
+        text_add_bytes(plain, m < marks_count ? marks[m][1] : at, m < marks_count ? strlen(marks[m][1]) : 1);
         at += m < marks_count ? strlen(marks[m][0]) : 1;
     }
-    free(page);
-    return plain.data;
+    return plain->data;
 }
 
 /** Replies of the completion to a command line, one a line; its last word may be begun. */
@@ -45,7 +44,6 @@ static char *complete(const char *place, const char *line)
         process_expect(process_end(process_start_list(place, arguments, NULL)), 0, __FILE__, __LINE__);
     assert_string_equal(process.err, "");
     char *replies = strdup(process.out);
-    process_free(&process);
     return replies;
 }
 
@@ -83,11 +81,9 @@ TEST_IN_WORKSPACE(manual_and_completion_have_every_option)
         snprintf(part, sizeof part, "roughcontact %s --", row->name);
         char *replies = complete(place, part);
         options += check_options(section, replies, row->argp);
-        free(replies);
         free(section);
     }
     assert_true(options > 40);
-    free(manual);
 }
 
 /** What may stand behind a key: its words, its range, the units of what it may be. */
@@ -128,53 +124,49 @@ static void check_made(const char *name, const char *before, const struct text *
     char *all = workspace_read(PROJECT_SOURCE, name), *start = strstr(all, before) + strlen(before);
     const char *end = strstr(start, after);
     if (getenv("ROUGHCONTACT_WRITE_DOCS")) {
-        struct text whole = {0};
-        text_add(&whole, "%.*s%s%s", (int)(start - all), all, made->data, end);
-        workspace_write(PROJECT_SOURCE, name, whole.data);
-        text_free(&whole);
+        struct text *whole = support_text();
+        text_add(whole, "%.*s%s%s", (int)(start - all), all, made->data, end);
+        workspace_write(PROJECT_SOURCE, name, whole->data);
     } else if ((size_t)(end - start) != made->length || memcmp(start, made->data, made->length) != 0)
         fail_msg("%s is not of the program's tables: run this test with ROUGHCONTACT_WRITE_DOCS=1", name);
-    free(all);
 }
 
 TEST_CASE(documents_are_made_of_the_keys)
 {
     struct text page = {0}, manual = {0};
     for (size_t k = 0; k < scene_key_count; k++) {
-        struct text values = {0};
-        add_values(&values, &scene_keys[k]);
+        struct text *values = support_text();
+        add_values(values, &scene_keys[k]);
         text_add(&page, "| `%s` | ", scene_keys[k].name);
-        add_escaped(&page, text_string(&values), false);
-        text_add(&page, "%s| ", values.length > 0 ? " " : "");
+        add_escaped(&page, text_string(values), false);
+        text_add(&page, "%s| ", values->length > 0 ? " " : "");
         add_escaped(&page, scene_keys[k].text, false);
         text_add(&page, " |\n");
-        text_add(&manual, "\\fB%s\\fR%s", scene_keys[k].name, values.length > 0 ? ": " : "");
-        add_escaped(&manual, text_string(&values), true);
+        text_add(&manual, "\\fB%s\\fR%s", scene_keys[k].name, values->length > 0 ? ": " : "");
+        add_escaped(&manual, text_string(values), true);
         text_add(&manual, "\n");
         add_escaped(&manual, scene_keys[k].text, true);
         text_add(&manual, "\n%s", k + 1 < scene_key_count ? ".TP\n" : "");
-        text_free(&values);
     }
     struct scene scene = {0};
-    struct text schema = {0};
+    struct text *schema = support_text();
     struct scene_said said;
     for (size_t k = 0; scene_said(&said, &scene, k); k++) {
         const struct scene_key *key = &scene_keys[k];
         if (said.kind == SCENE_SAID_APART)
             continue;
-        text_add(&schema, "    \"%s\": {", said.key);
+        text_add(schema, "    \"%s\": {", said.key);
         if (said.kind != SCENE_SAID_TEXT)
-            text_add(&schema, "\"$ref\": \"#/$defs/%s\"", said.kind == SCENE_SAID_NUMBER ? "number" : "count");
+            text_add(schema, "\"$ref\": \"#/$defs/%s\"", said.kind == SCENE_SAID_NUMBER ? "number" : "count");
         else if (key->choice_count == 0)
-            text_add(&schema, "\"type\": [\"string\", \"null\"]");
+            text_add(schema, "\"type\": [\"string\", \"null\"]");
         for (size_t c = 0; c < key->choice_count; c++)
-            text_add(&schema, "%s\"%s\"%s", c == 0 ? "\"enum\": [" : ", ", key->choices[c],
+            text_add(schema, "%s\"%s\"%s", c == 0 ? "\"enum\": [" : ", ", key->choices[c],
                      c + 1 == key->choice_count ? "]" : "");
-        text_add(&schema, "},\n");
+        text_add(schema, "},\n");
     }
-    check_made("docs/results.schema.json", "\"shape_size_m\": {\"$ref\": \"#/$defs/numbers\"},\n", &schema,
+    check_made("docs/results.schema.json", "\"shape_size_m\": {\"$ref\": \"#/$defs/numbers\"},\n", schema,
                "    \"models\": {");
-    text_free(&schema);
     check_made("docs/scene.md", "| key | may be | what it says |\n|---|---|---|\n", &page, "\n**Quantities**");
     check_made("docs/roughcontact.1", "14 MPa, 10 %.\n.TP\n", &manual, ".SH EXIT STATUS\n");
     text_free(&page);
@@ -266,8 +258,6 @@ TEST_IN_WORKSPACE(manual_has_chapters_and_statuses)
     }
     snprintf(part, sizeof part, "\"roughcontact %s\"", version_string());
     expect_part(manual, part);
-    free(commands);
-    free(manual);
 }
 
 /** groff has no warning for it, neither has man; skipped where there is none. */
@@ -281,7 +271,6 @@ TEST_IN_WORKSPACE(groff_reads_the_manual)
     struct process process = process_expect(process_end(process_start_list(place, groff, NULL)), 0, __FILE__, __LINE__);
     assert_string_equal(process.err, "");
     expect_part(process.out, "scene.yaml");
-    process_free(&process);
 }
 
 TEST_IN_WORKSPACE(bash_completes)
@@ -314,17 +303,14 @@ TEST_IN_WORKSPACE(bash_completes)
         char *replies = complete(place, cases[i].line);
         if (strcmp(replies, cases[i].replies) != 0)
             fail_msg("'%s': '%s', not '%s'", cases[i].line, replies, cases[i].replies);
-        free(replies);
     }
     char *files = complete(place, "roughcontact inspect in"); /* in any order */
     expect_part(files, "in.csv\n");
     expect_part(files, "inner\n");
-    free(files);
     char *units = complete(place, "roughcontact report --x-unit = "), list[512] = "";
     for (char *unit = strtok(units, "\n"); unit; unit = strtok(NULL, "\n"))
         snprintf(list + strlen(list), sizeof list - strlen(list), "%s%s", *list ? ", " : "", unit);
     assert_string_equal(list, unit_known(UNIT_DISTANCE).text);
-    free(units);
     char *materials = complete(place, "roughcontact report --material = ");
     for (size_t i = 0; i < material_table_count; i++)
         if (!isnan(material_table[i].youngs_modulus_Pa))
@@ -332,6 +318,4 @@ TEST_IN_WORKSPACE(bash_completes)
     char *effects = complete(place, "roughcontact report --effects ");
     for (int e = 0; e < EFFECT_COUNT; e++)
         expect_part(effects, effect_rows[e].name);
-    free(materials);
-    free(effects);
 }

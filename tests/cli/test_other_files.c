@@ -6,18 +6,14 @@ static void expect_same_files(const char *place, const char *one, const char *ot
 {
     char *left = workspace_read(place, one), *right = workspace_read(place, other);
     assert_string_equal(left, right);
-    free(left);
-    free(right);
 }
 
 /** Writes bytes that may hold NUL. */
 static void write_bytes(const char *place, const char *path, const char *bytes, size_t length)
 {
-    char *whole;
-    assert_true(asprintf(&whole, "%s/%s", place, path) > 0);
+    const char *whole = lasting("%s/%s", place, path);
     workspace_write(place, path, "");
     expect_ok(text_write_file, whole, bytes, length);
-    free(whole);
 }
 
 static void write_others(const char *place)
@@ -51,7 +47,6 @@ TEST_IN_WORKSPACE(test_passed_over)
     struct process process = expect_exit(place, 0, "inspect", "d");
     expect_part(process.err, others);
     expect_parts(process.out, "d/1.csv\n  format ", "d/2.csv\n  format ");
-    process_free(&process);
 
     /* an instrument's file that is not read is no such thing */
     write_bytes(place, "d/w.opd", "\1\0Directory\0\0\0", 14);
@@ -62,7 +57,6 @@ TEST_IN_WORKSPACE(test_passed_over)
     process = expect_exit(place, 1, "report", "--no-cost", "d");
     expect_part(process.err, "surface 'photo' refused: photo.jpg: it is no scan: JPEG picture");
     expect_no_part(process.err, "passed over");
-    process_free(&process);
     workspace_write(place, "e/README.md", "nothing yet\n");
     expect_failure(place, 4, 2, "passed over, no scan: 1 x text (README.md)\nroughcontact: no scan in 'e'", "report",
                    "e");
@@ -71,28 +65,25 @@ TEST_IN_WORKSPACE(test_passed_over)
 /* What every scan of a surface says in the same words is said once. */
 TEST_IN_WORKSPACE(test_counted_notes)
 {
-    struct text scene = {0};
-    text_add(&scene, "surfaces:\n  - name: s\n    file: [");
+    struct text *scene = support_text();
+    text_add(scene, "surfaces:\n  - name: s\n    file: [");
     for (unsigned i = 0; i < 12; i++) {
-        struct text scan = {0};
+        struct text *scan = support_text();
         uint64_t seed = i + 1;
-        text_add(&scan, "x [um],z [um],more\n");
+        text_add(scan, "x [um],z [um],more\n");
         for (int k = 0; k < 200; k++) {
             seed = seed * 6364136223846793005u + 1442695040888963407u;
-            text_add(&scan, "%d,%.4f,1\n", k, (double)(seed >> 40) * 1e-6);
+            text_add(scan, "%d,%.4f,1\n", k, (double)(seed >> 40) * 1e-6);
         }
-        workspace_write(place, filled("d/%u.csv", 10 + i), text_string(&scan));
-        text_add(&scene, "%s%u.csv", i > 0 ? ", " : "", 10 + i);
-        text_free(&scan);
+        workspace_write(place, filled("d/%u.csv", 10 + i), text_string(scan));
+        text_add(scene, "%s%u.csv", i > 0 ? ", " : "", 10 + i);
     }
-    text_add(&scene, "]\n");
-    workspace_write(place, "d/scene.yaml", text_string(&scene));
-    text_free(&scene);
+    text_add(scene, "]\n");
+    workspace_write(place, "d/scene.yaml", text_string(scene));
     static const char note[] = "3 columns: column 1 read as x, column 2 as z, the others ignored";
     struct process process = expect_exit(place, 0, "plan", "d");
     expect_part(process.err, filled("surface 's': 10.csv: %s (and of 11 more scans)\n", note));
     assert_null(strstr(strstr(process.err, note) + 1, note));
-    process_free(&process);
 }
 
 TEST_IN_WORKSPACE(test_packed)
@@ -106,28 +97,25 @@ TEST_IN_WORKSPACE(test_packed)
                                                              "--format=zip", "1.csv", "2.csv", "3.csv", NULL},
                                        NULL));
     assert_int_equal(process.status, 0);
-    process_free(&process);
     process = process_end(process_start_list(place, (const char *const[]){"gzip", "1.csv", NULL}, NULL));
     assert_int_equal(process.status, 0);
-    process_free(&process);
     expect_output(expect_exit(place, 0, "inspect", "three.zip"), "three.zip(1.csv)\n", "three.zip(2.csv)\n",
                   "three.zip(3.csv)\n");
     expect_output(expect_exit(place, 0, "inspect", "1.csv.gz"), "points      200");
 
     char *name = NULL;
-    assert_true(asprintf(&name, "%s/three.zip", place) > 0);
-    struct text bytes = {0};
-    expect_ok(text_read_file, &bytes, name);
+    name = lasting("%s/three.zip", place);
+    struct text *bytes = support_text();
+    expect_ok(text_read_file, bytes, name);
     /* one of three scans of a surface damaged: the others are read, as from files, and it is named */
-    char *second = memmem(bytes.data, bytes.length, "2.csv", 5);
+    char *second = memmem(bytes->data, bytes->length, "2.csv", 5);
     assert_non_null(second);
     second[100] ^= 1;
-    write_bytes(place, "damaged.zip", bytes.data, bytes.length);
+    write_bytes(place, "damaged.zip", bytes->data, bytes->length);
     process = expect_exit(place, 1, "inspect", "damaged.zip");
     expect_parts(process.out, "damaged.zip(1.csv)\n", "damaged.zip(3.csv)\n");
     expect_part(process.err, "'2.csv' in the archive is damaged; copy the file again\n");
-    process_free(&process);
-    write_bytes(place, "dz/s.zip", bytes.data, bytes.length);
+    write_bytes(place, "dz/s.zip", bytes->data, bytes->length);
     expect_errors(expect_exit(place, 1, "report", "--no-cost", "dz"),
                   "'2.csv' in the archive is damaged; copy the file again - refused; the others of the "
                   "archive are used\n");
@@ -136,6 +124,4 @@ TEST_IN_WORKSPACE(test_packed)
     workspace_write(place, "df/scene.yaml", "surfaces: [{name: s, file: [1.csv, 3.csv]}]\n");
     run_to_exit(place, 0, "report", "--no-cost", "df");
     expect_same_files(place, "out/dz/data/contact.csv", "out/df/data/contact.csv");
-    text_free(&bytes);
-    free(name);
 }

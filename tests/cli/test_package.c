@@ -29,15 +29,12 @@ TEST_IN_WORKSPACE(test_package)
     expect_parts(text, "Package: roughcontact\n", "gnuplot-nox | gnuplot");
     expect_part(text, "libmd4c-html0"); /* GSL and others are inside it */
     expect_no_part(text, "libgsl");
-    free(text);
     text = workspace_shell(place, "dpkg-deb -f packages/libroughcontact1_*.deb Depends");
     expect_part(text, "libgsl27");
     expect_no_part(text, "gnuplot"); /* which the library has no use for */
     expect_no_part(text, "libyaml");
-    free(text);
     text = workspace_shell(place, "dpkg-deb -f packages/libroughcontact-dev_*.deb Depends");
     expect_part(text, "libroughcontact1 (= ");
-    free(text);
     text = workspace_shell(place,
                            "for p in packages/*.deb; do dpkg-deb -x $p root; done; cd root && find usr -type f | sort");
     expect_parts(text, "usr/bin/roughcontact\n", "usr/include/roughcontact.h\n", "/pkgconfig/roughcontact.pc\n",
@@ -45,20 +42,15 @@ TEST_IN_WORKSPACE(test_package)
                  "usr/share/doc/roughcontact/changelog.gz\n", "usr/share/doc/libroughcontact1/changelog.gz\n",
                  "usr/share/roughcontact/templates/page.html\n", "usr/share/roughcontact/selftest.csv\n",
                  "usr/share/roughcontact/surfaces/chapter6/scene.yaml\n");
-    free(text);
 
     /* the main job, from there, is what it is from the build */
-    char *program;
-    assert_true(asprintf(&program, "%s/root/usr/bin/roughcontact", place) > 0);
+    const char *program = lasting("%s/root/usr/bin/roughcontact", place);
     workspace_scan(place, "d/a.csv", 300, 1);
     run_to_exit(place, 0, "report", "d", "-o", "built", "--no-cost");
     const char *const report[] = {program, "report", "d", "-o", "unpacked", "--no-cost", NULL};
     run_list(place, report);
     char *one = workspace_digest(place, "built"), *two = workspace_digest(place, "unpacked");
     assert_string_equal(one, two);
-    free(one);
-    free(two);
-    free(program);
 
     if (!is_there(place, "lintian")) {
         print_message("not looked over: there is no lintian\n");
@@ -66,5 +58,4 @@ TEST_IN_WORKSPACE(test_package)
     }
     text = workspace_shell(place, "lintian --fail-on none packages/*.deb");
     expect_no_part(text, "E: ");
-    free(text);
 }

@@ -23,7 +23,6 @@ static void view_text_of(char *text, size_t size, const char *place, const char 
     if (!json_is_string(value))
         fail_msg("no %s %s in the view", name, part ? part : "");
     snprintf(text, size, "%s", json_string_value(value));
-    json_decref(view);
 }
 
 /** The page says what the view has there. */
@@ -60,8 +59,6 @@ static void expect_kept_picture(const char *place, const char *path)
     }
     assert_true(numbers > 200);
     assert_int_equal(*a, *b);
-    free(kept);
-    free(drawn);
 }
 
 /** Newtons for 1 mohm; does my measurement agree; the textbook; best and significant; longer or finer scan. */
@@ -83,7 +80,6 @@ TEST_IN_WORKSPACE(a_connector)
     expect_part(page, "Least certain: ");
     expect_part(page, "of its longest waves: a longer one may change resistances by a factor 2 or more.");
     expect_kept_picture(place, "out/figures/answer.svg");
-    free(page);
 }
 
 /** The conductance at 1 MPa, of a gap in air and of bare metal. */
@@ -97,7 +93,6 @@ TEST_IN_WORKSPACE(a_conductance)
     char *page = first_page(place, "gap");
     expect_parts(page, "**At 1.00\u00a0MPa the joint conductance is ", "\u00a0W/(m²·K)**");
     says(place, "gap", page, "answers", "value");
-    free(page);
     workspace_write(place, "d/scene.yaml",
                     "material: copper\neffects: [plasticity, thermal]\noperating_load: 1 MPa\n"
                     "load: {from: 0.1 MPa, to: 10 MPa, points: 21}\n");
@@ -114,8 +109,6 @@ TEST_IN_WORKSPACE(a_conductance)
             fabs(table_number(&contact, i, "pressure_Pa") / 1e6 - 1) < 1e-9 && fabs(decades - round(decades)) < 0.003;
     }
     assert_true(same >= 1);
-    table_free(&contact);
-    free(page);
 }
 
 /** Which model, and how far off: the direct solution's answer, and what the model makes of it. */
@@ -130,14 +123,12 @@ TEST_IN_WORKSPACE(how_far_off)
     expect_parts(page, "The direct solution of *a* gives ", ": the model ");
     says(place, "out", page, "direct_answer", "value");
     expect_no_parts(page, "let a direct solution run", "without film");
-    free(page);
     workspace_write(place, "d/scene.yaml",
                     "material: tin\nload: {from: 1e-4, to: 2e-2, points: 9}\nfilm: 1e-11 ohm m2\n"
                     "direct: {grid: 64, seeds: 2, loads: 7}\noperating_load: 5e-3\n");
     run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "film");
     page = first_page(place, "film");
     expect_parts(page, "The direct solution of *a* gives ", "\u00a0Ω·m², without film, at ", ": the model ");
-    free(page);
 }
 
 /** What a reader has to go through. */
@@ -171,12 +162,11 @@ static size_t sheets_of(const char *place)
     const char *const print[] = {
         "chromium", "--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer", to, from, NULL};
     run_list(place, print);
-    struct text pdf = {0};
-    expect_ok(text_read_file, &pdf, filled("%s/out.pdf", place));
+    struct text *pdf = support_text();
+    expect_ok(text_read_file, pdf, filled("%s/out.pdf", place));
     size_t sheets = 0;
-    for (size_t i = 0; i + sizeof mark < pdf.length; i++)
-        sheets += memcmp(pdf.data + i, mark, sizeof mark - 1) == 0 && pdf.data[i + sizeof mark - 1] != 's';
-    text_free(&pdf);
+    for (size_t i = 0; i + sizeof mark < pdf->length; i++)
+        sheets += memcmp(pdf->data + i, mark, sizeof mark - 1) == 0 && pdf->data[i + sizeof mark - 1] != 's';
     return sheets;
 }
 
@@ -205,7 +195,5 @@ TEST_IN_WORKSPACE(no_longer_than_that)
         assert_in_range(factors, 1, 4); /* one of them measured */
         if (prints)
             assert_in_range(sheets_of(place), 3, 7);
-        free(whole);
-        free(first);
     }
 }

@@ -13,7 +13,6 @@ static double surface_number(const char *place, const char *surface, const char 
     for (size_t row = 0; row < table.rows; row++)
         if (strcmp(table_text(&table, row, "surface"), surface) == 0)
             number = table_number(&table, row, column);
-    table_free(&table);
     return number;
 }
 
@@ -41,7 +40,6 @@ TEST_IN_WORKSPACE(test_overrides)
     assert_true(workspace_has(place, "out/d/figures/ecr.svg"));
     assert_false(workspace_has(place, "out/d/figures/tcr.svg"));
     assert_false(workspace_has(place, "out/d/data/convergence.csv"));
-    free(markdown);
 }
 
 TEST_IN_WORKSPACE(test_units)
@@ -86,9 +84,7 @@ TEST_IN_WORKSPACE(test_wrong_options)
 
 static void synthesise(const char *place, const char *alpha, const char *gamma, const char *length, const char *path)
 {
-    struct process process =
-        expect_exit(place, 0, "synth", "-a", alpha, "-g", gamma, "-l", length, "-n", "1200", "-o", path);
-    process_free(&process);
+    run_to_exit(place, 0, "synth", "-a", alpha, "-g", gamma, "-l", length, "-n", "1200", "-o", path);
 }
 
 TEST_IN_WORKSPACE(test_terminal)
@@ -118,11 +114,9 @@ TEST_IN_WORKSPACE(test_terminal)
     }
     assert_true(strtod(strstr(process.err, "\nstrips ") + strlen("\nstrips "), NULL) > 0);
     assert_null(strchr(process.err, '\r')); /* progress is for terminals only */
-    process_free(&process);
     process = expect_exit(place, 0, "report", "d");
     expect_no_part(process.err, "stage ");
     expect_no_part(process.out, "+--");
-    process_free(&process);
 }
 
 /** Pressed all but flat, a model that ends there says so in place of a number. */
@@ -137,7 +131,6 @@ TEST_IN_WORKSPACE(test_pressed_flat)
     expect_in_file(place, "out/d/report.md", "not known (over 97 % of it would touch, where Gaussian heights ends)**");
     expect_not_in_file(place, "out/d/report.md", "One surface, every model");
     assert_false(workspace_has(place, "out/d/data/contact.csv"));
-    process_free(&process);
 }
 
 /** Each figure drawn once more, as its first line says: the same but for an empty group, which carries the colour that
@@ -147,10 +140,9 @@ TEST_IN_WORKSPACE(test_figures_drawn_by_hand)
     workspace_scan(place, "d/a.csv", 300, 1);
     workspace_scan(place, "d/b.csv", 300, 2);
     run_to_exit(place, 0, "report", "d", "-m", "tin", "-o", "out", "--no-cost");
-    free(workspace_shell(place,
-                         "cp -r out/figures again && cd again && for f in *.gp; do gnuplot \"$f\" || exit 1; done && "
-                         "sed -i '/^<g fill=\"none\" color=\"#FFFFFF\"/d' *.svg ../out/figures/*.svg && "
-                         "ls area.svg models.svg && diff -r . ../out/figures"));
+    workspace_shell(place, "cp -r out/figures again && cd again && for f in *.gp; do gnuplot \"$f\" || exit 1; done && "
+                           "sed -i '/^<g fill=\"none\" color=\"#FFFFFF\"/d' *.svg ../out/figures/*.svg && "
+                           "ls area.svg models.svg && diff -r . ../out/figures");
 }
 
 /** On a terminal, one that `script` makes, a line says how far a long stage is; it is gone at the end. */
@@ -177,7 +169,6 @@ TEST_IN_WORKSPACE(test_progress)
         assert_true(strtod(at, NULL) > before && strtod(at, NULL) < 100);
     }
     assert_true(before > 50);
-    free(seen);
 }
 
 /* Surfaces' laws stand by their amplitudes at one wavelength, the middle of what the bands share: bands 0.5 ... 300 and
@@ -204,21 +195,19 @@ TEST_IN_WORKSPACE(test_unloading)
     static const char listed[] = "effects: [separation, electrical, unloading]\n";
     char text[256];
     for (size_t k = 0; k < 2; k++) { /* many short waves: many spots */
-        struct text scan = {0};
+        struct text *scan = support_text();
         double walk_um = 0, height_um = 0;
-        text_add(&scan, "x [um],z [um]\n");
+        text_add(scan, "x [um],z [um]\n");
         for (size_t i = 0; i < 3000; i++) {
             walk_um += direct_random(k, i) - direct_random(k, i + 3000) - 0.1 * walk_um;
             height_um += 0.2 * (walk_um - height_um);
-            text_add(&scan, "%zu,%.6f\n", i, height_um);
+            text_add(scan, "%zu,%.6f\n", i, height_um);
         }
-        workspace_write(place, filled("d/a/%zu.csv", k), text_string(&scan));
-        text_free(&scan);
+        workspace_write(place, filled("d/a/%zu.csv", k), text_string(scan));
     }
     workspace_write(place, "d/scene.yaml", filled(scene, "effects: electrical\n"));
     struct process plan = expect_exit(place, 0, "plan", "d");
     expect_part(plan.out, "only where effects lists it");
-    process_free(&plan);
 
     snprintf(text, sizeof text, scene, listed);
     workspace_write(place, "d/scene.yaml", text);
@@ -228,14 +217,14 @@ TEST_IN_WORKSPACE(test_unloading)
     expect_in_file(place, "out/d/figures/answer.csv", "# unloading");
     struct table contact = workspace_table(place, "out/d/data/contact.csv"),
                  falling = workspace_table(place, "out/d/data/unloading.csv");
-    struct text csv = {0};
-    text_add(&csv, "load (dimensionless);ECR (ohm m2)\n");
+    struct text *csv = support_text();
+    text_add(csv, "load (dimensionless);ECR (ohm m2)\n");
     double turn = table_number(&falling, falling.rows - 1, "load_over_AnEp");
     assert_near(turn, table_number(&falling, 0, "largest_load_over_AnEp"), 1e-12);
     for (size_t i = 0; i < contact.rows; i++)
         if (strcmp(table_text(&contact, i, "model"), "strip-plastic") == 0 &&
             table_number(&contact, i, "load_over_AnEp") < turn)
-            text_add(&csv, "%.15g;%.15g\n", table_number(&contact, i, "load_over_AnEp"),
+            text_add(csv, "%.15g;%.15g\n", table_number(&contact, i, "load_over_AnEp"),
                      table_number(&contact, i, "ecr_ohm_m2"));
     for (size_t i = falling.rows; i-- > 0;) {
         double ratio = table_number(&falling, i, "ecr_ohm_m2_over_loading"), load = turn;
@@ -246,12 +235,9 @@ TEST_IN_WORKSPACE(test_unloading)
             assert_true(ratio > 0.3 && ratio < 2 && area > 1 && area < 4);
             load = table_number(&falling, i, "load_over_AnEp");
         }
-        text_add(&csv, "%.15g;%.15g\n", load, (load < turn ? 2 : 1) * table_number(&falling, i, "ecr_ohm_m2"));
+        text_add(csv, "%.15g;%.15g\n", load, (load < turn ? 2 : 1) * table_number(&falling, i, "ecr_ohm_m2"));
     }
-    workspace_write(place, "d/ecr.csv", text_string(&csv));
-    text_free(&csv);
-    table_free(&contact);
-    table_free(&falling);
+    workspace_write(place, "d/ecr.csv", text_string(csv));
     snprintf(text, sizeof text, scene, listed);
     strcat(text, "measured: {file: ecr.csv}\n");
     workspace_write(place, "d/scene.yaml", text);
@@ -299,7 +285,6 @@ TEST_IN_WORKSPACE(test_measured)
                  resistance_ohm_m2 / 2 / 0.72);
         least = fmin(least, resistance_ohm_m2);
     }
-    table_free(&contact);
     workspace_write(place, "d/ecr.csv", text_string(&csv));
     workspace_write(place, "d/.run.csv", text_string(&run));
     text_free(&csv);
@@ -327,7 +312,6 @@ TEST_IN_WORKSPACE(test_measured)
     }
     assert_near(log10(found / least), round(log10(found / least)), 1e-8); /* in the unit of the chart: a power of ten */
     assert_true(scale > found);
-    free(data);
 
     snprintf(text, sizeof text, scene, filled(apart, target_ohm));
     workspace_write(place, "d/scene.yaml", text);
@@ -340,7 +324,6 @@ TEST_IN_WORKSPACE(test_measured)
     assert_string_equal(table_text(&answers, 1, "surface"), "a");
     assert_near(table_number(&answers, 1, "load_over_AnEp"), target_load, 1e-5);
     assert_true(table_number(&answers, 0, "load_over_AnEp") < 0.99 * target_load);
-    table_free(&answers);
     strcat(text, "measured: {file: .run.csv}\n");
     workspace_write(place, "d/scene.yaml", text);
     expect_failure(place, 3, 1, "the baseline, 'a', has 'measured' of its own and the scene's; remove either", "report",

@@ -85,13 +85,9 @@ static char *without_times(char *report)
 
 static char *view_without_times(char *text)
 {
-    json_t *view = json_loads(text, 0, NULL);
-    assert_non_null(view);
+    json_t *view = support_json(text);
     json_object_del(view, "accuracy");
-    free(text);
-    text = json_dumps(view, JSON_INDENT(1));
-    json_decref(view);
-    return text;
+    return test_owns(json_dumps(view, JSON_INDENT(1)), free);
 }
 
 static void expect_sample(const char *place, const char *name)
@@ -114,8 +110,6 @@ static void expect_sample(const char *place, const char *name)
         kept = f == 0 ? without_times(kept) : view_without_times(kept);
         fresh = f == 0 ? without_times(fresh) : view_without_times(fresh);
         expect_alike(kept, fresh, filled("docs/sample/%s/%s", name, files[f]));
-        free(kept);
-        free(fresh);
     }
     char *list = workspace_shell(place, "cd o/figures && ls *.svg"), *rest = list;
     for (char *file; (file = strsep(&rest, "\n")) && *file;) {
@@ -124,12 +118,7 @@ static void expect_sample(const char *place, const char *name)
         char *kept = words_of(workspace_read(PROJECT_SOURCE, filled("docs/sample/%s/figures/%s", name, file)));
         char *fresh = words_of(workspace_read(place, filled("o/figures/%s", file)));
         expect_alike(kept, fresh, filled("docs/sample/%s/figures/%s", name, file));
-        free(kept);
-        free(fresh);
     }
-    free(list);
-    free(readme);
-    process_free(&run);
 }
 
 TEST_IN_WORKSPACE(chapter6_is_the_sample)

@@ -155,9 +155,8 @@ static struct end run(int (*body)(int argc, char **argv), int signal_number, int
     struct end end = {0};
     assert_int_equal(pipe2(errors, O_CLOEXEC), 0);
     pid_t child = start_body(body, errors[1]);
-    struct text id = directory_read(&place, "begun");
-    end.other = (pid_t)strtol(text_string(&id), NULL, 10);
-    text_free(&id);
+    char *id = directory_read(&place, "begun");
+    end.other = (pid_t)strtol(id, NULL, 10);
     double before = clock_seconds();
     for (int i = 0; i < times; i++) {
         assert_int_equal(kill(child, signal_number), 0);

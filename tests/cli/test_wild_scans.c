@@ -68,16 +68,14 @@ static void make_heights(double *z, size_t points, enum kind kind)
 static void write_scan(const char *place, const char *path, size_t points, enum kind kind, double height_m,
                        double spacing_m)
 {
-    char *csv = malloc(points * 64 + 64);
-    double *z = malloc(points * sizeof *z);
+    char *csv = support_room(points * 64 + 64);
+    double *z = support_room(points * sizeof *z);
     assert_true(csv && z);
     make_heights(z, points, kind);
     int used = sprintf(csv, "x [m],z [m]\n");
     for (size_t i = 0; i < points; i++)
         used += sprintf(csv + used, "%.17g,%.17g\n", spacing_m * (double)i, height_m * z[i]);
     workspace_write(place, path, csv);
-    free(z);
-    free(csv);
 }
 
 static size_t some_points(void)
@@ -111,18 +109,16 @@ static void write_surface(const char *place, size_t surface)
 
 static void write_scene(const char *place, size_t sure)
 {
-    struct text scene = {0};
-    wild_scene(&scene, (const char *const[]){NULL}, below, sure);
-    workspace_write(place, "in/scene.yaml", text_string(&scene));
-    text_free(&scene);
+    struct text *scene = support_text();
+    wild_scene(scene, (const char *const[]){NULL}, below, sure);
+    workspace_write(place, "in/scene.yaml", text_string(scene));
 }
 
 /* How many values the keys of a scene have together. */
 static size_t wild_values(void)
 {
-    struct text none = {0};
-    size_t values = wild_scene(&none, (const char *const[]){NULL}, below, SIZE_MAX);
-    text_free(&none);
+    struct text *none = support_text();
+    size_t values = wild_scene(none, (const char *const[]){NULL}, below, SIZE_MAX);
     return values;
 }
 
@@ -157,7 +153,6 @@ static void expect_reported_or_refused(const char *place, size_t seed)
     process_expect_numbers(run.err, "stderr");
     if (run.status < 2)
         assert_true(workspace_expect_numbers(place, "out") > 5);
-    process_free(&run);
 }
 
 static size_t number_of(const char *name, size_t usual)

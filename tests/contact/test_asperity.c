@@ -19,7 +19,6 @@ TEST_CASE(matches_reference)
         assert_near(contact.load_N, table_number(&table, i, "load_N_jg"), 1e-10);
         assert_near(contact.radius_m, table_number(&table, i, "contact_radius_m_jg"), 1e-10);
     }
-    table_free(&table);
 }
 
 TEST_CASE(interference_at_inverts_the_radius)

@@ -65,7 +65,6 @@ TEST_CASE(matches_the_reference)
         below += separation < 0; /* the mean plane: no gap is left to speak of */
     }
     assert_true(below > 0 && table.rows > 20);
-    table_free(&table);
 }
 
 /** h = 2 n a k/Psi and the spots are the area; the handbook's 1.25 (P/H)^0.95 is 0.987...1.010 of the closed form for

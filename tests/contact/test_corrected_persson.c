@@ -9,16 +9,13 @@
 static struct spectrum golden_spectrum(const char *name)
 {
     struct table table = table_read("golden/strip/profiles.csv");
-    double *height = malloc(table.rows * sizeof *height);
+    double *height = support_room(table.rows * sizeof *height);
     struct spectrum spectrum;
-    assert_non_null(height);
     for (size_t i = 0; i < table.rows; i++)
         height[i] = table_number(&table, i, name);
     expect_ok(spectrum_compute, &spectrum, height, table.rows, 1e-6, SPECTRUM_WINDOW_NONE);
     spectrum.count = 255;
     spectrum.has_nyquist = false;
-    free(height);
-    table_free(&table);
     return spectrum;
 }
 
@@ -39,7 +36,6 @@ TEST_CASE(matches_reference)
         persson_free(&persson);
         spectrum_free(&spectrum);
     }
-    table_free(&table);
 }
 
 /** The golden gaps fall by load over stiffness: between two of their loads the slope is between the model's at both. */
@@ -70,7 +66,6 @@ TEST_CASE(stiffness_is_the_slope_of_the_reference)
         compared++;
     }
     assert_true(compared >= 9);
-    table_free(&table);
 }
 
 /** The factors are the table at its knots, continuous between, and straight beyond; load and area are each other's

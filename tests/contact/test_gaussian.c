@@ -12,7 +12,6 @@ TEST_CASE(matches_reference)
         assert_near(f.one * factor, table_number(&table, i, "F_one"), 1e-12);
         assert_near(f.three_halves * factor, table_number(&table, i, "F_three_halves"), 1e-12);
     }
-    table_free(&table);
 }
 
 /** At the borders of all panels and within each, and far to both sides. */
@@ -29,7 +28,6 @@ TEST_CASE(panels_match_reference)
         assert_near(f.one, table_number(&table, i, "F_one"), 1e-13);
         assert_near(f.three_halves, table_number(&table, i, "F_three_halves"), 1e-13);
     }
-    table_free(&table);
 }
 
 /** Far out the ratios stay right though the integrals are below 10^-300: F_{3/2}/F_{1/2} -> 1.5/h (1 - 3/h² ...). */

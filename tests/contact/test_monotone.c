@@ -177,11 +177,10 @@ static void expect_solutions_fall(const struct strip_curve *curve)
 
 TEST_CASE(no_curve_turns_back)
 {
-    struct made *made = malloc(sizeof *made);
+    struct made *made = support_room(sizeof *made);
     struct contact_point point[LOADS + 1];
     size_t solved = 0, rises[MODELS][CURVES] = {{0}}, total = 0;
     double most[MODELS][CURVES] = {{0}};
-    assert_non_null(made);
     for (size_t n = 0; n < PROFILES; n++) {
         if (!make(made, n))
             continue;
@@ -199,7 +198,6 @@ TEST_CASE(no_curve_turns_back)
         }
         discard(made);
     }
-    free(made);
     for (size_t m = 0; m < MODELS; m++)
         for (size_t c = 0; c < CURVES; c++) {
             total += rises[m][c];
@@ -214,9 +212,8 @@ TEST_CASE(no_curve_turns_back)
 /** What stands at a load does not depend on which others are asked for. */
 TEST_CASE(each_load_alone)
 {
-    struct made *made = malloc(sizeof *made);
+    struct made *made = support_room(sizeof *made);
     struct contact_point point[LOADS + 1], alone[2];
-    assert_non_null(made);
     for (size_t n = 0; n < 12; n++) {
         if (!make(made, n))
             continue;
@@ -231,15 +228,13 @@ TEST_CASE(each_load_alone)
         }
         discard(made);
     }
-    free(made);
 }
 
 /* One of several scans goes on where it ends, as there, and says so. */
 TEST_CASE(carried_on)
 {
-    struct made *made = malloc(sizeof *made);
+    struct made *made = support_room(sizeof *made);
     struct contact_point point[LOADS + 1], own[LOADS + 1];
-    assert_non_null(made);
     assert_true(make(made, 0));
     for (size_t m = 0; m + 1 < MODELS; m++) { /* cmy ends at another place */
         struct model_curve alone = model_support_run(own, models[m], &made->task);
@@ -253,5 +248,4 @@ TEST_CASE(carried_on)
         assert_near(point[0].value[QUANTITY_ECR], own[0].value[QUANTITY_ECR], 1e-9);
     }
     discard(made);
-    free(made);
 }

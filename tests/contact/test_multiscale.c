@@ -31,7 +31,6 @@ TEST_CASE(matches_reference)
         multiscale_free(&stack);
         spectrum_free(&spectrum);
     }
-    table_free(&table);
 }
 
 /** The convergence study's areas after each scale end in the area of the whole stack and never rise. */
@@ -125,12 +124,11 @@ TEST_CASE(passes_over_closed_scales)
         bool plastic = k % 4 > 0;
         enum sinusoid_fit_id closure = k % 5 == 0 ? SINUSOID_FIT_NUMERIC : SINUSOID_FIT_THESIS;
         struct spectrum spectrum = random_spectrum(&random);
-        struct sinusoid_scale *scales = malloc(spectrum.count * sizeof *scales);
+        struct sinusoid_scale *scales = support_room(spectrum.count * sizeof *scales);
         struct constriction spot = constriction_make(&pair);
         struct multiscale stack;
         double full_Pa = 0, closed_Pa = 0, loads[TRIED];
         uint64_t own = 0;
-        assert_non_null(scales);
         for (size_t i = 0; i < spectrum.count; i++) {
             scales[i] = sinusoid_scale(spectrum.amplitude_m[i], spectrum_frequency(&spectrum, i), &pair, plastic);
             full_Pa = fmax(full_Pa, sinusoid_full_area_pressure(&scales[i]));
@@ -156,7 +154,6 @@ TEST_CASE(passes_over_closed_scales)
         visits += own;
         all += TRIED * spectrum.count;
         multiscale_free(&stack);
-        free(scales);
         spectrum_free(&spectrum);
     }
     assert_true((double)visits < 0.6 * (double)all && (double)visits < 1.3 * (double)opens);
@@ -250,10 +247,9 @@ TEST_CASE(the_longest_closing_scale)
         enum sinusoid_fit_id closure = k % 5 == 0 ? SINUSOID_FIT_NUMERIC : SINUSOID_FIT_THESIS;
         const struct sinusoid_fit *fit = &sinusoid_fits[closure];
         struct spectrum spectrum = random_spectrum(&random);
-        struct sinusoid_scale *scales = malloc(spectrum.count * sizeof *scales);
+        struct sinusoid_scale *scales = support_room(spectrum.count * sizeof *scales);
         struct multiscale stack;
         struct model_kink kink;
-        assert_non_null(scales);
         for (size_t i = 0; i < spectrum.count; i++)
             scales[i] = sinusoid_scale(spectrum.amplitude_m[i], spectrum_frequency(&spectrum, i), &pair, plastic);
         assert_int_equal(multiscale_make(&stack, &spectrum, &pair, plastic, closure, &(struct status){0}), STATUS_OK);
@@ -275,7 +271,6 @@ TEST_CASE(the_longest_closing_scale)
             shorter += longest > 20;
         }
         multiscale_free(&stack);
-        free(scales);
         spectrum_free(&spectrum);
     }
     assert_in_range(closing, STACKS / 10, STACKS * 9 / 10);

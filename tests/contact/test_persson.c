@@ -31,7 +31,6 @@ TEST_CASE(matches_reference)
         spectrum_free(&spectrum);
     }
     assert_true(compared > 10);
-    table_free(&table);
 }
 
 /** f/t² exp(x²) */

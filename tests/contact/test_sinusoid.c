@@ -14,7 +14,6 @@ TEST_CASE(elastic_matches_reference)
         assert_near(cell.area_ratio, table_number(&table, i, "area_ratio"), 1e-10);
         assert_near(thesis->gap(x), table_number(&table, i, "gap_over_amplitude"), 1e-10);
     }
-    table_free(&table);
 }
 
 TEST_CASE(plastic_matches_reference)
@@ -35,7 +34,6 @@ TEST_CASE(plastic_matches_reference)
                         table_number(&table, i, plastic ? "gap_m_plastic" : "gap_m_elastic"), 1e-10);
         }
     }
-    table_free(&table);
 }
 
 /** Both closures against the direct solution: largest relative difference of the area at any x, and of the gap at x <=
@@ -63,7 +61,6 @@ TEST_CASE(closures_keep_their_stated_error)
             assert_true(gap_error > 0.9 * most[c][1]);
         }
     }
-    table_free(&table);
 }
 
 /** 1 - a keeps its digits as a -> 1: against the linear law of (4.4) and, plastic, against the sum in long double. */

@@ -45,7 +45,6 @@ static void check_reference(double tolerance, double allowed)
                     table_number(&table, i, "separation_over_sigma"), 1e-10);
         statistical_free(&model);
     }
-    table_free(&table);
 }
 
 TEST_CASE(matches_reference)
@@ -85,7 +84,6 @@ TEST_CASE(beta_matches_reference)
             assert_within(full.value[QUANTITY_ADJUSTED], 0, 0);
             statistical_free(&model);
         }
-    table_free(&table);
 }
 
 /** Moments over the nodes are those of the sums: j = 0 the sum itself, j = 1 its slope with respect to d. */

@@ -69,7 +69,6 @@ TEST_CASE(gaussian_rows_have_a_ratio_of_one)
         sum[0] += ratio.load / SURFACES;
         sum[1] += ratio.constriction / SURFACES;
         sum[2] += ratio.separation / SURFACES;
-        free(height);
     }
     for (int q = 0; q < 3; q++)
         assert_within(sum[q], 0, 0.06);
@@ -93,7 +92,6 @@ TEST_CASE(heights_tell)
     strip = solved(&rows, &second, 1, 0);
     again = solved(&alone, all, 1, 0);
     assert_memory_equal(&strip, &again, sizeof strip);
-    free(height);
 }
 
 /** Without a ratio the areas are the corrected theory's; with one, p(A) never falls, and below the last solution the
@@ -141,7 +139,6 @@ TEST_CASE(steps_between_rows_are_no_slope)
         light[step] = strip.own.value[0][0];
     }
     assert_true(light[1] < light[0] + 0.1);
-    free(height);
 }
 
 /** A row that does not close on itself is mirrored, not repeated: a ramp then has no cliff, and gives what the mirrored
@@ -158,8 +155,6 @@ TEST_CASE(rows_are_mirrored)
     struct strip strip = solved(&(struct strip_rows){height, 2, POINTS, 1e-6, false}, both, 2, 1);
     struct strip expected = solved(&(struct strip_rows){mirrored, 2, 2 * POINTS, 1e-6, true}, both, 2, 1);
     assert_memory_equal(&strip, &expected, sizeof strip);
-    free(height);
-    free(mirrored);
 }
 
 /** The gap is that of the points which do not touch: what the solver's tolerance leaves on the others would make it 1 %
@@ -185,7 +180,6 @@ TEST_CASE(gap_of_the_open_points)
     assert_true(count >= 3);
     assert_within(sum / (double)count, 0, 0.003);
     direct_contact_free(&contact);
-    free(height);
 }
 
 /** Flat rows have no strip. */
@@ -274,7 +268,6 @@ TEST_CASE(against_direct_solutions)
         persson_free(&persson);
         spectrum_free(&mean);
     }
-    free(height);
 }
 
 /** Roughly, for a scatter: one surrogate and half the loads, a quarter of the work or less, and much the same ratio. */
@@ -289,5 +282,4 @@ TEST_CASE(roughly)
     assert_true(rough.transforms > 0 && 4 * rough.transforms < strip.transforms);
     for (double area = 0.02; area < 0.9; area *= 2)
         assert_true(fabs(strip_ratio_at(&rough, area).load - strip_ratio_at(&strip, area).load) < 0.25);
-    free(height);
 }

@@ -68,7 +68,6 @@ TEST_CASE(ranges_of_direct_solutions)
             for (size_t i = 0; i < LOADS; i++)
                 for (int q = 0; q < 3; q++)
                     mean[i][q] += log(ratio[i][q]) / SURFACES;
-            free(height);
         }
         for (int q = 0; q < 3; q++)
             assert_within(mean[0][q], 0, 2e-3);
@@ -106,7 +105,6 @@ TEST_CASE(strips_tell)
         for (size_t i = 0; i < own.count; i++)
             for (int q = 0; q < 3; q++)
                 assert_within(own.value[i][q], 0, 0.02);
-        free(height);
     }
 }
 
@@ -124,7 +122,6 @@ TEST_CASE(few_spots)
     assert_near(own.raised, 128, 0);
     assert_true(own.count < UNLOADING_SHARES);
     expect_fails(STATUS_MODEL, "", unloading_solve, &own, &rows, 0.1, 0.1, NULL);
-    free(height);
 }
 
 /** Straight in the logarithms between shares, nothing beyond them. */

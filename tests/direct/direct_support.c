@@ -23,16 +23,14 @@ double recipe_scale(void)
 
 double *recipe_surface(size_t n)
 {
-    double *height = malloc(n * n * sizeof *height), scale = recipe_scale();
-    assert_non_null(height);
+    double *height = support_room(n * n * sizeof *height), scale = recipe_scale();
     expect_ok(direct_surface_make, height, n, &(struct direct_recipe){recipe_variance, &scale, NULL, 0}, 1);
     return height;
 }
 
 double *wave_of(size_t nx, size_t ny, double amplitude)
 {
-    double *height = malloc(nx * ny * sizeof *height);
-    assert_non_null(height);
+    double *height = support_room(nx * ny * sizeof *height);
     for (size_t k = 0; k < nx * ny; k++)
         height[k] = amplitude * cos(2 * M_PI * ((double)(k % nx) + 0.3) / (double)nx);
     return height;
@@ -40,8 +38,7 @@ double *wave_of(size_t nx, size_t ny, double amplitude)
 
 double *paraboloid_of(size_t n, double *mean)
 {
-    double *height = malloc(n * n * sizeof *height);
-    assert_non_null(height);
+    double *height = support_room(n * n * sizeof *height);
     *mean = 0;
     for (size_t k = 0; k < n * n; k++) {
         double x = (double)(k % n) / (double)n - 0.5 - 0.357 / 256, y = (double)(k / n) / (double)n - 0.5 - 0.123 / 256;
@@ -93,9 +90,8 @@ double constriction_of(struct direct_contact *contact, double tolerance)
 
 double constriction_of_drawing(const uint8_t *drawing, size_t n, size_t *iterations)
 {
-    double *height = calloc(n * n, sizeof *height), length;
+    double *height = support_room(n * n * sizeof *height), length;
     struct direct_contact_effort effort = {0};
-    assert_non_null(height);
     height[0] = 1; /* no surface is solved, but it must not be flat */
     struct direct_contact contact = contact_of(height, n, n);
     for (size_t k = 0; k < n * n; k++)
@@ -103,16 +99,14 @@ double constriction_of_drawing(const uint8_t *drawing, size_t n, size_t *iterati
     expect_ok(direct_constriction_of_contact, &length, &contact, 1e-9, NULL, &effort);
     *iterations = effort.iterations;
     direct_contact_free(&contact);
-    free(height);
     return length;
 }
 
 double twenty_spots_of(size_t n)
 {
     struct table spots = table_read("golden/direct/greenwood_spots.csv");
-    uint8_t *drawing = calloc(n, n);
+    uint8_t *drawing = support_room(n * n);
     size_t iterations;
-    assert_non_null(drawing);
     for (size_t s = 0; s < spots.rows; s++) {
         double x = table_number(&spots, s, "x"), y = table_number(&spots, s, "y"), a = table_number(&spots, s, "a");
         for (size_t k = 0; k < n * n; k++)
@@ -120,8 +114,6 @@ double twenty_spots_of(size_t n)
                                 remainder(((double)(k / n) + 0.5) / (double)n - y, 1)) <= a;
     }
     double length = constriction_of_drawing(drawing, n, &iterations);
-    free(drawing);
-    table_free(&spots);
     return length;
 }
 

@@ -5,9 +5,8 @@
 static double length_of_set(size_t n, bool (*inside)(double x, double y, const void *context), const void *context,
                             size_t *points)
 {
-    uint8_t *drawing = malloc(n * n);
+    uint8_t *drawing = support_room(n * n);
     size_t iterations;
-    assert_non_null(drawing);
     *points = 0;
     for (size_t k = 0; k < n * n; k++) {
         drawing[k] = inside((double)(k % n) / (double)n, (double)(k / n) / (double)n, context);
@@ -15,7 +14,6 @@ static double length_of_set(size_t n, bool (*inside)(double x, double y, const v
     }
     double length = constriction_of_drawing(drawing, n, &iterations);
     assert_true(iterations > 0 && iterations < 20); /* 10 to 21 to 1e-12 */
-    free(drawing);
     return length;
 }
 
@@ -47,7 +45,6 @@ TEST_CASE(one_spot)
         if (n >= 512 && a < 0.15)
             assert_near(length, 1 / (4 * a) - 2.482986 / 4 + 1.9172 * a * a / 4, 6e-3);
     }
-    table_free(&table);
 }
 
 /** Twenty spots: Greenwood's sum with the periodic Green's function, extrapolated from 512 and 1024 points a side. */
@@ -60,7 +57,6 @@ TEST_CASE(twenty_spots)
         assert_near(length[row], table_number(&table, row, "constriction_length"), 1e-9);
     }
     assert_near(2 * length[2] - length[1], table_number(&table, 0, "greenwood_periodic"), 5e-3);
-    table_free(&table);
 }
 
 static bool in_strip(double x, double y, const void *context)
@@ -97,5 +93,4 @@ TEST_CASE(derivative_of_the_gap)
         assert_near(constriction_of(&contact, 1e-10), (gap[0] - gap[1]) / (4 * step), 1e-5);
     }
     direct_contact_free(&contact);
-    free(height);
 }

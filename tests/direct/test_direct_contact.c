@@ -32,8 +32,6 @@ static void random_rows(const char *file, size_t n, int expected_rows, double to
     }
     assert_int_equal(rows, expected_rows);
     direct_contact_free(&contact);
-    free(height);
-    table_free(&table);
 }
 
 TEST_CASE(random_surface_64)
@@ -79,9 +77,7 @@ TEST_CASE(westergaard_strip)
         assert_near(2 * M_PI * constriction_of(&contact, 1e-10), table_number(&table, row, "minus_dgap_dx_fixed_set"),
                     1e-9);
         direct_contact_free(&contact);
-        free(height);
     }
-    table_free(&table);
 }
 
 /** cos cos, shifted so that no points tie, against the same cell solved on 1024 x 1024. */
@@ -90,7 +86,7 @@ TEST_CASE(sinusoidal_cell)
     struct table table = table_read("golden/direct/sinusoid.csv");
     for (size_t row = 0; row < table.rows; row++) {
         size_t n = (size_t)table_number(&table, row, "N");
-        double *height = malloc(n * n * sizeof *height), x = table_number(&table, row, "p_over_pstar");
+        double *height = support_room(n * n * sizeof *height), x = table_number(&table, row, "p_over_pstar");
         for (size_t j = 0; j < n; j++)
             for (size_t i = 0; i < n; i++)
                 height[j * n + i] = 0.01 * cos(2 * M_PI * ((double)i + 0.25) / (double)n) *
@@ -111,9 +107,7 @@ TEST_CASE(sinusoidal_cell)
                           table_number(&table, row, "area_golden_1024"), 3.6e-4);
         }
         direct_contact_free(&contact);
-        free(height);
     }
-    table_free(&table);
 }
 
 /** A paraboloid of radius 1 with its apex off the grid's points: a³ = 3 P R/4E', p = 2 E' a/(pi R) sqrt(1 - r²/a²)
@@ -147,9 +141,7 @@ TEST_CASE(sphere_after_hertz)
         if (n >= 256)
             assert_near(most, 2 * a / M_PI, a < 0.06 ? 8.1e-5 : a < 0.11 ? 1.3e-3 : 0.011);
         direct_contact_free(&contact);
-        free(height);
     }
-    table_free(&table);
 }
 
 static enum status_code result_of(const double *height, size_t n, const struct direct_contact_load *load,
@@ -205,7 +197,6 @@ TEST_CASE(refuses_what_cannot_be_solved)
             fail_msg("case %zu: %s", k, status.message);
         assert_non_null(strstr(status.message, cases[k].says));
     }
-    free(rough);
 }
 
 /** One point carries everything: p = p̄ n², and with a hardness the load spreads to p̄ n²/H points. */
@@ -234,7 +225,7 @@ TEST_CASE(spike)
 TEST_CASE(small_grids)
 {
     for (size_t n = 4; n <= 17; n++) {
-        double *height = malloc(n * n * sizeof *height);
+        double *height = support_room(n * n * sizeof *height);
         uint32_t random = 12345;
         for (size_t k = 0; k < n * n; k++) {
             random = random * 1664525u + 1013904223u;
@@ -251,7 +242,6 @@ TEST_CASE(small_grids)
                 assert_true(found.gap_m >= 0);
             }
         direct_contact_free(&contact);
-        free(height);
     }
 }
 
@@ -267,7 +257,6 @@ TEST_CASE(complete_contact)
     assert_true(found.area_ratio == 1 && found.gap_m == 0);
     assert_true(constriction_of(&contact, 1e-9) == 0);
     direct_contact_free(&contact);
-    free(height);
 }
 
 /** More load: more area, less gap, less constriction; a hardness in between does the same, and one that is nowhere
@@ -311,7 +300,6 @@ TEST_CASE(monotone_and_warm)
     assert_near(found.gap_m, free_found.gap_m, 1e-8);
     direct_contact_free(&cold);
     direct_contact_free(&warm);
-    free(height);
 }
 
 /** Everything scales: heights and cell by s, at the same p/E'. */
@@ -329,7 +317,6 @@ TEST_CASE(scale_free)
     assert_near(constriction_of(&small, 1e-9), 1e-9 * constriction_of(&contact, 1e-9), 1e-6);
     direct_contact_free(&contact);
     direct_contact_free(&small);
-    free(height);
 }
 
 /** Iterations count as a result: a solver that lost its preconditioner or its directions still converges, slowly. */
@@ -349,7 +336,6 @@ TEST_CASE(effort_as_known)
             fail_msg("%zu convolutions at %g", effort.convolutions, cases[k].p);
     }
     direct_contact_free(&contact);
-    free(height);
 }
 
 /** Three quarters in contact and only a handful of points at the hardness: these change sides in every iteration unless
@@ -359,7 +345,7 @@ TEST_CASE(few_points_at_the_hardness)
     enum { N = 256 };
     struct direct_law law = {1, 1.297, 1.0 / 40, 1, 1};
     struct direct_spectrum spectrum;
-    double *height = malloc(N * N * sizeof *height);
+    double *height = support_room(N * N * sizeof *height);
     expect_ok(direct_spectrum_of_law, &spectrum, &law);
     expect_ok(direct_surface_make, height, N, &(struct direct_recipe){direct_spectrum_variance, &spectrum, NULL, 0}, 1);
     struct direct_contact contact = contact_of(height, N, N);
@@ -377,7 +363,6 @@ TEST_CASE(few_points_at_the_hardness)
     assert_true(violation_of(&contact, &load) < 1.1e-6);
     direct_contact_free(&contact);
     direct_spectrum_free(&spectrum);
-    free(height);
 }
 
 /** A grid of 256 points a side starts from one of 128, and that from one of 64: fewer convolutions, those of the coarse
@@ -406,7 +391,6 @@ TEST_CASE(starts_from_coarse_grids)
         direct_contact_free(&nested);
         direct_contact_free(&plain);
     }
-    free(height);
 }
 
 /** An iteration takes two convolutions and a half: the residual stiffened, the step's energy, and the displacement. A
@@ -424,7 +408,6 @@ TEST_CASE(convolutions_of_an_iteration)
         assert_int_equal(effort.convolutions, 1 + 5 * effort.iterations / 2);
         direct_contact_free(&contact);
     }
-    free(height);
 }
 
 /** Other heights laid on a strip's grid are solved as if it were new, of complete contact too, which leaves no

@@ -65,8 +65,6 @@ TEST_CASE(means_of_single_solutions)
     direct_ensemble_free(&found);
     direct_contact_free(&contact);
     direct_contact_free(&finer);
-    free(coarse);
-    free(fine);
 }
 
 /** The same bytes from any number of threads, from Gaussian surfaces and from surfaces with given heights. */
@@ -157,7 +155,6 @@ TEST_CASE(work_is_told_step_by_step)
         direct_ensemble_free(&found);
         direct_map_free(&map);
     }
-    free(height_m);
 }
 
 /** Errors and the stop come through, of the first surface. */

@@ -143,7 +143,7 @@ TEST_CASE(mirrored_periodic_surface)
     static const struct {
         double waves, area, gap, constriction; /* most by which a mean differs from 1 */
     } cases[] = {{1, 0.06, 0.25, 0.30}, {4, 0.02, 0.035, 0.04}};
-    double *height = malloc(N * N * sizeof *height), change[2] = {0};
+    double *height = support_room(N * N * sizeof *height), change[2] = {0};
     for (size_t c = 0; c < 2; c++) {
         double mean[MIRROR_LOADS][3] = {{0}};
         for (uint64_t seed = 1; seed <= SEEDS; seed++) {
@@ -169,7 +169,6 @@ TEST_CASE(mirrored_periodic_surface)
         }
     }
     assert_true(change[0] > 3 * change[1] && change[1] > 0.005);
-    free(height);
 }
 
 /** Waves of a surface whose map is conditioned: from waves[0] in the cell on, falling with Hurst exponent 0.8, to
@@ -196,7 +195,7 @@ static void hold(struct held out[3], bool skewed, size_t n, double noisy, uint64
 {
     enum { N = 128, GIVEN = 999 };
     static const double waves[] = {5, 11};
-    double *height = malloc(N * N * sizeof *height), *seen = malloc(n * n * sizeof *seen), given[GIVEN];
+    double *height = support_room(N * N * sizeof *height), *seen = support_room(n * n * sizeof *seen), given[GIVEN];
     double load[MIRROR_LOADS];
     struct direct_point truth[MIRROR_LOADS];
     struct status status = {0};
@@ -238,8 +237,6 @@ static void hold(struct held out[3], bool skewed, size_t n, double noisy, uint64
         }
     direct_ensemble_free(&found);
     direct_map_free(&map);
-    free(height);
-    free(seen);
 }
 
 /** Of Gaussian and skewed surfaces with five longest waves, whole or two thirds of a side, clean or with noise of a

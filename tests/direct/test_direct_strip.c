@@ -31,9 +31,6 @@ TEST_CASE(matches_reference)
         assert_near(constriction_of(&contact, 1e-9), table_number(&table, i, "constriction_length_m"), 1e-8);
         direct_contact_free(&contact);
     }
-    free(height);
-    table_free(&profiles);
-    table_free(&table);
 }
 
 /** A wave of amplitude D and length L touches over A where p = pi D/L sin²(pi A/2), and its strips of contact have the
@@ -57,7 +54,6 @@ TEST_CASE(sinusoid)
         assert_near(found.gap_m, gap_m, 5e-3);
     }
     direct_contact_free(&contact);
-    free(height);
 }
 
 /** What stands for the inverse of the compliance on a set is symmetric, and an even field needs no pressure. */
@@ -137,7 +133,6 @@ TEST_CASE(transforms_of_a_solution)
         assert_in_range(effort.convolutions, 5, 130);
         assert_in_range(constriction.convolutions, 5, 50);
         direct_contact_free(&contact);
-        free(height);
     }
 }
 

@@ -38,9 +38,7 @@ TEST_CASE(recipe_heights)
         assert_near(most, table_number(&table, row, "max"), 1e-10);
         assert_near(least, table_number(&table, row, "min"), 1e-10);
         assert_near(sqrt(square), table_number(&table, row, "std"), 1e-10);
-        free(h);
     }
-    table_free(&table);
 }
 
 /** A law's rows come back from the synthesised surface, harmonic by harmonic, whatever the exponent; one that rises has
@@ -48,7 +46,7 @@ TEST_CASE(recipe_heights)
 TEST_CASE(rows_have_the_law)
 {
     enum { N = 128 };
-    double *height = malloc(N * N * sizeof *height), power[N / 2];
+    double *height = support_room(N * N * sizeof *height), power[N / 2];
     for (double gamma = 0.5; gamma <= 2; gamma += 0.25) {
         struct direct_law law = {1e-3, gamma, 3e-4 / 19, 3e-4, gamma < 1.2 ? 0 : 4.6}; /* without roll-off and with */
         struct direct_spectrum spectrum;
@@ -68,7 +66,6 @@ TEST_CASE(rows_have_the_law)
     struct direct_spectrum none;
     expect_fails(STATUS_MODEL, "", direct_spectrum_of_law, &none, &rising);
     direct_spectrum_free(&none);
-    free(height);
 }
 
 /** In mid band the exact weights are those of the continuous inversion: B = alpha² L^(2 gamma)/4 Gamma(gamma +
@@ -120,7 +117,6 @@ TEST_CASE(matched_law)
         assert_near(found.gamma, table_number(&table, row, "gamma"), 1e-8);
         assert_near(found.roll_off, table_number(&table, row, "m_r"), 1e-8);
     }
-    table_free(&table);
     for (int end = 0; end < 2; end++) { /* m0 and m2 stand whatever m1 says */
         double of_found[3], share = end ? 0.98 : 0.2;
         moments[1] = share * sqrt(moments[0] * moments[2]);
@@ -139,13 +135,11 @@ TEST_CASE(matched_law)
 /** A finer grid holds the same surface: point for point by interpolation as by synthesis. */
 TEST_CASE(refined_surface)
 {
-    double *coarse = recipe_surface(64), *fine = recipe_surface(192), *refined = malloc(192 * 192 * sizeof *refined);
+    double *coarse = recipe_surface(64), *fine = recipe_surface(192),
+           *refined = support_room(192 * 192 * sizeof *refined);
     expect_ok(direct_surface_refine, refined, 3, coarse, 64);
     for (size_t k = 0; k < 192 * 192; k++)
         assert_within(refined[k], fine[k], 1e-14);
-    free(coarse);
-    free(fine);
-    free(refined);
 }
 
 static double moment(const double *values, size_t count, int power)
@@ -165,7 +159,7 @@ static double moment(const double *values, size_t count, int power)
 TEST_CASE(surface_with_heights)
 {
     enum { N = 128, GIVEN = 3000 };
-    double *height = malloc(N * N * sizeof *height), *other = malloc(N * N * sizeof *other), given[GIVEN];
+    double *height = support_room(N * N * sizeof *height), *other = support_room(N * N * sizeof *other), given[GIVEN];
     double power[40], expected[40], scale = 1;
     for (size_t k = 0; k < GIVEN; k++) /* chi squared of 8 degrees of freedom, upside down: plateaus with pits */
         given[k] = 3 - pow(1 - 2.0 / 72 + sqrt(2.0 / 72) * 3 * cos(M_PI * ((double)k + 0.5) / GIVEN), 3);
@@ -190,6 +184,4 @@ TEST_CASE(surface_with_heights)
     given[0] = given[1] = 4;
     expect_fails(STATUS_MODEL, "", direct_surface_make, other, N,
                  &(struct direct_recipe){recipe_variance, &scale, given, 2}, 2);
-    free(height);
-    free(other);
 }

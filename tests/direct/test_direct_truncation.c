@@ -34,7 +34,6 @@ static double constriction_above(const double *height_m, double plane_m, size_t 
     for (size_t k = 0; k < side * side; k++)
         drawing[k] = height_m[(k / side * SIDE + k % side) * step] > plane_m;
     double length_m = constriction_of_drawing(drawing, side, &iterations);
-    free(drawing);
     return length_m;
 }
 
@@ -48,7 +47,8 @@ TEST_CASE(the_stated_range_holds)
     const char *valid = strstr(model_rows[model_named("cmy")]->valid, "resistance ");
     assert_non_null(valid);
     assert_int_equal(sscanf(valid, "resistance %lf to %lf of direct solutions", &low, &high), 2);
-    double *height_m = malloc(SIDE * SIDE * sizeof *height_m), *sorted_m = malloc(SIDE * SIDE * sizeof *sorted_m);
+    double *height_m = support_room(SIDE * SIDE * sizeof *height_m),
+           *sorted_m = support_room(SIDE * SIDE * sizeof *sorted_m);
     assert_true(height_m && sorted_m);
     for (size_t b = 0; b < sizeof bands / sizeof *bands; b++)
         for (uint64_t seed = 1; seed <= 2; seed++) {
@@ -78,8 +78,6 @@ TEST_CASE(the_stated_range_holds)
                 most = fmax(most, ratio);
             }
         }
-    free(height_m);
-    free(sorted_m);
     assert_near(floor(least * 10) / 10, low, 1e-12);
     assert_near(ceil(most * 10) / 10, high, 1e-12);
 }

@@ -3,10 +3,10 @@
 #include "base/limits.h"
 #include "base/text.h"
 #include "contact/model.h"
+#include "directory.h"
 #include "material/material.h"
 #include "scan/format.h"
 #include "scan/scan.h"
-#include "support.h"
 
 #include <dirent.h>
 #include <fts.h>
@@ -19,12 +19,10 @@ static const char *const documents[] = {"README.md",        "docs/equations.md",
                                         "docs/report.md",   "docs/CONTRIBUTING.md", "docs/tutorial.md",
                                         "docs/commands.md", "docs/limits.md"};
 
-/** A file of the project as text, to be freed. */
+/** A file of the project as text. */
 static char *read_document(const char *path)
 {
-    struct text text = {0};
-    expect_ok(text_read_file, &text, filled("%s/%s", PROJECT_SOURCE, path));
-    return text.data;
+    return directory_read(PROJECT_SOURCE, path);
 }
 
 static bool is_word_char(char c)
@@ -115,9 +113,7 @@ static void check_place(const char *text, const char *at, const char *name, cons
         char *header = read_document(header_path);
         if (!find_word(header, NULL, number))
             fail_msg("%s in %s does not carry the number %s", name, path, number);
-        free(header);
     }
-    free(source);
 }
 
 /** Checks every `name` that a document places `in` a file of src/, and returns how many there were. */
@@ -155,7 +151,6 @@ TEST_CASE(places_exist)
     for (size_t d = 0; d < sizeof documents / sizeof *documents; d++) {
         char *text = read_document(documents[d]);
         places += check_places(text);
-        free(text);
     }
     assert_true(places > 80); /* else the search finds nothing any more */
 }
@@ -183,7 +178,6 @@ TEST_CASE(equations_are_complete)
         if (corrected[n] != listed[n])
             fail_msg("(4.%d) %s", n, listed[n] ? "has an erratum but no star" : "has a star but no erratum");
     }
-    free(text);
 }
 
 static void expect_there(const char *document, const char *folder, const char *target, size_t length)
@@ -219,7 +213,6 @@ TEST_CASE(paths_exist)
             expect_there(documents[d], folder, at + 2, length);
             links++;
         }
-        free(text);
     }
     assert_true(paths > 100 && links > 5);
 }
@@ -244,9 +237,6 @@ TEST_CASE(tables_are_described)
         expect_named("docs/report.md", report, q == QUANTITY_LOAD ? "load_over_AnEp" : quantity_rows[q].name);
     for (size_t p = 0; p < material_property_count; p++)
         expect_named("docs/report.md", report, material_properties[p].key);
-    free(laws);
-    free(formats);
-    free(report);
 }
 
 /** docs/limits.md has the rows of the table, all of them, in order, and no others. */
@@ -265,7 +255,6 @@ TEST_CASE(limits_are_stated)
         line += strlen(expected);
     }
     assert_int_equal(*line, '\n');
-    free(text);
 }
 
 /** The rooms of src/ as docs/CONTRIBUTING.md orders them, which the README repeats. */
@@ -287,7 +276,6 @@ static struct rooms read_rooms(const char *document)
             assert_true(rooms.count < ROOMS);
             snprintf(rooms.name[rooms.count++], NAME, "%s", word);
         }
-    free(text);
     return rooms;
 }
 
@@ -334,7 +322,6 @@ TEST_CASE(licences_are_named)
         char *text = read_document(path), *named = strstr(text, "SPDX-License-Identifier: GPL-3.0-or-later");
         if (!named || named - text > 64)
             fail_msg("%s does not begin with its SPDX-License-Identifier", path);
-        free(text);
         files++;
     }
     fts_close(tree);
@@ -351,7 +338,6 @@ static void check_includes(const struct rooms *rooms, size_t room, const char *p
             fail_msg("%s uses %.*s, which is no room before %s", path, (int)strcspn(name, "\""), name,
                      rooms->name[room]);
     }
-    free(text);
 }
 
 TEST_CASE(rooms_use_only_those_before)

@@ -12,20 +12,19 @@ static const char *const truths[] = {"Software gauges",   "elastic sinusoid (fig
 
 TEST_CASE(every_truth_is_held)
 {
-    struct text page = {0};
+    struct text *page = support_text();
     size_t bounded = 0;
-    expect_ok(text_read_file, &page, PROJECT_SOURCE "/docs/validation.md");
+    expect_ok(text_read_file, page, PROJECT_SOURCE "/docs/validation.md");
     for (size_t i = 0; i < sizeof truths / sizeof *truths; i++)
-        if (!strstr(page.data, truths[i]))
+        if (!strstr(page->data, truths[i]))
             fail_msg("the page says nothing of '%s'", truths[i]);
-    for (char *at = page.data; (at = strstr(at, " (≤ ")); at++, bounded++) {
+    for (char *at = page->data; (at = strstr(at, " (≤ ")); at++, bounded++) {
         char *start = at;
-        while (start > page.data && start[-1] != '|')
+        while (start > page->data && start[-1] != '|')
             start--;
         double value = strtod(start, NULL), bound = strtod(at + strlen(" (≤ "), NULL);
         if (!(value <= bound) || !(bound > 0))
             fail_msg("%.40s", start);
     }
     assert_true(bounded > 50);
-    text_free(&page);
 }

@@ -97,7 +97,9 @@ static void put(const char *name, const char *bytes, size_t length)
 static void require_numbers(const char *name)
 {
     static const char *const words[] = {"nan", "inf", "infinity"};
-    struct text text = directory_read(&place, name);
+    struct text text = {0};
+    struct status status = {0};
+    FUZZ_REQUIRE(text_read_file(&text, directory_path(&place, name), &status) == STATUS_OK);
     for (const char *at = text_string(&text); *at;) {
         size_t length = 0;
         while (isalnum((unsigned char)at[length]) || at[length] == '_')

@@ -85,7 +85,6 @@ TEST_CASE(one_contact_point)
                       "gap, relative", off_by(point.quantities.gap_m, top - 2 * loads[i] * own), 1e-11);
         }
         direct_contact_free(&contact);
-        free(height);
     }
 }
 
@@ -117,7 +116,6 @@ TEST_CASE(complete_contact_from_both_sides)
         }
     }
     direct_contact_free(&contact);
-    free(height);
 }
 
 /** Up to the hardness: at least p̄/H in contact; from it on no number, but a sentence. */
@@ -147,7 +145,6 @@ TEST_CASE(load_at_the_hardness)
         expect_fails(STATUS_MODEL, "complete contact", direct_contact_solve, &contact, &one, &effort);
     }
     direct_contact_free(&contact);
-    free(height);
 }
 
 /** Nothing, a plane, rounding only, roughness whose squares vanish, a hole, an infinite height. */
@@ -203,7 +200,6 @@ TEST_CASE(exponents_at_both_ends)
             last = point.quantities.area_ratio;
         }
         direct_contact_free(&contact);
-        free(height);
     }
 }
 
@@ -261,5 +257,4 @@ TEST_CASE(no_answer)
     feenableexcept(traps);
     direct_contact_free(&contact);
     direct_spectrum_free(&spectrum);
-    free(height);
 }

@@ -81,8 +81,6 @@ TEST_CASE(offset_and_tilt)
                 assert_within(lifted.tilt, tilt + plain.tilt, rows[r].tilt_error);
                 profile_free(&plain);
                 profile_free(&lifted);
-                free(low);
-                free(high);
             }
 }
 
@@ -132,8 +130,6 @@ static double offset_loses(double offset_m)
                           roughness_of_heights(plain.height_m, 3000, spacing_m).m0_m2);
     profile_free(&plain);
     profile_free(&lifted);
-    free(low);
-    free(high);
     return moved;
 }
 
@@ -178,7 +174,6 @@ TEST_CASE(extreme_shapes)
                       "every harmonic has its share", "mean square, relative", left, 1e-12);
         }
         profile_free(&profile);
-        free(height_m);
     }
 }
 
@@ -190,7 +185,6 @@ TEST_CASE(ten_million_points)
     hard_case("10^7 points under an offset of 100 mm", "rounding adds up over 10^7 points",
               "sums and transforms keep their digits", "mean square of the amplitudes, relative", lost(&profile), 1e-9);
     profile_free(&profile);
-    free(height_m);
 }
 
 /** Heights on a grid of a few levels, down to two; a single spike; the shortest records. */
@@ -214,20 +208,17 @@ TEST_CASE(quantised_heights)
                                roughness_of_heights(whole, 1200, spacing_m).m0_m2) *
                               12e18,
                           4);
-                free(whole);
             }
             profile_free(&profile);
-            free(height_m);
         }
     for (size_t points = 3; points < 40; points++)
         for (size_t spike = 0; spike < points; spike += 2) {
-            double *height_m = calloc(points, sizeof *height_m);
+            double *height_m = support_room(points * sizeof *height_m);
             height_m[spike] = 1e-9;
             struct profile profile = profile_of(height_m, points, LEVEL_MEAN);
             check_description(&profile);
             hard_case("one spike in 3 to 39 points, at every place", "a spectrum of one or two harmonics",
                       "the amplitudes hold all of the mean square", "their sum, relative", lost(&profile), 1e-12);
             profile_free(&profile);
-            free(height_m);
         }
 }

@@ -66,7 +66,6 @@ TEST_CASE(matches_reference_far_out)
         }
         statistical_free(&model);
     }
-    table_free(&table);
 }
 
 /** Loads from 1e-100 (and the ends of the curve) must come back, with everything bounded and monotone. */

@@ -23,5 +23,4 @@ TEST_CASE(paths_match_reference)
                     table_number(&table, i, "lambda_m") * hbar, 1e-12);
     }
     assert_true(material_find("steel")->electrons_per_m3 == 0);
-    table_free(&table);
 }

@@ -18,7 +18,6 @@ TEST_CASE(table_matches_reference)
         assert_near(gas_jump_length(gas, temperature_K, pressure_Pa, accommodation, accommodation),
                     table_number(&table, i, "M_m"), 1e-12);
     }
-    table_free(&table);
 }
 
 /** Eucken's relation k = mu c_v (9 gamma - 5)/4 holds within 4.1 % (air), 3 % (nitrogen), 1 % (of one atom), 7.5 %
@@ -86,7 +85,6 @@ TEST_CASE(integral_matches_reference)
         assert_near(gas_gap_integral(y, m, 1e-12), reference, 1e-10);
         assert_near(gas_gap_integral(y, m, 1e-6), reference, 1e-6);
     }
-    table_free(&table);
 }
 
 /** Wide gaps or long jumps: 1/(Y + M), with the variance of the gaps; a vanishing jump: its logarithm, phi(Y) ln(1/M);

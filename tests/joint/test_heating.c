@@ -29,7 +29,6 @@ TEST_CASE(matches_reference)
         assert_near(metal->melting_K, table_number(&table, i, "melting_K"), 1e-15);
         assert_near(heating_voltage(metal->melting_K, body_K), table_number(&table, i, "melting_voltage_V"), 1e-12);
     }
-    table_free(&table);
 }
 
 /** Small voltages: V²/(8 L T_0), to the last digit; there and back; the softening of Holm's table lies at the

@@ -11,7 +11,6 @@ TEST_CASE(matches_reference)
         assert_near(plating_factor(table_number(&table, i, "thickness_over_a"), ratio, 1),
                     table_number(&table, i, "R_over_layer_holm"), 1e-10);
     }
-    table_free(&table);
 }
 
 /** The series as it stands, until its terms no longer count. */

@@ -58,7 +58,6 @@ static void clear(struct joint_case *of)
     shape_free(&of->shape);
     shape_curve_free(&of->gap);
     shape_curve_free(&of->conductance);
-    free(of->gap_m);
 }
 
 /** Its pressures under the mean one, which they balance. */
@@ -111,7 +110,6 @@ TEST_CASE(matches_reference)
         assert_near(resist(&of), table_number(&table, i, "resistance_K_per_W"), 1e-9);
         clear(&of);
     }
-    table_free(&table);
 }
 
 /** Parts that are flat have what their surfaces have at uniform pressure. */

@@ -95,8 +95,7 @@ static bool set_comma(const char *place)
     workspace_write(place, "comma",
                     "LC_NUMERIC\ndecimal_point \",\"\nthousands_sep \".\"\ngrouping 3;3\nEND LC_NUMERIC\n");
     const char *const make[] = {"localedef", "-c", "-f", "ANSI_X3.4-1968", "-i", "./comma", "./comma_DE", NULL};
-    struct process process = process_end(process_start_list(place, make, NULL));
-    process_free(&process);
+    process_end(process_start_list(place, make, NULL));
     setenv("LOCPATH", place, 1);
     bool set = setlocale(LC_NUMERIC, "comma_DE");
     unsetenv("LOCPATH");

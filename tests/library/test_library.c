@@ -174,9 +174,6 @@ static void compare(const char *place, const char *scene, const struct roughcont
         row += expect_curve(&contact, row, surface, how, loads, count);
     assert_true(models >= (how->material ? 9 : 4));
     roughcontact_surface_free(surface);
-    table_free(&contact);
-    table_free(&surfaces);
-    table_free(&amplitudes);
 }
 
 /** Uneven x, points missing, a record that does not close on itself. */
@@ -242,7 +239,7 @@ TEST_IN_WORKSPACE(report_and_library_agree)
 static size_t expect_inspected(const char *place, const char *path, bool even)
 {
     struct process process = expect_exit(place, 0, "inspect", "--json", path);
-    json_t *all = json_loads(process.out, 0, NULL), *said = json_array_get(all, 0);
+    json_t *all = support_json(process.out), *said = json_array_get(all, 0);
     json_t *warnings = json_object_get(said, "warnings"), *parameters = json_object_get(said, "parameters");
     struct roughcontact_scan *scan = read_scan(place, path);
     size_t met = 0;
@@ -267,8 +264,6 @@ static size_t expect_inspected(const char *place, const char *path, bool even)
         assert_string_equal(json_string_value(json_array_get(warnings, met)), roughcontact_surface_note(surface, n));
     assert_int_equal(met, json_array_size(warnings));
     roughcontact_surface_free(surface);
-    json_decref(all);
-    process_free(&process);
     return met;
 }
 
@@ -294,8 +289,6 @@ TEST_IN_WORKSPACE(bytes_are_as_the_file)
     assert_int_equal(a->count, 250);
     assert_int_equal(b->count, 250);
     assert_memory_equal(a->amplitude_m, b->amplitude_m, 250 * sizeof(double));
-    free(exact);
-    free(content);
     roughcontact_surface_free(one);
     roughcontact_surface_free(two);
 }
@@ -320,7 +313,6 @@ TEST_IN_WORKSPACE(archives_say_what_was_read)
     }
     text_free(&members[0].bytes);
     text_free(&members[1].bytes);
-    free(content);
 }
 
 /** What the program says of a file, the library says, but of the remedy: it never guesses a unit. */
@@ -341,7 +333,6 @@ TEST_IN_WORKSPACE(units_are_not_guessed)
     READ(ROUGHCONTACT_SCAN);
     assert_null(scan);
     expect_part(process.err, status.message);
-    process_free(&process);
 
     options.z_unit = "furlong";
     READ(ROUGHCONTACT_USAGE);

@@ -252,5 +252,4 @@ TEST_IN_WORKSPACE(so_do_readers_of_what_is_packed)
         text_free(&packed[i]);
         text_free(&members[i].bytes);
     }
-    free(csv);
 }

@@ -36,7 +36,6 @@ static struct member *add(size_t scan, size_t points, double spacing_m)
         expect_ok(repeats_add_scan, &set, "scan");
     expect_ok(ensemble_add, &set, scan, &(struct record_heights){height_m, points, spacing_m}, &how);
     set.sigma_m = sqrt(set.members[0].roughness.m0_m2);
-    free(height_m);
     return &set.members[set.count - 1];
 }
 

@@ -35,7 +35,6 @@ static int end(void **state)
     (void)state;
     surface_record_free(record);
     power_law_scans_free(&scans);
-    free(record);
     directory_remove(&place);
     return 0;
 }
@@ -43,12 +42,11 @@ static int end(void **state)
 /** Writes a scan: heights [m] at a spacing of `spacing_um`. */
 static void write_scan(const char *name, const double *height_m, size_t points, double spacing_um)
 {
-    struct text csv = {0};
-    text_add(&csv, "x [um],z [um]\n");
+    struct text *csv = support_text();
+    text_add(csv, "x [um],z [um]\n");
     for (size_t i = 0; i < points; i++)
-        text_add(&csv, "%.6f,%.12f\n", spacing_um * (double)i, height_m[i] * 1e6);
-    directory_write(&place, name, text_string(&csv));
-    text_free(&csv);
+        text_add(csv, "%.6f,%.12f\n", spacing_um * (double)i, height_m[i] * 1e6);
+    directory_write(&place, name, text_string(csv));
 }
 
 /** Harmonics 3 and 7 of POINTS with this amplitude, and a step of `jump_m` between its ends. */
@@ -81,7 +79,6 @@ static void add_long_scan(size_t points, double amplitude_m, double jump_m, doub
     size_t before = record->ensemble.scan_count;
     char *name = before == 0 ? first_name : before == 1 ? second_name : scan_name;
     write_scan(name, height_m, points, spacing_um);
-    free(height_m);
     gather(name);
 }
 
@@ -102,13 +99,12 @@ static void conclude(void)
 static const char *all_notes(void)
 {
     static char lines[8192];
-    struct text text = {0};
+    struct text *text = support_text();
     for (size_t n = 0; n < record->summary.notes.count; n++) {
-        note_line(&text, &record->summary.notes.notes[n]);
-        text_add(&text, "\n");
+        note_line(text, &record->summary.notes.notes[n]);
+        text_add(text, "\n");
     }
-    snprintf(lines, sizeof lines, "%s", text_string(&text));
-    text_free(&text);
+    snprintf(lines, sizeof lines, "%s", text_string(text));
     return lines;
 }
 
@@ -169,17 +165,16 @@ PLACED(test_which_scans_are_kept)
 /** A map of `rows`, row r with the amplitude r + 1 nanometres. */
 static void add_map(size_t rows)
 {
-    struct text grid = {0};
+    struct text *grid = support_text();
     double height_m[POINTS];
-    text_add(&grid, "DSAA\n%d %zu\n0 %g\n0 %g\n-1 1\n", POINTS, rows, 1e-6 * (POINTS - 1), 1e-6 * (double)(rows - 1));
+    text_add(grid, "DSAA\n%d %zu\n0 %g\n0 %g\n-1 1\n", POINTS, rows, 1e-6 * (POINTS - 1), 1e-6 * (double)(rows - 1));
     for (size_t row = 0; row < rows; row++) {
         sine(height_m, POINTS, 1e-9 * (double)(row + 1), 0);
         for (int i = 0; i < POINTS; i++)
-            text_add(&grid, "%.12g ", height_m[i]);
-        text_add(&grid, "\n");
+            text_add(grid, "%.12g ", height_m[i]);
+        text_add(grid, "\n");
     }
-    directory_write(&place, map_name, text_string(&grid));
-    text_free(&grid);
+    directory_write(&place, map_name, text_string(grid));
     gather(map_name);
 }
 
@@ -506,5 +501,4 @@ PLACED(test_a_rough_counterface)
     counterface->ensemble.count = 1; /* one scan of the other: the surface is one scan */
     expect_ok(surface_read_counterface, record, &scans, counterface);
     assert_int_equal(record->ensemble.count, 0);
-    free(counterface);
 }

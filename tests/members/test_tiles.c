@@ -50,11 +50,10 @@ static double spiky(double z)
 static struct tiles cut(size_t nx, size_t ny, uint64_t seed, double (*look)(double), size_t n,
                         double (*power)(double r, const void *context))
 {
-    double *surface = malloc(n * n * sizeof *surface), square = 0;
+    double *surface = support_room(n * n * sizeof *surface), square = 0;
     struct scan scan = {.kind = SCAN_AREAL, .nx = nx, .ny = ny, .dx_m = 1e-6, .dy_m = 1e-6};
     struct tiles tiles = {.height_m = NULL};
     scan.z_m = malloc(nx * ny * sizeof *scan.z_m);
-    assert_non_null(surface);
     assert_non_null(scan.z_m);
     expect_ok(direct_surface_make, surface, n, &(struct direct_recipe){power, NULL, NULL, 0}, seed);
     for (size_t k = 0; k < n * n; k++)
@@ -64,7 +63,6 @@ static struct tiles cut(size_t nx, size_t ny, uint64_t seed, double (*look)(doub
     const struct direct_map_def def = {nx, ny, 1e-6, 1e-6, false, 0};
     tiles_take(&tiles, &scan, &def);
     assert_null(scan.z_m);
-    free(surface);
     return tiles;
 }
 

@@ -73,14 +73,13 @@ static void commit(struct exchange *output)
 /* All of the report at `target` is of one word, this one or (NULL) "one" or "two". */
 static void assert_whole(const struct directory *place, const char *target, const char *word)
 {
-    struct text text = directory_read(place, filled("%s/results.json", target));
+    char *text = directory_read(place, filled("%s/results.json", target));
     if (!word)
-        word = strcmp(text_string(&text), "one") == 0 ? "one" : "two";
+        word = strcmp(text, "one") == 0 ? "one" : "two";
     for (size_t i = 0; i < REPORTS_FILES; i++) {
         directory_holds(place, filled("%s/%s", target, reports_files[i]), word);
     }
     assert_true(directory_has(place, filled("%s/manifest.txt", target)));
-    text_free(&text);
 }
 
 /* Puts the report `word` at `target`. */
@@ -340,12 +339,10 @@ TEST_IN_DIRECTORY(test_what_is_no_file_is_never_replaced)
 TEST_IN_DIRECTORY(test_a_hostile_manifest_removes_nothing_else)
 {
     publish(place, "out", "one");
-    struct text text = directory_read(place, "out/manifest.txt");
-    text_add(&text, "../victim\n%s\n.\n..\ndata\nfigures\n\n", directory_path(place, "victim"));
-    text_add(&text, "notes.md"); /* a line without its end is none */
+    const char *more = filled("%s../victim\n%s\n.\n..\ndata\nfigures\n\nnotes.md", /* a line without its end is none */
+                              directory_read(place, "out/manifest.txt"), directory_path(place, "victim"));
     directory_write(place, "victim", "mine");
-    directory_write(place, "out/manifest.txt", text_string(&text));
-    text_free(&text);
+    directory_write(place, "out/manifest.txt", more);
     directory_write(place, "out/notes.md", "mine");
     publish(place, "out", "two");
     directory_holds(place, "victim", "mine");
@@ -498,16 +495,15 @@ static bool survives(const struct directory *place, const char *name, const char
     bool found = false;
     assert_non_null(open);
     for (const struct dirent *entry; !found && (entry = readdir(open));) {
-        struct text text = {0};
+        struct text *text = support_text();
         struct status status = {0};
         if (strcmp(entry->d_name, "out") != 0 && strncmp(entry->d_name, "out.kept-", 9) != 0)
             continue;
-        found = text_read_file(&text,
+        found = text_read_file(text,
                                filled("%s/%s/%s%s", place->path, entry->d_name,
                                       strcmp(entry->d_name, "out") == 0 ? "" : "done/", name),
                                &status) == STATUS_OK &&
-                strcmp(text_string(&text), content) == 0;
-        text_free(&text);
+                strcmp(text_string(text), content) == 0;
     }
     closedir(open);
     return found;

@@ -35,63 +35,9 @@ static const json_t *json_surface(const json_t *root, const char *name)
     return NULL;
 }
 
-static json_t *read_json(const struct directory *place, const char *name)
-{
-    json_error_t error;
-    json_t *root = json_load_file(directory_path(place, name), JSON_REJECT_DUPLICATES, &error);
-    if (!root)
-        fail_msg("%s:%d: %s", name, error.line, error.text);
-    return root;
-}
-
-/* The same numbers as the tables, to the last bit, and everything they were made from. */
-TEST_CASE(test_the_json_agrees_with_the_tables)
-{
-    static const char *const columns[] = {"load_over_AnEp", "area_ratio",     "separation_m",
-                                          "ecr_ohm_m2",     "tcr_K_m2_per_W", "tcr_sd_K_m2_per_W"};
-    json_t *root = read_json(*state, "out/results.json");
-    struct table contact = directory_table(*state, "out/data/contact.csv"),
-                 surfaces = directory_table(*state, "out/data/surfaces.csv");
-    size_t index = 0;
-    for (size_t row = 0; row < contact.rows; row++) {
-        const char *model = table_text(&contact, row, "model");
-        index = row > 0 && strcmp(model, table_text(&contact, row - 1, "model")) == 0 ? index + 1 : 0;
-        const json_t *curve =
-            json_object_get(json_object_get(json_surface(root, table_text(&contact, row, "surface")), "models"), model);
-        for (size_t c = 0; c < sizeof columns / sizeof *columns; c++) {
-            const json_t *value = json_array_get(json_object_get(curve, columns[c]), index);
-            if (*table_text(&contact, row, columns[c])) {
-                assert_true(json_is_number(value));
-                assert_near(json_number_value(value), table_number(&contact, row, columns[c]), 0);
-            } else {
-                assert_true(!value || json_is_null(value)); /* a quantity that the model has not, or not there */
-            }
-        }
-    }
-    for (size_t row = 0; row < surfaces.rows; row++)
-        for (size_t c = 2; c < surfaces.columns; c++) {
-            const char *column = surfaces.cell[c];
-            const json_t *surface = json_surface(root, table_text(&surfaces, row, "surface"));
-            const json_t *value = json_object_get(surface, column);
-            if (strncmp(column, "beta_", 5) == 0) {
-                value = json_object_get(json_object_get(json_object_get(surface, "models"), column + 5), "beta");
-                if (!value)
-                    continue; /* no such model for the surface */
-            }
-            assert_non_null(value);
-            if (*table_text(&surfaces, row, column))
-                assert_near(json_number_value(value), table_number(&surfaces, row, column), 0);
-            else
-                assert_true(json_is_null(value));
-        }
-    table_free(&contact);
-    table_free(&surfaces);
-    json_decref(root);
-}
-
 TEST_CASE(test_the_json_names_program_scene_and_input)
 {
-    json_t *root = read_json(*state, "out/results.json");
+    json_t *root = directory_json(*state, "out/results.json");
     const json_t *scene = json_object_get(root, "scene");
     assert_string_equal(json_string_value(json_object_get(root, "program")), "roughcontact");
     assert_true(strlen(json_string_value(json_object_get(root, "version"))) > 0);
@@ -104,7 +50,6 @@ TEST_CASE(test_the_json_names_program_scene_and_input)
         const json_t *surface = json_array_get(json_object_get(root, "surfaces"), i);
         assert_int_equal(strlen(json_string_value(json_object_get(surface, "sha256"))), 64);
     }
-    json_decref(root);
 }
 
 /* What the scene says is told again, whatever its kind. Keys with readers of their own are here by their names in
@@ -131,7 +76,7 @@ TEST_CASE(test_every_key_of_the_scene_is_told)
         {"export", ""},
         {"surfaces", ""},
     };
-    json_t *root = read_json(*state, "out/results.json");
+    json_t *root = directory_json(*state, "out/results.json");
     const json_t *scene = json_object_get(root, "scene");
     const struct scene defaults = {.tolerance = NAN};
     struct scene_said said;
@@ -150,7 +95,6 @@ TEST_CASE(test_every_key_of_the_scene_is_told)
     assert_near(json_number_value(json_object_get(scene, "max_missing")), 0.1, 0);
     assert_string_equal(json_string_value(json_object_get(scene, "direction")), "x");
     assert_string_equal(json_string_value(json_object_get(scene, "title")), "in");
-    json_decref(root);
 }
 
 /* What the view words, in a unit that its name ends in, is what results.json has in SI. */
@@ -163,7 +107,7 @@ TEST_CASE(test_the_views_units)
                    {"ra_um", "ra_m", 1e6},
                    {"length_mm", "scan_length_m", 1e3},
                    {"spacing_um", "spacing_m", 1e6}};
-    json_t *root = read_json(*state, "out/results.json"), *view = read_json(*state, "out/view.json"), *row;
+    json_t *root = directory_json(*state, "out/results.json"), *view = directory_json(*state, "out/view.json"), *row;
     size_t i;
     json_array_foreach(json_object_get(json_object_get(view, "surfaces"), "rows"), i, row)
     {
@@ -189,14 +133,12 @@ TEST_CASE(test_the_views_units)
                 json_number_value(json_object_get(scene, "effective_modulus_Pa")) * 1e-9, 5e-3);
     assert_near(strtod(json_string_value(json_object_get(body, "hardness")), NULL),
                 json_number_value(json_object_get(scene, "hardness_Pa")) * 1e-6, 5e-3);
-    json_decref(view);
-    json_decref(root);
 }
 
 /* Single scans too are told apart by Welch's test, of all pairs: then 1 lies outside the interval of their ratio. */
 TEST_CASE(test_the_ratios)
 {
-    json_t *root = read_json(*state, "out/results.json"), *pair;
+    json_t *root = directory_json(*state, "out/results.json"), *pair;
     size_t i;
     json_array_foreach(json_object_get(json_object_get(root, "comparison"), "pairs"), i, pair)
     {
@@ -210,7 +152,6 @@ TEST_CASE(test_the_ratios)
         assert_near(low * high, ratio * ratio, 1e-12);
     }
     assert_true(i > 1);
-    json_decref(root);
 }
 
 /** ECR at the operating load. */
@@ -229,14 +170,13 @@ static double middle_ecr(const json_t *root, const json_t *models, const char *m
 /* The leading model is named, and what the heights do to its resistance is that of the curves at the operating load. */
 TEST_CASE(test_the_leading_model_and_the_heights)
 {
-    json_t *root = read_json(*state, "out/results.json"), *elastic = read_json(*state, "out-electrical/results.json");
+    json_t *root = directory_json(*state, "out/results.json"),
+           *elastic = directory_json(*state, "out-electrical/results.json");
     assert_string_equal(json_string_value(json_object_get(root, "leading")), "strip-plastic");
     assert_string_equal(json_string_value(json_object_get(elastic, "leading")), "strip");
     const json_t *surface = json_surface(elastic, "smooth"), *models = json_object_get(surface, "models");
     assert_near(json_number_value(json_object_get(surface, "heights_factor_ecr")),
                 middle_ecr(elastic, models, "strip") / middle_ecr(elastic, models, "corrected-persson"), 1e-12);
-    json_decref(root);
-    json_decref(elastic);
 }
 
 TEST_GROUP(place_setup, directory_teardown)

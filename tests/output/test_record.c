@@ -36,7 +36,6 @@ static void assert_columns(const void *place, const char *name, size_t first, co
             assert_string_equal(table.cell[column++], fields->key);
         }
     assert_true(!whole || column == table.columns);
-    table_free(&table);
 }
 
 /** The keys from the first field's on are the fields that are in JSON, and no others where it is the `whole` object. */
@@ -59,7 +58,7 @@ static void assert_keys(json_t *object, const struct record_field *fields, bool 
 /* A record's columns and its keys come from one table. */
 TEST_CASE(test_a_table_of_fields_is_header_and_keys)
 {
-    json_t *root = json_load_file(directory_path(*state, "out/results.json"), 0, NULL);
+    json_t *root = directory_json(*state, "out/results.json");
     json_t *surface = json_array_get(json_object_get(root, "surfaces"), 0);
     json_t *spread = json_object_get(surface, "spread");
     assert_columns(*state, "out/data/surfaces.csv", 2, surface_fields, false);
@@ -69,7 +68,6 @@ TEST_CASE(test_a_table_of_fields_is_header_and_keys)
     assert_columns(*state, "out/data/spread.csv", 2, record_estimate_fields, true);
     assert_keys(json_object_get(spread, "rq_m"), record_estimate_fields, true);
     assert_keys(spread, repeats_fields, true);
-    json_decref(root);
 }
 
 /** Fails where two fields of what the bits `when` say lie at one place: one of them has the other's. */
@@ -98,35 +96,31 @@ TEST_CASE(test_fields_lie_where_they_say)
     assert_near(NUMBER("fit_amplitude_m"), NUMBER("alpha_SI") * pow(NUMBER("fit_wavelength_m"), NUMBER("gamma")), 1e-6);
     assert_true(NUMBER("spacing_m") < NUMBER("fit_low_m") && NUMBER("fit_high_m") < NUMBER("scan_length_m"));
 #undef NUMBER
-    table_free(&surfaces);
 }
 
 /* And the estimates have the same names in spread.csv and in results.json. */
 TEST_CASE(test_estimates_have_one_name)
 {
     struct table spread = directory_table(*state, "out/data/spread.csv");
-    json_t *root = json_load_file(directory_path(*state, "out/results.json"), 0, NULL);
+    json_t *root = directory_json(*state, "out/results.json");
     json_t *surface = json_array_get(json_object_get(root, "surfaces"), 0);
     size_t found = 0;
     for (size_t row = 0; row < spread.rows; row++) {
-        struct text quantity = {0};
+        struct text *quantity = support_text();
         const char *given = table_text(&spread, row, "quantity"), *end = strstr(given, "_gw");
-        text_add_bytes(&quantity, given, end ? (size_t)(end - given) : strlen(given));
-        char *middle = strstr(quantity.data, "_at_middle_load");
+        text_add_bytes(quantity, given, end ? (size_t)(end - given) : strlen(given));
+        char *middle = strstr(quantity->data, "_at_middle_load");
         if (middle)
             *middle = '\0';
         json_t *of = json_object_get(json_object_get(json_object_get(surface, "models"), "gw"), "at_middle_load");
-        json_t *estimate = json_object_get(end ? of : json_object_get(surface, "spread"), quantity.data);
+        json_t *estimate = json_object_get(end ? of : json_object_get(surface, "spread"), quantity->data);
         if (estimate) {
             assert_near(json_number_value(json_object_get(estimate, "mean")), table_number(&spread, row, "mean"), 0);
             found++;
         }
         assert_true(estimate || (!end && strstr(given, "_strip")));
-        text_free(&quantity);
     }
     assert_true(found > 5);
-    table_free(&spread);
-    json_decref(root);
 }
 
 /* One function writes a number, one a text, one what is missing. */

@@ -123,7 +123,6 @@ TEST_CASE(test_a_long_scan)
         evaluations[longer] = of_scan.rows[0].evaluations;
         spectrum_free(&scan->spectrum);
         free(scan->curves);
-        free(scan);
     }
     assert_true(evaluations[0] > 10000);
     assert_int_equal(evaluations[0], evaluations[1]);

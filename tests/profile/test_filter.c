@@ -4,10 +4,9 @@
 
 static void smooth(double *z, size_t points, double spacing_m, double cutoff_m)
 {
-    double *own = malloc(points * sizeof *own);
+    double *own = support_room(points * sizeof *own);
     memcpy(own, z, points * sizeof *own);
     expect_ok(filter_gaussian, z, own, points, spacing_m, cutoff_m, false);
-    free(own);
 }
 
 /* Of a record that closes on itself every harmonic passes as the standard says, up to both ends: transforms of even,
@@ -22,14 +21,13 @@ TEST_CASE(test_harmonics_of_a_periodic_record)
                  {499, 300, 1}, {15, 8, 1},   {100, 19, 4},   {100, 21, 4}};
     for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
         size_t points = cases[c].points;
-        double *z = malloc(2 * points * sizeof *z), *own = z + points;
+        double *z = support_room(2 * points * sizeof *z), *own = z + points;
         double passes = pow(2, -pow(cases[c].cutoff * cases[c].harmonic / (double)points, 2));
         for (size_t i = 0; i < points; i++)
             own[i] = 3e-6 + 1e-6 * cos(2 * M_PI * cases[c].harmonic * (double)i / (double)points + 1);
         expect_ok(filter_gaussian, z, own, points, 5e-7, 5e-7 * cases[c].cutoff, true);
         for (size_t i = 0; i < points; i++)
             assert_within(z[i], 3e-6 + passes * (own[i] - 3e-6), 1e-14);
-        free(z);
     }
 }
 

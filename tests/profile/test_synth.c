@@ -50,8 +50,6 @@ static void assert_comes_back(const struct synth_def *def)
     for (size_t i = 0; i < def->points; i++)
         assert_within(levelled_m[i], height_m[i], 1e-12 * rq_m);
     spectrum_free(&spectrum);
-    free(height_m);
-    free(levelled_m);
 }
 
 TEST_CASE(test_the_law_comes_back)
@@ -81,7 +79,6 @@ TEST_CASE(test_the_cut_off)
         assert_near(spectrum.amplitude_m[n - 1], n <= 40 ? law_m : law_m * pow(2, 1 - ratio * ratio), 1e-10);
     }
     spectrum_free(&spectrum);
-    free(height_m);
 }
 
 /* Of a surface that is scaled to its Rq every height is as many times as high. */
@@ -98,9 +95,7 @@ TEST_CASE(test_scaled_to_rq)
         assert_near(root_mean_square(scaled_m, def.points), rq_m[i], 1e-12);
         for (size_t k = 0; k < def.points; k++)
             assert_within(scaled_m[k], height_m[k] * (rq_m[i] / as_made_m), 1e-10 * rq_m[i]);
-        free(scaled_m);
     }
-    free(height_m);
 }
 
 static void assert_refused(const struct synth_def *def, const char *words)
@@ -183,7 +178,6 @@ static void assert_file_holds(const char *file, const struct synth_def *def)
     assert_near(scan.dx_m, def->length_m / (double)def->points, 1e-9);
     for (size_t i = 0; i < def->points; i++)
         assert_within(scan.z_m[i], height_m[i], 2e-12);
-    free(height_m);
     scan_free(&scan);
 }
 

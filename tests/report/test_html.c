@@ -12,9 +12,9 @@
 /* The skeleton's script, which alone may run: cut out of `page`, which has to name its hash. */
 static void take_script_out(struct text *page)
 {
-    struct text skeleton = {0};
-    expect_ok(text_read_file, &skeleton, TEMPLATES "/page.html");
-    const char *start = strstr(skeleton.data, "<script>"), *end = strstr(start, "</script>");
+    struct text *skeleton = support_text();
+    expect_ok(text_read_file, skeleton, TEMPLATES "/page.html");
+    const char *start = strstr(skeleton->data, "<script>"), *end = strstr(start, "</script>");
     size_t length = (size_t)(end - start);
     char *found = strstr(page->data, "<script>\n// ");
     assert_non_null(found);
@@ -27,7 +27,6 @@ static void take_script_out(struct text *page)
         fail_msg("the script of templates/page.html is sha256-%s, which its policy has to name", digits);
     memmove(found, found + length, page->length - (size_t)(found - page->data) - length + 1);
     page->length -= length;
-    text_free(&skeleton);
 }
 
 static struct text rendered(const char *markdown)
@@ -191,9 +190,8 @@ TEST_CASE(links)
 
 static void assert_fails(enum status_code code, const char *markdown, const char *templates, const char *message)
 {
-    struct text out = {0};
-    expect_fails(code, message, html_render, &out, markdown, "t", DIRECTORY, templates);
-    text_free(&out);
+    struct text *out = support_text();
+    expect_fails(code, message, html_render, out, markdown, "t", DIRECTORY, templates);
 }
 
 TEST_CASE(nothing_from_outside)
@@ -233,11 +231,10 @@ TEST_CASE(verdicts)
 
 TEST_CASE(title_is_escaped)
 {
-    struct text out = {0};
-    expect_ok(html_render, &out, "{{title}}\n", "</title><b> & \"γ\" {{body}}", DIRECTORY, TEMPLATES);
-    assert_non_null(strstr(text_string(&out), "<title>&lt;/title&gt;&lt;b&gt; &amp; &quot;γ&quot; {{body}}</title>"));
-    assert_non_null(strstr(body_of(&out), "<p>{{title}}</p>")); /* what was filled in is not filled in again */
-    text_free(&out);
+    struct text *out = support_text();
+    expect_ok(html_render, out, "{{title}}\n", "</title><b> & \"γ\" {{body}}", DIRECTORY, TEMPLATES);
+    assert_non_null(strstr(text_string(out), "<title>&lt;/title&gt;&lt;b&gt; &amp; &quot;γ&quot; {{body}}</title>"));
+    assert_non_null(strstr(body_of(out), "<p>{{title}}</p>")); /* what was filled in is not filled in again */
 }
 
 TEST_CASE(failures)
@@ -296,18 +293,17 @@ TEST_CASE(random_markdown)
                                            {"<ul>", "</ul>"}, {"<details", "</details>"}, {"<summary", "</summary>"}};
     uint64_t seed = 7;
     for (int round = 0; round < 1000; round++) {
-        struct text markdown = {0};
+        struct text *markdown = support_text();
         for (int i = 0; i < 30; i++) {
             seed = seed * 6364136223846793005u + 1442695040888963407u;
-            text_add(&markdown, "%s", parts[(seed >> 33) % (sizeof parts / sizeof *parts)]);
+            text_add(markdown, "%s", parts[(seed >> 33) % (sizeof parts / sizeof *parts)]);
         }
-        struct text page = rendered(text_string(&markdown));
+        struct text page = rendered(text_string(markdown));
         const char *text = text_string(&page);
         expect_no_parts(text, "<script", "<img src", "href=\"javascript");
         for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
             if (count(text, pairs[i][0]) != count(text, pairs[i][1]))
-                fail_msg("%s without %s: %s", pairs[i][0], pairs[i][1], text_string(&markdown));
-        text_free(&markdown);
+                fail_msg("%s without %s: %s", pairs[i][0], pairs[i][1], text_string(markdown));
         text_free(&page);
     }
 }

@@ -150,10 +150,9 @@ TEST_CASE(templates_of_the_report_fill_in_documented_names)
     struct text document = read_source("docs/templates.md"), terminal = read_source("templates/terminal.txt");
     size_t names = check_template("terminal.txt", text_string(&terminal), "", text_string(&document), is_documented);
     for (size_t f = 0; f < sizeof folders / sizeof *folders; f++) {
-        struct text all = {0};
-        add_folder(&all, folders[f][0], folders[f][1]);
-        names += check_template(folders[f][0], text_string(&all), folders[f][2], text_string(&document), is_documented);
-        text_free(&all);
+        struct text *all = support_text();
+        add_folder(all, folders[f][0], folders[f][1]);
+        names += check_template(folders[f][0], text_string(all), folders[f][2], text_string(&document), is_documented);
     }
     assert_true(names > 1000);
     text_free(&terminal);

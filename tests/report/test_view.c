@@ -22,7 +22,6 @@ static int free_made(void **state)
         made.surfaces[i].summary.answers = NULL;
         made.surfaces[i].summary.limits = NULL;
     }
-    free(answers);
     answers = NULL;
     made_up_free(&made);
     return 0;
@@ -360,11 +359,10 @@ TEST_WITH(findings_as_the_thesis_has_them, NULL, free_made)
         assert_string_equal(view_at(item, "numbers.0.range"), all[i].number);
     }
     const struct report_options how = {PROJECT_SOURCE "/templates", PROJECT_SOURCE "/surfaces/chapter6/report.md", 0};
-    struct text out = {0};
-    expect_ok(report_markdown, &out, made.view, &how);
-    expect_parts(text_string(&out), "| GW, thesis | 153.7 | 5.2 | 8.8 | 6.8 |\n| GW, here | −1.00 | −1.00 | −1.00 |\n");
-    expect_parts(text_string(&out), "| JG, here | −1.00 | −1.00 | −1.00 |\n");
-    text_free(&out);
+    struct text *out = support_text();
+    expect_ok(report_markdown, out, made.view, &how);
+    expect_parts(text_string(out), "| GW, thesis | 153.7 | 5.2 | 8.8 | 6.8 |\n| GW, here | −1.00 | −1.00 | −1.00 |\n");
+    expect_parts(text_string(out), "| JG, here | −1.00 | −1.00 | −1.00 |\n");
     free_made(NULL);
     made_up_make_of(&made, made_up_models(), PLAIN | EFFECT_BIT(EFFECT_CONVERGENCE), NULL);
     assert_null(finding("stiffer")); /* only where stiffness runs */
@@ -574,7 +572,8 @@ TEST_OF_PLAIN(a_target_that_some_runs_reach_says_how_many)
     double load[] = {1e-5, 1e-4, 1e-5, 1e-4}, value[] = {2e-10, 0.5e-10, 4e-10, 2e-10}, error[] = {NAN, NAN, NAN, NAN};
     struct measured_run runs[] = {{0, 1, 2}, {2, 3, 4}};
     free(made.answers[0].resistance);
-    made.answers[0].resistance = support_room(model_count * 4 * sizeof(double));
+    made.answers[0].resistance = calloc(model_count * 4, sizeof(double));
+    assert_non_null(made.answers[0].resistance);
     made.measured[0] = (struct measured){.count = 4,
                                          .run_count = 2,
                                          .given = &made.scene.measured,
@@ -707,14 +706,13 @@ TEST_OF_PLAIN(the_terminal_says_what_the_page_says)
     *strstr(page.data, "\n|") = '\0';
     strtok(page.data, "\n"); /* the title */
     for (char *line; (line = strtok(NULL, "\n")); sentences++) {
-        struct text plain = {0};
+        struct text *plain = support_text();
         for (const char *at = line; *at; at++) {
             bool kept = *at == '\\', less = strncmp(at, "&#60;", 5) == 0;
             at += kept ? 1 : less ? 4 : 0;
-            text_add(&plain, kept || !strchr("*`", *at) ? "%c" : "", less ? '<' : *at);
+            text_add(plain, kept || !strchr("*`", *at) ? "%c" : "", less ? '<' : *at);
         }
-        expect_parts(text_string(&table), text_string(&plain));
-        text_free(&plain);
+        expect_parts(text_string(&table), text_string(plain));
     }
     assert_true(sentences >= 5);
     expect_parts(text_string(&table), "significantly better");

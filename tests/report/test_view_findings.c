@@ -29,24 +29,23 @@ static void assert_found(const char *name, const char *expected)
 {
     size_t i, k;
     const json_t *item, *number, *found = NULL;
-    struct text said = {0};
+    struct text *said = support_text();
     json_array_foreach(json_object_get(made.view, "findings"), i, item)
     {
         found = json_is_true(json_object_get(item, name)) ? item : found;
     }
     if (!found)
         fail_msg("%s: not looked at", name);
-    text_add(&said, "%lld of %lld", (long long)json_integer_value(json_object_get(found, "good")),
+    text_add(said, "%lld of %lld", (long long)json_integer_value(json_object_get(found, "good")),
              (long long)json_integer_value(json_object_get(found, "all")));
     if (json_object_get(found, "ties"))
-        text_add(&said, ", %lld alike", (long long)json_integer_value(json_object_get(found, "ties")));
+        text_add(said, ", %lld alike", (long long)json_integer_value(json_object_get(found, "ties")));
     json_array_foreach(json_object_get(found, "numbers"), k, number)
     {
-        text_add(&said, "%s%s", k == 0 ? ": " : "; ", json_string_value(json_object_get(number, "range")));
+        text_add(said, "%s%s", k == 0 ? ": " : "; ", json_string_value(json_object_get(number, "range")));
     }
-    if (strcmp(text_string(&said), expected) != 0)
-        fail_msg("%s: '%s', not '%s'", name, text_string(&said), expected);
-    text_free(&said);
+    if (strcmp(text_string(said), expected) != 0)
+        fail_msg("%s: '%s', not '%s'", name, text_string(said), expected);
 }
 
 /** Area and resistance of one point of one curve. */
@@ -241,12 +240,12 @@ PLACED(test_laws_within_their_errors)
 PLACED(test_every_finding_has_its_sentence)
 {
     static const char *const verdicts[] = {"holds", "in_part", "fails", "not_tested"};
-    struct text words = {0};
+    struct text *words = support_text();
     size_t i, sentences = 0;
     json_t *item, *flag;
     const char *name;
     made_up_make(&made, NULL);
-    expect_ok(text_read_file, &words, PROJECT_SOURCE "/templates/findings.md");
+    expect_ok(text_read_file, words, PROJECT_SOURCE "/templates/findings.md");
     json_array_foreach(json_object_get(made.view, "findings"), i, item)
     {
         for (size_t v = 0; v < sizeof verdicts / sizeof *verdicts; v++)
@@ -255,14 +254,13 @@ PLACED(test_every_finding_has_its_sentence)
         {
             char opens[80];
             snprintf(opens, sizeof opens, "{{#%s}}", name);
-            const char *sentence = strstr(text_string(&words), opens);
+            const char *sentence = strstr(text_string(words), opens);
             if (json_is_true(flag) && (!sentence || sentence[strlen(opens)] == '{'))
                 fail_msg("templates/findings.md has no sentence for '%s'", name);
         }
     }
-    const char *at = strstr(strstr(text_string(&words), "{{part}}"), "{{#"), *last = strstr(at, "**{{#holds}}");
+    const char *at = strstr(strstr(text_string(words), "{{part}}"), "{{#"), *last = strstr(at, "**{{#holds}}");
     for (; at && at < last; at = strstr(at + 1, "{{#"))
         sentences++;
     assert_int_equal(sentences, i);
-    text_free(&words);
 }

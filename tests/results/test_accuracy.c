@@ -11,9 +11,9 @@
 /* The rows' figures are those that docs/validation.md prints of other heights. */
 TEST_CASE(errors_are_those_of_the_validation)
 {
-    struct text page = {0};
-    expect_ok(text_read_file, &page, PROJECT_SOURCE "/docs/validation.md");
-    const char *table = strstr(text_string(&page), "\n| other heights |");
+    struct text *page = support_text();
+    expect_ok(text_read_file, page, PROJECT_SOURCE "/docs/validation.md");
+    const char *table = strstr(text_string(page), "\n| other heights |");
     size_t held = 0;
     assert_non_null(table);
     for (size_t m = 0; m < model_count; m++) {
@@ -34,7 +34,6 @@ TEST_CASE(errors_are_those_of_the_validation)
         }
     }
     assert_int_equal(held, 5 + 4 + 9 - 1);
-    text_free(&page);
 }
 
 TEST_CASE(errors_are_of_this_kind_of_data)

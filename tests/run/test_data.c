@@ -6,11 +6,10 @@ enum { POINTS = 256, MANY = 101 };
 
 static void write_scene(const struct directory *place, const char *more)
 {
-    struct text text = {0};
-    text_add(&text, "effects: [separation]\nmodels: [multiscale, gw]\nload: {from: 1e-5, to: 1e-3, points: 3}\n%s",
+    struct text *text = support_text();
+    text_add(text, "effects: [separation]\nmodels: [multiscale, gw]\nload: {from: 1e-5, to: 1e-3, points: 3}\n%s",
              more);
-    directory_write(place, "in/scene.yaml", text_string(&text));
-    text_free(&text);
+    directory_write(place, "in/scene.yaml", text_string(text));
 }
 
 static void make_surfaces(const struct directory *place, int count)
@@ -50,8 +49,6 @@ TEST_IN_DIRECTORY(of_many_surfaces_bins)
             assert_string_equal(table_text(&bins, r, "fit_m"), table_text(&all, row - 1, "fit_m"));
     }
     assert_int_equal(row, all.rows);
-    table_free(&bins);
-    table_free(&all);
     directory_expect_same(place, "one/data/contact.csv", "other/data/contact.csv"); /* by one thread and by three */
     directory_expect_same(place, "one/data/surfaces.csv", "other/data/surfaces.csv");
     directory_expect_same(place, "one/data/sensitivity.csv", "other/data/sensitivity.csv");
@@ -100,7 +97,6 @@ TEST_IN_DIRECTORY(of_a_hundred_every_harmonic)
     assert_int_equal(pipeline_run(place, "in", "other", 5), 0);
     struct table all = directory_table(place, "one/data/spectrum.csv");
     assert_int_equal(all.rows, (MANY - 1) * POINTS / 2);
-    table_free(&all);
     directory_expect_same(place, "one/results.json", "other/results.json");
     directory_expect_same(place, "one/report.md", "other/report.md");
     directory_expect_same(place, "one/data/spectrum.csv", "other/data/spectrum.csv");

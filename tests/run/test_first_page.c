@@ -24,15 +24,10 @@ static const char leading[] = "corrected-persson-plastic";
 /** A number of the view. */
 static double shown(const struct directory *place, const char *name)
 {
-    struct text tree = directory_read(place, "out/view.json");
-    json_t *view = json_loads(text_string(&tree), 0, NULL);
-    const char *number = json_string_value(json_object_get(view, name));
+    const char *number = json_string_value(json_object_get(directory_json(place, "out/view.json"), name));
     if (!number)
         fail_msg("no '%s' in the view", name);
-    double value = strtod(number, NULL);
-    json_decref(view);
-    text_free(&tree);
-    return value;
+    return strtod(number, NULL);
 }
 
 /** A factor either way, as the first page says it. */
@@ -51,7 +46,6 @@ static double farthest(const struct directory *place, const char *change)
             strcmp(table_text(&table, row, "change"), change) == 0 &&
             fabs(log(table_number(&table, row, "ecr_factor"))) > fabs(log(factor)))
             factor = table_number(&table, row, "ecr_factor");
-    table_free(&table);
     return factor;
 }
 
@@ -63,7 +57,6 @@ static double widest(const struct directory *place)
     for (size_t row = 0; row < table.rows; row++)
         if (strcmp(table_text(&table, row, "quantity"), "ecr_ohm_m2_at_middle_load_corrected-persson-plastic") == 0)
             factor = fmax(factor, table_number(&table, row, "mean_high_95") / table_number(&table, row, "mean"));
-    table_free(&table);
     return factor;
 }
 
@@ -77,7 +70,6 @@ static double resistance(const struct directory *place, const char *surface, con
             strcmp(table_text(&table, row, "model"), model) == 0 &&
             fabs(table_number(&table, row, "load_over_AnEp") / 1e-4 - 1) < 1e-9)
             value = table_number(&table, row, "ecr_ohm_m2");
-    table_free(&table);
     return value;
 }
 
@@ -88,14 +80,13 @@ TEST_IN_PLACE(test_factors_are_those_of_the_data)
     assert_near(shown(place, "spacing_factor"), either_way(farthest(place, "cut-off x2")), 0.05);
     assert_near(shown(place, "hardness_factor"), either_way(farthest(place, "hardness x1.1")), 0.05);
     double lay = 1; /* that of a perfect one, as none is known */
-    json_t *results = json_load_file(directory_path(place, "out/results.json"), 0, NULL), *own;
+    json_t *results = directory_json(place, "out/results.json"), *own;
     size_t index;
     json_array_foreach(json_object_get(results, "surfaces"), index, own)
     {
         lay = fmax(
             lay, either_way(json_number_value(json_object_get(json_object_get(own, "lay"), "perfect_lay_ecr_factor"))));
     }
-    json_decref(results);
     assert_near(shown(place, "lay_factor"), lay, 0.05);
     assert_true(lay > 1.05);
     assert_near(shown(place, "scanned_factor"), widest(place), 0.05);
@@ -106,17 +97,16 @@ TEST_IN_PLACE(test_factors_are_those_of_the_data)
         most = fmax(most, either_way(ratio));
     }
     assert_near(shown(place, "model_factor"), most, 0.05);
-    struct text page = directory_read(place, "out/report.md");
+    char *page = directory_read(place, "out/report.md");
     double before = INFINITY; /* the most first */
     size_t said = 0;
-    const char *end = strchr(strstr(text_string(&page), "Least certain: "), '\n');
-    for (const char *at = strstr(text_string(&page), "Least certain: "); (at = strstr(at, "×÷ ")) && at < end; said++) {
+    const char *end = strchr(strstr(page, "Least certain: "), '\n');
+    for (const char *at = strstr(page, "Least certain: "); (at = strstr(at, "×÷ ")) && at < end; said++) {
         double factor = strtod(at += strlen("×÷ "), NULL);
         assert_true(factor <= before);
         before = factor;
     }
     assert_int_equal(said, 3);
-    text_free(&page);
 }
 
 /* Where the surface was solved directly, the model's distance from that counts, and its chart stands on the page. */
@@ -129,20 +119,16 @@ TEST_IN_PLACE(test_against_the_direct_solution)
         "models: [corrected-persson]\nmaterial: tin\nload: {from: 1e-6, to: 1e-2, points: 9}\n"
         "operating_load: 1e-4\neffects: [plasticity, electrical, direct]\ndirect: {grid: 64, seeds: 2, loads: 5}\n");
     assert_int_equal(pipeline_run(place, "one", "direct", 1), 0);
-    struct text page = directory_read(place, "direct/report.md");
+    char *page = directory_read(place, "direct/report.md");
     struct table table = table_read_path(directory_path(place, "direct/data/direct_ratio.csv"));
     size_t loads = 0;
     for (size_t row = 0; row < table.rows; row++)
         loads += strcmp(table_text(&table, row, "model"), leading) == 0 && *table_text(&table, row, "ecr");
     assert_true(loads >= 2);
-    const char *rule = strstr(text_string(&page), "\n---\n"),
-               *answer = strstr(text_string(&page), "The direct solution of *a* gives ");
+    const char *rule = strstr(page, "\n---\n"), *answer = strstr(page, "The direct solution of *a* gives ");
     assert_true(rule && answer && answer < rule);
-    struct text chart = directory_read(place, "direct/figures/models.gp");
-    assert_non_null(strstr(text_string(&chart), "'direct solution'"));
-    text_free(&chart);
-    table_free(&table);
-    text_free(&page);
+    char *chart = directory_read(place, "direct/figures/models.gp");
+    assert_non_null(strstr(chart, "'direct solution'"));
 }
 
 /* Where the scene does not say it stands at the load next to the geometric middle of those at which A/A_n is 0.1 to
@@ -158,16 +144,10 @@ TEST_IN_PLACE(test_where_the_page_stands)
     pipeline_rough(place, "three/b.csv", 160, 0.03, 2);
     pipeline_rough(place, "three/c.csv", 160, 1, 3);
     for (int k = 0; k < 3; k++) {
-        struct text scene = {0};
-        text_add(&scene, "models: [corrected-persson]\n%s", scenes[k]);
-        directory_write(place, "three/scene.yaml", text_string(&scene));
-        text_free(&scene);
+        directory_write(place, "three/scene.yaml", filled("models: [corrected-persson]\n%s", scenes[k]));
         assert_int_equal(pipeline_run(place, "three", "out", 1), 0);
-        struct text json = directory_read(place, "out/results.json");
-        json_t *root = json_loads(text_string(&json), 0, NULL);
-        stands[k] = json_number_value(json_object_get(json_object_get(root, "scene"), "operating_load_over_AnEp"));
-        json_decref(root);
-        text_free(&json);
+        const json_t *scene = json_object_get(directory_json(place, "out/results.json"), "scene");
+        stands[k] = json_number_value(json_object_get(scene, "operating_load_over_AnEp"));
         struct table contact = directory_table(place, "out/data/contact.csv");
         double first = NAN, last = NAN, nearest = INFINITY;
         for (int pass = 0; pass < 2; pass++)
@@ -183,7 +163,6 @@ TEST_IN_PLACE(test_where_the_page_stands)
                 double off = fabs(log(load / sqrt(first * last)));
                 nearest = pass == 1 && off < fabs(log(nearest / sqrt(first * last))) ? load : nearest;
             }
-        table_free(&contact);
         assert_near(stands[k], k == 2 ? 3e-9 : nearest, 1e-9); /* no area between: the one nearest to 1 % */
     }
     assert_true(stands[1] > 1.5 * stands[0]);
@@ -214,18 +193,12 @@ TEST_IN_PLACE(test_the_best_and_the_worst_are_shown)
         ecr[0] = fmin(ecr[0], own);
         ecr[1] = fmax(ecr[1], own);
     }
-    table_free(&contact);
-    struct text chart = directory_read(place, "out/figures/answer.csv");
-    char said[3][40];
-    snprintf(said[0], sizeof said[0], "# %s, best\n", best);
-    snprintf(said[1], sizeof said[1], "# %s, worst\n", worst);
-    snprintf(said[2], sizeof said[2], "# s5, baseline\n");
-    expect_parts(text_string(&chart), said[0], said[1], said[2]);
+    char *chart = directory_read(place, "out/figures/answer.csv");
+    expect_parts(chart, filled("# %s, best\n", best), filled("# %s, worst\n", worst), "# s5, baseline\n");
     size_t others = 0;
-    for (const char *at = text_string(&chart); (at = strstr(at, "# others\n")); at++)
+    for (const char *at = chart; (at = strstr(at, "# others\n")); at++)
         others++;
     assert_int_equal(others, 5);
-    text_free(&chart);
 }
 
 static size_t count_figures(const struct directory *place, const char *folder)
@@ -240,16 +213,14 @@ static size_t count_figures(const struct directory *place, const char *folder)
 }
 
 /** The first page of a scene on the two surfaces, and what stands on no other. */
-static struct text page_of(const struct directory *place, const char *scene)
+static char *page_of(const struct directory *place, const char *scene)
 {
-    struct text page;
     mkdir(directory_path(place, "pressed"), 0777);
     pipeline_rough(place, "pressed/a.csv", 160, 3, 1);
     pipeline_rough(place, "pressed/b.csv", 160, 5, 2);
     directory_write(place, "pressed/scene.yaml", scene);
     assert_int_equal(pipeline_run(place, "pressed", "out", 1), 0);
-    page = directory_read(place, "out/report.md");
-    char *rest = strstr(page.data, "\n---\n");
+    char *page = directory_read(place, "out/report.md"), *rest = strstr(page, "\n---\n");
     assert_non_null(rest);
     *rest = '\0';
     return page;
@@ -260,10 +231,9 @@ static struct text page_of(const struct directory *place, const char *scene)
 TEST_IN_PLACE(test_a_load_above_the_hardness)
 {
     static const char why[] = "not known (the load exceeds the hardness, 39.8";
-    struct text page = page_of(place, "material: tin\nnominal_area: 1 mm2\noperating_load: 100 MPa\n");
-    expect_parts(text_string(&page), why, "by strip transfer with hardness");
+    const char *page = page_of(place, "material: tin\nnominal_area: 1 mm2\noperating_load: 100 MPa\n");
+    expect_parts(page, why, "by strip transfer with hardness");
     expect_in_file(place, "out/results.json", "\"leading\": \"strip-plastic\"");
-    text_free(&page);
     struct run_outcome outcome;
     pipeline_outcome(&outcome, place, "pressed", "out", 1);
     char *words = strdup(text_string(&outcome.table));
@@ -273,8 +243,7 @@ TEST_IN_PLACE(test_a_load_above_the_hardness)
     free(words);
     run_outcome_free(&outcome);
     page = page_of(place, "material: tin\nnominal_area: 1 mm2\noperating_load: 30 MPa\n");
-    expect_no_parts(text_string(&page), "exceeds", "not known");
-    text_free(&page);
+    expect_no_parts(page, "exceeds", "not known");
 }
 
 /* Area is P/H, load and hardness alone, or it is not: whatever scatters in the last digits. */
@@ -299,8 +268,7 @@ TEST_IN_PLACE(test_area_that_is_load_over_hardness)
          false, true, false}, /* 100 % */
     };
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
-        struct text page = page_of(place, rows[k].scene);
-        const char *text = text_string(&page), *intervals = rows[k].interval ? "(95 % " : "is ";
+        const char *text = page_of(place, rows[k].scene), *intervals = rows[k].interval ? "(95 % " : "is ";
         expect_parts(text, intervals, rows[k].pressed ? "Contact area is load over hardness here" : "contact area");
         if (rows[k].alike && !rows[k].pressed)
             expect_parts(text, "surfaces are alike.");
@@ -315,13 +283,11 @@ TEST_IN_PLACE(test_area_that_is_load_over_hardness)
                     found++;
                 }
             assert_int_equal(found, 2);
-            table_free(&spread);
         }
         if (!rows[k].alike)
             expect_no_parts(text, "are alike");
         if (!rows[k].interval)
             expect_no_parts(text, "(95 % ", "undecided");
-        text_free(&page);
     }
 }
 
@@ -335,9 +301,8 @@ TEST_IN_PLACE(test_order_by_roughness)
         pipeline_rough(place, "same/a.csv", 160, 0.1, 100 + 2 * seed);
         pipeline_rough(place, "same/b.csv", 160, seed == 8 ? 1.5 : 0.1, 101 + 2 * seed);
         assert_int_equal(pipeline_run(place, "same", "out", 1), 0);
-        struct text page = directory_read(place, "out/report.md");
-        assert_true(!strstr(text_string(&page), "From the smoothest to the roughest") == (seed < 8));
-        text_free(&page);
+        char *page = directory_read(place, "out/report.md");
+        assert_true(!strstr(page, "From the smoothest to the roughest") == (seed < 8));
     }
 }
 
@@ -352,31 +317,21 @@ TEST_IN_PLACE(test_brief)
         .output = target, .templates = PROJECT_SOURCE "/templates", .no_cost = true, .brief = true, .jobs = 1};
     expect_ok(pipeline_try, &outcome, place, "in", options);
     run_outcome_free(&outcome);
-    struct text whole = directory_read(place, "out/report.md"), brief = directory_read(place, "brief/report.md");
-    const char *rule = strstr(text_string(&whole), "\n---\n");
+    char *whole = directory_read(place, "out/report.md"), *brief = directory_read(place, "brief/report.md");
+    const char *rule = strstr(whole, "\n---\n");
     assert_non_null(rule);
-    assert_in_range(brief.length, (size_t)(rule - whole.data), (size_t)(rule - whole.data) + 1);
-    assert_memory_equal(brief.data, whole.data, brief.length);
-    assert_non_null(strstr(brief.data, "](figures/answer.svg)"));
+    assert_in_range(strlen(brief), (size_t)(rule - whole), (size_t)(rule - whole) + 1);
+    assert_memory_equal(brief, whole, strlen(brief));
+    assert_non_null(strstr(brief, "](figures/answer.svg)"));
     assert_int_equal(count_figures(place, "brief/figures"), 2);
     assert_true(count_figures(place, "out/figures") > 5);
     static const char *const same[] = {"data/contact.csv", "data/sensitivity.csv", "data/spread.csv", "results.json"};
     for (size_t i = 0; i < sizeof same / sizeof *same; i++) {
-        char name[2][64];
-        snprintf(name[0], sizeof name[0], "out/%s", same[i]);
-        snprintf(name[1], sizeof name[1], "brief/%s", same[i]);
-        struct text a = directory_read(place, name[0]), b = directory_read(place, name[1]);
-        assert_int_equal(a.length, b.length);
-        assert_memory_equal(a.data, b.data, a.length);
-        text_free(&a);
-        text_free(&b);
+        directory_expect_same(place, filled("out/%s", same[i]), filled("brief/%s", same[i]));
     }
-    text_free(&whole);
-    text_free(&brief);
-    struct text page = directory_read(place, "brief/report.html");
-    assert_non_null(strstr(text_string(&page), "Least certain: "));
-    assert_null(strstr(text_string(&page), "<details class=\"folded\">"));
-    text_free(&page);
+    char *page = directory_read(place, "brief/report.html");
+    assert_non_null(strstr(page, "Least certain: "));
+    assert_null(strstr(page, "<details class=\"folded\">"));
 }
 
 TEST_GROUP(place_setup, directory_teardown)

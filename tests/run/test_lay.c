@@ -10,13 +10,12 @@ enum { POINTS = 240, SCANS = 3 };
 static void run_scene(const struct directory *place, const char *out, const char *files, const char *keys,
                       const char *more)
 {
-    struct text text = {0};
-    text_add(&text,
+    struct text *text = support_text();
+    text_add(text,
              "material: tin\nhardness: 20 GPa\neffects: [plasticity, separation, electrical, uncertainty]\nload: "
              "{from: 1e-5, to: 1e-1, points: 9}\noperating_load: 1e-3\nsurfaces: [{name: s, file: %s%s}]\n%s",
              files, keys, more);
-    directory_write(place, "in/scene.yaml", text_string(&text));
-    text_free(&text);
+    directory_write(place, "in/scene.yaml", text_string(text));
     assert_int_equal(pipeline_run(place, "in", out, 1), 0);
 }
 
@@ -25,28 +24,24 @@ static void write_scans(const struct directory *place, const char *prefix, doubl
 {
     for (unsigned long seed = 1; seed <= SCANS; seed++) {
         double height_m[POINTS];
-        struct text csv = {0};
+        struct text *csv = support_text();
         struct synth_def def = synth_def_default();
         def.points = POINTS;
         def.length_m = 5e-7 * POINTS;
         def.seed = seed;
         expect_ok(synth_profile, height_m, &def);
-        text_add(&csv, "x [um],z [um]\n");
+        text_add(csv, "x [um],z [um]\n");
         for (size_t i = 0; i < POINTS; i++)
-            text_add(&csv, "%.15g,%.15g\n", 0.5 * apart * (double)i, times * height_m[i] * 1e6);
-        directory_write(place, filled("in/%s%lu.csv", prefix, seed), text_string(&csv));
-        text_free(&csv);
+            text_add(csv, "%.15g,%.15g\n", 0.5 * apart * (double)i, times * height_m[i] * 1e6);
+        directory_write(place, filled("in/%s%lu.csv", prefix, seed), text_string(csv));
     }
 }
 
 static double lay_number(const struct directory *place, const char *out, const char *key)
 {
-    json_error_t error;
-    json_t *root = json_load_file(directory_path(place, filled("%s/results.json", out)), 0, &error);
+    json_t *root = directory_json(place, filled("%s/results.json", out));
     const json_t *surface = json_array_get(json_object_get(root, "surfaces"), 0);
-    double value = json_number_value(json_object_get(json_object_get(surface, "lay"), key));
-    json_decref(root);
-    return value;
+    return json_number_value(json_object_get(json_object_get(surface, "lay"), key));
 }
 
 /* All numbers of a table of two runs. */
@@ -65,8 +60,6 @@ static void expect_same(const struct directory *place, const char *file, const c
             if (*table_text(&a, row, columns[c]))
                 assert_near(table_number(&a, row, columns[c]), table_number(&b, row, columns[c]), tolerance);
         }
-    table_free(&a);
-    table_free(&b);
 }
 
 /** A surface of lay r is the one whose waves are sqrt(2/(1 + r²)) times as long, in every model; what describes the
@@ -120,7 +113,6 @@ TEST_IN_DIRECTORY(an_unknown_lay_is_tried)
                     numbers[run][0] = table_number(&table, row, "area_ratio");
                     numbers[run][1] = table_number(&table, row, "ecr_ohm_m2");
                 }
-            table_free(&table);
         }
         assert_true(numbers[1][0] > 1.02 * numbers[0][0]);
         assert_near(lay_number(place, "unknown", "perfect_lay_area_factor"), numbers[1][0] / numbers[0][0], 1e-6);
@@ -135,21 +127,19 @@ TEST_IN_DIRECTORY(a_map_knows_its_lay)
 {
     enum { NX = 200, NY = 80 };
     for (int turned = 0; turned < 2; turned++) {
-        struct text grid = {0};
-        text_add(&grid, "DSAA\n%d %d\n0 %.9g\n0 %.9g\n-1 1\n", NX, NY, 1e-6 * (NX - 1), 2e-6 * (NY - 1));
+        struct text *grid = support_text();
+        text_add(grid, "DSAA\n%d %d\n0 %.9g\n0 %.9g\n-1 1\n", NX, NY, 1e-6 * (NX - 1), 2e-6 * (NY - 1));
         for (int row = 0; row < NY; row++)
             for (int i = 0; i < NX; i++) {
                 double x = 1e-6 * i, y = 2e-6 * row, k = 2 * M_PI / 40e-6;
-                text_add(&grid, "%.17g%c",
+                text_add(grid, "%.17g%c",
                          1e-7 * sin(k * (turned ? y : x)) + 0.4e-7 * sin(k * (turned ? x : y)) + 0.02 * x - 0.03 * y,
                          i + 1 < NX ? ' ' : '\n');
             }
-        directory_write(place, "in/map.grd", text_string(&grid));
-        text_free(&grid);
+        directory_write(place, "in/map.grd", text_string(grid));
         run_scene(place, "map", "map.grd", ", x_unit: m, z_unit: m", "");
         assert_near(lay_number(place, "map", "r"), turned ? 2.5 : 0.4, 0.02);
-        struct text json = directory_read(place, "map/results.json");
-        assert_int_equal(turned, strstr(text_string(&json), "times as steep along as across its lay") != NULL);
-        text_free(&json);
+        char *json = directory_read(place, "map/results.json");
+        assert_int_equal(turned, strstr(json, "times as steep along as across its lay") != NULL);
     }
 }

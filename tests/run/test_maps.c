@@ -17,19 +17,16 @@ static void write_long_map(const struct directory *place, const char *name, uint
                            size_t points)
 {
     enum { WIDE = 6 * SIDE };
-    double *height = malloc(WIDE * WIDE * sizeof *height), square = 0;
-    struct text xyz = {0};
-    assert_non_null(height);
+    double *height = support_room(WIDE * WIDE * sizeof *height), square = 0;
+    struct text *xyz = support_text();
     expect_ok(direct_surface_make, height, WIDE, &(struct direct_recipe){variance, NULL, NULL, 0}, seed);
     for (size_t k = 0; k < WIDE * WIDE; k++)
         square += height[k] * height[k] / (WIDE * WIDE);
-    text_add(&xyz, "x [um],y [um],z [um]\n");
+    text_add(xyz, "x [um],y [um],z [um]\n");
     for (size_t k = 0; k < points * SIDE; k++)
-        text_add(&xyz, "%.9g,%.9g,%.9g\n", step_um * (double)(k % points), step_um * (double)(k / points),
+        text_add(xyz, "%.9g,%.9g,%.9g\n", step_um * (double)(k % points), step_um * (double)(k / points),
                  0.3 * height[k / points * WIDE + k % points] / sqrt(square));
-    directory_write(place, name, text_string(&xyz));
-    text_free(&xyz);
-    free(height);
+    directory_write(place, name, text_string(xyz));
 }
 
 static void write_map(const struct directory *place, const char *name, uint64_t seed, double step_um)
@@ -54,7 +51,6 @@ static size_t rows_of(const struct directory *place, const char *path, const cha
     size_t rows = 0;
     for (size_t i = 0; i < table.rows; i++)
         rows += strcmp(table_text(&table, i, "model"), model) == 0;
-    table_free(&table);
     return rows;
 }
 
@@ -79,9 +75,8 @@ TEST_IN_DIRECTORY(what_leads)
     expect_in_file(place, "mixed/report.md", "1 of the surfaces is no map: ", "scans and rows of maps");
     assert_true(rows_of(place, "mixed/data/contact.csv", "direct-plastic") > 5);
     /* the limit of the map, too, is that of the strip: its value is in the strip's curve */
-    struct text json = directory_read(place, "mixed/results.json");
-    json_t *results = json_loads(text_string(&json), 0, NULL),
-           *limit = json_array_get(json_object_get(results, "limits"), 0);
+    char *json = directory_read(place, "mixed/results.json");
+    json_t *results = support_json(json), *limit = json_array_get(json_object_get(results, "limits"), 0);
     double value = json_number_value(json_object_get(limit, "value"));
     assert_string_equal(json_string_value(json_object_get(limit, "surface")), "a");
     struct table contact = directory_table(place, "mixed/data/contact.csv");
@@ -91,9 +86,6 @@ TEST_IN_DIRECTORY(what_leads)
             found[k] += strcmp(table_text(&contact, i, "model"), k == 0 ? "strip-plastic" : "direct-plastic") == 0 &&
                         fabs(table_number(&contact, i, "ecr_ohm_m2") / value - 1) < 1e-9;
     assert_true(found[0] == 1 && found[1] == 0);
-    table_free(&contact);
-    json_decref(results);
-    text_free(&json);
 }
 
 /** Two maps of one spacing are pressed together as they are; of two spacings, or against a line scan, their rows are.
@@ -106,17 +98,13 @@ TEST_IN_DIRECTORY(two_rough_bodies)
     pipeline_rough(place, "in/line.csv", 400, 1, 1);
     static const char *const others[] = {"b.csv", "c.csv", "line.csv"};
     for (int k = 0; k < 3; k++) {
-        struct text scene = {0};
-        text_add(&scene,
-                 "material: bronze\nload: {from: 1e-5, to: 1e-2, points: 9}\nsurfaces: [" MAP(
-                     "a") "]\n"
-                          "counterface: {surface: %s}\n",
-                 others[k]);
-        run_scene(place, "pair", text_string(&scene));
+        run_scene(place, "pair",
+                  filled("material: bronze\nload: {from: 1e-5, to: 1e-2, points: 9}\nsurfaces: [" MAP(
+                             "a") "]\ncounterface: {surface: %s}\n",
+                         others[k]));
         assert_true((rows_of(place, "pair/data/contact.csv", "direct-plastic") > 5) == (k == 0));
         assert_true((rows_of(place, "pair/data/bands.csv", "direct-plastic") > 5) == (k == 0));
         assert_true((rows_of(place, "pair/data/bands.csv", "strip-plastic") > 5) == (k > 0));
-        text_free(&scene);
     }
 }
 
@@ -124,13 +112,13 @@ TEST_IN_DIRECTORY(two_rough_bodies)
 TEST_IN_DIRECTORY(a_smooth_second_body)
 {
     static const char *const counterfaces[] = {"same", "{surface: smooth.csv}"};
-    struct text xyz = {0};
+    struct text *xyz = support_text();
     struct table table[2];
     size_t compared = 0;
-    text_add(&xyz, "x [um],y [um],z [um]\n");
+    text_add(xyz, "x [um],y [um],z [um]\n");
     for (size_t k = 0; k < SIDE * SIDE; k++)
-        text_add(&xyz, "%zu,%zu,%.9g\n", k % SIDE, k / SIDE, 1e-7 * sin(0.7 * (double)(k % SIDE + k / SIDE)));
-    directory_write(place, "in/smooth.csv", text_string(&xyz));
+        text_add(xyz, "%zu,%zu,%.9g\n", k % SIDE, k / SIDE, 1e-7 * sin(0.7 * (double)(k % SIDE + k / SIDE)));
+    directory_write(place, "in/smooth.csv", text_string(xyz));
     write_map(place, "in/a.csv", 1, 1);
     for (int k = 0; k < 2; k++) {
         run_scene(place, filled("out%d", k),
@@ -145,9 +133,6 @@ TEST_IN_DIRECTORY(a_smooth_second_body)
             compared++;
         }
     assert_true(compared > 20);
-    for (int k = 0; k < 2; k++)
-        table_free(&table[k]);
-    text_free(&xyz);
 }
 
 /** A map of more squares than are solved says so; the study that holds models against the direct solution does not hold

@@ -79,8 +79,8 @@ TEST_CASE(notes_alike_are_a_line_beside_a_report)
 TEST_CASE(what_is_of_no_kind_is_said)
 {
     enum { MANY = 300 };
-    struct scene_surface *all = calloc(MANY, sizeof *all);
-    struct surface_record *said = calloc(MANY, sizeof *said);
+    struct scene_surface *all = support_room(MANY * sizeof *all);
+    struct surface_record *said = support_room(MANY * sizeof *said);
     char(*note)[8] = calloc(MANY, sizeof *note);
     assert_true(all && said && note);
     for (size_t i = 0; i < MANY; i++) {
@@ -95,8 +95,6 @@ TEST_CASE(what_is_of_no_kind_is_said)
     for (size_t i = 0; i < MANY; i++)
         note_list_free(&said[i].summary.notes);
     free(note);
-    free(said);
-    free(all);
 }
 
 /* A refused surface's notes are in no report: none is left out. */

@@ -10,10 +10,9 @@ enum { POINTS = 256, SCANS = 5 };
 /* A scene with these lines before its surfaces. */
 static void write_scene(const struct directory *place, const char *in, const char *more, const char *surfaces)
 {
-    struct text text = {0};
-    text_add(&text, "material: tin\nload: {from: 1e-6, to: 1e-3, points: 7}\n%ssurfaces: [%s]\n", more, surfaces);
-    directory_write(place, filled("%s/scene.yaml", in), text_string(&text));
-    text_free(&text);
+    struct text *text = support_text();
+    text_add(text, "material: tin\nload: {from: 1e-6, to: 1e-3, points: 7}\n%ssurfaces: [%s]\n", more, surfaces);
+    directory_write(place, filled("%s/scene.yaml", in), text_string(text));
 }
 
 /* The report in place/OUT of such a one. */
@@ -86,9 +85,6 @@ TEST_IN_DIRECTORY(the_mean_of_five_reports)
             compared++;
         }
     assert_true(compared > 50);
-    for (int s = 0; s < SCANS; s++)
-        table_free(&alone[s]);
-    table_free(&all);
     report(place, "turned", no_strips, "{name: m, file: [3.csv, 0.csv, 4.csv, 2.csv, 1.csv]}");
     directory_expect_same(place, "all/data/contact.csv", "turned/data/contact.csv");
     directory_expect_same(place, "all/data/bands.csv", "turned/data/bands.csv");
@@ -108,7 +104,6 @@ TEST_IN_DIRECTORY(the_interval_of_two)
         struct table table = directory_table(place, s ? "one/data/contact.csv" : "zero/data/contact.csv");
         ln[s] = log(table_number(&table, row_of(&table, "m", "gw", 1e-5), "ecr_ohm_m2"));
         ln_gap[s] = log(table_number(&table, row_of(&table, "m", "gw", 1e-5), "adjusted_separation_over_sigma"));
-        table_free(&table);
     }
     report(place, "both", listed, "{name: m, file: [0.csv, 1.csv]}");
     struct table bands = directory_table(place, "both/data/bands.csv");
@@ -121,16 +116,13 @@ TEST_IN_DIRECTORY(the_interval_of_two)
     half = 12.706204736432095 * fabs(ln_gap[0] - ln_gap[1]) / 2;
     assert_near(table_number(&bands, row, "separation_over_sigma_mean_low_95"), exp(mean - half), 1e-9);
     assert_near(table_number(&bands, row, "separation_over_sigma_mean_high_95"), exp(mean + half), 1e-9);
-    table_free(&bands);
     struct table spread = directory_table(place, "both/data/spread.csv"); /* results.json has the same */
-    struct text json = directory_read(place, "both/results.json");
-    const char *rq = strstr(strstr(text_string(&json), "\"spread\""), "\"rq_m\""), *ends[2];
+    char *json = directory_read(place, "both/results.json");
+    const char *rq = strstr(strstr(json, "\"spread\""), "\"rq_m\""), *ends[2];
     ends[0] = strchr(strstr(rq, "\"mean_95\""), '[');
     ends[1] = strchr(strstr(rq, "\"next_scan_95\""), '[');
     assert_near(strtod(ends[0] + 1, NULL), table_number(&spread, 0, "mean_low_95"), 1e-15);
     assert_near(strtod(ends[1] + 1, NULL), table_number(&spread, 0, "next_scan_low_95"), 1e-15);
-    text_free(&json);
-    table_free(&spread);
     expect_in_file(place, "both/report.md", "(95 % ");
 }
 
@@ -183,8 +175,6 @@ TEST_IN_DIRECTORY(intervals_in_the_data)
         for (int q = 0; q < 3; q++)
             assert_true(known[several][q] > 10);
     assert_true(at_most[0] > 0 && at_most[1] > 0 && alike > 4);
-    table_free(&bands);
-    table_free(&contact);
 }
 
 /** A scan of twice the length is cut in two: it then says what its halves, reported as scans of one surface, say. */
@@ -213,8 +203,6 @@ TEST_IN_DIRECTORY(unlike_lengths)
     assert_near(table_number(&spread, 0, "effective"), 3, 1e-12);
     assert_near(table_number(&spread, 0, "scans"), 2, 1e-12);
     expect_in_file(place, "out/report.md", "| 2 (cut to 3 pieces) |");
-    table_free(&contact);
-    table_free(&spread);
 }
 
 /** Scans that are all the same count as one: the numbers, and the interval, of that one. */
@@ -235,8 +223,6 @@ TEST_IN_DIRECTORY(identical_scans)
     assert_near(table_number(&three, a, "ecr_ohm_m2_mean_high_95"), high, 1e-9);
     assert_string_equal(table_text(&one, b, "ecr_ohm_m2_next_scan_low_95"), "");
     expect_in_file(place, "three/report.md", "the same to the last digit");
-    table_free(&three);
-    table_free(&one);
 }
 
 /** One scan with open ends that holds few of its longest waves: what it cannot know is in its interval. */
@@ -250,7 +236,7 @@ TEST_IN_DIRECTORY(few_longest_waves)
     expect_ok(synth_profile, height_m, &def);
     pipeline_scan(place, "in/0.csv", height_m, POINTS);
     report(place, "out", "effects: [separation, electrical, uncertainty]\nmodels: [strip]\n", "{name: m, file: 0.csv}");
-    json_t *results = json_load_file(directory_path(place, "out/results.json"), 0, NULL);
+    json_t *results = directory_json(place, "out/results.json");
     json_t *surface = json_array_get(json_object_get(results, "surfaces"), 0), *ends;
     double waves = json_number_value(json_object_get(surface, "longest_waves")), s, low, high;
     assert_true(waves > 1 && waves < 2);
@@ -260,20 +246,18 @@ TEST_IN_DIRECTORY(few_longest_waves)
     assert_int_equal(json_unpack(ends, "[F, F]", &low, &high), 0);
     double square = pow(0.54, 2) + pow(1.3 * log(2.5 / waves), 2) + s * s;
     assert_near(log(high / low) / 2, interval_quantile(0.95, 4 * pow(square / (s * s), 2)) * sqrt(square), 1e-9);
-    json_decref(results);
 }
 
 /** Degrees of freedom of a surface's resistance in results.json, and the width of its interval (of ln). */
 static double degrees_of(const struct directory *place, const char *out, double *width)
 {
-    json_t *results = json_load_file(directory_path(place, filled("%s/results.json", out)), 0, NULL);
+    json_t *results = directory_json(place, filled("%s/results.json", out));
     double degrees = NAN, low, high;
     assert_int_equal(json_unpack(json_array_get(json_object_get(results, "surfaces"), 0),
                                  "{s:{s:{s:{s:{s:F, s:[F, F]}}}}}", "models", "strip", "at_middle_load", "ecr_ohm_m2",
                                  "degrees_of_freedom", &degrees, "mean_95", &low, &high),
                      0);
     *width = log(high / low);
-    json_decref(results);
     return degrees;
 }
 
@@ -382,12 +366,11 @@ TEST_IN_DIRECTORY(ranked_in_words)
 /* The first p value that a report prints. */
 static double first_p(const struct directory *place, const char *report)
 {
-    struct text text = directory_read(place, report);
-    const char *at = strstr(text_string(&text), "(p = ");
+    char *text = directory_read(place, report);
+    const char *at = strstr(text, "(p = ");
     if (!at)
         fail_msg("%s prints no p", report);
     double p = strtod(at + strlen("(p = "), NULL);
-    text_free(&text);
     return p;
 }
 
@@ -413,20 +396,18 @@ TEST_IN_DIRECTORY(more_pairs_ask_for_more)
 TEST_IN_DIRECTORY(a_map_by_rows)
 {
     enum { NX = 64, NY = 300 };
-    struct text grid = {0};
-    text_add(&grid, "DSAA\n%d %d\n0 %.9g\n0 %.9g\n-1 1\n", NX, NY, 5e-7 * (NX - 1), 5e-7 * (NY - 1));
+    struct text *grid = support_text();
+    text_add(grid, "DSAA\n%d %d\n0 %.9g\n0 %.9g\n-1 1\n", NX, NY, 5e-7 * (NX - 1), 5e-7 * (NY - 1));
     for (int row = 0; row < NY; row++) {
         for (int i = 0; i < NX; i++)
-            text_add(&grid, "%.9g ", (1 + row / 300.0) * (1e-7 * sin(0.7 * i) + 4e-8 * sin(2.1 * i * (i % 5))));
-        text_add(&grid, "\n");
+            text_add(grid, "%.9g ", (1 + row / 300.0) * (1e-7 * sin(0.7 * i) + 4e-8 * sin(2.1 * i * (i % 5))));
+        text_add(grid, "\n");
     }
-    directory_write(place, "in/map.grd", text_string(&grid));
-    text_free(&grid);
+    directory_write(place, "in/map.grd", text_string(grid));
     report(place, "out", "effects: [separation, electrical]\nmodels: [strip]\n",
            "{name: m, file: map.grd, x_unit: m, z_unit: m}");
     struct table contact = directory_table(place, "out/data/contact.csv");
     assert_true(contact.rows > 0 && table_number(&contact, 0, "area_ratio") > 0);
-    table_free(&contact);
     assert_false(directory_has(place, "out/data/spread.csv") || directory_has(place, "out/data/bands.csv"));
     expect_in_file(place, "out/report.md", "24 of them, evenly spaced, go through the models");
 }
@@ -485,15 +466,14 @@ TEST_IN_DIRECTORY(too_short_to_lead)
 TEST_IN_DIRECTORY(scans_that_have_nothing_in_common)
 {
     struct run_outcome outcome;
-    struct text csv = {0};
+    struct text *csv = support_text();
     rough(place, "in/a.csv", POINTS, 1, 3);
     rough(place, "in/b.csv", POINTS, 1, 4);
     rough(place, "in/c.csv", POINTS, 0.3, 5);
-    text_add(&csv, "x [mm],z [um]\n");
+    text_add(csv, "x [mm],z [um]\n");
     for (int i = 0; i < POINTS; i++)
-        text_add(&csv, "%g,%.9f\n", 0.5 * i, sin(0.7 * i) + 0.5 * sin(2.1 * i));
-    directory_write(place, "in/mm.csv", text_string(&csv));
-    text_free(&csv);
+        text_add(csv, "%g,%.9f\n", 0.5 * i, sin(0.7 * i) + 0.5 * sin(2.1 * i));
+    directory_write(place, "in/mm.csv", text_string(csv));
     directory_write(place, "in/scene.yaml",
                     "material: tin\nmodels: [multiscale, corrected-persson]\nfit: thesis\n"
                     "surfaces: [{name: s, file: [a.csv, mm.csv]}, "
@@ -504,6 +484,5 @@ TEST_IN_DIRECTORY(scans_that_have_nothing_in_common)
                  "surface 's': Gaussian heights has no solution for 1 of the scans run alone");
     struct table surfaces = directory_table(place, "out/data/surfaces.csv");
     assert_string_equal(table_text(&surfaces, 0, "fit_high_m"), "");
-    table_free(&surfaces);
     run_outcome_free(&outcome);
 }

@@ -5,27 +5,25 @@
 /* A Surfer text grid of `nx` by `ny` heights [m], 0.5 um apart. */
 static void write_map(const struct directory *place, const char *name, const double *z_m, size_t nx, size_t ny)
 {
-    struct text grid = {0};
-    text_add(&grid, "DSAA\n%zu %zu\n0 %.9g\n0 %.9g\n-1 1\n", nx, ny, 5e-7 * (double)(nx - 1), 5e-7 * (double)(ny - 1));
+    struct text *grid = support_text();
+    text_add(grid, "DSAA\n%zu %zu\n0 %.9g\n0 %.9g\n-1 1\n", nx, ny, 5e-7 * (double)(nx - 1), 5e-7 * (double)(ny - 1));
     for (size_t row = 0; row < ny; row++) {
         for (size_t i = 0; i < nx; i++)
-            text_add(&grid, "%.17g ", z_m[row * nx + i]);
-        text_add(&grid, "\n");
+            text_add(grid, "%.17g ", z_m[row * nx + i]);
+        text_add(grid, "\n");
     }
-    directory_write(place, name, text_string(&grid));
-    text_free(&grid);
+    directory_write(place, name, text_string(grid));
 }
 
 /* The scene in place/in. */
 static void scene(const struct directory *place, const char *more, const char *surfaces)
 {
-    struct text text = {0};
-    text_add(&text,
+    struct text *text = support_text();
+    text_add(text,
              "material: tin\neffects: [separation, electrical]\nload: {from: 1e-6, to: 1e-2, points: 9}\n%ssurfaces: "
              "[%s]\n",
              more, surfaces);
-    directory_write(place, "in/scene.yaml", text_string(&text));
-    text_free(&text);
+    directory_write(place, "in/scene.yaml", text_string(text));
 }
 
 /** Columns of a turned map are the rows of the map; they tell no interval, for they are
@@ -68,14 +66,11 @@ TEST_IN_DIRECTORY(two_rough_bodies_add_their_squares)
     assert_int_equal(smooth.rows, rough.rows); /* one surface each */
     for (size_t i = 0; i + 2 < smooth.rows; i++)
         assert_near(table_number(&rough, i, "amplitude_m"), M_SQRT2 * table_number(&smooth, i, "amplitude_m"), 1e-9);
-    table_free(&smooth);
-    table_free(&rough);
     struct table contact = directory_table(place, "rough/data/contact.csv"); /* both heights are known, in pairs */
     size_t strips = 0;
     for (size_t i = 0; i < contact.rows; i++)
         strips += strcmp(table_text(&contact, i, "model"), "strip") == 0;
     assert_true(strips > 50);
-    table_free(&contact);
     expect_in_file(place, "rough/report.md", "rough counterface");
     struct run_outcome outcome;
     directory_write(place, "in/other.csv", "no numbers\n");

@@ -33,14 +33,13 @@ static struct work work_of(const char *scene)
 {
     directory_write(&directory_here, "in/scene.yaml", scene);
     assert_int_equal(pipeline_run(&directory_here, "in", "out", 2), 0);
-    json_t *results = json_load_file(directory_path(&directory_here, "out/results.json"), 0, NULL);
+    json_t *results = directory_json(&directory_here, "out/results.json");
     const json_t *work = json_object_get(results, "work"), *row;
     const char *name;
     assert_int_equal(json_object_size(work), WORK_ROWS);
     struct work out = {evaluations(work, "area"), evaluations(work, "plasticity"), evaluations(work, "convergence"),
                        evaluations(work, "uncertainty"), 0};
     json_object_foreach((json_t *)work, name, row) out.all += evaluations(work, name);
-    json_decref(results);
     return out;
 }
 
@@ -83,14 +82,14 @@ TEST_CASE(each_effect_removes_its_own_work)
 TEST_CASE(families_remove_their_own_work)
 {
     static const char *const families[] = {"multiscale", "statistical", "corrected-persson", "strip", "cmy"};
-    struct text scene = {0};
+    struct text *scene = support_text();
     struct work sum = {0}, all;
     for (size_t i = 0; i <= sizeof families / sizeof *families; i++) {
         bool one = i < sizeof families / sizeof *families;
-        scene.length = 0;
-        text_add(&scene, FILES "effects: [plasticity]\nmodels: [%s]\n",
+        scene->length = 0;
+        text_add(scene, FILES "effects: [plasticity]\nmodels: [%s]\n",
                  one ? families[i] : "multiscale, statistical, corrected-persson, strip, cmy");
-        all = work_of(text_string(&scene));
+        all = work_of(text_string(scene));
         assert_true(all.all > 0);
         if (one) {
             sum.area += all.area;
@@ -99,7 +98,6 @@ TEST_CASE(families_remove_their_own_work)
     }
     assert_int_equal(all.area, sum.area);
     assert_int_equal(all.plasticity, sum.plasticity);
-    text_free(&scene);
 }
 
 /** A metal so hard that nothing yields: `auto` skips plasticity on both surfaces; a softer one runs it. */
@@ -148,7 +146,6 @@ TEST_CASE(effects_are_a_surfaces_own)
         }
     assert_int_equal(same, 5);
     assert_true(other > 0);
-    table_free(&table);
 }
 
 /** A target is a search on every model's curve of each surface; no target is none. */

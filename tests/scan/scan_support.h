@@ -14,7 +14,8 @@ static const struct scan_options no_units = {.x_unit = "", .z_unit = ""};
 /* A copy on the heap, so that AddressSanitizer sees every read beyond bytes[length]. */
 static inline struct scan_bytes bytes_copy(const char *bytes, size_t length)
 {
-    char *copy = support_room(length + 1);
+    char *copy = malloc(length + 1);
+    assert_non_null(copy);
     memcpy(copy, bytes, length);
     copy[length] = '\0';
     return (struct scan_bytes){copy, length, "file"};

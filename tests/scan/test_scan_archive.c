@@ -143,7 +143,6 @@ TEST_CASE(test_bomb)
             text.data[i + 3] = 0x7f;
     assert_refused_bytes(text_string(&text), text.length, &no_units, "claims 2130712432 bytes, packed in");
     text_free(&text);
-    free(zeros);
 }
 
 static const char table[] = "x [um],z [um]\n0,0.5\n0.5,-1.25\n1,2.75\n1.5,0.125\n2,8\n2.5,-3.5\n";

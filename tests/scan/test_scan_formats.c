@@ -104,13 +104,12 @@ TEST_CASE(test_maps)
     assert_near(scan.dy_m, 3e-6, 1e-12);
     assert_near(scan.z_m[7], 8e-6, 1e-12);
     scan_free(&scan);
-    struct text text = {0};
-    text_add(&text, "w=4 h=3\npixel size = 2 um\nheight conversion factor (-> m) = 1e-9\n1 3 2 4\n5 5 5 5\n1 1 1 1\n");
-    scan = read_good(text_string(&text), "", "");
+    struct text *text = support_text();
+    text_add(text, "w=4 h=3\npixel size = 2 um\nheight conversion factor (-> m) = 1e-9\n1 3 2 4\n5 5 5 5\n1 1 1 1\n");
+    scan = read_good(text_string(text), "", "");
     assert_near(scan.dy_m, 2e-6, 1e-12);
     assert_near(scan.z_m[1], 3e-9, 1e-12);
     scan_free(&scan);
-    text_free(&text);
     assert_refused_bytes("1 3 2 4\n5 1 3 1\n1 1 1 1\n", 24, &z_um, "without its pixel size; add a line `pixel size");
     assert_refused("0 0 1\n1 0 2\n2 0 3\n0 1 4\n1 1 5\n2.5 1 6\n", "file:6: this point is not on the grid");
     assert_refused("0 0 1\n1 0 2\n2 0 3\n0 1 4\n1 1 5\n", "file:5: the last row of points is not complete");
@@ -121,12 +120,12 @@ TEST_CASE(test_gwyddion_xyz)
 {
     enum { NX = 512, NY = 4 };
     const double step_m = 1.3e-5 / NX;
-    struct text text = {0};
-    text_add(&text, "# Channel: Topography\n# Lateral units: m\n# Value units: m\n");
+    struct text *text = support_text();
+    text_add(text, "# Channel: Topography\n# Lateral units: m\n# Value units: m\n");
     for (size_t i = 0; i < NX * NY; i++)
-        text_add(&text, "%.5g\t%.5g\t%.5g\n", ((double)(i % NX) + 0.5) * step_m, ((double)(i / NX) + 0.5) * step_m,
+        text_add(text, "%.5g\t%.5g\t%.5g\n", ((double)(i % NX) + 0.5) * step_m, ((double)(i / NX) + 0.5) * step_m,
                  1e-9 * (double)(i * i % 101));
-    struct scan scan = read_good(text_string(&text), "", "");
+    struct scan scan = read_good(text_string(text), "", "");
     assert_int_equal(scan.nx, NX);
     assert_int_equal(scan.ny, NY);
     assert_near(scan.dx_m, step_m, 1e-4);
@@ -134,7 +133,6 @@ TEST_CASE(test_gwyddion_xyz)
     for (size_t i = 0; i < NX * NY; i++)
         assert_near(scan.z_m[i], 1e-9 * (double)(i * i % 101), 1e-4);
     scan_free(&scan);
-    text_free(&text);
     assert_refused("0 0 1\n1 0 2\n2.03 0 3\n3 0 4\n", "file:3: this point is not on the grid");
 }
 

@@ -36,7 +36,6 @@ TEST_CASE(test_formats_and_ranges)
                 assert_within(scan.x_m[0], table_number(&table, row, "x0_um") * 1e-6, 1e-15);
             scan_free(&scan);
         }
-        table_free(&table);
     }
 }
 

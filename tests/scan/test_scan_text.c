@@ -309,20 +309,19 @@ TEST_CASE(test_a_spent_text_is_freed)
                  {"0,1\n1,3\n2,2\n", "um", NULL, false},
                  {"x [um],z [um]\n0,1\n1,3\n\n1,2\n", NULL, "spent:5: ", false}};
     for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
-        struct text text = {0};
+        struct text *text = support_text();
         struct status status = {0};
         struct scan scan;
-        text_add(&text, "%s", cases[c].content);
-        const struct scan_bytes file = {text_string(&text), text.length, "spent"};
-        const struct scan_options options = {.x_unit = cases[c].unit, .z_unit = cases[c].unit, .spent = &text};
+        text_add(text, "%s", cases[c].content);
+        const struct scan_bytes file = {text_string(text), text->length, "spent"};
+        const struct scan_options options = {.x_unit = cases[c].unit, .z_unit = cases[c].unit, .spent = text};
         enum status_code code = scan_read_bytes(&scan, &file, &options, &status);
         assert_int_equal(code, cases[c].error ? STATUS_SCAN : STATUS_OK);
         if (cases[c].error)
             assert_non_null(strstr(status.message, cases[c].error));
         else
             assert_near(scan.z_m[2], 2e-6, 1e-15);
-        assert_true((text.data == NULL) == cases[c].goes);
+        assert_true((text->data == NULL) == cases[c].goes);
         scan_free(&scan);
-        text_free(&text);
     }
 }

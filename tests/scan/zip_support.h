@@ -127,7 +127,6 @@ static inline struct text zip(const struct member *members, bool deflated)
     struct text text = zip_of(packed, count);
     for (size_t i = 0; i < count; i++)
         text_free(&packed[i].bytes);
-    free(packed);
     return text;
 }
 

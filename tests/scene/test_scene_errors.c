@@ -284,14 +284,13 @@ static void check_large(const char *start, const char *part, size_t count, const
 {
     struct directory directory = directory_make();
     scene_directory_add(&directory, "a");
-    struct text text = {0};
-    text_add(&text, "%s", start);
+    struct text *text = support_text();
+    text_add(text, "%s", start);
     for (size_t i = 0; i < count; i++)
-        text_add(&text, "%s", part);
-    text_add(&text, "%s", end);
-    directory_write(&directory, "scene.yaml", text.data);
+        text_add(text, "%s", part);
+    text_add(text, "%s", end);
+    directory_write(&directory, "scene.yaml", text->data);
     scene_directory_refused(directory.path, NULL, STATUS_SCENE, expected);
-    text_free(&text);
     directory_remove(&directory);
 }
 
@@ -309,13 +308,12 @@ TEST_CASE(test_sizes)
 
 TEST_CASE(test_aliases_do_not_multiply)
 {
-    struct text end = {0};
-    text_add(&end, "]}\n");
+    struct text *end = support_text();
+    text_add(end, "]}\n");
     for (int i = 1; i < 500; i++)
-        text_add(&end, "- {name: n%d, file: *f}\n", i);
-    check_large("surfaces:\n- {file: &f [", "a, ", 50000, text_string(&end),
+        text_add(end, "- {name: n%d, file: *f}\n", i);
+    check_large("surfaces:\n- {file: &f [", "a, ", 50000, text_string(end),
                 "/scene.yaml:2: more than 100000 files in one scene; split it");
-    text_free(&end);
 }
 
 TEST_IN_DIRECTORY(test_scene_that_is_no_file)

@@ -33,14 +33,13 @@ static void lay_out(const struct directory *directory, const char *files)
 /* Each surface's name and files, behind one another. */
 static void assert_surfaces(const struct scene *scene, const char *expected)
 {
-    struct text text = {0};
+    struct text *text = support_text();
     for (size_t i = 0; i < scene->surface_count; i++) {
-        text_add(&text, "%s%s:", i > 0 ? "|" : "", scene->surfaces[i].name);
+        text_add(text, "%s%s:", i > 0 ? "|" : "", scene->surfaces[i].name);
         for (size_t k = 0; k < scene->surfaces[i].files.count; k++)
-            text_add(&text, " %s", scene->surfaces[i].files.path[k]);
+            text_add(text, " %s", scene->surfaces[i].files.path[k]);
     }
-    assert_string_equal(text_string(&text), expected);
-    text_free(&text);
+    assert_string_equal(text_string(text), expected);
 }
 
 #define TEXTS(count) "passed over, no scan" count " x text without a row of numbers "

@@ -146,13 +146,12 @@ TEST_CASE(test_refused)
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
         struct scene scene;
         struct status status = {0};
-        struct text text = {0};
-        text_add(&text, "%s%s", COPPER, rows[k].shape);
-        enum status_code code = read_with(&scene, text_string(&text), rows[k].file, &status);
+        struct text *text = support_text();
+        text_add(text, "%s%s", COPPER, rows[k].shape);
+        enum status_code code = read_with(&scene, text_string(text), rows[k].file, &status);
         if (code != STATUS_SCENE || !strstr(status.message, rows[k].says))
             fail_msg("row %zu: %d, %s", k, (int)code, status.message);
         scene_free(&scene);
-        text_free(&text);
     }
     struct scene scene = good(COPPER "operating_load: 410 N\nload: {from: 1 N, to: 1 kN}\n"
                                      "shape: {pressure: g.csv, scale: true}\n",

@@ -100,23 +100,21 @@ TEST_IN_DIRECTORY(a_damaged_table_is_refused)
                    {"input,plateau,", "input,elsewhere,"},
                    {" -20.74669085342877", ""},
                    {",2.228,", ",inf,"}};
-    struct text whole = {0};
-    expect_ok(text_read_file, &whole, TABLE);
+    struct text *whole = support_text();
+    expect_ok(text_read_file, whole, TABLE);
     expect_refused(place, NULL, 0, "selftest.csv");
-    for (size_t length = 0; length < whole.length; length += 997)
-        expect_refused(place, whole.data, length, "; install the program again");
+    for (size_t length = 0; length < whole->length; length += 997)
+        expect_refused(place, whole->data, length, "; install the program again");
     for (size_t i = 0; i < sizeof changes / sizeof *changes; i++) {
-        struct text changed = {0};
-        const char *at = strstr(whole.data, changes[i].from);
+        struct text *changed = support_text();
+        const char *at = strstr(whole->data, changes[i].from);
         if (!at)
             fail_msg("the table has no '%s'", changes[i].from);
-        text_add_bytes(&changed, whole.data, (size_t)(at - whole.data));
-        text_add(&changed, "%s", changes[i].to);
-        text_add_bytes(&changed, at + strlen(changes[i].from), strlen(at) - strlen(changes[i].from));
-        expect_refused(place, changed.data, changed.length, ": damaged; install the program again");
-        text_free(&changed);
+        text_add_bytes(changed, whole->data, (size_t)(at - whole->data));
+        text_add(changed, "%s", changes[i].to);
+        text_add_bytes(changed, at + strlen(changes[i].from), strlen(at) - strlen(changes[i].from));
+        expect_refused(place, changed->data, changed->length, ": damaged; install the program again");
     }
-    text_free(&whole);
 }
 
 enum { NUMBERS_MOST = 40000 };
@@ -142,7 +140,6 @@ static void read_numbers(struct numbers *numbers, const char *folder)
             assert_true(numbers->count < NUMBERS_MOST);
             numbers->value[numbers->count++] = value;
         }
-        table_free(&golden);
     }
     closedir(directory);
 }
@@ -175,7 +172,6 @@ TEST_CASE(numbers_are_the_references)
         assert_true(has_number(numbers, table.plateau_m[i]));
     for (size_t i = 0; i < SELFTEST_LAW; i++)
         assert_true(has_number(numbers, table.law_m2[i]));
-    free(numbers);
 }
 
 TEST_GROUP(read_table, free_table)

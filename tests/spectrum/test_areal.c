@@ -8,14 +8,8 @@ static const double dx_m = 1e-6, amplitude_m = 5e-8;
 
 static int setup(void **state)
 {
-    *state = malloc(NX * NY * sizeof(double));
+    *state = support_room(NX * NY * sizeof(double));
     return *state ? 0 : -1;
-}
-
-static int teardown(void **state)
-{
-    free(*state);
-    return 0;
 }
 
 /* Ten waves along x in every row, on a plane high up; `missing` of the points are not there. */
@@ -43,7 +37,7 @@ static struct areal compute(const struct scan *scan)
     return areal;
 }
 
-#define PLACED(name) TEST_WITH(name, setup, teardown)
+#define PLACED(name) TEST_WITH(name, setup, NULL)
 
 PLACED(test_waves_on_a_plane)
 {

@@ -53,7 +53,6 @@ TEST_CASE(test_reference_values)
     compute(square_m2, height_m, 64);
     for (size_t n = 1; n <= 31; n++)
         assert_near(square_m2[n - 1], table_number(&table, n - 1, "square_m2"), 1e-12);
-    table_free(&table);
 }
 
 TEST_CASE(test_one_transform_is_the_definition)

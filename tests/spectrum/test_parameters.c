@@ -37,7 +37,6 @@ TEST_CASE(test_a_sine)
     assert_value(&p, "dq", 2e-6 * 2 * M_PI / 1e-4 / sqrt(2), 2e-5); /* six points of 20000 have no slope */
     assert_value(&p, "sm", 1e-4, 1e-10);
     assert_near(p.evaluation_length_m, 5e-3, 1e-12);
-    free(z);
 }
 
 /* Quantiles of a Gaussian (Newton on erfc), in any order: skewness 0, kurtosis 3, Ra/Rq = sqrt(2/pi). */
@@ -54,7 +53,6 @@ TEST_CASE(test_a_gaussian_has_a_kurtosis_of_3)
     assert_value(&p, "sk", 0, 1e-9);
     assert_value(&p, "q", 1e-6, 1e-10);
     assert_value(&p, "a", 1e-6 * sqrt(2 / M_PI), 1e-10);
-    free(z);
 }
 
 /* The 7-point formula is exact for polynomials up to the 6th power. */
@@ -88,7 +86,6 @@ TEST_CASE(test_means_over_sampling_lengths)
     assert_value(&p, "a", 6e-6 / M_PI, 1e-9);
     assert_value(&p, "ku", 1.5, 1e-9);
     assert_int_equal(p.sampling_lengths, 5);
-    free(z);
 }
 
 /* Ripples that cross the line are no elements; hills that stay under 10 % of the highest are none either. */
@@ -109,7 +106,6 @@ TEST_CASE(test_profile_elements)
         z[i] = 1e-6 + 1e-9 * (double)i; /* never below the line */
     p = parameters_compute('P', z, POINTS, 1e-6, 1);
     assert_true(isnan(parameters_value(&p, "sm")));
-    free(z);
 }
 
 TEST_CASE(test_sampling_lengths_that_fit)
@@ -131,7 +127,6 @@ TEST_CASE(test_sampling_lengths_that_fit)
     }
     expect_fails(STATUS_SCAN, "", parameters_of_roughness, &p, z, 900, 1e-6, 1e-3);
     expect_fails(STATUS_SCAN, "", parameters_of_roughness, &p, z, 900, 1e-6, 2e-6);
-    free(z);
 }
 
 /* A real scan, its points from `first` for `points`, made ready. */

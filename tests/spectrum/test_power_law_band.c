@@ -35,7 +35,6 @@ static void sample_read(struct sample *sample, const char *name)
         sample->square_m2[i] = table_number(&table, i, "square_m2");
     sample->spectrum =
         (struct power_law_band_spectrum){sample->square_m2, table.rows, 1e-3, 1, 0}; /* length_m is set by the caller */
-    table_free(&table);
 }
 
 static void sample_law(struct sample *sample, size_t count, double length_m, double alpha, double gamma)
@@ -109,7 +108,6 @@ TEST_CASE(test_reference_values)
         assert_list(table_text(&table, r, "knees_m"), band->knee_m, band->pieces - 1, 1e-12);
         assert_list(table_text(&table, r, "lines_m"), line_m, lines_of(band, line_m), 1e-12);
     }
-    table_free(&table);
 }
 
 TEST_CASE(test_bias_and_variance_of_log_amplitudes)
@@ -129,7 +127,6 @@ TEST_CASE(test_bias_and_variance_of_log_amplitudes)
             assert_near(bin[1].y, log10(1 / 7.0) - table_number(&table, r, "bias"), 1e-12);
         }
     }
-    table_free(&table);
 }
 
 /* The sum of the definition, pair by pair. */

@@ -193,7 +193,7 @@ static void draw_marked(double *height_m, double gamma, struct fft_room *room, g
 TEST_CASE(test_marks_are_in_the_interval_over_scans)
 {
     gsl_rng *random = gsl_rng_alloc(gsl_rng_mt19937);
-    double *height_m = malloc(LONG * sizeof *height_m);
+    double *height_m = support_room(LONG * sizeof *height_m);
     struct fft_room room;
     const struct power_law_scans_def def = {0, NULL};
     size_t holds = 0;
@@ -220,6 +220,5 @@ TEST_CASE(test_marks_are_in_the_interval_over_scans)
     }
     assert_true(holds >= 34);
     fft_room_free(&room);
-    free(height_m);
     gsl_rng_free(random);
 }

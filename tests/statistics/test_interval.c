@@ -39,7 +39,6 @@ TEST_CASE(test_reference_values)
         assert_near(out.mean - half, table_number(&table, r, "next_low"), 1e-12);
         assert_near(out.mean + half, table_number(&table, r, "next_high"), 1e-12);
     }
-    table_free(&table);
 }
 
 /* Closed forms at 1, 2 and 4 degrees of freedom, and the normal limit. */

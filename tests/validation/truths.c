@@ -123,7 +123,6 @@ static void draw_sinusoid(struct chart *chart, bool logarithm)
     chart_curve(chart, &curves[3]);
     for (size_t row = 0; row < solved.rows && table_number(&solved, row, "p_over_pstar") < 0.96; row++)
         chart_row(chart, table_number(&solved, row, "p_over_pstar"), cell_of(NULL, &solved, row, true), 0, 0);
-    table_free(&solved);
 }
 
 void truths_draw(const char *directory)
@@ -140,9 +139,8 @@ void truths_draw(const char *directory)
     coverage_must(gnuplot_start(&gnuplot, place.path, &status), &status);
     gnuplot_send(&gnuplot, "load 'figure-4-2.gp'\n");
     coverage_must(gnuplot_finish(&gnuplot, &status), &status);
-    struct text drawn = directory_read(&place, "figure-4-2.svg");
-    directory_write(directory, "figure-4-2.svg", text_string(&drawn));
-    text_free(&drawn);
+    char *drawn = directory_read(&place, "figure-4-2.svg");
+    directory_write(directory, "figure-4-2.svg", drawn);
     chart_free(&chart);
     mustache_folder_free(&templates);
     directory_remove(&place);
@@ -183,7 +181,6 @@ static void add_sinusoid(struct page *page)
         }
         text_add(&page->text, rows[r].closure ? "\n" : " – | – |\n");
     }
-    table_free(&solved);
 }
 
 /** A wave of one dimension by one row, as strips are: Westergaard 1939. */
@@ -209,7 +206,6 @@ static void add_westergaard(struct page *page)
         }
         add_grid(page, n, worst, bound, 4, g == GRIDS - 1);
         direct_contact_free(&contact);
-        free(height);
     }
 }
 
@@ -228,7 +224,6 @@ static void add_hertz(struct page *page)
                               -(found.gap_m + mean) / (a * a - 3.900264920 * p / M_PI) - 1};
         add_grid(page, n, deviation, bound, 3, n == 512);
         direct_contact_free(&contact);
-        free(height);
     }
 }
 
@@ -246,7 +241,6 @@ static void add_greenwood(struct page *page)
     text_add(&page->text, "| extrapolated |");
     page_number(page, fabs(before), 0.005);
     text_add(&page->text, "\n");
-    table_free(&known);
 }
 
 /** The gap at two areas, and how far apart their loads are: a Nayak parameter of 140, but the slope is not known. */
