@@ -43,8 +43,7 @@ static char *complete(const char *place, const char *line)
     struct process process =
         process_expect(process_end(process_start_list(place, arguments, NULL)), 0, __FILE__, __LINE__);
     assert_string_equal(process.err, "");
-    char *replies = strdup(process.out);
-    return replies;
+    return process.out;
 }
 
 /** Options of a parser and of those below it stand in the page with what --help says of them, and in the replies of
