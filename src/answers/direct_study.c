@@ -84,10 +84,20 @@ static enum status_code find_rows(struct maker *maker, struct status *status)
             study->rows.amplitude_m[i] = direct_law_amplitude(&plan->law, i + 1);
         return STATUS_OK;
     }
-    for (size_t row = 0; row < maker->map.n; row++)
-        if (spectrum_add_record(&study->rows, row, maker->map.height_m + row * maker->map.n, maker->map.n,
-                                maker->map.spacing_m, status) != STATUS_OK)
-            return status->code;
+    const struct strip_rows rows = {maker->map.height_m, maker->map.grid.ny, maker->map.grid.nx,
+                                    maker->map.grid.spacing_m, !maker->map.grid.mirrored};
+    const size_t length = strip_row_length(&rows);
+    double *line_m = malloc(length * sizeof *line_m);
+    if (!line_m)
+        return status_memory(status);
+    enum status_code rc = STATUS_OK;
+    for (size_t row = 0; row < rows.rows && rc == STATUS_OK; row++) {
+        strip_lay_row(line_m, &rows, row);
+        rc = spectrum_add_record(&study->rows, row, line_m, length, rows.spacing_m, status);
+    }
+    free(line_m);
+    if (rc != STATUS_OK)
+        return rc;
     study->rows.length_m /= surface_kappa(&maker->task->surface->summary);
     return STATUS_OK;
 }
@@ -102,7 +112,7 @@ static struct direct_ensemble_def ensemble_def(struct maker *maker, enum direct_
                    contact_tolerance, plan->resistance, maker->task->asked.stop},
         .map = plan->side > 0 ? &maker->map : NULL,
         .length_m = plan->length_m,
-        .n = plan->grid,
+        .n = plan->side > 0 ? plan->side : plan->grid,
         .fine_times = plan->fine_times,
         .recipe = {direct_spectrum_variance, &maker->spectrum, plan->gaussian ? NULL : surface->direct_m,
                    surface->direct_count},
@@ -161,19 +171,21 @@ static enum status_code run_models(struct maker *maker, struct status *status)
     return rc;
 }
 
-/** Every `step`-th point of n x n heights, at one load. */
-static enum status_code time_grid(struct direct_study_grid *out, const double *height_m, size_t n, size_t step,
-                                  const struct direct_ladder_def *ladder, double length_m, struct status *status)
+/** Every `step`-th point of a square's heights, at one load. */
+static enum status_code time_grid(struct direct_study_grid *out, const double *height_m, const struct direct_grid *all,
+                                  size_t step, const struct direct_ladder_def *ladder, struct status *status)
 {
+    const size_t n = all->nx / step;
+    const struct direct_grid grid = {n, n, all->spacing_m * (double)step, all->mirrored};
     struct direct_contact contact;
     struct direct_point point;
-    double begin = clock_seconds(), *every_m = malloc(n / step * (n / step) * sizeof *every_m);
-    *out = (struct direct_study_grid){.n = n / step};
+    double begin = clock_seconds(), *every_m = malloc(n * n * sizeof *every_m);
+    *out = (struct direct_study_grid){.n = (all->mirrored ? 2 : 1) * n};
     if (!every_m)
         return status_memory(status);
-    for (size_t k = 0; k < out->n * out->n; k++)
-        every_m[k] = height_m[k / out->n * step * n + k % out->n * step];
-    enum status_code rc = direct_contact_make(&contact, every_m, out->n, out->n, length_m / (double)out->n, status);
+    for (size_t k = 0; k < n * n; k++)
+        every_m[k] = height_m[k / n * step * all->nx + k % n * step];
+    enum status_code rc = direct_contact_make(&contact, every_m, &grid, status);
     free(every_m);
     if (rc != STATUS_OK)
         return rc;
@@ -189,8 +201,9 @@ static enum status_code time_grid(struct direct_study_grid *out, const double *h
 static enum status_code time_grids(struct maker *maker, const struct direct_ensemble_def *def, struct status *status)
 {
     struct direct_study *study = maker->study;
-    const size_t n = def->map ? def->map->n : def->n;
-    const double length_m = def->map ? def->map->spacing_m * (double)n : def->length_m;
+    const struct direct_grid grid =
+        def->map ? def->map->grid : (struct direct_grid){def->n, def->n, def->length_m / (double)def->n, false};
+    const size_t n = grid.nx, all = (grid.mirrored ? 2 : 1) * n; /* points a side of what repeats */
     struct direct_ladder_def ladder = def->ladder;
     double *made_m = NULL;
     size_t step = 1;
@@ -199,7 +212,7 @@ static enum status_code time_grids(struct maker *maker, const struct direct_ense
             fabs(log(*ladder.load / maker->task->timed_load)))
             ladder.load = &def->ladder.load[i];
     ladder.loads = 1;
-    while (n % (4 * step) == 0 && n / (2 * step) >= DIRECT_STUDY_COARSEST && step < 1 << (DIRECT_STUDY_GRIDS - 1))
+    while (all % (4 * step) == 0 && all / (2 * step) >= DIRECT_STUDY_COARSEST && step < 1 << (DIRECT_STUDY_GRIDS - 1))
         step *= 2;
     if (def->ladder.loads == 0 || step == 1)
         return STATUS_OK;
@@ -211,8 +224,8 @@ static enum status_code time_grids(struct maker *maker, const struct direct_ense
             step = 0;
     }
     for (; step > 0; step /= 2)
-        if (time_grid(&study->grids[study->grid_count++], def->map ? def->map->height_m : made_m, n, step, &ladder,
-                      length_m, status) != STATUS_OK)
+        if (time_grid(&study->grids[study->grid_count++], def->map ? def->map->height_m : made_m, &grid, step, &ladder,
+                      status) != STATUS_OK)
             break;
     free(made_m);
     return status->code;

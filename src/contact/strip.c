@@ -185,9 +185,9 @@ static enum status_code solve_strip(struct strip_curve *curve, struct direct_con
                                     struct direct_contact_effort *effort, struct status *status)
 {
     double slope = sqrt(mean_square_slope(strip_m, points, strip_row_length(rows), rows->spacing_m));
-    enum status_code rc = contact->kernel.points > 0
-                              ? direct_contact_lay(contact, strip_m, status)
-                              : direct_contact_make(contact, strip_m, points, 1, rows->spacing_m, status);
+    const struct direct_grid grid = {points, 1, rows->spacing_m, false};
+    enum status_code rc = contact->kernel.points > 0 ? direct_contact_lay(contact, strip_m, status)
+                                                     : direct_contact_make(contact, strip_m, &grid, status);
     return rc == STATUS_OK ? descend(curve, contact, slope, rough, stop, effort, status) : rc;
 }
 

@@ -54,7 +54,8 @@ enum status_code unloading_solve(struct unloading *out, const struct strip_rows 
         strip_lay_row(strip_m + r * length, rows, r);
     for (bool few = true; few; out->raised *= few ? 2 : 1) {
         struct direct_contact strip;
-        if (direct_contact_make(&strip, strip_m, points, 1, rows->spacing_m, status) == STATUS_OK)
+        if (direct_contact_make(&strip, strip_m, &(struct direct_grid){points, 1, rows->spacing_m, false}, status) ==
+            STATUS_OK)
             (void)solve(out, &strip, out->raised * largest_load, hardness, stop, status);
         direct_contact_free(&strip);
         few = status->code == STATUS_OK && out->count < UNLOADING_SHARES &&

@@ -86,7 +86,9 @@ static enum status_code make_coarse(struct direct_contact *out, const double *he
         for (size_t i = 0; i < nx; i++)
             coarse_m[j * nx + i] = height_m[2 * (j * kernel->nx + i)];
     if (status->code == STATUS_OK &&
-        direct_contact_make(out->coarse, coarse_m, nx, ny, 2 * kernel->spacing_m, &problem) != STATUS_OK) {
+        direct_contact_make(out->coarse, coarse_m,
+                            &(struct direct_grid){nx, ny, 2 * kernel->spacing_m, kernel->mirrored},
+                            &problem) != STATUS_OK) {
         free(out->coarse);
         out->coarse = NULL;
         if (problem.code != STATUS_MODEL)
@@ -96,11 +98,12 @@ static enum status_code make_coarse(struct direct_contact *out, const double *he
     return status->code;
 }
 
-enum status_code direct_contact_make(struct direct_contact *out, const double *height_m, size_t nx, size_t ny,
-                                     double spacing_m, struct status *status)
+enum status_code direct_contact_make(struct direct_contact *out, const double *height_m, const struct direct_grid *grid,
+                                     struct status *status)
 {
+    const size_t ny = grid->ny;
     *out = (struct direct_contact){0};
-    if (direct_kernel_make(&out->kernel, nx, ny, spacing_m, status) != STATUS_OK)
+    if (direct_kernel_make(&out->kernel, grid, status) != STATUS_OK)
         return status->code;
     size_t places = ny * out->kernel.stride;
     out->height_m = calloc(places, sizeof(double));
@@ -206,8 +209,11 @@ static void fit_mean(struct solver *solver)
             break;
         shift = shift + change > low && shift + change < high ? shift + change : (low + high) / 2;
     }
-    for (size_t k = 0; k < contact->set_count; k++)
-        pressure[contact->set[k]] = fmin(fmax(pressure[contact->set[k]] + shift, 0), hardness);
+    for (size_t k = 0; k < contact->set_count; k++) {
+        double p = pressure[contact->set[k]] + shift;
+        p = p < hardness ? p : hardness;
+        pressure[contact->set[k]] = p > 0 ? p : 0;
+    }
 }
 
 /** Elastic, over the set: pressures less tau times the direction, those that would pull at 0, scaled to the mean. */
@@ -491,19 +497,19 @@ static void follow_response(struct solver *solver)
 static void add_coarse(struct direct_contact *contact, double sign)
 {
     const struct direct_kernel *fine = &contact->kernel, *coarse = &contact->coarse->kernel;
-    size_t nx = coarse->nx;
+    size_t nx = coarse->nx, behind = coarse->mirrored ? nx - 1 : 0; /* of a row's last point */
     memset(fine->field, 0, fine->ny * fine->stride * sizeof(double));
-    for (size_t turn = 0; turn < coarse->ny; turn++) {
-        const double *row = contact->coarse->pressure + turn * coarse->stride;
-        for (size_t k = 0; k < 3; k++) { /* the fine rows before, on and behind it */
+    for (size_t turn = 0; turn < coarse->ny; turn++)
+        for (size_t k = 0; k < 3; k++) { /* the fine rows before, on and behind it; the last one is behind the last */
+            size_t own = coarse->mirrored && turn + k == 0 ? coarse->ny - 1 : turn;
+            const double *row = contact->coarse->pressure + own * coarse->stride;
             double *to = fine->field + (2 * turn + k + fine->ny - 1) % fine->ny * fine->stride;
             double weight = k == 1 ? sign : sign / 2;
             for (size_t i = 0; i < nx; i++) {
                 to[2 * i] += weight * row[i];
-                to[2 * i + 1] += weight / 2 * (row[i] + row[i + 1 < nx ? i + 1 : 0]);
+                to[2 * i + 1] += weight / 2 * (row[i] + row[i + 1 < nx ? i + 1 : behind]);
             }
         }
-    }
     for (size_t k = 0; k < fine->ny * fine->stride; k++)
         contact->direction[k] += fine->field[k];
 }

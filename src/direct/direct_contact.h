@@ -52,10 +52,10 @@ struct direct_contact_effort {
     size_t iterations, convolutions;
 };
 
-/** Takes a copy of ny rows of nx heights. Errors: those of direct_kernel_make(); STATUS_MODEL: a height that is not
- * finite, or a flat surface. */
-MUST_CHECK enum status_code direct_contact_make(struct direct_contact *out, const double *height_m, size_t nx,
-                                                size_t ny, double spacing_m, struct status *status);
+/** Takes a copy of the heights at a grid's points. Errors: those of direct_kernel_make(); STATUS_MODEL: a height that
+ * is not finite, or a flat surface. */
+MUST_CHECK enum status_code direct_contact_make(struct direct_contact *out, const double *height_m,
+                                                const struct direct_grid *grid, struct status *status);
 /** The same of other heights on the grid of a strip, whose plans are kept. Error: STATUS_MODEL, as above. */
 MUST_CHECK enum status_code direct_contact_lay(struct direct_contact *contact, const double *height_m,
                                                struct status *status);

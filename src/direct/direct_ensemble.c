@@ -32,12 +32,12 @@ static double ladder_work(const struct direct_ensemble_def *def, size_t n)
     return (double)(n * n) * (double)def->ladder.loads;
 }
 
-/** The ladder of n x n heights, which are freed as soon as they are taken; each load is told of. */
-static enum status_code solve_heights(struct direct_point *out, double *height_m, size_t n, double spacing_m,
+/** The ladder of a grid's heights, which are freed as soon as they are taken; each load is told of. */
+static enum status_code solve_heights(struct direct_point *out, double *height_m, const struct direct_grid *grid,
                                       const struct direct_ensemble_def *def, struct status *status)
 {
     struct direct_contact contact;
-    enum status_code rc = direct_contact_make(&contact, height_m, n, n, spacing_m, status);
+    enum status_code rc = direct_contact_make(&contact, height_m, grid, status);
     free(height_m);
     if (rc != STATUS_OK)
         return rc;
@@ -46,7 +46,7 @@ static enum status_code solve_heights(struct direct_point *out, double *height_m
     for (size_t i = 0; i < def->ladder.loads && rc == STATUS_OK; i++) {
         step.load = def->ladder.load + i;
         rc = direct_ladder_run(out + i, &contact, &step, status);
-        tell(def, (double)(n * n));
+        tell(def, (double)(grid->nx * grid->ny));
     }
     direct_contact_free(&contact);
     return rc;
@@ -68,7 +68,8 @@ static enum status_code solve_surface(struct direct_point *out, const struct dir
     }
     if (rc == STATUS_OK) {
         tell(def, making_work(def));
-        return solve_heights(out, height_m, fine_n, def->length_m / (double)fine_n, def, status);
+        const struct direct_grid grid = {fine_n, fine_n, def->length_m / (double)fine_n, false};
+        return solve_heights(out, height_m, &grid, def, status);
     }
     free(height_m);
     return rc;
@@ -83,7 +84,7 @@ static enum status_code solve_part(struct direct_point *out, const struct direct
         return STATUS_OK;
     if (direct_map_take(&taken, def->map, part, status) != STATUS_OK)
         return status->code;
-    return solve_heights(out, taken.height_m, taken.n, taken.spacing_m, def, status);
+    return solve_heights(out, taken.height_m, &taken.grid, def, status);
 }
 
 double direct_ensemble_work(const struct direct_ensemble_def *def)
@@ -150,12 +151,13 @@ static struct direct_mean of_map(const struct direct_ensemble *ensemble, const s
     return (struct direct_mean){value[DIRECT_MAP_WHOLE], fabs(error), 1};
 }
 
-static bool resolved(const struct direct_ensemble *ensemble, size_t load)
+static bool resolved(const struct direct_ensemble *ensemble, const struct direct_map *map, size_t load)
 {
+    const size_t least = map && map->grid.mirrored ? DIRECT_ENSEMBLE_POINTS / 4 : DIRECT_ENSEMBLE_POINTS;
     bool enough = true;
     for (size_t k = 0; k < ensemble->seeds; k++) {
         const struct direct_point *point = &ensemble->seed_point[k * ensemble->loads + load];
-        enough &= point->exists && point->quantities.contact_points >= DIRECT_ENSEMBLE_POINTS;
+        enough &= point->exists && point->quantities.contact_points >= least;
     }
     return enough;
 }
@@ -165,7 +167,7 @@ static void summarise(struct direct_ensemble *ensemble, const struct direct_poin
 {
     for (size_t load = 0; load < ensemble->loads; load++)
         for (int q = 0; q < DIRECT_QUANTITIES; q++)
-            ensemble->point[load].mean[q] = !resolved(ensemble, load) ? (struct direct_mean){NAN, NAN, NAN}
+            ensemble->point[load].mean[q] = !resolved(ensemble, def->map, load) ? (struct direct_mean){NAN, NAN, NAN}
                                             : def->map ? of_map(ensemble, def->map, load, (enum direct_quantity)q)
                                                        : over_seeds(ensemble, fine, load, (enum direct_quantity)q);
 }

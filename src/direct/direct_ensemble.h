@@ -12,7 +12,7 @@
 #include "direct/direct_map.h"
 #include "direct/direct_surface.h"
 
-/** Contact points below which a grid gives no number (112: A off by 1.5 %, 59: 2.8 %). */
+/** Contact points of what repeats below which a grid gives no number (112: A off by 1.5 %, 59: 2.8 %). */
 enum { DIRECT_ENSEMBLE_POINTS = 100 };
 
 struct direct_ensemble_def {

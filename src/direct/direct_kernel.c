@@ -2,6 +2,7 @@
 #include "direct/direct_kernel.h"
 
 #include "base/fft.h"
+#include <assert.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -12,12 +13,22 @@ enum {
     GAP = 4    /* values between them, lest all begin at the same place of the cache */
 };
 
+/** Waves along a side of n points of what repeats, with the mean. */
+static size_t waves(const struct direct_kernel *kernel, size_t n)
+{
+    return kernel->mirrored ? n + 1 : n / 2 + 1;
+}
+
 /** Both tables, the 1/points of an unnormalised pair of transforms included. */
 static void fill_tables(struct direct_kernel *kernel)
 {
-    size_t rows = kernel->ny / 2 + 1, columns = kernel->nx / 2 + 1;
-    double fx = 2 * M_PI / ((double)kernel->nx * kernel->spacing_m), n = (double)kernel->points;
-    double fy = 2 * M_PI / ((double)kernel->ny * kernel->spacing_m);
+    size_t rows = waves(kernel, kernel->ny), columns = waves(kernel, kernel->nx);
+    double longest = (kernel->mirrored ? 2 : 1) * kernel->spacing_m, n = (double)kernel->points;
+    double fx = 2 * M_PI / ((double)kernel->nx * longest), fy = 2 * M_PI / ((double)kernel->ny * longest);
+    for (size_t k = 0; kernel->mirrored && k < 2 * kernel->nx; k++) {
+        kernel->turn[k][0] = cos(M_PI * (double)k / (2 * (double)kernel->nx));
+        kernel->turn[k][1] = -sin(M_PI * (double)k / (2 * (double)kernel->nx));
+    }
     for (size_t i = 0; i < columns; i++)
         for (size_t j = 0; j < rows; j++) {
             double q = hypot(fx * (double)i, fy * (double)j);
@@ -39,15 +50,17 @@ static void make_plans(void *context)
 /** Room, plans and tables. */
 static enum status_code make(struct direct_kernel *out, struct status *status)
 {
-    size_t quarter = (out->nx / 2 + 1) * (out->ny / 2 + 1);
+    size_t quarter = waves(out, out->nx) * waves(out, out->ny);
     out->field = fftw_alloc_real(out->ny * out->stride);
+    out->line = out->mirrored ? fftw_alloc_real(out->stride) : NULL;
+    out->turn = out->mirrored ? fftw_alloc_complex(2 * out->nx) : NULL;
     out->row = fftw_alloc_complex(out->nx / 2 + 1);
     out->columns = fftw_alloc_complex(BLOCK * (out->ny + GAP));
     out->transformed = fftw_alloc_complex(out->ny);
     out->compliance = malloc(quarter * sizeof(double));
     out->stiffness = malloc(quarter * sizeof(double));
     if (!out->field || !out->row || !out->columns || !out->transformed || !out->compliance || !out->stiffness ||
-        !fft_plan(make_plans, out))
+        (out->mirrored && (!out->line || !out->turn)) || !fft_plan(make_plans, out))
         (void)status_memory(status);
     if (status->code != STATUS_OK)
         direct_kernel_free(out);
@@ -56,10 +69,13 @@ static enum status_code make(struct direct_kernel *out, struct status *status)
     return status->code;
 }
 
-enum status_code direct_kernel_make(struct direct_kernel *out, size_t nx, size_t ny, double spacing_m,
-                                    struct status *status)
+enum status_code direct_kernel_make(struct direct_kernel *out, const struct direct_grid *grid, struct status *status)
 {
-    *out = (struct direct_kernel){.nx = nx, .ny = ny, .points = nx * ny, .spacing_m = spacing_m};
+    const size_t nx = grid->nx, ny = grid->ny;
+    const double spacing_m = grid->spacing_m;
+    *out = (struct direct_kernel){
+        .nx = nx, .ny = ny, .points = nx * ny, .spacing_m = spacing_m, .mirrored = grid->mirrored};
+    assert(!grid->mirrored || nx == ny);
     out->stride = 2 * (nx / 2 + 1);
     size_t most = (size_t)DIRECT_KERNEL_MOST * DIRECT_KERNEL_MOST;
     if (nx < 2 || ny < 1 || nx > most / ny)
@@ -78,12 +94,21 @@ void direct_kernel_free(struct direct_kernel *kernel)
     fft_plan_free(kernel->column_forward);
     fft_plan_free(kernel->column_backward);
     fftw_free(kernel->field);
+    fftw_free(kernel->line);
+    fftw_free(kernel->turn);
     fftw_free(kernel->row);
     fftw_free(kernel->columns);
     fftw_free(kernel->transformed);
     free(kernel->compliance);
     free(kernel->stiffness);
     *kernel = (struct direct_kernel){0};
+}
+
+/** Where the k-th of n values stands that a mirrored line's transform takes: first every second one, then the others
+ * from the end on. */
+static size_t place(size_t k, size_t n)
+{
+    return 2 * k < n ? 2 * k : 2 * (n - k) - 1;
 }
 
 /** Transforms the rows to where they are. */
@@ -94,7 +119,9 @@ static void transform_rows(struct direct_kernel *kernel)
         double *row = kernel->field + j * stride;
         if (row[0] == 0 && memcmp(row, row + 1, (stride - 1) * sizeof *row) == 0)
             continue; /* all of it is 0, and so is its transform */
-        fftw_execute_dft_r2c(kernel->row_forward, row, kernel->row);
+        for (size_t i = 0; kernel->mirrored && i < kernel->nx; i++)
+            kernel->line[i] = row[place(i, kernel->nx)];
+        fftw_execute_dft_r2c(kernel->row_forward, kernel->mirrored ? kernel->line : row, kernel->row);
         memcpy(row, kernel->row, stride * sizeof *row);
     }
     kernel->transforms++;
@@ -108,7 +135,9 @@ static void transform_rows_back(struct direct_kernel *kernel, const uint8_t *wan
         if (wanted && !wanted[j])
             continue;
         memcpy(kernel->row, row, kernel->stride * sizeof *row);
-        fftw_execute_dft_c2r(kernel->row_backward, kernel->row, row);
+        fftw_execute_dft_c2r(kernel->row_backward, kernel->row, kernel->mirrored ? kernel->line : row);
+        for (size_t i = 0; kernel->mirrored && i < kernel->nx; i++)
+            row[place(i, kernel->nx)] = kernel->line[i];
     }
     kernel->transforms++;
 }
@@ -144,11 +173,45 @@ static double energy_of(fftw_complex *transformed, const double *factor, size_t 
     return (part[0] + part[1]) + (part[2] + part[3]);
 }
 
+static void turn(double out[2], const fftw_complex value, const fftw_complex by, double sign)
+{
+    out[0] = value[0] * by[0] - sign * value[1] * by[1];
+    out[1] = sign * value[0] * by[1] + value[1] * by[0];
+}
+
+/** The same of column i of a mirrored grid, which holds four of its cosines in two values: with c(i, j) half of one,
+ * turned value j is (c(i, j) - c(n - i, n - j) - i c(n - i, j) - i c(i, n - j))/2, that at n - j alike. Each times its
+ * own factor, or (`filter` false) their energy. */
+static double mirrored_column(const struct direct_kernel *kernel, size_t i, const double *table, bool filter)
+{
+    const size_t n = kernel->ny, rows = n + 1;
+    const double *near = table + i * rows, *far = table + (n - i) * rows;
+    double energy = 0;
+    for (size_t j = 0; j <= n / 2; j++) {
+        fftw_complex *at = &kernel->transformed[j], *other = &kernel->transformed[j > 0 ? n - j : 0];
+        double a[2], b[2], weight = j == 0 || 2 * j == n ? 0.5 : 1;
+        turn(a, *at, kernel->turn[i + j], 1);
+        turn(b, *other, kernel->turn[i + n - j], 1);
+        double c[4] = {a[0] - b[1], -a[0] - b[1], b[0] - a[1], -b[0] - a[1]};
+        const double factor[4] = {near[j], far[n - j], near[n - j], far[j]};
+        for (int k = 0; k < 4; k++) {
+            energy += weight * factor[k] * c[k] * c[k];
+            c[k] *= factor[k] / 2;
+        }
+        if (!filter)
+            continue;
+        turn(*at, (double[2]){c[0] - c[1], -c[2] - c[3]}, kernel->turn[i + j], -1);
+        turn(*other, (double[2]){c[2] - c[3], -c[0] - c[1]}, kernel->turn[i + n - j], -1);
+    }
+    return i == 0 || 2 * i == n ? energy / 2 : energy;
+}
+
 /** `width` columns out, from the first one on; or back. */
 static inline void copy(struct direct_kernel *kernel, size_t first, size_t width, bool back)
 {
     for (size_t j = 0; j < kernel->ny; j++) {
-        double *row = kernel->field + j * kernel->stride + 2 * first, *out = kernel->columns[j];
+        double *row = kernel->field + (kernel->mirrored ? place(j, kernel->ny) : j) * kernel->stride + 2 * first;
+        double *out = kernel->columns[j];
         for (size_t i = 0; i < width; i++)
             if (back)
                 memcpy(row + 2 * i, out + 2 * i * (kernel->ny + GAP), sizeof(fftw_complex));
@@ -179,7 +242,7 @@ struct pass {
 static void pass_columns(struct pass *pass)
 {
     struct direct_kernel *kernel = pass->kernel;
-    size_t count = kernel->nx / 2 + 1, length = kernel->ny + GAP, rows = kernel->ny / 2 + 1;
+    size_t count = kernel->nx / 2 + 1, length = kernel->ny + GAP, rows = waves(kernel, kernel->ny);
     fftw_complex *columns = kernel->columns, *transformed = kernel->transformed;
     for (size_t first = 0; first < count; first += BLOCK) {
         size_t width = count - first < BLOCK ? count - first : BLOCK;
@@ -187,10 +250,13 @@ static void pass_columns(struct pass *pass)
         for (size_t i = 0; i < width; i++) {
             const double *factor = pass->table + (first + i) * rows;
             fftw_execute_dft(kernel->column_forward, columns + i * length, transformed);
-            if (pass->filter) {
+            if (kernel->mirrored)
+                pass->energy += mirrored_column(kernel, first + i, pass->table, pass->filter);
+            else if (pass->filter)
                 multiply(transformed, factor, kernel->ny);
+            if (pass->filter)
                 fftw_execute_dft(kernel->column_backward, transformed, columns + i * length);
-            } else
+            else if (!kernel->mirrored)
                 pass->energy += times(kernel, first + i) * energy_of(transformed, factor, kernel->ny);
         }
         if (pass->filter)

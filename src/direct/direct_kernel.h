@@ -19,15 +19,29 @@
 /** Points a side of a square: the places of a process fit 31 bits. */
 enum { DIRECT_KERNEL_MOST = 32768 };
 
-/** A grid of ny rows of nx points and one field on it to transform. Owned: direct_kernel_free(). */
+/** ny rows of nx points that repeat; or (`mirrored`, of a square) their mirror images beyond every edge do, twice as
+ * long a side. */
+struct direct_grid {
+    size_t nx, ny;
+    double spacing_m; /* dx, the same in both directions */
+    bool mirrored;
+};
+
+/** A grid and one field on it to transform. Of a mirrored one only the points themselves are held: their cosine
+ * transform is what that of all images holds, for a quarter of the points (Makhoul, IEEE Trans. Acoust. Speech Signal
+ * Process. 28 (1980) 27). Owned: direct_kernel_free(). */
 struct direct_kernel {
     size_t nx, ny;
-    size_t points;                       /* nx ny */
-    size_t stride;                       /* values from row to row of `field`: 2 (nx/2 + 1), the last ones unused */
-    double spacing_m;                    /* dx, the same in both directions */
+    size_t points;    /* nx ny */
+    size_t stride;    /* values from row to row of `field`: 2 (nx/2 + 1), the last ones unused */
+    double spacing_m; /* dx */
+    bool mirrored;
     double *field;                       /* ny x stride */
-    double *compliance;                  /* 1/|q| [m] over the points, (nx/2 + 1) x (ny/2 + 1); 0 at q = 0 */
+    double *compliance;                  /* 1/|q| [m] over the points, a column for each wave along x of what repeats,
+                                            up to half of its points, of as many across; 0 at q = 0 */
     double *stiffness;                   /* |q| [1/m] over the points, the same shape */
+    double *line;                        /* one row of a mirrored grid in the order of its transform */
+    fftw_complex *turn;                  /* of a mirrored grid: exp(-i pi k/(2 n)) */
     fftw_complex *row;                   /* one row's transform */
     fftw_complex *columns, *transformed; /* some columns and one's transform */
     fftw_plan row_forward, row_backward, column_forward, column_backward;
@@ -35,13 +49,13 @@ struct direct_kernel {
     bool exhausted;    /* one of them found no memory: the field is of no use, nor what is made of it */
 };
 
-/** nx >= 2, ny >= 1; with ny = 1 it is a strip, without strain across. A transform is made of transforms of rows and
- * columns, each column copied to a place of its own and its product transformed back at once: from 512 points a side on
- * that is 1.2 to 1.9 times as fast as FFTW's own plan of two dimensions. Plans are made with
+/** nx >= 2, ny >= 1, the same of a mirrored grid; with ny = 1 it is a strip, without strain across. A transform is made
+ * of transforms of rows and columns, each column copied to a place of its own and its product transformed back at once:
+ * from 512 points a side on that is 1.2 to 1.9 times as fast as FFTW's own plan of two dimensions. Plans are made with
  * FFTW_ESTIMATE: the same plan, hence the same bytes, in every thread and run, within 1 ms (FFTW_MEASURE would take 0.2
  * to 2 s and choose by the clock). Any thread may call this at any time. Errors: STATUS_MEMORY; STATUS_USAGE: a grid
  * too large or too small, a spacing that is no length. */
-MUST_CHECK enum status_code direct_kernel_make(struct direct_kernel *out, size_t nx, size_t ny, double spacing_m,
+MUST_CHECK enum status_code direct_kernel_make(struct direct_kernel *out, const struct direct_grid *grid,
                                                struct status *status);
 void direct_kernel_free(struct direct_kernel *kernel);
 

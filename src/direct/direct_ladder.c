@@ -54,7 +54,8 @@ static enum status_code flow(struct direct_contact *out, const struct direct_con
         size_t k = p / kernel->nx * kernel->stride + p % kernel->nx;
         flowed_m[p] = contact->height_m[k] + fmin(contact->gap_m[k], 0);
     }
-    enum status_code rc = direct_contact_make(out, flowed_m, kernel->nx, kernel->ny, kernel->spacing_m, status);
+    const struct direct_grid grid = {kernel->nx, kernel->ny, kernel->spacing_m, kernel->mirrored};
+    enum status_code rc = direct_contact_make(out, flowed_m, &grid, status);
     free(flowed_m);
     return rc;
 }

@@ -196,10 +196,11 @@ static enum status_code fill(double *height, const bool *missing, size_t n, doub
     return status->code;
 }
 
-/** The square, filled and level, into `height`. */
-static enum status_code take_square(struct direct_map *map, double *height, size_t n, const double *from, size_t nx,
-                                    struct status *status)
+/** The square from the first corner of a map of rows of nx heights, filled and level. */
+static enum status_code take_square(struct direct_map *map, const double *from, size_t nx, struct status *status)
 {
+    const size_t n = map->grid.nx;
+    double *height = map->height_m;
     bool *missing = malloc(n * n * sizeof *missing);
     size_t holes = 0;
     if (!missing)
@@ -213,40 +214,45 @@ static enum status_code take_square(struct direct_map *map, double *height, size
         (void)status_fail(status, STATUS_SCAN,
                           "%zu of the map's %zu points are missing; fill them or take another part", holes, n * n);
     else if (holes == 0 || fill(height, missing, n, map->cutoff, status) == STATUS_OK)
-        take_plane(height, n, !map->mirrored);
+        take_plane(height, n, !map->grid.mirrored);
     free(missing);
     return status->code;
 }
 
-size_t direct_map_side(const struct direct_map_def *def, size_t most)
+size_t direct_map_quick(size_t most)
 {
-    size_t n = def->nx < def->ny ? def->nx : def->ny;
-    n = n < most ? n : most;
-    return def->periodic && n == def->nx && n == def->ny && n % 2 == 0 ? n : 2 * n;
+    for (size_t n = most; n > 1; n--) {
+        size_t rest = n;
+        for (size_t factor = 2; factor <= 5; factor++)
+            while (rest % factor == 0)
+                rest /= factor;
+        if (rest == 1)
+            return n;
+    }
+    return most;
+}
+
+bool direct_map_mirrored(const struct direct_map_def *def, size_t most)
+{
+    return !def->periodic || def->nx != def->ny || def->nx > most || def->nx % 2 != 0;
 }
 
 enum status_code direct_map_make(struct direct_map *out, const double *height_m, const struct direct_map_def *def,
                                  size_t most, struct status *status)
 {
-    size_t n = def->nx < def->ny ? def->nx : def->ny, side = direct_map_side(def, most);
+    size_t n = def->nx < def->ny ? def->nx : def->ny;
     n = n < most ? n : most;
-    *out = (struct direct_map){.n = side, .spacing_m = def->dx_m, .cutoff = def->cutoff, .mirrored = side > n};
+    *out = (struct direct_map){.grid = {n, n, def->dx_m, direct_map_mirrored(def, most)}, .cutoff = def->cutoff};
     if (n < LEAST)
         return status_fail(status, STATUS_SCAN, "a square of %zu points a side is too small; %d are needed", n, LEAST);
     if (!(def->dx_m > 0) || !(fabs(def->dy_m / def->dx_m - 1) <= 0.01))
         return status_fail(status, STATUS_SCAN,
                            "spacings of %g m along and %g m across the rows are not the same; resample the map",
                            def->dx_m, def->dy_m);
-    double *square = malloc(n * n * sizeof *square);
-    out->height_m = malloc(side * side * sizeof *out->height_m);
-    if (!square || !out->height_m)
-        (void)status_memory(status);
-    else if (take_square(out, square, n, height_m, def->nx, status) == STATUS_OK) {
-        for (size_t j = 0; j < side; j++)
-            for (size_t i = 0; i < side; i++)
-                out->height_m[j * side + i] = square[(j < n ? j : side - 1 - j) * n + (i < n ? i : side - 1 - i)];
-    }
-    free(square);
+    out->height_m = malloc(n * n * sizeof *out->height_m);
+    if (!out->height_m)
+        return status_memory(status);
+    (void)take_square(out, height_m, def->nx, status);
     if (status->code != STATUS_OK)
         direct_map_free(out);
     return status->code;
@@ -260,30 +266,30 @@ void direct_map_free(struct direct_map *map)
 
 bool direct_map_has(const struct direct_map *map, enum direct_map_part part)
 {
-    return part >= DIRECT_MAP_QUARTER ? map->mirrored && map->n / 4 >= LEAST
+    return part >= DIRECT_MAP_QUARTER ? map->grid.mirrored && map->grid.nx / 2 >= LEAST
                                       : part != DIRECT_MAP_WIDER || map->cutoff > 0;
 }
 
 enum status_code direct_map_take(struct direct_map *out, const struct direct_map *map, enum direct_map_part part,
                                  struct status *status)
 {
-    size_t every = part == DIRECT_MAP_WHOLE ? 1 : 2, half = map->n / (map->mirrored ? 4 : 2), n = map->n / every;
+    const struct direct_grid *grid = &map->grid;
+    const size_t all = grid->nx, every = part == DIRECT_MAP_WHOLE ? 1 : 2, n = all / every, half = all / 2;
     const bool wider = part == DIRECT_MAP_WIDER;
-    const struct direct_map_def def = {map->n, map->n, map->spacing_m, map->spacing_m, wider, map->cutoff};
+    const struct direct_map_def def = {all, all, grid->spacing_m, grid->spacing_m, !grid->mirrored, map->cutoff};
     if (part >= DIRECT_MAP_QUARTER) {
         size_t quarter = (size_t)(part - DIRECT_MAP_QUARTER);
-        return direct_map_make(out, map->height_m + (quarter / 2 * map->n + quarter % 2) * half, &def, half, status);
+        return direct_map_make(out, map->height_m + (quarter / 2 * all + quarter % 2) * half, &def, half, status);
     }
     *out = *map;
-    out->n = n;
-    out->spacing_m *= (double)every;
-    out->height_m = malloc(map->n * map->n * sizeof *out->height_m);
+    out->grid = (struct direct_grid){n, n, grid->spacing_m * (double)every, grid->mirrored};
+    out->height_m = malloc(all * all * sizeof *out->height_m);
     if (!out->height_m)
         return status_memory(status);
-    memcpy(out->height_m, map->height_m, map->n * map->n * sizeof *out->height_m);
+    memcpy(out->height_m, map->height_m, all * all * sizeof *out->height_m);
     if (wider && low_pass(out->height_m, map->height_m, &def, status) != STATUS_OK)
         direct_map_free(out);
     for (size_t k = 0; k < n * n && out->height_m; k++)
-        out->height_m[k] = out->height_m[k / n * every * map->n + k % n * every];
+        out->height_m[k] = out->height_m[k / n * every * all + k % n * every];
     return status->code;
 }

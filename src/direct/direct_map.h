@@ -4,9 +4,7 @@
 #ifndef DIRECT_MAP_H
 #define DIRECT_MAP_H
 
-#include "base/status.h"
-#include <stdbool.h>
-#include <stddef.h>
+#include "direct/direct_kernel.h"
 
 /** Rows and columns of heights, and what they were found to be. */
 struct direct_map_def {
@@ -30,23 +28,25 @@ struct direct_map_lines direct_map_lines(size_t nx, size_t ny, bool columns);
  * beyond its edges a map goes on as its mirror image. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code direct_map_condition(double *height_m, struct direct_map_def *def, struct status *status);
 
-/** Points a side of what is made of a square of at most `most` points: the whole of a periodic map, if every second
- * point closes too, else twice the square, mirrored. */
-size_t direct_map_side(const struct direct_map_def *def, size_t most);
+/** The largest number up to `most` without prime factors above 5: transforms of others take several times as long. */
+size_t direct_map_quick(size_t most);
 
-/** A square of heights that continues periodically. Owned: direct_map_free(). */
+/** Whether a square of at most `most` points goes on as its mirror image: all but the whole of a periodic map of which
+ * every second point closes too. */
+bool direct_map_mirrored(const struct direct_map_def *def, size_t most);
+
+/** A square of heights that continues periodically, or beyond its edges as its mirror image. Owned: direct_map_free().
+ */
 struct direct_map {
-    double *height_m; /* n x n */
-    size_t n;
-    double spacing_m;
-    bool mirrored; /* n is twice the square taken from the map */
+    double *height_m; /* of ny rows of nx, as many */
+    struct direct_grid grid;
     double cutoff; /* as in the definition */
 };
 
 /** From a conditioned map: the square of at most `most` points at the first corner; missing points take the height of
  * the nearest one (the first in reading order of several), smoothed like the map. The whole of a periodic map stays as
- * it is, its mean off; of any other the least-squares plane comes off, and it is mirrored to 2N x 2N, so that it
- * continues without a step. Errors: STATUS_SCAN: fewer than 8 points a side, spacings that differ by more than 1 %, or
+ * it is, its mean off; of any other the least-squares plane comes off, and it is mirrored, so that it continues
+ * without a step. Errors: STATUS_SCAN: fewer than 8 points a side, spacings that differ by more than 1 %, or
  * more than half the points missing; STATUS_MEMORY. */
 MUST_CHECK enum status_code direct_map_make(struct direct_map *out, const double *height_m,
                                             const struct direct_map_def *def, size_t most, struct status *status);

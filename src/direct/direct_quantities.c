@@ -12,10 +12,10 @@ double direct_area_corrected(const struct direct_quantities *quantities, size_t 
     return fmax(0, ((double)quantities->contact_points - kappa * (double)quantities->perimeter_faces) / (double)points);
 }
 
-/** The first point of the row above row j, periodic. */
-static size_t row_above(const struct direct_kernel *kernel, size_t j)
+/** What stands behind the k-th of n rows or columns: of the last one the first, or its own mirror image. */
+static size_t behind(const struct direct_kernel *kernel, size_t k, size_t n)
 {
-    return j + 1 < kernel->ny ? (j + 1) * kernel->nx : 0;
+    return k + 1 < n ? k + 1 : kernel->mirrored ? k : 0;
 }
 
 struct direct_quantities direct_quantities_of(struct direct_contact *contact, const struct direct_contact_load *load)
@@ -27,12 +27,12 @@ struct direct_quantities direct_quantities_of(struct direct_contact *contact, co
     size_t nx = kernel->nx;
     for (size_t j = 0; j < kernel->ny; j++) {
         const double *gap_m = contact->gap_m + j * kernel->stride;
-        const uint8_t *row = touching + j * nx, *above = touching + row_above(kernel, j);
+        const uint8_t *row = touching + j * nx, *above = touching + behind(kernel, j, kernel->ny) * nx;
         double sum = 0;
         for (size_t i = 0; i < nx; i++) {
             sum += gap_m[i] > 0 ? gap_m[i] : 0;
             out.contact_points += row[i];
-            out.perimeter_faces += (row[i] ^ row[i + 1 < nx ? i + 1 : 0]) + (row[i] ^ above[i]);
+            out.perimeter_faces += (row[i] ^ row[behind(kernel, i, nx)]) + (row[i] ^ above[i]);
         }
         open += sum;
     }
@@ -59,23 +59,31 @@ static bool join(uint32_t *parent, size_t a, size_t b)
     return x != y;
 }
 
+/** Of the point that stands at (i, j) of what repeats. */
+static size_t place(const struct direct_kernel *kernel, size_t i, size_t j)
+{
+    size_t column = i < kernel->nx ? i : 2 * kernel->nx - 1 - i, row = j < kernel->ny ? j : 2 * kernel->ny - 1 - j;
+    return row * kernel->nx + column;
+}
+
 enum status_code direct_patches(size_t *count, struct direct_contact *contact, struct status *status)
 {
     const struct direct_kernel *kernel = &contact->kernel;
     const uint8_t *touching = direct_contact_touching(contact);
-    size_t nx = kernel->nx, points = kernel->points;
+    const size_t times = kernel->mirrored ? 2 : 1, nx = times * kernel->nx, ny = times * kernel->ny, points = nx * ny;
     uint32_t *parent = malloc((points + 1) * sizeof *parent);
     *count = 0;
     if (!parent)
         return status_memory(status);
     for (size_t k = 0; k < points; k++)
         parent[k] = (uint32_t)k;
-    for (size_t j = 0; j < kernel->ny; j++)
+    for (size_t j = 0; j < ny; j++)
         for (size_t i = 0; i < nx; i++) { /* each point is one until it is joined */
-            size_t k = j * nx + i, right = i + 1 < nx ? k + 1 : k - i, above = row_above(kernel, j) + i;
-            *count += touching[k];
-            *count -= touching[k] && touching[right] && join(parent, k, right);
-            *count -= touching[k] && touching[above] && join(parent, k, above);
+            size_t right = i + 1 < nx ? i + 1 : 0, above = j + 1 < ny ? j + 1 : 0, k = j * nx + i;
+            bool own = touching[place(kernel, i, j)];
+            *count += own;
+            *count -= own && touching[place(kernel, right, j)] && join(parent, k, j * nx + right);
+            *count -= own && touching[place(kernel, i, above)] && join(parent, k, above * nx + i);
         }
     free(parent);
     return STATUS_OK;

@@ -11,7 +11,7 @@
  * outlines in all directions. */
 extern const double direct_kappa, direct_kappa_yastrebov;
 
-/** Of one solution. */
+/** Of one solution, on the points of its grid; those of a mirrored one are a quarter of what repeats. */
 struct direct_quantities {
     size_t contact_points;  /* p > 0 */
     size_t perimeter_faces; /* between such a point and one that is not, periodic; outline S_d = faces dx */
@@ -26,7 +26,8 @@ struct direct_quantities direct_quantities_of(struct direct_contact *contact, co
 /** Area corrected with another kappa, neither limited by the hardness nor below 0. */
 double direct_area_corrected(const struct direct_quantities *quantities, size_t points, double kappa);
 
-/** How many connected patches of contact there are, points touching along a face, periodic. Error: STATUS_MEMORY. */
+/** How many connected patches of contact there are in what repeats, points touching along a face. Error: STATUS_MEMORY.
+ */
 MUST_CHECK enum status_code direct_patches(size_t *count, struct direct_contact *contact, struct status *status);
 
 #endif

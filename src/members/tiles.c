@@ -10,7 +10,7 @@
 
 const double tiles_budget = 5e10;
 
-enum { LEAST_SIDE = 32, LEAST_POINTS = 12 /* in contact of what is not mirrored */ };
+enum { LEAST_SIDE = 32, LEAST_POINTS = 12 /* in contact, below which a solution tells nothing */ };
 
 static const double tolerance = 1e-5;             /* moves no number by 1 % */
 static const double coarse = 0.9, closest = 1.15; /* steps of logit A, and loads */
@@ -33,7 +33,7 @@ static void lay_out(struct tiles *tiles)
 {
     const struct direct_map_def *def = &tiles->def;
     size_t least = def->nx < def->ny ? def->nx : def->ny, parts = (least + TILES_SIDE - 1) / TILES_SIDE;
-    tiles->side = least / parts;
+    tiles->side = direct_map_mirrored(def, TILES_SIDE) ? direct_map_quick(least / parts) : least;
     tiles->columns = def->nx / tiles->side;
     tiles->rows = def->ny / tiles->side;
     tiles->all = tiles->columns * tiles->rows;
@@ -84,8 +84,8 @@ double tiles_cost(const struct tiles *tiles, bool capped)
 {
     if (!tiles->height_m)
         return 0;
-    double side = (double)direct_map_side(&tiles->def, tiles->side);
-    return (double)(tiles->columns * tiles->rows) * side * side * (pairs_elastic + (capped ? pairs_capped : 0));
+    return (double)(tiles->columns * tiles->rows * tiles->side * tiles->side) *
+           (pairs_elastic + (capped ? pairs_capped : 0));
 }
 
 bool tiles_fit(struct tiles *tiles, bool capped, double most)
@@ -154,7 +154,7 @@ static enum status_code spectrum_of_all(struct spectrum *out, const struct tiles
 {
     const struct direct_map_def *def = &tiles->def;
     struct scan scan = {.nx = def->nx, .ny = def->ny, .dx_m = def->dx_m, .z_m = tiles->height_m};
-    if (tiles->all == 1 && def->nx == def->ny)
+    if (tiles->side == def->nx && tiles->side == def->ny)
         return spectrum_copy(out, &square->spectrum, status);
     double *flat_m = malloc(def->nx * def->ny * sizeof *flat_m);
     if (!flat_m)
@@ -169,7 +169,7 @@ static enum status_code spectrum_of_all(struct spectrum *out, const struct tiles
 /** What one map is solved for. */
 struct ladder {
     double load[TRANSFER_LOADS];
-    size_t loads, least; /* points in contact, below which it tells nothing */
+    size_t loads;
     double hardness;
     uint64_t *transforms; /* counts them */
     const atomic_bool *stop;
@@ -184,7 +184,7 @@ static enum status_code solve_load(struct transfer_point *out, struct direct_con
     if (direct_ladder_run(&point, contact, &one, status) != STATUS_OK)
         return status->code;
     *ladder->transforms += point.convolutions * contact->kernel.points;
-    if (point.exists && point.quantities.contact_points >= ladder->least)
+    if (point.exists && point.quantities.contact_points >= LEAST_POINTS)
         *out = (struct transfer_point){load, point.quantities.area_ratio, point.quantities.gap_m, point.constriction_m};
     return STATUS_OK;
 }
@@ -211,10 +211,9 @@ static enum status_code solve(struct transfer_point *out, const struct direct_ma
 {
     struct direct_contact contact;
     size_t at;
-    ladder->least = LEAST_POINTS * (map->mirrored ? 4 : 1);
     for (size_t i = 0; i < ladder->loads; i++)
         out[i] = (struct transfer_point){ladder->load[i], NAN, NAN, NAN};
-    if (direct_contact_make(&contact, map->height_m, map->n, map->n, map->spacing_m, status) != STATUS_OK)
+    if (direct_contact_make(&contact, map->height_m, &map->grid, status) != STATUS_OK)
         return status->code;
     for (size_t i = 0; i < ladder->loads && status->code == STATUS_OK; i++)
         if (solve_load(&out[i], &contact, ladder->load[i], ladder, status) != STATUS_OK || out[i].area_ratio > enough)
@@ -307,7 +306,7 @@ static size_t first_of(const struct tiles *tiles, size_t s)
 
 static enum status_code take_bearing(double out[TRANSFER_BEARING], const struct direct_map *map, struct status *status)
 {
-    size_t count = map->n * map->n;
+    size_t count = map->grid.nx * map->grid.ny;
     double *height_m = malloc(count * sizeof *height_m);
     if (!height_m)
         return status_memory(status);
@@ -326,8 +325,9 @@ static enum status_code solve_squares(struct tiles *tiles, struct transfer_squar
         struct direct_map map = {0}, *own = s == 0 ? first : &map;
         if (direct_map_make(own, tiles->height_m + first_of(tiles, s), &tiles->def, tiles->side, status) != STATUS_OK)
             break;
-        const struct scan all = {.nx = own->n, .ny = own->n, .dx_m = own->spacing_m, .z_m = own->height_m};
-        if (spectrum_of(&square[s].spectrum, &all, false, status) != STATUS_OK) {
+        const struct scan all = {
+            .nx = own->grid.nx, .ny = own->grid.ny, .dx_m = own->grid.spacing_m, .z_m = own->height_m};
+        if (spectrum_of(&square[s].spectrum, &all, own->grid.mirrored, status) != STATUS_OK) {
             direct_map_free(&map);
             break;
         }

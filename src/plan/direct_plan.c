@@ -102,8 +102,8 @@ static void try(struct direct_plan *plan, const struct direct_plan_task *task, s
 {
     bool map = task->map.nx > 0;
     plan->side = map ? size : 0;
-    plan->grid = map ? direct_map_side(&task->map, size) : size;
-    plan->mirrored = plan->grid > size;
+    plan->mirrored = map && direct_map_mirrored(&task->map, size);
+    plan->grid = (plan->mirrored ? 2 : 1) * size;
     plan->seeds = map ? 1 : seeds;
     plan->fewer = map ? 1 : seeds < FEWER ? seeds : FEWER; /* as many as tell their scatter */
     plan->fine_times = fine && !map && 2 * plan->grid <= FINE_MOST ? 2 : 0;
@@ -118,26 +118,13 @@ static void try(struct direct_plan *plan, const struct direct_plan_task *task, s
     plan->seconds = likely_seconds(plan);
 }
 
-/** The largest number up to `most` without prime factors above 5: transforms of others take several times as long. */
-static size_t smooth(size_t most)
-{
-    for (size_t n = most; n > 1; n--) {
-        size_t rest = n;
-        for (size_t factor = 2; factor <= 5; factor++)
-            while (rest % factor == 0)
-                rest /= factor;
-        if (rest == 1)
-            return n;
-    }
-    return most;
-}
-
 /** The grid that resolves the scan, within reason. */
 static size_t usual_size(const struct direct_plan_task *task)
 {
     size_t grid = GRID_USUAL;
     if (task->map.nx > 0)
-        return task->map.periodic ? task->map.nx : smooth(task->map.nx < SIDE_MOST ? task->map.nx : SIDE_MOST);
+        return task->map.periodic ? task->map.nx
+                                  : direct_map_quick(task->map.nx < SIDE_MOST ? task->map.nx : SIDE_MOST);
     while (grid < GRID_MOST && (double)grid < points_a_wave * task->length_m / task->lambda_s_m)
         grid *= 2;
     return grid;

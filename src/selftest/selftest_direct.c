@@ -55,19 +55,20 @@ enum status_code selftest_direct(double *value, const struct selftest_reference 
     struct direct_contact contact;
     enum status_code rc;
     if (strcmp(r->of, "strip") == 0) {
-        rc = direct_contact_make(&contact, table->plateau_m, SELFTEST_PLATEAU, 1, 1e-6, status);
+        rc = direct_contact_make(&contact, table->plateau_m, &(struct direct_grid){SELFTEST_PLATEAU, 1, 1e-6, false},
+                                 status);
     } else if (strcmp(r->of, "wave") == 0) {
         for (int i = 0; i < SIDE; i++)
             height[i] = height[SIDE + i] = amplitude * cos(2 * M_PI * (i + 0.3) / SIDE);
         pressure = a * M_PI * amplitude;
-        rc = direct_contact_make(&contact, height, SIDE, 2, 1.0 / SIDE, status);
+        rc = direct_contact_make(&contact, height, &(struct direct_grid){SIDE, 2, 1.0 / SIDE, false}, status);
     } else if (strcmp(r->of, "sphere") == 0) {
         for (int k = 0; k < SIDE * SIDE; k++) {
             double x = (double)(k % SIDE) / SIDE - 0.5 - 0.357 / 256, y = (double)(k / SIDE) / SIDE - 0.5 - 0.123 / 256;
             height[k] = -(pow(remainder(x, 1), 2) + pow(remainder(y, 1), 2)) / 2;
         }
         pressure = 4.0 / 3 * a * a * a;
-        rc = direct_contact_make(&contact, height, SIDE, SIDE, 1.0 / SIDE, status);
+        rc = direct_contact_make(&contact, height, &(struct direct_grid){SIDE, SIDE, 1.0 / SIDE, false}, status);
     } else {
         return STATUS_OK;
     }

@@ -39,7 +39,7 @@ static void loop(double ratio[LOADS][3], const double *height, double largest_lo
         load[i] = share[i] * largest_load;
     const struct direct_ladder_def def = {load, LOADS, hardness, 1e-5, true, NULL};
     struct direct_contact contact;
-    expect_ok(direct_contact_make, &contact, height, SIDE, SIDE, 1.0 / SIDE);
+    expect_ok(direct_contact_make, &contact, height, &(struct direct_grid){SIDE, SIDE, 1.0 / SIDE, false});
     expect_ok(direct_ladder_loop, up, down, &contact, &def, 0);
     direct_contact_free(&contact);
     for (size_t i = 0; i < LOADS; i++)

@@ -2,6 +2,7 @@
 #include "direct_support.h"
 
 #include "direct/direct_constriction.h"
+#include "direct/direct_ladder.h"
 
 /** The rows of a table with a grid of n points a side, against solutions to `tolerance`. */
 static void random_rows(const char *file, size_t n, int expected_rows, double tolerance)
@@ -149,7 +150,7 @@ static enum status_code result_of(const double *height, size_t n, const struct d
 {
     struct direct_contact contact;
     struct direct_contact_effort effort = {0};
-    if (direct_contact_make(&contact, height, n, n, 1 / (double)n, status) != STATUS_OK)
+    if (direct_contact_make(&contact, height, &(struct direct_grid){n, n, 1 / (double)n, false}, status) != STATUS_OK)
         return status->code;
     enum status_code rc = direct_contact_solve(&contact, load, &effort, status);
     direct_contact_free(&contact);
@@ -309,7 +310,7 @@ TEST_CASE(scale_free)
     struct direct_contact contact = contact_of(height, 64, 64), small;
     for (size_t k = 0; k < 64 * 64; k++)
         height[k] = height[k] * 1e-9 + 1e-3; /* far off its datum */
-    expect_ok(direct_contact_make, &small, height, 64, 64, 1e-9 / 64);
+    expect_ok(direct_contact_make, &small, height, &(struct direct_grid){64, 64, 1e-9 / 64, false});
     struct direct_contact_load load = load_of(0.05, INFINITY, 1e-9);
     struct direct_quantities found = solved(&contact, &load), other = solved(&small, &load);
     assert_int_equal(found.contact_points, other.contact_points);
@@ -438,4 +439,43 @@ TEST_CASE(laid_anew)
     }
     direct_contact_free(&again);
     direct_contact_free(&fresh);
+}
+
+/** A mirrored grid is in contact as its images are: pressures, and all that is counted of it, also from a coarse grid.
+ */
+TEST_CASE(mirror_images)
+{
+    enum { N = 128, LOADS = 3 };
+    static const double hardness[] = {INFINITY, 0.08};
+    const double *height = recipe_surface(N);
+    double *images = support_room(4 * N * N * sizeof *images), load[LOADS];
+    for (size_t k = 0; k < 4 * N * N; k++) {
+        size_t i = k % (2 * N), j = k / (2 * N);
+        images[k] = height[(j < N ? j : 2 * N - 1 - j) * N + (i < N ? i : 2 * N - 1 - i)];
+    }
+    double gradient = gradient_of(images, 2 * N, 1.0 / N);
+    for (int l = 0; l < LOADS; l++)
+        load[l] = gradient * pow(10, l - 2.5);
+    for (int h = 0; h < 2; h++) {
+        struct direct_contact own, whole;
+        struct direct_point found[LOADS], expected[LOADS];
+        const struct direct_ladder_def ladder = {load, LOADS, hardness[h] * gradient, 1e-9, true, NULL};
+        expect_ok(direct_contact_make, &own, height, &(struct direct_grid){N, N, 1.0 / N, true});
+        expect_ok(direct_contact_make, &whole, images, &(struct direct_grid){2 * N, 2 * N, 1.0 / N, false});
+        assert_non_null(own.coarse);
+        expect_ok(direct_ladder_run, found, &own, &ladder);
+        expect_ok(direct_ladder_run, expected, &whole, &ladder);
+        for (int l = 0; l < LOADS; l++) {
+            if (!found[l].exists && !expected[l].exists)
+                continue;
+            assert_int_equal(4 * found[l].quantities.contact_points, expected[l].quantities.contact_points);
+            assert_int_equal(4 * found[l].quantities.perimeter_faces, expected[l].quantities.perimeter_faces);
+            assert_int_equal(found[l].patches, expected[l].patches);
+            assert_near(found[l].quantities.gap_m, expected[l].quantities.gap_m, 1e-6);
+            assert_near(found[l].constriction_m, expected[l].constriction_m, 1e-4);
+            assert_true(found[l].convolutions < 2 * expected[l].convolutions);
+        }
+        direct_contact_free(&own);
+        direct_contact_free(&whole);
+    }
 }

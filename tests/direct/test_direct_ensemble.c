@@ -146,7 +146,7 @@ TEST_CASE(work_is_told_step_by_step)
         if (kind == 2) {
             expect_ok(direct_map_make, &map, height_m, &square, 64);
             def.map = &map;
-            def.n = map.n;
+            def.n = map.grid.nx;
         }
         struct direct_ensemble found = ensemble_of(&def);
         assert_near(told.work, direct_ensemble_work(&def), 1e-12);

@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "direct_support.h"
 
-static const struct {
-    size_t nx, ny;
-} shapes[] = {{64, 64}, {20, 18}, {15, 9}, {17, 40}, {2, 2}, {96, 1}, {35, 1}};
+static const struct direct_grid shapes[] = {
+    {64, 64, 0.1, false}, {20, 18, 0.1, false}, {15, 9, 0.1, false}, {17, 40, 0.1, false}, {2, 2, 0.1, false},
+    {96, 1, 0.1, false},  {35, 1, 0.1, false},  {24, 24, 0.1, true}, {15, 15, 0.1, true},  {2, 2, 0.1, true},
+};
 
 enum { SHAPES = sizeof shapes / sizeof *shapes };
 
 static struct direct_kernel kernel_of(size_t shape)
 {
     struct direct_kernel kernel;
-    expect_ok(direct_kernel_make, &kernel, shapes[shape].nx, shapes[shape].ny, 0.1);
+    expect_ok(direct_kernel_make, &kernel, &shapes[shape]);
     return kernel;
 }
 
@@ -78,5 +79,37 @@ TEST_CASE(rows_left_out)
             }
         for (size_t k = 0; k < 3; k++)
             direct_kernel_free(&kernels[k]);
+    }
+}
+
+/** Where point k of what a mirrored side of n points repeats has its value from. */
+static size_t image(size_t k, size_t n)
+{
+    return k < n ? k : 2 * n - 1 - k;
+}
+
+/** A mirrored grid gives what the grid of all its images gives. */
+TEST_CASE(mirror_images)
+{
+    for (size_t shape = 0; shape < SHAPES; shape++) {
+        const size_t n = shapes[shape].nx;
+        struct direct_kernel kernel, whole;
+        if (!shapes[shape].mirrored)
+            continue;
+        for (size_t table = 0; table < 2; table++) {
+            kernel = kernel_of(shape);
+            expect_ok(direct_kernel_make, &whole, &(struct direct_grid){2 * n, 2 * n, 0.1, false});
+            lay(&kernel, 1, 0);
+            for (size_t k = 0; k < 4 * n * n; k++)
+                whole.field[k / (2 * n) * whole.stride + k % (2 * n)] =
+                    value_at(image(k % (2 * n), n), image(k / (2 * n), n), 1, 0);
+            direct_kernel_convolve(&kernel, table ? kernel.stiffness : kernel.compliance, NULL);
+            direct_kernel_convolve(&whole, table ? whole.stiffness : whole.compliance, NULL);
+            for (size_t k = 0; k < n * n; k++)
+                assert_near(kernel.field[k / n * kernel.stride + k % n], whole.field[k / n * whole.stride + k % n],
+                            1e-12);
+            direct_kernel_free(&kernel);
+            direct_kernel_free(&whole);
+        }
     }
 }

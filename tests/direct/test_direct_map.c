@@ -25,8 +25,8 @@ TEST_CASE(mirrored_or_whole)
     for (size_t k = 0; k < N * N; k++)
         height[k] = 5 + 0.3 * (double)(k % N) - 0.2 * (double)(k / N);
     struct direct_map map = map_of(height, N);
-    assert_int_equal(map.n, 2 * N);
-    for (size_t k = 0; k < map.n * map.n; k++)
+    assert_true(map.grid.mirrored && map.grid.nx == N && map.grid.ny == N);
+    for (size_t k = 0; k < N * N; k++)
         assert_within(map.height_m[k], 0, 1e-12);
     direct_map_free(&map);
     for (size_t k = 0; k < N * N; k++)
@@ -35,10 +35,10 @@ TEST_CASE(mirrored_or_whole)
         struct direct_map_def def = {N - (size_t)odd, N, 1, 1, false, 0};
         expect_ok(direct_map_condition, height, &def);
         assert_true(def.periodic == !odd && def.cutoff == 0);
-        assert_int_equal(direct_map_side(&def, N / 2), N);
-        assert_int_equal(direct_map_side(&(struct direct_map_def){31, 31, 1, 1, true, 0}, N), 62);
+        assert_true(direct_map_mirrored(&def, N / 2));
+        assert_true(direct_map_mirrored(&(struct direct_map_def){31, 31, 1, 1, true, 0}, N));
         expect_ok(direct_map_make, &map, height, &def, N);
-        assert_int_equal(map.n, odd ? 2 * N - 2 : N);
+        assert_true(map.grid.mirrored == odd && map.grid.nx == N - (size_t)odd);
         for (size_t k = 0; k < N * N && !odd; k++)
             assert_within(map.height_m[k], height[k] - 7, 1e-12);
         direct_map_free(&map);
@@ -86,13 +86,13 @@ TEST_CASE(holes)
         height[k] = (double)(k % N % 2);
     height[3 * N + 5] = NAN; /* all four neighbours are as near: the first in reading order is above it, at 1 */
     struct direct_map map = map_of(height, N);
-    assert_within(map.height_m[3 * map.n + 5], map.height_m[2 * map.n + 5], 0.01);
+    assert_within(map.height_m[3 * N + 5], map.height_m[2 * N + 5], 0.01);
     direct_map_free(&map);
     const struct direct_map_def def = {N, N, 1, 1, false, 6};
     for (size_t k = 0; k < N * N; k++) /* a step hidden in a hole: half way in the middle of it */
         height[k] = k % N < 12 ? 0 : k % N < 20 ? NAN : 1;
     expect_ok(direct_map_make, &map, height, &def, N);
-    const double *row = map.height_m + 9 * map.n;
+    const double *row = map.height_m + 9 * N;
     assert_within(row[16] - row[15], 0.30, 0.02); /* 0.35 of a smoothed step, less the plane */
     direct_map_free(&map);
 }
@@ -120,7 +120,8 @@ static double rolled_off(double r, const void *context)
 enum { MIRROR_LOADS = 3 };
 static const double mirror_loads[MIRROR_LOADS] = {0.03, 0.1, 0.3}; /* over the root mean square gradient */
 
-static void solve_mirrored(struct direct_point out[MIRROR_LOADS], const double *height, size_t n, double gradient)
+static void solve_grid(struct direct_point out[MIRROR_LOADS], const double *height, struct direct_grid grid,
+                       double gradient)
 {
     double load[MIRROR_LOADS];
     struct direct_contact contact;
@@ -128,7 +129,7 @@ static void solve_mirrored(struct direct_point out[MIRROR_LOADS], const double *
     struct direct_ladder_def ladder = {load, MIRROR_LOADS, INFINITY, 1e-6, true, NULL};
     for (int i = 0; i < MIRROR_LOADS; i++)
         load[i] = mirror_loads[i] * gradient;
-    if (direct_contact_make(&contact, height, n, n, 1, &status) != STATUS_OK ||
+    if (direct_contact_make(&contact, height, &grid, &status) != STATUS_OK ||
         direct_ladder_run(out, &contact, &ladder, &status) != STATUS_OK)
         fail_msg("%s", status.message);
     direct_contact_free(&contact);
@@ -151,9 +152,9 @@ TEST_CASE(mirrored_periodic_surface)
             expect_ok(direct_surface_make, height, N, &(struct direct_recipe){rolled_off, &cases[c].waves, NULL, 0},
                       seed);
             struct direct_map map = map_of(height, N);
-            double gradient = gradient_of(map.height_m, map.n, 1);
-            solve_mirrored(periodic, height, N, gradient);
-            solve_mirrored(mirrored, map.height_m, map.n, gradient);
+            double gradient = gradient_of(height, N, 1);
+            solve_grid(periodic, height, (struct direct_grid){N, N, 1, false}, gradient);
+            solve_grid(mirrored, map.height_m, map.grid, gradient);
             for (size_t i = 0; i < MIRROR_LOADS; i++) {
                 mean[i][0] += mirrored[i].quantities.area_ratio / periodic[i].quantities.area_ratio / SEEDS;
                 mean[i][1] += mirrored[i].quantities.gap_m / periodic[i].quantities.gap_m / SEEDS;
@@ -203,7 +204,7 @@ static void hold(struct held out[3], bool skewed, size_t n, double noisy, uint64
         given[k] = -log(((double)k + 0.5) / GIVEN);
     expect_ok(direct_surface_make, height, N, &(struct direct_recipe){band, waves, skewed ? given : NULL, GIVEN}, seed);
     double gradient = gradient_of(height, N, 1), tilt = n < N ? gradient / 10 : 0;
-    solve_mirrored(truth, height, N, gradient);
+    solve_grid(truth, height, (struct direct_grid){N, N, 1, false}, gradient);
     for (size_t k = 0; k < n * n; k++)
         seen[k] = height[k / n * N + k % n] + tilt * (double)(k % n) + noisy * gradient * noise(k + 7919 * seed);
     struct direct_map_def def = {n, n, 1, 1, false, 0};
@@ -213,7 +214,7 @@ static void hold(struct held out[3], bool skewed, size_t n, double noisy, uint64
         direct_map_make(&map, seen, &def, n, &status) != STATUS_OK)
         fail_msg("%s", status.message);
     assert_true(def.cutoff == (noisy > 0 ? 6 : 0));
-    assert_true(map.mirrored == (n < N));
+    assert_true(map.grid.mirrored == (n < N));
     for (size_t i = 0; i < MIRROR_LOADS; i++)
         load[i] = mirror_loads[i] * gradient;
     struct direct_ensemble_def ask = {

@@ -24,8 +24,7 @@ static void solve(struct direct_point *out, const double *height_m, const struct
     struct direct_contact contact;
     struct status status = {0};
     struct direct_ladder_def ladder = {measured->load, LOADS, INFINITY, 1e-6, true, NULL};
-    size_t n = measured->map.n;
-    if (direct_contact_make(&contact, height_m, n, n, measured->map.spacing_m, &status) != STATUS_OK ||
+    if (direct_contact_make(&contact, height_m, &measured->map.grid, &status) != STATUS_OK ||
         direct_ladder_run(out, &contact, &ladder, &status) != STATUS_OK)
         fail_msg("%s: %s", measured->name, status.message);
     direct_contact_free(&contact);
@@ -74,8 +73,8 @@ TEST_CASE(maps_as_known)
         struct measured measured;
         if (!take(&measured, &table, row))
             continue;
-        assert_near((double)measured.map.n, 2 * table_number(&table, row, "points_a_side"), 0);
-        assert_near(measured.map.spacing_m, table_number(&table, row, "spacing_m"), 1e-5);
+        assert_near((double)measured.map.grid.nx, table_number(&table, row, "points_a_side"), 0);
+        assert_near(measured.map.grid.spacing_m, table_number(&table, row, "spacing_m"), 1e-5);
         for (size_t i = 0; i < LOADS; i++) {
             const struct direct_point *point = &measured.point[i];
             assert_near(point->quantities.area_ratio, table_number(&table, row + i, "area_ratio"), 0.06);

@@ -25,7 +25,7 @@ static double *surface_of(double gamma, double waves, size_t n, uint64_t seed)
 static struct direct_contact contact_of(const double *height, size_t n)
 {
     struct direct_contact contact;
-    expect_ok(direct_contact_make, &contact, height, n, n, 1 / (double)n);
+    expect_ok(direct_contact_make, &contact, height, &(struct direct_grid){n, n, 1 / (double)n, false});
     return contact;
 }
 
@@ -164,7 +164,8 @@ TEST_CASE(no_surface)
         for (size_t k = 0; k < (size_t)N * N; k++)
             height[k] = cases[c].offset + cases[c].rough * (double)(k % 7);
         height[200] = cases[c].one;
-        enum status_code code = direct_contact_make(&contact, height, N, N, 1.0 / N, &status);
+        enum status_code code =
+            direct_contact_make(&contact, height, &(struct direct_grid){N, N, 1.0 / N, false}, &status);
         hard_case("no surface: constant, 1e-16 or 1e-200 of roughness, 5e-324, holes, infinite heights",
                   "0/0 in the first step", "refused: flat, or not finite", "not refused", code != STATUS_MODEL, 0);
         if (!strstr(status.message, cases[c].says))

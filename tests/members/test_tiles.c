@@ -80,7 +80,7 @@ static void compare(double rms[3], const struct tiles *tiles, double hardness)
     size_t count = 0;
     double gradient = sqrt(2 * spectrum_moment(&tiles->transfer->spectrum, 1));
     expect_ok(direct_map_make, &map, tiles->height_m, &tiles->def, SIZE_MAX);
-    expect_ok(direct_contact_make, &contact, map.height_m, map.n, map.n, map.spacing_m);
+    expect_ok(direct_contact_make, &contact, map.height_m, &map.grid);
     rms[0] = rms[1] = rms[2] = 0;
     for (double share = 0.0021; share < 2; share *= 1.9) {
         double load = share * gradient;
