@@ -493,23 +493,24 @@ static void follow_response(struct solver *solver)
         pressure[set[i]] += step * response[set[i]];
 }
 
-/** Adds the pressure of the coarse grid times `sign`, on straight lines between its points, to the direction. */
+/** Adds the pressure of the coarse grid times `sign`, on straight lines between its points, to the direction; at the
+ * edges of a mirrored one too, where it is a start as good. */
 static void add_coarse(struct direct_contact *contact, double sign)
 {
     const struct direct_kernel *fine = &contact->kernel, *coarse = &contact->coarse->kernel;
-    size_t nx = coarse->nx, behind = coarse->mirrored ? nx - 1 : 0; /* of a row's last point */
+    size_t nx = coarse->nx;
     memset(fine->field, 0, fine->ny * fine->stride * sizeof(double));
-    for (size_t turn = 0; turn < coarse->ny; turn++)
-        for (size_t k = 0; k < 3; k++) { /* the fine rows before, on and behind it; the last one is behind the last */
-            size_t own = coarse->mirrored && turn + k == 0 ? coarse->ny - 1 : turn;
-            const double *row = contact->coarse->pressure + own * coarse->stride;
+    for (size_t turn = 0; turn < coarse->ny; turn++) {
+        const double *row = contact->coarse->pressure + turn * coarse->stride;
+        for (size_t k = 0; k < 3; k++) { /* the fine rows before, on and behind it */
             double *to = fine->field + (2 * turn + k + fine->ny - 1) % fine->ny * fine->stride;
             double weight = k == 1 ? sign : sign / 2;
             for (size_t i = 0; i < nx; i++) {
                 to[2 * i] += weight * row[i];
-                to[2 * i + 1] += weight / 2 * (row[i] + row[i + 1 < nx ? i + 1 : behind]);
+                to[2 * i + 1] += weight / 2 * (row[i] + row[i + 1 < nx ? i + 1 : 0]);
             }
         }
+    }
     for (size_t k = 0; k < fine->ny * fine->stride; k++)
         contact->direction[k] += fine->field[k];
 }
