@@ -128,7 +128,9 @@ static void put_spots(json_t *out, const struct view_source *source)
     json_t *item = json_object_get(out, "few_spots");
     if (count == 0)
         return;
-    view_range(item, "spots", least, most, DIGITS, "");
+    view_flag(item, "under_one", most < 1);
+    view_flag(item, "up_to", least < 1); /* how far below one says nothing */
+    view_range(item, "spots", least < 1 ? most : least, most, DIGITS, "");
     view_flag(item, "some", count < results->usable_count);
 }
 

@@ -449,11 +449,14 @@ TEST_OF_PLAIN(too_few_spots_are_told)
     assert_says_page("**Too few spots for statistics**, on *gamma*: 1.6 carry the load.", "surfaces:");
     leading[1 * model_count].spots_per_m2 = 3e6;
     assert_says_page("**Too few spots for statistics**, on 2 surfaces: 1.6 to 3.0 carry the load.", "on *gamma*:");
+    leading[1 * model_count].spots_per_m2 = 2e5;
+    assert_says_page("**Too few spots for statistics**, on 2 surfaces: up to 1.6 carry the load.", "0.20 to");
+    leading[1 * model_count].spots_per_m2 = 3e6;
     leading[0].spots_per_m2 = 9e6;
     assert_says_page("**Too few spots for statistics**: 1.6 to 9.0 carry the load.", "surfaces:");
     free_made(NULL);
     made_up_make(&made, NULL); /* without a target those where the page stands: 150 to 1125 on a square metre */
-    assert_says_page("**Too few spots for statistics**: 1.5·10⁻⁴ to 0.0011 carry the load.", "surfaces:");
+    assert_says_page("**Too few spots for statistics**: less than one carries the load.", "surfaces:");
 }
 
 TEST_OF_PLAIN(a_limit_names_the_one_surface_and_counts_several)
