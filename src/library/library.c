@@ -481,13 +481,12 @@ static enum status_code solve(struct roughcontact_curve *out, const struct model
 static enum status_code solve_strip(struct strip **out, const struct model_row *row, const struct strip_rows *profile,
                                     struct status *status)
 {
-    static const size_t only = 0;
     struct status problem = {0};
     if (!row->uses_strip)
         return STATUS_OK;
     if (!(*out = malloc(sizeof **out)))
         return status_memory(status);
-    enum status_code code = strip_solve(*out, profile, &only, 1, STRIP_SURROGATES, NULL, &problem);
+    enum status_code code = strip_solve(*out, profile, 0, STRIP_SURROGATES, NULL, &problem);
     return code == STATUS_OK ? STATUS_OK
                              : status_fail(status, code, "no %s for this surface: %s", row->name, problem.message);
 }
