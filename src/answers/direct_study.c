@@ -161,10 +161,13 @@ static enum status_code run_models(struct maker *maker, struct status *status)
     return rc;
 }
 
-/** Every `step`-th point of n x n heights, at one load. */
-static enum status_code time_grid(struct direct_study_grid *out, const double *height_m, size_t n, size_t step,
-                                  const struct direct_ladder_def *ladder, double length_m, struct status *status)
+/** Every `step`-th point of the surface, whose heights are the map's or made. */
+static enum status_code time_grid(struct direct_study_grid *out, const struct direct_ensemble_def *def,
+                                  const double *made_m, size_t step, struct status *status)
 {
+    const double *height_m = def->map ? def->map->height_m : made_m;
+    const size_t n = def->map ? def->map->n : def->n;
+    const double length_m = def->map ? def->map->spacing_m * (double)n : def->length_m;
     struct direct_contact contact;
     struct direct_point point;
     double begin = clock_seconds(), *every_m = malloc(n / step * (n / step) * sizeof *every_m);
@@ -177,7 +180,7 @@ static enum status_code time_grid(struct direct_study_grid *out, const double *h
     free(every_m);
     if (rc != STATUS_OK)
         return rc;
-    rc = direct_ladder_run(&point, &contact, ladder, status);
+    rc = direct_ladder_run(&point, &contact, &def->ladder, status);
     direct_contact_free(&contact);
     out->seconds = clock_seconds() - begin;
     for (int q = 0; q < DIRECT_QUANTITIES && rc == STATUS_OK; q++)
@@ -190,15 +193,14 @@ static enum status_code time_grids(struct maker *maker, const struct direct_ense
 {
     struct direct_study *study = maker->study;
     const size_t n = def->map ? def->map->n : def->n;
-    const double length_m = def->map ? def->map->spacing_m * (double)n : def->length_m;
-    struct direct_ladder_def ladder = def->ladder;
+    struct direct_ensemble_def timed = *def;
     double *made_m = NULL;
     size_t step = 1;
     for (size_t i = 0; i < def->ladder.loads; i++)
         if (fabs(log(def->ladder.load[i] / maker->task->timed_load)) <
-            fabs(log(*ladder.load / maker->task->timed_load)))
-            ladder.load = &def->ladder.load[i];
-    ladder.loads = 1;
+            fabs(log(*timed.ladder.load / maker->task->timed_load)))
+            timed.ladder.load = &def->ladder.load[i];
+    timed.ladder.loads = 1;
     while (n % (4 * step) == 0 && n / (2 * step) >= DIRECT_STUDY_COARSEST && step < 1 << (DIRECT_STUDY_GRIDS - 1))
         step *= 2;
     if (def->ladder.loads == 0 || step == 1)
@@ -211,8 +213,7 @@ static enum status_code time_grids(struct maker *maker, const struct direct_ense
             step = 0;
     }
     for (; step > 0; step /= 2)
-        if (time_grid(&study->grids[study->grid_count++], def->map ? def->map->height_m : made_m, n, step, &ladder,
-                      length_m, status) != STATUS_OK)
+        if (time_grid(&study->grids[study->grid_count++], &timed, made_m, step, status) != STATUS_OK)
             break;
     free(made_m);
     return status->code;

@@ -231,9 +231,10 @@ bool scan_is_missing(struct string_view cell)
            string_view_equals(cell, "BAD");
 }
 
-enum status_code scan_take_text(struct scan *out, size_t nx, size_t ny, struct string_view text, double z_m,
-                                const char *end, const struct scan_file *file)
+enum status_code scan_take_text(struct scan *out, struct string_view text, double z_m, const char *end,
+                                const struct scan_file *file)
 {
+    size_t nx = out->nx, ny = out->ny;
     struct string_view word;
     if (scan_reserve(out, nx, ny, (string_view_length(text) + 1) / 2, file) != STATUS_OK)
         return file->status->code;

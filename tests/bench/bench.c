@@ -370,7 +370,7 @@ static double shape_seconds(size_t n, double bulge_m)
     double begin = cpu_seconds();
     for (int i = 0; i < SHAPE_LOADS; i++) {
         double mean_Pa = 1e5 * pow(100, i / (SHAPE_LOADS - 1.));
-        must(shape_press(&shape, field_m, &gap, 3.9e10, INFINITY, mean_Pa, &status));
+        must(shape_press(&shape, field_m, &gap, 3.9e10, mean_Pa, &status));
         must(shape_resistance(&resistance, &spots, &shape, &ways, bodies, &status));
     }
     double seconds = cpu_seconds() - begin;
