@@ -45,14 +45,15 @@ static int first_line(const char *tag, size_t length)
     return (int)(line < length ? line : length);
 }
 
-static enum status_code fail(const struct tokens *tokens, const char *at, const char *what, const char *tag,
-                             size_t length, struct status *status)
+/** `at`: where in the template; shown: what of it the message quotes. */
+static enum status_code fail(const struct tokens *tokens, const char *at, const char *what, const struct token *shown,
+                             struct status *status)
 {
     int line = 1;
     for (const char *p = tokens->source; p < at; p++)
         line += *p == '\n';
     return status_fail(status, STATUS_USAGE, "%s, line %d: %s '%.*s'", tokens->name, line, what,
-                       first_line(tag, length), tag);
+                       first_line(shown->start, shown->length), shown->start);
 }
 
 static enum status_code refuse(struct status *status, const char *name, const char *what, enum limit limit)
@@ -118,7 +119,8 @@ static enum status_code tokenize(struct tokens *out, struct status *status)
         snprintf(closing, sizeof closing, "%s%s", sign && *sign == '{' ? "}" : "", delimiters.close);
         const char *close = strstr(inside, closing);
         if (!close)
-            return fail(out, tag, "tag that is not closed:", tag, strlen(tag), status);
+            return fail(out, tag, "tag that is not closed:", &(struct token){.start = tag, .length = strlen(tag)},
+                        status);
         const char *start = tag, *end = close + strlen(closing);
         struct token token = {
             .kind = sign ? kinds[sign - signs] : TOKEN_VARIABLE, .start = inside, .length = (size_t)(close - inside)};
@@ -127,7 +129,7 @@ static enum status_code tokenize(struct tokens *out, struct status *status)
             start = p; /* two tags on one line: blanks before the second belong to the first */
         out->token[out->count++] = (struct token){.start = p, .length = (size_t)(start - p)};
         if (sign && *sign == '=' && !set_delimiters(&delimiters, token.start, token.length))
-            return fail(out, tag, "delimiters not understood:", token.start, token.length, status);
+            return fail(out, tag, "delimiters not understood:", &token, status);
         p = end;
         if (token.kind == TOKEN_TEXT)
             continue;
@@ -138,20 +140,19 @@ static enum status_code tokenize(struct tokens *out, struct status *status)
         }
         if (token.kind == TOKEN_SECTION || token.kind == TOKEN_INVERTED) {
             if (depth == DEPTH_MOST)
-                return fail(out, tag, "too many sections within each other:", token.start, token.length, status);
+                return fail(out, tag, "too many sections within each other:", &token, status);
             open[depth++] = out->count;
         }
         if (token.kind == TOKEN_END) {
             const struct token *begun = depth > 0 ? &out->token[open[--depth]] : NULL;
             if (!begun || begun->length != token.length || memcmp(begun->start, token.start, token.length) != 0)
-                return fail(out, tag, "section ended that is not open:", token.start, token.length, status);
+                return fail(out, tag, "section ended that is not open:", &token, status);
             out->token[open[depth]].end = out->count;
         }
         out->token[out->count++] = token;
     }
     if (depth > 0)
-        return fail(out, p, "section that does not end:", out->token[open[0]].start, out->token[open[0]].length,
-                    status);
+        return fail(out, p, "section that does not end:", &out->token[open[0]], status);
     out->token[out->count++] = (struct token){.start = p, .length = strlen(p)};
     return STATUS_OK;
 }

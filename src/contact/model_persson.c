@@ -16,18 +16,17 @@ static enum status_code elastic(struct strip_contact *out, size_t *count, const 
     bool gap = task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION);
     double *area = malloc((loads + 1) * sizeof *area);
     struct corrected_persson_point *point = malloc((loads + 1) * sizeof *point);
-    enum status_code rc = !area || !point ? status_memory(status) : STATUS_OK;
+    enum status_code rc = area && point ? STATUS_OK : status_memory(status);
     if (rc == STATUS_OK && row->uses_strip)
         rc = strip_areas(area, task->loads, loads, task->strip, persson->m2, status);
-    for (size_t i = 0; i < loads && rc == STATUS_OK && !row->uses_strip; i++) {
-        area[i] = corrected_persson_area(task->loads[i], persson->m2);
-        area[i] = area[i] <= corrected_persson_largest_area ? area[i] : NAN;
-    }
     for (; *count < loads && rc == STATUS_OK; ++*count) {
-        if (area[*count] <= 0 || (isnan(area[*count]) && !task->carries_on))
+        double load = task->loads[*count];
+        double at = row->uses_strip ? area[*count] : corrected_persson_area(load, persson->m2);
+        bool beyond = !(at <= corrected_persson_largest_area); /* or NaN */
+        if (at <= 0 || (beyond && !task->carries_on))
             break;
-        area[*count] = fmin(area[*count], corrected_persson_largest_area);
-        out[*count] = (struct strip_contact){area[*count], NAN, NAN, area[*count] / task->loads[*count]};
+        area[*count] = beyond ? corrected_persson_largest_area : at;
+        out[*count] = (struct strip_contact){area[*count], NAN, NAN, area[*count] / load};
     }
     if (rc == STATUS_OK && row->uses_strip)
         rc = strip_contact(out, *count, task->strip, persson, gap, status);

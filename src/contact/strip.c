@@ -28,18 +28,21 @@ enum { ROUGH_STEP = 2, ROUGH_TOLERANCE = 3 };
 
 static const double least_share = 0.3; /* of the points in contact that their outline leaves */
 
-size_t strip_row_length(const struct strip_rows *rows)
+static size_t row_length(const struct strip_rows *rows)
 {
     return rows->periodic ? rows->points : 2 * rows->points;
 }
 
-void strip_lay_row(double *out, const struct strip_rows *rows, size_t row)
+double *strip_join(size_t *points, const struct strip_rows *rows)
 {
-    const double *height_m = rows->height_m + row * rows->points;
-    size_t length = strip_row_length(rows);
-    memcpy(out, height_m, rows->points * sizeof *out);
-    for (size_t i = rows->points; i < length; i++)
-        out[i] = height_m[length - 1 - i];
+    const size_t length = row_length(rows), n = rows->points;
+    *points = rows->rows * length;
+    double *strip_m = malloc((*points + 1) * sizeof *strip_m);
+    for (size_t k = 0; k < *points && strip_m; k++) {
+        size_t i = k % length;
+        strip_m[k] = rows->height_m[k / length * n + (i < n ? i : length - 1 - i)];
+    }
+    return strip_m;
 }
 
 /** The rows' means, and the amplitudes that stand for all of them. */
@@ -123,7 +126,6 @@ static double open_gap(const struct direct_contact *contact)
 /** Strips of the same points, solved one after another. */
 struct solver {
     double *strip_m;               /* heights of the one at work */
-    size_t length;                 /* of its rows */
     struct direct_contact contact; /* of no points before the first */
     bool rough;                    /* STRIP_ROUGHLY */
     const atomic_bool *stop;
@@ -152,11 +154,18 @@ static enum status_code add_solution(struct strip_curve *curve, struct direct_co
     return STATUS_OK;
 }
 
-/** Down the ladder until too few points touch. */
-static enum status_code descend(struct strip_curve *curve, struct solver *solver, double slope, struct status *status)
+/** The strip at work, down the ladder until too few points touch. */
+static enum status_code solve_strip(struct strip_curve *curve, struct solver *solver, const struct strip_rows *rows,
+                                    struct status *status)
 {
     struct direct_contact *contact = &solver->contact;
+    size_t length = row_length(rows), points = rows->rows * length;
+    double slope = sqrt(mean_square_slope(solver->strip_m, points, length, rows->spacing_m));
     *curve = (struct strip_curve){0};
+    if ((contact->kernel.points > 0
+             ? direct_contact_lay(contact, solver->strip_m, status)
+             : direct_contact_make(contact, solver->strip_m, points, 1, rows->spacing_m, status)) != STATUS_OK)
+        return status->code;
     const size_t step = solver->rough ? ROUGH_STEP : 1;
     bool enough = true;
     for (size_t i = STRIP_LOADS + step - 1; i >= step && enough;) {
@@ -170,7 +179,7 @@ static enum status_code descend(struct strip_curve *curve, struct solver *solver
             if (enough)
                 (void)add_solution(curve, contact, &load, &found, &problem);
         }
-        solver->convolutions += contact->effort.convolutions;
+        solver->convolutions += contact->convolutions;
         if (problem.code == STATUS_MODEL)
             curve->unsolved++; /* the next one starts anew */
         else if (problem.code != STATUS_OK)
@@ -188,33 +197,16 @@ static enum status_code descend(struct strip_curve *curve, struct solver *solver
     return STATUS_OK;
 }
 
-static enum status_code solve_strip(struct strip_curve *curve, struct solver *solver, const struct strip_rows *rows,
-                                    struct status *status)
-{
-    size_t points = rows->rows * solver->length;
-    double slope = sqrt(mean_square_slope(solver->strip_m, points, solver->length, rows->spacing_m));
-    enum status_code rc =
-        solver->contact.kernel.points > 0
-            ? direct_contact_lay(&solver->contact, solver->strip_m, status)
-            : direct_contact_make(&solver->contact, solver->strip_m, points, 1, rows->spacing_m, status);
-    return rc == STATUS_OK ? descend(curve, solver, slope, status) : rc;
-}
-
 enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, size_t first, size_t surrogates,
                              const atomic_bool *stop, struct status *status)
 {
-    size_t length = strip_row_length(rows), points = rows->rows * length;
+    size_t length = row_length(rows), points;
     struct phases phases = {0};
-    struct solver solver = {.strip_m = malloc((points + 1) * sizeof(double)),
-                            .length = length,
-                            .rough = surrogates == STRIP_ROUGHLY,
-                            .stop = stop};
+    struct solver solver = {.strip_m = strip_join(&points, rows), .rough = surrogates == STRIP_ROUGHLY, .stop = stop};
     *out = (struct strip){.surrogates = 0};
     surrogates = solver.rough ? 1 : surrogates;
     if (!solver.strip_m)
         return status_memory(status);
-    for (size_t r = 0; r < rows->rows; r++)
-        strip_lay_row(solver.strip_m + r * length, rows, r);
     if (phases_of(&phases, solver.strip_m, length, rows->rows, status) == STATUS_OK)
         (void)solve_strip(&out->own, &solver, rows, status);
     out->unsolved = out->own.unsolved;
@@ -239,8 +231,7 @@ enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, s
 
 uint64_t strip_cost(const struct strip_rows *rows)
 {
-    double points = (double)(rows->rows * strip_row_length(rows)),
-           pairs = 2.8 * sqrt(sqrt(points)); /* a load, as measured */
+    double points = (double)(rows->rows * row_length(rows)), pairs = 2.8 * sqrt(sqrt(points)); /* a load, as measured */
     return (uint64_t)(pairs * points * (double)(STRIP_LOADS * (1 + STRIP_SURROGATES)));
 }
 

@@ -27,9 +27,9 @@ struct strip_rows {
     bool periodic; /* each closes on itself; else it is mirrored */
 };
 
-/** Points of one row in a strip, and these: the row, unless periodic with its mirror image. */
-size_t strip_row_length(const struct strip_rows *rows);
-void strip_lay_row(double *out, const struct strip_rows *rows, size_t row);
+/** The rows one after another, each with its mirror image behind it unless periodic: so many heights, malloc'ed; NULL:
+ * out of memory. */
+double *strip_join(size_t *points, const struct strip_rows *rows);
 
 /** Solutions of one strip by area, ascending. */
 struct strip_curve {

@@ -81,7 +81,7 @@ static enum status_code iterate(double *length_m, struct direct_contact *contact
             residual[k] -= tau * (kernel->field[set[k]] - mean);
         }
         potential -= tau * mean;
-        contact->effort.iterations++;
+        contact->iterations++;
     }
 }
 
@@ -101,6 +101,6 @@ enum status_code direct_constriction_of_contact(double *length_m, struct direct_
     for (size_t k = 0; contact->response && *length_m > 0 && k < contact->set_count; k++)
         contact->response[contact->set[k]] = current[k];
     free(current);
-    contact->effort.convolutions += (kernel->transforms - before) / 2;
+    contact->convolutions += (kernel->transforms - before) / 2;
     return status->code;
 }

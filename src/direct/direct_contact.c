@@ -452,14 +452,14 @@ static enum status_code iterate(struct solver *solver, double tolerance, struct 
                 return status_fail(status, STATUS_MODEL,
                                    "the direct solution does not converge at p/E' = %g (violation %.1e of the "
                                    "roughness after %zu iterations); use a finer grid, denser scans or another load",
-                                   solver->load->mean_pressure, violation, solver->contact->effort.iterations);
+                                   solver->load->mean_pressure, violation, solver->contact->iterations);
             solver->preconditioned = false; /* once more, without */
             solver->joined = true;
             waited = 0;
             best = INFINITY;
         }
         step(solver);
-        solver->contact->effort.iterations++;
+        solver->contact->iterations++;
     }
 }
 
@@ -526,8 +526,8 @@ static bool follow_coarse(struct solver *solver, bool warm)
         contact->kernel.exhausted = problem.code == STATUS_MEMORY;
         return false;
     }
-    contact->effort.convolutions += coarse->effort.convolutions / 4;
-    if (warm && coarse->effort.iterations == 0)
+    contact->convolutions += coarse->convolutions / 4;
+    if (warm && coarse->iterations == 0)
         return true; /* all that has changed is rounding, which would press points that are apart */
     add_coarse(contact, 1);
     for (size_t k = 0; k < places; k++)
@@ -587,7 +587,7 @@ static enum status_code solve(struct solver *solver, struct status *status)
 enum status_code direct_contact_solve(struct direct_contact *contact, const struct direct_contact_load *load,
                                       struct status *status)
 {
-    contact->effort = (struct direct_contact_effort){0};
+    contact->iterations = contact->convolutions = 0;
     assert(load->tolerance > 0 && load->hardness > 0);
     if (!(load->mean_pressure > 0) || !isfinite(load->mean_pressure))
         return status_fail(status, STATUS_MODEL, "a mean pressure of %g E' cannot be solved; it has to be positive",
@@ -599,7 +599,7 @@ enum status_code direct_contact_solve(struct direct_contact *contact, const stru
     size_t before = contact->kernel.transforms;
     struct solver solver = {.contact = contact, .load = load};
     enum status_code rc = solve(&solver, status);
-    contact->effort.convolutions += (contact->kernel.transforms - before) / 2;
+    contact->convolutions += (contact->kernel.transforms - before) / 2;
     contact->solved = rc == STATUS_OK;
     contact->capped = isfinite(load->hardness);
     return rc;

@@ -18,11 +18,6 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/** What a solution took. */
-struct direct_contact_effort {
-    size_t iterations, convolutions;
-};
-
 /** A surface and the state of its contact. Fields have the kernel's rows and stride: the point (i along x, j along y)
  * is at j stride + i. About 67 bytes a point, 4 more while its patches are counted, or 8 for each in contact while its
  * constriction is solved. Owned: direct_contact_free(). */
@@ -38,10 +33,10 @@ struct direct_contact {
     uint8_t *rows;                 /* whether a row has points of the set */
     struct direct_contact *coarse; /* every second point of every second row; NULL: too few of them */
     size_t set_count;
-    double rms_m;                        /* root mean square of the height about its mean */
-    bool solved;                         /* pressure and gap_m hold a solution, to start the next from */
-    bool capped;                         /* that with a hardness */
-    struct direct_contact_effort effort; /* of the last load that was to be solved, and of its constriction */
+    double rms_m;                    /* root mean square of the height about its mean */
+    bool solved;                     /* pressure and gap_m hold a solution, to start the next from */
+    bool capped;                     /* that with a hardness */
+    size_t iterations, convolutions; /* that the last load to be solved took, with its constriction */
 };
 
 /** What to solve for. */
@@ -62,11 +57,10 @@ MUST_CHECK enum status_code direct_contact_lay(struct direct_contact *contact, c
                                                struct status *status);
 void direct_contact_free(struct direct_contact *contact);
 
-/** Solves for one load. Method: Polonsky and Keer, Wear 231 (1999) 206, with points that
- * violate a condition in one set with the others, and, for elastic contact, the preconditioner |q|E'/2 on the set. It
- * starts from the elastic solution of the coarse grid. A hardness starts from the elastic solution. Errors:
- * STATUS_MODEL: p̄ >= H (complete contact, which the hardness does not define), a load that is no positive number, no
- * convergence; STATUS_INTERRUPTED. */
+/** Solves for one load. Method: Polonsky and Keer, Wear 231 (1999) 206, with points that violate a condition in one set
+ * with the others, and, for elastic contact, the preconditioner |q|E'/2 on the set. It starts from the elastic solution
+ * of the coarse grid. A hardness starts from the elastic solution. Errors: STATUS_MODEL: p̄ >= H (complete contact,
+ * which the hardness does not define), a load that is no positive number, no convergence; STATUS_INTERRUPTED. */
 MUST_CHECK enum status_code direct_contact_solve(struct direct_contact *contact, const struct direct_contact_load *load,
                                                  struct status *status);
 

@@ -27,7 +27,7 @@ static enum status_code solve_load(struct direct_point *out, struct direct_conta
     if (def->resistance && direct_constriction_of_contact(&out->constriction_m, contact, sqrt(def->tolerance),
                                                           def->stop, status) != STATUS_OK)
         return status->code;
-    out->convolutions = contact->effort.convolutions;
+    out->convolutions = contact->convolutions;
     return STATUS_OK;
 }
 

@@ -406,14 +406,8 @@ static enum status_code check_model(const struct model_row *row, const char *nam
     return STATUS_OK;
 }
 
-/** What a model is asked at. */
-struct loads {
-    const double *load;
-    size_t count;
-};
-
 /** The loads as P/(A_n E'), malloc'ed. */
-static enum status_code take_loads(double **out, const struct loads *loads,
+static enum status_code take_loads(double **out, const struct model_task *asked,
                                    const struct roughcontact_run_options *options, const struct material_pair *pair,
                                    struct status *status)
 {
@@ -422,17 +416,17 @@ static enum status_code take_loads(double **out, const struct loads *loads,
         return status_fail(status, STATUS_USAGE, "load %d is not known; give one of roughcontact_load", options->load);
     if (pressure && pair->unknown)
         return status_fail(status, STATUS_USAGE, "loads in Pa need a material; without one they are P/(A_n E')");
-    if (!loads->load || loads->count == 0)
+    if (!asked->loads || asked->load_count == 0)
         return status_fail(status, STATUS_USAGE, "no loads are given");
-    double *all = malloc(loads->count * sizeof *all);
+    double *all = malloc(asked->load_count * sizeof *all);
     *out = all;
     if (!all)
         return status_memory(status);
-    for (size_t i = 0; i < loads->count; i++) {
-        all[i] = pressure ? loads->load[i] / pair->effective_modulus_Pa : loads->load[i];
+    for (size_t i = 0; i < asked->load_count; i++) {
+        all[i] = pressure ? asked->loads[i] / pair->effective_modulus_Pa : asked->loads[i];
         if (!(all[i] > 0 && isfinite(all[i]) && (i == 0 || all[i] > all[i - 1])))
             return status_fail(status, STATUS_USAGE, "load %zu is %g; loads are to be above 0, finite and ascending",
-                               i + 1, loads->load[i]);
+                               i + 1, asked->loads[i]);
     }
     return STATUS_OK;
 }
@@ -498,7 +492,7 @@ static enum status_code solve_strip(struct strip **out, const struct model_row *
 }
 
 static enum status_code run(struct roughcontact_curve **out, const struct roughcontact_surface *surface,
-                            const char *model, const struct loads *loads,
+                            const char *model, const struct model_task *asked,
                             const struct roughcontact_run_options *options, struct status *status)
 {
     const struct roughcontact_run_options own = options ? *options : run_defaults;
@@ -515,7 +509,7 @@ static enum status_code run(struct roughcontact_curve **out, const struct roughc
         return status->code;
     const struct material_pair pair = scene_pair(&bodies);
     struct roughcontact_curve *made = calloc(1, sizeof *made);
-    enum status_code code = made ? take_loads(&over_modulus, loads, &own, &pair, status) : status_memory(status);
+    enum status_code code = made ? take_loads(&over_modulus, asked, &own, &pair, status) : status_memory(status);
     const struct profile *profile = &surface->profile;
     const struct strip_rows rows = {profile->height_m, 1, profile->points, profile->spacing_m, profile->periodic};
     if (code == STATUS_OK)
@@ -527,7 +521,7 @@ static enum status_code run(struct roughcontact_curve **out, const struct roughc
                                         .asperities = surface->has_asperities ? &surface->asperities : NULL,
                                         .pair = &pair,
                                         .loads = over_modulus,
-                                        .load_count = loads->count,
+                                        .load_count = asked->load_count,
                                         .wanted = find_wanted(&bodies),
                                         .tolerance = 1e-6, /* the scene's default */
                                         .sinusoid_fit = SINUSOID_FIT_THESIS,
@@ -552,7 +546,7 @@ int roughcontact_run(struct roughcontact_curve **out, const struct roughcontact_
                      const double *loads, size_t count, const struct roughcontact_run_options *options,
                      struct roughcontact_status *status)
 {
-    const struct loads asked = {loads, count};
+    const struct model_task asked = {.loads = loads, .load_count = count};
     LIBRARY_CALL(run(out, surface, model, &asked, options, &problem));
 }
 

@@ -135,11 +135,6 @@ enum status_code strips_pair(struct strips *strips, struct ensemble *set, const 
     return STATUS_OK;
 }
 
-uint64_t strips_cost(const struct strips *strips)
-{
-    return 2 * strip_cost(&strips->rows);
-}
-
 /** A strip of these rows, malloc'ed; NULL where it has no answer. */
 static enum status_code solve(struct solved_strip **out, struct strips *strips, size_t first, size_t count,
                               const atomic_bool *stop, struct status *status)

@@ -165,12 +165,11 @@ bool scene_source_is(const yaml_node_t *node, const char *word)
 bool scene_source_wrong_type(struct scene_source *source, const yaml_node_t *node, const char *what,
                              const char *expected)
 {
-    size_t line = scene_source_line(node);
     if (node->type != YAML_SCALAR_NODE)
-        return scene_source_fail(source, line, "'%s' is a %s; give %s", what,
-                                 node->type == YAML_SEQUENCE_NODE ? "list" : "mapping", expected);
-    struct scene_words_shown shown = scene_words_show_view(scene_source_scalar(node));
-    return scene_source_fail(source, line, "'%s' is '%s'; give %s", what, shown.text, expected);
+        return scene_source_fail_at(source, node, "'%s' is a %s; give %s", what,
+                                    node->type == YAML_SEQUENCE_NODE ? "list" : "mapping", expected);
+    return scene_source_fail_at(source, node, "'%s' is '%s'; give %s", what,
+                                scene_words_show_view(scene_source_scalar(node)).text, expected);
 }
 
 bool scene_source_unknown(struct scene_source *source, const yaml_node_t *node, struct string_view word,

@@ -114,7 +114,7 @@ static struct direct_result direct_case(size_t n, double hardness)
         must(direct_contact_solve(&contact, &load, &status));
         result.elapsed_seconds = fmin(result.elapsed_seconds, clock_seconds() - started);
         result.cpu_seconds = fmin(result.cpu_seconds, cpu_seconds() - cpu);
-        result.convolutions = contact.effort.convolutions;
+        result.convolutions = contact.convolutions;
     }
     result.bytes_a_point = (bytes_held() - before) / (double)(n * n);
     direct_contact_free(&contact);

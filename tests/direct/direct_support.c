@@ -75,7 +75,7 @@ struct direct_contact_load load_of(double mean_pressure, double hardness, double
 struct direct_quantities solved(struct direct_contact *contact, const struct direct_contact_load *load)
 {
     expect_ok(direct_contact_solve, contact, load);
-    assert_true(contact->effort.convolutions > 0);
+    assert_true(contact->convolutions > 0);
     return direct_quantities_of(contact, load);
 }
 
@@ -94,7 +94,7 @@ double constriction_of_drawing(const uint8_t *drawing, size_t n, size_t *iterati
     for (size_t k = 0; k < n * n; k++)
         contact.pressure[k / n * contact.kernel.stride + k % n] = drawing[k];
     expect_ok(direct_constriction_of_contact, &length, &contact, 1e-9, NULL);
-    *iterations = contact.effort.iterations;
+    *iterations = contact.iterations;
     direct_contact_free(&contact);
     return length;
 }

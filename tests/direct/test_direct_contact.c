@@ -279,8 +279,8 @@ TEST_CASE(monotone_and_warm)
             assert_int_equal(overlap_of(&cold, load.hardness).capped_points,
                              overlap_of(&warm, load.hardness).capped_points);
             assert_near(found.gap_m, other.gap_m, 1e-7);
-            cold_effort += cold.effort.convolutions;
-            warm_effort += warm.effort.convolutions;
+            cold_effort += cold.convolutions;
+            warm_effort += warm.convolutions;
             double length = constriction_of(&cold, 1e-9);
             assert_true(found.contact_points >= last.contact_points && found.gap_m < last.gap_m);
             assert_true(length < last_length);
@@ -329,8 +329,8 @@ TEST_CASE(effort_as_known)
     for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
         struct direct_contact_load load = load_of(cases[k].p, cases[k].hardness, 1e-6);
         expect_ok(direct_contact_solve, &contact, &load);
-        if (contact.effort.convolutions > cases[k].convolutions)
-            fail_msg("%zu convolutions at %g", contact.effort.convolutions, cases[k].p);
+        if (contact.convolutions > cases[k].convolutions)
+            fail_msg("%zu convolutions at %g", contact.convolutions, cases[k].p);
     }
     direct_contact_free(&contact);
 }
@@ -355,7 +355,7 @@ TEST_CASE(few_points_at_the_hardness)
     struct direct_quantities found = direct_quantities_of(&contact, &load);
     assert_true((double)found.contact_points > 0.6 * N * N);
     assert_in_range(overlap_of(&contact, load.hardness).capped_points, 1, 19);
-    assert_true(contact.effort.convolutions < 200);
+    assert_true(contact.convolutions < 200);
     assert_true(violation_of(&contact, &load) < 1.1e-6);
     direct_contact_free(&contact);
     direct_spectrum_free(&spectrum);
@@ -379,10 +379,10 @@ TEST_CASE(starts_from_coarse_grids)
         expect_ok(direct_contact_solve, &plain, &load);
         struct direct_quantities found = direct_quantities_of(&nested, &load);
         assert_near(found.gap_m, direct_quantities_of(&plain, &load).gap_m, 1e-5);
-        assert_true(3 * nested.effort.convolutions < 2 * plain.effort.convolutions);
+        assert_true(3 * nested.convolutions < 2 * plain.convolutions);
         load.warm = true;
         expect_ok(direct_contact_solve, &nested, &load);
-        assert_int_equal(nested.effort.iterations, 0);
+        assert_int_equal(nested.iterations, 0);
         direct_contact_free(&nested);
         direct_contact_free(&plain);
     }
@@ -398,8 +398,8 @@ TEST_CASE(convolutions_of_an_iteration)
         struct direct_contact contact = contact_of(height, N, N);
         struct direct_contact_load load = load_of(p, INFINITY, 1e-6);
         expect_ok(direct_contact_solve, &contact, &load);
-        assert_true(contact.effort.iterations > 5);
-        assert_int_equal(contact.effort.convolutions, 1 + 5 * contact.effort.iterations / 2);
+        assert_true(contact.iterations > 5);
+        assert_int_equal(contact.convolutions, 1 + 5 * contact.iterations / 2);
         direct_contact_free(&contact);
     }
 }
