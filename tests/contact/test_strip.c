@@ -162,6 +162,7 @@ TEST_CASE(gap_of_the_open_points)
     struct direct_contact contact;
     size_t count = 0;
     expect_ok(direct_contact_make, &contact, height, POINTS, 1, 1e-6);
+    assert_true(share(strip.own.logit[0]) * POINTS >= 0.3 * STRIP_LEAST_POINTS); /* of fewer it says nothing */
     for (size_t k = 0; k < strip.own.count; k++) {
         struct direct_contact_load load = {exp(strip.own.value[k][0]), INFINITY, 1e-9, true, NULL};
         expect_ok(direct_contact_solve, &contact, &load);
