@@ -86,16 +86,14 @@ static enum status_code find_rows(struct maker *maker, struct status *status)
     }
     const struct strip_rows rows = {maker->map.height_m, maker->map.grid.ny, maker->map.grid.nx,
                                     maker->map.grid.spacing_m, !maker->map.grid.mirrored};
-    const size_t length = strip_row_length(&rows);
-    double *line_m = malloc(length * sizeof *line_m);
-    if (!line_m)
+    size_t points;
+    double *joined_m = strip_join(&points, &rows);
+    if (!joined_m)
         return status_memory(status);
     enum status_code rc = STATUS_OK;
-    for (size_t row = 0; row < rows.rows && rc == STATUS_OK; row++) {
-        strip_lay_row(line_m, &rows, row);
-        rc = spectrum_add_record(&study->rows, row, line_m, length, rows.spacing_m, status);
-    }
-    free(line_m);
+    for (size_t row = 0, length = points / rows.rows; row < rows.rows && rc == STATUS_OK; row++)
+        rc = spectrum_add_record(&study->rows, row, joined_m + row * length, length, rows.spacing_m, status);
+    free(joined_m);
     if (rc != STATUS_OK)
         return rc;
     study->rows.length_m /= surface_kappa(&maker->task->surface->summary);

@@ -166,8 +166,8 @@ static enum status_code solve_one(struct solved *out, struct cells *cells, const
         return solve_parts(out, cells, mean_Pa, status);
     if (joint->pressed)
         give_pressures(cells, mean_Pa);
-    else if (shape_press(&cells->shape, cells->gap_m, &cells->gap, task->pair->effective_modulus_Pa, cells->hardness_Pa,
-                         mean_Pa, status) != STATUS_OK)
+    else if (shape_press(&cells->shape, cells->gap_m, &cells->gap, task->pair->effective_modulus_Pa, mean_Pa, status) !=
+             STATUS_OK)
         return status->code;
     const struct shape_spread spread = shape_spread(&cells->shape, cells->hardness_Pa);
     *out = (struct solved){.area = spread.area, .yielding_load = spread.yielding_load};

@@ -22,7 +22,8 @@ struct token {
 };
 
 struct tokens {
-    struct token *token; /* room for as many as the template has characters, and two */
+    const char *source, *name; /* of the template */
+    struct token *token;       /* room for as many as the template has characters, and two */
     size_t count;
 };
 
@@ -44,13 +45,15 @@ static int first_line(const char *tag, size_t length)
     return (int)(line < length ? line : length);
 }
 
-static enum status_code fail(struct status *status, const char *name, const char *source, const char *at,
-                             const char *what, const char *tag, size_t length)
+/** `at`: where in the template; shown: what of it the message quotes. */
+static enum status_code fail(const struct tokens *tokens, const char *at, const char *what, const struct token *shown,
+                             struct status *status)
 {
     int line = 1;
-    for (const char *p = source; p < at; p++)
+    for (const char *p = tokens->source; p < at; p++)
         line += *p == '\n';
-    return status_fail(status, STATUS_USAGE, "%s, line %d: %s '%.*s'", name, line, what, first_line(tag, length), tag);
+    return status_fail(status, STATUS_USAGE, "%s, line %d: %s '%.*s'", tokens->name, line, what,
+                       first_line(shown->start, shown->length), shown->start);
 }
 
 static enum status_code refuse(struct status *status, const char *name, const char *what, enum limit limit)
@@ -100,15 +103,15 @@ static bool alone(const char *source, const char **start, const char **end)
     return true;
 }
 
-/** Cuts a template. */
-static enum status_code tokenize(struct tokens *out, const char *source, const char *name, struct status *status)
+/** Cuts the template. */
+static enum status_code tokenize(struct tokens *out, struct status *status)
 {
     static const char signs[] = "#^/>!={&";
     static const enum token_kind kinds[] = {TOKEN_SECTION, TOKEN_INVERTED, TOKEN_END, TOKEN_PARTIAL,
                                             TOKEN_TEXT,    TOKEN_TEXT,     TOKEN_RAW, TOKEN_RAW};
     struct delimiters delimiters = {"{{", "}}"};
     size_t open[DEPTH_MOST], depth = 0;
-    const char *p = source;
+    const char *p = out->source;
     for (const char *tag; (tag = strstr(p, delimiters.open));) {
         const char *inside = tag + strlen(delimiters.open), *sign = *inside ? strchr(signs, *inside) : NULL;
         inside += sign != NULL; /* with which a closing delimiter may begin, too */
@@ -116,16 +119,17 @@ static enum status_code tokenize(struct tokens *out, const char *source, const c
         snprintf(closing, sizeof closing, "%s%s", sign && *sign == '{' ? "}" : "", delimiters.close);
         const char *close = strstr(inside, closing);
         if (!close)
-            return fail(status, name, source, tag, "tag that is not closed:", tag, strlen(tag));
+            return fail(out, tag, "tag that is not closed:", &(struct token){.start = tag, .length = strlen(tag)},
+                        status);
         const char *start = tag, *end = close + strlen(closing);
         struct token token = {
             .kind = sign ? kinds[sign - signs] : TOKEN_VARIABLE, .start = inside, .length = (size_t)(close - inside)};
-        bool line = sign && *sign != '{' && *sign != '&' && alone(source, &start, &end);
+        bool line = sign && *sign != '{' && *sign != '&' && alone(out->source, &start, &end);
         if (start < p)
             start = p; /* two tags on one line: blanks before the second belong to the first */
         out->token[out->count++] = (struct token){.start = p, .length = (size_t)(start - p)};
         if (sign && *sign == '=' && !set_delimiters(&delimiters, token.start, token.length))
-            return fail(status, name, source, tag, "delimiters not understood:", token.start, token.length);
+            return fail(out, tag, "delimiters not understood:", &token, status);
         p = end;
         if (token.kind == TOKEN_TEXT)
             continue;
@@ -136,21 +140,19 @@ static enum status_code tokenize(struct tokens *out, const char *source, const c
         }
         if (token.kind == TOKEN_SECTION || token.kind == TOKEN_INVERTED) {
             if (depth == DEPTH_MOST)
-                return fail(status, name, source, tag, "too many sections within each other:", token.start,
-                            token.length);
+                return fail(out, tag, "too many sections within each other:", &token, status);
             open[depth++] = out->count;
         }
         if (token.kind == TOKEN_END) {
             const struct token *begun = depth > 0 ? &out->token[open[--depth]] : NULL;
             if (!begun || begun->length != token.length || memcmp(begun->start, token.start, token.length) != 0)
-                return fail(status, name, source, tag, "section ended that is not open:", token.start, token.length);
+                return fail(out, tag, "section ended that is not open:", &token, status);
             out->token[open[depth]].end = out->count;
         }
         out->token[out->count++] = token;
     }
     if (depth > 0)
-        return fail(status, name, source, p, "section that does not end:", out->token[open[0]].start,
-                    out->token[open[0]].length);
+        return fail(out, p, "section that does not end:", &out->token[open[0]], status);
     out->token[out->count++] = (struct token){.start = p, .length = strlen(p)};
     return STATUS_OK;
 }
@@ -208,9 +210,8 @@ static enum status_code render_text(struct render *render, const char *source, c
     render->steps += length;
     if (render->open > limit_most(LIMIT_TEMPLATE_BYTES))
         return refuse(render->status, name, "is too long", LIMIT_TEMPLATE_BYTES);
-    struct tokens tokens = {calloc(length + 2, sizeof *tokens.token), 0};
-    enum status_code rc =
-        tokens.token ? tokenize(&tokens, source, name, render->status) : status_memory(render->status);
+    struct tokens tokens = {source, name, calloc(length + 2, sizeof *tokens.token), 0};
+    enum status_code rc = tokens.token ? tokenize(&tokens, render->status) : status_memory(render->status);
     if (rc == STATUS_OK)
         rc = render_tokens(render, &tokens, 0, tokens.count);
     free(tokens.token);

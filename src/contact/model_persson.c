@@ -14,22 +14,28 @@ static enum status_code elastic(struct strip_contact *out, size_t *count, const 
 {
     size_t loads = task->load_count;
     bool gap = task->wanted & QUANTITY_BIT(QUANTITY_SEPARATION);
-    if (row->uses_strip)
-        return strip_contact(out, count, task->loads, loads, task->strip, persson, gap, task->carries_on, status);
     double *area = malloc((loads + 1) * sizeof *area);
     struct corrected_persson_point *point = malloc((loads + 1) * sizeof *point);
     enum status_code rc = area && point ? STATUS_OK : status_memory(status);
-    for (*count = 0; *count < loads && rc == STATUS_OK; ++*count) {
-        area[*count] = corrected_persson_area(task->loads[*count], persson->m2);
-        if (!(area[*count] > 0 && (task->carries_on || area[*count] <= corrected_persson_largest_area)))
+    if (rc == STATUS_OK && row->uses_strip)
+        rc = strip_areas(area, task->loads, loads, task->strip, persson->m2, status);
+    for (; *count < loads && rc == STATUS_OK; ++*count) {
+        double load = task->loads[*count];
+        double at = row->uses_strip ? area[*count] : corrected_persson_area(load, persson->m2);
+        bool beyond = !(at <= corrected_persson_largest_area); /* or NaN */
+        if (at <= 0 || (beyond && !task->carries_on))
             break;
-        area[*count] = fmin(area[*count], corrected_persson_largest_area);
+        area[*count] = beyond ? corrected_persson_largest_area : at;
+        out[*count] = (struct strip_contact){area[*count], NAN, NAN, area[*count] / load};
     }
-    if (rc == STATUS_OK)
+    if (rc == STATUS_OK && row->uses_strip)
+        rc = strip_contact(out, *count, task->strip, persson, gap, status);
+    else if (rc == STATUS_OK)
         corrected_persson_curve(point, area, *count, persson, gap);
-    for (size_t i = 0; i < *count; i++)
-        out[i] =
-            (struct strip_contact){area[i], point[i].constriction_m, point[i].separation_m, area[i] / task->loads[i]};
+    for (size_t i = 0; i < *count && rc == STATUS_OK && !row->uses_strip; i++) {
+        out[i].constriction_m = point[i].constriction_m;
+        out[i].separation_m = point[i].separation_m;
+    }
     free(area);
     free(point);
     return rc;

@@ -28,18 +28,21 @@ enum { ROUGH_STEP = 2, ROUGH_TOLERANCE = 3 };
 
 static const double least_share = 0.3; /* of the points in contact that their outline leaves */
 
-size_t strip_row_length(const struct strip_rows *rows)
+static size_t row_length(const struct strip_rows *rows)
 {
     return rows->periodic ? rows->points : 2 * rows->points;
 }
 
-void strip_lay_row(double *out, const struct strip_rows *rows, size_t row)
+double *strip_join(size_t *points, const struct strip_rows *rows)
 {
-    const double *height_m = rows->height_m + row * rows->points;
-    size_t length = strip_row_length(rows);
-    memcpy(out, height_m, rows->points * sizeof *out);
-    for (size_t i = rows->points; i < length; i++)
-        out[i] = height_m[length - 1 - i];
+    const size_t length = row_length(rows), n = rows->points;
+    *points = rows->rows * length;
+    double *strip_m = malloc((*points + 1) * sizeof *strip_m);
+    for (size_t k = 0; k < *points && strip_m; k++) {
+        size_t i = k % length;
+        strip_m[k] = rows->height_m[k / length * n + (i < n ? i : length - 1 - i)];
+    }
+    return strip_m;
 }
 
 /** The rows' means, and the amplitudes that stand for all of them. */
@@ -120,17 +123,26 @@ static double open_gap(const struct direct_contact *contact)
     return sum / (double)contact->kernel.points;
 }
 
+/** Strips of the same points, solved one after another. */
+struct solver {
+    double *strip_m;               /* heights of the one at work */
+    struct direct_contact contact; /* of no points before the first */
+    bool rough;                    /* STRIP_ROUGHLY */
+    const atomic_bool *stop;
+    size_t convolutions;
+};
+
 /** Puts a solution into the curve, from its end on; those that complete contact or come no further down say nothing. */
-static enum status_code add_solution(struct strip_curve *curve, struct direct_contact *contact, size_t touching,
-                                     const struct direct_contact_load *load, double area,
-                                     struct direct_contact_effort *effort, struct status *status)
+static enum status_code add_solution(struct strip_curve *curve, struct direct_contact *contact,
+                                     const struct direct_contact_load *load, const struct direct_quantities *found,
+                                     struct status *status)
 {
-    size_t at = STRIP_LOADS - 1 - curve->count;
-    double length_m, gap_m = open_gap(contact);
-    if (touching == contact->kernel.points)
+    size_t at = STRIP_LOADS - 1 - curve->count, points = contact->kernel.points;
+    double length_m, gap_m = open_gap(contact), area = direct_area_corrected(found, points, direct_kappa);
+    area = fmax(area, least_share * (double)found->contact_points / (double)points);
+    if (found->contact_points == points)
         return STATUS_OK;
-    if (direct_constriction_of_contact(&length_m, contact, sqrt(load->tolerance), load->stop, effort, status) !=
-        STATUS_OK)
+    if (direct_constriction_of_contact(&length_m, contact, sqrt(load->tolerance), load->stop, status) != STATUS_OK)
         return status->code;
     if (!(length_m > 0 && gap_m > 0) || (curve->count > 0 && !(logit(area) < curve->logit[at + 1])))
         return STATUS_OK;
@@ -142,26 +154,33 @@ static enum status_code add_solution(struct strip_curve *curve, struct direct_co
     return STATUS_OK;
 }
 
-/** Down the ladder until too few points touch. */
-static enum status_code descend(struct strip_curve *curve, struct direct_contact *contact, double slope, bool rough,
-                                const atomic_bool *stop, struct direct_contact_effort *effort, struct status *status)
+/** The strip at work, down the ladder until too few points touch. */
+static enum status_code solve_strip(struct strip_curve *curve, struct solver *solver, const struct strip_rows *rows,
+                                    struct status *status)
 {
-    size_t points = contact->kernel.points;
+    struct direct_contact *contact = &solver->contact;
+    size_t length = row_length(rows), points = rows->rows * length;
+    double slope = sqrt(mean_square_slope(solver->strip_m, points, length, rows->spacing_m));
     *curve = (struct strip_curve){0};
-    const size_t step = rough ? ROUGH_STEP : 1;
-    for (size_t i = STRIP_LOADS + step - 1; i >= step;) {
+    if ((contact->kernel.points > 0
+             ? direct_contact_lay(contact, solver->strip_m, status)
+             : direct_contact_make(contact, solver->strip_m, &(struct direct_grid){points, 1, rows->spacing_m, false},
+                                   status)) != STATUS_OK)
+        return status->code;
+    const size_t step = solver->rough ? ROUGH_STEP : 1;
+    bool enough = true;
+    for (size_t i = STRIP_LOADS + step - 1; i >= step && enough;) {
         i -= step;
-        double tolerance = ladder[i].tolerance * (rough ? ROUGH_TOLERANCE : 1);
-        struct direct_contact_load load = {ladder[i].load * slope, INFINITY, tolerance, true, stop};
+        double tolerance = ladder[i].tolerance * (solver->rough ? ROUGH_TOLERANCE : 1);
+        struct direct_contact_load load = {ladder[i].load * slope, INFINITY, tolerance, true, solver->stop};
         struct status problem = {0};
-        if (direct_contact_solve(contact, &load, effort, &problem) == STATUS_OK) {
+        if (direct_contact_solve(contact, &load, &problem) == STATUS_OK) {
             struct direct_quantities found = direct_quantities_of(contact, &load);
-            if (found.contact_points < STRIP_LEAST_POINTS)
-                break;
-            double area = fmax(direct_area_corrected(&found, points, direct_kappa),
-                               least_share * (double)found.contact_points / (double)points);
-            (void)add_solution(curve, contact, found.contact_points, &load, area, effort, &problem);
+            enough = found.contact_points >= STRIP_LEAST_POINTS;
+            if (enough)
+                (void)add_solution(curve, contact, &load, &found, &problem);
         }
+        solver->convolutions += contact->convolutions;
         if (problem.code == STATUS_MODEL)
             curve->unsolved++; /* the next one starts anew */
         else if (problem.code != STATUS_OK)
@@ -179,60 +198,42 @@ static enum status_code descend(struct strip_curve *curve, struct direct_contact
     return STATUS_OK;
 }
 
-/** One strip after another of the same points; `contact` is theirs, of no points before the first. */
-static enum status_code solve_strip(struct strip_curve *curve, struct direct_contact *contact, const double *strip_m,
-                                    size_t points, const struct strip_rows *rows, bool rough, const atomic_bool *stop,
-                                    struct direct_contact_effort *effort, struct status *status)
+enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, size_t first, size_t surrogates,
+                             const atomic_bool *stop, struct status *status)
 {
-    double slope = sqrt(mean_square_slope(strip_m, points, strip_row_length(rows), rows->spacing_m));
-    const struct direct_grid grid = {points, 1, rows->spacing_m, false};
-    enum status_code rc = contact->kernel.points > 0 ? direct_contact_lay(contact, strip_m, status)
-                                                     : direct_contact_make(contact, strip_m, &grid, status);
-    return rc == STATUS_OK ? descend(curve, contact, slope, rough, stop, effort, status) : rc;
-}
-
-enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, const size_t *which, size_t count,
-                             size_t surrogates, const atomic_bool *stop, struct status *status)
-{
-    size_t length = strip_row_length(rows), points = count * length;
-    bool rough = surrogates == STRIP_ROUGHLY;
+    size_t length = row_length(rows), points;
     struct phases phases = {0};
-    struct direct_contact contact = {.solved = false};
-    struct direct_contact_effort effort = {0};
-    double *strip_m = malloc((points + 1) * sizeof *strip_m);
+    struct solver solver = {.strip_m = strip_join(&points, rows), .rough = surrogates == STRIP_ROUGHLY, .stop = stop};
     *out = (struct strip){.surrogates = 0};
-    surrogates = rough ? 1 : surrogates;
-    if (!strip_m)
+    surrogates = solver.rough ? 1 : surrogates;
+    if (!solver.strip_m)
         return status_memory(status);
-    for (size_t r = 0; r < count; r++)
-        strip_lay_row(strip_m + r * length, rows, which[r]);
-    if (phases_of(&phases, strip_m, length, count, status) == STATUS_OK)
-        (void)solve_strip(&out->own, &contact, strip_m, points, rows, rough, stop, &effort, status);
+    if (phases_of(&phases, solver.strip_m, length, rows->rows, status) == STATUS_OK)
+        (void)solve_strip(&out->own, &solver, rows, status);
     out->unsolved = out->own.unsolved;
     for (size_t s = 0; s < surrogates && status->code == STATUS_OK; s++) {
         struct strip_curve *curve = &out->surrogate[out->surrogates];
         struct status problem = {0};
-        for (size_t r = 0; r < count; r++)
-            draw_row(strip_m + r * length, &phases, length, which[r], s + 1, status);
+        for (size_t r = 0; r < rows->rows; r++)
+            draw_row(solver.strip_m + r * length, &phases, length, first + r, s + 1, status);
         if (status->code == STATUS_OK)
-            (void)solve_strip(curve, &contact, strip_m, points, rows, rough, stop, &effort, &problem);
+            (void)solve_strip(curve, &solver, rows, &problem);
         out->unsolved += curve->unsolved;
         out->surrogates += problem.code == STATUS_OK;
         if (problem.code != STATUS_OK && (problem.code != STATUS_MODEL || s + 1 - out->surrogates == surrogates))
             (void)status_fail(status, problem.code, "%s", problem.message);
     }
-    out->transforms = effort.convolutions * points;
-    direct_contact_free(&contact);
+    out->transforms = solver.convolutions * points;
+    direct_contact_free(&solver.contact);
     phases_free(&phases);
-    free(strip_m);
+    free(solver.strip_m);
     return status->code;
 }
 
-uint64_t strip_cost(const struct strip_rows *rows, size_t count, size_t surrogates)
+uint64_t strip_cost(const struct strip_rows *rows)
 {
-    double points = (double)(count * strip_row_length(rows)),
-           pairs = 2.8 * sqrt(sqrt(points)); /* a load, as measured */
-    return (uint64_t)(pairs * points * (double)(STRIP_LOADS * (1 + surrogates)));
+    double points = (double)(rows->rows * row_length(rows)), pairs = 2.8 * sqrt(sqrt(points)); /* a load, as measured */
+    return (uint64_t)(pairs * points * (double)(STRIP_LOADS * (1 + STRIP_SURROGATES)));
 }
 
 /** A line through two neighbours, carried on above the last; below the first p goes as A, l as 1/A, the gap stays. */
@@ -362,45 +363,41 @@ static void fill_nodes(struct nodes *nodes, const struct strip *strip, const str
     }
 }
 
-/** At a load and its area, i-th of those asked for. */
-static struct strip_contact look_up(const struct nodes *nodes, size_t i, double area_ratio, double load)
+/** Fills in the i-th contact. */
+static void look_up(struct strip_contact *contact, const struct nodes *nodes, size_t i)
 {
-    double place = (logit(area_ratio) - nodes->range[0]) / (nodes->range[1] - nodes->range[0]) * (double)nodes->steps;
+    double place =
+        (logit(contact->area_ratio) - nodes->range[0]) / (nodes->range[1] - nodes->range[0]) * (double)nodes->steps;
     size_t k = (size_t)fmin(fmax(place, 0), (double)nodes->steps - 1);
     bool below = i < nodes->below;
     const double(*value)[3] = nodes->value + (below ? i : nodes->below + k);
     const double *next = value[below ? 0 : 1];
     double share = below ? 0 : place - (double)k;
-    double length = value[0][0] + share * (next[0] - value[0][0]), gap = value[0][1] + share * (next[1] - value[0][1]);
-    return (struct strip_contact){area_ratio, exp(length), exp(gap), fmin(value[0][2], area_ratio / load)};
+    contact->constriction_m = exp(value[0][0] + share * (next[0] - value[0][0]));
+    contact->separation_m = exp(value[0][1] + share * (next[1] - value[0][1]));
+    contact->least_area_per_load = fmin(value[0][2], contact->least_area_per_load);
 }
 
-enum status_code strip_contact(struct strip_contact *out, size_t *out_count, const double *loads, size_t count,
-                               const struct strip *strip, const struct persson *persson, bool with_separation,
-                               bool carries_on, struct status *status)
+enum status_code strip_contact(struct strip_contact *contact, size_t count, const struct strip *strip,
+                               const struct persson *persson, bool with_separation, struct status *status)
 {
     struct nodes nodes = {0};
     nodes.steps = range_of(nodes.range, strip);
-    size_t most = count + nodes.steps + 1, found = 0;
+    size_t most = count + nodes.steps + 1;
     nodes.area_ratio = malloc(most * sizeof *nodes.area_ratio);
     nodes.theory = malloc(most * sizeof *nodes.theory);
     nodes.value = malloc(most * sizeof *nodes.value);
-    double *area_ratio = malloc((count + 1) * sizeof *area_ratio);
-    if (!nodes.area_ratio || !nodes.theory || !nodes.value || !area_ratio)
+    if (!nodes.area_ratio || !nodes.theory || !nodes.value) {
         (void)status_memory(status);
-    else if (strip_areas(area_ratio, loads, count, strip, persson->m2, status) == STATUS_OK) {
-        for (; found < count && !(area_ratio[found] <= 0) && (carries_on || !isnan(area_ratio[found])); found++)
-            area_ratio[found] = fmin(area_ratio[found], corrected_persson_largest_area);
-        for (; nodes.below < found && area_ratio[nodes.below] < area_of(nodes.range, 0); nodes.below++)
-            nodes.area_ratio[nodes.below] = area_ratio[nodes.below];
+    } else {
+        for (; nodes.below < count && contact[nodes.below].area_ratio < area_of(nodes.range, 0); nodes.below++)
+            nodes.area_ratio[nodes.below] = contact[nodes.below].area_ratio;
         fill_nodes(&nodes, strip, persson, with_separation);
+        for (size_t i = 0; i < count; i++)
+            look_up(&contact[i], &nodes, i);
     }
-    for (size_t i = 0; i < found; i++)
-        out[i] = look_up(&nodes, i, area_ratio[i], loads[i]);
-    *out_count = found;
     free(nodes.area_ratio);
     free(nodes.theory);
     free(nodes.value);
-    free(area_ratio);
     return status->code;
 }

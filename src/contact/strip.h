@@ -27,9 +27,9 @@ struct strip_rows {
     bool periodic; /* each closes on itself; else it is mirrored */
 };
 
-/** Points of one row in a strip, and these: the row, unless periodic with its mirror image. */
-size_t strip_row_length(const struct strip_rows *rows);
-void strip_lay_row(double *out, const struct strip_rows *rows, size_t row);
+/** The rows one after another, each with its mirror image behind it unless periodic: so many heights, malloc'ed; NULL:
+ * out of memory. */
+double *strip_join(size_t *points, const struct strip_rows *rows);
 
 /** Solutions of one strip by area, ascending. */
 struct strip_curve {
@@ -47,17 +47,16 @@ struct strip {
     uint64_t transforms; /* pairs of transforms that it took, times points */
 };
 
-/** Joins rows which[0 ... count - 1] to one strip and solves it, and as many surrogates: every row with random phases
- * on these rows' mean power and a normal mean of these rows' mean and deviation, hashed from the row's number, so that
- * a row keeps its phases whatever other rows there are. Loads and surrogates that do not converge are left out. Errors:
- * STATUS_MODEL: flat rows, or not one load under which enough points touch and the solution converges;
- * STATUS_INTERRUPTED when *stop (NULL: never) becomes non-zero; STATUS_MEMORY. */
-MUST_CHECK enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, const size_t *which,
-                                        size_t count, size_t surrogates, const atomic_bool *stop,
-                                        struct status *status);
+/** Joins the rows, of all a surface has those from `first` on, to one strip and solves it, and as many surrogates:
+ * every row with random phases on these rows' mean power and a normal mean of these rows' mean and deviation, hashed
+ * from the row's number, so that a row keeps its phases whatever other rows there are. Loads and surrogates that do not
+ * converge are left out. Errors: STATUS_MODEL: flat rows, or not one load under which enough points touch and the
+ * solution converges; STATUS_INTERRUPTED when *stop (NULL: never) becomes non-zero; STATUS_MEMORY. */
+MUST_CHECK enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, size_t first,
+                                        size_t surrogates, const atomic_bool *stop, struct status *status);
 
-/** Pairs of transforms times points that strip_solve() takes, about. */
-uint64_t strip_cost(const struct strip_rows *rows, size_t count, size_t surrogates);
+/** Pairs of transforms times points that strip_solve() takes with STRIP_SURROGATES, about. */
+uint64_t strip_cost(const struct strip_rows *rows);
 
 /** ln of the strip's load, constriction length and gap over those of its surrogates (mean of ln) at equal area. */
 struct strip_ratio {
@@ -76,11 +75,10 @@ struct strip_contact {
     double least_area_per_load; /* A/(A_n p) at this load or a smaller one */
 };
 
-/** At ascending loads up to the largest area of corrected_persson.h, *out_count of them: the corrected theory's times
- * the ratio. With the load areas never fall and lengths and separations never rise, and none depends on which other
- * loads there are. with_separation false: NaN. carries_on: at larger loads as at that area. Error: STATUS_MEMORY. */
-MUST_CHECK enum status_code strip_contact(struct strip_contact *out, size_t *out_count, const double *loads,
-                                          size_t count, const struct strip *strip, const struct persson *persson,
-                                          bool with_separation, bool carries_on, struct status *status);
+/** What goes with ascending areas up to the largest of corrected_persson.h, the corrected theory's times the ratio:
+ * lengths and separations never rise, and none depends on which other areas there are. Where at a smaller one it was
+ * less, the area per load becomes that. with_separation false: NaN. Error: STATUS_MEMORY. */
+MUST_CHECK enum status_code strip_contact(struct strip_contact *contact, size_t count, const struct strip *strip,
+                                          const struct persson *persson, bool with_separation, struct status *status);
 
 #endif

@@ -45,13 +45,11 @@ static enum status_code solve(struct unloading *out, struct direct_contact *stri
 enum status_code unloading_solve(struct unloading *out, const struct strip_rows *rows, double largest_load,
                                  double hardness, const atomic_bool *stop, struct status *status)
 {
-    size_t length = strip_row_length(rows), points = rows->rows * length;
-    double *strip_m = malloc((points + 1) * sizeof *strip_m);
+    size_t points;
+    double *strip_m = strip_join(&points, rows);
     *out = (struct unloading){.raised = 1};
     if (!strip_m)
         return status_memory(status);
-    for (size_t r = 0; r < rows->rows; r++)
-        strip_lay_row(strip_m + r * length, rows, r);
     for (bool few = true; few; out->raised *= few ? 2 : 1) {
         struct direct_contact strip;
         if (direct_contact_make(&strip, strip_m, &(struct direct_grid){points, 1, rows->spacing_m, false}, status) ==

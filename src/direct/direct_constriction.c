@@ -9,9 +9,8 @@
 enum { MOST_ITERATIONS = 500 };
 
 /** Values on the contact's set, put into the field, 0 elsewhere; convolved with the compliance, or stiffened. Its mean
- * over the set, of `total` points, and its product with the values. */
-static double convolve(double *product, struct direct_contact *contact, const double *values, bool stiffen,
-                       double total)
+ * over the set, and its product with the values. */
+static double convolve(double *product, struct direct_contact *contact, const double *values, bool stiffen)
 {
     struct direct_kernel *kernel = &contact->kernel;
     const uint32_t *set = contact->set;
@@ -29,7 +28,7 @@ static double convolve(double *product, struct direct_contact *contact, const do
             part[1][i] += kernel->field[set[k + i]] * values[k + i];
         }
     *product = (part[1][0] + part[1][1]) + (part[1][2] + part[1][3]);
-    return ((part[0][0] + part[0][1]) + (part[0][2] + part[0][3])) / total;
+    return ((part[0][0] + part[0][1]) + (part[0][2] + part[0][3])) / (double)contact->set_count;
 }
 
 static double dot(const struct direct_contact *contact, const double *a, const double *b)
@@ -41,10 +40,9 @@ static double dot(const struct direct_contact *contact, const double *a, const d
     return (part[0] + part[1]) + (part[2] + part[3]);
 }
 
-/** On the contact's set, of `total` points; `current`: room for a value at each. */
-static enum status_code iterate(double *length_m, struct direct_contact *contact, double *current, double total,
-                                double tolerance, const atomic_bool *stop, struct direct_contact_effort *effort,
-                                struct status *status)
+/** On the contact's set; `current`: room for a value at each of its points. */
+static enum status_code iterate(double *length_m, struct direct_contact *contact, double *current, double tolerance,
+                                const atomic_bool *stop, struct status *status)
 {
     const struct direct_kernel *kernel = &contact->kernel;
     const uint32_t *set = contact->set;
@@ -52,10 +50,10 @@ static enum status_code iterate(double *length_m, struct direct_contact *contact
     double *residual = contact->gap_m, *direction = contact->direction, points = (double)kernel->points;
     double last = INFINITY, product, curvature;
     for (size_t k = 0; k < count; k++) {
-        current[k] = points / total;
+        current[k] = points / (double)count;
         direction[k] = 0;
     }
-    double potential = convolve(&product, contact, current, false, total);
+    double potential = convolve(&product, contact, current, false);
     for (size_t k = 0; k < count; k++)
         residual[k] = kernel->field[set[k]] - potential;
     for (int iteration = 0;; iteration++) {
@@ -71,25 +69,24 @@ static enum status_code iterate(double *length_m, struct direct_contact *contact
             return status_fail(status, STATUS_INTERRUPTED, "stopped");
         if (!isfinite(*length_m) || iteration >= MOST_ITERATIONS)
             return status_fail(status, STATUS_MODEL,
-                               "the constriction of %.0f contact points does not converge; use a finer grid", total);
-        double mean = convolve(&product, contact, residual, true, total);
+                               "the constriction of %zu contact points does not converge; use a finer grid", count);
+        double mean = convolve(&product, contact, residual, true);
         for (size_t k = 0; k < count; k++)
             direction[k] = kernel->field[set[k]] - mean + product / last * direction[k];
         last = product;
-        mean = convolve(&curvature, contact, direction, false, total);
+        mean = convolve(&curvature, contact, direction, false);
         double tau = dot(contact, residual, direction) / curvature;
         for (size_t k = 0; k < count; k++) {
             current[k] -= tau * direction[k];
             residual[k] -= tau * (kernel->field[set[k]] - mean);
         }
         potential -= tau * mean;
-        effort->iterations++;
+        contact->iterations++;
     }
 }
 
 enum status_code direct_constriction_of_contact(double *length_m, struct direct_contact *contact, double tolerance,
-                                                const atomic_bool *stop, struct direct_contact_effort *effort,
-                                                struct status *status)
+                                                const atomic_bool *stop, struct status *status)
 {
     const struct direct_kernel *kernel = &contact->kernel;
     size_t before = kernel->transforms;
@@ -100,10 +97,10 @@ enum status_code direct_constriction_of_contact(double *length_m, struct direct_
         return status_memory(status);
     assert(contact->set_count > 0 && tolerance > 0);
     if (contact->set_count < kernel->points)
-        (void)iterate(length_m, contact, current, (double)contact->set_count, tolerance, stop, effort, status);
+        (void)iterate(length_m, contact, current, tolerance, stop, status);
     for (size_t k = 0; contact->response && *length_m > 0 && k < contact->set_count; k++)
         contact->response[contact->set[k]] = current[k];
     free(current);
-    effort->convolutions += (kernel->transforms - before) / 2;
+    contact->convolutions += (kernel->transforms - before) / 2;
     return status->code;
 }

@@ -16,11 +16,11 @@
 
 /** Constriction length of the points p > 0 of a solved contact, by preconditioned conjugate gradients until the
  * potential on the set is constant to `tolerance` of itself; l = <j, u>/<j> is then good to its square. 0 where every
- * point is in contact. The contact's gap_m is used up; its pressure stays, and j is a
- * strip's response. Adds to *effort. Errors: STATUS_MODEL: no
- * convergence; STATUS_INTERRUPTED when *stop (NULL: never) becomes non-zero; STATUS_MEMORY. */
+ * point is in contact. The contact's gap_m is used up; its pressure stays, and j is a strip's response. Adds to what
+ * the contact took. Errors: STATUS_MODEL: no convergence; STATUS_INTERRUPTED when *stop (NULL: never) becomes non-zero;
+ * STATUS_MEMORY. */
 MUST_CHECK enum status_code direct_constriction_of_contact(double *length_m, struct direct_contact *contact,
                                                            double tolerance, const atomic_bool *stop,
-                                                           struct direct_contact_effort *effort, struct status *status);
+                                                           struct status *status);
 
 #endif

@@ -21,7 +21,6 @@ static const double THROWN = 8;
 struct solver {
     struct direct_contact *contact;
     const struct direct_contact_load *load;
-    struct direct_contact_effort *effort;
     double hardness;
     bool preconditioned;
     bool joined;    /* some point has come into the set: directions so far are no longer conjugate */
@@ -459,14 +458,14 @@ static enum status_code iterate(struct solver *solver, double tolerance, struct 
                 return status_fail(status, STATUS_MODEL,
                                    "the direct solution does not converge at p/E' = %g (violation %.1e of the "
                                    "roughness after %zu iterations); use a finer grid, denser scans or another load",
-                                   solver->load->mean_pressure, violation, solver->effort->iterations);
+                                   solver->load->mean_pressure, violation, solver->contact->iterations);
             solver->preconditioned = false; /* once more, without */
             solver->joined = true;
             waited = 0;
             best = INFINITY;
         }
         step(solver);
-        solver->effort->iterations++;
+        solver->contact->iterations++;
     }
 }
 
@@ -521,7 +520,6 @@ static bool follow_coarse(struct solver *solver, bool warm)
 {
     struct direct_contact *contact = solver->contact, *coarse = contact->coarse;
     struct direct_contact_load load = *solver->load;
-    struct direct_contact_effort effort = {0};
     struct status problem = {0};
     size_t places = contact->kernel.ny * contact->kernel.stride;
     warm = warm && coarse->solved;
@@ -531,12 +529,12 @@ static bool follow_coarse(struct solver *solver, bool warm)
     memset(contact->direction, 0, places * sizeof(double));
     if (warm)
         add_coarse(contact, -1);
-    if (direct_contact_solve(coarse, &load, &effort, &problem) != STATUS_OK) {
+    if (direct_contact_solve(coarse, &load, &problem) != STATUS_OK) {
         contact->kernel.exhausted = problem.code == STATUS_MEMORY;
         return false;
     }
-    solver->effort->convolutions += effort.convolutions / 4;
-    if (warm && effort.iterations == 0)
+    contact->convolutions += coarse->convolutions / 4;
+    if (warm && coarse->iterations == 0)
         return true; /* all that has changed is rounding, which would press points that are apart */
     add_coarse(contact, 1);
     for (size_t k = 0; k < places; k++)
@@ -594,8 +592,9 @@ static enum status_code solve(struct solver *solver, struct status *status)
 }
 
 enum status_code direct_contact_solve(struct direct_contact *contact, const struct direct_contact_load *load,
-                                      struct direct_contact_effort *effort, struct status *status)
+                                      struct status *status)
 {
+    contact->iterations = contact->convolutions = 0;
     assert(load->tolerance > 0 && load->hardness > 0);
     if (!(load->mean_pressure > 0) || !isfinite(load->mean_pressure))
         return status_fail(status, STATUS_MODEL, "a mean pressure of %g E' cannot be solved; it has to be positive",
@@ -605,9 +604,9 @@ enum status_code direct_contact_solve(struct direct_contact *contact, const stru
                            "complete contact: a hardness of %g E' is not defined for a mean pressure of %g E'",
                            load->hardness, load->mean_pressure);
     size_t before = contact->kernel.transforms;
-    struct solver solver = {.contact = contact, .load = load, .effort = effort};
+    struct solver solver = {.contact = contact, .load = load};
     enum status_code rc = solve(&solver, status);
-    effort->convolutions += (contact->kernel.transforms - before) / 2;
+    contact->convolutions += (contact->kernel.transforms - before) / 2;
     contact->solved = rc == STATUS_OK;
     contact->capped = isfinite(load->hardness);
     return rc;

@@ -33,9 +33,10 @@ struct direct_contact {
     uint8_t *rows;                 /* whether a row has points of the set */
     struct direct_contact *coarse; /* every second point of every second row; NULL: too few of them */
     size_t set_count;
-    double rms_m; /* root mean square of the height about its mean */
-    bool solved;  /* pressure and gap_m hold a solution, to start the next from */
-    bool capped;  /* that with a hardness */
+    double rms_m;                    /* root mean square of the height about its mean */
+    bool solved;                     /* pressure and gap_m hold a solution, to start the next from */
+    bool capped;                     /* that with a hardness */
+    size_t iterations, convolutions; /* that the last load to be solved took, with its constriction */
 };
 
 /** What to solve for. */
@@ -47,11 +48,6 @@ struct direct_contact_load {
     const atomic_bool *stop; /* non-zero: end early; NULL: never. Looked at once an iteration */
 };
 
-/** What it took. */
-struct direct_contact_effort {
-    size_t iterations, convolutions;
-};
-
 /** Takes a copy of the heights at a grid's points. Errors: those of direct_kernel_make(); STATUS_MODEL: a height that
  * is not finite, or a flat surface. */
 MUST_CHECK enum status_code direct_contact_make(struct direct_contact *out, const double *height_m,
@@ -61,13 +57,12 @@ MUST_CHECK enum status_code direct_contact_lay(struct direct_contact *contact, c
                                                struct status *status);
 void direct_contact_free(struct direct_contact *contact);
 
-/** Solves for one load; adds the effort to *effort. Method: Polonsky and Keer, Wear 231 (1999) 206, with points that
- * violate a condition in one set with the others, and, for elastic contact, the preconditioner |q|E'/2 on the set. It
- * starts from the elastic solution of the coarse grid. A hardness starts from the elastic solution. Errors:
- * STATUS_MODEL: p̄ >= H (complete contact, which the hardness does not define), a load that is no positive number, no
- * convergence; STATUS_INTERRUPTED. */
+/** Solves for one load. Method: Polonsky and Keer, Wear 231 (1999) 206, with points that violate a condition in one set
+ * with the others, and, for elastic contact, the preconditioner |q|E'/2 on the set. It starts from the elastic solution
+ * of the coarse grid. A hardness starts from the elastic solution. Errors: STATUS_MODEL: p̄ >= H (complete contact,
+ * which the hardness does not define), a load that is no positive number, no convergence; STATUS_INTERRUPTED. */
 MUST_CHECK enum status_code direct_contact_solve(struct direct_contact *contact, const struct direct_contact_load *load,
-                                                 struct direct_contact_effort *effort, struct status *status);
+                                                 struct status *status);
 
 /** Replaces values on the set, held by the field with 0 elsewhere, by about what the inverse of the compliance on the
  * set makes of them: |q| on the set. In a strip they are carried on linearly from edge to edge across what lies

@@ -18,17 +18,16 @@ static enum status_code solve_load(struct direct_point *out, struct direct_conta
                                    const struct direct_ladder_def *def, double mean_pressure, struct status *status)
 {
     struct direct_contact_load load = {mean_pressure, def->hardness, def->tolerance, true, def->stop};
-    struct direct_contact_effort effort = {0};
-    if (direct_contact_solve(contact, &load, &effort, status) != STATUS_OK)
+    if (direct_contact_solve(contact, &load, status) != STATUS_OK)
         return status->code;
     out->exists = true;
     out->quantities = direct_quantities_of(contact, &load);
     if (direct_patches(&out->patches, contact, status) != STATUS_OK)
         return status->code;
     if (def->resistance && direct_constriction_of_contact(&out->constriction_m, contact, sqrt(def->tolerance),
-                                                          def->stop, &effort, status) != STATUS_OK)
+                                                          def->stop, status) != STATUS_OK)
         return status->code;
-    out->convolutions = effort.convolutions;
+    out->convolutions = contact->convolutions;
     return STATUS_OK;
 }
 
@@ -65,8 +64,7 @@ enum status_code direct_ladder_loop(struct direct_point *up, struct direct_point
 {
     struct direct_contact flowed = {.height_m = NULL};
     struct direct_contact_load most = {def->load[0], def->hardness, def->tolerance, true, def->stop};
-    struct direct_contact_effort effort = {0};
-    enum status_code rc = direct_contact_solve(loaded, &most, &effort, status);
+    enum status_code rc = direct_contact_solve(loaded, &most, status);
     if (rc == STATUS_OK)
         rc = flow(&flowed, loaded, status);
     for (size_t i = 0; i < def->loads; i++)

@@ -13,48 +13,44 @@ size_t direct_law_harmonics(const struct direct_law *law)
     return (size_t)fmax(1, floor(3.2 * law->length_m / law->lambda_s_m));
 }
 
-/** Delta_m/(alpha L^gamma); r: waves in the cell of its roll-off, cut: of its cut-off. */
-static double shape(double gamma, double r, double cut, size_t m)
+/** Delta_m/(alpha L^gamma). */
+static double shape(const struct direct_law *law, size_t m)
 {
-    double above = (double)m / cut; /* lambda_s/lambda */
-    return pow(fmax((double)m, r), -gamma) * (above > 1 ? exp(-M_LN2 * (above * above - 1)) : 1);
+    double above = (double)m / (law->length_m / law->lambda_s_m); /* lambda_s/lambda */
+    return pow(fmax((double)m, law->roll_off), -law->gamma) * (above > 1 ? exp(-M_LN2 * (above * above - 1)) : 1);
 }
 
 double direct_law_amplitude(const struct direct_law *law, size_t m)
 {
-    return law->alpha * pow(law->length_m, law->gamma) *
-           shape(law->gamma, law->roll_off, law->length_m / law->lambda_s_m, m);
+    return law->alpha * pow(law->length_m, law->gamma) * shape(law, m);
 }
 
 /** sums[k] = sum of m^k shape². */
-static void sum_powers(double sums[3], double gamma, double r, double cut, size_t count)
+static void sum_powers(double sums[3], const struct direct_law *law)
 {
     sums[0] = sums[1] = sums[2] = 0;
-    for (size_t m = 1; m <= count; m++) {
-        double power = pow(shape(gamma, r, cut, m), 2);
+    for (size_t m = 1, count = direct_law_harmonics(law); m <= count; m++) {
+        double power = pow(shape(law, m), 2);
         for (int k = 0; k < 3; k++, power *= (double)m)
             sums[k] += power;
     }
 }
 
-/** The exponent, within -2 ... 8, with which a law rolled off at r has sums[2]/sums[0] = `wanted`, which falls with it;
- * its sums, and the range there is. False: none. */
-static bool match_gamma(double *gamma, double sums[3], double range[2], double r, double cut, size_t count,
-                        double wanted)
+/** Gives the law the exponent, within -2 ... 8, with which it has sums[2]/sums[0] = `wanted`, which falls with it; its
+ * sums, and the range there is. False: none. */
+static bool match_gamma(struct direct_law *law, double sums[3], double range[2], double wanted)
 {
-    double low = -2, high = 8;
-    sum_powers(sums, high, r, cut, count);
-    range[0] = sums[2] / sums[0];
-    sum_powers(sums, low, r, cut, count);
-    range[1] = sums[2] / sums[0];
-    *gamma = (low + high) / 2;
-    while (high - low > 8e-15 && *gamma > low && *gamma < high) {
-        sum_powers(sums, *gamma, r, cut, count);
-        if (sums[2] / sums[0] > wanted)
-            low = *gamma;
-        else
-            high = *gamma;
-        *gamma = (low + high) / 2;
+    double limits[2] = {8, -2}; /* where the ratio is too small, too large */
+    for (int end = 0; end < 2; end++) {
+        law->gamma = limits[end];
+        sum_powers(sums, law);
+        range[end] = sums[2] / sums[0];
+    }
+    law->gamma = (limits[0] + limits[1]) / 2;
+    while (limits[0] - limits[1] > 8e-15 && law->gamma > limits[1] && law->gamma < limits[0]) {
+        sum_powers(sums, law);
+        limits[sums[2] / sums[0] > wanted] = law->gamma;
+        law->gamma = (limits[0] + limits[1]) / 2;
     }
     return wanted >= range[0] && wanted <= range[1];
 }
@@ -69,25 +65,24 @@ enum status_code direct_law_match(struct direct_law *out, const double moments[3
                            "no power law can be matched to m0 = %g m², m1 = %g m, m2 = %g, L = %g m and lambda_s = "
                            "%g m",
                            m0_m2, moments[1], m2, length_m, lambda_s_m);
-    size_t count = direct_law_harmonics(out);
-    double cut = length_m / lambda_s_m, low = 1, high = fmax(1, cut / 1.5), middle;
+    double low = 1, high = fmax(1, length_m / lambda_s_m / 1.5);
     double wanted = m2 / m0_m2 * pow(length_m / (2 * M_PI), 2), share = moments[1] / sqrt(m0_m2 * m2);
-    if (!match_gamma(&out->gamma, sums, range, 1, cut, count, wanted))
+    if (!match_gamma(out, sums, range, wanted))
         return status_fail(status, STATUS_MODEL,
                            "no power law cut off at %g m has the measured heights and slopes (rms %g m and %g): it "
                            "reaches slopes from %.3g to %.3g; choose another lambda_s",
                            lambda_s_m, sqrt(m0_m2), sqrt(m2), sqrt(range[0] * m2 / wanted),
                            sqrt(range[1] * m2 / wanted));
     while (high - low > 1e-12 * high) { /* m1/sqrt(m0 m2) rises with the roll-off, until no gamma is steep enough */
-        middle = (low + high) / 2;
-        bool found = match_gamma(&out->gamma, sums, range, middle, cut, count, wanted);
+        out->roll_off = (low + high) / 2;
+        bool found = match_gamma(out, sums, range, wanted);
         if (found && sums[1] < share * sqrt(sums[0] * sums[2]))
-            low = middle;
+            low = out->roll_off;
         else
-            high = middle;
+            high = out->roll_off;
     }
     out->roll_off = low;
-    (void)match_gamma(&out->gamma, sums, range, low, cut, count, wanted);
+    (void)match_gamma(out, sums, range, wanted);
     out->alpha = sqrt(2 * m0_m2 / sums[0]) / pow(length_m, out->gamma);
     return STATUS_OK;
 }

@@ -21,7 +21,7 @@ static const double kept_slope = 1e-3;     /* over the mean slope of a gap, wher
 static enum status_code curve_make(struct shape_curve *out, const double *pressure_Pa, const double *value,
                                    size_t count, double most_Pa, struct status *status)
 {
-    *out = (struct shape_curve){.ln_pressure = calloc(2 * count + 1, sizeof(double))};
+    *out = (struct shape_curve){.ln_pressure = calloc(2 * count + 1, sizeof(double)), .most_Pa = most_Pa};
     if (!out->ln_pressure)
         return status_memory(status);
     out->value = out->ln_pressure + count;
@@ -212,8 +212,9 @@ static void set_pressures(struct shape *shape, double ln_hardness)
  * one; INFINITY: one was cut short; that of the step before says how exactly the systems are solved. `share` of the
  * step is done. */
 static enum status_code step(double *change, struct shape *shape, const double *gap_m, const struct shape_curve *gap,
-                             double ln_hardness, double mean_Pa, double share, struct status *status)
+                             double share, struct status *status)
 {
+    const double mean_Pa = shape->mean_Pa, ln_hardness = log(gap->most_Pa);
     const double goal = fmax(fmin(1e-6, 1e-4 * *change), precision);
     size_t n = shape->cells;
     double *scale = shape->room, *slope = scale + n, *rest = slope + n, *y[2] = {rest + n, rest + 2 * n};
@@ -262,23 +263,23 @@ static enum status_code step(double *change, struct shape *shape, const double *
 }
 
 enum status_code shape_press(struct shape *shape, const double *gap_m, const struct shape_curve *gap,
-                             double effective_modulus_Pa, double hardness_Pa, double mean_Pa, struct status *status)
+                             double effective_modulus_Pa, double mean_Pa, struct status *status)
 {
     const struct shape_body bodies[2] = {{2 / effective_modulus_Pa, INFINITY}, {0, INFINITY}};
     double change = INFINITY, last = INFINITY, share = 1;
     shape->iterations = 0;
-    if (!(mean_Pa > 0 && mean_Pa < hardness_Pa))
+    if (!(mean_Pa > 0 && mean_Pa < gap->most_Pa))
         return status_fail(status, STATUS_MODEL, "the joint's shape: its mean pressure is not below the hardness");
     fill_table(shape, bodies);
     for (size_t k = 0; k < shape->cells; k++) /* from the last solution, which takes half the time */
         shape->level[k] = shape->mean_Pa > 0 ? shape->level[k] + log(mean_Pa / shape->mean_Pa)
-                                             : log(mean_Pa / (1 - mean_Pa / hardness_Pa));
+                                             : log(mean_Pa / (1 - mean_Pa / gap->most_Pa));
     shape->mean_Pa = mean_Pa;
-    set_pressures(shape, log(hardness_Pa));
+    set_pressures(shape, log(gap->most_Pa));
     for (shape->steps = 0; change > converged; shape->steps++) {
         if (shape->steps == STEPS_MOST)
             return status_fail(status, STATUS_MODEL, "the joint's shape: the pressures do not converge");
-        if (step(&change, shape, gap_m, gap, log(hardness_Pa), mean_Pa, share, status) != STATUS_OK)
+        if (step(&change, shape, gap_m, gap, share, status) != STATUS_OK)
             return status->code;
         if (shape->steps >= STEPS_WHOLE) /* it goes round a bend of the curve */
             share = change < last * (1 - share / 2) ? fmin(2 * share, 1) : fmax(share / 2, share_least);

@@ -27,6 +27,7 @@ struct shape_curve {
     double *ln_pressure, *value; /* p in Pa */
     size_t count;
     double below, above; /* slopes before the first point and behind the last */
+    double most_Pa;      /* the hardness, above which no pressure goes; INFINITY: any does */
     gsl_interp *between;
     gsl_interp_accel *nearest;
 };
@@ -64,11 +65,10 @@ MUST_CHECK enum status_code shape_make(struct shape *out, size_t nx, size_t ny, 
 void shape_free(struct shape *shape);
 
 /** Fills the pressures under the mean one, beginning from those of the last call, of parts with the gap `gap_m` (g0)
- * when unloaded. None is above the hardness (INFINITY: none), at which the gap closes as far as it has to. Errors:
+ * when unloaded. None is above the curve's hardness, at which the gap closes as far as it has to. Errors:
  * STATUS_MODEL: it does not converge, the mean pressure is not below the hardness; STATUS_MEMORY. */
 MUST_CHECK enum status_code shape_press(struct shape *shape, const double *gap_m, const struct shape_curve *gap,
-                                        double effective_modulus_Pa, double hardness_Pa, double mean_Pa,
-                                        struct status *status);
+                                        double effective_modulus_Pa, double mean_Pa, struct status *status);
 
 /** One of the two bodies, as it conducts. */
 struct shape_body {

@@ -407,7 +407,7 @@ static enum status_code check_model(const struct model_row *row, const char *nam
 }
 
 /** The loads as P/(A_n E'), malloc'ed. */
-static enum status_code take_loads(double **out, const double *loads, size_t count,
+static enum status_code take_loads(double **out, const struct model_task *asked,
                                    const struct roughcontact_run_options *options, const struct material_pair *pair,
                                    struct status *status)
 {
@@ -416,17 +416,17 @@ static enum status_code take_loads(double **out, const double *loads, size_t cou
         return status_fail(status, STATUS_USAGE, "load %d is not known; give one of roughcontact_load", options->load);
     if (pressure && pair->unknown)
         return status_fail(status, STATUS_USAGE, "loads in Pa need a material; without one they are P/(A_n E')");
-    if (!loads || count == 0)
+    if (!asked->loads || asked->load_count == 0)
         return status_fail(status, STATUS_USAGE, "no loads are given");
-    double *all = malloc(count * sizeof *all);
+    double *all = malloc(asked->load_count * sizeof *all);
     *out = all;
     if (!all)
         return status_memory(status);
-    for (size_t i = 0; i < count; i++) {
-        all[i] = pressure ? loads[i] / pair->effective_modulus_Pa : loads[i];
+    for (size_t i = 0; i < asked->load_count; i++) {
+        all[i] = pressure ? asked->loads[i] / pair->effective_modulus_Pa : asked->loads[i];
         if (!(all[i] > 0 && isfinite(all[i]) && (i == 0 || all[i] > all[i - 1])))
             return status_fail(status, STATUS_USAGE, "load %zu is %g; loads are to be above 0, finite and ascending",
-                               i + 1, loads[i]);
+                               i + 1, asked->loads[i]);
     }
     return STATUS_OK;
 }
@@ -481,19 +481,18 @@ static enum status_code solve(struct roughcontact_curve *out, const struct model
 static enum status_code solve_strip(struct strip **out, const struct model_row *row, const struct strip_rows *profile,
                                     struct status *status)
 {
-    static const size_t only = 0;
     struct status problem = {0};
     if (!row->uses_strip)
         return STATUS_OK;
     if (!(*out = malloc(sizeof **out)))
         return status_memory(status);
-    enum status_code code = strip_solve(*out, profile, &only, 1, STRIP_SURROGATES, NULL, &problem);
+    enum status_code code = strip_solve(*out, profile, 0, STRIP_SURROGATES, NULL, &problem);
     return code == STATUS_OK ? STATUS_OK
                              : status_fail(status, code, "no %s for this surface: %s", row->name, problem.message);
 }
 
 static enum status_code run(struct roughcontact_curve **out, const struct roughcontact_surface *surface,
-                            const char *model, const double *loads, size_t count,
+                            const char *model, const struct model_task *asked,
                             const struct roughcontact_run_options *options, struct status *status)
 {
     const struct roughcontact_run_options own = options ? *options : run_defaults;
@@ -510,7 +509,7 @@ static enum status_code run(struct roughcontact_curve **out, const struct roughc
         return status->code;
     const struct material_pair pair = scene_pair(&bodies);
     struct roughcontact_curve *made = calloc(1, sizeof *made);
-    enum status_code code = made ? take_loads(&over_modulus, loads, count, &own, &pair, status) : status_memory(status);
+    enum status_code code = made ? take_loads(&over_modulus, asked, &own, &pair, status) : status_memory(status);
     const struct profile *profile = &surface->profile;
     const struct strip_rows rows = {profile->height_m, 1, profile->points, profile->spacing_m, profile->periodic};
     if (code == STATUS_OK)
@@ -522,7 +521,7 @@ static enum status_code run(struct roughcontact_curve **out, const struct roughc
                                         .asperities = surface->has_asperities ? &surface->asperities : NULL,
                                         .pair = &pair,
                                         .loads = over_modulus,
-                                        .load_count = count,
+                                        .load_count = asked->load_count,
                                         .wanted = find_wanted(&bodies),
                                         .tolerance = 1e-6, /* the scene's default */
                                         .sinusoid_fit = SINUSOID_FIT_THESIS,
@@ -547,7 +546,8 @@ int roughcontact_run(struct roughcontact_curve **out, const struct roughcontact_
                      const double *loads, size_t count, const struct roughcontact_run_options *options,
                      struct roughcontact_status *status)
 {
-    LIBRARY_CALL(run(out, surface, model, loads, count, options, &problem));
+    const struct model_task asked = {.loads = loads, .load_count = count};
+    LIBRARY_CALL(run(out, surface, model, &asked, options, &problem));
 }
 
 const struct roughcontact_point *roughcontact_curve_point(const struct roughcontact_curve *curve, size_t i)

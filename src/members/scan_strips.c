@@ -135,26 +135,18 @@ enum status_code strips_pair(struct strips *strips, struct ensemble *set, const 
     return STATUS_OK;
 }
 
-uint64_t strips_cost(const struct strips *strips)
-{
-    return 2 * strip_cost(&strips->rows, strips->rows.rows, STRIP_SURROGATES);
-}
-
 /** A strip of these rows, malloc'ed; NULL where it has no answer. */
 static enum status_code solve(struct solved_strip **out, struct strips *strips, size_t first, size_t count,
                               const atomic_bool *stop, struct status *status)
 {
     struct status problem = {0};
     struct solved_strip *solved = calloc(1, sizeof *solved);
-    size_t which[STRIPS_PIECES];
     if (!solved)
         return status_memory(status);
-    for (size_t r = 0; r < count; r++)
-        which[r] = first + r;
     solved->rows = strips->rows;
     solved->rows.height_m += first * strips->rows.points;
     solved->rows.rows = count;
-    enum status_code rc = strip_solve(&solved->strip, &strips->rows, which, count,
+    enum status_code rc = strip_solve(&solved->strip, &solved->rows, first,
                                       strips->roughly ? STRIP_ROUGHLY : STRIP_SURROGATES, stop, &problem);
     strips->transforms += solved->strip.transforms;
     strips->unsolved += solved->strip.unsolved;

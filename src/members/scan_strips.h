@@ -41,9 +41,6 @@ MUST_CHECK enum status_code strips_gather(struct strips *out, struct ensemble *s
 MUST_CHECK enum status_code strips_pair(struct strips *strips, struct ensemble *set, const struct strips *other,
                                         const struct ensemble *other_set, struct status *status);
 
-/** What solving takes, by a count: pairs of transforms times points; of the joined rows, and of the parts alone. */
-uint64_t strips_cost(const struct strips *strips);
-
 /** Solves all rows joined. Where they have no answer there is none, and `problem` says why. Errors: STATUS_INTERRUPTED,
  * STATUS_MEMORY. */
 MUST_CHECK enum status_code strips_solve(struct strips *strips, const atomic_bool *stop, struct status *status);

@@ -57,7 +57,7 @@ struct surface_summary {
     struct repeats repeats;         /* what they say apart */
     size_t single_points;           /* of a surface with one scan, which records can be simulated of; else 0 */
     uint64_t simulated_evaluations; /* of the models, on those */
-    double strip_cost;              /* strips_cost() of its rows, 0: no model uses strips */
+    double strip_cost;              /* of its rows, joined and of each scan alone; 0: no model uses strips */
     uint64_t strip_transforms;      /* that solving its strips took */
     bool has_strips;                /* they are, or will be, solved */
     bool strips_in_part;            /* of scans, not all, or not whole */

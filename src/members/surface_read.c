@@ -293,7 +293,7 @@ static enum status_code conclude(struct surface_record *record, struct power_law
                  "no strip transfer: the counterface's scans differ in spacing or points");
     record->summary.has_strips = record->strips.rows.rows > 0;
     record->summary.strips_in_part = record->strips.in_part;
-    record->summary.strip_cost = record->summary.has_strips ? (double)strips_cost(&record->strips) : 0;
+    record->summary.strip_cost = record->summary.has_strips ? 2 * (double)strip_cost(&record->strips.rows) : 0;
     if (counterface)
         tiles_pair(&record->tiles, &counterface->tiles);
     bool capped = record->summary.pair.hardness_Pa > 0;

@@ -11,8 +11,7 @@ static enum status_code take_variant(struct fft_room *room, size_t points, enum 
 {
     double cutoff_m = 2 * (lambda_s_m > 0 ? lambda_s_m : 2 * profile->spacing_m);
     if (variant == VARIANT_CUTOFF)
-        return filter_gaussian(room->record, profile->height_m, points, profile->spacing_m, cutoff_m, profile->periodic,
-                               status);
+        return filter_gaussian(room->record, profile, cutoff_m, status);
     const double *first_m = profile->height_m + (variant == VARIANT_SECOND_HALF ? profile->points - points : 0);
     memcpy(room->record, first_m, points * sizeof *first_m);
     return STATUS_OK;

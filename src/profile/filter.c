@@ -10,10 +10,10 @@ static const double filter_smallest = 1e-9;             /* weight at which the t
 enum { NEAR = 24 }; /* neighbours on either side up to which a sum is quicker than transforms */
 
 /** How many neighbours on either side have a weight; never more than there are. */
-static size_t reach_of(size_t points, double spacing_m, double cutoff_m)
+static size_t reach_of(const struct profile *profile, double cutoff_m)
 {
-    double reach = filter_alpha * cutoff_m * sqrt(-log(filter_smallest) / M_PI) / spacing_m;
-    return reach < (double)(points - 1) ? (size_t)reach : points - 1;
+    double reach = filter_alpha * cutoff_m * sqrt(-log(filter_smallest) / M_PI) / profile->spacing_m;
+    return reach < (double)(profile->points - 1) ? (size_t)reach : profile->points - 1;
 }
 
 static double weight_of(size_t apart, double spacing_m, double cutoff_m)
@@ -23,13 +23,14 @@ static double weight_of(size_t apart, double spacing_m, double cutoff_m)
 }
 
 /** The sum itself; reach < points: around an end of a periodic record it goes on at the other. */
-static void add_near(double *smooth_m, const double *height_m, size_t points, const double *weight, size_t reach,
-                     bool periodic)
+static void add_near(double *smooth_m, const struct profile *profile, const double *weight, size_t reach)
 {
+    const double *height_m = profile->height_m;
+    const size_t points = profile->points;
     for (size_t i = 0; i < points; i++) {
         double sum = weight[0] * height_m[i], whole = weight[0];
         for (size_t k = 1; k <= reach; k++) {
-            bool before = periodic || i >= k, after = periodic || i + k < points;
+            bool before = profile->periodic || i >= k, after = profile->periodic || i + k < points;
             sum += weight[k] * ((before ? height_m[i >= k ? i - k : i + points - k] : 0) +
                                 (after ? height_m[i + k < points ? i + k : i + k - points] : 0));
             whole += weight[k] * (before + after);
@@ -53,31 +54,31 @@ static bool add_up(struct fft_room *room, const fftw_complex *weights, size_t po
     return fft_backward(room->record, room->transform, length);
 }
 
-enum status_code filter_gaussian(double *smooth_m, const double *height_m, size_t points, double spacing_m,
-                                 double cutoff_m, bool periodic, struct status *status)
+enum status_code filter_gaussian(double *smooth_m, const struct profile *profile, double cutoff_m,
+                                 struct status *status)
 {
-    size_t reach = reach_of(points, spacing_m, cutoff_m), length = 1;
+    size_t points = profile->points, reach = reach_of(profile, cutoff_m), length = 1;
     if (reach <= NEAR) {
         double weight[NEAR + 1];
         for (size_t k = 0; k <= reach; k++)
-            weight[k] = weight_of(k, spacing_m, cutoff_m);
-        add_near(smooth_m, height_m, points, weight, reach, periodic);
+            weight[k] = weight_of(k, profile->spacing_m, cutoff_m);
+        add_near(smooth_m, profile, weight, reach);
         return STATUS_OK;
     }
     while (length < points + reach)
         length *= 2;
-    length = periodic ? points : length;
+    length = profile->periodic ? points : length;
     struct fft_room room = {0}, weights = {0};
     bool good = fft_room_make(&room, length) && fft_room_make(&weights, length);
     if (good) {
         memset(weights.record, 0, length * sizeof *weights.record);
         for (size_t k = 0; k <= reach; k++) {
-            double weight = weight_of(k, spacing_m, cutoff_m);
+            double weight = weight_of(k, profile->spacing_m, cutoff_m);
             weights.record[k] += weight;
             weights.record[(length - k) % length] += k > 0 ? weight : 0;
         }
         good = fft_forward(weights.transform, weights.record, length);
-        memcpy(room.record, height_m, points * sizeof *height_m);
+        memcpy(room.record, profile->height_m, points * sizeof *room.record);
         good = good && add_up(&room, weights.transform, points, length);
         memcpy(smooth_m, room.record, points * sizeof *smooth_m);
         for (size_t i = 0; i < points; i++)

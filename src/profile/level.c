@@ -35,13 +35,6 @@ static double place(const struct record *record, size_t i)
     return ((double)i - half) / half;
 }
 
-static struct record record_of(const double *x_m, size_t points, double spacing_m)
-{
-    if (x_m)
-        return (struct record){x_m, points, (x_m[points - 1] + x_m[0]) / 2, (x_m[points - 1] - x_m[0]) / 2};
-    return (struct record){NULL, points, 0, (double)(points - 1) / 2 * spacing_m};
-}
-
 /** Least squares, weighted where `weight` is not NULL, of degree 0 to 2. */
 static struct polynomial fit(const struct record *record, const double *z, const double *weight, int degree)
 {
@@ -192,21 +185,35 @@ static enum status_code take_arc(struct levelling *out, const struct record *rec
     return STATUS_OK;
 }
 
-enum status_code level_remove(struct levelling *out, double *height_m, const double *x_m, size_t points,
-                              double spacing_m, enum level level, struct status *status)
+static enum status_code take_form(struct levelling *out, const struct record *record, double *height_m,
+                                  enum level level, struct status *status)
 {
     *out = (struct levelling){.radius_m = INFINITY};
-    struct record record = record_of(x_m, points, spacing_m);
     if (level == LEVEL_NONE)
         return STATUS_OK;
     if (level == LEVEL_ROBUST)
-        return take_robust_line(out, &record, height_m, status);
+        return take_robust_line(out, record, height_m, status);
     if (level == LEVEL_CIRCLE)
-        return take_arc(out, &record, height_m, status);
+        return take_arc(out, record, height_m, status);
     int degree = level == LEVEL_MEAN ? 0 : level == LEVEL_LINE ? 1 : 2;
-    struct polynomial form = fit(&record, height_m, NULL, degree);
-    take_out(&record, height_m, &form);
+    struct polynomial form = fit(record, height_m, NULL, degree);
+    take_out(record, height_m, &form);
     if (degree > 0)
-        out->tilt = form.a[1] / record.half_m;
+        out->tilt = form.a[1] / record->half_m;
     return STATUS_OK;
+}
+
+enum status_code level_remove(struct levelling *out, double *height_m, size_t points, double spacing_m,
+                              enum level level, struct status *status)
+{
+    const struct record record = {NULL, points, 0, (double)(points - 1) / 2 * spacing_m};
+    return take_form(out, &record, height_m, level, status);
+}
+
+enum status_code level_remove_at(struct levelling *out, double *height_m, const double *x_m, size_t points,
+                                 enum level level, struct status *status)
+{
+    double first_m = x_m[0], last_m = x_m[points - 1];
+    const struct record record = {x_m, points, (last_m + first_m) / 2, (last_m - first_m) / 2};
+    return take_form(out, &record, height_m, level, status);
 }

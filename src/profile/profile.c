@@ -279,7 +279,7 @@ static double rounding(const struct profile *profile, double peak_to_valley_m)
 static enum status_code take_level(struct profile *profile, const struct profile_options *options,
                                    struct status *status)
 {
-    struct levelling levelling, ignored;
+    struct levelling levelling;
     double before_m = peak_to_valley(profile), rounding_m = rounding(profile, before_m);
     if (before_m == 0)
         return status_fail(status, STATUS_SCAN, "the scan is flat: every height is %.9g m; check the column",
@@ -287,11 +287,10 @@ static enum status_code take_level(struct profile *profile, const struct profile
     if (before_m < scan_least_m) /* a row of a map; a profile was refused as a scan */
         return status_fail(status, STATUS_SCAN, "the scan is flat: its heights differ by no more than %.3g m",
                            before_m);
-    if (profile->measured_x_m && level_remove(&ignored, profile->measured_z_m, profile->measured_x_m, profile->points,
-                                              0, options->level, status) != STATUS_OK)
-        return status->code;
-    if (level_remove(&levelling, profile->height_m, NULL, profile->points, profile->spacing_m, options->level,
-                     status) != STATUS_OK)
+    if ((profile->measured_x_m && level_remove_at(&levelling, profile->measured_z_m, profile->measured_x_m,
+                                                  profile->points, options->level, status) != STATUS_OK) ||
+        level_remove(&levelling, profile->height_m, profile->points, profile->spacing_m, options->level, status) !=
+            STATUS_OK)
         return status->code;
     if (peak_to_valley(profile) <= rounding_m)
         return status_fail(status, STATUS_SCAN,
@@ -313,9 +312,7 @@ static enum status_code take_level(struct profile *profile, const struct profile
 static enum status_code pass(struct profile *profile, double cutoff_m, bool high, struct status *status)
 {
     double *smooth_m = malloc(profile->points * sizeof *smooth_m);
-    enum status_code code = smooth_m ? filter_gaussian(smooth_m, profile->height_m, profile->points, profile->spacing_m,
-                                                       cutoff_m, profile->periodic, status)
-                                     : status_memory(status);
+    enum status_code code = smooth_m ? filter_gaussian(smooth_m, profile, cutoff_m, status) : status_memory(status);
     for (size_t i = 0; i < profile->points && code == STATUS_OK; i++)
         profile->height_m[i] = high ? profile->height_m[i] - smooth_m[i] : smooth_m[i];
     free(smooth_m);

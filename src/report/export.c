@@ -13,6 +13,7 @@
 
 /** The files of templates/export in order of their names, each cut in two at its last dot. */
 struct programs {
+    struct text folder;
     struct dirent **entry;
     const char *name[SCENE_EXPORTS_MOST], *ending[SCENE_EXPORTS_MOST];
     size_t count, files;
@@ -20,13 +21,14 @@ struct programs {
 
 static enum status_code programs_read(struct programs *out, const char *templates, struct status *status)
 {
-    struct text path = {0};
     *out = (struct programs){0};
-    text_add(&path, "%s/export", templates);
-    int found = scandir(text_string(&path), &out->entry, NULL, alphasort);
-    if (found < 0)
-        (void)status_fail(status, STATUS_IO, "cannot read the templates in '%s': %s", text_string(&path),
+    text_add(&out->folder, "%s/export", templates);
+    int found = scandir(text_string(&out->folder), &out->entry, NULL, alphasort);
+    if (found < 0) {
+        (void)status_fail(status, STATUS_IO, "cannot read the templates in '%s': %s", text_string(&out->folder),
                           status_reason(errno));
+        text_free(&out->folder);
+    }
     out->files = found < 0 ? 0 : (size_t)found;
     for (size_t i = 0; i < out->files && out->count < SCENE_EXPORTS_MOST; i++) {
         char *name = out->entry[i]->d_name, *dot = strrchr(name, '.');
@@ -36,12 +38,12 @@ static enum status_code programs_read(struct programs *out, const char *template
         out->name[out->count] = name;
         out->ending[out->count++] = dot + 1;
     }
-    text_free(&path);
     return status->code;
 }
 
 static void programs_free(struct programs *programs)
 {
+    text_free(&programs->folder);
     for (size_t i = 0; i < programs->files; i++)
         free(programs->entry[i]);
     free(programs->entry);
@@ -83,13 +85,15 @@ static void add_comment(struct text *out, const char *string)
         text_add_bytes(out, strchr("$&#%!*\"'`\\", *s) ? "_" : s, 1);
 }
 
-static enum status_code write_one(json_t *view, const json_t *item, const char *folder, const char *program,
-                                  const char *ending, const char *directory, struct status *status)
+/** The table `item` as the k-th of the programs takes it. */
+static enum status_code write_one(json_t *view, const json_t *item, const struct programs *programs, size_t k,
+                                  const char *directory, struct status *status)
 {
     struct text content = {0}, name = {0};
+    const char *program = programs->name[k], *ending = programs->ending[k];
     char dotted[NAME_MAX + 2];
     snprintf(dotted, sizeof dotted, ".%s", ending);
-    struct mustache_folder templates = {folder, dotted, NULL, status};
+    struct mustache_folder templates = {text_string(&programs->folder), dotted, NULL, status};
     enum status_code rc = mustache_file(&content, &templates, program, item, add_comment);
     text_add(&name, "export/%s.%s.%s", json_string_value(json_object_get(item, "file")), program, ending);
     if (rc == STATUS_OK)
@@ -108,12 +112,10 @@ enum status_code export_write(json_t *view, const struct scene *scene, const cha
                               struct status *status)
 {
     struct programs programs;
-    struct text folder = {0};
     size_t i, length;
     const json_t *item, *exports = json_object_get(view, "exports");
     if (!scene->exports || programs_read(&programs, templates, status) != STATUS_OK)
         return status->code;
-    text_add(&folder, "%s/export", templates);
     bool asked[SCENE_EXPORTS_MOST + 1] = {false};
     for (const char *rest = scene->exports, *word; (word = scene_words_next(&rest, &length));)
         asked[scene_words_find(word, length, programs.name, programs.count)] = true;
@@ -121,11 +123,9 @@ enum status_code export_write(json_t *view, const struct scene *scene, const cha
     {
         for (size_t k = 0; k < programs.count && status->code == STATUS_OK; k++)
             if (asked[k])
-                (void)write_one(view, item, text_string(&folder), programs.name[k], programs.ending[k], directory,
-                                status);
+                (void)write_one(view, item, &programs, k, directory, status);
     }
     view_separate(json_object_get(view, "exported"));
-    text_free(&folder);
     programs_free(&programs);
     return status->code;
 }

@@ -231,17 +231,17 @@ bool scan_is_missing(struct string_view cell)
            string_view_equals(cell, "BAD");
 }
 
-enum status_code scan_take_text(struct scan *out, size_t nx, size_t ny, struct string_view text, double z_m,
-                                const char *end, const struct scan_file *file)
+enum status_code scan_take_text(struct scan *out, struct string_view text, double z_m, const char *end,
+                                const struct scan_file *file)
 {
     struct string_view word;
-    if (scan_reserve(out, nx, ny, (string_view_length(text) + 1) / 2, file) != STATUS_OK)
+    if (scan_reserve(out, out->nx, out->ny, (string_view_length(text) + 1) / 2, file) != STATUS_OK)
         return file->status->code;
-    for (size_t i = 0; i < nx * ny; i++) {
+    for (size_t i = 0; i < out->nx * out->ny; i++) {
         double value;
         if (!scan_word(&text, &word))
             return scan_fail(file, scan_line(file, text.start), "the heights end after %zu of %zu; copy the file again",
-                             i, nx * ny);
+                             i, out->nx * out->ny);
         if (number_scan(word, NUMBER_POINT, NULL, &value) == word.end && isfinite(value))
             out->z_m[i] = value * z_m;
         else if (scan_is_missing(word))
@@ -251,7 +251,8 @@ enum status_code scan_take_text(struct scan *out, size_t nx, size_t ny, struct s
                              scan_quote(word).text);
     }
     if (scan_word(&text, &word) && !(end && string_view_starts(word, end)))
-        return scan_fail(file, scan_line(file, word.start), "more heights than the header says, %zu x %zu", nx, ny);
+        return scan_fail(file, scan_line(file, word.start), "more heights than the header says, %zu x %zu", out->nx,
+                         out->ny);
     return STATUS_OK;
 }
 

@@ -83,11 +83,11 @@ MUST_CHECK enum status_code scan_take_key(const struct scan_key *keys, struct st
 /** Is `cell` what instruments write where they measured nothing: BAD, NaN or stars? */
 bool scan_is_missing(struct string_view cell);
 
-/** scan_reserve(), filled from `text`: numbers between blanks or line ends, or missing points, in units of z_m; behind
- * the last stands nothing, or what begins with `end` (NULL: nothing). Error: STATUS_SCAN with the line: too few or too
- * many, or no number. */
-MUST_CHECK enum status_code scan_take_text(struct scan *out, size_t nx, size_t ny, struct string_view text, double z_m,
-                                           const char *end, const struct scan_file *file);
+/** scan_reserve() of out->nx times out->ny points, filled from `text`: numbers between blanks or line ends, or missing
+ * points, in units of z_m; behind the last stands nothing, or what begins with `end` (NULL: nothing). Error:
+ * STATUS_SCAN with the line: too few or too many, or no number. */
+MUST_CHECK enum status_code scan_take_text(struct scan *out, struct string_view text, double z_m, const char *end,
+                                           const struct scan_file *file);
 
 /** Cuts the next word (no blanks, no line ends) off `text`; false when nothing is left. */
 bool scan_word(struct string_view *text, struct string_view *word);

@@ -64,8 +64,9 @@ static enum status_code read_text(struct scan *out, const struct scan_file *file
     struct lines lines = lines_begin(scan_view(file));
     if (read_text_header(&header, &lines, file) != STATUS_OK || check_header(out, &header, file) != STATUS_OK)
         return file->status->code;
-    return scan_take_text(out, header.nx, header.ny, (struct string_view){lines.next, lines.end}, header.z_scale, "*",
-                          file);
+    out->nx = header.nx;
+    out->ny = header.ny;
+    return scan_take_text(out, (struct string_view){lines.next, lines.end}, header.z_scale, "*", file);
 }
 
 /* The value that marks a missing point: the largest unsigned, the smallest signed 16 or 32-bit integer; NaN (which is

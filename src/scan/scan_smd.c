@@ -82,8 +82,9 @@ enum status_code scan_smd_read(struct scan *out, const struct scan_file *file)
     struct string_view heights = next_record(&rest);
     if (read_header(axis, header, file) != STATUS_OK)
         return file->status->code;
-    size_t nx = (size_t)axis[0].n, ny = axis[1].unit.name ? (size_t)axis[1].n : 1;
-    if (scan_take_text(out, nx, ny, heights, axis[2].scale * axis[2].unit.si, NULL, file) != STATUS_OK)
+    out->nx = (size_t)axis[0].n;
+    out->ny = axis[1].unit.name ? (size_t)axis[1].n : 1;
+    if (scan_take_text(out, heights, axis[2].scale * axis[2].unit.si, NULL, file) != STATUS_OK)
         return file->status->code;
     out->dx_m = axis[0].increment * axis[0].scale * axis[0].unit.si;
     out->dy_m = axis[1].increment * axis[1].scale * axis[1].unit.si;
@@ -124,7 +125,9 @@ enum status_code scan_npl_prf_read(struct scan *out, const struct scan_file *fil
         return scan_fail(file, lines.number,
                          "no CX, CZ or `SPACING CX` above the heights: only evenly spaced PRF profiles can be read");
     struct string_view data = {lines.next, lines.end};
-    if (scan_take_text(out, (size_t)z.n, 1, data, z.scale * z.unit.si, "EOR", file) != STATUS_OK)
+    out->nx = (size_t)z.n;
+    out->ny = 1;
+    if (scan_take_text(out, data, z.scale * z.unit.si, "EOR", file) != STATUS_OK)
         return file->status->code;
     out->dx_m = spacing * x.scale * x.unit.si;
     scan_set_units(out, x.unit.name, z.unit.name);

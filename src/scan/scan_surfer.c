@@ -18,13 +18,14 @@ enum status_code scan_surfer_read(struct scan *out, const struct scan_file *file
                              scan_quote(word).text);
     if (!(head[0] >= 1 && head[0] <= UINT32_MAX && head[1] >= 1 && head[1] <= UINT32_MAX))
         return scan_fail(file, 2, "%g x %g points: nothing measured", head[0], head[1]);
-    size_t nx = (size_t)head[0], ny = (size_t)head[1];
+    out->nx = (size_t)head[0];
+    out->ny = (size_t)head[1];
     if (scan_units(out, NULL, NULL, &x_m, &z_m, file) != STATUS_OK ||
-        scan_take_text(out, nx, ny, text, 1.0, NULL, file) != STATUS_OK)
+        scan_take_text(out, text, 1.0, NULL, file) != STATUS_OK)
         return file->status->code;
-    for (size_t i = 0; i < nx * ny; i++)
+    for (size_t i = 0; i < out->nx * out->ny; i++)
         out->z_m[i] = out->z_m[i] >= surfer_blank * (1 - 1e-6) ? NAN : out->z_m[i] * z_m;
-    out->dx_m = nx > 1 ? (head[3] - head[2]) / (double)(nx - 1) * x_m : 0;
-    out->dy_m = ny > 1 ? (head[5] - head[4]) / (double)(ny - 1) * x_m : 0;
+    out->dx_m = out->nx > 1 ? (head[3] - head[2]) / (double)(out->nx - 1) * x_m : 0;
+    out->dy_m = out->ny > 1 ? (head[5] - head[4]) / (double)(out->ny - 1) * x_m : 0;
     return STATUS_OK;
 }

@@ -357,22 +357,21 @@ static void mark_sentinels(struct scan *out)
     }
 }
 
-/* Column `z` from row `first` on, in the table's place, and with it the positions in column `x` (SIZE_MAX: none). A
- * point that the header's column `valid` marks by 0 is missing. */
-static enum status_code take_columns(struct scan *out, struct table *table, size_t first, size_t x, double x_m,
-                                     size_t z, double z_m)
+/* Column out->z_column from row `first` on, in the table's place, and with it the positions in out->x_column, if there
+ * are any. A point that the header's column `valid` marks by 0 is missing. */
+static enum status_code take_columns(struct scan *out, struct table *table, size_t first, double x_m, double z_m)
 {
     size_t n = table->rows - first, columns = table->columns, valid = table->header.valid;
     struct text *spent = table->file->options->spent;
     if (spent && spent->data == table->file->bytes && !out->units_lacking) /* else a sidecar's may be read with them */
         text_free(spent);
-    if (x < SIZE_MAX && !(out->x_m = malloc(n * sizeof *out->x_m)))
+    if (out->x_column > 0 && !(out->x_m = malloc(n * sizeof *out->x_m)))
         return status_memory(table->file->status);
     for (size_t i = 0; i < n; i++) {
         const double *row = table->cell + (first + i) * columns;
         if (out->x_m)
-            out->x_m[i] = row[x] * x_m;
-        table->cell[i] = valid >= columns || row[valid] != 0 ? row[z] * z_m : NAN;
+            out->x_m[i] = row[out->x_column - 1] * x_m;
+        table->cell[i] = valid >= columns || row[valid] != 0 ? row[out->z_column - 1] * z_m : NAN;
     }
     double *fitted = realloc(table->cell, n * sizeof *fitted);
     out->z_m = fitted ? fitted : table->cell;
@@ -403,7 +402,7 @@ static enum status_code take_accretech(struct scan *out, struct table *table)
     if (!x_given || !z_given)
         scan_warn(out, "the file names no units: length taken as %s and heights as %s, as Accretech writes them",
                   out->x_unit, out->z_unit);
-    return take_columns(out, table, 2, SIZE_MAX, x_m, 0, z_m);
+    return take_columns(out, table, 2, x_m, z_m);
 }
 
 /* scan_units() with what the header says of out->x_column and out->z_column; `x_unit` (NULL: none) goes before that. */
@@ -449,7 +448,7 @@ static enum status_code take_heights(struct scan *out, struct table *table, size
     size_t first = begins_with_count(table) ? 1 : 0;
     if (first > 0)
         scan_warn(out, "the first number, %zu, says how many heights follow", table->rows - first);
-    return take_columns(out, table, first, SIZE_MAX, x_m, z, z_m);
+    return take_columns(out, table, first, x_m, z_m);
 }
 
 static enum status_code fail_disorder(const struct table *table, size_t x, size_t bad)
@@ -478,7 +477,7 @@ static enum status_code take_points(struct scan *out, struct table *table, size_
         return scan_fail(table->file, line_of_row(table, bad), "no x here; fill it in or remove this line");
     if (bad < rows)
         return fail_disorder(table, x, bad);
-    if (take_columns(out, table, 0, x, x_m, z, z_m) != STATUS_OK)
+    if (take_columns(out, table, 0, x_m, z_m) != STATUS_OK)
         return table->file->status->code;
     const char *unit = header->spacing.unit ? header->spacing.unit : out->x_unit;
     if (header->spacing.value > 0)

@@ -47,7 +47,7 @@ static bool read_ends(struct scene_source *source, const struct scene_key *key, 
     keys[0].name = "most";
     keys[1].name = "least";
     keys[0].read = keys[1].read = read_value;
-    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys), lines, list))
+    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, list))
         return false;
     return lines[0] > 0 || lines[1] > 0 ||
            scene_source_fail_at(source, value, "'%s' has no limit; give 'most' or 'least'", key->name);
@@ -77,9 +77,9 @@ bool scene_asked_read(struct scene_source *source, const struct scene_key *key, 
                                                .most = how->most,
                                                .quantities = how->total | how->per_area};
     }
+    const struct scene_mapping mapping = {key->name, keys, known};
     for (size_t i = 0; i < (limits ? 1 : scene_source_item_count(value)); i++)
-        if (!scene_source_mapping(source, limits ? value : scene_source_item(source, value, i), key->name, keys, known,
-                                  lines, &list))
+        if (!scene_source_mapping(source, limits ? value : scene_source_item(source, value, i), &mapping, lines, &list))
             return false;
     return *count > 0 || scene_source_fail_at(source, value, "'%s' names none; remove the line, or give one such as %s",
                                               key->name, limits ? "ecr: {most: 2 mohm}" : "{ecr: 1 mohm}");

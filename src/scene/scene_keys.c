@@ -29,51 +29,55 @@ unsigned scene_keys_with_needed(unsigned effects)
     return effects;
 }
 
-enum { MODEL_NAMES = 128 }; /* a family and a name for each of at most 64 models */
+/* Names, and which of them a scene gives. */
+struct set {
+    const char *what;       /* one of them is */
+    const char *names[128]; /* a family and a name for each of at most 64 models */
+    bool given[128];
+    size_t count;
+};
 
-/* Words out of `names`, as a list or as one text: given[n] where names[n] is among them. */
-static bool read_set(struct scene_source *source, const struct scene_key *key, const char *what,
-                     const yaml_node_t *value, const char *const *names, size_t count, bool *given)
+/* Words out of the set, as a list or as one text. */
+static bool read_set(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                     struct set *set)
 {
-    memset(given, 0, count * sizeof *given);
     for (size_t i = 0; i < scene_source_item_count(value); i++) {
         const yaml_node_t *item = scene_source_item(source, value, i);
         if (item->type != YAML_SCALAR_NODE)
             return scene_source_wrong_type(source, item, key->name, "a list of names");
         const char *rest = (const char *)item->data.scalar.value, *word;
         for (size_t length; (word = scene_words_next(&rest, &length));) {
-            size_t n = scene_words_find(word, length, names, count);
-            if (n == count)
-                return scene_source_unknown(source, item, (struct string_view){word, rest}, what, names, count, count);
-            given[n] = true;
+            size_t n = scene_words_find(word, length, set->names, set->count);
+            if (n == set->count)
+                return scene_source_unknown(source, item, (struct string_view){word, rest}, set->what, set->names,
+                                            set->count);
+            set->given[n] = true;
         }
     }
     return true;
 }
 
-static void add_name(const char *names[MODEL_NAMES], size_t *count, const char *name)
+static void add_name(struct set *set, const char *name)
 {
-    if (scene_words_find(name, strlen(name), names, *count) == *count)
-        names[(*count)++] = name;
+    if (scene_words_find(name, strlen(name), set->names, set->count) == set->count)
+        set->names[set->count++] = name;
 }
 
 /* Families, each once, then single models. */
 static bool read_models(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
 {
-    const char *names[MODEL_NAMES] = {0};
-    bool given[MODEL_NAMES];
-    size_t count = 0;
+    struct set set = {.what = "model"};
     for (size_t m = 0; m < model_count; m++)
-        add_name(names, &count, model_rows[m]->family);
+        add_name(&set, model_rows[m]->family);
     for (size_t m = 0; m < model_count; m++)
-        add_name(names, &count, model_rows[m]->name);
-    if (!read_set(source, key, "model", value, names, count, given))
+        add_name(&set, model_rows[m]->name);
+    if (!read_set(source, key, value, &set))
         return false;
     uint64_t *models = field;
     *models = 0;
     source->scene->models_named = true;
-    for (size_t i = 0; i < count; i++)
-        *models |= given[i] ? model_find(names[i]) : 0;
+    for (size_t i = 0; i < set.count; i++)
+        *models |= set.given[i] ? model_find(set.names[i]) : 0;
     return *models || scene_source_fail_at(source, value, "'models' names none; remove the line for the default ones");
 }
 
@@ -82,18 +86,18 @@ static bool read_effects(struct scene_source *source, const struct scene_key *ke
 {
     struct scene *scene = source->scene;
     unsigned *effects = field;
-    const char *names[EFFECT_COUNT + 1] = {[EFFECT_COUNT] = "auto"};
-    bool given[EFFECT_COUNT + 1];
+    struct set set = {.what = "effect"};
     *effects = 0;
     source->effects_overridden = source->option;
     for (int i = 0; i < EFFECT_COUNT; i++)
-        names[i] = effect_rows[i].name;
-    if (!read_set(source, key, "effect", value, names, EFFECT_COUNT + 1, given))
+        add_name(&set, effect_rows[i].name);
+    add_name(&set, "auto");
+    if (!read_set(source, key, value, &set))
         return false;
     for (int i = 0; i < EFFECT_COUNT; i++)
-        *effects |= given[i] ? EFFECT_BIT(i) : 0;
+        *effects |= set.given[i] ? EFFECT_BIT(i) : 0;
     *effects = scene_keys_with_needed(*effects);
-    scene->effects_auto = given[EFFECT_COUNT];
+    scene->effects_auto = set.given[EFFECT_COUNT];
     return *effects || scene->effects_auto || !source->option ||
            scene_source_fail_at(source, value,
                                 "'effects' names none; give 'auto' or names such as 'electrical,thermal'");
@@ -208,7 +212,7 @@ static bool read_load(struct scene_source *source, const struct scene_key *key, 
 {
     struct scene_load *load = field;
     size_t lines[SCENE_COUNT(load_keys)];
-    if (!scene_source_mapping(source, value, key->name, load_keys, SCENE_COUNT(load_keys), lines, load))
+    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, load_keys), lines, load))
         return false;
     if (load->values && (lines[LOAD_FROM] || lines[LOAD_TO] || lines[LOAD_POINTS]))
         return scene_source_fail_at(source, value, "'load' has 'values' and also from, to or points; remove either");
@@ -251,7 +255,7 @@ static bool read_convergence(struct scene_source *source, const struct scene_key
     size_t lines[SCENE_COUNT(keys)];
     struct scene_convergence *convergence = field;
     convergence->given = true;
-    return scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys), lines, field);
+    return scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, field);
 }
 
 #define MEASURED(member) offsetof(struct scene_measured, member)
@@ -269,7 +273,7 @@ bool scene_keys_measured(struct scene_source *source, const struct scene_key *ke
     struct scene_measured *measured = field;
     size_t lines[SCENE_COUNT(keys)];
     struct unit unit;
-    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys), lines, field))
+    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, field))
         return false;
     const char *text = measured->resistance_unit;
     unsigned known = scene_measured_resistances[measured->quantity];
@@ -321,7 +325,7 @@ static bool read_direct(struct scene_source *source, const struct scene_key *key
     if (scene_source_is(value, "off"))
         return true;
     direct->called = true;
-    if (!scene_source_mapping(source, value, key->name, direct_keys, SCENE_COUNT(direct_keys), lines, field))
+    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, direct_keys), lines, field))
         return false;
     if (direct->grid % 2 != 0)
         return scene_source_fail(source, lines[0], "'grid' is %zu; give an even number", direct->grid);
@@ -369,7 +373,7 @@ static bool read_gap(struct scene_source *source, const struct scene_key *key, c
     };
     struct joint *joint = field;
     size_t lines[SCENE_COUNT(keys)];
-    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys), lines, field))
+    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, field))
         return false;
     bool medium = lines[0] || joint->filler;
     if (lines[7] && (medium || lines[2] || lines[3] || lines[4] || lines[5]))
@@ -407,7 +411,7 @@ static bool read_plating(struct scene_source *source, const struct scene_key *ke
     };
     struct joint *joint = field;
     size_t lines[SCENE_COUNT(keys)];
-    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys), lines, field))
+    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, field))
         return false;
     if (joint->plating && lines[1] == 0)
         joint->plating_ohm_m = joint_platings[joint->plating].value;

@@ -85,7 +85,7 @@ bool scene_shape_read(struct scene_source *source, const struct scene_key *key, 
     size_t lines[SCENE_COUNT(keys)];
     int ways = 0;
     shape->nut_factor = nut_factor;
-    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys), lines, field))
+    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, field))
         return false;
     for (int way = 0; way < WAYS; way++)
         ways += lines[way] > 0;

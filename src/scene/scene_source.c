@@ -132,7 +132,8 @@ bool scene_source_read(struct scene_source *source, const char *bytes, size_t le
         return false;
     const yaml_node_t *root = yaml_document_get_root_node(&source->document);
     bool good = !root || is_null(root) ||
-                scene_source_mapping(source, root, "scene", scene_keys, scene_key_count, source->lines, source->scene);
+                scene_source_mapping(source, root, &(struct scene_mapping){"scene", scene_keys, scene_key_count},
+                                     source->lines, source->scene);
     yaml_document_delete(&source->document);
     return good;
 }
@@ -164,27 +165,29 @@ bool scene_source_is(const yaml_node_t *node, const char *word)
 bool scene_source_wrong_type(struct scene_source *source, const yaml_node_t *node, const char *what,
                              const char *expected)
 {
-    size_t line = scene_source_line(node);
     if (node->type != YAML_SCALAR_NODE)
-        return scene_source_fail(source, line, "'%s' is a %s; give %s", what,
-                                 node->type == YAML_SEQUENCE_NODE ? "list" : "mapping", expected);
-    struct scene_words_shown shown = scene_words_show_view(scene_source_scalar(node));
-    return scene_source_fail(source, line, "'%s' is '%s'; give %s", what, shown.text, expected);
+        return scene_source_fail_at(source, node, "'%s' is a %s; give %s", what,
+                                    node->type == YAML_SEQUENCE_NODE ? "list" : "mapping", expected);
+    return scene_source_fail_at(source, node, "'%s' is '%s'; give %s", what,
+                                scene_words_show_view(scene_source_scalar(node)).text, expected);
 }
 
 bool scene_source_unknown(struct scene_source *source, const yaml_node_t *node, struct string_view word,
-                          const char *what, const char *const *names, size_t count, size_t all)
+                          const char *what, const char *const *names, size_t count)
 {
     struct scene_words_shown shown = scene_words_show_view(word);
     return scene_source_fail_at(source, node, "unknown %s '%s'; %s", what, shown.text,
-                                scene_words_hint(shown.text, names, count, all).text);
+                                scene_words_hint(shown.text, names, count, count).text);
 }
 
-static bool read_pair(struct scene_source *source, const yaml_node_t *name, const yaml_node_t *value, const char *what,
-                      const struct scene_key *keys, size_t count, size_t *lines, void *into)
+static bool read_pair(struct scene_source *source, const yaml_node_pair_t *pair, const struct scene_mapping *mapping,
+                      size_t *lines, void *into)
 {
+    const yaml_node_t *name = yaml_document_get_node(&source->document, pair->key);
+    const yaml_node_t *value = yaml_document_get_node(&source->document, pair->value);
+    const struct scene_key *keys = mapping->keys;
     const char *names[2 * SCENE_KEYS_MOST] = {NULL}; /* of keys, then their aliases */
-    size_t key_of[2 * SCENE_KEYS_MOST], all = count, line = scene_source_line(name);
+    size_t key_of[2 * SCENE_KEYS_MOST], count = mapping->count, all = count, line = scene_source_line(name);
     assert(count <= SCENE_KEYS_MOST);
     for (size_t k = 0; k < count; k++) {
         names[key_of[k] = k] = keys[k].name;
@@ -195,9 +198,12 @@ static bool read_pair(struct scene_source *source, const yaml_node_t *name, cons
     }
     size_t n = find_word(name, names, all);
     if (name->type != YAML_SCALAR_NODE)
-        return scene_source_fail(source, line, "a key of '%s' is no text; write 'key: value'", what);
-    if (n == all)
-        return scene_source_unknown(source, name, scene_source_scalar(name), "key", names, count, all);
+        return scene_source_fail(source, line, "a key of '%s' is no text; write 'key: value'", mapping->name);
+    if (n == all) { /* an alias is proposed where it is near, but not listed */
+        struct scene_words_shown shown = scene_words_show_view(scene_source_scalar(name));
+        return scene_source_fail(source, line, "unknown key '%s'; %s", shown.text,
+                                 scene_words_hint(shown.text, names, count, all).text);
+    }
     struct scene_key key = keys[key_of[n]];
     key.name = names[n];
     if (lines[key_of[n]] != 0)
@@ -209,16 +215,14 @@ static bool read_pair(struct scene_source *source, const yaml_node_t *name, cons
     return key.read(source, &key, value, (char *)into + key.at);
 }
 
-bool scene_source_mapping(struct scene_source *source, const yaml_node_t *node, const char *what,
-                          const struct scene_key *keys, size_t count, size_t *lines, void *into)
+bool scene_source_mapping(struct scene_source *source, const yaml_node_t *node, const struct scene_mapping *mapping,
+                          size_t *lines, void *into)
 {
-    memset(lines, 0, count * sizeof *lines);
+    memset(lines, 0, mapping->count * sizeof *lines);
     if (node->type != YAML_MAPPING_NODE)
-        return scene_source_wrong_type(source, node, what, "'key: value' pairs");
-    yaml_document_t *tree = &source->document;
+        return scene_source_wrong_type(source, node, mapping->name, "'key: value' pairs");
     for (const yaml_node_pair_t *pair = node->data.mapping.pairs.start; pair < node->data.mapping.pairs.top; pair++)
-        if (!read_pair(source, yaml_document_get_node(tree, pair->key), yaml_document_get_node(tree, pair->value), what,
-                       keys, count, lines, into))
+        if (!read_pair(source, pair, mapping, lines, into))
             return false;
     return true;
 }
@@ -280,7 +284,7 @@ bool scene_source_choice(struct scene_source *source, const struct scene_key *ke
         return scene_source_wrong_type(source, value, key->name, "one word");
     if (choice == key->choice_count)
         return scene_source_unknown(source, value, scene_source_scalar(value), key->name, key->choices,
-                                    key->choice_count, key->choice_count);
+                                    key->choice_count);
     *(unsigned *)field = (unsigned)choice; /* an enum of small constants is unsigned in gcc and clang */
     return true;
 }

@@ -50,9 +50,16 @@ size_t scene_keys_line(const struct scene_source *source, const char *name);
 /** Parses `bytes` and reads the keys of scene.yaml, unless the text says nothing. Errors: not YAML, nested too deep,
  * more than one document, those of the keys. */
 MUST_CHECK bool scene_source_read(struct scene_source *source, const char *bytes, size_t length);
-/** Reads a mapping called `what` into `into`; lines[k] is where keys[k] is given, 0: it is not. */
-MUST_CHECK bool scene_source_mapping(struct scene_source *source, const yaml_node_t *node, const char *what,
-                                     const struct scene_key *keys, size_t count, size_t *lines, void *into);
+/** A mapping's name, for messages, and its keys. */
+struct scene_mapping {
+    const char *name;
+    const struct scene_key *keys;
+    size_t count;
+};
+#define SCENE_MAPPING(name, keys) (&(const struct scene_mapping){(name), (keys), SCENE_COUNT(keys)})
+/** Reads it into `into`; lines[k] is where keys[k] is given, 0: it is not. */
+MUST_CHECK bool scene_source_mapping(struct scene_source *source, const yaml_node_t *node,
+                                     const struct scene_mapping *mapping, size_t *lines, void *into);
 /** Reads the text of an option of the command line as the value of `key`. Error: STATUS_USAGE. */
 MUST_CHECK bool scene_source_option(struct scene_source *source, const struct scene_key *key, const char *option,
                                     const char *text, void *into);
@@ -70,10 +77,9 @@ bool scene_source_fail(struct scene_source *source, size_t line, const char *for
 /** Fails: the value of `what` is not of the type `expected` ("a number"). */
 bool scene_source_wrong_type(struct scene_source *source, const yaml_node_t *node, const char *what,
                              const char *expected);
-/** Fails: `word` of the scalar `node` is no known `what` ("effect"); `names` may go on beyond `count` with names that
- * are near enough to propose, but not to list, up to `all`. */
+/** Fails: `word` of the scalar `node` is no known `what` ("effect"), which are `names`. */
 bool scene_source_unknown(struct scene_source *source, const yaml_node_t *node, struct string_view word,
-                          const char *what, const char *const *names, size_t count, size_t all);
+                          const char *what, const char *const *names, size_t count);
 /** The scalar's characters; nothing of a list or a mapping. */
 struct string_view scene_source_scalar(const yaml_node_t *node);
 /** Fails: out of memory. */

@@ -26,7 +26,7 @@ static bool read_material_name(struct scene_source *source, const struct scene_k
         if (!isnan(material_table[i].youngs_modulus_Pa))
             names[count++] = material_table[i].name;
     if (!found)
-        return scene_source_unknown(source, value, scene_source_scalar(value), key->name, names, count, count);
+        return scene_source_unknown(source, value, scene_source_scalar(value), key->name, names, count);
     *out = *found;
     return !isnan(found->youngs_modulus_Pa) ||
            scene_source_fail_at(source, value, "'%s' is '%s', which bears no load; give the material of a body",
@@ -52,9 +52,10 @@ static bool read_material(struct scene_source *source, const struct scene_key *k
             (struct scene_key){row->name, NULL, SCENE_QUANTITY(row->offset, row->quantity, row->least, row->most),
                                .alias = strcmp(row->name, row->key) != 0 ? row->key : NULL};
     }
+    const struct scene_mapping mapping = {key->name, keys, 1 + material_property_count};
     *material = material_unknown("custom");
     material->source = "given in scene.yaml";
-    if (!scene_source_mapping(source, value, key->name, keys, 1 + material_property_count, lines, material))
+    if (!scene_source_mapping(source, value, &mapping, lines, material))
         return false;
     bool stiff = !isnan(material->youngs_modulus_Pa);
     return (stiff && !isnan(material->poisson_ratio)) ||
@@ -180,7 +181,7 @@ bool scene_surfaces_counterface(struct scene_source *source, const struct scene_
             rough = rough || scene_source_is(yaml_document_get_node(&source->document, p->key), "surface");
     if (!rough)
         return read_body(source, key, value, field);
-    if (!scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys), lines, surface))
+    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, surface))
         return false;
     bool given = lines[1] > 0; /* else two rough bodies of one material */
     bodies->counterface_kind = given ? surface->bodies.counterface_kind : MATERIAL_COUNTERFACE_ELASTIC;
@@ -203,7 +204,7 @@ bool scene_surfaces_hardness(struct scene_source *source, const struct scene_key
     char text[64];
     yaml_node_t node = *value;
     if (value->type == YAML_MAPPING_NODE)
-        return scene_source_mapping(source, value, key->name, keys, SCENE_COUNT(keys), lines, field) &&
+        return scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, field) &&
                ((lines[0] && lines[1]) || scene_source_fail_at(source, value, "'%s' needs c1 and c2", key->name));
     if (value->type == YAML_SCALAR_NODE && strncmp((const char *)value->data.scalar.value, "HV ", 3) == 0) {
         snprintf(text, sizeof text, "%.40s HV", (const char *)value->data.scalar.value + 3);
@@ -229,7 +230,7 @@ static bool read_surface(struct scene_source *source, const yaml_node_t *node, s
         {"measured", NULL, scene_keys_measured, .at = AT(measured)},
     };
     size_t lines[SCENE_COUNT(keys)];
-    if (!scene_source_mapping(source, node, "surfaces", keys, SCENE_COUNT(keys), lines, surface))
+    if (!scene_source_mapping(source, node, SCENE_MAPPING("surfaces", keys), lines, surface))
         return false;
     if (surface->files.count == 0)
         return scene_source_fail_at(source, node, "a surface has no 'file'; add one");

@@ -23,11 +23,10 @@ static double largest_pressure(const struct direct_contact *contact)
 static enum status_code solve(double *value, const struct selftest_reference *r, struct direct_contact *contact,
                               double pressure, struct status *status)
 {
-    struct direct_contact_effort effort = {0};
     const struct direct_contact_load load = {.mean_pressure = pressure, .hardness = INFINITY, .tolerance = 1e-12};
-    enum status_code rc = direct_contact_solve(contact, &load, &effort, status);
+    enum status_code rc = direct_contact_solve(contact, &load, status);
     if (rc == STATUS_OK && strcmp(r->quantity, "constriction") == 0) {
-        rc = direct_constriction_of_contact(value, contact, 1e-10, NULL, &effort, status);
+        rc = direct_constriction_of_contact(value, contact, 1e-10, NULL, status);
     } else if (rc == STATUS_OK) {
         const struct direct_quantities q = direct_quantities_of(contact, &load);
         const struct {

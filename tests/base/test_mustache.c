@@ -71,6 +71,7 @@ static const struct {
     {"{{=[ !]=}}[!]a[!]b", "{}", "", "b", ""},
     {"one\n{{#x}} two", "{}", "", NULL, "x"},
     {"one\ntwo {{/x}}", "{}", "", NULL, "line 2"},
+    {"one\ntwo {{/\nx}}", "{}", "", NULL, "line 2"},
     {"one {{x", "{}", "", NULL, "not closed"},
     {"{{#x}}{{/y}}", "{}", "", NULL, "not open"},
     {"{{#x}}{{/y\nz}}", "{}", "", NULL, "not open: 'y'"}, /* messages are one line */

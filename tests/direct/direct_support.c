@@ -74,30 +74,27 @@ struct direct_contact_load load_of(double mean_pressure, double hardness, double
 
 struct direct_quantities solved(struct direct_contact *contact, const struct direct_contact_load *load)
 {
-    struct direct_contact_effort effort = {0};
-    expect_ok(direct_contact_solve, contact, load, &effort);
-    assert_true(effort.convolutions > 0);
+    expect_ok(direct_contact_solve, contact, load);
+    assert_true(contact->convolutions > 0);
     return direct_quantities_of(contact, load);
 }
 
 double constriction_of(struct direct_contact *contact, double tolerance)
 {
-    struct direct_contact_effort effort = {0};
     double length;
-    expect_ok(direct_constriction_of_contact, &length, contact, tolerance, NULL, &effort);
+    expect_ok(direct_constriction_of_contact, &length, contact, tolerance, NULL);
     return length;
 }
 
 double constriction_of_drawing(const uint8_t *drawing, size_t n, size_t *iterations)
 {
     double *height = support_room(n * n * sizeof *height), length;
-    struct direct_contact_effort effort = {0};
     height[0] = 1; /* no surface is solved, but it must not be flat */
     struct direct_contact contact = contact_of(height, n, n);
     for (size_t k = 0; k < n * n; k++)
         contact.pressure[k / n * contact.kernel.stride + k % n] = drawing[k];
-    expect_ok(direct_constriction_of_contact, &length, &contact, 1e-9, NULL, &effort);
-    *iterations = effort.iterations;
+    expect_ok(direct_constriction_of_contact, &length, &contact, 1e-9, NULL);
+    *iterations = contact.iterations;
     direct_contact_free(&contact);
     return length;
 }

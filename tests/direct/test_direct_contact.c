@@ -149,10 +149,9 @@ static enum status_code result_of(const double *height, size_t n, const struct d
                                   struct status *status)
 {
     struct direct_contact contact;
-    struct direct_contact_effort effort = {0};
     if (direct_contact_make(&contact, height, &(struct direct_grid){n, n, 1 / (double)n, false}, status) != STATUS_OK)
         return status->code;
-    enum status_code rc = direct_contact_solve(&contact, load, &effort, status);
+    enum status_code rc = direct_contact_solve(&contact, load, status);
     direct_contact_free(&contact);
     return rc;
 }
@@ -272,23 +271,22 @@ TEST_CASE(monotone_and_warm)
         size_t cold_effort = 0, warm_effort = 0;
         for (double p = 1e-3; p < 0.4; p *= 1.8) {
             struct direct_contact_load load = load_of(p, capped ? 0.5 : INFINITY, 1e-9);
-            struct direct_contact_effort efforts[2] = {0};
-            expect_ok(direct_contact_solve, &cold, &load, &efforts[0]);
+            expect_ok(direct_contact_solve, &cold, &load);
             load.warm = true;
-            expect_ok(direct_contact_solve, &warm, &load, &efforts[1]);
+            expect_ok(direct_contact_solve, &warm, &load);
             struct direct_quantities found = direct_quantities_of(&cold, &load);
             struct direct_quantities other = direct_quantities_of(&warm, &load);
             assert_int_equal(found.contact_points, other.contact_points);
             assert_int_equal(overlap_of(&cold, load.hardness).capped_points,
                              overlap_of(&warm, load.hardness).capped_points);
             assert_near(found.gap_m, other.gap_m, 1e-7);
+            cold_effort += cold.convolutions;
+            warm_effort += warm.convolutions;
             double length = constriction_of(&cold, 1e-9);
             assert_true(found.contact_points >= last.contact_points && found.gap_m < last.gap_m);
             assert_true(length < last_length);
             last = found;
             last_length = length;
-            cold_effort += efforts[0].convolutions;
-            warm_effort += efforts[1].convolutions;
         }
         assert_true(warm_effort < cold_effort);
     }
@@ -331,10 +329,9 @@ TEST_CASE(effort_as_known)
     } cases[] = {{0.005, INFINITY, 60}, {0.1, INFINITY, 60}, {0.3, INFINITY, 65}, {0.005, 0.5, 90}, {0.1, 0.5, 120}};
     for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
         struct direct_contact_load load = load_of(cases[k].p, cases[k].hardness, 1e-6);
-        struct direct_contact_effort effort = {0};
-        expect_ok(direct_contact_solve, &contact, &load, &effort);
-        if (effort.convolutions > cases[k].convolutions)
-            fail_msg("%zu convolutions at %g", effort.convolutions, cases[k].p);
+        expect_ok(direct_contact_solve, &contact, &load);
+        if (contact.convolutions > cases[k].convolutions)
+            fail_msg("%zu convolutions at %g", contact.convolutions, cases[k].p);
     }
     direct_contact_free(&contact);
 }
@@ -355,12 +352,11 @@ TEST_CASE(few_points_at_the_hardness)
     direct_contact_free(&contact);
     contact = contact_of(height, N, N);
     struct direct_contact_load load = load_of(0.01, 0.05, 1e-6);
-    struct direct_contact_effort effort = {0};
-    expect_ok(direct_contact_solve, &contact, &load, &effort);
+    expect_ok(direct_contact_solve, &contact, &load);
     struct direct_quantities found = direct_quantities_of(&contact, &load);
     assert_true((double)found.contact_points > 0.6 * N * N);
     assert_in_range(overlap_of(&contact, load.hardness).capped_points, 1, 19);
-    assert_true(effort.convolutions < 200);
+    assert_true(contact.convolutions < 200);
     assert_true(violation_of(&contact, &load) < 1.1e-6);
     direct_contact_free(&contact);
     direct_spectrum_free(&spectrum);
@@ -380,15 +376,14 @@ TEST_CASE(starts_from_coarse_grids)
         free(plain.coarse);
         plain.coarse = NULL;
         struct direct_contact_load load = load_of(p, INFINITY, 1e-6);
-        struct direct_contact_effort efforts[2] = {0}, again = {0};
-        expect_ok(direct_contact_solve, &nested, &load, &efforts[0]);
-        expect_ok(direct_contact_solve, &plain, &load, &efforts[1]);
+        expect_ok(direct_contact_solve, &nested, &load);
+        expect_ok(direct_contact_solve, &plain, &load);
         struct direct_quantities found = direct_quantities_of(&nested, &load);
         assert_near(found.gap_m, direct_quantities_of(&plain, &load).gap_m, 1e-5);
-        assert_true(3 * efforts[0].convolutions < 2 * efforts[1].convolutions);
+        assert_true(3 * nested.convolutions < 2 * plain.convolutions);
         load.warm = true;
-        expect_ok(direct_contact_solve, &nested, &load, &again);
-        assert_int_equal(again.iterations, 0);
+        expect_ok(direct_contact_solve, &nested, &load);
+        assert_int_equal(nested.iterations, 0);
         direct_contact_free(&nested);
         direct_contact_free(&plain);
     }
@@ -403,10 +398,9 @@ TEST_CASE(convolutions_of_an_iteration)
     for (double p = 1e-3; p < 1; p *= 9) {
         struct direct_contact contact = contact_of(height, N, N);
         struct direct_contact_load load = load_of(p, INFINITY, 1e-6);
-        struct direct_contact_effort effort = {0};
-        expect_ok(direct_contact_solve, &contact, &load, &effort);
-        assert_true(effort.iterations > 5);
-        assert_int_equal(effort.convolutions, 1 + 5 * effort.iterations / 2);
+        expect_ok(direct_contact_solve, &contact, &load);
+        assert_true(contact.iterations > 5);
+        assert_int_equal(contact.convolutions, 1 + 5 * contact.iterations / 2);
         direct_contact_free(&contact);
     }
 }
@@ -429,7 +423,7 @@ TEST_CASE(laid_anew)
             for (int which = (int)k; which >= 0; which--) {
                 struct direct_contact *contact = which ? &fresh : &again;
                 struct direct_contact_load load = {mean[i], INFINITY, 1e-6, true, NULL};
-                expect_ok(direct_contact_solve, contact, &load, &(struct direct_contact_effort){0});
+                expect_ok(direct_contact_solve, contact, &load);
                 (void)constriction_of(contact, 1e-6);
             }
         if (k == 0)

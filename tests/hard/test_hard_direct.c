@@ -129,7 +129,6 @@ TEST_CASE(load_at_the_hardness)
         double load = shares[i] * hardness;
         struct direct_ladder_def ladder = {&load, 1, hardness, 1e-9, true, NULL};
         struct direct_contact_load one = {load, hardness, 1e-9, true, NULL};
-        struct direct_contact_effort effort = {0};
         struct direct_point point;
         if (shares[i] < 1) {
             hard_case("a mean pressure of 0.5 to 0.999 of the hardness", "iterations between capped points without end",
@@ -142,7 +141,7 @@ TEST_CASE(load_at_the_hardness)
                   "no number, and the sentence that contact is complete", "numbers", point.exists, 0);
         assert_true(isnan(point.constriction_m));
         assert_int_equal(point.quantities.contact_points, 0);
-        expect_fails(STATUS_MODEL, "complete contact", direct_contact_solve, &contact, &one, &effort);
+        expect_fails(STATUS_MODEL, "complete contact", direct_contact_solve, &contact, &one);
     }
     direct_contact_free(&contact);
 }
@@ -241,18 +240,16 @@ TEST_CASE(no_answer)
     assert_true(!found.point && !found.seed_point);
 
     (void)solved(&contact, load, INFINITY);
-    struct direct_contact_effort effort = {0};
     double length;
     status = (struct status){0};
-    expect_fails(STATUS_MODEL, "not converge", direct_constriction_of_contact, &length, &contact, 1e-300, NULL,
-                 &effort);
+    expect_fails(STATUS_MODEL, "not converge", direct_constriction_of_contact, &length, &contact, 1e-300, NULL);
 
     static const double wrong[] = {-1, 0, NAN, INFINITY, -INFINITY};
     for (size_t w = 0; w < sizeof wrong / sizeof *wrong; w++) {
         struct direct_contact_load one = {wrong[w], INFINITY, 1e-6, false, NULL};
         status = (struct status){0};
         hard_case("loads of -1, 0, NaN, ± infinity", "a solution of no question", "refused", "answers",
-                  direct_contact_solve(&contact, &one, &effort, &status) != STATUS_MODEL, 0);
+                  direct_contact_solve(&contact, &one, &status) != STATUS_MODEL, 0);
     }
     feclearexcept(FE_ALL_EXCEPT);
     feenableexcept(traps);

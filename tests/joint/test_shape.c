@@ -64,8 +64,7 @@ static void clear(struct joint_case *of)
 static struct shape_spread press(struct joint_case *of, double mean_Pa)
 {
     double sum = 0;
-    enum status_code rc =
-        shape_press(&of->shape, of->gap_m, &of->gap, of->modulus_Pa, of->hardness_Pa, mean_Pa, &of->status);
+    enum status_code rc = shape_press(&of->shape, of->gap_m, &of->gap, of->modulus_Pa, mean_Pa, &of->status);
     assert_string_equal(of->status.message, "");
     assert_int_equal(rc, STATUS_OK);
     for (size_t k = 0; k < of->shape.cells; k++)

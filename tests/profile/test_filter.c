@@ -6,7 +6,8 @@ static void smooth(double *z, size_t points, double spacing_m, double cutoff_m)
 {
     double *own = support_room(points * sizeof *own);
     memcpy(own, z, points * sizeof *own);
-    expect_ok(filter_gaussian, z, own, points, spacing_m, cutoff_m, false);
+    const struct profile profile = {.height_m = own, .points = points, .spacing_m = spacing_m};
+    expect_ok(filter_gaussian, z, &profile, cutoff_m);
 }
 
 /* Of a record that closes on itself every harmonic passes as the standard says, up to both ends: transforms of even,
@@ -25,7 +26,8 @@ TEST_CASE(test_harmonics_of_a_periodic_record)
         double passes = pow(2, -pow(cases[c].cutoff * cases[c].harmonic / (double)points, 2));
         for (size_t i = 0; i < points; i++)
             own[i] = 3e-6 + 1e-6 * cos(2 * M_PI * cases[c].harmonic * (double)i / (double)points + 1);
-        expect_ok(filter_gaussian, z, own, points, 5e-7, 5e-7 * cases[c].cutoff, true);
+        const struct profile profile = {.height_m = own, .points = points, .spacing_m = 5e-7, .periodic = true};
+        expect_ok(filter_gaussian, z, &profile, 5e-7 * cases[c].cutoff);
         for (size_t i = 0; i < points; i++)
             assert_within(z[i], 3e-6 + passes * (own[i] - 3e-6), 1e-14);
     }

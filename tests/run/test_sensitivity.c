@@ -45,7 +45,7 @@ static int place_setup(void **state)
 static void level(double *height_m, size_t points)
 {
     struct levelling levelling;
-    expect_ok(level_remove, &levelling, height_m, NULL, points, spacing_m, LEVEL_LINE);
+    expect_ok(level_remove, &levelling, height_m, points, spacing_m, LEVEL_LINE);
 }
 
 /** Value at the middle load of a model in a report of one surface; NaN: no row or an empty cell. */
@@ -88,7 +88,8 @@ TEST_IN_PLACE(factors_are_those_of_separate_reports)
     write_scan(place, "in/a.csv", z, POINTS);
     write_scan(place, "harder/a.csv", z, POINTS);
     level(z, POINTS);
-    expect_ok(filter_gaussian, smooth, z, POINTS, spacing_m, 4 * spacing_m, false);
+    const struct profile profile = {.height_m = z, .points = POINTS, .spacing_m = spacing_m};
+    expect_ok(filter_gaussian, smooth, &profile, 4 * spacing_m);
     write_scan(place, "smooth/a.csv", smooth, POINTS);
     write_scan(place, "first/a.csv", z, POINTS / 2);
     write_scan(place, "second/a.csv", z + POINTS / 2, POINTS / 2);

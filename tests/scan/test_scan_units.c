@@ -147,6 +147,7 @@ TEST_CASE(test_columns)
         {TWO, 0, 2, 1e-3, 1e-9},
         {TWO, 0, 3, 1e-3, 40e-6},
         {TWO, 1, 3, 1e-3, 40e-6},
+        {"9 0 5\n7 1 6\n5 2 7\n3 3 8\n", 2, 3, 1e-3, 8e-6},
         {FIVE, 0, 4, 1e-3, 7e-9}, /* a missing point of another column is nobody's */
         {"spacing 0.5 um\n1\n2\n3\n4\n", 0, 1, 0.5e-6, 4e-6},
         {"spacing 0.5 um\n1 7\n2 8\n1 9\n3 7\n", 0, 2, 0.5e-6, 7e-6}, /* no x: the spacing */

@@ -55,7 +55,7 @@ static double by_cells(const struct shape_curve *gap, const struct shape_curve *
     for (int k = 0; k < CELLS * CELLS; k++)
         gap_m[k] = bulge_m * (pow((k % CELLS + 0.5) / CELLS, 2) + pow((k / CELLS + 0.5) / CELLS, 2));
     coverage_must(shape_make(&shape, CELLS, CELLS, half, &status), &status);
-    coverage_must(shape_press(&shape, gap_m, gap, 1, INFINITY, load, &status), &status);
+    coverage_must(shape_press(&shape, gap_m, gap, 1, load, &status), &status);
     coverage_must(shape_resistance(&resistance, &spots, &shape, conductance, bodies, &status), &status);
     shape_free(&shape);
     return resistance / 4;
