@@ -166,7 +166,7 @@ static void make_surface(struct made_up *made, size_t index, void (*change)(stru
         summary->scans = index == 0 ? 2 : 1;
         summary->independent = (double)summary->scans;
         if (index == 0)
-            note_add(&summary->notes, "beta.csv", "%s", "a note");
+            note_add(&summary->notes, "beta.csv", "note.text\ntext\ta note");
         record->spectrum = (struct spectrum){malloc(3 * sizeof(double)), 3, 2e-4, false};
         for (size_t i = 0; i < 3; i++)
             record->spectrum.amplitude_m[i] = power_law_amplitude(&summary->power_law, 2e-4 / (double)(i + 1));
@@ -290,14 +290,10 @@ void made_up_again(struct made_up *made)
     static const struct figures drawn = {
         .figure = {{"answer", "", false}, {"one-surface", "6-05 to 6-09", false}, {"area", "6-11 to 6-14", false}},
         .count = 3};
-    struct words words;
     comparison_free(&made->comparison);
     json_decref(made->view);
     expect_ok(comparison_make, &made->comparison, &made->results);
-    struct status status = {0}; /* which the words keep */
-    assert_int_equal(words_read(&words, PROJECT_SOURCE "/templates", &status), STATUS_OK);
-    expect_ok(view_make, &made->view, &made->results, &made->comparison, &drawn, &words);
-    words_free(&words);
+    expect_ok(view_make, &made->view, &made->results, &made->comparison, &drawn, support_words());
 }
 
 void made_up_make(struct made_up *made, void (*change)(struct surface_record *record, size_t index))

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "support.h"
 
-#include "base/text.h"
+#include "base/words.h"
 #include "contact/model.h"
 #include <signal.h>
 #include <stdio.h>
@@ -72,6 +72,19 @@ static void end_text(void *text)
 struct text *support_text(void)
 {
     return test_owns(calloc(1, sizeof(struct text)), end_text);
+}
+
+static void end_words(void *words)
+{
+    words_free(words);
+}
+
+struct words *support_words(void)
+{
+    struct status *status = support_room(sizeof *status); /* which the words keep */
+    struct words *words = support_room(sizeof *words);
+    assert_int_equal(words_read(words, PROJECT_SOURCE "/templates", status), STATUS_OK);
+    return test_owns(words, end_words);
 }
 
 static void end_json(void *json)

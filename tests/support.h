@@ -92,6 +92,8 @@ char *lasting(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void *support_room(size_t bytes);
 /** An empty text, the test's, to be added to. */
 struct text *support_text(void);
+/** The words of the program's templates, the test's. */
+struct words *support_words(void);
 /** A JSON value, the test's; fails it when the text is none, or one with a key twice. */
 json_t *support_json(const char *text);
 

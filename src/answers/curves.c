@@ -90,13 +90,9 @@ static void note_model(struct surface_record *record, size_t m, size_t left_out)
 {
     const struct model_curve *curve = &record->curves[m];
     if (left_out > 0 && curve->exists)
-        note_add(&record->summary.notes, NULL,
-                 "%s has no solution for %zu of the scans run alone; its curve is of the others", model_rows[m]->label,
-                 left_out);
+        note_add(&record->summary.notes, NULL, "note.unsolved\nmodel %s\nscans %zu", model_rows[m]->label, left_out);
     if (curve->overflows)
-        note_add(&record->summary.notes, NULL,
-                 "no %s: its numbers leave what can be computed with; check the units, the material and the loads",
-                 model_rows[m]->label);
+        note_add(&record->summary.notes, NULL, "note.overflow\nmodel %s", model_rows[m]->label);
 }
 
 /** One model: its curve, or the mean of its scans' curves; what lies in the joint; where it bends; what it hangs on. */
@@ -200,7 +196,7 @@ static enum status_code solve_strips(struct surface_record *record, const struct
         summary->strip_unsolved[1] += set->solved_alone && set->members[p].pieces > 0 && !set->members[p].strip;
     }
     if (rc == STATUS_OK && !summary->has_strips)
-        note_add(&summary->notes, NULL, "no strip transfer: %s", strips->problem.message);
+        note_add(&summary->notes, NULL, "note.no_strips\nwhy\t%s", strips->problem.message);
     summary->strip_unsolved[0] = strips->unsolved;
     summary->strip_transforms = strips->transforms;
     summary->times.strips = clock_seconds() - started;
@@ -226,7 +222,7 @@ static enum status_code solve_tiles(struct surface_record *record, struct plan *
     if (summary->has_tiles)
         return STATUS_OK;
     summary->tile_cost = 0; /* more of it would not help */
-    note_add(&summary->notes, NULL, "no direct solution of the map: %s", tiles->problem.message);
+    note_add(&summary->notes, NULL, "note.no_tiles\nwhy\t%s", tiles->problem.message);
     effects_fit_models(plan, record, 1);
     return STATUS_OK;
 }
@@ -239,9 +235,9 @@ static void note_joint(struct surface_record *record, const struct scene *scene,
     struct note_list *notes = &record->summary.notes;
     const double thick_m = joint->plating_thickness_m;
     if (plan_runs(plan, EFFECT_GAP) && joint->fill == JOINT_MEDIUM && !joint->gas && !(joint->bond_line_m > 0))
-        note_add(notes, NULL, "no bond_line: the filler is as thin as the gaps, which none is; give it, such as 25 um");
+        note_add(notes, NULL, "note.no_bond_line");
     if (plan_runs(plan, EFFECT_PLATING) && joint->plating && (thick_m < metal->least_m || thick_m > metal->most_m))
-        note_add(notes, NULL, "%.3g um of %s, of which %.3g to %.3g um are usual", thick_m * 1e6,
+        note_add(notes, NULL, "note.plating\nthick %.3g\nmetal %s\nleast %.3g\nmost %.3g", thick_m * 1e6,
                  joint_plating_names[joint->plating], metal->least_m * 1e6, metal->most_m * 1e6);
 }
 
@@ -338,16 +334,14 @@ static enum status_code run_unloading(struct surface_record *record, const struc
         rc = unload(out, record, &asked, &problem);
     summary->times.unloading = clock_seconds() - started;
     if (rc == STATUS_OK && out->ratio.raised > 1)
-        note_add(&summary->notes, NULL,
-                 "unloading: its strip was loaded to %g times unload_from, so that enough spots touch",
-                 out->ratio.raised);
+        note_add(&summary->notes, NULL, "note.unload_from\ntimes %g", out->ratio.raised);
     if (rc == STATUS_OK)
         return rc;
     free(out);
     summary->unloading = NULL;
     if (rc != STATUS_MODEL)
         return status_fail(status, rc, "%s", problem.message);
-    note_add(&summary->notes, NULL, "no curve of unloading: %s", problem.message);
+    note_add(&summary->notes, NULL, "note.no_unloading\nwhy\t%s", problem.message);
     return STATUS_OK;
 }
 

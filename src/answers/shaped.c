@@ -278,7 +278,7 @@ enum status_code shaped_make(struct surface_record *record, size_t m, const stru
         return rc == STATUS_OK ? rc : status_fail(status, rc, "%s", problem.message);
     joint_shape_free(out);
     *out = (struct joint_shape){0};
-    note_add(&record->summary.notes, NULL, "no shape with %s: %s", model_rows[m]->label, problem.message);
+    note_add(&record->summary.notes, NULL, "note.no_shape\nmodel %s\nwhy\t%s", model_rows[m]->label, problem.message);
     return STATUS_OK;
 }
 

@@ -4,6 +4,7 @@
 #include "base/mustache.h"
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum status_code words_read(struct words *out, const char *templates, struct status *status)
@@ -24,9 +25,8 @@ void words_free(struct words *words)
 }
 
 /** Adds the template of a name: the rest of its line. */
-static bool find(struct text *out, const struct words *words, const char *name)
+static bool find(struct text *out, const struct words *words, const char *name, size_t length)
 {
-    size_t length = strlen(name);
     for (const char *line = text_string(&words->file); *line; line += strcspn(line, "\n"), line += *line == '\n')
         if (strncmp(line, name, length) == 0 && (line[length] == ' ' || line[length] == '\t')) {
             const char *start = line + length + strspn(line + length, " \t");
@@ -36,38 +36,48 @@ static bool find(struct text *out, const struct words *words, const char *name)
     return false;
 }
 
-const char *words_say(struct words *words, const char *name, ...)
+bool words_add(struct text *out, struct words *words, const char *later)
 {
-    struct text source = {0}, filled = {0};
-    if (!words)
-        return name;
+    struct text source = {0};
     json_t *view = json_object();
     const struct mustache how = {.view = view};
-    va_list pairs;
-    va_start(pairs, name);
-    for (const char *key; (key = va_arg(pairs, const char *));)
-        json_object_set_new(view, key, json_string_nocheck(va_arg(pairs, const char *)));
-    va_end(pairs);
-    if (!find(&source, words, name))
-        (void)status_fail(words->status, STATUS_USAGE, "words.txt of the templates has no '%s'", name);
-    else if (mustache_render(&filled, text_string(&source), "words.txt", &how, words->status) == STATUS_OK &&
-             (filled.failed || json_array_append_new(words->said, json_string_nocheck(text_string(&filled))) != 0))
-        (void)status_memory(words->status);
+    const int length = (int)strcspn(later, "\n");
+    for (const char *end = later + length; *end;) {
+        const char *name = end + 1, *text = name + strcspn(name, " \t\n");
+        end = *text == '\t' ? strchr(text, '\0') : strchrnul(text, '\n');
+        json_t *own = text < end ? json_stringn_nocheck(text + 1, (size_t)(end - text) - 1) : json_true();
+        json_t *before = json_object_getn(view, name, (size_t)(text - name));
+        if (json_is_array(before))
+            json_array_append_new(before, own);
+        else
+            json_object_setn_new(view, name, (size_t)(text - name), before ? json_pack("[O, o]", before, own) : own);
+    }
+    bool found = find(&source, words, later, (size_t)length);
+    if (!found)
+        (void)status_fail(words->status, STATUS_USAGE, "words.txt of the templates has no '%.*s'", length, later);
+    found = found && mustache_render(out, text_string(&source), "words.txt", &how, words->status) == STATUS_OK;
     json_decref(view);
     text_free(&source);
+    return found;
+}
+
+const char *words_say(struct words *words, const char *format, ...)
+{
+    struct text filled = {0};
+    char *later = NULL;
+    if (!words)
+        return "";
+    va_list args;
+    va_start(args, format);
+    later = vasprintf(&later, format, args) < 0 ? NULL : later;
+    va_end(args);
+    if (!later || (words_add(&filled, words, later) &&
+                   json_array_append_new(words->said, json_string_nocheck(text_string(&filled))) != 0))
+        (void)status_memory(words->status);
+    free(later);
     text_free(&filled);
     const json_t *said = json_array_get(words->said, json_array_size(words->said) - 1);
     return words->status->code == STATUS_OK ? json_string_value(said) : "";
-}
-
-struct words_number words_number(const char *format, ...)
-{
-    struct words_number out;
-    va_list number;
-    va_start(number, format);
-    vsnprintf(out.text, sizeof out.text, format, number);
-    va_end(number);
-    return out;
 }
 
 int words_width(const char *string, size_t length)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* templates/words.txt: what axes, panels, legends and marks are called, what is asked for, why effects run. */
+/* templates/words.txt: what axes, panels, legends and marks are called, what is asked for, why effects run, what is
+ * noted. What several threads note is told as words_add() takes it, and said by one. */
 #ifndef BASE_WORDS_H
 #define BASE_WORDS_H
 
@@ -18,14 +19,13 @@ struct words {
 MUST_CHECK enum status_code words_read(struct words *out, const char *templates, struct status *status);
 void words_free(struct words *words);
 
-/** The words of `name`, filled in from names and texts in turn, the last NULL: as long as `words` lives. What came
- * from outside is still to be shown as such. Where there are none, `words` NULL, the name stands for them. */
-const char *words_say(struct words *words, const char *name, ...) __attribute__((sentinel));
-/** A number to fill in, as printf writes it. */
-struct words_number {
-    char text[32];
-};
-struct words_number words_number(const char *format, ...) PRINTF_LIKE(1, 2);
+/** Words that are told like printf: their name, and a line for each of what fills them in: a name, a blank and its
+ * text, or the name alone of what is so. Behind a name and a tab all that follows is its text, line ends too: what
+ * comes from outside stands there, still to be shown as such. Texts of one name that comes again are a list. Good as
+ * long as `words` lives; NULL: "". */
+const char *words_say(struct words *words, const char *format, ...) PRINTF_LIKE(2, 3);
+/** Adds the words that `later` tells so. False: not, and the words' status says why. */
+bool words_add(struct text *out, struct words *words, const char *later);
 
 /** Characters of a text. */
 int words_width(const char *string, size_t length);

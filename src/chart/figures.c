@@ -49,8 +49,8 @@ struct source {
     struct words *words;
 };
 
-/** The words of a name, filled in from names and texts in turn. */
-#define SAY(...) words_say(source->words, __VA_ARGS__, NULL)
+/** As words_say() has them. */
+#define SAY(...) words_say(source->words, __VA_ARGS__)
 /** Begins a curve that looks so: members of a struct chart_curve. */
 #define CURVE(...) chart_curve(chart, &(struct chart_curve){__VA_ARGS__})
 
@@ -143,7 +143,7 @@ static const char *short_name(const struct source *source, const char *name)
 {
     struct text cut = {0};
     words_cut(&cut, name, strlen(name), 28);
-    const char *said = SAY("name", "surface", text_string(&cut));
+    const char *said = SAY("name\nsurface\t%s", text_string(&cut));
     text_free(&cut);
     return said;
 }
@@ -158,8 +158,8 @@ static struct chart_curve surface_look(const struct source *source, size_t k)
         return (struct chart_curve){.legend = SAY("others"), .colour = "#b4b4bc", .width = 1.2};
     const char *name = short_name(source, results->surfaces[results->shown[k]].summary.scene->name);
     return (struct chart_curve){.legend =
-                                    SAY("surface", "surface", name, "best", many && k == 0 ? "1" : "", "worst",
-                                        many && k > 0 && last ? "1" : "", "baseline", many && baseline ? "1" : ""),
+                                    SAY("surface\n%s\n%s\n%s\nsurface\t%s", many && k == 0 ? "best" : "",
+                                        many && k > 0 && last ? "worst" : "", many && baseline ? "baseline" : "", name),
                                 .colour = surface_colour(k),
                                 .width = 2};
 }
@@ -185,21 +185,23 @@ static struct asked_load load_of(const struct source *source, size_t surface, bo
 static const char *load_label(const struct source *source, bool asked)
 {
     const struct asked_load load = load_of(source, source->results->baseline, asked);
-    return SAY(!load.unit[0] ? "axis.load_over_AnEp" : load.force ? "axis.force" : "axis.pressure", "unit", load.unit);
+    return SAY("%s\nunit %s",
+               !load.unit[0] ? "axis.load_over_AnEp"
+               : load.force  ? "axis.force"
+                             : "axis.pressure",
+               load.unit);
 }
 
 /** The asked quantity and its unit, in the words of `name`. */
 static const char *asked_label(const struct source *source, const char *name)
 {
-    return SAY(name, "asked", SAY(source->asked.name), "unit", source->asked.unit);
+    return SAY("%s\nasked %s\nunit %s", name, SAY("%s", source->asked.name), source->asked.unit);
 }
 
 /** The words of `kind` and a quantity's name. */
 static const char *quantity_words(const struct source *source, const char *kind, enum quantity quantity)
 {
-    char name[80];
-    snprintf(name, sizeof name, "%s.%s", kind, quantity_rows[quantity].name);
-    return SAY(name);
+    return SAY("%s.%s", kind, quantity_rows[quantity].name);
 }
 
 /* ---- The first page ---- */
@@ -242,7 +244,7 @@ static void put_measured(struct chart *chart, const struct source *source, const
         const struct measured_run *run = &measured->runs[part / 2];
         bool branch = part % 2, both = run->turn + 1 < run->end && run->turn > run->first;
         const char *name = !both ? "measured" : branch ? "measured.unloading" : "measured.loading";
-        CURVE(.kind = CHART_BARS, .legend = SAY(name),
+        CURVE(.kind = CHART_BARS, .legend = SAY("%s", name),
               .colour = results->usable_count > 1 ? surface_look(source, k).colour : ink,
               .marker = both && branch ? 6 : 7);
         for (size_t i = branch ? run->turn + 1 : run->first; i < (branch ? run->end : run->turn + 1); i++)
@@ -268,7 +270,7 @@ static void put_direct(struct chart *chart, const struct source *source, double 
     enum direct_study_kind kind = direct_study_kind_of(study, source->leading);
     const char *name = short_name(source, source->baseline->summary.scene->name);
     struct chart_curve look = {.kind = CHART_BARS,
-                               .legend = SAY("direct", "surface", source->results->usable_count > 1 ? name : ""),
+                               .legend = SAY("direct\nsurface\t%s", source->results->usable_count > 1 ? name : ""),
                                .colour = baseline_colour(source)};
     for (int few = 0; few < 2; few++) {
         look.marker = few ? 4 : 5;
@@ -295,7 +297,7 @@ static void make_answer(struct chart *chart, const struct source *source)
                  asked_load_of(results, results->shown[k]).scale, surface_colour(k));
     if (textbook < model_count && textbook != source->leading)
         put_curve(chart, source, source->baseline, textbook, axis,
-                  (struct chart_curve){.legend = SAY("textbook", "model", model_rows[textbook]->label),
+                  (struct chart_curve){.legend = SAY("textbook\nmodel %s", model_rows[textbook]->label),
                                        .colour = quiet,
                                        .dash = DASH_OTHER});
     for (size_t k = 0; k < results->shown_count; k++) {
@@ -341,8 +343,7 @@ static void make_models(struct chart *chart, const struct source *source)
         asked_shown(asked, comparison_middle(results, source->leading, results->baseline).value[asked->quantity]);
     chart_panel(chart, "", asked_label(source, "axis.asked_operating"), "", true, false);
     if (known)
-        rows[count++] =
-            (struct row){direct, {direct / (1 + error), direct * (1 + error)}, SAY("direct", "surface", ""), ink, -1};
+        rows[count++] = (struct row){direct, {direct / (1 + error), direct * (1 + error)}, SAY("direct"), ink, -1};
     for (size_t m = 0; m < model_count; m++) {
         const struct contact_point at = comparison_middle(results, m, results->baseline);
         struct row row = {asked_shown(asked, at.value[asked->quantity]),
@@ -389,10 +390,9 @@ static void put_bins(struct chart *chart, const struct power_law_band *band, boo
 static void put_profile(struct chart *chart, const struct source *source, const struct surface_record *record,
                         const char *name, const char *colour)
 {
-    char rq[40];
-    snprintf(rq, sizeof rq, "%.3g", record->summary.roughness.rq_m * 1e6);
-    chart_panel(chart, SAY("panel.profile", "surface", short_name(source, name), "rq", rq), SAY("axis.position"),
-                SAY("axis.height"), false, false)
+    const double rq_um = record->summary.roughness.rq_m * 1e6;
+    chart_panel(chart, SAY("panel.profile\nrq %.3g\nsurface\t%s", rq_um, short_name(source, name)),
+                SAY("axis.position"), SAY("axis.height"), false, false)
         ->alone = true;
     CURVE(.legend = "", .width = 1, .colour = colour);
     for (size_t i = 0; i < record->preview_points; i++)
@@ -405,11 +405,9 @@ static void put_spectrum(struct chart *chart, const struct source *source, const
     enum { MOST = 300 };
     const struct power_law *law = &record->summary.power_law;
     size_t index[MOST], count = results_sweep_scales(index, MOST, record->spectrum.count);
-    char gamma[40], error[40];
-    snprintf(gamma, sizeof gamma, "%.2f", law->gamma);
-    snprintf(error, sizeof error, "%.2f", law->gamma_error);
     chart_panel(chart,
-                isfinite(law->gamma) ? SAY("panel.spectrum", "gamma", gamma, "error", error) : SAY("panel.no_law"),
+                isfinite(law->gamma) ? SAY("panel.spectrum\ngamma %.2f\nerror %.2f", law->gamma, law->gamma_error)
+                                     : SAY("panel.no_law"),
                 SAY("axis.wavelength"), SAY("axis.amplitude"), true, true);
     CURVE(.legend = "", .width = 0.8, .colour = colour);
     for (size_t i = 0; i < count; i++)
@@ -459,23 +457,20 @@ static void make_convergence(struct chart *chart, const struct source *source)
     for (int s = 0; s < CONVERGENCE_SWEEP_COUNT && results->convergence; s++)
         for (size_t m = 0; m < model_count; m++) {
             const struct convergence_sweep_row *sweep = &convergence_sweeps[s];
-            char number[20], value[40];
             struct text load = {0};
             if (!plan_runs_model(results->plan, m) || !model_rows[m]->stacks_scales)
                 continue;
             chart->number = 1 + 2 * s + model_rows[m]->plastic;
-            snprintf(number, sizeof number, "6-%02d", chart->number);
             number_format(&load, results_sweep_load(results, m), 2);
-            chart_panel(
-                chart,
-                SAY(parameter[s][1], "number", number, "model", model_rows[m]->label, "load", text_string(&load)),
-                SAY("axis.shortest_wavelength"), SAY("axis.area_ratio"), true, true);
+            chart_panel(chart,
+                        SAY("%s\nnumber 6-%02d\nmodel %s\nload %s", parameter[s][1], chart->number,
+                            model_rows[m]->label, text_string(&load)),
+                        SAY("axis.shortest_wavelength"), SAY("axis.area_ratio"), true, true);
             text_free(&load);
             for (size_t v = 0; v < sweep->count; v++) {
                 const double *area = results_sweep(results, (enum convergence_sweep)s, m, v);
-                snprintf(value, sizeof value, "%g", sweep->values[v]);
-                CURVE(.legend = SAY(parameter[s][0], "value", value), .dash = s == CONVERGENCE_GAMMA ? 4 : 1,
-                      .colour = sweep_colours[8 * v / (sweep->count - 1)]);
+                CURVE(.legend = SAY("%s\nvalue %g", parameter[s][0], sweep->values[v]),
+                      .dash = s == CONVERGENCE_GAMMA ? 4 : 1, .colour = sweep_colours[8 * v / (sweep->count - 1)]);
                 for (size_t k = 0; k < count; k++)
                     chart_row(chart, study->scan_length_m / (double)(index[k] + 1), area[index[k]], 0, 0);
             }
@@ -536,15 +531,14 @@ static void put_baseline(struct chart *chart, const struct source *source, bool 
     for (int p = 0; p < 2 * QUANTITY_COUNT; p++) {
         const enum quantity quantity = (enum quantity)(p / 2);
         const struct quantity_panel *panel = &quantity_rows[quantity].panels[p % 2];
-        char number[20];
         chart->number = panel->number;
-        snprintf(number, sizeof number, "6-%02d", panel->number);
         if (!panel->file || quantity_of_joint(quantity) != joint ||
             (joint ? quantity_rows[quantity].precedence > 0 : !is_more(source, quantity, panel)) != whole ||
             !(plan_quantities(source->results->plan) & QUANTITY_BIT(quantity)))
             continue;
         begin_panel(chart, source, panel->against, quantity,
-                    panel->number == 0 ? quantity_words(source, "panel", quantity) : SAY(number, "number", number));
+                    panel->number == 0 ? quantity_words(source, "panel", quantity)
+                                       : SAY("6-%02d\nnumber 6-%02d", panel->number, panel->number));
         for (size_t m = 0; m < model_count; m++)
             put_quantity(chart, source, (enum quantity[]){quantity, panel->against}, source->results->baseline, m,
                          model_look(m));
@@ -581,12 +575,12 @@ static void put_shape(struct chart *chart, const struct source *source)
         if (!computes(source, source->leading, whole))
             continue;
         begin_panel(chart, source, QUANTITY_LOAD, whole,
-                    SAY("panel.model", "model", model_rows[source->leading]->label));
+                    SAY("panel.model\nmodel %s", model_rows[source->leading]->label));
         for (int flat = 0; flat < 2; flat++) {
             struct axis axis[2] = {load, ways[way][flat == 0 ? 0 : made ? 1 : 2]};
             axis[1].scale = scale_of(whole);
             put_curve(chart, source, source->baseline, source->leading, axis,
-                      (struct chart_curve){.legend = SAY(flat ? "flat_parts" : "with_shape"),
+                      (struct chart_curve){.legend = SAY("%s", flat ? "flat_parts" : "with_shape"),
                                            .colour = flat ? quiet : baseline_colour(source),
                                            .width = flat ? 0 : 2.6});
         }
@@ -615,15 +609,13 @@ static void make_all_surfaces(struct chart *chart, const struct source *source, 
     chart->shares = true;
     for (int place = 1; place <= 5 && results->usable_count > 1; place++)
         for (size_t m = 0; m < model_count; m++) {
-            char number[20] = "";
             bool leads = m == source->leading && model_rows[m]->thesis_place == 0;
             if (!computes(source, m, quantity) || (place < 5 ? model_rows[m]->thesis_place != place : !leads))
                 continue;
             chart->number = place < 5 && panel->first > 0 ? panel->first + place - 1 : 0;
-            if (chart->number > 0)
-                snprintf(number, sizeof number, "6-%02d", chart->number);
             begin_panel(chart, source, panel->against, quantity,
-                        SAY("panel.model", "number", number, "model", model_rows[m]->label));
+                        SAY("panel.model\n%s 6-%02d\nmodel %s", chart->number > 0 ? "number" : "none", chart->number,
+                            model_rows[m]->label));
             for (size_t k = 0; k < results->shown_count; k++)
                 put_quantity(chart, source, (enum quantity[]){quantity, panel->against}, results->shown[k], m,
                              surface_look(source, k));

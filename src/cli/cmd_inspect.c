@@ -92,10 +92,10 @@ static enum status_code draw(const struct profile *profile, struct status *statu
     enum status_code rc = command_share(&folder, "templates", status);
     struct mustache_folder templates = {text_string(&folder), ".gp", NULL, status};
     if (rc == STATUS_OK && (rc = words_read(&words, text_string(&folder), status)) == STATUS_OK) {
-        chart_panel(&chart, words_say(&words, "inspect.profile", NULL), words_say(&words, "inspect.profile.x", NULL),
-                    words_say(&words, "inspect.profile.y", NULL), false, false);
-        chart_curve(&chart, &(struct chart_curve){.legend = words_say(&words, "inspect.profile.legend", NULL),
-                                                  .colour = "#000000"});
+        chart_panel(&chart, words_say(&words, "inspect.profile"), words_say(&words, "inspect.profile.x"),
+                    words_say(&words, "inspect.profile.y"), false, false);
+        chart_curve(&chart,
+                    &(struct chart_curve){.legend = words_say(&words, "inspect.profile.legend"), .colour = "#000000"});
         for (size_t i = 0, step = 1 + (profile->points - 1) / MOST; i < profile->points; i += step)
             chart_row(&chart, (double)i * profile->spacing_m * 1e3, profile->height_m[i] * 1e6, 0, 0);
         rc = chart_write(&chart, &templates, temporary.path);

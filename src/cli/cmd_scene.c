@@ -299,28 +299,27 @@ int command_report(int argc, char **argv)
 
 enum { WIDTH = 80 };
 
-static void print_plan(const struct results *results, double rough_seconds)
+static void add_plan(struct text *table, const struct results *results, double rough_seconds)
 {
     const struct plan *plan = results->plan;
     const struct scene *scene = results->scene;
-    struct text table = {0};
-    work_table(&table, results, false);
-    text_add(&table, "\n%-31s %-8s %s\n", "model", "", "valid");
+    work_table(table, results, false);
+    text_add(table, "\n%s\n", words_say(plan->words, "plan.models"));
     for (size_t m = 0; m < model_count; m++) {
-        text_add(&table, "%-31s %-8s ", model_rows[m]->label, plan_runs_model(plan, m) ? "run" : "skipped");
-        text_add_wrapped(&table, model_rows[m]->valid, WIDTH, 41);
-        text_add(&table, "\n");
+        text_add(table, "%-31s %-8s ", model_rows[m]->label,
+                 words_say(plan->words, plan_runs_model(plan, m) ? "plan.run" : "plan.skipped"));
+        text_add_wrapped(table, model_rows[m]->valid, WIDTH, 41);
+        text_add(table, "\n");
     }
-    text_add(&table, "\n");
+    text_add(table, "\n");
     if (!results_has_material(results)) {
-        text_add_wrapped(&table, words_say(plan->words, "effect.without_material", NULL), WIDTH, 0);
-        text_add(&table, "\n\n");
+        text_add_wrapped(table, words_say(plan->words, "effect.without_material"), WIDTH, 0);
+        text_add(table, "\n\n");
     }
-    fputs(text_string(&table), stdout);
-    text_free(&table);
-    printf("%zu surface%s, %zu loads, tolerance %g, closure %s: about %.2g s\n", scene->surface_count,
-           scene->surface_count == 1 ? "" : "s", results->load_count, scene->tolerance,
-           sinusoid_fits[scene->closure].name, rough_seconds);
+    text_add(table, "%s\n",
+             words_say(plan->words, "plan.end\nsurfaces %zu\n%s\nloads %zu\ntolerance %g\nclosure %s\ntime %.2g",
+                       scene->surface_count, scene->surface_count == 1 ? "one" : "", results->load_count,
+                       scene->tolerance, sinusoid_fits[scene->closure].name, rough_seconds));
 }
 
 const struct argp command_plan_argp = {
@@ -336,7 +335,7 @@ int command_plan(int argc, char **argv)
     struct status status = {0};
     struct scene scene = {0};
     struct all_surfaces prepared = {0};
-    struct text messages = {0}, templates = {0};
+    struct text messages = {0}, templates = {0}, table = {0};
     command_parse(&command_plan_argp, argc, argv, &arguments);
     enum status_code rc = scene_read(&scene, arguments.directory, &arguments.overrides, &status);
     if (rc == STATUS_OK && (rc = command_share(&templates, "templates", &status)) == STATUS_OK)
@@ -352,7 +351,9 @@ int command_plan(int argc, char **argv)
     const struct threads threads = {.jobs = arguments.run.jobs};
     double seconds = rc == STATUS_OK ? work_seconds(results, threads_number(&threads, SIZE_MAX)) : 0;
     if (rc == STATUS_OK && !arguments.json)
-        print_plan(results, seconds);
+        add_plan(&table, results, seconds);
+    if ((rc = status.code) == STATUS_OK) /* else perhaps for want of a word */
+        fputs(text_string(&table), stdout);
     size_t left_out = messages_left_out(&prepared);
     int exit_status = rc != STATUS_OK ? command_fail(&status) : refused + left_out > 0 ? COMMAND_REFUSED : COMMAND_DONE;
     if (arguments.json)
@@ -360,6 +361,7 @@ int command_plan(int argc, char **argv)
                               exit_status, status.message);
     text_free(&messages);
     text_free(&templates);
+    text_free(&table);
     all_surfaces_free(&prepared);
     scene_free(&scene);
     return command_finish(exit_status, NULL);

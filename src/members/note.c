@@ -42,10 +42,10 @@ void note_add(struct note_list *list, const char *subject, const char *format, .
     notes[list->count++] = note;
 }
 
-void note_add_refused(struct note_list *list, const char *why, const char *others)
+void note_add_refused(struct note_list *list, const char *others, const char *why)
 {
     size_t at = 0, before = list->count;
-    note_add(list, NULL, "%s%s", why, others);
+    note_add(list, NULL, "note.refused\n%s\nwhy\t%s", others, why);
     if (list->count == before)
         return;
     struct note note = list->notes[before];
@@ -56,9 +56,24 @@ void note_add_refused(struct note_list *list, const char *why, const char *other
     list->notes[at] = note;
 }
 
-void note_line(struct text *out, const struct note *note)
+void note_add_counterface(struct note_list *list, const struct note *note)
 {
-    text_add(out, "%s%s%s", note->subject ? note->subject : "", note->subject ? ": " : "", note->what);
-    if (note->more > 0)
-        text_add(out, " (and of %zu more scan%s)", note->more, note->more == 1 ? "" : "s");
+    size_t before = list->count;
+    note_add(list, NULL, "%s", note->what);
+    if (list->count > before)
+        list->notes[before].counterface = note;
+}
+
+void note_line(struct text *out, struct words *words, const struct note *note)
+{
+    const struct note *of = note->counterface ? note->counterface : note;
+    struct text line = {0};
+    text_add(&line, "note.line\n%s\n%s %zu\nwhat\t%s%s", of == note ? "" : "counterface",
+             of->more > 1   ? "several"
+             : of->more > 0 ? "one"
+                            : "none",
+             of->more, of->subject ? of->subject : "", of->subject ? ": " : "");
+    (void)words_add(&line, words, note->what);
+    (void)words_add(out, words, text_string(&line));
+    text_free(&line);
 }

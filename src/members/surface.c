@@ -61,12 +61,12 @@ struct model_task surface_model_task(const struct surface_record *record, const 
     };
 }
 
-void surface_set_lay(struct surface_summary *summary, double lay, const char *instead)
+void surface_set_lay(struct surface_summary *summary, double lay, const char *from)
 {
     summary->has_lay = isfinite(lay);
     summary->lay = lay;
     if (summary->has_lay && lay > 1.5)
-        note_add(&summary->notes, NULL, "it is %.3g times as steep along as across its lay; %s", lay, instead);
+        note_add(&summary->notes, NULL, "note.lay\ntimes %.3g\n%s", lay, from);
 }
 
 double surface_kappa(const struct surface_summary *summary)

@@ -154,8 +154,9 @@ struct joint_task surface_joint(const struct surface_record *record, const struc
 /** The same at the middle load alone. */
 struct model_task surface_middle_task(const struct model_task *task);
 
-/** Sets r of a surface (not finite: not known); what makes it doubtful is noted, with what to do. */
-void surface_set_lay(struct surface_summary *summary, double lay, const char *instead);
+/** Sets r of a surface (not finite: not known), `from` scans "along" the lay, a "map", or the scene ("given"); what
+ * makes it doubtful is noted, with what to do. */
+void surface_set_lay(struct surface_summary *summary, double lay, const char *from);
 
 /** What the frequencies of the scans, taken across a lay, are multiplied by in the models, which know no direction:
  * sqrt((1 + r²)/2), r the rms slope along over across (equations: lay). */

@@ -7,9 +7,9 @@
 #include <string.h>
 
 /** Notes a scan that its surface goes on without. */
-static void note_refused_scan(struct surface_summary *summary, const char *why, const char *others)
+static void note_refused_scan(struct surface_summary *summary, const char *others, const char *why)
 {
-    note_add_refused(&summary->notes, why, others);
+    note_add_refused(&summary->notes, others, why);
     summary->refused_scans++;
 }
 
@@ -71,7 +71,7 @@ static enum status_code add_scans(const struct surface_scans *task, struct text 
         else if (rc != STATUS_SCAN || of_archive == 0)
             return status_fail(status, rc, "%s", problem.message);
         else
-            note_refused_scan(summary, problem.message, " - refused; the others of the archive are used");
+            note_refused_scan(summary, "archive", problem.message);
         if (rc != STATUS_OK && refused.code == STATUS_OK)
             refused = problem;
     } while (options.entry > 0);
@@ -107,11 +107,11 @@ static void note_refused(struct surface_summary *summary, char *const *refusal, 
 {
     char others[80] = "";
     if (used > 0)
-        snprintf(others, sizeof others, " - refused; %zu of its %zu scans are used", used, count);
+        snprintf(others, sizeof others, "used %zu\nscans %zu", used, count);
     bool first = true; /* of a surface that has no other: that is its own refusal */
     for (size_t f = 0; f < count; f++) {
         if (refusal[f] && (used > 0 || !first))
-            note_refused_scan(summary, refusal[f], others);
+            note_refused_scan(summary, others, refusal[f]);
         first = first && !refusal[f];
     }
 }

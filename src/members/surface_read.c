@@ -22,11 +22,8 @@ static void note_counterface(struct surface_summary *summary, const struct surfa
 {
     for (size_t i = 0; i < counterface->notes.count; i++) {
         const struct note *note = &counterface->notes.notes[i];
-        struct text line = {0};
-        note_line(&line, note);
         if (note->subject || note->refused_scan)
-            note_add(&summary->notes, NULL, "counterface %s", text_string(&line));
-        text_free(&line);
+            note_add_counterface(&summary->notes, note);
     }
 }
 
@@ -36,8 +33,7 @@ enum status_code surface_read_counterface(struct surface_record *record, struct 
     struct roughness *own = &record->summary.roughness;
     double own_rq_m = own->rq_m;
     roughness_add(own, &counterface->summary.roughness);
-    note_add(&record->summary.notes, NULL,
-             "pressed against a rough counterface: Rq %.4g um and %.4g um give %.4g um together", own_rq_m * 1e6,
+    note_add(&record->summary.notes, NULL, "note.pressed\nown %.4g\nother %.4g\nboth %.4g", own_rq_m * 1e6,
              counterface->summary.roughness.rq_m * 1e6, own->rq_m * 1e6);
     note_counterface(&record->summary, &counterface->summary);
     if (ensemble_pair(&record->ensemble, &counterface->ensemble, status) != STATUS_OK)
@@ -79,7 +75,7 @@ enum status_code surface_read_members(struct surface_record *record, struct powe
     if (all == 0) /* a map of which other rows were chosen than can be used */
         return STATUS_OK;
     if (all > 1 && repeats_merge_identical(set)) {
-        note_add(&record->summary.notes, NULL, "its %zu scans are the same to the last digit: they count as one", all);
+        note_add(&record->summary.notes, NULL, "note.identical\nscans %zu", all);
         scans->independent = 1;
     }
     if (set->count > 1 && profiles &&
@@ -89,7 +85,7 @@ enum status_code surface_read_members(struct surface_record *record, struct powe
     if (set->keeps_heights && strips_gather(&record->strips, set, paired, status) != STATUS_OK)
         return status->code;
     if (set->keeps_heights && record->strips.rows.rows == 0)
-        note_add(&record->summary.notes, NULL, "no strip transfer: its scans differ in spacing or points");
+        note_add(&record->summary.notes, NULL, "note.unlike");
     if (set->count == 1 || set->scan_count == 1 || paired)
         keep_first(record, scans, scene);
     if (set->count == 1) { /* the surface itself */
@@ -112,30 +108,25 @@ static void note_description(struct surface_summary *summary, const struct scene
     const struct power_law *law = &summary->power_law;
     struct text lines = {0}, models = {0};
     for (size_t i = 0; i < line_count; i++)
-        text_add(&lines, "%s%.3g um", i > 0 ? ", " : "", line_m[i] * 1e6);
+        text_add(&lines, "\n%s %.3g", i > 0 ? "others" : "first", line_m[i] * 1e6);
     for (size_t m = 0; m < model_count && !summary->has_asperities; m++)
         if ((scene->models & MODEL_BIT(m)) && model_rows[m]->asperity_model)
-            text_add(&models, "%s%s", models.length > 0 ? " and " : "", model_rows[m]->label);
+            text_add(&models, "\n%s %s", models.length > 0 ? "others" : "first", model_rows[m]->label);
     if (scene->fit == POWER_LAW_THESIS && isnan(law->gamma))
-        note_add(notes, NULL, "no power law: %s",
-                 law->harmonics < 3 ? "fewer than 3 harmonics lie in the fit band; widen fit_band"
-                                    : "its alpha is beyond the range of numbers; are the units right?");
+        note_add(notes, NULL, law->harmonics < 3 ? "note.few_harmonics" : "note.no_alpha");
     else if (law->found == POWER_LAW_BAND_NONE)
-        note_add(notes, NULL, "no power law found");
+        note_add(notes, NULL, "note.no_law");
     else if (law->found == POWER_LAW_BAND_NARROW)
-        note_add(notes, NULL, "the power law is narrow: it holds from %.3g to %.3g um only, under a decade",
-                 law->band_m[0] * 1e6, law->band_m[1] * 1e6);
+        note_add(notes, NULL, "note.narrow\nfrom %.3g\nto %.3g", law->band_m[0] * 1e6, law->band_m[1] * 1e6);
     if (isfinite(law->knee_m))
-        note_add(notes, NULL, "two slopes fit better than one: gamma %.2f above %.3g um, %.2f below; consider fit_band",
-                 law->gamma_above, law->knee_m * 1e6, law->gamma_below);
+        note_add(notes, NULL, "note.knee\nabove %.2f\nat %.3g\nbelow %.2f", law->gamma_above, law->knee_m * 1e6,
+                 law->gamma_below);
     if (lines.length > 0)
-        note_add(notes, NULL, "lines of periodic marks, left out of the fit: %s", text_string(&lines));
+        note_add(notes, NULL, "note.lines%s", text_string(&lines));
     if (models.length > 0)
-        note_add(notes, NULL, "no %s: %s", text_string(&models), why_none);
+        note_add(notes, NULL, "note.no_models%s\nwhy\t%s", text_string(&models), why_none);
     if (surface_diverges(summary))
-        note_add(notes, NULL,
-                 "gamma = %.2f is below 1: the elastic multiscale area depends on the shortest wavelength sampled",
-                 surface_short_gamma(law));
+        note_add(notes, NULL, "note.diverges\ngamma %.2f", surface_short_gamma(law));
     text_free(&lines);
     text_free(&models);
 }
@@ -227,13 +218,9 @@ static enum status_code take_along(struct surface_summary *summary, const struct
         rc = surface_files_read_one(&task, surface.files.path[f], hash, &problem);
     double unlike = along.summary.spacing_m / summary->spacing_m;
     if (rc == STATUS_OK)
-        surface_set_lay(summary, sqrt(along.summary.roughness.m2 / summary->roughness.m2),
-                        "are 'file' and 'along' exchanged?");
+        surface_set_lay(summary, sqrt(along.summary.roughness.m2 / summary->roughness.m2), "along");
     if (rc == STATUS_OK && !(fabs(log(unlike)) < 0.1))
-        note_add(&summary->notes, NULL,
-                 "its scans along the lay have %.3g times the spacing of those across: slopes so taken do "
-                 "not compare well",
-                 unlike);
+        note_add(&summary->notes, NULL, "note.along\ntimes %.3g", unlike);
     surface_record_free(&along);
     power_law_scans_free(&scans);
     return rc == STATUS_OK ? STATUS_OK : status_fail(status, rc, "along: %s", problem.message);
@@ -246,7 +233,7 @@ static enum status_code find_lay(struct surface_summary *summary, const struct s
     if (surface->along.count > 0)
         return take_along(summary, scene, hash, status);
     if (surface->lay_given || (scene->lay_given && !summary->has_lay))
-        surface_set_lay(summary, surface->lay_given ? surface->lay : scene->lay, "");
+        surface_set_lay(summary, surface->lay_given ? surface->lay : scene->lay, "given");
     return STATUS_OK;
 }
 
@@ -289,8 +276,7 @@ static enum status_code conclude(struct surface_record *record, struct power_law
         record->summary.single_points = 0;
     }
     if (counterface && wants_strips(scene) && counterface->strips.rows.rows == 0)
-        note_add(&record->summary.notes, NULL,
-                 "no strip transfer: the counterface's scans differ in spacing or points");
+        note_add(&record->summary.notes, NULL, "note.unlike\ncounterface");
     record->summary.has_strips = record->strips.rows.rows > 0;
     record->summary.strips_in_part = record->strips.in_part;
     record->summary.strip_cost = record->summary.has_strips ? 2 * (double)strip_cost(&record->strips.rows) : 0;
@@ -354,9 +340,8 @@ static void find_hardness(struct surface_record *record, const struct scene *sce
     if (load > 0)
         own_Pa = cmy_microhardness(&surface, material_pair_pressure(pair, load), c1, c2);
     pair->hardness_Pa = own_Pa > 0 ? own_Pa : cmy_spot_hardness(&surface, usual_area, c1, c2);
-    note_add(&record->summary.notes, NULL,
-             "its hardness falls with size: CMY has its spots' own, all else %.4g MPa, theirs at %s",
-             pair->hardness_Pa * 1e-6, own_Pa > 0 ? "the operating load" : "an area of 1 %");
+    note_add(&record->summary.notes, NULL, "note.hardness\nothers %.4g\n%s", pair->hardness_Pa * 1e-6,
+             own_Pa > 0 ? "loaded" : "");
 }
 
 enum status_code surface_read(struct surface_record *out, const struct scene *scene,

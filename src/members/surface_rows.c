@@ -11,9 +11,9 @@ static void note_scan(struct surface_summary *summary, const struct scan *scan, 
                       const char *file)
 {
     for (size_t w = 0; w < scan->warning_count; w++)
-        note_add(&summary->notes, file, "%s", scan->warnings[w]);
+        note_add(&summary->notes, file, "note.text\ntext\t%s", scan->warnings[w]);
     for (size_t n = 0; n < profile->note_count; n++)
-        note_add(&summary->notes, file, "%s", profile->notes[n]);
+        note_add(&summary->notes, file, "note.text\ntext\t%s", profile->notes[n]);
 }
 
 /** The profile thinned for its chart: of every run of points the lowest and the highest, in their order. */
@@ -178,7 +178,7 @@ static void measure_lay(struct surface_summary *summary, const struct scan *scan
         surface_set_lay(summary,
                         sqrt(mean_square_step(scan, 0, (size_t)down) / mean_square_step(scan, (size_t)right, 0)) *
                             (right * scan->dx_m) / (down * scan->dy_m),
-                        "take its profiles in the other direction");
+                        "map");
 }
 
 /** Makes the profile of a row. */
@@ -200,15 +200,9 @@ static void note_map(const struct surface_scans *task, const char *file, const s
                      const struct direct_map_def *map, size_t unusable, size_t run)
 {
     size_t used = scan->ny - unusable;
-    const char *rows = task->scene->direction == SCAN_DIRECTION_X ? "rows" : "columns";
-    char filtered[100] = "", models[80] = "";
-    if (map->cutoff > 0)
-        snprintf(filtered, sizeof filtered, ", low-passed at %.3g um as more than 2 %% of its slopes are shorter",
-                 map->cutoff * map->dx_m * 1e6);
-    if (run < used)
-        snprintf(models, sizeof models, ", and %zu of them, evenly spaced, go through the models", run);
-    note_add(&task->record->summary.notes, file, "a map%s; its %zu %s were averaged as profiles for spectrum and fit%s",
-             filtered, used, rows, models);
+    note_add(&task->record->summary.notes, file, "note.map\n%s %.3g\nused %zu\n%s\n%s %zu",
+             map->cutoff > 0 ? "cutoff_um" : "whole", map->cutoff * map->dx_m * 1e6, used,
+             task->scene->direction == SCAN_DIRECTION_X ? "" : "columns", run < used ? "run" : "all", run);
 }
 
 /** The first map of a surface speaks for all: of its lay, and of the square that a direct study takes. */
@@ -276,7 +270,7 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
     if (areal && first_file && (scene->models & model_flagged(offsetof(struct model_row, uses_map))))
         tiles_take(&task->record->tiles, scan, &map);
     if (unusable > 0)
-        note_add(&summary->notes, file, "%zu %s%s left out, the first because %s", unusable,
-                 scene->direction == SCAN_DIRECTION_X ? "row" : "column", unusable == 1 ? "" : "s", first.message);
+        note_add(&summary->notes, file, "note.left_out\ncount %zu\n%s\n%s\nwhy\t%s", unusable,
+                 unusable == 1 ? "one" : "", scene->direction == SCAN_DIRECTION_X ? "" : "columns", first.message);
     return power_law_scans_end_file(task->scans, scan->ny - unusable, areal, status);
 }

@@ -187,12 +187,12 @@ static void set_operating(json_t *object, const struct results *results, size_t 
     json_object_set_new(object, "operating", json);
 }
 
-static json_t *notes_json(const struct note_list *list)
+static json_t *notes_json(const struct note_list *list, struct words *words)
 {
     json_t *array = json_array();
     for (size_t n = 0; n < list->count; n++) {
         struct text line = {0};
-        note_line(&line, &list->notes[n]);
+        note_line(&line, words, &list->notes[n]);
         json_array_append_new(array, json_shown(text_string(&line)));
         text_free(&line);
     }
@@ -309,7 +309,7 @@ static json_t *surface_json(const struct results *results, size_t index)
         json_object_set_new(json, "spread", record_json(repeats_fields, &s->repeats));
     if (results_measured(results, index))
         json_object_set_new(json, "measured", measured_json(results, index));
-    json_object_set_new(json, "notes", notes_json(&s->notes));
+    json_object_set_new(json, "notes", notes_json(&s->notes, results->plan->words));
     json_object_set_new(json, "models", models);
     return json;
 }
@@ -514,5 +514,5 @@ enum status_code json_write(const struct results *results, const struct comparis
               print(file, ",\n\"work\": ", work_json(results)) && fputs("}\n", file) >= 0;
     if (fclose(file) != 0 || !ok)
         return status_fail(status, STATUS_IO, "cannot write results.json");
-    return STATUS_OK;
+    return status->code; /* perhaps for want of a word */
 }

@@ -163,9 +163,8 @@ void direct_plan_give_up(struct direct_plan *plan, const char *problem)
 const char *direct_plan_problem(const struct direct_plan *plan, struct words *words)
 {
     return plan->problem[0] ? plan->problem
-                            : words_say(words, "direct.no_load", "least", words_number("%.2g", plan->range[0]).text,
-                                        "most", words_number("%.2g", plan->range[1]).text, "grid",
-                                        words_number("%zu", plan->grid).text, NULL);
+                            : words_say(words, "direct.no_load\nleast %.2g\nmost %.2g\ngrid %zu", plan->range[0],
+                                        plan->range[1], plan->grid);
 }
 
 void direct_plan_make(struct direct_plan *out, const struct direct_plan_task *task)

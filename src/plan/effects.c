@@ -80,9 +80,8 @@ static void decide_plasticity(struct plan *plan, const struct scene *scene, cons
     const double change = expm1(log1p(pow(most, 4)) / 4);
     bool runs = needed || change > scene->tolerance;
     plan_decide(plan, EFFECT_PLASTICITY, runs,
-                words_say(plan->words, runs ? "effect.yields" : "effect.yields_little", "times",
-                          words_number("%.2g", fmin(most, DBL_MAX)).text, "change", words_number("%.1g", change).text,
-                          NULL));
+                words_say(plan->words, "%s\ntimes %.2g\nchange %.1g", runs ? "effect.yields" : "effect.yields_little",
+                          fmin(most, DBL_MAX), change));
 }
 
 static void decide_scale_dependence(struct plan *plan, const struct surface_record *surfaces, size_t count,
@@ -92,8 +91,8 @@ static void decide_scale_dependence(struct plan *plan, const struct surface_reco
     for (size_t i = 0; i < count; i++)
         most = fmax(most, surfaces[i].summary.scale_dependence);
     plan_decide(plan, EFFECT_SCALE_DEPENDENT, most > tolerance,
-                words_say(plan->words, "effect.raises_tcr", "by", words_number("%.2g", fmin(most, DBL_MAX)).text,
-                          "little", most > tolerance ? "" : "1", NULL));
+                words_say(plan->words, "effect.raises_tcr\nby %.2g\n%s", fmin(most, DBL_MAX),
+                          most > tolerance ? "" : "little"));
 }
 
 /** Runs where some spectrum can be carried on below what is known, or the scene says what to sweep. */
@@ -107,8 +106,8 @@ static void decide_convergence(struct plan *plan, const struct scene *scene, con
     }
     const bool runs = carried_on > 0 || scene->convergence.given;
     plan_decide(plan, EFFECT_CONVERGENCE, runs,
-                words_say(plan->words, runs ? "effect.sweeps" : "effect.no_spectrum", "carried_on",
-                          words_number("%zu", carried_on).text, "surfaces", words_number("%zu", usable).text, NULL));
+                words_say(plan->words, "%s\ncarried_on %zu\nsurfaces %zu",
+                          runs ? "effect.sweeps" : "effect.no_spectrum", carried_on, usable));
 }
 
 /** Runs where a surface has one scan. */
@@ -118,8 +117,8 @@ static void decide_uncertainty(struct plan *plan, const struct surface_record *s
     for (size_t i = 0; i < count && !model_rows[plan_leading_model(plan)]->uses_map; i++)
         single += surfaces[i].summary.usable && surfaces[i].summary.single_points > 0;
     plan_decide(plan, EFFECT_UNCERTAINTY, single > 0,
-                words_say(plan->words, single > 0 ? "effect.one_scan" : "effect.no_scan", "surfaces",
-                          words_number("%zu", single).text, "one", single == 1 ? "1" : "", NULL));
+                words_say(plan->words, "%s\nsurfaces %zu\n%s", single > 0 ? "effect.one_scan" : "effect.no_scan",
+                          single, single == 1 ? "one" : ""));
 }
 
 const double effects_transform_seconds = 12e-9;
@@ -136,7 +135,7 @@ static void decide_strips(struct plan *plan, const struct surface_record *surfac
     if (has > 0 || lacking == 0 || !(plan->models & users))
         return;
     plan->models &= ~users;
-    plan->area_reason = words_say(plan->words, "area.no_strips", NULL);
+    plan->area_reason = words_say(plan->words, "area.no_strips");
 }
 
 /** The direct solution of maps leads where every surface has one; where some have it stands beside the model that all
@@ -160,9 +159,9 @@ static void decide_tiles(struct plan *plan, const struct surface_record *surface
     else
         plan->models &= ~users;
     if (maps > 0 || dear > 0)
-        plan->area_reason = words_say(plan->words, dear > 0 ? "area.dear_maps" : "area.without_map", "seconds",
-                                      words_number("%.2g", cost * effects_transform_seconds).text, "surfaces",
-                                      words_number("%zu", lacking).text, "one", lacking == 1 ? "1" : "", NULL);
+        plan->area_reason = words_say(plan->words, "%s\nseconds %.2g\nsurfaces %zu\n%s",
+                                      dear > 0 ? "area.dear_maps" : "area.without_map",
+                                      cost * effects_transform_seconds, lacking, lacking == 1 ? "one" : "");
 }
 
 void effects_fit_models(struct plan *plan, const struct surface_record *surfaces, size_t count)

@@ -167,7 +167,7 @@ static const char *name_of(const struct view_source *source, enum quantity quant
 {
     char name[80];
     snprintf(name, sizeof name, "asked.%s", quantity_rows[quantity].name);
-    return words_say(source->words, quantity == source->asked.quantity ? source->asked.name : name, NULL);
+    return words_say(source->words, "%s", quantity == source->asked.quantity ? source->asked.name : name);
 }
 
 /** Do the surfaces that have a number have the same, to what the run resolves? */
@@ -365,14 +365,12 @@ static void put_ratio(json_t *out, const struct view_source *source, const char 
     } words[] = {
         {0.25, "ratio.quarter"}, {1 / 3.0, "ratio.third"}, {0.5, "ratio.half"}, {2, "ratio.twice"}, {3, "ratio.three"}};
     const char *word = "ratio.times";
-    char number[40];
     if (!(ratio > 0) || !isfinite(ratio))
         return;
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (fabs(log(ratio / words[i].ratio)) < 0.13)
             word = words[i].word;
-    snprintf(number, sizeof number, "%.2g", ratio);
-    view_text(out, name, words_say(source->words, word, "number", number, NULL));
+    view_text(out, name, words_say(source->words, "%s\nnumber %.2g", word, ratio));
     view_flag(out, "alike", fabs(ratio - 1) < 0.1);
 }
 
@@ -776,7 +774,7 @@ void view_first_page(json_t *out, const struct view_source *source)
     view_text(out, "baseline", view_name(source, results->baseline));
     view_load(out, "operating_load", source, results->baseline, load);
     json_t *item = view_part(out, "asked");
-    view_text(item, "symbol", words_say(source->words, asked->name, NULL));
+    view_text(item, "symbol", words_say(source->words, "%s", asked->name));
     view_text(item, "unit", asked->unit);
     if (asked->target) {
         asked_text(unit, sizeof unit, asked->target->text);
@@ -788,8 +786,8 @@ void view_first_page(json_t *out, const struct view_source *source)
     bool film = plan_runs(results->plan, EFFECT_FILM), plating = plan_runs(results->plan, EFFECT_PLATING);
     if (asked->quantity == QUANTITY_JOINT_ECR)
         view_text(out, "layers",
-                  words_say(source->words, "layers", "film", film ? "1" : "", "plating", plating ? "1" : "", "both",
-                            film && plating ? "1" : "", NULL));
+                  words_say(source->words, "layers\n%s\n%s\n%s", film ? "film" : "", plating ? "plating" : "",
+                            film && plating ? "both" : ""));
     view_flag(out, "no_material", !results_has_material(results));
     view_flag(out, "no_scene", !results->scene->path);
     put_answers(out, source);

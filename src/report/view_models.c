@@ -28,10 +28,9 @@ static bool wants(const struct view_source *source, enum quantity quantity)
 /** Heads a column of a table with the words of `kind` and a quantity's name. */
 static void put_head(json_t *out, const struct view_source *source, const char *kind, enum quantity quantity)
 {
-    char name[80];
-    snprintf(name, sizeof name, "%s.%s", kind, quantity_rows[quantity].name);
-    view_text(view_item(view_list(out, "heads")), "label",
-              words_say(source->words, name, "unit", quantity_unit(quantity).unit, NULL));
+    view_text(
+        view_item(view_list(out, "heads")), "label",
+        words_say(source->words, "%s.%s\nunit %s", kind, quantity_rows[quantity].name, quantity_unit(quantity).unit));
 }
 
 /** Does the table of one surface have it, as its chart does? */

@@ -24,9 +24,9 @@ static void add_models(struct work_row *elastic, struct work_row *plastic, const
 static const char *change_of(struct words *words, enum effect effect, bool runs)
 {
     const struct effect_row *row = &effect_rows[effect];
-    return row->adds      ? words_say(words, "changes.no_other", NULL)
-           : row->studies ? words_say(words, "changes.none", NULL)
-           : runs         ? words_say(words, "changes.solve", NULL)
+    return row->adds      ? words_say(words, "changes.no_other")
+           : row->studies ? words_say(words, "changes.none")
+           : runs         ? words_say(words, "changes.solve")
                           : "";
 }
 
@@ -64,10 +64,11 @@ uint64_t work_table(struct text *out, const struct results *results, bool done)
     enum { WIDTH = 80, INDENT = 26 };
     uint64_t evaluations = 0;
     struct work_row rows[WORK_ROWS];
+    struct words *words = results->plan->words;
     work_account(rows, results);
-    text_add(out, "%-16s %-8s%s  %s\n", "effect", "", done ? "  evaluations    seconds" : "", "why");
+    text_add(out, "%s\n", words_say(words, done ? "plan.done" : "plan.effects"));
     for (int r = 0; r < WORK_ROWS; r++) {
-        text_add(out, "%-16s %-8s", rows[r].name, rows[r].runs ? "run" : "skipped");
+        text_add(out, "%-16s %-8s", rows[r].name, words_say(words, rows[r].runs ? "plan.run" : "plan.skipped"));
         if (done)
             text_add(out, " %12llu %10.4f", (unsigned long long)rows[r].evaluations, rows[r].seconds);
         struct text why = {0};

@@ -33,15 +33,15 @@ static const char *say_direct(const struct plan *plan, const struct direct_plan 
                               double budget_s)
 {
     const bool minutes = first->seconds >= 100;
-    return words_say(plan->words, "direct.planned", "called", plan_runs(plan, EFFECT_DIRECT) ? "1" : "", "surfaces",
-                     words_number("%zu", surfaces).text, "one_surface", surfaces == 1 ? "1" : "", "grid",
-                     words_number("%zu", first->grid).text, "map", first->side > 0 ? "1" : "", "mirrored",
-                     first->mirrored ? "1" : "", "seeds", words_number("%zu", first->seeds).text, "one_seed",
-                     first->seeds == 1 ? "1" : "", "finer", first->fine_times > 1 ? "1" : "", "loads",
-                     words_number("%zu", first->loads).text, "one_load", first->loads == 1 ? "1" : "", "time",
-                     words_number("%.2g", minutes ? first->seconds / 60 : first->seconds).text, "minutes",
-                     minutes ? "1" : "", "of_spacing", first->of_spacing ? "1" : "", "over_budget",
-                     first->over_budget ? words_number("%g", budget_s).text : "", NULL);
+    return words_say(plan->words,
+                     "direct.planned\n%s\nsurfaces %zu\n%s\ngrid %zu\n%s\n%s\nseeds %zu\n%s\n%s\nloads %zu\n%s\n"
+                     "time %.2g\n%s\n%s\n%s\nbudget %g",
+                     plan_runs(plan, EFFECT_DIRECT) ? "called" : "", surfaces, surfaces == 1 ? "one_surface" : "",
+                     first->grid, first->side > 0 ? "map" : "", first->mirrored ? "mirrored" : "", first->seeds,
+                     first->seeds == 1 ? "one_seed" : "", first->fine_times > 1 ? "finer" : "", first->loads,
+                     first->loads == 1 ? "one_load" : "", minutes ? first->seconds / 60 : first->seconds,
+                     minutes ? "minutes" : "", first->of_spacing ? "of_spacing" : "",
+                     first->over_budget ? "over_budget" : "", budget_s);
 }
 
 /** The direct solution's part of the plan. */
@@ -60,8 +60,8 @@ static void plan_direct(struct plan *plan, const struct results *results)
     }
     plan_decide(plan, EFFECT_DIRECT, runs,
                 first ? say_direct(plan, first, surfaces, results->scene->direct.budget_s)
-                      : words_say(plan->words, "direct.impossible", "called", runs ? "1" : "", "why",
-                                  direct_plan_problem(none, plan->words), NULL));
+                      : words_say(plan->words, "direct.impossible\n%s\nwhy\t%s", runs ? "called" : "",
+                                  direct_plan_problem(none, plan->words)));
 }
 
 /** The loads of every surface: the same list, or each its own of as many. */

@@ -12,7 +12,7 @@ struct kind {
     const struct note *note;  /* of the first */
 };
 
-/** Where a message goes on behind digits and what stands between single quotes. */
+/** Where a text goes on behind digits and what stands between single quotes. */
 static const char *skip_names(const char *line)
 {
     for (;;) {
@@ -33,6 +33,12 @@ static bool is_alike(const char *a, const char *b)
     return *a == *b;
 }
 
+/** The file of a counterface's note; which one of the surface's own it is does not matter. */
+static const char *file_of(const struct note *note)
+{
+    return !note->counterface ? "/" : note->counterface->subject ? note->counterface->subject : "";
+}
+
 static void say(struct text *messages, const char *surface, const char *what, const char *line)
 {
     text_add(messages, "surface '");
@@ -42,15 +48,15 @@ static void say(struct text *messages, const char *surface, const char *what, co
     text_add(messages, "\n");
 }
 
-/** A note of a surface and so many more. */
-static void say_note(struct text *messages, const char *surface, size_t more, const struct note *note)
+/** The note of a kind. */
+static void say_note(struct text *messages, const struct kind *kind, struct words *words)
 {
     struct text line = {0};
     char count[40] = "";
-    note_line(&line, note);
-    if (more > 0)
-        snprintf(count, sizeof count, " and %zu more", more);
-    say(messages, surface, count, text_string(&line));
+    note_line(&line, words, kind->note);
+    if (kind->surfaces > 1)
+        snprintf(count, sizeof count, " and %zu more", kind->surfaces - 1);
+    say(messages, kind->first, count, text_string(&line));
     text_free(&line);
 }
 
@@ -58,7 +64,8 @@ static void say_note(struct text *messages, const char *surface, size_t more, co
 static bool take(struct kind kinds[KINDS], const char *surface, const struct note *note)
 {
     size_t k = 0;
-    while (k < KINDS && kinds[k].note && !is_alike(kinds[k].note->what, note->what))
+    while (k < KINDS && kinds[k].note &&
+           !(is_alike(kinds[k].note->what, note->what) && is_alike(file_of(kinds[k].note), file_of(note))))
         k++;
     if (k == KINDS)
         return false;
@@ -85,11 +92,11 @@ size_t messages_add(struct text *messages, const struct results *results, bool r
             const struct note *note = &summary->notes.notes[n];
             bool alone = !reported || summary->refusal || note->refused_scan; /* in no report, or to be seen to */
             if (alone || !take(kinds, name, note))
-                say_note(messages, name, 0, note);
+                say_note(messages, &(struct kind){1, name, name, note}, results->plan->words);
         }
     }
     for (size_t k = 0; k < KINDS && kinds[k].note; k++)
-        say_note(messages, kinds[k].first, kinds[k].surfaces - 1, kinds[k].note);
+        say_note(messages, &kinds[k], results->plan->words);
     return refused;
 }
 

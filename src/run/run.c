@@ -150,7 +150,7 @@ static enum status_code run_direct(struct run *run, struct status *status)
             snprintf(problem.message, sizeof problem.message,
                      "out of memory on %zu x %zu points; take a smaller grid, or fewer threads (--jobs)",
                      record->summary.direct->grid, record->summary.direct->grid);
-            note_add(&record->summary.notes, NULL, "no direct solution: %s", problem.message);
+            note_add(&record->summary.notes, NULL, "note.no_direct\nwhy\t%s", problem.message);
             run->direct_lost++;
         }
         if (rc == STATUS_MEMORY || rc == STATUS_MODEL || rc == STATUS_SCAN) { /* no number then; the curves stand */

@@ -26,11 +26,11 @@ static const char *say_lack(const struct plan *plan, enum effect effect, const s
     if (lacking == 0)
         return NULL;
     if (lacking < count) /* escaped where the reason is written */
-        return words_say(plan->words, "effect.surface_lacks", "surface", scene->surfaces[first].name, "property",
-                         property->name, NULL);
+        return words_say(plan->words, "effect.surface_lacks\nproperty %s\nsurface\t%s", property->name,
+                         scene->surfaces[first].name);
     bool none = isnan(scene_bodies_of(scene, 0)->material.youngs_modulus_Pa);
-    return words_say(plan->words, none ? "effect.no_material" : "effect.material_lacks", "property", property->name,
-                     NULL);
+    return words_say(plan->words, "%s\nproperty %s", none ? "effect.no_material" : "effect.material_lacks",
+                     property->name);
 }
 
 static void decide(struct plan *plan, enum effect effect, const struct scene *scene)
@@ -64,7 +64,7 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
     }
     plan_decide(plan, effect, runs,
                 lack ? lack
-                     : words_say(plan->words, why, "key", row->key ? row->key : "", "leading", leading->label, NULL));
+                     : words_say(plan->words, "%s\nkey %s\nleading %s", why, row->key ? row->key : "", leading->label));
 }
 
 /** What a report is asked for first: the first target, else what models compute of the greatest precedence. */
@@ -78,7 +78,7 @@ void plan_make(struct plan *out, const struct scene *scene, struct words *words)
     *out = (struct plan){
         .models = scene->models,
         .all_uncertain = scene->effects & EFFECT_BIT(EFFECT_UNCERTAINTY),
-        .area_reason = words_say(words, "area.always", NULL),
+        .area_reason = words_say(words, "area.always"),
         .words = words,
     };
     for (int e = 0; e < EFFECT_COUNT; e++)

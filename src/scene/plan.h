@@ -20,7 +20,7 @@ struct plan {
     bool all_uncertain;      /* the effect uncertainty was listed: of all models; else of the leading one alone */
     size_t operating_place;  /* as in struct model_task */
     const char *area_reason; /* why the area is computed as it is, for the account */
-    struct words *words;     /* that reasons are said in; NULL: a reason is the name of its words alone */
+    struct words *words;     /* that reasons are said in; NULL: they are not */
 };
 
 /** Listed effects run (the scene was checked); with `auto` an effect runs where the given properties allow it. */

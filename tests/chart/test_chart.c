@@ -352,7 +352,8 @@ static struct text said(const char *words, const char *name, struct status *stat
     struct words read;
     directory_write(&place, "words.txt", words);
     assert_int_equal(words_read(&read, place.path, status), STATUS_OK);
-    text_add(&out, "%s", words_say(&read, name, "unit", "N", "best", "", NULL));
+    text_add(&out, "%s",
+             words_say(&read, "%s\n%s\nunit %c\nscan %d\nscan 2\nscan 3\nfile\ta b\nbest", name, "", 'N', 1));
     words_free(&read);
     directory_remove(&place);
     return out;
@@ -360,11 +361,15 @@ static struct text said(const char *words, const char *name, struct status *stat
 
 TEST_CASE(words_are_filled_in_by_name)
 {
-    static const char words[] = "# of axes\naxis.force  load ({{unit}}){{#best}}, best{{/best}}\naxis\tjust this\n";
+    static const char words[] = "# of axes\naxis.force  load ({{unit}}){{#best}}, best{{/best}}\naxis\tjust this\n"
+                                "scans  {{#scan}}{{.}}, {{/scan}}{{file}}\n";
     struct status status = {0}, missing = {0}, wrong = {0};
     struct text force = said(words, "axis.force", &status), axis = said(words, "axis", &status);
+    struct text scans = said(words, "scans", &status), best = said(words, "axis.force\nbest", &status);
     assert_string_equal(text_string(&force), "load (N)");
     assert_string_equal(text_string(&axis), "just this");
+    assert_string_equal(text_string(&scans), "1, 2, 3, a b\nbest"); /* behind a tab all is one text */
+    assert_string_equal(text_string(&best), "load (N), best");
     assert_int_equal(status.code, STATUS_OK);
     struct text none = said(words, "axis.f", &missing), open = said("a {{#unit}}\n", "a", &wrong);
     assert_int_equal(missing.code, STATUS_USAGE);
@@ -377,40 +382,10 @@ TEST_CASE(words_are_filled_in_by_name)
     words_free(&read);
     text_free(&force);
     text_free(&axis);
+    text_free(&scans);
+    text_free(&best);
     text_free(&none);
     text_free(&open);
-}
-
-/* Every name that the program asks for by its whole is there. */
-TEST_CASE(the_programs_names_have_their_words)
-{
-    static const char *const sources[] = {"chart/figures.c",    "cli/cmd_inspect.c", "cli/cmd_scene.c",
-                                          "scene/plan.c",       "plan/effects.c",    "results/work.c",
-                                          "plan/direct_plan.c", "run/all_surfaces.c"};
-    struct status status = {0};
-    struct words words;
-    size_t names = 0;
-    assert_int_equal(words_read(&words, PROJECT_SOURCE "/templates", &status), STATUS_OK);
-    for (size_t s = 0; s < sizeof sources / sizeof *sources; s++) {
-        struct text source = {0}, path = {0};
-        text_add(&path, "%s/src/%s", PROJECT_SOURCE, sources[s]);
-        expect_ok(text_read_file, &source, text_string(&path));
-        for (const char *at = text_string(&source); (at = strchr(at, '"')); at += strcspn(at + 1, "\"") + 2) {
-            char name[80];
-            snprintf(name, sizeof name, "%.*s", (int)strcspn(at + 1, "\""), at + 1);
-            if (name[strspn(name, "abcdefghijklmnopqrstuvwxyz_.")] || !strchr(name, '.') || name[0] == '.' ||
-                strchr(name, '.')[1] < 'a' || strstr(name, "panel.direct") || strstr(name, ".h"))
-                continue;
-            (void)words_say(&words, name, NULL);
-            names++;
-            if (status.code)
-                fail_msg("%s: %s", sources[s], status.message);
-        }
-        text_free(&source);
-        text_free(&path);
-    }
-    assert_true(names > 55);
-    words_free(&words);
 }
 
 /* A long name is cut in its middle, by characters. */

@@ -6,20 +6,19 @@
 #include "contact/model.h"
 #include "support.h"
 
-static struct words words;
+static struct words *words;
 
 /** Fails unless words.txt has the words of `kind` and a name. */
 static void expect_word(const char *kind, const char *name)
 {
-    if (words_say(&words, filled("%s%s", kind, name), NULL)[0] == '\0')
-        fail_msg("%s", words.status->message);
+    if (words_say(words, "%s%s", kind, name)[0] == '\0')
+        fail_msg("%s", words->status->message);
 }
 
 TEST_CASE(rows_have_names_units_and_words)
 {
     char number[20];
-    struct status status = {0}; /* which the words keep */
-    assert_int_equal(words_read(&words, PROJECT_SOURCE "/templates", &status), STATUS_OK);
+    words = support_words();
     for (int q = 0; q < QUANTITY_COUNT; q++) {
         const struct quantity_row *row = &quantity_rows[q];
         assert_true(row->name && row->short_symbol && row->unit && row->meaning);
@@ -58,7 +57,6 @@ TEST_CASE(rows_have_names_units_and_words)
             n++;
         assert_true(n < FIGURE_NOTES);
     }
-    words_free(&words);
 }
 
 /** Each is computed by some model, or made of what one computes. */

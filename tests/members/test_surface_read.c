@@ -100,8 +100,9 @@ static const char *all_notes(void)
 {
     static char lines[8192];
     struct text *text = support_text();
+    struct words *words = support_words();
     for (size_t n = 0; n < record->summary.notes.count; n++) {
-        note_line(text, &record->summary.notes.notes[n]);
+        note_line(text, words, &record->summary.notes.notes[n]);
         text_add(text, "\n");
     }
     snprintf(lines, sizeof lines, "%s", text_string(text));

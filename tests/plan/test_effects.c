@@ -126,10 +126,7 @@ static void decide(double pressure, double raise)
 /* (1 + r^4)^(1/4) - 1 = 1e-4 at r = 0.14143. */
 PLACED(test_decisions)
 {
-    struct words words;
-    struct status status = {0}; /* which the words keep */
-    assert_int_equal(words_read(&words, PROJECT_SOURCE "/templates", &status), STATUS_OK);
-    plan.words = &words;
+    plan.words = support_words();
     scene.tolerance = 1e-4;
     decide(0.1415, 1.01e-4);
     assert_true(plan_runs(&plan, EFFECT_PLASTICITY) && plan_runs(&plan, EFFECT_SCALE_DEPENDENT));
@@ -159,7 +156,6 @@ PLACED(test_decisions)
     scene.effects_auto = false; /* listed: run */
     decide(0, 0);
     assert_true(plan_runs(&plan, EFFECT_PLASTICITY) && plan_runs(&plan, EFFECT_SCALE_DEPENDENT));
-    words_free(&words);
 }
 
 /* One that is all yield runs where it is named, else where another calls for it. */

@@ -13,9 +13,9 @@ static char names[SURFACES][32], refusals[SURFACES][200];
 
 static void note_it(size_t i)
 {
-    note_add(&records[i].summary.notes, NULL, "holds from %g to 20 um", 1.5 + (double)i);
+    note_add(&records[i].summary.notes, NULL, "note.narrow\nfrom %g\nto 20", 1.5 + (double)i);
     if (i % 2)
-        note_add(&records[i].summary.notes, NULL, "%s", "looks like 'a.csv', too");
+        note_add(&records[i].summary.notes, NULL, "note.text\ntext\tlooks like 'a.csv', too");
 }
 
 /* Every surface has a note of one kind, every second one of another besides, every fifth is refused for the same. */
@@ -45,7 +45,9 @@ static size_t lines_with(const struct text *text, const char *part)
 static struct text said_of(const struct surface_record *surface, size_t count, bool reported, size_t refused)
 {
     const struct scene scene = {.passed_over = NULL};
-    struct results results = {.scene = &scene, .surfaces = (struct surface_record *)surface, .surface_count = count};
+    const struct plan plan = {.words = support_words()};
+    struct results results = {
+        .scene = &scene, .plan = &plan, .surfaces = (struct surface_record *)surface, .surface_count = count};
     struct text text = {0};
     assert_int_equal(messages_add(&text, &results, reported), refused);
     return text;
@@ -65,14 +67,40 @@ TEST_CASE(all_are_said_without_a_report)
 TEST_CASE(notes_alike_are_a_line_beside_a_report)
 {
     make();
-    note_add(&records[0].summary.notes, NULL, "%s", "holds from 7 to 9 um"); /* twice on one surface */
+    note_add(&records[0].summary.notes, NULL, "note.narrow\nfrom 7\nto 9"); /* twice on one surface */
     struct text text = said_of(records, SURFACES, true, 10);
     assert_int_equal(lines_with(&text, "holds from"), 1);
     assert_int_equal(lines_with(&text, "looks like"), 1);
     assert_int_equal(lines_with(&text, " refused: "), 10);
-    expect_parts(text_string(&text), "surface 's0' and 39 more: holds from 1.5 to 20 um\n",
+    expect_parts(text_string(&text),
+                 "surface 's0' and 39 more: the power law is narrow: it holds from 1.5 to 20 um only, under a decade\n",
                  "surface 's1' and 19 more: looks like 'a.csv', too\n");
     text_free(&text);
+}
+
+/* The notes of a counterface's files are told apart by them, but for numbers; each is said with its file. */
+TEST_CASE(notes_of_the_counterface_name_its_files)
+{
+    struct note_list other = {0}, *own = &records[0].summary.notes;
+    make();
+    note_add(&other, "a1.csv", "note.text\ntext\tsteps of 1");
+    note_add(&other, "a2.csv", "note.text\ntext\tsteps of 1");
+    note_add(&other, "a3.csv", "note.text\ntext\tsteps of 2");
+    note_add(&other, "b\n.csv", "note.text\ntext\tsteps of 3");
+    note_add_refused(&other, "used 4\nscans 5", "c.csv:1: no scan");
+    note_add(own, "a1.csv", "note.text\ntext\tsteps of 1");
+    for (size_t n = 0; n < other.count; n++)
+        note_add_counterface(own, &other.notes[n]);
+    struct text text = said_of(records, 1, true, 0);
+    assert_string_equal(text_string(&text),
+                        "surface 's0': the power law is narrow: it holds from 1.5 to 20 um only, under a decade\n"
+                        "surface 's0': a1.csv: steps of 1\n"
+                        "surface 's0': counterface c.csv:1: no scan - refused; 4 of its 5 scans are used\n"
+                        "surface 's0': counterface a1.csv: steps of 1 (and of 1 more scan)\n"
+                        "surface 's0': counterface b\\x0a.csv: steps of 3\n");
+    text_free(&text);
+    note_list_free(own);
+    note_list_free(&other);
 }
 
 /* More kinds than are told apart: nothing is held back. */
@@ -87,7 +115,7 @@ TEST_CASE(what_is_of_no_kind_is_said)
         snprintf(note[i], sizeof *note, "%c%c%c", (char)('a' + i % 25), (char)('a' + i / 25), 'a');
         all[i].name = note[i];
         said[i].summary = (struct surface_summary){.scene = &all[i]};
-        note_add(&said[i].summary.notes, NULL, "%s", note[i]);
+        note_add(&said[i].summary.notes, NULL, "note.text\ntext\t%s", note[i]);
     }
     struct text text = said_of(said, MANY, true, 0);
     assert_int_equal(lines_with(&text, "\n"), MANY);
