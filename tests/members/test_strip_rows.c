@@ -348,10 +348,10 @@ TEST_CASE(strips_are_left_out)
         const char *models, *leading; /* NULL: the defaults */
         const char *reason;
     } rows[] = {
-        {{true, true}, NULL, "strip", "area.always"},
-        {{true, false}, NULL, "strip", "area.always"}, /* which has no number on the other */
-        {{false, false}, NULL, "corrected-persson", "area.no_strips"},
-        {{false, false}, "statistical", "gw", "area.always"},
+        {{true, true}, NULL, "strip", "every report has it"},
+        {{true, false}, NULL, "strip", "every report has it"}, /* which has no number on the other */
+        {{false, false}, NULL, "corrected-persson", "every report has it; no strip transfer, as no surface has one"},
+        {{false, false}, "statistical", "gw", "every report has it"},
     };
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
         struct scene scene = {.models = rows[k].models ? model_find(rows[k].models) : model_defaults()};
@@ -359,7 +359,7 @@ TEST_CASE(strips_are_left_out)
         struct plan plan;
         for (int s = 0; s < 2; s++)
             surfaces[s].summary.has_strips = rows[k].has[s];
-        plan_make(&plan, &scene, NULL);
+        plan_make(&plan, &scene, support_words());
         effects_fit_models(&plan, surfaces, 2);
         assert_string_equal(plan.area_reason, rows[k].reason);
         assert_string_equal(model_rows[plan_leading_model(&plan)]->name, rows[k].leading);
