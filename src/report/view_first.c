@@ -267,6 +267,7 @@ static void put_by_roughness(json_t *out, const struct view_source *source)
                 put_in_order(row, source, m);
         }
     view_flag(item, "has_rising", json_array_size(rising) > 0);
+    view_flag(item, "steps", results->usable_count > 2);
     view_separate(rising);
     view_separate(others);
 }
