@@ -10,19 +10,22 @@
 /* Writes a scan of `points` heights, spacing 0.5 um, in place/NAME. */
 static inline void pipeline_scan(const struct directory *place, const char *name, const double *height_m, size_t points)
 {
-    struct text *csv = support_text();
-    text_add(csv, "x [um],z [um]\n");
+    struct text csv = {0};
+    text_add(&csv, "x [um],z [um]\n");
     for (size_t i = 0; i < points; i++)
-        text_add(csv, "%g,%.9f\n", 0.5 * (double)i, height_m[i] * 1e6);
-    directory_write(place, name, text_string(csv));
+        text_add(&csv, "%g,%.9f\n", 0.5 * (double)i, height_m[i] * 1e6);
+    directory_write(place, name, text_string(&csv));
+    text_free(&csv);
 }
 
 /* Writes a made-up profile in place/NAME. */
 static inline void pipeline_synth(const struct directory *place, const char *name, const struct synth_def *def)
 {
-    double *height_m = support_room(def->points * sizeof *height_m);
+    double *height_m = calloc(def->points, sizeof *height_m);
+    assert_non_null(height_m);
     expect_ok(synth_profile, height_m, def);
     pipeline_scan(place, name, height_m, def->points);
+    free(height_m);
 }
 
 /* A random surface of a power law, `size` times as rough as that of tin in the thesis. */
