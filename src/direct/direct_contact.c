@@ -185,8 +185,9 @@ static void fit_mean(struct solver *solver)
         count = (double)contact->set_count;
     } while (count * hardness <= wanted && all);
     for (size_t k = 0; k < contact->set_count; k++) {
-        bounds[0] = fmax(bounds[0], pressure[contact->set[k]]);
-        bounds[1] = fmax(bounds[1], -pressure[contact->set[k]]);
+        double p = pressure[contact->set[k]];
+        bounds[0] = p > bounds[0] ? p : bounds[0];
+        bounds[1] = -p > bounds[1] ? -p : bounds[1];
     }
     double low = -bounds[0], high = hardness + bounds[1], shift = 0;
     for (int step = 0; step < 100; step++) {

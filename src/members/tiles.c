@@ -17,7 +17,7 @@ static const double coarse = 0.9, closest = 1.15; /* steps of logit A, and loads
 static const double enough = 0.97;                /* of area, from which on no heavier load is solved */
 /* Pairs of transforms that a square takes with what tells its error, over the root of its points a side, and how much
  * longer one takes than a strip's; as measured on maps of 200 to 512 points a side. */
-static const double pairs_elastic = 95, pairs_capped = 110, longer = 1.6;
+static const double pairs_elastic = 95, pairs_capped = 110, longer = 1.8;
 
 void tiles_free(struct tiles *tiles)
 {
