@@ -19,8 +19,8 @@
 #include <stdint.h>
 
 /** A surface and the state of its contact. Fields have the kernel's rows and stride: the point (i along x, j along y)
- * is at j stride + i. About 67 bytes a point, 4 more while its patches are counted, or 8 for each in contact while its
- * constriction is solved. Owned: direct_contact_free(). */
+ * is at j stride + i. About 67 bytes a point, 4 more for each of what repeats while its patches are counted, or 8 for
+ * each in contact while its constriction is solved. Owned: direct_contact_free(). */
 struct direct_contact {
     struct direct_kernel kernel;
     double *height_m;
