@@ -250,6 +250,9 @@ TEST_CASE(other_maps)
     scan.ny = 20;
     tiles_take(&tiles, &scan, &def);
     assert_true(scan.z_m && !tiles.height_m);
+    struct tiles slow = map_of(77, 77, 1, as_they_are); /* 7 and 11 are slow to transform */
+    assert_true(slow.side == 75 && slow.all == 1);
+    tiles_free(&slow);
     struct tiles flat = map_of(SIDE, SIDE, 1, as_they_are);
     for (size_t k = 0; k < SIDE * SIDE; k++)
         flat.height_m[k] = 0;
