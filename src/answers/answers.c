@@ -75,13 +75,29 @@ struct search {
     const struct ensemble *set;
     struct joint_task joint;
     const struct scene_asked *target;
-    const struct band_end *end; /* NULL: the curve itself */
-    struct contact_point point; /* at the load that was asked for last; nothing where the curve has none */
-    double value, full_load;    /* NaN: the model has none there */
+    const struct model_curve *known; /* its curve, at some loads */
+    const struct band_end *end;      /* NULL: the curve itself */
+    struct contact_point point;      /* at the load that was asked for last; nothing where the curve has none */
+    double value, full_load;         /* NaN: the model has none there */
     struct status *status;
 };
 
-/** Runs the model at one load. */
+/** Looks a load up on the curve: to rounding. */
+static bool look_up(struct search *search, double load)
+{
+    const struct model_curve *known = search->known;
+    size_t i = 0;
+    while (i < known->count && known->points[i].value[QUANTITY_LOAD] < load * (1 - 1e-14))
+        i++;
+    if (i == known->count || known->points[i].value[QUANTITY_LOAD] > load * (1 + 1e-14))
+        return false;
+    search->full_load = known->full_load;
+    search->point = known->points[i];
+    search->value = known->points[i].value[search->target->quantity];
+    return true;
+}
+
+/** The model at one load. */
 static void run_at(struct search *search, double load)
 {
     struct contact_point points[2] = {quantity_nothing(), quantity_nothing()};
@@ -89,6 +105,8 @@ static void run_at(struct search *search, double load)
     const struct model_task one = model_task_at(&search->task, &load, 1);
     search->point = quantity_nothing();
     search->value = NAN;
+    if (look_up(search, load))
+        return;
     if (ensemble_curve(&curve, NULL, search->set, search->row, &one, search->status) != STATUS_OK ||
         joint_curve(&curve, search->row, &one, &search->joint, search->status) != STATUS_OK)
         return;
@@ -110,10 +128,15 @@ static double excess(double ln_load, void *context)
     return isnan(search->value) ? beyond : fmin(fmax(rises(search->target) ? ratio : -ratio, -beyond), beyond);
 }
 
-/** Narrows two loads between which the target is met to within the tolerance. */
+/** Narrows two loads between which the target is met to within the tolerance: to two of the curve, then on. */
 static enum status_code narrow(double ends[2], struct search *search)
 {
     enum { STEPS_MOST = 200 };
+    for (size_t i = 0; i < search->known->count; i++) {
+        double load = search->known->points[i].value[QUANTITY_LOAD];
+        if (load > ends[0] && load < ends[1])
+            ends[excess(log(load), search) < 0 ? 0 : 1] = load;
+    }
     gsl_function function = {excess, search};
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
     if (!solver)
@@ -321,8 +344,12 @@ enum status_code answers_find(struct surface_record *record, const struct scene 
             return status_memory(status);
         struct model_task own = *task;
         own.evaluations = &model->evaluations;
-        const struct search search = {
-            .row = model_rows[m], .task = own, .set = &record->ensemble, .joint = joint, .status = status};
+        const struct search search = {.row = model_rows[m],
+                                      .task = own,
+                                      .set = &record->ensemble,
+                                      .joint = joint,
+                                      .known = &record->curves[m],
+                                      .status = status};
         for (size_t t = 0; t < scene->target_count; t++) {
             struct answer *answer = &summary->answers[t * model_count + m];
             struct scene_asked target = scene->targets[t];

@@ -216,18 +216,42 @@ static void fit_mean(struct solver *solver)
     }
 }
 
+/** Over a strip's set: what the edge of a patch would pull, the points behind it give, as far as they press. A step
+ * takes hold of a patch at its edges (direct_contact_stiffen() puts there what it finds between patches): one that comes
+ * apart would lose two points an iteration. */
+static void give_inwards(struct direct_contact *contact)
+{
+    const uint32_t *set = contact->set;
+    double *pressure = contact->pressure;
+    for (size_t k = 0, first = 0; k < contact->set_count; k++) {
+        bool last = k + 1 == contact->set_count || set[k + 1] != set[k] + 1; /* of its patch */
+        for (size_t i = k; last && i > first && pressure[set[i]] < 0; i--) {
+            pressure[set[i - 1]] += pressure[set[i]];
+            pressure[set[i]] = 0;
+        }
+        if (!last && pressure[set[k]] < 0) {
+            pressure[set[k + 1]] += pressure[set[k]];
+            pressure[set[k]] = 0;
+        }
+        first = last ? k + 1 : first;
+    }
+}
+
 /** Elastic, over the set: pressures less tau times the direction, those that would pull at 0, scaled to the mean. */
 static void move(struct solver *solver, double tau)
 {
     struct direct_contact *contact = solver->contact;
     const uint32_t *set = contact->set;
     double *pressure = contact->pressure, part[4] = {0};
+    for (size_t k = 0; k < contact->set_count; k++)
+        pressure[set[k]] -= tau * contact->direction[set[k]];
+    if (contact->kernel.ny == 1 && solver->preconditioned && tau != 0)
+        give_inwards(contact);
     for (size_t k = 0; k < contact->set_count; k += 4)
         for (size_t i = 0; i < 4 && k + i < contact->set_count; i++) {
-            uint32_t at = set[k + i];
-            double p = pressure[at] - tau * contact->direction[at];
-            pressure[at] = p > 0 ? p : 0;
-            part[i] += pressure[at];
+            double p = pressure[set[k + i]];
+            pressure[set[k + i]] = p > 0 ? p : 0;
+            part[i] += p > 0 ? p : 0;
         }
     double scale = solver->load->mean_pressure * (double)contact->kernel.points / sum(part);
     for (size_t k = 0; k < contact->set_count; k++)
