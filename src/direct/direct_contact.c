@@ -339,38 +339,69 @@ static double lay_set(struct solver *solver)
     return worst[all ? 0 : 1];
 }
 
+/** Values on the line first + step i, i = 1 ... count. */
+static void fill_line(double *value, size_t count, double first, double step)
+{
+    for (size_t i = 0; i < count; i++)
+        value[i] = first + step * (double)(int)(i + 1);
+}
+
+/** Sum of value i, i = 1 ... count, and of i times it. */
+static void add_line(double out[2], const double *value, size_t count)
+{
+    double sums[4] = {0}, moments[4] = {0};
+    size_t i = 0;
+    for (; i + 4 <= count; i += 4)
+        for (size_t k = 0; k < 4; k++) {
+            sums[k] += value[i + k];
+            moments[k] += value[i + k] * (double)(int)(i + k + 1);
+        }
+    for (; i < count; i++) {
+        sums[0] += value[i];
+        moments[0] += value[i] * (double)(int)(i + 1);
+    }
+    out[0] = sum(sums);
+    out[1] = sum(moments);
+}
+
 /** From one point of a strip's set to the next: values on the line through theirs; or (`back`) adds what lies between
  * to both by the same weights. Behind the last point comes the first. */
 static void bridge(double *field, const uint32_t *set, size_t k, const struct direct_contact *contact, bool back)
 {
     size_t points = contact->kernel.nx, last = k + 1 == contact->set_count;
     size_t from = set[k], to = set[last ? 0 : k + 1], wide = last ? points + to - from : to - from;
-    size_t end = wide < points - from ? wide : points - from; /* of the strip */
-    double first = field[from], step = (field[to] - first) / (double)wide, sum = 0, moment = 0;
-    for (size_t part = 0; part < 2; part++)
-        for (size_t i = part ? end : 1; i < (part ? wide : end); i++) {
-            double *at = &field[from + i - (part ? points : 0)];
-            if (!back)
-                *at = first + step * (double)i;
-            sum += back ? *at : 0;
-            moment += back ? *at * (double)i : 0;
-        }
+    size_t here = last ? points - from - 1 : wide - 1, round = last ? to : 0; /* so many points up to the end, beyond */
     if (back) {
-        field[from] += sum - moment / (double)wide;
-        field[to] += moment / (double)wide;
+        double sums[2], more[2];
+        add_line(sums, field + from + 1, here);
+        add_line(more, field, round);
+        double moment = (sums[1] + more[1] + (double)here * more[0]) / (double)wide;
+        field[from] += sums[0] + more[0] - moment;
+        field[to] += moment;
+    } else {
+        double first = field[from], step = (field[to] - first) / (double)wide;
+        fill_line(field + from + 1, here, first, step);
+        fill_line(field, round, first + step * (double)here, step);
     }
+}
+
+/** All of a strip's set. */
+static void bridge_all(struct direct_contact *contact, bool back)
+{
+    const uint32_t *set = contact->set;
+    for (size_t k = 0; k < contact->set_count; k++)
+        if (k + 1 == contact->set_count || set[k + 1] != set[k] + 1)
+            bridge(contact->kernel.field, set, k, contact, back);
 }
 
 void direct_contact_stiffen(struct direct_contact *contact)
 {
     struct direct_kernel *kernel = &contact->kernel;
-    const uint32_t *set = contact->set;
-    size_t count = kernel->ny == 1 ? contact->set_count : 0;
-    for (size_t k = 0; k < count; k++)
-        bridge(kernel->field, set, k, contact, false);
+    if (kernel->ny == 1)
+        bridge_all(contact, false);
     direct_kernel_convolve(kernel, kernel->stiffness, contact->rows);
-    for (size_t k = 0; k < count; k++)
-        bridge(kernel->field, set, k, contact, true);
+    if (kernel->ny == 1)
+        bridge_all(contact, true);
 }
 
 /** Takes those points without pressure out of the set that a step against z would pull. Where many join at once z goes
