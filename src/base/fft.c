@@ -166,3 +166,16 @@ bool fft_backward(double *out, fftw_complex *in, size_t n)
 {
     return transform((struct once){.record = out, .transform = in, .n = n, .back = true});
 }
+
+size_t fft_quick(size_t most, size_t factor)
+{
+    for (size_t n = most; n > 1; n--) {
+        size_t rest = n;
+        for (size_t f = 2; f <= factor; f++)
+            while (rest % f == 0)
+                rest /= f;
+        if (rest == 1)
+            return n;
+    }
+    return most;
+}

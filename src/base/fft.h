@@ -30,6 +30,10 @@ struct fft_room {
 MUST_CHECK bool fft_room_make(struct fft_room *out, size_t n);
 void fft_room_free(struct fft_room *room);
 
+/** The largest number up to `most` without prime factors above `factor`: transforms of others take several times as
+ * long. */
+size_t fft_quick(size_t most, size_t factor);
+
 /** out[k] = sum in[j] exp(-2 pi i jk/n), k = 0 ... n/2. Both arrays from fftw_alloc or fft_room_make(), those of
  * n > 32768 perhaps the same; `in` may be overwritten. False: out of memory. */
 MUST_CHECK bool fft_forward(fftw_complex *out, double *in, size_t n);

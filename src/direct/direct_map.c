@@ -219,19 +219,6 @@ static enum status_code take_square(struct direct_map *map, const double *from, 
     return status->code;
 }
 
-size_t direct_map_quick(size_t most)
-{
-    for (size_t n = most; n > 1; n--) {
-        size_t rest = n;
-        for (size_t factor = 2; factor <= 5; factor++)
-            while (rest % factor == 0)
-                rest /= factor;
-        if (rest == 1)
-            return n;
-    }
-    return most;
-}
-
 bool direct_map_mirrored(const struct direct_map_def *def, size_t most)
 {
     return !def->periodic || def->nx != def->ny || def->nx > most || def->nx % 2 != 0;

@@ -28,8 +28,7 @@ struct direct_map_lines direct_map_lines(size_t nx, size_t ny, bool columns);
  * beyond its edges a map goes on as its mirror image. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code direct_map_condition(double *height_m, struct direct_map_def *def, struct status *status);
 
-/** The largest number up to `most` without prime factors above 5: transforms of others take several times as long. */
-size_t direct_map_quick(size_t most);
+enum { DIRECT_MAP_FACTOR = 5 }; /* the largest prime factor of the side of a square: fft_quick() */
 
 /** Whether a square of at most `most` points goes on as its mirror image: all but the whole of a periodic map of which
  * every second point closes too. */

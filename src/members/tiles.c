@@ -33,7 +33,7 @@ static void lay_out(struct tiles *tiles)
 {
     const struct direct_map_def *def = &tiles->def;
     size_t least = def->nx < def->ny ? def->nx : def->ny, parts = (least + TILES_SIDE - 1) / TILES_SIDE;
-    tiles->side = direct_map_mirrored(def, TILES_SIDE) ? direct_map_quick(least / parts) : least;
+    tiles->side = direct_map_mirrored(def, TILES_SIDE) ? fft_quick(least / parts, DIRECT_MAP_FACTOR) : least;
     tiles->columns = def->nx / tiles->side;
     tiles->rows = def->ny / tiles->side;
     tiles->all = tiles->columns * tiles->rows;
