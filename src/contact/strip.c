@@ -215,8 +215,10 @@ enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, s
     for (size_t s = 0; s < surrogates && status->code == STATUS_OK; s++) {
         struct strip_curve *curve = &out->surrogate[out->surrogates];
         struct status problem = {0};
-        for (size_t r = 0; r < rows->rows; r++)
-            draw_row(solver.strip_m + r * length, &phases, length, first + r, s + 1, status);
+        for (size_t r = 0; r < rows->rows && s % 2 == 0; r++)
+            draw_row(solver.strip_m + r * length, &phases, length, first + r, s / 2 + 1, status);
+        for (size_t k = 0; k < points && s % 2 == 1; k++) /* turned over, which is as likely and errs the other way */
+            solver.strip_m[k] = 2 * phases.mean_m - solver.strip_m[k];
         if (status->code == STATUS_OK)
             (void)solve_strip(curve, &solver, rows, &problem);
         out->unsolved += curve->unsolved;

@@ -14,7 +14,7 @@
 enum {
     STRIP_LOADS = 17,     /* rungs of the ladder */
     STRIP_KNOTS = 32,     /* at most, of a curve */
-    STRIP_SURROGATES = 4, /* Gaussian strips a ratio is against */
+    STRIP_SURROGATES = 2, /* Gaussian strips a ratio is against: one and the same turned over scatter as four */
     STRIP_ROUGHLY = 5,    /* in place of their number where only the scatter of answers is asked: one, half the loads */
     STRIP_LEAST_POINTS = 12 /* in contact, below which a solution says nothing */
 };
@@ -49,7 +49,8 @@ struct strip {
 
 /** Joins the rows, of all a surface has those from `first` on, to one strip and solves it, and as many surrogates:
  * every row with random phases on these rows' mean power and a normal mean of these rows' mean and deviation, hashed
- * from the row's number, so that a row keeps its phases whatever other rows there are. Loads and surrogates that do not
+ * from the row's number, so that a row keeps its phases whatever other rows there are; every second one is the one
+ * before turned over. Loads and surrogates that do not
  * converge are left out. Errors: STATUS_MODEL: flat rows, or not one load under which enough points touch and the
  * solution converges; STATUS_INTERRUPTED when *stop (NULL: never) becomes non-zero; STATUS_MEMORY. */
 MUST_CHECK enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, size_t first,
