@@ -131,10 +131,10 @@ static void time_is_counted(void **state)
     struct direct_plan elastic, capped, heights;
     struct direct_plan_task task = a_task(&(struct scene_direct){.seeds = 12});
     direct_plan_make(&elastic, &task);
-    assert_near(elastic.seconds, 13 * 0.016 * (12 + pow(2, 2.15)), 1e-12); /* with the finer grid of the first */
+    assert_near(elastic.seconds, 13 * 0.020 * (12 + pow(2, 2.15)), 1e-12); /* with the finer grid of the first */
     task.gaussian = false;
     direct_plan_make(&heights, &task);
-    assert_near(heights.seconds - elastic.seconds, 0.016 * 7.5 * 13, 1e-12); /* the first made twice */
+    assert_near(heights.seconds - elastic.seconds, 0.020 * 7.5 * 13, 1e-12); /* the first made twice */
     task.hardness = 8e-4;
     direct_plan_make(&capped, &task);
     assert_int_equal(capped.fewer, 4);
@@ -172,7 +172,7 @@ static void a_map_is_one_surface(void **state)
     assert_int_equal(plan.seeds, 1);
     assert_int_equal(plan.fine_times, 0);
     assert_near(plan.length_m, 2 * 3e-4 * 100 / 101, 1e-12);
-    assert_near(plan.seconds, 0.016 * pow(200 / 256.0, 2.15) * (double)plan.loads * (1 + 6 * pow(2, -2.15)), 1e-12);
+    assert_near(plan.seconds, 0.020 * pow(200 / 256.0, 2.15) * (double)plan.loads * (1 + 6 * pow(2, -2.15)), 1e-12);
     assert_near(plan.lambda_s_m, 6 * task.map.dx_m, 1e-12);
     task.map = (struct direct_map_def){100, 100, 3e-6, 3e-6, true, 0}; /* clean and whole: neither filter nor mirror */
     direct_plan_make(&plan, &task);
