@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/number_format.h"
 
+#include <float.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -75,4 +77,68 @@ void number_format_range(struct text *out, double least_value, double most_value
         text_add(out, " to %s", text_string(&high));
     text_free(&low);
     text_free(&high);
+}
+
+/** 17 digits of `size` as an integer, and the decimal exponent of the first; 0 where rounding leaves the last one open.
+ * Powers of ten up to 27 are exact in 64 bits, and each of four roundings errs by 2^-64, together by .022 of a digit.
+ */
+static uint64_t digits_of(int *exponent, double size)
+{
+    enum { EXACT = 27, REACH = 40 };
+    static const long double ten_to[EXACT + 1] = {1e0L,  1e1L,  1e2L,  1e3L,  1e4L,  1e5L,  1e6L,  1e7L,  1e8L,  1e9L,
+                                                  1e10L, 1e11L, 1e12L, 1e13L, 1e14L, 1e15L, 1e16L, 1e17L, 1e18L, 1e19L,
+                                                  1e20L, 1e21L, 1e22L, 1e23L, 1e24L, 1e25L, 1e26L, 1e27L};
+    int binary;
+    (void)frexp(size, &binary);
+    *exponent = (int)floor((binary - 1) * (M_LN2 / M_LN10)); /* it, or one less */
+    int scale = 16 - *exponent;
+    if (LDBL_MANT_DIG < 64 || !(size > 0) || !isfinite(size) || scale > REACH || scale < -EXACT)
+        return 0;
+    long double scaled = scale > EXACT ? size * ten_to[EXACT] * ten_to[scale - EXACT]
+                         : scale >= 0  ? size * ten_to[scale]
+                                       : size / ten_to[-scale];
+    if (scaled >= ten_to[17]) {
+        scaled /= 10;
+        ++*exponent;
+    }
+    uint64_t digits = (uint64_t)scaled;
+    double rest = (double)(scaled - (long double)digits);
+    if (fabs(rest - 0.5) < 0.03 || !(scaled > ten_to[16] + 1) || !(scaled < ten_to[17] - 1))
+        return 0;
+    return digits + (rest > 0.5);
+}
+
+void number_exact(struct text *out, double value)
+{
+    enum { DIGITS = 17 };
+    int exponent, count = DIGITS;
+    uint64_t digits = digits_of(&exponent, fabs(value));
+    char digit[DIGITS], line[48], *to = line;
+    if (digits == 0) {
+        text_add(out, "%.*g", DIGITS, value);
+        return;
+    }
+    uint32_t part[] = {(uint32_t)(digits / 100000000), (uint32_t)(digits % 100000000)}; /* divided faster than all */
+    for (int k = DIGITS; k-- > 0; part[k > 8] /= 10)
+        digit[k] = (char)('0' + part[k > 8] % 10);
+    while (digit[count - 1] == '0')
+        count--;
+    bool plain = exponent >= -4 && exponent < DIGITS;
+    int whole = plain ? exponent + 1 : 1; /* digits before the point */
+    if (value < 0)
+        *to++ = '-';
+    for (int k = whole < 1 ? whole - 1 : 0; k < (count > whole ? count : whole); k++) {
+        if (k == whole && k > 0)
+            *to++ = '.';
+        *to++ = (char)(k < 0 || k >= count ? '0' : digit[k]);
+        if (k == whole - 1 && k < 0)
+            *to++ = '.';
+    }
+    if (!plain) { /* of two digits: digits_of() goes no further */
+        *to++ = 'e';
+        *to++ = exponent < 0 ? '-' : '+';
+        *to++ = (char)('0' + abs(exponent) / 10);
+        *to++ = (char)('0' + abs(exponent) % 10);
+    }
+    text_add_bytes(out, line, (size_t)(to - line));
 }

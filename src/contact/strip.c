@@ -245,7 +245,7 @@ enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, s
 
 uint64_t strip_cost(const struct strip_rows *rows)
 {
-    double points = (double)(rows->rows * row_length(rows)), pairs = 2.8 * sqrt(sqrt(points)); /* a load, as measured */
+    double points = (double)(rows->rows * row_length(rows)), pairs = 1.7 * sqrt(sqrt(points)); /* a load, as measured */
     return (uint64_t)(pairs * points * (double)(STRIP_LOADS * (1 + STRIP_SURROGATES)));
 }
 

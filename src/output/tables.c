@@ -2,6 +2,7 @@
 #include "output/tables.h"
 
 #include "answers/direct_study.h"
+#include "base/number_format.h"
 #include "certainty/sensitivity.h"
 #include "results/comparison.h"
 #include <errno.h>
@@ -143,7 +144,7 @@ static void put(struct table *table, const char *name, const char *end, double v
 {
     begin_cell(table, name, end);
     if (isfinite(value))
-        text_add(&table->rows, "%.17g", value);
+        number_exact(&table->rows, value);
     if (isinf(value) && table->infinite++ == 0)
         table->infinite_column = name;
 }

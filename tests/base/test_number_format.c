@@ -98,3 +98,27 @@ TEST_CASE(test_value_and_error_have_the_same_decimals)
         assert_text(&text, cases[i].expected);
     }
 }
+
+/* Every digit that printf() has: short numbers, powers of ten and two, halves, steps beside them, any exponent, and
+ * what the fast way leaves to printf(). */
+TEST_CASE(test_exact)
+{
+    enum { RANDOM = 200000 };
+    static const double some[] = {0,    -0.0, 1,    -1,   0.1,      100,     1e16,    1e17,     123456789012345678.0,
+                                  9.5,  1e-4, 1e-5, 0.5,  0.000125, DBL_MIN, DBL_MAX, 5e-324,   99999999999999999.0,
+                                  1e22, 1e23, 2e-7, 1e-3, 1e300,    -1e-24,  9e-25,   INFINITY, 0.99999999999999989};
+    uint64_t drawn = 1;
+    size_t fast = sizeof some / sizeof *some;
+    for (size_t k = 0; k < fast + RANDOM; k++) {
+        char expected[64];
+        struct text text = {0};
+        drawn = drawn * 6364136223846793005u + 1442695040888963407u;
+        double share = (double)(drawn >> 11) * 0x1p-53;
+        double any = ldexp(1 + share, (int)(drawn % 140) - 90),
+               rounded = (double)(drawn >> 50) * pow(10, (double)(k % 9) - 6);
+        double value = k < fast ? some[k] : k % 3 ? any : rounded;
+        snprintf(expected, sizeof expected, "%.17g", value);
+        number_exact(&text, value);
+        assert_text(&text, expected);
+    }
+}
