@@ -271,7 +271,7 @@ static json_t *measured_json(const struct results *results, size_t index)
     return json;
 }
 
-static json_t *surface_json(const struct results *results, size_t index)
+static json_t *surface_json(const struct results *results, size_t index, struct words *words)
 {
     const struct surface_record *record = &results->surfaces[index];
     const struct surface_summary *s = &record->summary;
@@ -309,7 +309,7 @@ static json_t *surface_json(const struct results *results, size_t index)
         json_object_set_new(json, "spread", record_json(repeats_fields, &s->repeats));
     if (results_measured(results, index))
         json_object_set_new(json, "measured", measured_json(results, index));
-    json_object_set_new(json, "notes", notes_json(&s->notes, results->plan->words));
+    json_object_set_new(json, "notes", notes_json(&s->notes, words));
     json_object_set_new(json, "models", models);
     return json;
 }
@@ -460,27 +460,65 @@ json_t *json_outline(const struct results *results)
                      "limits", limits, "missed_limits", missed);
 }
 
+static int keep(const char *bytes, size_t length, void *text)
+{
+    text_add_bytes(text, bytes, length);
+    return 0;
+}
+
+/** Adds one value; takes it over. */
+static bool dump(struct text *out, json_t *json)
+{
+    bool ok =
+        json && json_dump_callback(json, keep, out, JSON_INDENT(1) | JSON_REAL_PRECISION(17) | JSON_ENCODE_ANY) == 0;
+    json_decref(json);
+    return ok && !out->failed;
+}
+
 /** Prints one value behind `before`; takes it over. */
 static bool print(FILE *file, const char *before, json_t *json)
 {
-    bool ok = json && fputs(before, file) >= 0 &&
-              json_dumpf(json, file, JSON_INDENT(1) | JSON_REAL_PRECISION(17) | JSON_ENCODE_ANY) == 0;
-    json_decref(json);
+    struct text text = {0};
+    bool ok = dump(&text, json) && fputs(before, file) >= 0 && fputs(text_string(&text), file) >= 0;
+    text_free(&text);
     return ok;
 }
 
-/** The usable surfaces, one at a time: all of them together would be large. */
-static bool print_surfaces(FILE *file, const struct results *results)
+/** The surfaces in the making. */
+struct printing {
+    FILE *file;
+    const struct results *results;
+    bool begun;
+};
+
+/** A usable surface, with words of its own: they are for one thread. */
+static enum status_code print_surface(void *context, size_t index, struct threads_turn *turn, struct status *status)
 {
-    const char *before = "\n";
-    bool ok = fputs(",\n\"surfaces\": [", file) >= 0;
-    for (size_t i = 0; i < results->surface_count && ok; i++) {
-        if (!results->surfaces[i].summary.usable)
-            continue;
-        ok = print(file, before, surface_json(results, i));
-        before = ",\n";
+    struct printing *all = context;
+    struct words *given = all->results->plan->words, own = {.said = NULL};
+    struct text text = {0};
+    if (!all->results->surfaces[index].summary.usable)
+        return STATUS_OK;
+    if (given)
+        own = (struct words){given->file, json_array(), status};
+    if (!dump(&text, surface_json(all->results, index, given ? &own : NULL)) && status->code == STATUS_OK)
+        (void)status_memory(status);
+    json_decref(own.said);
+    if (status->code == STATUS_OK && threads_wait(turn)) {
+        if (fputs(all->begun ? ",\n" : "\n", all->file) < 0 || fputs(text_string(&text), all->file) < 0)
+            (void)status_fail(status, STATUS_IO, "cannot write results.json: %s", strerror(errno));
+        all->begun = true;
     }
-    return ok && fputs("]", file) >= 0;
+    text_free(&text);
+    return status->code;
+}
+
+static bool print_surfaces(FILE *file, const struct results *results, struct status *status)
+{
+    struct printing all = {file, results, false};
+    return fputs(",\n\"surfaces\": [", file) >= 0 &&
+           threads_run(&results->threads, results->surface_count, print_surface, &all, status) == STATUS_OK &&
+           fputs("]", file) >= 0;
 }
 
 static json_t *studies_json(const struct results *results)
@@ -505,14 +543,14 @@ enum status_code json_write(const struct results *results, const struct comparis
               print(file, ",\n\"version\": ", json_string(version_string())) &&
               print(file, ",\n\"scene\": ", scene_json(results)) &&
               print(file, ",\n\"leading\": ", json_string(model_rows[plan_leading_model(results->plan)]->name)) &&
-              print_surfaces(file, results) && print(file, ",\n\"refused\": ", refused_json(results)) &&
+              print_surfaces(file, results, status) && print(file, ",\n\"refused\": ", refused_json(results)) &&
               print(file, ",\n\"comparison\": ", comparison_json(results, &comparison->ranking)) &&
               (!scene->passed_over || print(file, ",\n\"passed_over\": ", json_lines(scene->passed_over))) &&
               (scene->target_count == 0 || print(file, ",\n\"answers\": ", tables_answers_json(results))) &&
               (scene->limit_count == 0 || print(file, ",\n\"limits\": ", limits_json(results))) &&
               (results->direct_count == 0 || print(file, ",\n\"direct\": ", studies_json(results))) &&
               print(file, ",\n\"work\": ", work_json(results)) && fputs("}\n", file) >= 0;
-    if (fclose(file) != 0 || !ok)
+    if ((fclose(file) != 0 || !ok) && status->code == STATUS_OK)
         return status_fail(status, STATUS_IO, "cannot write results.json");
     return status->code; /* perhaps for want of a word */
 }

@@ -334,15 +334,26 @@ enum status_code curve_tables_close(struct curve_tables *all, struct status *sta
     return status->code;
 }
 
+/** The curves in the making. */
+struct curve_writing {
+    struct curve_tables *all;
+    const struct results *results;
+};
+
+static enum status_code put_surface(void *context, size_t index, struct threads_turn *turn, struct status *status)
+{
+    const struct curve_writing *writing = context;
+    const struct surface_record *record = &writing->results->surfaces[index];
+    return record->summary.usable ? curve_tables_put(writing->all, record, turn, status) : STATUS_OK;
+}
+
 /** Of surfaces whose arrays are all in memory. */
 static enum status_code write_curves(const struct results *results, const char *directory, struct status *status)
 {
-    struct curve_tables *all;
-    enum status_code rc = curve_tables_open(&all, results, results->plan, directory, status);
-    for (size_t i = 0; i < results->surface_count && rc == STATUS_OK; i++)
-        if (results->surfaces[i].summary.usable)
-            rc = curve_tables_put(all, &results->surfaces[i], NULL, status);
-    return curve_tables_close(all, status);
+    struct curve_writing writing = {.results = results};
+    if (curve_tables_open(&writing.all, results, results->plan, directory, status) == STATUS_OK)
+        (void)!threads_run(&results->threads, results->surface_count, put_surface, &writing, status);
+    return curve_tables_close(writing.all, status);
 }
 
 static void fill_convergence(struct table *table, const struct results *results, size_t sweep)

@@ -5,6 +5,7 @@
 
 #include "answers/answers.h"
 #include "answers/measured.h"
+#include "base/threads.h"
 #include "plan/benchmark.h"
 #include "results/work.h"
 
@@ -32,6 +33,7 @@ struct results {
     const struct benchmark *benchmark;        /* what accuracy costs; NULL: left out */
     const struct direct_study *direct;        /* the surfaces solved directly; NULL: none */
     size_t direct_count;
+    struct threads threads;            /* that write what there is of each surface */
     struct results_infinite *infinite; /* what the tables could not say; NULL: it is not counted */
     const double *convergence;         /* the sweeps' area ratios, see results_sweep(); NULL when the effect is off */
     size_t *shown; /* indices of the surfaces the charts show: all usable ones up to 8, else the best, the

@@ -295,8 +295,11 @@ enum status_code all_surfaces_run(struct all_surfaces *out, const struct scene *
 {
     *out = (struct all_surfaces){.counterface = NULL};
     struct results *results = &out->results;
-    *results = (struct results){
-        .scene = scene, .plan = &out->plan, .surface_count = scene->surface_count, .infinite = &out->infinite};
+    *results = (struct results){.scene = scene,
+                                .plan = &out->plan,
+                                .surface_count = scene->surface_count,
+                                .infinite = &out->infinite,
+                                .threads = {options->jobs, options->stop}};
     if (scene->surface_count == 0)
         return status_fail(status, STATUS_SCAN, "no scan in '%s': put the profilometer's files there",
                            scene->directory);
@@ -308,15 +311,15 @@ enum status_code all_surfaces_run(struct all_surfaces *out, const struct scene *
         return status->code;
     if (make_loads(out, scene, status) != STATUS_OK || read_counterface(out, scene, status) != STATUS_OK)
         return status->code;
-    const struct threads threads = {.jobs = options->jobs, .stop = options->stop};
+    const struct threads *threads = &results->threads;
     struct pass all = {.prepared = out,
                        .plan = &out->plan,
                        .bounded = !scene_bins_spectra(scene),
                        .describe_only = describe_only,
                        .stage = {options, "models of", NULL, 0, PTHREAD_MUTEX_INITIALIZER}};
     all_surfaces_tell(&all.stage, scene->surfaces[0].name, 0, (double)scene->surface_count);
-    if ((scene->operating.load == 0 && choose_operating_load(&all, &threads, status) != STATUS_OK) ||
-        (all.bounded && threads_run(&threads, scene->surface_count, bound_one, &all, status) != STATUS_OK))
+    if ((scene->operating.load == 0 && choose_operating_load(&all, threads, status) != STATUS_OK) ||
+        (all.bounded && threads_run(threads, scene->surface_count, bound_one, &all, status) != STATUS_OK))
         return status->code;
     struct plan ran = out->plan;
     ran.words = NULL; /* which are for one thread */
@@ -327,7 +330,7 @@ enum status_code all_surfaces_run(struct all_surfaces *out, const struct scene *
     all.plan = &ran; /* of whose models each surface runs those that it has an answer by */
     if (curves && curve_tables_open(&all.tables, results, &out->plan, curves, status) != STATUS_OK)
         return curve_tables_close(all.tables, status);
-    enum status_code rc = threads_run(&threads, scene->surface_count, run_one, &all, status);
+    enum status_code rc = threads_run(threads, scene->surface_count, run_one, &all, status);
     if (curve_tables_close(all.tables, status) != STATUS_OK)
         rc = status->code;
     if (all.bounded)
