@@ -245,7 +245,8 @@ enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, s
 
 uint64_t strip_cost(const struct strip_rows *rows)
 {
-    double points = (double)(rows->rows * row_length(rows)), pairs = 1.7 * sqrt(sqrt(points)); /* a load, as measured */
+    double points = (double)(rows->rows * row_length(rows)), length = (double)row_length(rows);
+    double pairs = 1.7 * pow(length, 0.25) * pow((double)rows->rows, 0.43); /* a load, as measured */
     return (uint64_t)(pairs * points * (double)(STRIP_LOADS * (1 + STRIP_SURROGATES)));
 }
 

@@ -260,6 +260,17 @@ static void stretch(struct surface_record *record, double kappa)
         stretch_member(&record->variants.of[variant], kappa);
 }
 
+/** Pairs of transforms times points of a surface's strips: all rows joined, and each alone, of one scan its quarters,
+ * roughly. */
+static double cost_of_strips(const struct surface_record *record)
+{
+    const struct strip_rows *rows = &record->strips.rows,
+                            one = {NULL, 1, rows->points, rows->spacing_m, rows->periodic};
+    const double quarters = 0.35;
+    double alone = record->ensemble.count > 1 ? (double)rows->rows * (double)strip_cost(&one) : 0;
+    return (double)strip_cost(rows) * (alone > 0 ? 1 : 1 + quarters) + alone;
+}
+
 /** From what was gathered to the description of the surface. */
 static enum status_code conclude(struct surface_record *record, struct power_law_scans *scans,
                                  const struct scene *scene, const struct surface_record *counterface,
@@ -279,7 +290,7 @@ static enum status_code conclude(struct surface_record *record, struct power_law
         note_add(&record->summary.notes, NULL, "note.unlike\ncounterface");
     record->summary.has_strips = record->strips.rows.rows > 0;
     record->summary.strips_in_part = record->strips.in_part;
-    record->summary.strip_cost = record->summary.has_strips ? 2 * (double)strip_cost(&record->strips.rows) : 0;
+    record->summary.strip_cost = record->summary.has_strips ? cost_of_strips(record) : 0;
     if (counterface)
         tiles_pair(&record->tiles, &counterface->tiles);
     bool capped = record->summary.pair.hardness_Pa > 0;
