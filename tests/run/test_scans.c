@@ -248,6 +248,36 @@ TEST_IN_DIRECTORY(few_longest_waves)
     assert_near(log(high / low) / 2, interval_quantile(0.95, 4 * pow(square / (s * s), 2)) * sqrt(square), 1e-9);
 }
 
+/** Records of a long scan are of means of its heights, which scatter as its own do. */
+TEST_IN_DIRECTORY(long_scans_are_thinned)
+{
+    enum { RECORD = 1 << 14, EACH = 3 };
+    struct synth_def def = synth_def_default();
+    double height_m[EACH * RECORD], mean_m[RECORD] = {0}, s[2];
+    def.points = EACH * RECORD;
+    def.length_m = 5e-7 * EACH * RECORD;
+    def.lambda_s_m = 2e-5;
+    expect_ok(synth_profile, height_m, &def);
+    for (size_t i = 0; i < EACH * RECORD; i++)
+        mean_m[i / EACH] += height_m[i] / EACH;
+    for (int thin = 0; thin < 2; thin++) {
+        struct text csv = {0};
+        text_add(&csv, "x [um],z [um]\n");
+        for (size_t i = 0; i < (thin ? RECORD : EACH * RECORD); i++)
+            text_add(&csv, "%.1f,%.9f\n", (thin ? 1.5 : 0.5) * (double)i, (thin ? mean_m[i] : height_m[i]) * 1e6);
+        directory_write(place, "in/0.csv", text_string(&csv));
+        text_free(&csv);
+        report(place, "out", "effects: [separation, electrical, uncertainty]\nmodels: [corrected-persson]\n",
+               "{name: m, file: 0.csv}");
+        json_t *results = directory_json(place, "out/results.json");
+        assert_int_equal(json_unpack(json_array_get(json_object_get(results, "surfaces"), 0), "{s:{s:{s:{s:{s:F}}}}}",
+                                     "models", "corrected-persson", "at_middle_load", "ecr_ohm_m2",
+                                     "standard_deviation", &s[thin]),
+                         0);
+    }
+    assert_near(s[0], s[1], 1e-3);
+}
+
 /** Degrees of freedom of a surface's resistance in results.json, and the width of its interval (of ln). */
 static double degrees_of(const struct directory *place, const char *out, double *width)
 {
