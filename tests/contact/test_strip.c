@@ -268,7 +268,8 @@ TEST_CASE(against_direct_solutions)
     }
 }
 
-/** Roughly, for a scatter: one surrogate and half the loads, two fifths of the work or less, and much the same ratio. */
+/** Roughly, for a scatter: one surrogate and half the loads, two fifths of the work or less, and much the same ratio.
+ */
 TEST_CASE(roughly)
 {
     double *height = gaussian_rows(ROWS, 5);

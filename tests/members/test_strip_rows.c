@@ -164,6 +164,27 @@ FREED(pieces)
     }
 }
 
+/** Of whole scans with open ends so many points that their transforms are quick; of those that close, all. */
+FREED(quick_lengths)
+{
+    static const struct {
+        size_t points, length;
+    } cases[] = {{1009, 1008}, {4280, 4235}, {1001, 1001}, {64, 64}};
+    for (int periodic = 0; periodic < 2; periodic++)
+        for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
+            size_t points = cases[c].points, length = periodic ? points : cases[c].length;
+            ensemble_free(&set);
+            struct member *member = ensemble_room(&set);
+            *member = (struct member){.points = points, .spacing_m = 1e-6, .periodic = periodic};
+            expect_ok(repeats_add_scan, &set, "scan");
+            assert_non_null(member->height_m = calloc(points, sizeof(double)));
+            gather();
+            assert_int_equal(strips.rows.points, length);
+            assert_int_equal(strips.rows.periodic, periodic);
+            assert_false(strips.in_part);
+        }
+}
+
 static enum status_code solve(const atomic_bool *stop)
 {
     struct status status = {0};
