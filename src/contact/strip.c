@@ -23,8 +23,8 @@ static const struct {
     {0.55, 1.5e-2}, {0.8, 7e-3},    {1.1, 3e-3},  {1.6, 3e-3},    {2.3, 3e-3},
 };
 
-/* STRIP_ROUGHLY: every so manieth load, and times the tolerance: of 100 surfaces' quarters the scatter was 14 % wider.
- */
+/* STRIP_ROUGHLY: every so manieth load, and times the tolerance; of 100 surfaces' quarters it made the scatter 14 %
+ * wider. */
 enum { ROUGH_STEP = 2, ROUGH_TOLERANCE = 2 };
 
 static const double least_share = 0.3; /* of the points in contact that their outline leaves */

@@ -217,8 +217,8 @@ static void fit_mean(struct solver *solver)
 }
 
 /** Over a strip's set: what the edge of a patch would pull, the points behind it give, as far as they press. A step
- * takes hold of a patch at its edges (direct_contact_stiffen() puts there what it finds between patches): one that comes
- * apart would lose two points an iteration. */
+ * takes hold of a patch at its edges (direct_contact_stiffen() puts there what it finds between patches): one that
+ * comes apart would lose two points an iteration. */
 static void give_inwards(struct direct_contact *contact)
 {
     const uint32_t *set = contact->set;
