@@ -229,6 +229,34 @@ TEST_CASE(no_load_within_the_list)
     drop(&f);
 }
 
+/* Loads of a curve that is known already are looked up on it: the same answers, also at its ends. */
+TEST_CASE(known_loads)
+{
+    struct fixture f;
+    make(&f, 1);
+    size_t m = model_named("corrected-persson");
+    static struct contact_point points[LOADS + 1];
+    struct model_curve known = {.points = points};
+    expect_ok(model_run, &known, model_rows[m], &f.task);
+    assert_int_equal(known.count, LOADS);
+    double first = points[0].value[QUANTITY_AREA], last = points[LOADS - 1].value[QUANTITY_AREA];
+    size_t asked[] = {ask(&f, "area", 0.99 * first), ask(&f, "area", sqrt(first * last)), ask(&f, "area", 1.01 * last)};
+    f.task.hardness_Pa = sqrt(f.loads[0] / first * f.loads[LOADS - 1] / last) * f.task.pair->effective_modulus_Pa;
+    struct answer before[3];
+    find(&f);
+    for (int k = 0; k < 3; k++)
+        before[k] = *answer(&f, asked[k], "corrected-persson");
+    assert_true(before[0].above_hardness != before[2].above_hardness);
+    f.record.curves[m] = known;
+    find(&f);
+    for (int k = 0; k < 3; k++) {
+        const struct answer *now = answer(&f, asked[k], "corrected-persson");
+        assert_true(now->kind == before[k].kind && now->above_hardness == before[k].above_hardness);
+        assert_near(now->load, before[k].load, 1e-9);
+    }
+    drop(&f);
+}
+
 /* The corrected theory ends at A/A_n = 0.97: what it has there is met within a hundredth of it, and no more. */
 TEST_CASE(where_the_numbers_end)
 {
