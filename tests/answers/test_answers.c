@@ -241,12 +241,12 @@ TEST_CASE(known_loads)
     assert_int_equal(known.count, LOADS);
     double first = points[0].value[QUANTITY_AREA], last = points[LOADS - 1].value[QUANTITY_AREA];
     size_t asked[] = {ask(&f, "area", 0.99 * first), ask(&f, "area", sqrt(first * last)), ask(&f, "area", 1.01 * last)};
-    f.task.hardness_Pa = sqrt(f.loads[0] / first * f.loads[LOADS - 1] / last) * f.task.pair->effective_modulus_Pa;
+    f.task.hardness_Pa = 2 * f.loads[LOADS - 1] / last * f.task.pair->effective_modulus_Pa;
     struct answer before[3];
     find(&f);
     for (int k = 0; k < 3; k++)
         before[k] = *answer(&f, asked[k], "corrected-persson");
-    assert_true(before[0].above_hardness != before[2].above_hardness);
+    assert_false(before[2].above_hardness);
     f.record.curves[m] = known;
     find(&f);
     for (int k = 0; k < 3; k++) {
