@@ -132,10 +132,14 @@ static double excess(double ln_load, void *context)
 static enum status_code narrow(double ends[2], struct search *search)
 {
     enum { STEPS_MOST = 200 };
-    for (size_t i = 0; i < search->known->count; i++) {
-        double load = search->known->points[i].value[QUANTITY_LOAD];
-        if (load > ends[0] && load < ends[1])
-            ends[excess(log(load), search) < 0 ? 0 : 1] = load;
+    for (size_t begin = 0, end = search->known->count; begin < end;) {
+        size_t middle = (begin + end) / 2;
+        double load = search->known->points[middle].value[QUANTITY_LOAD];
+        bool inside = load > ends[0] && load < ends[1];
+        bool before = inside ? excess(log(load), search) < 0 : load <= ends[0];
+        if (inside)
+            ends[before ? 0 : 1] = load;
+        *(before ? &begin : &end) = before ? middle + 1 : middle;
     }
     gsl_function function = {excess, search};
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);

@@ -99,7 +99,7 @@ static enum status_code add_quarters(struct simulated *out, const struct record_
  * Records scatter by their long waves: intervals of scans of 64 000 and of 10^6 heights stay within 0.5 %. */
 static double *thin(struct record_heights *out, const struct record_heights *body)
 {
-    size_t each = (body->points + RECORD_POINTS - 1) / RECORD_POINTS;
+    size_t each = 1 + body->points / (RECORD_POINTS + 1);
     double *mean_m = calloc(body->points / each + 1, sizeof *mean_m);
     *out = (struct record_heights){mean_m, body->points / each, body->spacing_m * (double)each};
     for (size_t i = 0; mean_m && i < each * out->points; i++)

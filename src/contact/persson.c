@@ -35,7 +35,7 @@ static gsl_integration_glfixed_table *rule;
 static const double distance = 0.1, together = 1e-5;
 
 /** I_2 of ln x as Chebyshev series on cells as wide as the nodes are apart, so that at one load all nodes are at the
- * same place of theirs: a node takes a sixth of the time that its integral would. */
+ * same place of theirs: a node takes an eighth of the time that its integral would. */
 enum { CELLS = 240, DEGREE = 9 };
 static double cell[CELLS][DEGREE + 1];
 static double cells_begin; /* ln x */

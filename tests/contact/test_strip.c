@@ -158,7 +158,7 @@ TEST_CASE(rows_are_mirrored)
     assert_memory_equal(&strip, &expected, sizeof strip);
 }
 
-/** The gap is that of the points which do not touch: what the solver's tolerance leaves on the others would make it 4 %
+/** The gap is that of the points which do not touch: what the solver's tolerance leaves on the others would make it 6 %
  * too large where most touch. Truth: the same strip solved to 1e-9. */
 TEST_CASE(gap_of_the_open_points)
 {
