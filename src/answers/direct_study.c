@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "answers/direct_study.h"
 
-#include "base/clock.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -169,66 +168,6 @@ static enum status_code run_models(struct maker *maker, struct status *status)
     return rc;
 }
 
-/** Every `step`-th point of a square's heights, at one load. */
-static enum status_code time_grid(struct direct_study_grid *out, const double *height_m, const struct direct_grid *all,
-                                  size_t step, const struct direct_ladder_def *ladder, struct status *status)
-{
-    const size_t n = all->nx / step;
-    const struct direct_grid grid = {n, n, all->spacing_m * (double)step, all->mirrored};
-    struct direct_contact contact;
-    struct direct_point point;
-    double begin = clock_seconds(), *every_m = malloc(n * n * sizeof *every_m);
-    *out = (struct direct_study_grid){.n = (all->mirrored ? 2 : 1) * n};
-    if (!every_m)
-        return status_memory(status);
-    for (size_t k = 0; k < n * n; k++)
-        every_m[k] = height_m[k / n * step * all->nx + k % n * step];
-    enum status_code rc = direct_contact_make(&contact, every_m, &grid, status);
-    free(every_m);
-    if (rc != STATUS_OK)
-        return rc;
-    rc = direct_ladder_run(&point, &contact, ladder, status);
-    direct_contact_free(&contact);
-    out->seconds = clock_seconds() - begin;
-    for (int q = 0; q < DIRECT_QUANTITIES && rc == STATUS_OK; q++)
-        out->value[q] = point.exists ? direct_point_value(&point, (enum direct_quantity)q) : NAN;
-    return rc;
-}
-
-/** What a finer grid costs, and gains: of the first surface, at the load solved that is nearest to the timed one. */
-static enum status_code time_grids(struct maker *maker, const struct direct_ensemble_def *def, struct status *status)
-{
-    struct direct_study *study = maker->study;
-    const struct direct_grid grid =
-        def->map ? def->map->grid : (struct direct_grid){def->n, def->n, def->length_m / (double)def->n, false};
-    const size_t n = grid.nx, all = (grid.mirrored ? 2 : 1) * n; /* points a side of what repeats */
-    struct direct_ladder_def ladder = def->ladder;
-    double *made_m = NULL;
-    size_t step = 1;
-    for (size_t i = 0; i < def->ladder.loads; i++)
-        if (fabs(log(def->ladder.load[i] / maker->task->timed_load)) <
-            fabs(log(*ladder.load / maker->task->timed_load)))
-            ladder.load = &def->ladder.load[i];
-    ladder.loads = 1;
-    while (all % (4 * step) == 0 && all / (2 * step) >= DIRECT_STUDY_COARSEST && step < 1 << (DIRECT_STUDY_GRIDS - 1))
-        step *= 2;
-    if (def->ladder.loads == 0 || step == 1)
-        return STATUS_OK;
-    if (!def->map) {
-        made_m = malloc(n * n * sizeof *made_m);
-        if (!made_m)
-            return status_memory(status);
-        if (direct_surface_make(made_m, n, &def->recipe, 1, status) != STATUS_OK)
-            step = 0;
-    }
-    for (; step > 0; step /= 2)
-        if (time_grid(&study->grids[study->grid_count++], def->map ? def->map->height_m : made_m, &grid, step, &ladder,
-                      status) != STATUS_OK)
-            break;
-    free(made_m);
-    return status->code;
-}
-
 static enum status_code run(struct maker *maker, struct status *status)
 {
     struct direct_study *study = maker->study;
@@ -250,9 +189,6 @@ static enum status_code run(struct maker *maker, struct status *status)
     for (int kind = 0; kind < DIRECT_STUDY_KINDS; kind++)
         if (solve(maker, (enum direct_study_kind)kind, &defs[kind], status) != STATUS_OK)
             return status->code;
-    const bool capped = defs[DIRECT_STUDY_CAPPED].ladder.loads > 0;
-    if (maker->task->timed_load > 0 && time_grids(maker, &defs[capped], status) != STATUS_OK)
-        return status->code;
     return run_models(maker, status);
 }
 
@@ -310,16 +246,6 @@ double direct_study_grid_error(const struct direct_study *study, enum direct_stu
 {
     const struct direct_mean *mean = mean_of(study, kind, quantity, i);
     return mean && isfinite(mean->fine_ratio) ? fabs(mean->fine_ratio - 1) : 0;
-}
-
-double direct_study_grid_off(const struct direct_study *study, enum quantity quantity, size_t k)
-{
-    const struct quantity_solved *solved = &quantity_rows[quantity].solved;
-    if (study->grid_count < 2 || !solved->column)
-        return NAN;
-    const struct direct_study_grid *finest = &study->grids[study->grid_count - 1];
-    double limit = 2 * finest->value[solved->mean] - finest[-1].value[solved->mean];
-    return fabs(study->grids[k].value[solved->mean] / limit - 1);
 }
 
 enum direct_study_kind direct_study_kind_of(const struct direct_study *study, size_t model)

@@ -25,14 +25,6 @@ struct direct_study_curve {
     size_t loads, seeds;
 };
 
-/** One load of the first surface, or of the map, with every so many of its points. */
-struct direct_study_grid {
-    size_t n; /* points a side, twice those of the one before */
-    double seconds;
-    double value[DIRECT_QUANTITIES];
-};
-enum { DIRECT_STUDY_GRIDS = 4, DIRECT_STUDY_COARSEST = 64 };
-
 /** Of one surface. Owned: direct_study_free(). */
 struct direct_study {
     size_t surface; /* its index */
@@ -41,8 +33,6 @@ struct direct_study {
     struct spectrum rows;       /* of the surface solved */
     struct model_curve *models; /* model_count of them; NULL: not run */
     uint64_t solutions;         /* contacts solved, as planned */
-    struct direct_study_grid grids[DIRECT_STUDY_GRIDS];
-    size_t grid_count; /* 0: not asked for, or there is no coarser one */
 };
 
 /** How a described surface's contact will be solved, with the law matched: into summary.direct. Error: STATUS_MEMORY.
@@ -55,7 +45,6 @@ struct direct_study_task {
     const struct surface_record *surface; /* described, with its direct_m; its plan is possible */
     size_t index;
     struct surface_task asked;                                /* but its loads: those of the plan are solved */
-    double timed_load;                                        /* P/(A_n E') near which grids are timed; 0: nowhere */
     unsigned threads;                                         /* 0: one a processor; the result does not depend on it */
     void (*progress)(void *context, double done, double all); /* told of work done, from several threads; NULL: not */
     void *progress_context;
@@ -79,9 +68,6 @@ double direct_study_value(const struct direct_study *study, const struct materia
  */
 double direct_study_grid_error(const struct direct_study *study, enum direct_study_kind kind, enum quantity quantity,
                                size_t i);
-/** By what share grid `k` is off from what the two finest extrapolate to, their error falling with the spacing; NaN:
- * not known. */
-double direct_study_grid_off(const struct direct_study *study, enum quantity quantity, size_t k);
 /** What a model is held against: with a hardness where it yields and that is solved, else elastic. */
 enum direct_study_kind direct_study_kind_of(const struct direct_study *study, size_t model);
 /** Model over direct solution; NaN where either has no number. */

@@ -215,16 +215,14 @@ static struct estimate estimate_at(const struct uncertainty *uncertainty, const 
         }
     if (count == 0)
         return estimate_none;
-    struct estimate out =
-        estimate_of_error(quantity_shown(point, model_shown(model, quantity), sigma_m),
-                          single_scan_s_at(log(point->value[QUANTITY_LOAD]), ln_known, s, count), SINGLE_SCAN_DEGREES);
-    out.share = quantity == QUANTITY_AREA;
-    return out;
+    return estimate_of_error(quantity_shown(point, model_shown(model, quantity), sigma_m),
+                             single_scan_s_at(log(point->value[QUANTITY_LOAD]), ln_known, s, count),
+                             SINGLE_SCAN_DEGREES);
 }
 
-/** The band and the estimates of model `m`, by its errors. */
+/** The estimates of model `m` where the summary stands, and its band where one is wanted, by these errors. */
 static enum status_code put_errors(struct surface_record *record, size_t m, const struct uncertainty *errors,
-                                   const struct uncertainty_scan *scan, struct status *status)
+                                   bool banded, const struct uncertainty_scan *scan, struct status *status)
 {
     const struct model_curve *curve = &record->curves[m];
     const struct model_task *task = scan->task;
@@ -232,21 +230,23 @@ static enum status_code put_errors(struct surface_record *record, size_t m, cons
     struct estimate estimates[CURVE_ESTIMATES];
     for (int which = 0; which < CURVE_ESTIMATES; which++)
         estimates[which] = estimate_none;
-    if (!(record->bands[m] = ensemble_band_make(task->loads, task->load_count)))
+    if (banded && !(record->bands[m] = ensemble_band_make(task->loads, task->load_count)))
         return status_memory(status);
-    for (size_t i = 0; i < curve->count; i++) {
+    for (size_t i = banded ? 0 : model_task_operating(task); i < curve->count; i++) {
         const struct contact_point *point = &curve->points[i];
-        if (point->value[QUANTITY_LOAD] != record->bands[m][i].load)
+        if (i == task->load_count || point->value[QUANTITY_LOAD] != task->loads[i])
             break; /* a statistical curve closes at a load of its own */
         struct estimate own[QUANTITY_COUNT];
         for (int q = 0; q < QUANTITY_COUNT; q++)
             own[q] = estimate_at(errors, model_rows[m], (enum quantity)q, point, record->summary.asperities.sigma_m);
         ensemble_settle(own, point, model_rows[m], scan->joint, waves);
-        for (int q = 0; q < QUANTITY_COUNT; q++)
+        for (int q = 0; q < QUANTITY_COUNT && banded; q++)
             for (int side = 0; side < 2; side++)
                 record->bands[m][i].mean[q][side] = estimate_end(&own[q], side);
         if (i == model_task_operating(task))
             memcpy(estimates, own, sizeof own);
+        if (!banded)
+            break;
     }
     return curve_summary_put_estimates(record->summary.models[m], estimates, status);
 }
@@ -273,8 +273,10 @@ enum status_code uncertainty_run(struct surface_record *record, const struct sur
     if (rc != STATUS_OK && rc != STATUS_SCAN)
         (void)status_fail(status, rc, "%s", problem.message);
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++)
-        if (record->curves[m].exists && uncertainty_holds(asked->plan, m))
-            rc = put_errors(record, m, &all[m], &scan, status);
+        if (record->curves[m].exists && !model_rows[m]->uses_map) {
+            const bool own = uncertainty_holds(asked->plan, m); /* else as the leading model's answers scatter */
+            rc = put_errors(record, m, &all[own ? m : plan_leading_model(asked->plan)], own, &scan, status);
+        }
     free(all);
     summary->times.uncertainty += clock_seconds() - started;
     return rc == STATUS_SCAN ? STATUS_OK : rc; /* no records of this one */
@@ -301,7 +303,7 @@ enum status_code uncertainty_of_map(struct surface_record *record, size_t m, con
             double value = quantity_shown(&curve->points[i], (enum quantity)q, record->summary.asperities.sigma_m);
             double s = transfer_error(task->transfer, model_rows[m]->plastic, which, task->loads[i]);
             struct estimate own = estimate_of_error(value, hypot(s, carried[which]), MAP_DEGREES);
-            own.share = q == QUANTITY_AREA;
+            own.bound[1] = q == QUANTITY_AREA;
             for (int side = 0; side < 2; side++)
                 record->bands[m][i].mean[q][side] = estimate_end(&own, side);
             if (i == model_task_operating(task))

@@ -691,7 +691,7 @@ static void make_direct(struct chart *chart, const struct source *source)
     }
 }
 
-/** Expected error against time: every model, at each tolerance, and the direct solution of the baseline. */
+/** 95 % error against time: every model, at each tolerance. */
 static void make_accuracy(struct chart *chart, const struct source *source)
 {
     chart->panel_height = 180;
@@ -700,7 +700,7 @@ static void make_accuracy(struct chart *chart, const struct source *source)
     chart_panel(chart, "", SAY("axis.time"), asked_label(source, "axis.error_of"), true, true);
     for (size_t m = 0; m < model_count; m++) {
         const struct accuracy accuracy = accuracy_of(source->results, m, source->asked.quantity);
-        if (accuracy.source == ACCURACY_NONE)
+        if (!accuracy.known)
             continue;
         struct chart_curve look = model_look(m);
         look.kind = CHART_LINE;
@@ -712,16 +712,7 @@ static void make_accuracy(struct chart *chart, const struct source *source)
         look.kind = CHART_POINTS;
         look.legend = "";
         chart_curve(chart, &look);
-        chart_row(chart, accuracy.seconds[accuracy.used], accuracy.error, 0, 0);
-    }
-    const struct direct_study *study = results_direct_baseline(source->results);
-    for (int marks = 0; marks < 2 && study && study->grid_count > 1; marks++) {
-        CURVE(.kind = marks ? CHART_POINTS : CHART_LINE, .legend = marks ? "" : SAY("direct"), .marker = 5,
-              .width = 1.4, .colour = ink, .notes = NOTE(FIGURE_DIRECT));
-        for (size_t k = 0; k < study->grid_count; k++)
-            if (direct_study_grid_off(study, source->asked.quantity, k) > 0)
-                chart_row(chart, study->grids[k].seconds, direct_study_grid_off(study, source->asked.quantity, k), 0,
-                          0);
+        chart_row(chart, accuracy.seconds[accuracy.used], model_factor(accuracy.sd) - 1, 0, 0);
     }
 }
 

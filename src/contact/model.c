@@ -143,40 +143,9 @@ enum quantity model_shown(const struct model_row *row, enum quantity quantity)
     return adjusts ? QUANTITY_ADJUSTED : quantity;
 }
 
-double model_sd(const struct model_row *row, enum quantity quantity)
-{
-    bool resistance = QUANTITY_RESISTANCES & QUANTITY_BIT(quantity);
-    return quantity == QUANTITY_AREA         ? row->ln_sd[0]
-           : quantity == QUANTITY_SEPARATION ? row->ln_sd[1]
-           : resistance                      ? row->ln_sd[2]
-                                             : 0;
-}
-
-double model_rms(const struct model_row *row, enum quantity quantity, bool one_scan, bool hard)
-{
-    const int column = quantity == QUANTITY_AREA                                          ? 0
-                       : quantity == QUANTITY_SEPARATION || quantity == QUANTITY_MEAN_GAP ? 1
-                                                                                          : 2;
-    double rms = row->ln_rms[hard ? MODEL_SCANS_HARD : one_scan ? MODEL_SCAN : MODEL_SCANS][column];
-    const struct model_row *elastic = row->elastic ? row->elastic : row;
-    return hard && one_scan && rms > 0 ? fmax(rms, elastic->ln_rms[MODEL_SCAN][column]) : rms;
-}
-
 double model_task_longest_waves(const struct model_task *task)
 {
     return task->rows && !task->rows->periodic ? spectrum_longest_waves(task->spectrum) : 0;
-}
-
-double model_few_waves_sd(double longest_waves)
-{
-    static const double waves = 2.5, sd = 1.3;
-    return longest_waves > 0 && longest_waves < waves ? sd * log(waves / longest_waves) : 0;
-}
-
-double model_surface_sd(const struct model_row *row, enum quantity quantity, double longest_waves)
-{
-    double own = model_sd(row, quantity);
-    return own > 0 ? hypot(own, model_few_waves_sd(longest_waves)) : own;
 }
 
 double model_elastic_share(const struct model_row *row, const struct contact_point *point, double load_over_hardness)

@@ -59,9 +59,6 @@ struct model_curve {
     size_t carried;            /* points at the end that are only carried on */
 };
 
-/** What a model's error was measured from: scans of four of the longest waves, where metal yields or not. */
-enum model_known { MODEL_SCANS, MODEL_SCAN, MODEL_SCANS_HARD, MODEL_KNOWN };
-
 struct model_row {
     const char *name;                    /* as in contact.csv and scenes */
     const char *label;                   /* as in charts, tables and lists of names: no comma */
@@ -77,10 +74,6 @@ struct model_row {
     bool uses_strip;                             /* works on model_task.strip, and model_task.bearing where plastic */
     bool uses_map;                               /* is model_task.transfer: of the whole surface, not of its scans */
     unsigned quantities;                         /* QUANTITY_BITs it computes */
-    double ln_sd[3]; /* of ln area, separation and resistance beside the scatter of scans, where the model says how far
-                        it is from a surface of any heights; 0: it does not */
-    double ln_rms[MODEL_KNOWN][3]; /* rms of ln(model/direct solution) of the same, over surfaces of eight laws of
-                                      heights (docs/validation.md, other heights); 0: not measured */
     unsigned may_be_empty;         /* those of them that it leaves empty (NaN) where it should not be trusted */
     double largest_area;           /* A/A_n up to which it is valid; 0: any */
     bool ends;                     /* it has no numbers beyond that */
@@ -139,18 +132,25 @@ MUST_CHECK enum status_code model_run(struct model_curve *curve, const struct mo
 struct contact_point model_point(const struct transfer_point *contact, const struct model_row *row,
                                  const struct model_task *task);
 
-/** Its ln_rms of a quantity, of what the joint makes of a resistance as of that; 0: not measured. Of one scan where
- * metal yields nothing was measured: the larger of the two. */
-double model_rms(const struct model_row *row, enum quantity quantity, bool one_scan, bool hard);
-/** Its ln_sd of a quantity. */
+/** How far a model is from the contact of a surface of any heights: standard deviations of ln area, gap, resistance. */
+struct model_error {
+    const struct model_row *model;
+    double ln_sd[3];
+};
+extern const struct model_error model_errors[]; /* model_error.c; a model that is not in it says nothing of its error */
+extern const size_t model_error_count;
+
+/** A model's error of a quantity: of what the joint makes of a resistance as of that; 0: not known. */
 double model_sd(const struct model_row *row, enum quantity quantity);
 /** How many of their longest waves the scans hold (spectrum_longest_waves()) whose ends are open; 0: they close. */
 double model_task_longest_waves(const struct model_task *task);
 /** What scans of fewer than 2.5 longest waves cannot know of the surface, of ln a quantity: 1.3 ln(2.5/waves), measured
  * against direct solutions. waves 0: nothing. */
 double model_few_waves_sd(double longest_waves);
-/** model_sd() with that in quadrature; of a model without an ln_sd nothing. */
+/** model_sd() with that in quadrature; of a model of no known error nothing. */
 double model_surface_sd(const struct model_row *row, enum quantity quantity, double longest_waves);
+/** The factor that 95 % of what has this standard deviation of its logarithm lie within: how errors are printed. */
+double model_factor(double ln_sd);
 
 /** 1 - (P/(H A))^4 at a point of a model with a hardness: d ln A/d ln A_e of bearing_area(), A_e the elastic area; 1 of
  * any other. `load_over_hardness`: P/H, NaN where no hardness is known. */

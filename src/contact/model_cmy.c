@@ -67,7 +67,6 @@ const struct model_row model_cmy = {
     .label = "CMY",
     .family = "cmy",
     .plastic = true,
-    .ln_rms = {{0}, {0}, {0.61, 0.55, 0.83}},
     .quantities = QUANTITY_USUAL,
     .stiffness_step = MODEL_STIFFNESS_STEP,
     .textbook = true,

@@ -6,6 +6,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /** A/A_n up to which spots count as independent, and so have a radius and a plating factor. */
 static const double joint_independent_area = 0.1;
@@ -261,10 +262,13 @@ void joint_model_sd(double out[QUANTITY_COUNT], const struct contact_point *poin
     const double pressure_Pa = material_pair_pressure(task->pair, point->value[QUANTITY_LOAD]);
     struct contact_point rougher = *point;
     for (int q = 0; q < QUANTITY_COUNT; q++) {
-        out[q] = model_surface_sd(row, (enum quantity)q, longest_waves);
-        if (q == QUANTITY_AREA && row->plastic && out[q] > 0) { /* what exp(sd) times the elastic area makes of it */
-            double share = model_elastic_share(row, point, pressure_Pa / task->pair->hardness_Pa);
-            out[q] = hypot(bearing_area_sd, log1p(share * expm1(4 * out[q])) / 4);
+        out[q] = q == QUANTITY_AREA || q == QUANTITY_SEPARATION || (QUANTITY_RESISTANCES & QUANTITY_BIT(q))
+                     ? model_surface_sd(row, (enum quantity)q, longest_waves)
+                     : 0;
+        if (q == QUANTITY_AREA && row->plastic && row->uses_strip) { /* what exp(sd) times the elastic area makes of it */
+            double share = model_elastic_share(row, point, pressure_Pa / task->pair->hardness_Pa),
+                   elastic_sd = model_surface_sd(row->elastic, QUANTITY_AREA, longest_waves);
+            out[q] = hypot(bearing_area_sd, log1p(share * expm1(4 * elastic_sd)) / 4);
         }
         rougher.value[q] *= exp(q == QUANTITY_AREA ? -out[q] : out[q]);
     }
@@ -274,6 +278,32 @@ void joint_model_sd(double out[QUANTITY_COUNT], const struct contact_point *poin
     for (int q = 0; q < QUANTITY_COUNT; q++)
         if (quantity_rows[q].from)
             out[q] = fabs(log(rougher.value[q] / point->value[q]));
+}
+
+void joint_bounds(double out[QUANTITY_COUNT][2], const struct contact_point *point, const struct model_row *row,
+                  const struct joint_task *task)
+{
+    const double share = material_pair_pressure(task->pair, point->value[QUANTITY_LOAD]) / task->pair->hardness_Pa;
+    memset(out, 0, QUANTITY_COUNT * sizeof *out);
+    out[QUANTITY_AREA][1] = 1;
+    if (!row->plastic || !(share > 0 && share < 1))
+        return;
+    out[QUANTITY_AREA][0] = share;
+    struct contact_point one = *point;
+    const double radius_m = sqrt(share * task->nominal_area_m2 / M_PI),
+                 length_m = task->nominal_area_m2 / (2 * radius_m); /* (rho_1 + rho_2) A_n/(4a) is rho times that */
+    if (!(length_m > 0))
+        return;
+    one.value[QUANTITY_AREA] = share;
+    one.value[QUANTITY_ECR] = task->pair->resistivity_ohm_m * length_m;
+    one.value[QUANTITY_TCR] = length_m / task->pair->conductivity_W_per_mK;
+    out[QUANTITY_ECR][1] = one.value[QUANTITY_ECR];
+    out[QUANTITY_TCR][1] = one.value[QUANTITY_TCR];
+    joint_apply(&one, NULL, 1, task, NULL);
+    if (isfinite(one.value[QUANTITY_JOINT_ECR]))
+        out[QUANTITY_JOINT_ECR][1] = one.value[QUANTITY_JOINT_ECR];
+    if (isfinite(one.value[QUANTITY_JOINT]))
+        out[QUANTITY_JOINT][0] = one.value[QUANTITY_JOINT];
 }
 
 enum status_code joint_curve(struct model_curve *curve, const struct model_row *row, const struct model_task *task,

@@ -275,7 +275,6 @@ static enum status_code mean_point(struct contact_point *out, struct estimate *e
             curves->value[r] = point_of(curves, r, at)->value[q] / (row->sigma_column ? curves->sigma_m[r] : 1);
         if (mean_of(&mean, estimate, of, logarithmic, status) != STATUS_OK)
             return status->code;
-        estimate->share = q == QUANTITY_AREA;
         out->value[q] =
             row->from ? NAN : mean * (row->sigma_column ? of->set->sigma_m : 1); /* joint_apply() fills it */
     }
@@ -349,6 +348,10 @@ void ensemble_settle(struct estimate estimates[QUANTITY_COUNT], const struct con
         else if (quantity_rows[q].from)
             estimates[q] = estimate_none;
     }
+    double bound[QUANTITY_COUNT][2];
+    joint_bounds(bound, point, model, joint);
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        memcpy(estimates[q].bound, bound[q], sizeof bound[q]);
     if (model_area_is_pressed(model, point, pressure_Pa / joint->pair->hardness_Pa))
         estimates[QUANTITY_AREA].half_width = estimates[QUANTITY_AREA].next_half_width = NAN;
 }

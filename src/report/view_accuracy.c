@@ -17,27 +17,21 @@ static void put_seconds(json_t *out, const char *name, double seconds)
         view_number(out, name, seconds / 60, 2, "min");
 }
 
-/** Each model's expected error of what is asked, and its time; those that no other betters at its price. */
+/** Each model's error of what is asked, and its time; those that no other betters at its price. */
 static void put_models(json_t *out, const struct view_source *source)
 {
-    static const char *const froms[] = {[ACCURACY_NONE] = "",
-                                        [ACCURACY_DIRECT] = "by_direct",
-                                        [ACCURACY_MEASURED] = "measured",
-                                        [ACCURACY_MAP] = "by_map"};
     const enum quantity quantity = source->asked.quantity;
     json_t *rows = view_list(out, "models"), *best = view_list(out, "best");
     double finest = 0, coarsest = 0, solved = 0, dearer[64];
     for (size_t m = 0; m < model_count; m++) {
         const struct accuracy accuracy = accuracy_of(source->results, m, quantity);
-        if (accuracy.source == ACCURACY_NONE)
+        if (!accuracy.known)
             continue;
         json_t *row = view_item(rows);
         view_text(row, "label", model_rows[m]->label);
-        view_number(row, "factor", 1 + accuracy.error, 2, "");
+        view_number(row, "factor", model_factor(accuracy.sd), 2, "");
+        view_number(row, "here", accuracy.here, 2, "");
         put_seconds(row, "time", accuracy.seconds[accuracy.used]);
-        view_flag(row, froms[accuracy.source], true);
-        view_flag(row, "one_scan", accuracy.one_scan);
-        view_flag(row, "hard", accuracy.hard);
         if (accuracy_is_best(source->results, m, quantity)) { /* the dearest first */
             size_t at = json_array_size(best);
             for (; at > 0 && dearer[at - 1] < accuracy.seconds[accuracy.used]; at--)
@@ -49,18 +43,9 @@ static void put_models(json_t *out, const struct view_source *source)
         finest += accuracy.seconds[BENCHMARK_STEPS - 1];
         solved = fmax(solved, accuracy.seconds[accuracy.used]);
     }
-    const struct direct_study *study = results_direct_baseline(source->results);
-    json_t *grids = view_list(out, "grids");
-    for (size_t k = 0; study && k < study->grid_count; k++)
-        if (direct_study_grid_off(study, quantity, k) > 0) {
-            json_t *row = view_item(grids);
-            view_count(row, "points", study->grids[k].n);
-            view_number(row, "off", 100 * direct_study_grid_off(study, quantity, k), 2, "%");
-            put_seconds(row, "time", study->grids[k].seconds);
-        }
     const double few_waves = accuracy_few_waves_sd(source->results, source->results->baseline);
     if (few_waves > log(1.05))
-        view_number(out, "few_waves", exp(few_waves), 2, "");
+        view_number(out, "few_waves", model_factor(few_waves), 2, "");
     view_separate(best);
     view_flag(out, "digits_are_free", finest - coarsest < 0.1 * solved);
     put_seconds(out, "digits", finest - coarsest);

@@ -276,18 +276,17 @@ static void put_by_roughness(json_t *out, const struct view_source *source)
 static void put_chosen(json_t *out, const struct view_source *source)
 {
     const struct scene *scene = source->results->scene;
-    if (!(scene->chosen_rms > 0))
+    if (!(scene->chosen_sd > 0))
         return;
     json_t *item = view_part(out, "chosen");
     view_number(item, "percent", 100 * scene->accuracy, DIGITS, "");
-    view_number(item, "factor", exp(scene->chosen_rms), DIGITS, "");
-    view_flag(item, "met", expm1(scene->chosen_rms) <= scene->accuracy);
-    view_flag(item, "one_scan", scene->one_scan);
+    view_number(item, "factor", model_factor(scene->chosen_sd), DIGITS, "");
+    view_flag(item, "met", model_factor(scene->chosen_sd) - 1 <= scene->accuracy);
     double few_waves = 0;
     for (size_t k = 0; k < source->results->usable_count; k++)
         few_waves = fmax(few_waves, accuracy_few_waves_sd(source->results, source->results->by_roughness[k]));
     if (few_waves > log(1.05))
-        view_number(item, "in_all", exp(hypot(scene->chosen_rms, few_waves)), DIGITS, "");
+        view_number(item, "in_all", model_factor(hypot(scene->chosen_sd, few_waves)), DIGITS, "");
 }
 
 /** The surfaces that have no place in the ranking: some by name, the others counted. */

@@ -12,12 +12,10 @@ double accuracy_few_waves_sd(const struct results *results, size_t surface)
     return model_few_waves_sd(model_task_longest_waves(&task));
 }
 
-/** Sets the error, without what too few long waves leave open: against the direct solution of this surface where there
- * is one, else as it was measured. */
+/** Sets what is known of a model's error: the table's, and how far it is from the direct solution of this surface. */
 static void set_error(struct accuracy *out, const struct results *results, size_t m, enum quantity quantity)
 {
     const struct surface_summary *summary = &results->surfaces[results->baseline].summary;
-    const struct model_row *row = model_rows[m];
     const struct direct_study *study = results_direct_baseline(results);
     const enum quantity held = quantity == QUANTITY_MEAN_GAP      ? QUANTITY_SEPARATION
                                : quantity_rows[quantity].from > 0 ? results_criterion(results)
@@ -26,27 +24,18 @@ static void set_error(struct accuracy *out, const struct results *results, size_
     struct direct_study_distance distance = {0};
     if (study && study->models && direct_study_kind_of(study, m) == direct_study_kind_of(study, leading))
         distance = direct_study_distance(study, &summary->pair, m, held);
-    if (distance.loads > 0) {
-        out->source = ACCURACY_DIRECT;
-        out->error = distance.mean_factor - 1;
-        return;
-    }
-    if (row->uses_map) {
-        out->source = ACCURACY_MAP;
-        out->error = expm1(curve_summary_estimate(surface_model(summary, m), (int)held)->s);
-    } else {
-        out->source = ACCURACY_MEASURED;
-        out->one_scan = summary->scans == 1;
-        out->hard = plan_runs(results->plan, EFFECT_PLASTICITY) && summary->pair.hardness_Pa > 0;
-        out->error = expm1(model_rms(row, quantity, out->one_scan, out->hard));
-    }
-    if (!(out->error > 0))
-        out->source = ACCURACY_NONE;
+    out->here = distance.loads > 0 ? fmax(distance.most, 1 / distance.least) : NAN;
+    out->sd = model_sd(model_rows[m], quantity);
+    if (out->sd > 0)
+        out->sd = hypot(out->sd, accuracy_few_waves_sd(results, results->baseline));
+    else if (model_rows[m]->uses_map)
+        out->sd = curve_summary_estimate(surface_model(summary, m), (int)held)->s;
+    out->known = out->sd > 0;
 }
 
 struct accuracy accuracy_of(const struct results *results, size_t model, enum quantity quantity)
 {
-    struct accuracy out = {.source = ACCURACY_NONE};
+    struct accuracy out = {.known = false};
     const struct benchmark *cost = results->benchmark;
     const struct surface_summary *summary = &results->surfaces[results->baseline].summary;
     size_t first = 0;
@@ -57,13 +46,11 @@ struct accuracy accuracy_of(const struct results *results, size_t model, enum qu
     const double solved = (model_rows[model]->uses_strip ? summary->times.strips : 0) +
                           (model_rows[model]->uses_map ? summary->times.tiles : 0);
     set_error(&out, results, model, quantity);
-    if (out.source != ACCURACY_NONE && out.source != ACCURACY_MAP)
-        out.error = expm1(hypot(log1p(out.error), accuracy_few_waves_sd(results, results->baseline)));
     for (size_t i = 0; i < BENCHMARK_STEPS; i++) {
         const struct benchmark_row *row = &cost->rows[first + i];
         const double tolerance = results->scene->tolerance;
         out.seconds[i] = solved + row->seconds;
-        out.total_error[i] = hypot(out.error, row->error);
+        out.total_error[i] = hypot(model_factor(out.sd) - 1, row->error);
         if (fabs(log(row->tolerance / tolerance)) < fabs(log(cost->rows[first + out.used].tolerance / tolerance)))
             out.used = i;
     }
@@ -75,11 +62,10 @@ bool accuracy_is_best(const struct results *results, size_t model, enum quantity
     const struct accuracy own = accuracy_of(results, model, quantity);
     for (size_t m = 0; m < model_count; m++) {
         const struct accuracy other = accuracy_of(results, m, quantity);
-        if (other.source != ACCURACY_NONE && other.seconds[other.used] <= own.seconds[own.used] &&
-            other.error < own.error)
+        if (other.known && other.seconds[other.used] <= own.seconds[own.used] && other.sd < own.sd)
             return false;
     }
-    return own.source != ACCURACY_NONE;
+    return own.known;
 }
 
 double accuracy_effect_factor(const struct results *results, enum effect effect, enum quantity quantity)

@@ -1,29 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* How far each model's answer is expected to be off, and what it took: accuracy against time. */
+/* How far each model's answer may be off, and what it took: accuracy against time. */
 #ifndef RESULTS_ACCURACY_H
 #define RESULTS_ACCURACY_H
 
 #include "results/results.h"
 
-/** What an expected error is of. */
-enum accuracy_source {
-    ACCURACY_NONE,
-    ACCURACY_DIRECT,   /* the direct solution of this surface: mean over its loads */
-    ACCURACY_MEASURED, /* docs/validation.md: rms over surfaces of other heights */
-    ACCURACY_MAP       /* of a direct solution of the map: its own scatter */
-};
-
 /** Of a quantity of a model on the baseline. */
 struct accuracy {
-    enum accuracy_source source;
-    double error;                        /* relative: exp of that in the logarithm, less 1 */
+    bool known;                          /* false: the model does not run, nothing was timed, or no error is known */
+    double sd;                           /* of ln the quantity: model_sd() and too few waves; of a map its grid's */
+    double here;                         /* the factor it is off by from the direct solution of this very surface, the
+                                            largest of all loads solved; NaN: not solved */
     double seconds[BENCHMARK_STEPS];     /* at each tolerance, what is solved for the model's ratios included */
-    double total_error[BENCHMARK_STEPS]; /* with that of the tolerance in quadrature */
+    double total_error[BENCHMARK_STEPS]; /* 95 %, relative, with that of the tolerance in quadrature */
     size_t used;                         /* the step nearest to the run's tolerance */
-    bool one_scan, hard;                 /* what ACCURACY_MEASURED was measured from */
 };
 
-/** NONE: the model does not run, nothing was timed, or nothing tells its error. */
 struct accuracy accuracy_of(const struct results *results, size_t model, enum quantity quantity);
 
 /** What too few of the longest waves in a surface's scans add to the error of ln a quantity, whatever the model, in

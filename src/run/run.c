@@ -138,7 +138,6 @@ static enum status_code run_direct(struct run *run, struct status *status)
             .surface = record,
             .index = i,
             .asked = {.scene = results->scene, .plan = results->plan, .stop = run->options->stop},
-            .timed_load = run->options->no_cost || i != results->baseline ? 0 : results_operating_load(results, i),
             .threads = run->options->jobs,
             .progress = add_progress,
             .progress_context = &stage};

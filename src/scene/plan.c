@@ -139,20 +139,18 @@ void plan_choose_model(struct scene *scene)
     const bool hard = plan_runs(&plan, EFFECT_PLASTICITY);
     size_t chosen = model_count;
     bool met = false;
-    for (size_t i = 0; i < scene->surface_count; i++)
-        scene->one_scan = scene->one_scan || scene->surfaces[i].files.count == 1;
     for (size_t m = 0; m < model_count; m++) {
         const struct model_row *row = model_rows[m], *before = chosen < model_count ? model_rows[chosen] : NULL;
-        const double rms = plan_runs_model(&plan, m) && row->plastic == hard
-                               ? model_rms(row, asked_quantity(&plan, scene), scene->one_scan, hard)
-                               : 0;
-        const bool good = expm1(rms) <= scene->accuracy;
-        if (!(rms > 0) || (met && !good))
+        const double sd = plan_runs_model(&plan, m) && row->plastic == hard
+                              ? model_sd(row, asked_quantity(&plan, scene))
+                              : 0;
+        const bool good = model_factor(sd) - 1 <= scene->accuracy;
+        if (!(sd > 0) || (met && !good))
             continue;
         if (!before || (good && !met) || (good && row->uses_strip < before->uses_strip) ||
-            (row->uses_strip == before->uses_strip && rms < scene->chosen_rms) || (!good && rms < scene->chosen_rms)) {
+            (row->uses_strip == before->uses_strip && sd < scene->chosen_sd) || (!good && sd < scene->chosen_sd)) {
             chosen = m;
-            scene->chosen_rms = rms;
+            scene->chosen_sd = sd;
         }
         met = met || good;
     }

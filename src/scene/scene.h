@@ -169,9 +169,8 @@ struct scene {
     struct scene_one_load operating;   /* where summary and tables stand; none: at the middle one */
     struct scene_one_load unload_from; /* the largest that the contact has seen */
     double tolerance;                  /* relative */
-    double accuracy;   /* the answer is to be expected within 1 + that, a factor; NaN: nothing is asked */
-    double chosen_rms; /* then, ln_rms of the model chosen; 0: none was */
-    bool one_scan;     /* what that was measured from */
+    double accuracy;  /* 95 % of answers are to lie within 1 + that, a factor; NaN: nothing is asked */
+    double chosen_sd; /* then, model_sd() of the model chosen; 0: none was */
     enum level level;
     bool level_given;    /* else of a periodic record the mean is taken out */
     double max_missing;  /* share of a profile's points that may be missing */

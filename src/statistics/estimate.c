@@ -106,7 +106,8 @@ static double end(const struct estimate *estimate, double half_width, int side)
     }
     double value = estimate->mean + (side ? half_width : -half_width);
     value = estimate->logarithmic ? exp(value) : value;
-    return estimate->share ? fmin(value, 1) : value;
+    value = estimate->bound[0] > 0 ? fmax(value, estimate->bound[0]) : value;
+    return estimate->bound[1] > 0 ? fmin(value, estimate->bound[1]) : value;
 }
 
 double estimate_end(const struct estimate *estimate, int side)

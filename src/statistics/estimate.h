@@ -22,7 +22,7 @@ struct estimate {
     double model_sd;        /* as mean: what the model itself may be off by, beside the scatter; 0: not counted in */
     double effective;       /* sum of the scans' weights */
     bool logarithmic;
-    bool share; /* of a whole, as A/A_n is: no end lies above 1 */
+    double bound[2]; /* no end lies below the first nor above the second: what physics allows; 0: anything */
 };
 
 /** Not known. */

@@ -210,29 +210,6 @@ TEST_IN_WORKSPACE(test_resolution)
     expect_not_in_file(place, "out/report.md", "true at this resolution");
 }
 
-/* What a finer grid costs and gains: ever more points, ever nearer; the finest is off by what it gained on the one
- * before, and no time is told where none is asked for. */
-TEST_IN_WORKSPACE(test_grids_in_time)
-{
-    write_profile(place, EFFECTS "direct: {grid: 256, seeds: 1, loads: [1e-3, 1e-2]}\noperating_load: 9e-3\n");
-    run_to_exit(place, 0, "report", "d", "-o", "out");
-    json_t *view = workspace_json(place, "out/view.json");
-    const json_t *grids = json_object_get(json_object_get(view, "accuracy"), "grids");
-    double off[3];
-    assert_int_equal(json_array_size(grids), 3);
-    for (size_t k = 0; k < 3; k++) {
-        const json_t *row = json_array_get(grids, k);
-        assert_int_equal(json_integer_value(json_object_get(row, "points")), 64 << k);
-        assert_true(atof(json_string_value(json_object_get(row, "time"))) > 0);
-        off[k] = atof(json_string_value(json_object_get(row, "off")));
-    }
-    assert_true(off[0] > off[1] && off[1] > off[2]);
-    assert_within(off[2] / off[1], 0.5, 0.2); /* exactly half, to the digits printed */
-    expect_in_file(place, "out/report.md", "| direct, 256 points a side | ");
-    report(place, "out", "1");
-    expect_not_in_file(place, "out/report.md", "points a side | ");
-}
-
 TEST_IN_WORKSPACE(test_impossible)
 {
     write_profile(place, EFFECTS "load: {values: [1e-9]}\ndirect: {grid: 64, seeds: 1}\n");

@@ -44,8 +44,37 @@ TEST_CASE(areas_error)
         joint_model_sd(sd, &point, plastic, &task, 0);
         assert_near(sd[QUANTITY_AREA], sqrt(own * own + 0.03 * 0.03), 1e-9);
         joint_model_sd(sd, &point, plastic->elastic, &task, 0);
-        assert_near(sd[QUANTITY_AREA], model_sd(plastic, QUANTITY_AREA), 1e-12);
+        assert_near(sd[QUANTITY_AREA], model_sd(plastic->elastic, QUANTITY_AREA), 1e-12);
     }
+}
+
+/** Nothing bears more than the hardness: an area is at least P/H, a resistance at most that of one spot so large; what is
+ * made of it by a film too. Without a hardness, or without a nominal area, there is no such bound. */
+TEST_CASE(physics_bounds)
+{
+    const double hardness_Pa = 1e9, area_m2 = 1e-6;
+    struct joint joint = joint_default();
+    joint.film_ohm_m2 = 1e-12;
+    struct material_pair yielding = {
+        .effective_modulus_Pa = 1e11, .hardness_Pa = hardness_Pa, .resistivity_ohm_m = 2e-8, .conductivity_W_per_mK = 400};
+    const struct model_row *plastic = model_rows[model_named("strip-plastic")];
+    const struct joint_task task = {&joint, &yielding, 1e-6, area_m2, EFFECT_BIT(EFFECT_FILM), 1e-12, NULL};
+    const struct contact_point point = point_of(1e-2, 1e-6);
+    double bound[QUANTITY_COUNT][2];
+    joint_bounds(bound, &point, plastic, &task);
+    const double force_N = material_pair_pressure(&yielding, point.value[QUANTITY_LOAD]) * area_m2,
+                 radius_m = sqrt(force_N / (M_PI * hardness_Pa)), one_ohm = (2e-8 + 2e-8) / (4 * radius_m);
+    assert_near(bound[QUANTITY_AREA][0], force_N / hardness_Pa / area_m2, 1e-12);
+    assert_near(bound[QUANTITY_AREA][1], 1, 0);
+    assert_near(bound[QUANTITY_ECR][1], one_ohm * area_m2, 1e-12);
+    assert_near(bound[QUANTITY_TCR][1], (1 / 400.0 + 1 / 400.0) / (4 * radius_m) * area_m2, 1e-12);
+    assert_near(bound[QUANTITY_JOINT_ECR][1], (one_ohm + 1e-12 / (M_PI * radius_m * radius_m)) * area_m2, 1e-9);
+    assert_true(bound[QUANTITY_SEPARATION][0] == 0 && bound[QUANTITY_SEPARATION][1] == 0);
+    joint_bounds(bound, &point, plastic->elastic, &task);
+    assert_true(bound[QUANTITY_AREA][0] == 0 && bound[QUANTITY_ECR][1] == 0);
+    const struct joint_task unsized = {&joint, &yielding, 1e-6, NAN, 0, 1e-12, NULL};
+    joint_bounds(bound, &point, plastic, &unsized);
+    assert_true(bound[QUANTITY_AREA][0] > 0 && bound[QUANTITY_ECR][1] == 0);
 }
 
 /** What an effect does not fill stays empty, and what the model computed stays as it is. */

@@ -75,6 +75,12 @@ TEST_CASE(three_scans)
     assert_near(estimate_end(&estimate, 1), 4 * exp(1.959963985 * 0.5), 1e-7);
 }
 
+/** Of a mean of the standard error s, of one degree of freedom, and of the model's own error, known (Satterthwaite). */
+static double half_width(double s, double own)
+{
+    return interval_quantile(0.95, pow(hypot(s, own) / s, 4)) * hypot(s, own);
+}
+
 /** Pieces of a scan count together, as much as they are many: ln 2 and the mean of ln 8, ln 32, weights 1 and 2. */
 TEST_CASE(pieces)
 {
@@ -179,7 +185,7 @@ TEST_CASE(the_mean_of_curves)
                           (log(own_points[1][i].value[QUANTITY_AREA]) + log(own_points[2][i].value[QUANTITY_AREA])) /
                               2};
         double mean = (area[0] + 2 * area[1]) / 3, gap[3];
-        double sd = sqrt(pow(area[0] - mean, 2) + 2 * pow(area[1] - mean, 2)), t = 12.706204736174707; /* t(1) */
+        double sd = sqrt(pow(area[0] - mean, 2) + 2 * pow(area[1] - mean, 2));
         for (int p = 0; p < 3; p++)
             gap[p] = log(own_points[p][i].value[QUANTITY_SEPARATION] / sqrt(parts[p].roughness.m0_m2));
         double own_gap[2] = {gap[0], (gap[1] + gap[2]) / 2}, mean_gap = (own_gap[0] + 2 * own_gap[1]) / 3;
@@ -193,12 +199,15 @@ TEST_CASE(the_mean_of_curves)
         else
             assert_true(isnan(curve.points[i].value[QUANTITY_SEPARATION]));
         assert_near(result.band[i].load, loads[i], 0);
-        assert_near(result.band[i].mean[QUANTITY_AREA][1], fmin(1, exp(mean + t * sd / sqrt(3))), 1e-9);
+        const double half = half_width(sd / sqrt(3), model_sd(model, QUANTITY_AREA)),
+                     next = half_width(sd * sqrt(1 + 1 / 3.0), model_sd(model, QUANTITY_AREA)),
+                     gap_half = half_width(gap_sd / sqrt(3), model_sd(model, QUANTITY_SEPARATION));
+        assert_near(result.band[i].mean[QUANTITY_AREA][1], fmin(1, exp(mean + half)), 1e-9);
         for (int side = 0; side < 2 && left; side++)
             assert_near(log(result.band[i].mean[QUANTITY_SEPARATION][side]),
-                        mean_gap + (side ? t : -t) * gap_sd / sqrt(3), 1e-9);
-        assert_near(log(result.band[i].mean[QUANTITY_AREA][0]), mean - t * sd / sqrt(3), 1e-9);
-        assert_near(result.band[i].next[QUANTITY_AREA][1], fmin(1, exp(mean + t * sd * sqrt(1 + 1 / 3.0))), 1e-9);
+                        mean_gap + (side ? gap_half : -gap_half), 1e-9);
+        assert_near(log(result.band[i].mean[QUANTITY_AREA][0]), mean - half, 1e-9);
+        assert_near(result.band[i].next[QUANTITY_AREA][1], fmin(1, exp(mean + next)), 1e-9);
         assert_true(isnan(result.band[i].mean[QUANTITY_LOAD][0]));
     }
     assert_near(estimate_value(&result.estimates[QUANTITY_AREA]), curve.points[LOADS / 2].value[QUANTITY_AREA], 1e-12);
