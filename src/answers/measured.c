@@ -5,12 +5,11 @@
 #include "joint/joint.h"
 
 #include "scene/measured_file.h"
+#include "statistics/interval.h"
 #include <gsl/gsl_sort.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-const double measured_tells = 20;
 
 static const char *const column_keys[] = {[MEASURED_LOAD] = "load_unit", [MEASURED_RESISTANCE] = "resistance_unit"};
 
@@ -257,32 +256,45 @@ static double leaves(double *slope, double *spread, const double *by, const doub
     return fmax(yy - 2 * *slope * xy + *slope * *slope * xx, 1e-18 * (double)count);
 }
 
-/** With the scatter and the levels integrated out, the likelihood of an exponent goes as the squares that it leaves to
- * the power -(points - runs)/2; one that is fitted is averaged over all from 0 to 1. */
-static void find_mark(struct measured_exponent *out, const struct answered *of)
+/** The squares that a resistance in series with the model's leaves of the logarithms: R = a R_model + b, a of each run,
+ * b >= 0 of all, the best of SERIES_STEPS that come ever nearer to the least that was measured. */
+static double leaves_in_series(const struct answered *points)
 {
-    static const double exponents[MEASURED_MARKS] = {
-        [MEASURED_ROUGH] = 1, [MEASURED_ELASTIC_SPOT] = 1.0 / 3, [MEASURED_PLASTIC_SPOT] = 0.5, [MEASURED_FILM] = 1,
-        [MEASURED_BULK] = 0,  [MEASURED_NOT_FLAT] = NAN};
-    const double freedom = (double)(of->count - of->runs);
-    double ln_likely[MEASURED_MARKS], spread, fitted = NAN, best = -INFINITY, next = -INFINITY;
-    double least = leaves(&fitted, &spread, of->ln_load, of->ln_conductance, of);
-    out->model = NAN;
-    leaves(&out->model, &spread, of->ln_load, of->ln_model, of);
-    out->measured = fitted;
-    out->sd = sqrt(least / (freedom - 1) / spread);
-    for (int k = 0; k < MEASURED_MARKS; k++) {
-        double slope = exponents[k], unused;
-        double left = leaves(&slope, &unused, k == MEASURED_ROUGH ? of->ln_model : of->ln_load, of->ln_conductance, of);
-        ln_likely[k] = -freedom / 2 * log(left);
-        ln_likely[k] += k == MEASURED_NOT_FLAT ? log(fmin(sqrt(2 * M_PI) * out->sd, 1)) : 0;
-        next = fmax(next, fmin(best, ln_likely[k]));
-        out->mark = ln_likely[k] > best ? (enum measured_mark)k : out->mark;
-        best = fmax(best, ln_likely[k]);
+    enum { SERIES_STEPS = 100 };
+    double least_ohm = INFINITY, best = INFINITY;
+    for (size_t i = 0; i < points->count; i++)
+        least_ohm = fmin(least_ohm, exp(-points->ln_conductance[i]));
+    for (int k = 0; k < SERIES_STEPS; k++) {
+        const double b = least_ohm * (1 - pow(10, -3.0 * k / SERIES_STEPS));
+        double squares = 0;
+        for (size_t r = 0; r < points->runs; r++) {
+            double ln_a = 0, n = 0;
+            for (size_t i = 0; i < points->count; i++)
+                if (points->run[i] == r) {
+                    ln_a += log(exp(-points->ln_conductance[i]) - b) + points->ln_model[i];
+                    n++;
+                }
+            for (size_t i = 0; i < points->count; i++)
+                if (points->run[i] == r)
+                    squares += pow(log(exp(ln_a / n - points->ln_model[i]) + b) + points->ln_conductance[i], 2);
+        }
+        best = fmin(best, squares);
     }
-    out->times = exp(fmin(best - next, 300));
-    if (out->mark == MEASURED_NOT_FLAT && !(fitted > 0 && fitted < 1)) /* it is a mark of none of these */
-        out->times = NAN;
+    return best;
+}
+
+/** How the conductance grows, and whether parts that are not flat are what explains it. */
+static void find_exponent(struct measured_exponent *out, const struct answered *of)
+{
+    static const double clear = 0.08, as_well = 1.5;
+    const double freedom = (double)(of->count - of->runs) - 1;
+    double spread;
+    *out = (struct measured_exponent){.measured = NAN, .model = NAN};
+    const double least = leaves(&out->measured, &spread, of->ln_load, of->ln_conductance, of);
+    out->sd = sqrt(least / freedom / spread);
+    leaves(&out->model, &spread, of->ln_load, of->ln_model, of);
+    const double error = interval_quantile(estimate_level, freedom) * out->sd;
+    out->not_flat = out->measured + error + clear < out->model && leaves_in_series(of) > as_well * least;
 }
 
 enum status_code measured_fit(struct measured_answers *out, const struct measured *measured, size_t m,
@@ -316,9 +328,9 @@ enum status_code measured_fit(struct measured_answers *out, const struct measure
             mean[of.runs++] = exp(sum / (double)(of.count - before));
     }
     out->fitted = m;
-    out->exponent = (struct measured_exponent){.measured = NAN, .model = NAN, .sd = NAN, .times = NAN};
+    out->exponent = (struct measured_exponent){.measured = NAN, .model = NAN, .sd = NAN};
     if (of.count >= of.runs + 3)
-        find_mark(&out->exponent, &of);
+        find_exponent(&out->exponent, &of);
     enum status_code rc =
         estimate_make(&out->fit, of.runs > 1 ? mean : ratio, NULL, of.runs > 1 ? of.runs : of.count, true, status);
     free(room);

@@ -33,22 +33,12 @@ struct measured {
 #define MEASURED_LOADING   model_count
 #define MEASURED_UNLOADING (model_count + 1)
 
-/** What the growth of conductance with load is a mark of. */
-enum measured_mark {
-    MEASURED_ROUGH,        /* as the model's own curve, about P^.95 */
-    MEASURED_ELASTIC_SPOT, /* one spot, P^1/3 */
-    MEASURED_PLASTIC_SPOT, /* P^1/2 */
-    MEASURED_FILM,         /* that all heat or current goes through, P^1 */
-    MEASURED_BULK,         /* P^0 */
-    MEASURED_NOT_FLAT,     /* any between */
-    MEASURED_MARKS
-};
+/** How the measured conductance grows with load, beside the leading model's. */
 struct measured_exponent {
     double measured, sd, model; /* d ln G/d ln P; NaN: fewer than 3 points more than runs */
-    enum measured_mark mark;    /* the likeliest, */
-    double times;               /* times as likely as the next; NaN: it is beyond all */
+    bool not_flat; /* it grows more slowly than the model's by more than the error of both, and no film or resistance in
+                      series explains the points as well */
 };
-extern const double measured_tells; /* times, from which it is said */
 
 /** What the models say at the measured loads, as far as these lie within the run's. Owned: measured_answers_free(). */
 struct measured_answers {

@@ -179,6 +179,25 @@ void text_add_markdown_shown(struct text *text, const char *all)
     }
 }
 
+void text_add_unmarked(struct text *text, const char *string)
+{
+    for (; *string; string++)
+        text_add(text, strchr("\\*`", *string) ? "\\%c" : "%c", *string);
+}
+
+void text_strip_marks(struct text *text)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < text->length; i++)
+        if (text->data[i] == '\\' && i + 1 < text->length)
+            text->data[kept++] = text->data[++i];
+        else if (!strchr("*`", text->data[i]))
+            text->data[kept++] = text->data[i];
+    text->length = kept;
+    if (text->data)
+        text->data[kept] = '\0';
+}
+
 void text_add_html(struct text *out, const char *bytes, size_t size)
 {
     static const char *const escapes[128] = {

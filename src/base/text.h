@@ -35,6 +35,10 @@ struct text_shown text_show(const char *s);
 void text_add_shown(struct text *text, const char *string);
 /** Adds what is shown already, with the characters that mean something in Markdown or HTML escaped. */
 void text_add_markdown_shown(struct text *text, const char *string);
+/** Adds what is shown already, so that text_strip_marks() leaves it as it is. */
+void text_add_unmarked(struct text *text, const char *string);
+/** Takes the marks of Markdown (* and `) out of a text. */
+void text_strip_marks(struct text *text);
 /** Adds `size` bytes of plain text for HTML, in an element or a quoted value: what has a meaning there is escaped; line
  * ends and tabs stay; what else may not be shown is written out, but no backslash doubled, as most of it was shown
  * before. `bytes` ends with a whole character or before a NUL. */

@@ -36,11 +36,12 @@ static bool find(struct text *out, const struct words *words, const char *name, 
     return false;
 }
 
-bool words_add(struct text *out, struct words *words, const char *later)
+bool words_add(struct text *out, struct words *words, const char *later,
+               void (*escape)(struct text *out, const char *string))
 {
     struct text source = {0};
     json_t *view = json_object();
-    const struct mustache how = {.view = view};
+    const struct mustache how = {.view = view, .escape = escape};
     const int length = (int)strcspn(later, "\n");
     for (const char *end = later + length; *end;) {
         const char *name = end + 1, *text = name + strcspn(name, " \t\n");
@@ -71,7 +72,7 @@ const char *words_say(struct words *words, const char *format, ...)
     va_start(args, format);
     later = vasprintf(&later, format, args) < 0 ? NULL : later;
     va_end(args);
-    if (!later || (words_add(&filled, words, later) &&
+    if (!later || (words_add(&filled, words, later, NULL) &&
                    json_array_append_new(words->said, json_string_nocheck(text_string(&filled))) != 0))
         (void)status_memory(words->status);
     free(later);

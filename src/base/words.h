@@ -24,8 +24,10 @@ void words_free(struct words *words);
  * comes from outside stands there, still to be shown as such. Texts of one name that comes again are a list. Good as
  * long as `words` lives; NULL: "". */
 const char *words_say(struct words *words, const char *format, ...) PRINTF_LIKE(2, 3);
-/** Adds the words that `later` tells so. False: not, and the words' status says why. */
-bool words_add(struct text *out, struct words *words, const char *later);
+/** Adds the words that `later` tells so, with what fills them in escaped (NULL: as it is). False: not, and the words'
+ * status says why. */
+bool words_add(struct text *out, struct words *words, const char *later,
+               void (*escape)(struct text *out, const char *string));
 
 /** Characters of a text. */
 int words_width(const char *string, size_t length);

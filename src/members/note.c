@@ -73,7 +73,7 @@ void note_line(struct text *out, struct words *words, const struct note *note)
              : of->more > 0 ? "one"
                             : "none",
              of->more, of->subject ? of->subject : "", of->subject ? ": " : "");
-    (void)words_add(&line, words, note->what);
-    (void)words_add(out, words, text_string(&line));
+    (void)words_add(&line, words, note->what, NULL);
+    (void)words_add(out, words, text_string(&line), NULL);
     text_free(&line);
 }

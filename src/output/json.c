@@ -529,8 +529,18 @@ static json_t *studies_json(const struct results *results)
     return studies;
 }
 
-enum status_code json_write(const struct results *results, const struct comparison *comparison, const char *directory,
-                            struct status *status)
+/** The claims without their marks. */
+static json_t *claims_json(const json_t *claims)
+{
+    json_t *out = json_deep_copy(claims), *claim;
+    size_t i;
+    json_array_foreach(out, i, claim)
+        json_object_del(claim, "markdown");
+    return out;
+}
+
+enum status_code json_write(const struct results *results, const struct comparison *comparison, const json_t *claims,
+                            const char *directory, struct status *status)
 {
     const struct scene *scene = results->scene;
     struct text path = {0};
@@ -543,7 +553,7 @@ enum status_code json_write(const struct results *results, const struct comparis
               print(file, ",\n\"version\": ", json_string(version_string())) &&
               print(file, ",\n\"scene\": ", scene_json(results)) &&
               print(file, ",\n\"leading\": ", json_string(model_rows[plan_leading_model(results->plan)]->name)) &&
-              print_surfaces(file, results, status) && print(file, ",\n\"refused\": ", refused_json(results)) &&
+              print(file, ",\n\"claims\": ", claims_json(claims)) && print_surfaces(file, results, status) && print(file, ",\n\"refused\": ", refused_json(results)) &&
               print(file, ",\n\"comparison\": ", comparison_json(results, &comparison->ranking)) &&
               (!scene->passed_over || print(file, ",\n\"passed_over\": ", json_lines(scene->passed_over))) &&
               (scene->target_count == 0 || print(file, ",\n\"answers\": ", tables_answers_json(results))) &&

@@ -63,32 +63,11 @@ static const char *put_markdown(struct text *out, const char *line)
     return line;
 }
 
-/** Keeps what comes from outside from being taken for a mark. */
-static void add_unmarked(struct text *out, const char *string)
-{
-    for (; *string; string++)
-        text_add(out, strchr("\\*`", *string) ? "\\%c" : "%c", *string);
-}
-
-/** Takes the template's own marks of Markdown out, and what kept others from being such. */
-static void strip(struct text *words)
-{
-    size_t kept = 0;
-    for (size_t i = 0; i < words->length; i++)
-        if (words->data[i] == '\\' && i + 1 < words->length)
-            words->data[kept++] = words->data[++i];
-        else if (!strchr("*`", words->data[i]))
-            words->data[kept++] = words->data[i];
-    words->length = kept;
-    if (words->data)
-        words->data[kept] = '\0';
-}
-
 enum status_code report_terminal(struct text *out, const char *name, const json_t *view, const char *templates,
                                  bool markdown, struct status *status)
 {
     struct mustache_folder folder = {templates, ".md", NULL, status};
-    const struct mustache how = {view, markdown ? text_add_markdown_shown : add_unmarked, mustache_folder_partial,
+    const struct mustache how = {view, markdown ? text_add_markdown_shown : text_add_unmarked, mustache_folder_partial,
                                  &folder};
     struct text path = {0}, source = {0}, words = {0}, sentence = {0};
     text_add(&path, "%s/%s.txt", templates, name);
@@ -97,7 +76,7 @@ enum status_code report_terminal(struct text *out, const char *name, const json_
         rc = mustache_render(&words, text_string(&source), name, &how, status);
     text_squeeze(&words);
     if (!markdown)
-        strip(&words);
+        text_strip_marks(&words);
     for (const char *line = text_string(&words); *line; text_free(&sentence)) {
         if (line[strcspn(line, "\t\n")] == '\t') {
             line = markdown ? put_markdown(out, line) : put_table(out, line);

@@ -164,13 +164,16 @@ static void add_figures(json_t *out, const struct figures *figures)
 }
 
 enum status_code view_make(json_t **out, const struct results *results, const struct comparison *comparison,
-                           const struct figures *figures, struct words *words, struct status *status)
+                           json_t *headline, json_t *claims, const struct figures *figures, struct words *words,
+                           struct status *status)
 {
     struct view_source source = {.results = results,
                                  .comparison = comparison,
                                  .words = words,
                                  .baseline = &results->surfaces[results->baseline],
-                                 .asked = asked_of(results)};
+                                 .asked = asked_of(results),
+                                 .headline = headline,
+                                 .claims = claims};
     source.leading = plan_leading_model(results->plan);
     static void (*const parts[])(json_t * out, const struct view_source *source) = {
         view_first_page, view_surfaces, view_models, view_joint, view_direct,

@@ -388,23 +388,17 @@ static void put_branches(json_t *out, const struct view_source *source, size_t s
     }
 }
 
-/** What the measured growth with load is a mark of, where the points tell. */
+/** How the measured conductance grows with load, where the points tell, and the leading model's. */
 static void put_exponent(json_t *out, const struct measured_exponent *exponent)
 {
-    static const char *const names[MEASURED_MARKS] = {"rough", "elastic_spot", "plastic_spot",
-                                                      "film",  "bulk",         "not_flat"};
+    struct text own = {0};
     if (!isfinite(exponent->measured) || !isfinite(exponent->model))
         return;
     json_t *item = view_part(out, "exponent");
-    struct text own = {0};
     number_format_uncertain(&own, exponent->measured, exponent->sd);
     view_text(item, "measured", text_string(&own));
-    text_free(&own);
     view_number(item, "model", exponent->model, 2, "");
-    if (!(exponent->times > measured_tells))
-        return;
-    view_flag(item, names[exponent->mark], true);
-    view_number(item, "times", fmin(exponent->times, 1e6), 2, "");
+    text_free(&own);
 }
 
 /** How far each model is from what was measured on a surface. */

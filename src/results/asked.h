@@ -5,6 +5,9 @@
 
 #include "results/results.h"
 
+/** Limits that the first page has a column for; claims tell the others. */
+enum { ASKED_LIMIT_COLUMNS = 2 };
+
 struct asked {
     const struct scene_asked *target; /* the first; NULL: none, and what follows is chosen */
     enum quantity quantity;

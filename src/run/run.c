@@ -6,12 +6,14 @@
 #include "base/threads.h"
 #include "chart/figures.h"
 #include "chart/gnuplot.h"
+#include "claims/claims.h"
 #include "output/exchange.h"
 #include "output/json.h"
 #include "output/tables.h"
 #include "report/export.h"
 #include "report/report.h"
 #include "report/view.h"
+#include "results/known.h"
 #include "run/all_surfaces.h"
 #include "run/messages.h"
 #include <jansson.h>
@@ -31,7 +33,7 @@ struct run {
     struct measured_answers *answers; /* one a surface */
     struct comparison comparison;
     struct gnuplot gnuplot;
-    json_t *view;
+    json_t *claims, *headline, *view;
     double *sweeps;
     struct direct_study *direct; /* results->direct_count of them */
     size_t direct_lost;          /* surfaces whose direct solution memory was short for */
@@ -96,7 +98,10 @@ static enum status_code run_measured_on(struct run *run, size_t surface, struct 
     for (size_t t = 0; measured->given->carry && answers->fit.count > 0 && t < results->scene->target_count; t++)
         answers->carried |= results->scene->targets[t].quantity == record->summary.carried_quantity;
     record->summary.carried = answers->carried ? estimate_value(&answers->fit) : 0;
-    return answers->carried ? answers_find(record, results->scene, results->plan, &task, status) : STATUS_OK;
+    if (answers->carried && answers_find(record, results->scene, results->plan, &task, status) != STATUS_OK)
+        return status->code;
+    known_check_limits(results, surface);
+    return STATUS_OK;
 }
 
 static enum status_code run_measured(struct run *run, struct status *status)
@@ -229,8 +234,11 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
         return status->code;
     if (tables_write(run->results, staging, status) != STATUS_OK || stopped(run) ||
         comparison_make(&run->comparison, run->results, status) != STATUS_OK ||
-        json_write(run->results, &run->comparison, staging, status) != STATUS_OK || stopped(run) ||
-        view_make(&run->view, run->results, &run->comparison, &figures, &run->prepared.words, status) != STATUS_OK)
+        claims_make(&run->claims, run->results, &run->comparison, &run->prepared.words, status) != STATUS_OK ||
+        claims_headline(&run->headline, run->results, &run->comparison, &run->prepared.words, status) != STATUS_OK ||
+        json_write(run->results, &run->comparison, run->claims, staging, status) != STATUS_OK || stopped(run) ||
+        view_make(&run->view, run->results, &run->comparison, run->headline, run->claims, &figures,
+                  &run->prepared.words, status) != STATUS_OK)
         return status->code;
     out->times.tables = lap(&last);
     if (gnuplot_finish(&run->gnuplot, status) != STATUS_OK ||
@@ -319,6 +327,8 @@ enum status_code run_report(struct run_outcome *out, const struct scene *scene, 
     free(run.sweeps);
     comparison_free(&run.comparison);
     json_decref(run.view);
+    json_decref(run.claims);
+    json_decref(run.headline);
     out->times.total = clock_seconds() - run.started;
     return rc;
 }

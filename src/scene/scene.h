@@ -39,7 +39,7 @@ struct scene_measured {
     enum scene_measured_quantity quantity;
     char load_unit[UNIT_LENGTH];       /* "" when the scene gives none */
     char resistance_unit[UNIT_LENGTH]; /* the same: total, or times the nominal area */
-    unsigned carry;                    /* targets' loads are solved with the factor that was found */
+    unsigned carry;                    /* what was measured stands above the model: in its row, targets and limits */
 };
 
 /** One surface to report: one scan file, or repeated scans of it. */

@@ -273,6 +273,7 @@ bool scene_keys_measured(struct scene_source *source, const struct scene_key *ke
     struct scene_measured *measured = field;
     size_t lines[SCENE_COUNT(keys)];
     struct unit unit;
+    measured->carry = true;
     if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, field))
         return false;
     const char *text = measured->resistance_unit;
@@ -444,8 +445,8 @@ const struct scene_key scene_keys[] = {
      "say its own and is no map; default: no lay",
      SCENE_NUMBER(AT(lay), 0.0, 1.0)},
     {"measured",
-     "{file (a list or pattern: each a run), quantity: ecr or tcr, load_unit, resistance_unit, carry: true (into the "
-     "targets' loads)}: resistance measured on the baseline to hold the models against",
+     "{file (a list or pattern: each a run), quantity: ecr or tcr, load_unit, resistance_unit, carry: false (the "
+     "model's numbers stay)}: resistance measured on the baseline; it stands above the models",
      scene_keys_measured, .at = AT(measured)},
     {"nominal_area", "default: none, and resistances stay per area",
      SCENE_QUANTITY(AT(nominal_area_m2), UNIT_AREA, 1e-18, 1e6), .word = "none", .alias = "nominal_area_m2"},

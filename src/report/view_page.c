@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The first page: the headline, the table of all surfaces, the first claims. */
+#include "report/view.h"
+
+#include "base/number_format.h"
+#include "results/known.h"
+#include <math.h>
+
+enum { DIGITS = 2, CLAIMS_MOST = 8 };
+
+/** A load or an answer as a cell has it: "0.92 (0.28–3.2)", "0.97 (measured)", "≤ 0.1", "–". */
+static void put_known(json_t *out, const char *name, const struct known *known, double shown, const double ends[2])
+{
+    static const char *const signs[] = {[KNOWN_AT_MOST] = "≤\u00a0", [KNOWN_MORE_THAN] = ">\u00a0"};
+    const bool has = known->kind == KNOWN_VALUE && !known->measured && isfinite(ends[0]) && isfinite(ends[1]);
+    struct text text = {0}, interval = {0};
+    if (known->kind == KNOWN_NOTHING)
+        text_add(&text, "–");
+    else {
+        text_add(&text, "%s", known->kind == KNOWN_VALUE ? "" : signs[known->kind]);
+        number_format(&text, shown, has && ends[1] > 1.44 * ends[0] ? DIGITS : DIGITS + 1);
+    }
+    if (has) {
+        number_format(&interval, ends[0], DIGITS);
+        text_add(&interval, "–");
+        number_format(&interval, ends[1], DIGITS);
+    }
+    json_t *cell = view_part(out, name);
+    view_text(cell, "value", text_string(&text));
+    if (has)
+        view_text(cell, "interval", text_string(&interval));
+    view_flag(cell, "measured", known->measured && known->kind != KNOWN_NOTHING);
+    text_free(&text);
+    text_free(&interval);
+}
+
+static void put_load(json_t *row, const struct view_source *source, size_t surface)
+{
+    const struct known known = known_load(source->results, source->asked.target, surface);
+    const double scale = asked_load_of(source->results, surface).scale;
+    put_known(row, "load", &known, known.value * scale, (const double[]){known.low * scale, known.high * scale});
+}
+
+static void put_value(json_t *row, const struct view_source *source, size_t surface)
+{
+    const struct known known = known_value(source->results, source->asked.quantity, surface);
+    double ends[2];
+    asked_ends(ends, &source->asked, (const double[]){known.low, known.high});
+    put_known(row, "value", &known, asked_shown(&source->asked, known.value), ends);
+}
+
+static void put_row(json_t *row, const struct view_source *source, size_t surface, bool lettered)
+{
+    static const char *const verdicts[] = {[LIMIT_NO_VALUE] = "no_value",
+                                           [LIMIT_MET] = "met",
+                                           [LIMIT_MISSED] = "missed",
+                                           [LIMIT_CANNOT_TELL] = "undecided"};
+    const struct comparison_ranking *ranking = &source->comparison->ranking;
+    const struct surface_summary *summary = view_summary(source, surface);
+    view_text(row, "surface", view_name(source, surface));
+    view_number(row, "rq_um", summary->roughness.rq_m * 1e6, 3, "");
+    view_law(row, &summary->power_law);
+    put_value(row, source, surface);
+    if (source->asked.target)
+        put_load(row, source, surface);
+    for (size_t l = 0; l < source->results->scene->limit_count && l < ASKED_LIMIT_COLUMNS; l++)
+        view_flag(view_item(view_list(row, "limits")), verdicts[summary->limits[l].verdict], true);
+    for (size_t p = 0; lettered && p < ranking->count; p++)
+        if (ranking->surface[p] == surface) {
+            char letters[RANKING_LETTERS + 1];
+            ranking_groups_letters(letters, &ranking->groups, p);
+            view_text(row, "letters", letters);
+        }
+}
+
+static void put_table(json_t *out, const struct view_source *source)
+{
+    const struct results *results = source->results;
+    const struct scene *scene = results->scene;
+    const bool lettered = results->usable_count > 1 && source->comparison->ranking.count > 1;
+    json_t *rows = view_list(out, "rows");
+    for (size_t i = 0; i < results->surface_count; i++)
+        if (results->surfaces[i].summary.usable && json_array_size(rows) < VIEW_ROWS)
+            put_row(view_item(rows), source, i, lettered);
+    for (size_t l = 0; l < scene->limit_count && l < ASKED_LIMIT_COLUMNS; l++) {
+        char text[UNIT_LENGTH + 20];
+        json_t *head = view_item(view_list(out, "limit_heads"));
+        asked_text(text, sizeof text, scene->limits[l].text);
+        view_text(head, "symbol", scene->limits[l].symbol);
+        view_text(head, "sign", scene->limits[l].is_most ? "≤" : "≥");
+        view_text(head, "text", text);
+    }
+    view_flag(out, "has_letters", lettered);
+    if (results->usable_count > VIEW_ROWS)
+        view_count(out, "rows_left_out", results->usable_count - VIEW_ROWS);
+}
+
+void view_first_page(json_t *out, const struct view_source *source)
+{
+    const struct results *results = source->results;
+    const struct asked *asked = &source->asked;
+    const struct asked_load as = asked_load_of(results, results->baseline);
+    size_t i;
+    json_t *claim, *first = view_list(out, "claims"), *more = view_list(out, "more_claims");
+    json_object_set(out, "headline", source->headline);
+    json_array_foreach(source->claims, i, claim) json_array_append(i < CLAIMS_MOST ? first : more, claim);
+    view_flag(out, "several", results->usable_count > 1);
+    view_text(out, "leading", model_rows[source->leading]->label);
+    view_text(out, "baseline", view_name(source, results->baseline));
+    view_load(out, "operating_load", source, results->baseline, results_operating_load(results, results->baseline));
+    json_t *item = view_part(out, "asked");
+    view_text(item, "symbol", words_say(source->words, "%s", asked->name));
+    view_text(item, "unit", asked->unit);
+    if (asked->target) {
+        char unit[UNIT_LENGTH + 20];
+        asked_text(unit, sizeof unit, asked->target->text);
+        view_text(out, "target", unit);
+    }
+    view_text(out, "load_unit", as.unit[0] ? as.unit : "P/(Aₙ E′)");
+    view_text(out, "load_kind", words_say(source->words, "load.%s", as.force || !as.unit[0] ? "force" : "pressure"));
+    put_table(out, source);
+}
+
+size_t view_missed_limits(struct text *out, const struct results *results)
+{
+    size_t missed = 0;
+    for (size_t i = 0; i < results->surface_count; i++)
+        for (size_t l = 0; l < results->scene->limit_count && results->surfaces[i].summary.usable; l++) {
+            const struct scene_asked *limit = &results->scene->limits[l];
+            const struct limit_check *check = &results->surfaces[i].summary.limits[l];
+            if (check->verdict != LIMIT_MISSED)
+                continue;
+            text_add(out, "surface '");
+            text_add_shown(out, results->surfaces[i].summary.scene->name);
+            text_add(out, "' misses the limit %s %s ", limit->symbol, limit->is_most ? "≤" : "≥");
+            text_add_shown(out, limit->text);
+            double value = scene_asked_shown(limit, check->value);
+            text_add(out, isfinite(value) ? ": " : ": from a lighter load on\n");
+            if (isfinite(value)) {
+                number_format(out, value, 3);
+                text_add(out, " ");
+                text_add_shown(out, limit->unit_text);
+                text_add(out, "\n");
+            }
+            missed++;
+        }
+    return missed;
+}

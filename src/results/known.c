@@ -1,0 +1,118 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "results/known.h"
+
+#include "results/comparison.h"
+#include <math.h>
+
+double known_carried(const struct results *results, enum quantity quantity, size_t surface)
+{
+    const struct measured *measured = results_measured(results, surface);
+    const struct estimate *fit = measured ? &results->answers[surface].fit : NULL;
+    if (!fit || fit->count == 0 || !measured->given->carry || quantity != results_measured_quantity(results))
+        return 1;
+    return estimate_value(fit);
+}
+
+/** The measured resistance at a load on the way up, straight in the logarithms, the mean over the runs that pass it;
+ * NaN: none does. */
+static double measured_at(const struct measured *measured, double load)
+{
+    double sum = 0;
+    size_t count = 0;
+    for (size_t r = 0; r < measured->run_count; r++)
+        for (size_t i = measured->runs[r].first; i < measured->runs[r].turn; i++) {
+            const double *at = &measured->load[i], *value = &measured->resistance[i];
+            if (!(at[0] <= load && load <= at[1] && at[0] < at[1]))
+                continue;
+            sum += log(value[0]) + log(value[1] / value[0]) * log(load / at[0]) / log(at[1] / at[0]);
+            count++;
+            break;
+        }
+    return count > 0 ? exp(sum / (double)count) : NAN;
+}
+
+/** The load at which the measured resistance passes a target on the way up; the same. */
+static double load_measured_at(const struct measured *measured, double target)
+{
+    double sum = 0;
+    size_t count = 0;
+    for (size_t r = 0; r < measured->run_count; r++)
+        for (size_t i = measured->runs[r].first; i < measured->runs[r].turn; i++) {
+            const double *at = &measured->load[i], *value = &measured->resistance[i];
+            if ((value[0] - target) * (value[1] - target) > 0 || value[0] == value[1])
+                continue;
+            sum += log(at[0]) + log(at[1] / at[0]) * log(target / value[0]) / log(value[1] / value[0]);
+            count++;
+            break;
+        }
+    return count > 0 ? exp(sum / (double)count) : NAN;
+}
+
+struct known known_value(const struct results *results, enum quantity quantity, size_t surface)
+{
+    const size_t leading = plan_leading_model(results->plan);
+    const double carried = known_carried(results, quantity, surface),
+                 model = comparison_middle(results, leading, surface).value[quantity];
+    const struct estimate *estimate =
+        curve_summary_estimate(surface_model(&results->surfaces[surface].summary, leading), (int)quantity);
+    struct known out = {isfinite(model) ? KNOWN_VALUE : KNOWN_NOTHING,
+                        model,
+                        estimate_end(estimate, 0),
+                        estimate_end(estimate, 1),
+                        carried != 1,
+                        false};
+    for (int side = 0; side < 2 && !out.measured; side++)
+        if (estimate->bound[side] > 0 && (side ? model > estimate->bound[1] : model < estimate->bound[0])) {
+            out = (struct known){side ? KNOWN_AT_MOST : KNOWN_MORE_THAN, estimate->bound[side], NAN, NAN, false, false};
+            return out;
+        }
+    if (!out.measured)
+        return out;
+    const struct estimate *fit = &results->answers[surface].fit;
+    const double here = measured_at(results_measured(results, surface), results_operating_load(results, surface)),
+                 half = isnan(fit->half_width) ? NAN : fit->half_width;
+    out.value = here > 0 ? here : model / carried;
+    out.kind = isfinite(out.value) ? KNOWN_VALUE : KNOWN_NOTHING;
+    out.low = out.value * exp(-half);
+    out.high = out.value * exp(half);
+    return out;
+}
+
+void known_check_limits(struct results *results, size_t surface)
+{
+    for (size_t l = 0; l < results->scene->limit_count; l++) {
+        const struct scene_asked *limit = &results->scene->limits[l];
+        const struct known known = known_value(results, limit->quantity, surface);
+        struct limit_check *check = &results->surfaces[surface].summary.limits[l];
+        if (!known.measured)
+            continue;
+        *check = (struct limit_check){.value = known.value, .low = known.low, .high = known.high};
+        check->verdict = answers_judge(check, limit);
+    }
+}
+
+struct known known_load(const struct results *results, const struct scene_asked *target, size_t surface)
+{
+    static const enum known_kind kinds[] = {[ANSWER_NONE] = KNOWN_NOTHING,
+                                            [ANSWER_LOAD] = KNOWN_VALUE,
+                                            [ANSWER_LIGHTEST] = KNOWN_AT_MOST,
+                                            [ANSWER_NOT_REACHED] = KNOWN_MORE_THAN};
+    const struct surface_record *record = &results->surfaces[surface];
+    const size_t t = (size_t)(target - results->scene->targets), leading = plan_leading_model(results->plan);
+    const struct answer *answer = &record->summary.answers[t * model_count + leading];
+    const bool carried = known_carried(results, target->quantity, surface) != 1;
+    struct known out = {kinds[answer->kind], answer->load, answer->low, answer->high, carried, false};
+    if (answer->kind == ANSWER_LOAD && answer->full)
+        out.kind = KNOWN_AT_MOST;
+    if (carried) {
+        const double load = load_measured_at(results_measured(results, surface), target->value);
+        out.low = out.high = NAN;
+        if (load > 0) {
+            out.kind = KNOWN_VALUE;
+            out.value = load;
+        }
+    }
+    out.short_loads = !carried && (answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST) && record->bands &&
+                      record->bands[leading] && isnan(answer->low) && isnan(answer->high);
+    return out;
+}

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What is known of a surface's asked quantity: what was measured stands above what a model says. */
+#ifndef RESULTS_KNOWN_H
+#define RESULTS_KNOWN_H
+
+#include "results/asked.h"
+
+enum known_kind {
+    KNOWN_NOTHING,
+    KNOWN_VALUE,
+    KNOWN_AT_MOST,  /* that, or less: what physics allows, the lightest load of the report */
+    KNOWN_MORE_THAN /* that, or more: a target that is not met up to there */
+};
+
+/** SI; a load is P/(A_n E'). */
+struct known {
+    enum known_kind kind;
+    double value;
+    double low, high; /* 95 % interval, low first; NaN: not known */
+    bool measured;    /* of the surface's own measurement, or of the model by the factor that it carries */
+    bool short_loads; /* the interval's end lies beyond the loads of the report, and wider ones would close it */
+};
+
+/** A quantity where the summary stands. */
+struct known known_value(const struct results *results, enum quantity quantity, size_t surface);
+/** Judges the limits of a surface by its measurement, where it has one of their quantity. */
+void known_check_limits(struct results *results, size_t surface);
+/** The load at which a target is met, by the leading model or the measurement. */
+struct known known_load(const struct results *results, const struct scene_asked *target, size_t surface);
+/** The factor on a surface's predicted conductance that its measurement of this quantity gives, 1: none was measured, or
+ * the scene does not carry it. */
+double known_carried(const struct results *results, enum quantity quantity, size_t surface);
+
+#endif

@@ -1,0 +1,128 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Every claim is said where it has to be, with its numbers, and not where it must not be: tests/claims.tsv. */
+#include "cli/process.h"
+
+enum { ROWS_MOST = 300 };
+
+static char *lines[ROWS_MOST][3];
+static size_t line_count;
+
+/** Cuts the table into its cells. */
+static void read_rows(void)
+{
+    struct text *file = support_text();
+    expect_ok(text_read_file, file, PROJECT_SOURCE "/tests/claims.tsv");
+    line_count = 0;
+    for (char *line = strtok(file->data, "\n"); line; line = strtok(NULL, "\n")) {
+        if (line[0] == '#')
+            continue;
+        assert_true(line_count < ROWS_MOST);
+        lines[line_count][0] = line;
+        for (int c = 1; c < 3; c++) {
+            char *tab = strchr(lines[line_count][c - 1], '\t');
+            assert_non_null(tab);
+            *tab = '\0';
+            lines[line_count][c] = tab + 1;
+        }
+        line_count++;
+    }
+}
+
+/** Scans of four surfaces, three of each, one whose ends are open, one that is refused, and three measurements: as the
+ * model, of parts that are not flat, and with a resistance in series. */
+static void make_folder(const char *place)
+{
+    static const struct {
+        const char *name, *law;
+        int first;
+    } surfaces[] = {{"a", "--alpha 0.06 --gamma 1.55 --scatter 0.28", 11},
+                    {"b", "--alpha 0.02 --gamma 1.35 --scatter 0.28", 21},
+                    {"d", "--gamma 1.8 --rq 0.02um --scatter 0", 31}};
+    for (size_t s = 0; s < sizeof surfaces / sizeof *surfaces; s++)
+        for (int k = 0; k < 3; k++)
+            workspace_shell(place, filled("mkdir -p d && " PROGRAM " synth --lambda-s 4um --seed %d %s --length 0.4mm "
+                                          "--points 400 -o d/%s-%d.csv",
+                                          surfaces[s].first + k, surfaces[s].law, surfaces[s].name, k + 1));
+    workspace_shell(place, PROGRAM " synth --lambda-s 4um --seed 5 --gamma 1.0 --rq 5.8um --length 0.4mm --points 400 "
+                                   "-o d/c.csv");
+    workspace_shell(place, PROGRAM " synth --lambda-s 4um --seed 7 --alpha 0.06 --gamma 1.55 --length 1.6mm --points "
+                                   "1600 -o w.csv; (head -n1 w.csv; tail -n 400 w.csv) > d/open.csv");
+    workspace_write(place, "d/bad.csv", "x_um,z_um\n1,2\n");
+    static const struct {
+        const char *name;
+        double power, series;
+    } measured[] = {{"m95", -0.95, 0}, {"m40", -0.4, 0}, {"mser", -0.95, 0.5}};
+    for (size_t m = 0; m < 3; m++) {
+        struct text *text = support_text();
+        text_add(text, "load_N,resistance_mohm\n");
+        for (int i = 0; i < 9; i++) {
+            double load = 0.1 * pow(10, i / 4.0), own = (m == 2 ? 0.4 : 1) * pow(load, measured[m].power);
+            text_add(text, "%.6g,%.6g\n", load, (own + measured[m].series) * (i % 2 ? 1.01 : 0.99));
+        }
+        workspace_write(place, filled("d/%s.txt", measured[m].name), text_string(text));
+    }
+}
+
+/** The claims of a scene. */
+static json_t *claims_of(const char *place, const char *scene)
+{
+    const bool none = strncmp(scene, "none", 4) == 0;
+    if (none)
+        workspace_shell(place, "rm -f d/scene.yaml");
+    else
+        workspace_write(place, "d/scene.yaml", filled("%s\n", scene));
+    workspace_shell(place, filled(PROGRAM " report d -o o --no-cost --brief%s >/dev/null 2>&1 || test $? = 1",
+                                  none ? scene + 4 : ""));
+    return json_object_get(workspace_json(place, "o/results.json"), "claims");
+}
+
+/** The text of a claim of that key that holds `part`, or any; NULL: there is none. */
+static const char *said(const json_t *claims, const char *key, const char *part)
+{
+    size_t i;
+    const json_t *claim;
+    json_array_foreach(claims, i, claim)
+    {
+        const char *text = json_string_value(json_object_get(claim, "text"));
+        if (strcmp(json_string_value(json_object_get(claim, "key")), key) == 0 && strstr(text, part))
+            return text;
+    }
+    return NULL;
+}
+
+TEST_IN_WORKSPACE(every_row_holds)
+{
+    make_folder(place);
+    read_rows();
+    const char *scene = "";
+    const json_t *claims = NULL;
+    for (size_t i = 0; i < line_count; i++) {
+        if (strcmp(scene, lines[i][1]) != 0)
+            claims = claims_of(place, scene = lines[i][1]);
+        const bool wanted = strcmp(lines[i][2], "-") != 0;
+        const char *text = said(claims, lines[i][0], wanted ? lines[i][2] : "");
+        if ((text != NULL) != wanted)
+            fail_msg("'%s' of %s: %s\n%s", lines[i][0], scene, text ? text : "is not said",
+                     json_dumps(claims, JSON_INDENT(1)));
+    }
+}
+
+/** Each claim that has words has a scene that says it and one that does not. */
+TEST_CASE(every_key_has_both)
+{
+    struct text *words = support_text();
+    size_t keys = 0;
+    read_rows();
+    expect_ok(text_read_file, words, PROJECT_SOURCE "/templates/words.txt");
+    for (const char *line = strstr(text_string(words), "\nclaim."); line; line = strstr(line + 1, "\nclaim.")) {
+        const char *key = filled("%.*s", (int)strcspn(line + 7, " "), line + 7);
+        bool both[2] = {false, false};
+        for (size_t i = 0; i < line_count; i++)
+            if (strcmp(lines[i][0], key) == 0)
+                both[strcmp(lines[i][2], "-") == 0] = true;
+        if (!both[0] || !both[1])
+            fail_msg("tests/claims.tsv has no scene %s '%s'", both[0] ? "against" : "for", key);
+        keys++;
+    }
+    assert_true(keys > 40);
+}
