@@ -10,6 +10,15 @@
     "4=0.0020 0 0.008 0 0\r\n"
 #define MAHR_LAST "5=0.0025 0 -0.0035 0 0\r\n"
 
+/* of a MarSurf PS 10: some points are locked, which is no height */
+#define MAHR_HEAD_BARE "[PROFILE_HEADER]\nNO_POINTS=6\n[PROFILE_VALUES]\n"
+#define MAHR_BARE                                                                                                      \
+    "0=0.0000 0.0005 0\n1=0.0005 -0.00125 1\n2=0.0010 0.00275 1\n3=0.0015 0.000125 0\n4=0.0020 0.008 0\n"              \
+    "5=0.0025 -0.0035 0\n"
+#define MAHR_TURNED                                                                                                    \
+    "0=0.0005 0 0.0000\n1=-0.00125 1 0.0005\n2=0.00275 1 0.0010\n3=0.000125 0 0.0015\n4=0.008 0 0.0020\n"              \
+    "5=-0.0035 0 0.0025\n"
+
 #define NPL_HEAD                                                                                                       \
     "1 2\r\nSAMPLE 0 PRF\r\nCX M 6.0e+000 MM 1.0e+000 D\r\nCZ M 6.0e+000 UM 1.0e-003 L\r\nEOR\r\n"                     \
     "STYLUS_RADIUS 0 MM\r\nSPACING CX 5.0e-004\r\nEOR\r\n"
@@ -47,6 +56,8 @@ TEST_CASE(test_profiles)
     } samples[] = {
         {"mahr-text", MAHR_HEAD MAHR_POINTS MAHR_LAST, SAMPLE_POINTS},
         {"mahr-text", MAHR_HEAD MAHR_POINTS MAHR_LAST "[END]\r\nx\r\n", SAMPLE_POINTS},
+        {"mahr-text", MAHR_HEAD_BARE MAHR_BARE, SAMPLE_POINTS}, /* x z lock, as no line says else */
+        {"mahr-text", MAHR_HEAD_BARE "// Z, Lock, X\n" MAHR_TURNED, SAMPLE_POINTS},
         {"npl-prf", NPL_HEAD NPL_POINTS "EOR\r\nEOF\r\n", SAMPLE_POINTS},
         {"sdf", SDF_HEAD("6", "1") "0.5 -1.25\n2.75 0.125 8.0 -3.5\n*\n< a > b\n*\n", SAMPLE_POINTS},
         {"sdf", SDF_HEAD("6", "1") POINTS, SAMPLE_POINTS},
@@ -192,7 +203,7 @@ TEST_CASE(test_refusals)
     assert_refused(MAHR_HEAD MAHR_POINTS MAHR_LAST MAHR_LAST, "file:13: more points than NO_POINTS says, 6");
     assert_refused(MAHR_HEAD "0=0.0000 0 nan 0 0\r\n" MAHR_POINTS, "file:7: '0=0.0000 0 nan 0 0' is no line");
     assert_refused("[PROFILE_HEADER]\nNO_POINTS=1000000000000\n[PROFILE_VALUES]\n0=0 0 0 0 0\n",
-                   "the file ends after 1;");
+                   "the file ends after 2;");
     assert_refused("[PROFILE_HEADER]\nNO_POINTS=x\n", "file:2: NO_POINTS is no number");
     assert_refused("[PROFILE_HEADER]\nNO_POINTS=3\n", "no section [PROFILE_VALUES]");
     assert_refused(NPL_HEAD "500\r\nx\r\n2750\r\n125\r\n8000\r\n-3500\r\n", "file:10: 'x' among the heights");
