@@ -486,7 +486,7 @@ static enum status_code solve_strip(struct strip **out, const struct model_row *
         return STATUS_OK;
     if (!(*out = malloc(sizeof **out)))
         return status_memory(status);
-    enum status_code code = strip_solve(*out, profile, 0, STRIP_SURROGATES, NULL, &problem);
+    enum status_code code = strip_solve(*out, profile, STRIP_SURROGATES, NULL, &problem);
     return code == STATUS_OK ? STATUS_OK
                              : status_fail(status, code, "no %s for this surface: %s", row->name, problem.message);
 }

@@ -74,10 +74,6 @@ enum status_code surface_read_members(struct surface_record *record, struct powe
         profiles = profiles && !set->members[p].is_row;
     if (all == 0) /* a map of which other rows were chosen than can be used */
         return STATUS_OK;
-    if (all > 1 && repeats_merge_identical(set)) {
-        note_add(&record->summary.notes, NULL, "note.identical\nscans %zu", all);
-        scans->independent = 1;
-    }
     if (set->count > 1 && profiles &&
         repeats_cut_to_shortest(set, &record->summary.repeats.cut, scene, status) != STATUS_OK)
         return status->code;
@@ -211,7 +207,8 @@ static enum status_code take_along(struct surface_summary *summary, const struct
     struct surface_record along = {.summary = {.scene = &surface}};
     struct power_law_scans scans = {0};
     struct status problem = {0};
-    const struct surface_scans task = {&along, &scans, scene};
+    struct copies copies = {0};
+    const struct surface_scans task = {&along, &scans, scene, &copies};
     surface.files = surface.along;
     enum status_code rc = STATUS_OK;
     for (size_t f = 0; f < surface.files.count && rc == STATUS_OK; f++)
@@ -223,6 +220,7 @@ static enum status_code take_along(struct surface_summary *summary, const struct
         note_add(&summary->notes, NULL, "note.along\ntimes %.3g", unlike);
     surface_record_free(&along);
     power_law_scans_free(&scans);
+    copies_free(&copies);
     return rc == STATUS_OK ? STATUS_OK : status_fail(status, rc, "along: %s", problem.message);
 }
 
@@ -363,7 +361,8 @@ enum status_code surface_read(struct surface_record *out, const struct scene *sc
     struct status problem = {0};
     struct hash hash = hash_start();
     struct power_law_scans scans = {0};
-    const struct surface_scans task = {out, &scans, scene};
+    struct copies copies = {0};
+    const struct surface_scans task = {out, &scans, scene, &copies};
     out->counterface = counterface;
     summary->scene = surface;
     summary->pair = scene_pair(&surface->bodies);
@@ -377,6 +376,7 @@ enum status_code surface_read(struct surface_record *out, const struct scene *sc
     if (rc == STATUS_OK)
         rc = conclude(out, &scans, scene, counterface, &problem);
     power_law_scans_free(&scans);
+    copies_free(&copies);
     if (rc == STATUS_MEMORY && status_memory(status))
         return surface_put_aside(out, scene, status);
     if (rc == STATUS_OK && surface != &scene->counterface_surface)

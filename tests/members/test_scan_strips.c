@@ -149,7 +149,7 @@ TEST_CASE(pairs_solve_as_what_they_are)
         struct strip alone;
         rows.height_m += 4 * p * POINTS;
         rows.rows = 4;
-        expect_ok(strip_solve, &alone, &rows, 4 * p, STRIP_SURROGATES, NULL);
+        expect_ok(strip_solve, &alone, &rows, STRIP_SURROGATES, NULL);
         assert_non_null(own_members[p].strip);
         assert_memory_equal(&own_members[p].strip->strip, &alone, sizeof alone);
         solved_strip_free(own_members[p].strip);
