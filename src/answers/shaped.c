@@ -46,7 +46,7 @@ static void take_points(struct table *out, const struct model_curve *curve, size
 static enum status_code own_curve(struct table *out, const struct surface_record *record, size_t m,
                                   const struct model_task *task, const struct joint_task *joint, struct status *status)
 {
-    double loads[NODES], first = task->loads[0] * lighter, decades = -log10(first);
+    double loads[NODES], own_gap_m[NODES] = {0}, first = task->loads[0] * lighter, decades = -log10(first);
     size_t count = (size_t)fmin(fmax(decades * nodes_per_decade, 8), NODES);
     struct contact_point *points = calloc(count + 1, sizeof *points);
     struct model_curve curve = {.points = points};
@@ -56,8 +56,14 @@ static enum status_code own_curve(struct table *out, const struct surface_record
     enum status_code rc = points ? STATUS_OK : status_memory(status);
     if (rc == STATUS_OK)
         rc = ensemble_curve(&curve, NULL, &record->ensemble, model_rows[m], &dense, status);
+    for (size_t i = 0; curve.exists && i < curve.count && i < count; i++)
+        own_gap_m[i] = points[i].value[QUANTITY_SEPARATION];
+    if (rc == STATUS_OK && curve.exists)
+        joint_hold(points, curve.count, joint);
     if (rc == STATUS_OK)
         rc = joint_curve(&curve, model_rows[m], &dense, joint, status);
+    for (size_t i = 0; curve.exists && i < curve.count && i < count; i++) /* a bond line has no spring of its own */
+        points[i].value[QUANTITY_SEPARATION] = own_gap_m[i];
     if (rc == STATUS_OK && curve.exists)
         take_points(out, &curve, 1, joint, JOINT_HEAT);
     free(points);
@@ -94,7 +100,8 @@ static enum status_code lay_out(struct cells *out, const struct joint *joint, co
         out->bodies[JOINT_CURRENT][side] = (struct shape_body){pair->side_resistivity_ohm_m[side], thickness_m};
     }
     size_t current = 0; /* a plating has no factor where spots meet, and resistance stays as there */
-    while (current < own->count && isfinite(own->value[1 + JOINT_CURRENT][current]))
+    while (current < own->count && own->value[1 + JOINT_CURRENT][current] > 0 &&
+           isfinite(own->value[1 + JOINT_CURRENT][current]))
         current++;
     if (shape_make(&out->shape, nx, ny, side_m, status) != STATUS_OK ||
         shape_curve_gap(&out->gap, own->at, own->value[0], own->count, out->hardness_Pa, status) != STATUS_OK ||
