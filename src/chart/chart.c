@@ -371,7 +371,7 @@ static void align_marks(const struct chart_panel *panel, const struct chart_exte
     {
         double at = json_number_value(json_object_get(mark, "at"));
         double share = panel->log_x ? log(at / x->low) / log(x->high / x->low) : (at - x->low) / (x->high - x->low);
-        json_object_set_new(mark, "side", json_string(share < 0.2 ? "left" : share > 0.8 ? "right" : "center"));
+        json_object_set_new(mark, "side", json_string(share > 0.8 ? "right" : "center"));
     }
 }
 
