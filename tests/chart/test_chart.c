@@ -230,7 +230,7 @@ TEST_CASE(names_of_rows_and_marks_have_room)
     static const char row[] = "direct solution of the map with hardness", across[] = "operating load 0.475 N",
                       target[] = "target 20000 W/(m²·K)";
     static const double letter = 7.6;
-    for (int at = 1; at <= 9; at++) {
+    for (int at = 0; at <= 10; at++) {
         struct chart chart = chart_make("names");
         chart_panel(&chart, "title", "x", "", false, false);
         chart_name_row(&chart, 1, row);
@@ -238,7 +238,8 @@ TEST_CASE(names_of_rows_and_marks_have_room)
         for (int x = 0; x <= 10; x++)
             chart_row(&chart, x, 1, 0, 0);
         chart_mark(&chart, true, at, across);
-        chart_mark(&chart, false, 1, target);
+        if (at % 2)
+            chart_mark(&chart, false, 1, target);
         struct text script = script_of(&chart, NULL);
         const char *drawn = text_string(&script), *mark = strstr(drawn, across);
         double left = setting(drawn, "set lmargin at screen "), right = setting(drawn, "set rmargin at screen "),
@@ -246,7 +247,7 @@ TEST_CASE(names_of_rows_and_marks_have_room)
                title = setting(strstr(drawn, "'title' at graph 0, "), "screen "), above = setting(mark, "screen "),
                middle = 800 * (left + (right - left) * at / 10);
         assert_true(800 * left >= letter * (double)text_characters(row));
-        assert_true(800 * (1 - right) >= letter * (double)text_characters(target));
+        assert_true(at % 2 == 0 || 800 * (1 - right) >= letter * (double)text_characters(target));
         assert_true(high * (above - top) >= 8 && high * (title - above) >= 16 && high * (1 - title) >= 8);
         double half = letter * (double)text_characters(across) / 2;
         double from = middle - (strstr(mark, " right textcolor") == strstr(mark, " textcolor") - 6 ? 2 : 1) * half;
