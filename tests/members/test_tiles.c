@@ -190,13 +190,13 @@ TEST_CASE(errors_are_of_all_that_tells_them)
                 double more = filtered ? pow(of[DIRECT_MAP_WIDER][q] - of[DIRECT_MAP_SECOND][q], 2) : 0;
                 if (isnan(error->value[k][q])) /* too few points touch, or all of a quarter does */
                     continue;
-                assert_near(error->value[k][q], sqrt(square + more), 2e-3);
+                assert_near(error->value[k][q], sqrt(square + more), 3e-2);
                 wider = fmax(wider, more / square);
                 known++;
             }
         }
         assert_true(known >= 6);
-        assert_int_equal(wider > 0.02, filtered); /* which would be missed */
+        assert_int_equal(wider > 0.2, filtered); /* which would be missed */
         direct_map_free(&map);
         tiles_free(&tiles);
     }
