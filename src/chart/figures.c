@@ -488,8 +488,8 @@ static void make_convergence(struct chart *chart, const struct source *source)
             chart->number = 1 + 2 * s + model_rows[m]->plastic;
             number_format(&load, results_sweep_load(results, m), 2);
             chart_panel(chart,
-                        SAY("%s\nnumber 6-%02d\n%s\nload %s", parameter[s][1], chart->number,
-                            model_rows[m]->plastic ? "plastic" : "elastic", text_string(&load)),
+                        SAY("%s\nnumber 6-%02d\nmodel %s\nload %s", parameter[s][1], chart->number,
+                            model_rows[m]->label, text_string(&load)),
                         SAY("axis.shortest_wavelength"), SAY("axis.area_ratio"), true, true);
             text_free(&load);
             for (size_t v = 0; v < sweep->count; v++) {

@@ -224,7 +224,7 @@ TEST_IN_WORKSPACE(sweeps_that_yield_are_told_apart)
         }
     assert_true(least < 0.1 && most > 2 * least);
     char *script = file_of(place, "o", "convergence", "gp");
-    expect_parts(script, "varied, elastic, at 0.0010'", "varied, elastic-plastic, at 8.4·10⁻⁶'");
+    expect_parts(script, "α: multiscale elastic at 0.0010'", "γ: multiscale elastic-plastic at 8.4·10⁻⁶'");
 }
 
 /* Of a report's only surface the chart of what the first page has drawn, and gap against area, are the appendix's; of
