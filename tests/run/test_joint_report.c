@@ -380,8 +380,7 @@ TEST_IN_PLACE(a_shape_without_an_answer)
          "correct 'shape'\n"},
         {"shape: {flatness: 9 um, over: 20 mm}\nhardness: 2 MPa\n",
          "no shape with JG: from 0.098 MPa on over 5 % of the load lies where 'shape' presses at the hardness; begin "
-         "'load' "
-         "lower, or correct 'shape' or 'hardness'\n"},
+         "'load' lower, or correct 'shape' or 'hardness'\n"},
         {"shape: {flatness: 3 um, over: 20 mm}\n", NULL},
     };
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
