@@ -750,7 +750,8 @@ static void put_hardness(json_t *out, const struct view_source *source)
     view_flag(item, "of_scene", summary->hardness == SURFACE_HARDNESS_SCENE);
     view_flag(item, "of_plating", summary->hardness == SURFACE_HARDNESS_PLATING);
     view_flag(item, "of_bodies", summary->hardness == SURFACE_HARDNESS_BODIES);
-    view_flag(item, "too_thin", summary->indent_m >= joint->plating_thickness_m);
+    view_flag(item, "too_thin", summary->indents_through && isfinite(summary->indent_m));
+    view_flag(item, "through", summary->indent_m >= joint->plating_thickness_m);
     for (size_t k = 0; k < source->results->usable_count; k++) {
         const struct surface_summary *other = view_summary(source, source->results->by_roughness[k]);
         apart += other->hardness != summary->hardness || other->pair.hardness_Pa != summary->pair.hardness_Pa;

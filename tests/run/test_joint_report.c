@@ -290,12 +290,17 @@ TEST_IN_PLACE(a_plating_has_its_hardness)
             indent_um = strtod(strstr(line, "Vickers indents ") + strlen("Vickers indents "), NULL);
         free(line);
     }
-    for (int side = 0; side < 2; side++) { /* on either side of that depth */
+    for (int side = 0; side < 2; side++) { /* on either side of that depth; what is said is at the hardness taken */
         char scene[512];
         snprintf(scene, sizeof scene, BRONZE "plating: {metal: tin, thickness: %g um}\n",
                  indent_um * (side ? 1.06 : 0.94));
         json_t *results = results_of(place, scene);
         assert_near(hardness_of(results), side ? 100e6 : bronze_Pa, 1e-12);
+        char *page = directory_read(place, "out/report.md");
+        const double said_um = strtod(strstr(page, "Vickers indents ") + strlen("Vickers indents "), NULL);
+        assert_true(side ? fabs(said_um / indent_um - 1) < 1e-3 : said_um < 0.9 * indent_um); /* bronze is harder */
+        assert_int_equal(strstr(page, "; softer tin alone, ") != NULL, !side);
+        assert_int_equal(strstr(page, "which go through") != NULL, 0);
     }
     for (int given = 0; given < 2; given++) { /* as if the scene gave it */
         report_on(place,
@@ -361,6 +366,32 @@ TEST_IN_PLACE(shape_of_the_parts)
         assert_true(k < 3 || lay < lay_flat); /* it changes the spots, not the way to them */
         lay_flat = k == 0 ? lay : lay_flat;
         before = contact;
+    }
+}
+
+/* Where the shape has no answer, the note says at which load, and what to do; elsewhere it says nothing. */
+TEST_IN_PLACE(a_shape_without_an_answer)
+{
+    static const struct {
+        const char *more, *said;
+    } rows[] = {
+        {"shape: {crown: 1 mm}\n",
+         "no shape with JG: at 0.098 MPa its pressures do not converge; begin 'load' higher, or "
+         "correct 'shape'\n"},
+        {"shape: {flatness: 9 um, over: 20 mm}\nhardness: 2 MPa\n",
+         "no shape with JG: from 0.098 MPa on over 5 % of the load lies where 'shape' presses at the hardness; begin "
+         "'load' lower, or correct 'shape' or 'hardness'\n"},
+        {"shape: {flatness: 3 um, over: 20 mm}\n", NULL},
+    };
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        char *page =
+            report_on(place, filled("material: copper\ncounterface: aluminium\nnominal_area: 400 mm2\nmodels: [jg]\n"
+                                    "load: {from: 1 bar, to: 100 bar, points: 7}\noperating_load: 10 bar\n%s"
+                                    "surfaces: [{name: a, file: a.csv}]\n",
+                                    rows[k].more));
+        assert_int_equal(strstr(page, "no shape with") != NULL, rows[k].said != NULL);
+        if (rows[k].said)
+            expect_parts(page, rows[k].said);
     }
 }
 
