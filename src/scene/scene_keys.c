@@ -469,7 +469,7 @@ const struct scene_key scene_keys[] = {
      scene_asked_read, .at = 0},
     {"limits",
      "a mapping of such quantities, each {most: value} or {least: value}, at the operating load; `report --check` ends "
-     "with 5 where one is missed",
+     "with 5 where one is missed, with 6 where none is and one is undecided",
      scene_asked_read, .at = 0},
     {"tolerance", "relative, of every reported number; default: 1e-6", SCENE_NUMBER(AT(tolerance), 1e-14, 0.1)},
     {"accuracy",

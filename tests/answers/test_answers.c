@@ -485,7 +485,7 @@ TEST_CASE(intervals_of_a_band)
     drop(&f);
 }
 
-/* A limit that the interval straddles cannot be told; without one the value decides. */
+/* A limit that the interval straddles is undecided; without one the value decides. */
 TEST_CASE(limits)
 {
     static const struct {
@@ -493,18 +493,12 @@ TEST_CASE(limits)
         bool is_upper;
         enum limit_verdict verdict;
     } rows[] = {
-        {0.9, NAN, NAN, true, LIMIT_MET},
-        {1.1, NAN, NAN, true, LIMIT_MISSED},
-        {1.1, NAN, NAN, false, LIMIT_MET},
-        {0.9, NAN, NAN, false, LIMIT_MISSED},
-        {0.9, 0.8, 0.99, true, LIMIT_MET},
-        {0.9, 0.8, 1.01, true, LIMIT_CANNOT_TELL},
-        {1.1, 0.99, 1.2, true, LIMIT_CANNOT_TELL},
-        {1.1, 1.01, 1.2, true, LIMIT_MISSED},
-        {0.9, 0.8, 0.99, false, LIMIT_MISSED},
-        {1.1, 0.99, 1.2, false, LIMIT_CANNOT_TELL},
-        {1.1, 1.01, 1.2, false, LIMIT_MET},
-        {NAN, NAN, NAN, true, LIMIT_NO_VALUE},
+        {0.9, NAN, NAN, true, LIMIT_MET},        {1.1, NAN, NAN, true, LIMIT_MISSED},
+        {1.1, NAN, NAN, false, LIMIT_MET},       {0.9, NAN, NAN, false, LIMIT_MISSED},
+        {0.9, 0.8, 0.99, true, LIMIT_MET},       {0.9, 0.8, 1.01, true, LIMIT_UNDECIDED},
+        {1.1, 0.99, 1.2, true, LIMIT_UNDECIDED}, {1.1, 1.01, 1.2, true, LIMIT_MISSED},
+        {0.9, 0.8, 0.99, false, LIMIT_MISSED},   {1.1, 0.99, 1.2, false, LIMIT_UNDECIDED},
+        {1.1, 1.01, 1.2, false, LIMIT_MET},      {NAN, NAN, NAN, true, LIMIT_NO_VALUE},
         {0, NAN, NAN, true, LIMIT_MET}, /* complete contact */
     };
     const struct scene_asked up = {.value = 1, .is_upper = true}, down = {.value = 1};

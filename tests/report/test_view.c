@@ -461,7 +461,7 @@ TEST_OF_PLAIN(too_few_spots_are_told)
 
 TEST_OF_PLAIN(a_limit_names_the_one_surface_and_counts_several)
 {
-    static const enum limit_verdict verdicts[][MADE_UP_USABLE] = {{LIMIT_MET, LIMIT_CANNOT_TELL, LIMIT_MISSED},
+    static const enum limit_verdict verdicts[][MADE_UP_USABLE] = {{LIMIT_MET, LIMIT_UNDECIDED, LIMIT_MISSED},
                                                                   {LIMIT_MISSED, LIMIT_NO_VALUE, LIMIT_MISSED},
                                                                   {LIMIT_MET, LIMIT_MET, LIMIT_MET}};
     static const char *const says[] = {
