@@ -97,7 +97,8 @@ static json_t *scene_json(const struct results *results)
     json_object_set_new(json, "counterface", counterface_json(bodies));
     json_set_all(json, "loads_over_AnEp", results->loads, results->loads_apart ? 0 : results->load_count);
     if (scene->load.unit_text[0])
-        json_object_set_new(json, "load_unit", json_shown(scene->load.unit_text));
+        json_object_set_new(json, scene->load.kind == UNIT_NUMBER ? "operating_load_unit" : "load_unit",
+                            json_shown(scene->load.unit_text));
     if (results->usable_count > 0)
         json_set(json, "operating_load_over_AnEp", results_operating_load(results, results->baseline));
     if (plan_runs(results->plan, EFFECT_UNLOADING))

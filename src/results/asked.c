@@ -139,8 +139,9 @@ struct asked_load asked_load_of(const struct results *results, size_t surface)
     double area_m2 = scene->nominal_area_m2;
     struct asked_load out = {"", 1, false};
     if (load->unit_text[0]) {
-        out.force = load->kind == UNIT_FORCE;
-        out.scale = scene_load_divisor(scene, load->kind, pair) / load->unit.factor;
+        enum unit_quantity kind = (enum unit_quantity)unit_of(&load->unit, UNIT_LOADS);
+        out.force = kind == UNIT_FORCE;
+        out.scale = scene_load_divisor(scene, kind, pair) / load->unit.factor;
         asked_unit(out.unit, sizeof out.unit, load->unit_text);
     } else if (!pair->unknown) {
         out.force = isfinite(area_m2);

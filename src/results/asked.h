@@ -27,7 +27,8 @@ void asked_ends(double out[2], const struct asked *asked, const double of[2]);
 void asked_interval(double out[2], const struct asked *asked, const struct results *results, size_t model,
                     size_t surface);
 
-/** What loads stand in for the user: the scene's unit, else N with a nominal area, else MPa, else P/(A_n E'). */
+/** What loads stand in for the user: the scene's unit (of `load`, else of `operating_load`), else N with a nominal
+ * area, else MPa, else P/(A_n E'). */
 struct asked_load {
     char unit[64]; /* "": P/(A_n E') */
     double scale;  /* P/(A_n E') times it is the number shown */

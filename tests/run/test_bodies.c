@@ -102,6 +102,29 @@ TEST_IN_DIRECTORY(loads_are_shown_as_given)
     }
 }
 
+/* An operating load in centinewtons, without loads: all charts stand over cN, and their data too; loads that the scene
+ * gives as P/(A_n E') stay that. */
+TEST_IN_DIRECTORY(loads_are_shown_as_the_operating_load_is_given)
+{
+    static const char scene[] = "effects: [plasticity, separation, electrical]\nmodels: [corrected-persson, cmy]\n"
+                                "material: tin\nnominal_area: 1 mm2\noperating_load: 200 cN\n";
+    static const char *const charts[] = {"answer", "area", "ecr", "separation-load"};
+    pipeline_rough(place, "in/a.csv", 400, 1, 11);
+    pipeline_rough(place, "in/b.csv", 400, 1, 12);
+    directory_write(place, "in/scene.yaml", scene);
+    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+    expect_in_file(place, "out/report.md", "**At 200\u00a0cN the ");
+    expect_in_file(place, "out/results.json", "\"operating_load_unit\": \"cN\"");
+    for (size_t i = 0; i < sizeof charts / sizeof *charts; i++)
+        expect_in_file(place, filled("out/figures/%s.gp", charts[i]), "load (cN)'");
+    struct table contact = directory_table(place, "out/data/contact.csv");
+    char *data = directory_read(place, "out/figures/area.csv");
+    assert_near(strtod(strchr(data, '\n') + 1, NULL), 1e2 * 1e-6 * table_number(&contact, 0, "pressure_Pa"), 1e-9);
+    directory_write(place, "in/scene.yaml", filled("%sload: {from: 1e-5, to: 1e-2, points: 7}\n", scene));
+    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+    expect_in_file(place, "out/figures/area.gp", "load P/(Aₙ E′)'");
+}
+
 /* What needs no material is what it is with any: loads are P/(A_n E'). */
 TEST_IN_DIRECTORY(without_a_material)
 {

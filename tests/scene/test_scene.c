@@ -353,6 +353,27 @@ TEST_CASE(test_units_of_loads_and_what_fills_the_gaps)
     scene_free(&scene);
 }
 
+/* A unit of the operating load is the charts' where no loads are given, before `load` and behind it; it does not change
+ * what the loads are. */
+TEST_CASE(test_the_operating_loads_unit_is_that_of_the_loads)
+{
+    static const struct {
+        const char *loads, *unit;
+    } cases[] = {{"operating_load: 200 cN", "cN"},
+                 {"operating_load: 200 cN\nload: {points: 31}", "cN"},
+                 {"operating_load: 2 MPa", "MPa"},
+                 {"operating_load: 200 cN\nload: {from: 1 N, to: 10 N}", "N"},
+                 {"load: {from: 1e-6, to: 1e-3}\noperating_load: 200 cN", ""},
+                 {"operating_load: 1e-4", ""},
+                 {"unload_from: 2 N", ""}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct scene scene = scene_of(filled("material: tin\nnominal_area: 1 mm2\n%s\n", cases[i].loads));
+        assert_string_equal(scene.load.unit_text, cases[i].unit);
+        assert_int_equal(scene.load.kind, i == 3 ? UNIT_FORCE : UNIT_NUMBER);
+        scene_free(&scene);
+    }
+}
+
 /** A Vickers number is in kgf/mm²; a correlation holds for surfaces without a hardness of their own. */
 TEST_CASE(test_hardness)
 {
