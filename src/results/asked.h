@@ -47,6 +47,10 @@ struct asked_solved {
 /** At a load of the baseline, straight in the logarithms between those solved, else at the solved load that is nearest;
  * NaN: none. */
 struct asked_solved asked_direct(const struct results *results, enum quantity quantity, double load);
+/** A unit as people print it: "mohm" as "mΩ", "W/m2/K" as "W/(m²·K)". */
+void asked_unit(char *out, size_t size, const char *unit);
+/** `unit` with the prefix with which a value in it is between 1 and 1000; returns what the prefix stands for. */
+double asked_prefix(char *out, size_t size, const char *unit, double value);
 /** A number with its unit as people print it: "1 mohm" as "1 mΩ". */
 void asked_text(char *out, size_t size, const char *text);
 
