@@ -482,10 +482,11 @@ static double of_scanned(const struct view_source *source, size_t surface)
     return estimate_has_width(known, known->half_width) ? exp(known->half_width) : NAN;
 }
 
-/** By how much the asked quantity changes where area and ECR do so by these factors: film and plating are by the area,
- * the heat in the gaps stays, and so does the way to the spots. */
-static double change_of(const struct view_source *source, size_t surface, double area, double ecr)
+/** By how much the asked quantity changes where area, gap and ECR do so by these factors (NaN: not known): film and
+ * plating are by the area, the heat in the gaps stays, and so does the way to the spots. */
+static double change_of(const struct view_source *source, size_t surface, double area, double gap, double ecr)
 {
+    const double factors[FOLLOWS_COUNT] = {NAN, area, gap, ecr};
     const struct contact_point at = comparison_middle(source->results, source->leading, surface);
     double spots = 1 / (at.value[QUANTITY_TCR] * at.value[QUANTITY_JOINT]);
     double bare = at.value[QUANTITY_ECR] / at.value[QUANTITY_JOINT_ECR];
@@ -495,12 +496,11 @@ static double change_of(const struct view_source *source, size_t surface, double
     const struct joint_shape *shapes = source->results->surfaces[surface].shapes,
                              *shape = shapes ? &shapes[source->leading] : NULL;
     double load = at.value[QUANTITY_LOAD];
-    return asked == QUANTITY_AREA          ? area
-           : asked == QUANTITY_JOINT       ? heat
+    return asked == QUANTITY_JOINT         ? heat
            : asked == QUANTITY_JOINT_ECR   ? current
            : asked == QUANTITY_SHAPE_JOINT ? 1 / joint_shape_change(shape, load, JOINT_HEAT, 1 / heat)
            : asked == QUANTITY_SHAPE_ECR   ? joint_shape_change(shape, load, JOINT_CURRENT, current)
-                                           : ecr;
+                                           : factors[quantity_rows[asked].follows];
 }
 
 /** The direct solution where there is one, else 95 % of what the model says of itself, else the one that stands beside
@@ -522,7 +522,7 @@ static double of_model(const struct view_source *source, size_t surface)
         return exp(1.96 * known->model_sd);
     if (model_sd(row, QUANTITY_AREA) > 0)
         return change_of(source, surface, exp(-1.96 * model_sd(row, QUANTITY_AREA)),
-                         exp(1.96 * model_sd(row, QUANTITY_ECR)));
+                         exp(1.96 * model_sd(row, QUANTITY_SEPARATION)), exp(1.96 * model_sd(row, QUANTITY_ECR)));
     size_t beside = model_index(row->gaussian);
     bool alone = plan_runs_model(results->plan, beside);
     for (size_t m = 0; m < model_count; m++) {
@@ -542,7 +542,7 @@ static double of_lay(const struct view_source *source, size_t surface)
 {
     const struct surface_summary *summary = view_summary(source, surface);
     const double *lay = summary->perfect_lay;
-    return !summary->has_lay && lay[0] > 0 ? change_of(source, surface, lay[0], lay[1]) : NAN;
+    return !summary->has_lay && lay[0] > 0 ? change_of(source, surface, lay[0], NAN, lay[1]) : NAN;
 }
 
 static double of_change(const struct view_source *source, size_t surface, enum sensitivity_change change)
@@ -551,7 +551,7 @@ static double of_change(const struct view_source *source, size_t surface, enum s
     const struct sensitivity_factors *factors = &model->sensitivity;
     if (!model->exists || (sensitivity_changes[change].plastic && !model_rows[source->leading]->plastic))
         return NAN;
-    return change_of(source, surface, factors->area[change], factors->ecr[change]);
+    return change_of(source, surface, factors->area[change], NAN, factors->ecr[change]);
 }
 
 /** The factor by which a limit may change the answer, the farthest from 1 over all usable surfaces. */
