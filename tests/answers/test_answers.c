@@ -383,6 +383,33 @@ TEST_CASE(spots_are_those_at_the_answers_load)
     }
 }
 
+/* A scan whose spots nobody knows is no scan without spots: the mean is of the others. */
+TEST_CASE(spots_of_a_scan_that_has_none_known_are_not_zero)
+{
+    struct fixture f;
+    make(&f, SCANS);
+    f.plan.models = MODEL_BIT(model_named("corrected-persson")) | MODEL_BIT(model_named("gw"));
+    let_count(&f, "gw");
+    size_t target = ask(&f, "ecr", value_at(&f.task, "corrected-persson", 1e-6, QUANTITY_ECR));
+    f.parts[0].roughness.m2 = f.parts[0].roughness.m0_m2 = NAN; /* of its asperities, not the spectrum */
+    find(&f);
+    const struct answer *elastic = answer(&f, target, "corrected-persson");
+    assert_int_equal(elastic->counted_by, model_named("gw"));
+    double others = 0;
+    for (size_t s = 1; s < SCANS; s++) {
+        struct asperities asperities;
+        struct status status = {0};
+        struct contact_spots spots;
+        struct model_task own = member_task(&asperities, &f.parts[s], &f.task),
+                          one = model_task_at(&own, &elastic->load, 1);
+        assert_int_equal(model_rows[elastic->counted_by]->spots(&spots, model_rows[elastic->counted_by], &one, &status),
+                         STATUS_OK);
+        others += spots.density_per_m2 / (SCANS - 1);
+    }
+    assert_near(elastic->spots_per_m2, others, 1e-12);
+    drop(&f);
+}
+
 /* The joint of a plated surface with a film, which it has no number of from A/A_n = 0.1 on. */
 static void plate(struct fixture *f)
 {
