@@ -179,3 +179,34 @@ TEST_IN_DIRECTORY(whose_mean_free_path)
         assert_int_equal(strstr(report, "`mean_free_path: electron`") != NULL, k == 0);
     }
 }
+
+/** The last row of the block of a chart's data that begins at `at`: x and y. */
+static const char *last_row(const char *at, double *x, double *y)
+{
+    const char *end = strstr(at, "\n\n\n");
+    assert_non_null(end);
+    for (const char *row = at; row && row < end; row = strchr(row, '\n')) {
+        char *next;
+        row += *row == '\n';
+        *x = strtod(row, &next);
+        *y = strtod(next + 1, NULL);
+    }
+    return end + 3;
+}
+
+/* Under an axis in mm profiles stand in mm, and spectra, in the block behind, over µm. */
+TEST_IN_DIRECTORY(charts_stand_over_the_unit_of_their_axis)
+{
+    enum { POINTS = 400 };
+    double x = 0, y = 0;
+    pipeline_rough(place, "in/a.csv", POINTS, 1, 11);
+    directory_write(place, "in/scene.yaml", "models: [corrected-persson]\nlevel: none\n");
+    assert_int_equal(pipeline_run(place, "in", "out", 1), 0);
+    expect_in_file(place, "out/figures/surfaces.gp", "set xlabel 'position (mm)'", "set xlabel 'wavelength (µm)'");
+    char *data = directory_read(place, "out/figures/surfaces.csv"), *scan = directory_read(place, "in/a.csv");
+    const char *next = last_row(data, &x, &y);
+    assert_near(x, 5e-4 * (POINTS - 1), 1e-9);
+    assert_near(y, strtod(strrchr(scan, ',') + 1, NULL), 1e-6); /* µm */
+    last_row(next, &x, &y);
+    assert_near(x, 1, 0.01); /* two spacings */
+}
