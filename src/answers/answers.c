@@ -342,6 +342,9 @@ static enum status_code answer_target(struct answer *out, const struct surface_r
     return banded && out->kind == ANSWER_LOAD && !out->full ? solve_band(out, record, &search) : STATUS_OK;
 }
 
+const char *const limit_verdict_words[] = {
+    [LIMIT_NO_VALUE] = "no value", [LIMIT_MET] = "met", [LIMIT_MISSED] = "missed", [LIMIT_UNDECIDED] = "undecided"};
+
 enum limit_verdict answers_judge(const struct limit_check *check, const struct scene_asked *limit)
 {
     if (isnan(check->value))
@@ -350,7 +353,7 @@ enum limit_verdict answers_judge(const struct limit_check *check, const struct s
     double low = known ? check->low : check->value, high = known ? check->high : check->value;
     if (limit->is_upper ? high <= limit->value : low >= limit->value)
         return LIMIT_MET;
-    return (limit->is_upper ? low > limit->value : high < limit->value) ? LIMIT_MISSED : LIMIT_CANNOT_TELL;
+    return (limit->is_upper ? low > limit->value : high < limit->value) ? LIMIT_MISSED : LIMIT_UNDECIDED;
 }
 
 /** The leading model at load i of its curve against a limit, with its band. */

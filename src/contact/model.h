@@ -139,10 +139,10 @@ MUST_CHECK enum status_code model_run(struct model_curve *curve, const struct mo
 struct contact_point model_point(const struct transfer_point *contact, const struct model_row *row,
                                  const struct model_task *task);
 
-/** Its ln_rms of a quantity, of what the joint makes of a resistance as of that; 0: not measured. Of one scan where
+/** Its ln_rms of what the quantity follows; 0: not measured. Of one scan where
  * metal yields nothing was measured: the larger of the two. */
 double model_rms(const struct model_row *row, enum quantity quantity, bool one_scan, bool hard);
-/** Its ln_sd of a quantity. */
+/** Its ln_sd of what the quantity follows. */
 double model_sd(const struct model_row *row, enum quantity quantity);
 /** How many of their longest waves the scans hold (spectrum_longest_waves()) whose ends are open; 0: they close. */
 double model_task_longest_waves(const struct model_task *task);
