@@ -20,6 +20,7 @@ struct roughcontact_surface {
     struct profile profile;
     struct spectrum spectrum;
     struct asperities asperities;
+    struct cmy rough;
     bool has_asperities;
     struct status problem; /* why there are none */
     struct roughcontact_roughness roughness;
@@ -207,6 +208,7 @@ static enum status_code describe(struct roughcontact_surface *out, double lambda
     struct roughness r = profile->measured_x_m
                              ? roughness_of_points(profile->measured_x_m, profile->measured_z_m, profile->points)
                              : roughness_of_heights(profile->height_m, profile->points, profile->spacing_m);
+    out->rough = (struct cmy){r.rq_m, cmy_slope(r.m2)};
     out->has_asperities = roughness_asperities(&out->asperities, &r, &out->problem) == STATUS_OK;
     out->roughness = (struct roughcontact_roughness){.rq_m = r.rq_m,
                                                      .ra_m = r.ra_m,
@@ -518,6 +520,7 @@ static enum status_code run(struct roughcontact_curve **out, const struct roughc
         code = bearing_make(&bearing, &rows, status);
     if (code == STATUS_OK) {
         const struct model_task task = {.spectrum = &surface->spectrum,
+                                        .rough = surface->rough,
                                         .asperities = surface->has_asperities ? &surface->asperities : NULL,
                                         .pair = &pair,
                                         .loads = over_modulus,

@@ -2,6 +2,7 @@
 #include "members/surface_read.h"
 
 #include "base/clock.h"
+#include "spectrum/areal.h"
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -88,7 +89,8 @@ static enum status_code take_spectrum(struct spectrum *spectrum, struct roughnes
     return STATUS_OK;
 }
 
-/** Averages a profile's spectrum and moments into the surface's, as powers; the first one tells the rest. */
+/** Averages a profile's spectrum and moments into the surface's, as powers; for the thesis's line as logarithms too, so
+ * that it does not depend on how many scans there are. The first one tells the rest. */
 static enum status_code average(struct surface_record *record, const struct profile *profile,
                                 const struct spectrum *spectrum, const struct roughness *roughness,
                                 struct status *status)
@@ -97,13 +99,17 @@ static enum status_code average(struct surface_record *record, const struct prof
     summary->periodic += profile->periodic;
     if (summary->scans++ > 0) {
         roughness_average(&summary->roughness, roughness, summary->scans - 1);
-        return grid_average(&record->spectrum, spectrum, summary->scans - 1, status);
+        if (grid_average(&record->spectrum, spectrum, summary->scans - 1, status) != STATUS_OK)
+            return status->code;
+        return grid_average_logs(&record->typical, spectrum, summary->scans - 1, status);
     }
     summary->roughness = *roughness;
     summary->points = profile->points;
     summary->spacing_m = profile->spacing_m;
-    return spectrum_copy(&record->spectrum, spectrum, status) == STATUS_OK ? keep_preview(record, profile, status)
-                                                                           : status->code;
+    if (spectrum_copy(&record->spectrum, spectrum, status) != STATUS_OK ||
+        spectrum_copy(&record->typical, spectrum, status) != STATUS_OK)
+        return status->code;
+    return keep_preview(record, profile, status);
 }
 
 /** Adds one profile, a row of a scan, to the surface: to its mean and the spectra the law is fitted to, to the
@@ -181,6 +187,38 @@ static void measure_lay(struct surface_summary *summary, const struct scan *scan
                         "map");
 }
 
+/** Mean square of what levelling each row takes out of a map over its plane: the row's mean and, unless it closes on
+ * itself, its slope. 0 where more than a line is taken out, or waves. */
+static enum status_code measure_between(double *out, const struct scan *scan, const struct scene *scene, bool periodic,
+                                        struct status *status)
+{
+    double *flat_m = reallocarray(NULL, scan->nx * scan->ny, sizeof *flat_m), square = 0, points = 0;
+    *out = 0;
+    if (!flat_m)
+        return status_memory(status);
+    if (scene->level == LEVEL_LINE && !(scene->lambda_c_m > 0) && areal_flatten(flat_m, scan, status) == STATUS_OK) {
+        for (size_t row = 0; row < scan->ny; row++) {
+            double n = 0, x = 0, z = 0, xx = 0, xz = 0;
+            for (size_t i = 0; i < scan->nx; i++) {
+                double height = flat_m[row * scan->nx + i], place = (double)i - (double)(scan->nx - 1) / 2;
+                if (isnan(height))
+                    continue;
+                n += 1;
+                x += place;
+                z += height;
+                xx += place * place;
+                xz += place * height;
+            }
+            double spread = xx - x * x / n, slope = spread > 0 && !periodic ? (xz - x * z / n) / spread : 0;
+            square += n > 0 ? z * z / n + slope * slope * spread : 0;
+            points += n;
+        }
+        *out = square / points;
+    }
+    free(flat_m);
+    return status->code;
+}
+
 /** Makes the profile of a row. */
 static enum status_code take_row(struct profile *out, struct scan *scan, size_t row, const struct profile_options *how,
                                  struct status *status)
@@ -234,6 +272,8 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
     struct direct_map_def map = {0};
     size_t unusable = 0, run_before = set->count;
     bool areal = scan->kind == SCAN_AREAL, first_file = summary->scans == 0;
+    size_t scans_before = summary->scans, periodic_before = summary->periodic;
+    double between_m2 = 0;
     struct status first = {0};
     if ((areal && condition_map(&map, scan, status) != STATUS_OK) ||
         repeats_add_scan(set, scene_file, status) != STATUS_OK)
@@ -262,6 +302,10 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
         return status_fail(status, first.code, "%s: %s", file, first.message);
     }
     summary->cutoff_m = cutoff_m;
+    if (areal && measure_between(&between_m2, scan, scene, summary->periodic > periodic_before, status) != STATUS_OK)
+        return status->code;
+    summary->between_m2 +=
+        (between_m2 - summary->between_m2) * (double)(summary->scans - scans_before) / (double)summary->scans;
     if (areal && first_file && keep_map(task, scan, &map, status) != STATUS_OK)
         return status->code;
     if (areal)
