@@ -145,6 +145,7 @@ void roughcontact_scan_free(struct roughcontact_scan *scan)
 }
 
 static const int laws[] = {[POWER_LAW_BAND_NONE] = ROUGHCONTACT_LAW_NONE,
+                           [POWER_LAW_BAND_SCATTERED] = ROUGHCONTACT_LAW_SCATTERED,
                            [POWER_LAW_BAND_NARROW] = ROUGHCONTACT_LAW_NARROW,
                            [POWER_LAW_BAND_LAW] = ROUGHCONTACT_LAW_FOUND};
 
@@ -175,8 +176,8 @@ static enum status_code find_row(size_t *row, const struct scan *scan, size_t as
 }
 
 /** The law as a report fits it to a surface with one scan. */
-static enum status_code fit_law(struct roughcontact_power_law *out, const struct profile *profile, double lambda_s_m,
-                                struct status *status)
+static enum status_code fit_law(struct roughcontact_power_law *out, const struct profile *profile,
+                                const struct spectrum *spectrum, double lambda_s_m, struct status *status)
 {
     const struct power_law_scans_def def = {.lambda_s_m = lambda_s_m};
     struct power_law_scans scans = {0};
@@ -186,7 +187,7 @@ static enum status_code fit_law(struct roughcontact_power_law *out, const struct
     if (code == STATUS_OK)
         code = power_law_scans_fit(&band, &scans, &def, status);
     if (code == STATUS_OK) {
-        struct power_law law = power_law_of_band(&band);
+        struct power_law law = power_law_of_band(&band, spectrum);
         *out = (struct roughcontact_power_law){.law = laws[law.found],
                                                .alpha = law.alpha,
                                                .gamma = law.gamma,
@@ -223,7 +224,7 @@ static enum status_code describe(struct roughcontact_surface *out, double lambda
         return status->code;
     out->shown_spectrum = (struct roughcontact_spectrum){out->spectrum.count, out->spectrum.length_m,
                                                          out->spectrum.amplitude_m, out->spectrum.has_nyquist};
-    return fit_law(&out->power_law, profile, lambda_s_m, status);
+    return fit_law(&out->power_law, profile, &out->spectrum, lambda_s_m, status);
 }
 
 static enum status_code make(struct roughcontact_surface **out, const struct roughcontact_scan *scan,

@@ -71,7 +71,7 @@ struct surface_summary {
     struct roughness roughness;
     struct asperities asperities;
     bool has_asperities; /* a statistical model exists */
-    double between_m2;   /* mean square of what levelling each row took out of a map over its plane; 0: profiles */
+    double between_m2;   /* what Sq² of maps has over their rows' mean square height; 0: profiles */
     struct cmy rough;    /* what handbooks ask: Rq (of maps Sq), and the surface's mean slope, of a lay as across it and
                             along it together */
     struct power_law power_law;

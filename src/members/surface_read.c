@@ -119,6 +119,8 @@ static void note_description(struct surface_summary *summary, const struct scene
         note_add(notes, NULL, law->harmonics < 3 ? "note.few_harmonics" : "note.no_alpha");
     else if (law->found == POWER_LAW_BAND_NONE)
         note_add(notes, NULL, "note.no_law");
+    else if (law->found == POWER_LAW_BAND_SCATTERED)
+        note_add(notes, NULL, "note.scattered\nrms %.2g", law->misfit_decades);
     else if (law->found == POWER_LAW_BAND_NARROW)
         note_add(notes, NULL, "note.narrow\nfrom %.3g\nto %.3g", law->band_m[0] * 1e6, law->band_m[1] * 1e6);
     if (isfinite(law->knee_m))
@@ -157,7 +159,7 @@ static enum status_code fit_alone(struct surface_record *record, const struct po
     for (size_t i = 0; i < count && rc == STATUS_OK; i++) {
         struct power_law_band alone;
         rc = power_law_scans_fit_alone(&alone, scans, i, &def, record->band, status);
-        struct power_law law = power_law_of_band(&alone);
+        struct power_law law = power_law_of_band(&alone, &record->typical);
         gamma[i] = law.gamma;
         psd_m3[i] = law.psd_m3;
     }
@@ -195,7 +197,7 @@ static enum status_code describe(struct surface_record *record, struct power_law
             return status_memory(status);
         if (power_law_scans_fit(record->band, scans, &def, status) != STATUS_OK)
             return status->code;
-        *law = power_law_of_band(record->band);
+        *law = power_law_of_band(record->band, &record->typical);
         lines = power_law_band_lines(line_m, record->band);
         record->tapered = scans->mean;
         scans->mean = (struct spectrum){0};
@@ -307,7 +309,7 @@ static enum status_code conclude(struct surface_record *record, struct power_law
     record->ensemble.sigma_m = sqrt(record->summary.roughness.m0_m2);
     if (repeats_compare(&record->summary.repeats, &record->ensemble, &record->spectrum, status) != STATUS_OK)
         return status->code;
-    bool found = scene->fit == POWER_LAW_AUTO && record->band->law != POWER_LAW_BAND_NONE;
+    bool found = scene->fit == POWER_LAW_AUTO && record->band->law >= POWER_LAW_BAND_NARROW;
     if (found && !counterface && fit_alone(record, scans, scene, status) != STATUS_OK)
         return status->code;
     const struct roughness *roughness = &record->summary.roughness;

@@ -187,36 +187,20 @@ static void measure_lay(struct surface_summary *summary, const struct scan *scan
                         "map");
 }
 
-/** Mean square of what levelling each row takes out of a map over its plane: the row's mean and, unless it closes on
- * itself, its slope. 0 where more than a line is taken out, or waves. */
-static enum status_code measure_between(double *out, const struct scan *scan, const struct scene *scene, bool periodic,
-                                        struct status *status)
+/** Mean square height of a map over its plane, Sq²; NaN where rows have more than a line taken out of them, or waves.
+ */
+static enum status_code measure_sq(double *out, const struct scan *scan, const struct scene *scene,
+                                   struct status *status)
 {
-    double *flat_m = reallocarray(NULL, scan->nx * scan->ny, sizeof *flat_m), square = 0, points = 0;
-    *out = 0;
+    double *flat_m = reallocarray(NULL, scan->nx * scan->ny, sizeof *flat_m);
+    struct status none = {0};
+    *out = NAN;
     if (!flat_m)
         return status_memory(status);
-    if (scene->level == LEVEL_LINE && !(scene->lambda_c_m > 0) && areal_flatten(flat_m, scan, status) == STATUS_OK) {
-        for (size_t row = 0; row < scan->ny; row++) {
-            double n = 0, x = 0, z = 0, xx = 0, xz = 0;
-            for (size_t i = 0; i < scan->nx; i++) {
-                double height = flat_m[row * scan->nx + i], place = (double)i - (double)(scan->nx - 1) / 2;
-                if (isnan(height))
-                    continue;
-                n += 1;
-                x += place;
-                z += height;
-                xx += place * place;
-                xz += place * height;
-            }
-            double spread = xx - x * x / n, slope = spread > 0 && !periodic ? (xz - x * z / n) / spread : 0;
-            square += n > 0 ? z * z / n + slope * slope * spread : 0;
-            points += n;
-        }
-        *out = square / points;
-    }
+    if (scene->level == LEVEL_LINE && !(scene->lambda_c_m > 0) && areal_flatten(flat_m, scan, &none) == STATUS_OK)
+        *out = roughness_of_heights_alone(flat_m, scan->nx * scan->ny).m0_m2;
     free(flat_m);
-    return status->code;
+    return STATUS_OK;
 }
 
 /** Makes the profile of a row. */
@@ -255,6 +239,15 @@ static enum status_code keep_map(const struct surface_scans *task, const struct 
     return keeps_direct(record, task->scene) ? keep_direct(record, scan, NULL, status) : STATUS_OK;
 }
 
+/** Takes what Sq² of the last file has over the mean square height of its rows (NaN: nothing) into the mean of all. */
+static void add_between(struct surface_summary *summary, size_t scans_before, double rq_before_m, double sq_m2)
+{
+    double before = (double)scans_before, all = (double)summary->scans, rq_m = summary->roughness.rq_m;
+    double rows_m2 = (all * rq_m * rq_m - before * rq_before_m * rq_before_m) / (all - before);
+    double excess_m2 = isnan(sq_m2) ? 0 : fmax(0, sq_m2 - rows_m2);
+    summary->between_m2 += (excess_m2 - summary->between_m2) * (all - before) / all;
+}
+
 enum status_code surface_rows_add(const struct surface_scans *task, struct scan *scan, const char *scene_file,
                                   struct status *status)
 {
@@ -272,8 +265,9 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
     struct direct_map_def map = {0};
     size_t unusable = 0, run_before = set->count;
     bool areal = scan->kind == SCAN_AREAL, first_file = summary->scans == 0;
-    size_t scans_before = summary->scans, periodic_before = summary->periodic;
-    double between_m2 = 0;
+    const size_t scans_before = summary->scans;
+    const double rq_before_m = summary->roughness.rq_m;
+    double sq_m2 = NAN;
     struct status first = {0};
     if ((areal && condition_map(&map, scan, status) != STATUS_OK) ||
         repeats_add_scan(set, scene_file, status) != STATUS_OK)
@@ -302,10 +296,9 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
         return status_fail(status, first.code, "%s: %s", file, first.message);
     }
     summary->cutoff_m = cutoff_m;
-    if (areal && measure_between(&between_m2, scan, scene, summary->periodic > periodic_before, status) != STATUS_OK)
+    if (areal && measure_sq(&sq_m2, scan, scene, status) != STATUS_OK)
         return status->code;
-    summary->between_m2 +=
-        (between_m2 - summary->between_m2) * (double)(summary->scans - scans_before) / (double)summary->scans;
+    add_between(summary, scans_before, rq_before_m, sq_m2);
     if (areal && first_file && keep_map(task, scan, &map, status) != STATUS_OK)
         return status->code;
     if (areal)

@@ -79,6 +79,8 @@ static void put_surface(json_t *row, const struct view_source *source, size_t su
         return;
     view_law(row, law);
     view_flag(row, "narrow", law->found == POWER_LAW_BAND_NARROW);
+    if (law->found == POWER_LAW_BAND_SCATTERED)
+        view_number(row, "scattered_rms", law->misfit_decades, 2, "");
     view_range(row, "band_um", law->band_m[0] * 1e6, law->band_m[1] * 1e6, 3, "");
     double wavelength_m = results_law_wavelength_m(source->results);
     put_amplitude(row, "amplitude_um", law, isfinite(wavelength_m) ? wavelength_m : law->wavelength_m);
