@@ -482,7 +482,10 @@ static enum status_code look(struct power_law_band *out, const struct selection 
     qsort(candidate, candidates, sizeof *candidate, wider_first);
     for (size_t c = 0; c < candidates; c++) {
         struct selection used = part_of(selection, candidate[c].first, candidate[c].last - candidate[c].first + 1);
-        if (scattered) {
+        if (scattered) { /* in place of a narrow law, one of the same wavelengths */
+            double middle = log10(out->fit.wavelength_m);
+            if (middle < bin_at(&used, used.count - 1)->x || middle > bin_at(&used, 0)->x)
+                continue;
             used.scatter = 1;
             used.scatter = fmax(1, line_through(&used, 0, used.count - 1, 0).residual / (double)(used.count - 2));
         }

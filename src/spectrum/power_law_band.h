@@ -93,9 +93,9 @@ struct power_law_band {
  *    s² = a'(Sigma + tau² I)a for the estimate a'y. A knee adds, in quadrature, what 2 bins more off that end change,
  *    and once 0.04 (gamma) and 0.02 decades (amplitude). More scans lessen neither that nor tau² a'a.
  * 7. Where that leaves none, or a narrow one whose gamma has an error above 0.35: steps 3 to 5 once more with 7.5 v in
- *    place of v, 1 bin off at knees and any tau. The widest candidate is SCATTERED: its band reaches to L where no knee
- *    ends it, and s² = a'(phi Sigma)a, phi = sum r²/(v (n - 2)). power_law_of_band() puts the line of the single
- *    harmonics there.
+ *    place of v, 1 bin off at knees and any tau. The widest candidate that holds the narrow one's middle is SCATTERED:
+ *    its band reaches to L where no knee ends it, and s² = a'(phi Sigma)a, phi = sum r²/(v (n - 2)), 1 at least.
+ *    power_law_of_band() puts the line of the single harmonics there.
  * Class NONE, and no error, when nothing is found. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code power_law_band_find(struct power_law_band *out,
                                                 const struct power_law_band_spectrum *spectrum, struct status *status);
