@@ -276,7 +276,7 @@ static enum status_code count_spots(struct answer *out, const struct ensemble *s
 {
     const struct model_row *row = model_rows[by];
     struct model_task one = model_task_at(task, &out->load, 1);
-    size_t runs = set->count > 1 ? set->count : 1, counted = 0;
+    size_t runs = set->count > 1 && !row->textbook ? set->count : 1, counted = 0;
     double sum = 0;
     for (size_t r = 0; r < runs; r++) {
         struct contact_spots spots = {NAN, NAN};
@@ -380,7 +380,8 @@ static struct limit_check check_limit(const struct surface_record *record, size_
     const struct model_curve *curve = &record->curves[leading];
     struct limit_check out = {.value = NAN, .low = NAN, .high = NAN};
     for (size_t i = 0; curve->exists && i < curve->count; i++)
-        if (curve->points[i].value[QUANTITY_LOAD] == load)
+        if (curve->points[i].value[QUANTITY_LOAD] == load &&
+            (!model_rows[leading]->textbook || curve_summary_point_is_valid(&curve->points[i], model_rows[leading])))
             out = check_point(record, leading, limit, joint, i);
     if (out.verdict == LIMIT_NO_VALUE && curve->exists && curve->count > 0 &&
         joint_is_held(&curve->points[curve->count - 1], joint)) {

@@ -20,6 +20,7 @@ struct roughcontact_surface {
     struct profile profile;
     struct spectrum spectrum;
     struct asperities asperities;
+    struct cmy rough;
     bool has_asperities;
     struct status problem; /* why there are none */
     struct roughcontact_roughness roughness;
@@ -144,6 +145,7 @@ void roughcontact_scan_free(struct roughcontact_scan *scan)
 }
 
 static const int laws[] = {[POWER_LAW_BAND_NONE] = ROUGHCONTACT_LAW_NONE,
+                           [POWER_LAW_BAND_SCATTERED] = ROUGHCONTACT_LAW_SCATTERED,
                            [POWER_LAW_BAND_NARROW] = ROUGHCONTACT_LAW_NARROW,
                            [POWER_LAW_BAND_LAW] = ROUGHCONTACT_LAW_FOUND};
 
@@ -174,8 +176,8 @@ static enum status_code find_row(size_t *row, const struct scan *scan, size_t as
 }
 
 /** The law as a report fits it to a surface with one scan. */
-static enum status_code fit_law(struct roughcontact_power_law *out, const struct profile *profile, double lambda_s_m,
-                                struct status *status)
+static enum status_code fit_law(struct roughcontact_power_law *out, const struct profile *profile,
+                                const struct spectrum *spectrum, double lambda_s_m, struct status *status)
 {
     const struct power_law_scans_def def = {.lambda_s_m = lambda_s_m};
     struct power_law_scans scans = {0};
@@ -185,7 +187,7 @@ static enum status_code fit_law(struct roughcontact_power_law *out, const struct
     if (code == STATUS_OK)
         code = power_law_scans_fit(&band, &scans, &def, status);
     if (code == STATUS_OK) {
-        struct power_law law = power_law_of_band(&band);
+        struct power_law law = power_law_of_band(&band, spectrum);
         *out = (struct roughcontact_power_law){.law = laws[law.found],
                                                .alpha = law.alpha,
                                                .gamma = law.gamma,
@@ -207,6 +209,7 @@ static enum status_code describe(struct roughcontact_surface *out, double lambda
     struct roughness r = profile->measured_x_m
                              ? roughness_of_points(profile->measured_x_m, profile->measured_z_m, profile->points)
                              : roughness_of_heights(profile->height_m, profile->points, profile->spacing_m);
+    out->rough = (struct cmy){r.rq_m, cmy_slope(r.m2)};
     out->has_asperities = roughness_asperities(&out->asperities, &r, &out->problem) == STATUS_OK;
     out->roughness = (struct roughcontact_roughness){.rq_m = r.rq_m,
                                                      .ra_m = r.ra_m,
@@ -221,7 +224,7 @@ static enum status_code describe(struct roughcontact_surface *out, double lambda
         return status->code;
     out->shown_spectrum = (struct roughcontact_spectrum){out->spectrum.count, out->spectrum.length_m,
                                                          out->spectrum.amplitude_m, out->spectrum.has_nyquist};
-    return fit_law(&out->power_law, profile, lambda_s_m, status);
+    return fit_law(&out->power_law, profile, &out->spectrum, lambda_s_m, status);
 }
 
 static enum status_code make(struct roughcontact_surface **out, const struct roughcontact_scan *scan,
@@ -518,6 +521,7 @@ static enum status_code run(struct roughcontact_curve **out, const struct roughc
         code = bearing_make(&bearing, &rows, status);
     if (code == STATUS_OK) {
         const struct model_task task = {.spectrum = &surface->spectrum,
+                                        .rough = surface->rough,
                                         .asperities = surface->has_asperities ? &surface->asperities : NULL,
                                         .pair = &pair,
                                         .loads = over_modulus,

@@ -126,11 +126,16 @@ struct roughcontact_spectrum {
 ROUGHCONTACT_API const struct roughcontact_spectrum *
 roughcontact_surface_spectrum(const struct roughcontact_surface *surface);
 
-enum roughcontact_law { ROUGHCONTACT_LAW_NONE = 0, ROUGHCONTACT_LAW_NARROW = 1, ROUGHCONTACT_LAW_FOUND = 2 };
+enum roughcontact_law {
+    ROUGHCONTACT_LAW_NONE = 0,
+    ROUGHCONTACT_LAW_NARROW = 1,
+    ROUGHCONTACT_LAW_FOUND = 2,
+    ROUGHCONTACT_LAW_SCATTERED = 3
+};
 
 /** amplitude = alpha wavelength^gamma. */
 struct roughcontact_power_law {
-    int law;      /* roughcontact_law; narrow: over less than a decade */
+    int law;      /* roughcontact_law; narrow: over less than a decade; scattered: a line, no law */
     double alpha; /* m^(1-gamma) */
     double gamma, gamma_error;
     double amplitude_m, amplitude_error_decades; /* the rms amplitude, at wavelength_m */

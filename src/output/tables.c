@@ -21,6 +21,8 @@ const struct record_field surface_fields[] = {
     SURFACE(NUMBER, "m0_m2", roughness.m0_m2, ALWAYS),
     SURFACE(NUMBER, "m2", roughness.m2, ALWAYS),
     SURFACE(NUMBER, "m4_per_m2", roughness.m4_per_m2, ALWAYS),
+    SURFACE(NUMBER, "sigma_m", rough.sigma_m, JSON),
+    SURFACE(NUMBER, "mean_slope", rough.slope, JSON),
     SURFACE(NUMBER, "nayak", asperities.nayak, ALWAYS),
     SURFACE(NUMBER, "asperity_density_per_m2", asperities.density_per_m2, JSON | RECORD_ASPERITIES),
     SURFACE(NUMBER, "asperity_radius_m", asperities.radius_m, JSON | RECORD_ASPERITIES),

@@ -16,16 +16,27 @@ static const struct answer *answer_to(const struct view_source *source, size_t t
     return &view_summary(source, surface)->answers[target * model_count + m];
 }
 
+/** May the first page print a model's number at this load: of the textbook none where its law does not hold. */
+static bool textbook_holds(const struct view_source *source, size_t surface, size_t m, double load)
+{
+    return !model_rows[m]->textbook || curve_summary_is_valid(surface_model(view_summary(source, surface), m), load);
+}
+
 /** To the target that the first page is about. */
 static const struct answer *answer_of(const struct view_source *source, size_t surface, size_t m)
 {
-    return answer_to(source, (size_t)(source->asked.target - source->results->scene->targets), surface, m);
+    static const struct answer none = {.kind = ANSWER_NONE, .load = NAN, .low = NAN, .high = NAN};
+    const struct answer *answer =
+        answer_to(source, (size_t)(source->asked.target - source->results->scene->targets), surface, m);
+    return textbook_holds(source, surface, m, answer->load) ? answer : &none;
 }
 
 /** The asked quantity of a model where the summary stands, as shown. */
 static double value_of(const struct view_source *source, size_t m, size_t surface)
 {
     const struct contact_point at = comparison_middle(source->results, m, surface);
+    if (!textbook_holds(source, surface, m, results_operating_load(source->results, surface)))
+        return NAN;
     return asked_shown(&source->asked, at.value[source->asked.quantity]);
 }
 
