@@ -85,7 +85,7 @@ static enum status_code find_rows(struct maker *maker, struct status *status)
         return STATUS_OK;
     }
     const struct strip_rows rows = {maker->map.height_m, maker->map.grid.ny, maker->map.grid.nx,
-                                    maker->map.grid.spacing_m, !maker->map.grid.mirrored};
+                                    maker->map.grid.spacing_m, !maker->map.grid.mirrored, NULL};
     size_t points;
     double *joined_m = strip_join(&points, &rows);
     if (!joined_m)

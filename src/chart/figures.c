@@ -11,6 +11,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 /* Surfaces: Okabe and Ito's hues with their lightness moved until each stands out from white, and any two still differ
  * for deuteranopes and protanopes. Sweeps: one ramp from dark violet to gold. Models have their colours in their rows.
@@ -843,6 +844,23 @@ enum status_code figures_draw(struct figures *out, const struct results *results
     }
     mustache_folder_free(&folder);
     return status->code;
+}
+
+enum status_code figures_check(const struct figures *figures, const char *directory, struct status *status)
+{
+    for (size_t i = 0; i < figures->count; i++) {
+        struct text file = {0};
+        struct stat drawn;
+        text_add(&file, "%s/figures/%s.svg", directory, figures->figure[i].name);
+        bool good = !file.failed && stat(text_string(&file), &drawn) == 0 && drawn.st_size > 0;
+        text_free(&file);
+        if (!good)
+            return status_fail(status, STATUS_CHART,
+                               "gnuplot did not draw '%s.svg' and did not say why: see whether it runs by itself "
+                               "('gnuplot -d')",
+                               figures->figure[i].name);
+    }
+    return STATUS_OK;
 }
 
 enum status_code figures_letters(struct text *out, const struct figures *figures, const char *directory,

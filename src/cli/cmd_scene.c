@@ -119,6 +119,8 @@ static error_t parse_report(int key, char *value, struct argp_state *state)
     char *end;
     if (key == ARGP_KEY_INIT)
         state->child_inputs[0] = arguments;
+    else if (key == 'o' && strcmp(value, "-") == 0)
+        argp_error(state, "-o takes the folder of the report, not '-': --json prints its numbers to standard output");
     else if (key == 'o')
         arguments->run.output = value;
     else if (key == 'j') {

@@ -514,7 +514,7 @@ static enum status_code run(struct roughcontact_curve **out, const struct roughc
     struct roughcontact_curve *made = calloc(1, sizeof *made);
     enum status_code code = made ? take_loads(&over_modulus, asked, &own, &pair, status) : status_memory(status);
     const struct profile *profile = &surface->profile;
-    const struct strip_rows rows = {profile->height_m, 1, profile->points, profile->spacing_m, profile->periodic};
+    const struct strip_rows rows = {profile->height_m, 1, profile->points, profile->spacing_m, profile->periodic, NULL};
     if (code == STATUS_OK)
         code = solve_strip(&strip, row, &rows, status);
     if (code == STATUS_OK && strip)

@@ -268,7 +268,7 @@ static void stretch(struct surface_record *record, double kappa)
 static double cost_of_strips(const struct surface_record *record)
 {
     const struct strip_rows *rows = &record->strips.rows,
-                            one = {NULL, 1, rows->points, rows->spacing_m, rows->periodic};
+                            one = {NULL, 1, rows->points, rows->spacing_m, rows->periodic, NULL};
     const double quarters = 0.35; /* two strips at nine loads, of three at seventeen */
     double alone = record->ensemble.count > 1 ? (double)rows->rows * (double)strip_cost(&one) : 0;
     return (double)strip_cost(rows) * (alone > 0 ? 1 : 1 + quarters) + alone;

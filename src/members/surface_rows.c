@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 static void note_scan(struct surface_summary *summary, const struct scan *scan, const struct profile *profile,
                       const char *file)
@@ -112,14 +113,30 @@ static enum status_code average(struct surface_record *record, const struct prof
     return keep_preview(record, profile, status);
 }
 
+/** A seed that the first heights of a row make as they were measured (FNV-1a): neither its name nor how it is made
+ * ready changes it. */
+static uint64_t seed_of(const struct scan *scan, size_t row)
+{
+    enum { HEIGHTS = 64 };
+    uint64_t hash = UINT64_C(0xcbf29ce484222325), bits;
+    for (size_t i = 0; i < scan->nx && i < HEIGHTS; i++) {
+        memcpy(&bits, &scan->z_m[row * scan->nx + i], sizeof bits);
+        for (int byte = 0; byte < 8; byte++)
+            hash = (hash ^ (bits >> 8 * byte & 0xff)) * UINT64_C(0x100000001b3);
+    }
+    return hash;
+}
+
 /** Adds one profile, a row of a scan, to the surface: to its mean and the spectra the law is fitted to, to the
  * variants that answers are sensitive to, and as a member of its own. `had`: what its heights have been through. */
 static enum status_code add_profile(const struct surface_scans *task, const struct profile_options *had,
-                                    const struct scan *scan, size_t row, struct profile *profile, struct status *status)
+                                    const struct scan *scan, size_t row, uint64_t seed, struct profile *profile,
+                                    struct status *status)
 {
     struct surface_record *record = task->record;
     const struct scene *scene = task->scene;
-    struct member own = {.points = profile->points, .spacing_m = profile->spacing_m, .periodic = profile->periodic};
+    struct member own = {
+        .points = profile->points, .spacing_m = profile->spacing_m, .periodic = profile->periodic, .seed = seed};
     double started = clock_seconds();
     enum status_code rc = take_spectrum(&own.spectrum, &own.roughness, profile, scene, status);
     if (rc == STATUS_OK)
@@ -278,11 +295,12 @@ enum status_code surface_rows_add(const struct surface_scans *task, struct scan 
     for (size_t row = 0; row < scan->ny; row++) {
         struct profile profile;
         struct status problem = {0};
+        const uint64_t seed = seed_of(scan, row);
         double started = clock_seconds();
         enum status_code rc = take_row(&profile, scan, row, &how, &problem);
         summary->times.prepare += clock_seconds() - started;
         if (rc == STATUS_OK)
-            rc = add_profile(task, &had, scan, row, &profile, &problem);
+            rc = add_profile(task, &had, scan, row, seed, &profile, &problem);
         if (rc == STATUS_OK && row == unusable) /* the first usable one speaks for all */
             note_scan(summary, scan, &profile, file);
         profile_free(&profile);

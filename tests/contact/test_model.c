@@ -110,7 +110,7 @@ TEST_CASE(test_any_task)
         size_t points = next_below(&seed, HEIGHTS_MOST + 1);
         for (size_t i = 0; i < points; i++)
             row[i] = 1e-6 * next_share(&seed);
-        struct strip_rows rows = {row, 1, points, 1e-6, t % 2};
+        struct strip_rows rows = {row, 1, points, 1e-6, t % 2, NULL};
         struct strip strip = {
             .own = {.count = 3, .logit = {-4, -1, 2}, .value = {{-9, 1, 2}, {-5, 0, 1}, {-3, -2, -1}}},
             .surrogate[0] = {.count = 1, .logit = {-1}, .value = {{-6, 0, 1}}},

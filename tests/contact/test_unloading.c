@@ -89,7 +89,7 @@ TEST_CASE(strips_tell)
         struct unloading own, again;
         for (size_t r = 0; r < LINES; r++)
             memcpy(row + r * SIDE, height + r * SIDE / LINES * SIDE, SIDE * sizeof *row);
-        const struct strip_rows rows = {row, LINES, SIDE, 1.0 / SIDE, true};
+        const struct strip_rows rows = {row, LINES, SIDE, 1.0 / SIDE, true, NULL};
         loop(ratio, height, 0.02, 0.1);
         expect_ok(unloading_solve, &own, &rows, 0.02, 0.1, NULL);
         expect_ok(unloading_solve, &again, &rows, 0.02, 0.1, NULL);
@@ -114,7 +114,7 @@ TEST_CASE(few_spots)
 {
     double *height = surface(0.8, false, 1);
     struct unloading own;
-    struct strip_rows rows = {height, LINES, SIDE, 1.0 / SIDE, true};
+    struct strip_rows rows = {height, LINES, SIDE, 1.0 / SIDE, true, NULL};
     expect_ok(unloading_solve, &own, &rows, 1e-4, 0.1, NULL);
     assert_true(own.raised >= 2 && own.raised * 1e-4 <= 0.02 && own.count == UNLOADING_SHARES);
     rows.rows = 1;
