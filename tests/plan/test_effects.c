@@ -132,11 +132,6 @@ PLACED(test_decisions)
     assert_true(plan_runs(&plan, EFFECT_PLASTICITY) && plan_runs(&plan, EFFECT_SCALE_DEPENDENT));
     assert_string_equal(plan.effects[EFFECT_PLASTICITY].reason, "spots might bear up to 0.14 times the hardness");
     assert_string_equal(plan.effects[EFFECT_SCALE_DEPENDENT].reason, "(8/3π) λmfp/a raises TCR by up to 0.0001");
-    assert_string_equal(plan.effects[EFFECT_CONVERGENCE].reason, "no spectrum can be carried on below what is known");
-    assert_false(plan_runs(&plan, EFFECT_CONVERGENCE));
-    scene.convergence.given = true;
-    decide(0.1415, 1.01e-4);
-    scene.convergence.given = false;
     assert_true(plan_runs(&plan, EFFECT_CONVERGENCE));
     assert_string_equal(plan.effects[EFFECT_CONVERGENCE].reason,
                         "sweeps, and the spectra of 0 of 1 surfaces carried on below what is known");

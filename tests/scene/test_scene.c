@@ -58,7 +58,6 @@ static void check_defaults(const struct scene *scene)
     assert_false(scene->level_given || scene->fit_band_given);
     assert_int_equal(scene->moments, ROUGHNESS_MOMENTS_DIFFERENCE);
     assert_int_equal(scene->closure, SINUSOID_FIT_THESIS);
-    assert_int_equal(scene->data, SCENE_DATA_AUTO);
     assert_null(scene->baseline);
     assert_int_equal(scene->convergence.scales, 4096);
 }
@@ -127,7 +126,6 @@ TEST_CASE(test_every_key)
     assert_int_equal(scene.window, SPECTRUM_WINDOW_HANN);
     assert_int_equal(scene.moments, ROUGHNESS_MOMENTS_SPECTRAL);
     assert_int_equal(scene.closure, SINUSOID_FIT_NUMERIC);
-    assert_int_equal(scene.data, SCENE_DATA_FULL);
     assert_string_equal(scene.baseline, "2");
     assert_int_equal(scene.convergence.scales, 512);
     check_numbers(&scene, true);
