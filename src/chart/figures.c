@@ -20,11 +20,7 @@ static const char *const surface_colours[] = {"#1257d0", "#cc5500", "#1fb380", "
 static const char *const sweep_colours[] = {"#431575", "#2b338f", "#025185", "#04657a", "#017775",
                                             "#058a64", "#4f9737", "#939803", "#c79608"};
 static const char ink[] = "#222222", quiet[] = "#8a8a8a";
-enum {
-    COLOURS = sizeof surface_colours / sizeof *surface_colours,
-    DASH_OUTSIDE = 2,
-    DASH_OTHER = 4
-};
+enum { COLOURS = sizeof surface_colours / sizeof *surface_colours, DASH_OUTSIDE = 2, DASH_OTHER = 4 };
 
 #define NOTE(note) (1u << (note))
 

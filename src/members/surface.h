@@ -85,7 +85,7 @@ struct surface_summary {
     double lay;                 /* rms slope along over across it: surface_kappa() */
     double perfect_lay[2]; /* where none is known: area and ECR of the leading model at the operating load if the scans
                               ran across a perfect one, over those as they are; NaN: no answer; 0: not asked */
-    struct direct_plan *direct;          /* how its contact is solved directly; owned, NULL: it is not called for */
+    struct direct_plan *direct; /* how its contact is solved directly; owned, NULL: it is not called for */
     struct surface_times times;
 };
 

@@ -61,9 +61,7 @@ static void decide(struct plan *plan, enum effect effect, const struct scene *sc
         runs = true;
         why = row->key ? "effect.key" : row->properties[0] ? "effect.material" : "effect.needs_none";
     }
-    plan_decide(plan, effect, runs,
-                lack ? lack
-                     : words_say(plan->words, "%s\nkey %s", why, key ? key : ""));
+    plan_decide(plan, effect, runs, lack ? lack : words_say(plan->words, "%s\nkey %s", why, key ? key : ""));
 }
 
 /** What a report is asked for first: the first target, else what models compute of the greatest precedence. */

@@ -159,11 +159,11 @@ struct scene {
     double nominal_area_m2;     /* NaN: resistances stay per area */
     enum scene_mean_free_path mean_free_path;
     struct scene_load load;
-    struct scene_one_load operating;   /* where summary and tables stand; none: at the middle one */
-    double tolerance;                  /* relative */
-    double accuracy;   /* the answer is to be expected within 1 + that, a factor; NaN: nothing is asked */
-    double chosen_rms; /* then, ln_rms of the model chosen; 0: none was */
-    bool one_scan;     /* what that was measured from */
+    struct scene_one_load operating; /* where summary and tables stand; none: at the middle one */
+    double tolerance;                /* relative */
+    double accuracy;                 /* the answer is to be expected within 1 + that, a factor; NaN: nothing is asked */
+    double chosen_rms;               /* then, ln_rms of the model chosen; 0: none was */
+    bool one_scan;                   /* what that was measured from */
     enum level level;
     bool level_given;    /* else of a periodic record the mean is taken out */
     double max_missing;  /* share of a profile's points that may be missing */

@@ -52,13 +52,12 @@ TEST_IN_DIRECTORY(of_many_surfaces_bins)
     directory_expect_same(place, "one/data/contact.csv", "other/data/contact.csv"); /* by one thread and by three */
     directory_expect_same(place, "one/data/surfaces.csv", "other/data/surfaces.csv");
     directory_expect_same(place, "one/data/sensitivity.csv", "other/data/sensitivity.csv");
-    expect_in_file(place, "one/results.json", "\"spectra\": \"bins\"",
-                   "\"curves\": \"in data/contact.csv alone\"", "\"full_contact_load_over_AnEp\": ");
+    expect_in_file(place, "one/results.json", "\"spectra\": \"bins\"", "\"curves\": \"in data/contact.csv alone\"",
+                   "\"full_contact_load_over_AnEp\": ");
     expect_not_in_file(place, "one/results.json", "\"area_ratio\": [");
     expect_in_file(place, "one/report.md", "`data/spectrum.csv` holds bins of a tenth of a decade",
                    "| … 1 more in data/ |");
-    expect_in_file(place, "other/results.json", "\"spectra\": \"every harmonic\"",
-                   "\"area_ratio\": [");
+    expect_in_file(place, "other/results.json", "\"spectra\": \"every harmonic\"", "\"area_ratio\": [");
     expect_not_in_file(place, "other/results.json", "data/contact.csv alone");
     expect_not_in_file(place, "other/report.md", "bins of a tenth");
 }
