@@ -533,8 +533,9 @@ const struct scene_key scene_keys[] = {
      read_plating, .at = AT(joint)},
     {"current", "through the contact, for its voltage and temperature; needs nominal_area; default: none",
      SCENE_QUANTITY(AT(joint.current_A), UNIT_CURRENT, 1e-12, 1e9)},
-    {"convergence", "{alpha, gamma, load, scan_length, scales} of the convergence study", read_convergence,
-     .at = AT(convergence)},
+    {"convergence",
+     "{alpha, gamma, load, scan_length, scales} of the convergence study; default: effects: auto runs none",
+     read_convergence, .at = AT(convergence)},
     {"surfaces",
      "a list of {name, file, along (scans along the lay) or lay, x_unit, z_unit, column, material, "
      "counterface, hardness, measured}; default: every scan in the directory by its name, a sub-directory a surface of "

@@ -23,7 +23,7 @@ static void make_surfaces(const struct directory *place, int count)
 TEST_IN_DIRECTORY(of_many_surfaces_bins)
 {
     make_surfaces(place, MANY);
-    write_scene(place, "");
+    write_scene(place, "material: tin\n");
     assert_int_equal(pipeline_run(place, "in", "one", 1), 0);
     write_scene(place, "material: tin\nexport: calculix\n");
     assert_int_equal(pipeline_run(place, "in", "other", 3), 0);
