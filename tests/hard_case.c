@@ -9,15 +9,20 @@
 
 #define PAGE PROJECT_SOURCE "/docs/hard-cases.md"
 
-static const char *section_heading, *section_file;
+static struct section {
+    const char *heading, *file;
+} sections[16], section;
+static size_t section_count;
 static struct hard_case *rows[64];
 static size_t row_count;
 
 void hard_cases_section(const char *heading, const char *file)
 {
-    section_heading = heading;
+    if (section_count == sizeof sections / sizeof *sections)
+        abort();
     for (const char *at = file; (at = strstr(at, "tests/")); at++)
-        section_file = at;
+        sections[section_count] = (struct section){heading, at};
+    section_count++;
 }
 
 void hard_case_met(struct hard_case *row, double number, double bound, const char *file, int line)
@@ -29,7 +34,7 @@ void hard_case_met(struct hard_case *row, double number, double bound, const cha
     if (!row->met) {
         for (int i = 0; i < 4; i++)
             assert_null(strchr(row->words[i], '|'));
-        assert_true(section_heading && row_count < sizeof rows / sizeof *rows);
+        assert_true(row_count < sizeof rows / sizeof *rows);
         rows[row_count++] = row;
         row->bound = bound;
         row->met = true;
@@ -59,7 +64,7 @@ static const char *section_start(void)
 {
     return filled("## %s\n\nRun by [%s](../%s).\n\n"
                   "| case | what could go wrong | what the program does | number and bound |\n|---|---|---|---|\n",
-                  section_heading, section_file, section_file);
+                  section.heading, section.file, section.file);
 }
 
 /** Are they the same number, but for another processor's rounding? */
@@ -118,10 +123,13 @@ static void write_section(const struct text *page, const char *start, const char
         print_error("%s\n", status.message);
 }
 
-int hard_cases_hold(void)
+int hard_cases_hold(const char *file)
 {
-    if (!section_heading)
-        return 0;
+    for (size_t i = 0; i < section_count; i++)
+        if (test_in_file(sections[i].file, file))
+            section = sections[i];
+    if (!section.heading)
+        return row_count > 0;
     bool writes = getenv("ROUGHCONTACT_WRITE_DOCS"), holds = true;
     FILE *lock = writes ? fopen(PROJECT_SOURCE "/docs", "r") : NULL; /* programs write one after the other */
     struct text *page = support_text();
@@ -132,7 +140,7 @@ int hard_cases_hold(void)
         print_error("%s\n", status.message);
         return 1;
     }
-    const char *start = strstr(page->data, filled("\n## %s\n", section_heading)),
+    const char *start = strstr(page->data, filled("\n## %s\n", section.heading)),
                *end = start ? strstr(start + 1, "\n## ") : NULL, *last = page->data + page->length;
     start = start ? start + 1 : last;
     if (writes)

@@ -12,7 +12,7 @@ struct hard_case {
     bool met;
 };
 
-/** Heading of the section that the hard cases of this test program make: once in its file. */
+/** Heading of the section that the hard cases of this file make: once in it. */
 #define HARD_CASES(heading)                                                                                            \
     __attribute__((constructor)) static void hard_cases_of_file(void)                                                  \
     {                                                                                                                  \
@@ -28,9 +28,10 @@ struct hard_case {
 
 void hard_cases_section(const char *heading, const char *file);
 void hard_case_met(struct hard_case *row, double number, double bound, const char *file, int line);
-/** After all tests of a program: whether the page's section has these rows to the byte and each number within a factor
- * of three; or, with ROUGHCONTACT_WRITE_DOCS set, makes it so. Returns 0 or 1, an exit status. */
-int hard_cases_hold(void);
+/** After all tests of a file (the end of its path): whether the page's section has these rows to the byte and each
+ * number within a factor of three; or, with ROUGHCONTACT_WRITE_DOCS set, makes it so. Returns 0 or 1, an exit status.
+ */
+int hard_cases_hold(const char *file);
 
 /** |actual / expected - 1|; NaN, which no bound allows, where one of them is no number. */
 static inline double off_by(double actual, double expected)

@@ -38,6 +38,12 @@ void test_keep(void)
     kept = owned_count;
 }
 
+bool test_in_file(const char *path, const char *end)
+{
+    size_t length = strlen(end), all = strlen(path);
+    return length > 0 && length < all && strcmp(path + all - length, end) == 0;
+}
+
 void support_near(double actual, double expected, double rtol, double atol, const char *what, const char *file,
                   int line)
 {

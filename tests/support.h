@@ -19,7 +19,8 @@
 #include <jansson.h>
 
 /** Defines a cmocka test, `TEST_CASE(name) { ... }`, which main.c runs: in the order of the file, with *state from its
- * fixture, if any. TEST_GROUP() is the fixture of all tests of the file together. */
+ * fixture, if any. TEST_GROUP() is the fixture of all tests of the file together. The files of a room make one program,
+ * which runs those of one file at a time. */
 #define TEST_CASE(name) TEST_WITH(name, NULL, NULL)
 #define TEST_WITH(name, before, after)                                                                                 \
     static void name(void **state);                                                                                    \
@@ -29,17 +30,20 @@
     }                                                                                                                  \
     __attribute__((constructor)) static void name##_add(void)                                                          \
     {                                                                                                                  \
-        test_add(#name, name, before, name##_end);                                                                     \
+        test_add(__FILE__, #name, name, before, name##_end);                                                           \
     }                                                                                                                  \
     static void name(__attribute__((unused)) void **state)
 #define TEST_GROUP(before, after)                                                                                      \
     __attribute__((constructor)) static void group_add(void)                                                           \
     {                                                                                                                  \
-        test_group(before, after);                                                                                     \
+        test_group(__FILE__, before, after);                                                                           \
     }
 
-void test_add(const char *name, CMUnitTestFunction run, CMFixtureFunction before, CMFixtureFunction after);
-void test_group(CMFixtureFunction before, CMFixtureFunction after);
+void test_add(const char *file, const char *name, CMUnitTestFunction run, CMFixtureFunction before,
+              CMFixtureFunction after);
+void test_group(const char *file, CMFixtureFunction before, CMFixtureFunction after);
+/** Whether a source file's path ends in this, such as "/test_strip.c". */
+bool test_in_file(const char *path, const char *end);
 
 /** What the helpers of the tests give is the test's: it ends with it, and nobody else frees it. What the fixture of a
  * group was given lasts as long as the program. Returns `what`, on which `end` is called then; never NULL. */

@@ -40,7 +40,8 @@ static enum status_code compute_parameters(struct inspection *out, struct status
     if (profile_make(&before, &out->scan, 0, &primary, status) == STATUS_OK) {
         out->primary = parameters_compute('P', before.height_m, before.points, before.spacing_m, 1);
         out->has_filtered = parameters_of_roughness(&out->filtered, profile->height_m, profile->points,
-                                                    profile->spacing_m, out->options.lambda_c_m, status) == STATUS_OK;
+                                                    profile->spacing_m, out->options.lambda_c_m,
+                                                    profile->periodic ? NULL : profile->margin_m, status) == STATUS_OK;
     }
     profile_free(&before);
     return status->code;
@@ -111,6 +112,8 @@ static void add_parameters(json_t *object, const struct parameters *parameters)
     }
     snprintf(key, sizeof key, "%c_evaluation_length_m", parameters->letter);
     json_set(object, key, parameters->evaluation_length_m);
+    snprintf(key, sizeof key, "%c_first_m", parameters->letter);
+    json_set(object, key, parameters->first_m);
     snprintf(key, sizeof key, "%c_sampling_lengths", parameters->letter);
     json_object_set_new(object, key, json_integer((json_int_t)parameters->sampling_lengths));
 }
@@ -184,6 +187,8 @@ static void show_parameters(json_t *list, const struct parameters *parameters)
     json_t *item = json_pack("{s:s, s:o, s:I, s:b}", "letter", letter, "values", values, "lengths",
                              (json_int_t)parameters->sampling_lengths, "one", parameters->sampling_lengths == 1);
     show(item, "evaluation_mm", parameters->evaluation_length_m * 1e3, 6);
+    if (parameters->first_m > 0)
+        show(item, "first_mm", parameters->first_m * 1e3, 6);
     json_array_append_new(list, item);
 }
 

@@ -56,9 +56,8 @@ static void assert_moments(const struct direct_law *law, const struct spectrum *
         assert_near(of_law[k], of_scan[k], 1e-9);
 }
 
-static void the_law_has_the_scans_moments(void **state)
+TEST_CASE(the_law_has_the_scans_moments)
 {
-    (void)state;
     struct direct_plan plan;
     struct spectrum noisy = rough_spectrum(500);
     struct direct_plan_task task = a_task(&(struct scene_direct){.seeds = 1});
@@ -77,9 +76,8 @@ static void the_law_has_the_scans_moments(void **state)
 }
 
 /* Loads are the scene's own, the middle one among them, where the grid resolves the contact. */
-static void loads_are_the_scenes(void **state)
+TEST_CASE(loads_are_the_scenes)
 {
-    (void)state;
     struct direct_plan plan;
     struct direct_plan_task task = a_task(&(struct scene_direct){.seeds = 2});
     task.hardness = 8e-4;
@@ -105,9 +103,8 @@ static void loads_are_the_scenes(void **state)
 }
 
 /* More budget never buys a coarser grid, nor fewer surfaces on the same one. */
-static void a_budget_buys_in_order(void **state)
+TEST_CASE(a_budget_buys_in_order)
 {
-    (void)state;
     struct direct_plan plan, before = {0};
     for (double budget = 0.01; budget < 100; budget *= 1.3) {
         struct direct_plan_task task = a_task(&(struct scene_direct){.budget_s = budget});
@@ -125,9 +122,8 @@ static void a_budget_buys_in_order(void **state)
 
 /* A hardness has four surfaces to tell their scatter, unless the scene asks for fewer, and costs time; so does
  * making surfaces with a scan's heights. */
-static void time_is_counted(void **state)
+TEST_CASE(time_is_counted)
 {
-    (void)state;
     struct direct_plan elastic, capped, heights;
     struct direct_plan_task task = a_task(&(struct scene_direct){.seeds = 12});
     direct_plan_make(&elastic, &task);
@@ -145,9 +141,8 @@ static void time_is_counted(void **state)
 }
 
 /* Where nothing says how short the waves are, four spacings of the scan stand for it, unless the grid has to. */
-static void four_spacings_are_said(void **state)
+TEST_CASE(four_spacings_are_said)
 {
-    (void)state;
     struct direct_plan plan;
     struct direct_plan_task task = a_task(&(struct scene_direct){.seeds = 1});
     direct_plan_make(&plan, &task);
@@ -160,9 +155,8 @@ static void four_spacings_are_said(void **state)
     assert_true(plan.coarse && !plan.of_spacing);
 }
 
-static void a_map_is_one_surface(void **state)
+TEST_CASE(a_map_is_one_surface)
 {
-    (void)state;
     struct direct_plan plan;
     struct direct_plan_task task = a_task(&(struct scene_direct){.grid = 64, .seeds = 5});
     task.map = (struct direct_map_def){101, 101, 3e-4 / 101, 3e-4 / 101, false, 6};
@@ -181,9 +175,8 @@ static void a_map_is_one_surface(void **state)
     assert_true(plan.lambda_s_m == 0);
 }
 
-static void no_load_is_said(void **state)
+TEST_CASE(no_load_is_said)
 {
-    (void)state;
     static const double one = 1e-9;
     struct direct_plan plan;
     struct direct_plan_task task = a_task(&(struct scene_direct){.grid = 64});
@@ -200,20 +193,19 @@ static void no_load_is_said(void **state)
                         "resolves the contact");
 }
 
-int main(void)
+static int set_up(void **state)
 {
+    (void)state;
     fill_loads();
     smooth = rough_spectrum(40);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_law_has_the_scans_moments),
-        cmocka_unit_test(loads_are_the_scenes),
-        cmocka_unit_test(a_budget_buys_in_order),
-        cmocka_unit_test(time_is_counted),
-        cmocka_unit_test(four_spacings_are_said),
-        cmocka_unit_test(a_map_is_one_surface),
-        cmocka_unit_test(no_load_is_said),
-    };
-    int failed = cmocka_run_group_tests(tests, NULL, NULL);
-    spectrum_free(&smooth);
-    return failed;
+    return 0;
 }
+
+static int tear_down(void **state)
+{
+    (void)state;
+    spectrum_free(&smooth);
+    return 0;
+}
+
+TEST_GROUP(set_up, tear_down)
