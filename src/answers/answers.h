@@ -24,6 +24,8 @@ struct answer {
     double spots_per_m2; /* at that load; NaN: not known */
     bool invalid;        /* beyond the model's range of validity there */
     bool full;           /* the load is that of full contact, where it is met at the latest: numbers end before */
+    bool wider;          /* an end of the interval lies beyond the loads, and wider ones could tell it */
+    bool held; /* a filler's bond line holds the metals apart there, or from there on, and no load changes that */
     bool above_hardness; /* an elastic model whose contact bears more than that there */
     size_t counted_by;   /* the model whose spots they are, where they are known */
 };

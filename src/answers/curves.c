@@ -69,14 +69,15 @@ static enum status_code try_law(struct surface_record *record, const struct mode
 
 /** The other estimate of beta (4.54), which brings delta_ADJ closest to the separation H of the multiscale model of the
  * same material law, in the mean square: the mean of 4 (H - delta/2)/sigma over the loads that both answer. */
-static double nearest_beta(const struct surface_record *record, size_t m)
+static double nearest_beta(const struct surface_record *record, size_t m, const struct joint_task *joint)
 {
     const struct model_curve *curve = &record->curves[m],
                              *other = &record->curves[model_index(model_rows[m]->counterpart)];
     double sum = 0, count = 0;
     for (size_t i = 0; i < curve->count && i < other->count; i++) {
         const double *own = curve->points[i].value, *multiscale = other->points[i].value;
-        if (own[QUANTITY_LOAD] != multiscale[QUANTITY_LOAD])
+        if (own[QUANTITY_LOAD] != multiscale[QUANTITY_LOAD] || joint_is_held(&curve->points[i], joint) ||
+            joint_is_held(&other->points[i], joint))
             continue;
         sum += statistical_beta_multiscale(&own[QUANTITY_SEPARATION], &multiscale[QUANTITY_SEPARATION], 1,
                                            record->summary.asperities.sigma_m);
@@ -114,7 +115,9 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     struct ensemble_result result = {.joint = &joint, .band = record->bands[m]};
     if (ensemble_curve(curve, &result, &record->ensemble, model_rows[m], task, status) != STATUS_OK)
         return status->code;
-    curve->kink.wavelength_m *= surface_kappa(&record->summary);              /* as the scans have it */
+    curve->kink.wavelength_m *= surface_kappa(&record->summary); /* as the scans have it */
+    if (curve->exists)
+        joint_hold(curve->points, curve->count, &joint);
     if (joint_curve(curve, model_rows[m], task, &joint, status) != STATUS_OK) /* of several scans, the mean curve's */
         return status->code;
     if (curve->exists)
@@ -131,7 +134,7 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     }
     note_model(record, m, result.left_out);
     if (model_rows[m]->uses_map && curve->exists)
-        return uncertainty_of_map(record, m, task, status);
+        return uncertainty_of_map(record, m, task, &joint, status);
     return STATUS_OK;
 }
 
@@ -265,10 +268,11 @@ static enum status_code curves_run(struct surface_record *record, const struct s
     if (plan_runs(plan, EFFECT_UNCERTAINTY) && record->height_m &&
         uncertainty_run(record, asked, &task, status) != STATUS_OK)
         return status->code;
+    const struct joint_task joint = surface_joint(record, scene, plan, &task);
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs(plan, EFFECT_SEPARATION) && plan_runs_model(plan, m) &&
             plan_runs_model(plan, model_index(model_rows[m]->counterpart)))
-            record->summary.models[m]->beta_multiscale = nearest_beta(record, m);
+            record->summary.models[m]->beta_multiscale = nearest_beta(record, m, &joint);
     if (plan_runs(plan, EFFECT_CONVERGENCE)) {
         extend(record, scene);
         if (try_law(record, &task, status) != STATUS_OK)

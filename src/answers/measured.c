@@ -191,11 +191,14 @@ enum status_code measured_answer(struct measured_answers *out, const struct meas
     struct model_task at_loads = model_task_at(&task, loads, count);
     const unsigned own = QUANTITY_BIT(measured_quantity(measured, 0)); /* all that the models are asked */
     at_loads.wanted = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | own;
+    if (joint_has_bond_line(&joint))
+        at_loads.wanted |= QUANTITY_BIT(QUANTITY_SEPARATION);
     enum status_code rc = stored ? STATUS_OK : status_memory(status);
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
         struct model_curve curve = {.points = points};
         if ((models & MODEL_BIT(m)) && count > 0 && (model_rows[m]->quantities & own))
             rc = ensemble_curve(&curve, NULL, &record->ensemble, model_rows[m], &at_loads, status);
+        joint_hold(points, curve.count, &joint);
         if (rc == STATUS_OK && quantity_rows[quantity].from)
             rc = joint_curve(&curve, model_rows[m], &at_loads, &joint, status);
         for (size_t i = 0; i < measured->count; i++)

@@ -97,8 +97,8 @@ static const struct argp_option report_options[] = {
     {"brief", KEY_BRIEF, 0, 0, "write the report's first page alone; data and results.json as ever (default: not)", 0},
     {"template", KEY_TEMPLATE, "FILE", 0, "fill FILE in place of the program's report.md (docs/templates.md)", 0},
     {"export", KEY_EXPORT, "PROGRAMS", 0,
-     "also write tables of conductance over pressure for abaqus, ansys, calculix, comsol, elmer, moose, with commas "
-     "(default: the scene's, else none)",
+     "also write tables of conductance over pressure for abaqus, ansys, calculix, comsol, elmer, moose, with commas; "
+     "calculix:mm in N, mm, s (default: the scene's, else none)",
      0},
     {"json", KEY_JSON, 0, 0, "print what came out as one object, for scripts (default: a table)", 0},
     {"verbose", 'v', 0, 0, "end with where the time went (default: not)", 0},

@@ -47,14 +47,14 @@ struct strip {
     uint64_t transforms; /* pairs of transforms that it took, times points */
 };
 
-/** Joins the rows, of all a surface has those from `first` on, to one strip and solves it, and as many surrogates:
+/** Joins the rows to one strip and solves it, and as many surrogates:
  * every row with random phases on these rows' mean power and a normal mean of these rows' mean and deviation, hashed
- * from the row's number, so that a row keeps its phases whatever other rows there are; every second one is the one
- * before turned over. Loads and surrogates that do not converge are left out. Errors: STATUS_MODEL: flat rows, or not
- * one load under which enough points touch and the solution converges; STATUS_INTERRUPTED when *stop (NULL: never)
- * becomes non-zero; STATUS_MEMORY. */
-MUST_CHECK enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, size_t first,
-                                        size_t surrogates, const atomic_bool *stop, struct status *status);
+ * from the row's heights, so that it keeps its phases whatever other rows there are and whatever its file is called;
+ * every second one is the one before turned over. Loads and surrogates that do not converge are left out. Errors:
+ * STATUS_MODEL: flat rows, or not one load under which enough points touch and the solution converges;
+ * STATUS_INTERRUPTED when *stop (NULL: never) becomes non-zero; STATUS_MEMORY. */
+MUST_CHECK enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, size_t surrogates,
+                                        const atomic_bool *stop, struct status *status);
 
 /** Pairs of transforms times points that strip_solve() takes with STRIP_SURROGATES, about. */
 uint64_t strip_cost(const struct strip_rows *rows);

@@ -29,10 +29,12 @@ static enum status_code curve_make(struct shape_curve *out, const double *pressu
         out->ln_pressure[i] = log(pressure_Pa[i]);
         out->value[i] = value[i];
         if (!isfinite(out->ln_pressure[i]) || !isfinite(value[i]) || (i > 0 && pressure_Pa[i] <= pressure_Pa[i - 1]))
-            return status_fail(status, STATUS_MODEL, "a curve over pressure is not finite at %g Pa", pressure_Pa[i]);
+            return status_fail(status, STATUS_MODEL, "its curve over pressure is not finite at %.3g MPa",
+                               pressure_Pa[i] * 1e-6);
     }
     if (out->count < 3)
-        return status_fail(status, STATUS_MODEL, "a curve over pressure has %zu points, of the 3 it takes", out->count);
+        return status_fail(status, STATUS_MODEL, "its curve over pressure has %zu points, of the 3 it takes",
+                           out->count);
     out->between = gsl_interp_alloc(gsl_interp_steffen, out->count);
     out->nearest = gsl_interp_accel_alloc();
     return out->between && out->nearest ? STATUS_OK : status_memory(status);
@@ -54,7 +56,7 @@ enum status_code shape_curve_gap(struct shape_curve *out, const double *pressure
     size_t last = out->count - 1;
     double mean = (out->value[last] - out->value[0]) / (x[last] - x[0]);
     if (!(mean < 0))
-        return status_fail(status, STATUS_MODEL, "the gap does not fall with the pressure");
+        return status_fail(status, STATUS_MODEL, "its gap does not fall with the pressure");
     out->above = kept_slope * mean;
     for (size_t i = 1; i <= last; i++)
         out->value[i] = fmin(out->value[i], out->value[i - 1] + out->above * (x[i] - x[i - 1]));
@@ -70,7 +72,7 @@ enum status_code shape_curve_conductance(struct shape_curve *out, const double *
     for (size_t i = 0; i < out->count; i++) {
         out->value[i] = log(out->value[i]);
         if (!isfinite(out->value[i]))
-            return status_fail(status, STATUS_MODEL, "no conductance at %g Pa", pressure_Pa[i]);
+            return status_fail(status, STATUS_MODEL, "it conducts nothing at %.3g MPa", pressure_Pa[i] * 1e-6);
     }
     interpolate(out);
     return STATUS_OK;
@@ -174,7 +176,7 @@ static enum status_code solve(double *y, struct shape *shape, const double *scal
     memcpy(direction, residual, n * sizeof *direction);
     for (size_t i = 0; square > least; i++, shape->iterations++) {
         if (i == ITERATIONS_MOST || !isfinite(square))
-            return status_fail(status, STATUS_MODEL, "the joint's shape: its conjugate gradients do not converge");
+            return status_fail(status, STATUS_MODEL, "its conjugate gradients do not converge");
         for (size_t k = 0; k < n; k++)
             field[k] = scale[k] * direction[k];
         apply(shape);
@@ -266,7 +268,7 @@ enum status_code shape_press(struct shape *shape, const double *gap_m, const str
     double change = INFINITY, last = INFINITY, share = 1;
     shape->iterations = 0;
     if (!(mean_Pa > 0 && mean_Pa < gap->most_Pa))
-        return status_fail(status, STATUS_MODEL, "the joint's shape: its mean pressure is not below the hardness");
+        return status_fail(status, STATUS_MODEL, "its mean pressure is not below the hardness");
     fill_table(shape, bodies);
     for (size_t k = 0; k < shape->cells; k++) /* from the last solution, which takes half the time */
         shape->level[k] = shape->mean_Pa > 0 ? shape->level[k] + log(mean_Pa / shape->mean_Pa)
@@ -275,7 +277,7 @@ enum status_code shape_press(struct shape *shape, const double *gap_m, const str
     set_pressures(shape, log(gap->most_Pa));
     for (shape->steps = 0; change > converged; shape->steps++) {
         if (shape->steps == STEPS_MOST)
-            return status_fail(status, STATUS_MODEL, "the joint's shape: the pressures do not converge");
+            return status_fail(status, STATUS_MODEL, "its pressures do not converge");
         if (step(&change, shape, gap_m, gap, share, status) != STATUS_OK)
             return status->code;
         if (shape->steps >= STEPS_WHOLE) /* it goes round a bend of the curve */

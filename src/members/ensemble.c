@@ -337,6 +337,21 @@ static void join(struct contact_point *point, struct estimate *estimates, const 
     }
 }
 
+void ensemble_hold(struct estimate estimates[QUANTITY_COUNT], const struct contact_point *point,
+                   const struct joint_task *joint)
+{
+    for (int q = QUANTITY_AREA; q < QUANTITY_COUNT && joint_is_held(point, joint); q++) {
+        bool filler = q == QUANTITY_GAP || q == QUANTITY_JOINT;
+        if (filler && !(point->value[QUANTITY_AREA] > 0)) /* as sure as what the scene says of it */
+            estimates[q].s = estimates[q].half_width = estimates[q].next_half_width = estimates[q].model_sd = 0;
+        else if (q <= QUANTITY_TCR_SCALE_DEPENDENT && point->value[QUANTITY_AREA] > 0 && q != QUANTITY_SEPARATION &&
+                 q != QUANTITY_ADJUSTED)
+            estimates[q].mean = log(point->value[q]);
+        else if (!quantity_rows[q].from || quantity_rows[q].derive || !(point->value[QUANTITY_AREA] > 0))
+            estimates[q] = estimate_none;
+    }
+}
+
 void ensemble_settle(struct estimate estimates[QUANTITY_COUNT], const struct contact_point *point,
                      const struct model_row *model, const struct joint_task *joint, double longest_waves)
 {
@@ -349,6 +364,7 @@ void ensemble_settle(struct estimate estimates[QUANTITY_COUNT], const struct con
         else if (quantity_rows[q].from)
             estimates[q] = estimate_none;
     }
+    ensemble_hold(estimates, point, joint);
     if (model_area_is_pressed(model, point, pressure_Pa / joint->pair->hardness_Pa))
         estimates[QUANTITY_AREA].half_width = estimates[QUANTITY_AREA].next_half_width = NAN;
 }
@@ -378,6 +394,7 @@ static enum status_code mean_curve(struct model_curve *curve, struct ensemble_re
         point->value[QUANTITY_LOAD] = task->loads[i];
         if (joined)
             join(point, estimates, &joined->points[i], share);
+        joint_hold(i > 0 ? point - 1 : point, i > 0 ? 2 : 1, joint);
         const struct model_task here = model_task_at(task, &task->loads[i], 1);
         struct model_curve alone = {.exists = true, .points = point, .count = 1};
         if (joint_curve(&alone, model, &here, joint, status) != STATUS_OK)

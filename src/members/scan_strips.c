@@ -150,8 +150,8 @@ static enum status_code solve(struct solved_strip **out, struct strips *strips, 
     solved->rows = strips->rows;
     solved->rows.height_m += first * strips->rows.points;
     solved->rows.rows = count;
-    enum status_code rc = strip_solve(&solved->strip, &solved->rows, first,
-                                      strips->roughly ? STRIP_ROUGHLY : STRIP_SURROGATES, stop, &problem);
+    enum status_code rc =
+        strip_solve(&solved->strip, &solved->rows, strips->roughly ? STRIP_ROUGHLY : STRIP_SURROGATES, stop, &problem);
     strips->transforms += solved->strip.transforms;
     strips->unsolved += solved->strip.unsolved;
     if (rc == STATUS_OK)

@@ -35,14 +35,17 @@ struct surface_summary {
     const struct scene_surface *scene; /* name, files, bodies */
     struct material_pair pair;         /* what the models need of the bodies */
     enum surface_hardness hardness;
-    double indent_m; /* depth of the indents in a plating of its own hardness; NaN: no such */
-    bool usable;     /* false: refused, see `refusal` */
-    char *refusal;   /* one line; owned */
+    double indent_m;      /* depth of the indents at the hardness taken, under a plating; NaN: none, or not known */
+    bool indents_through; /* in a plating of its own hardness they would go through it */
+    bool usable;          /* false: refused, see `refusal` */
+    char *refusal;        /* one line; owned */
     double
         carrying; /* share of the nominal area that carries 90 % of the load, with the shape; 0: flat, NaN: not known */
-    struct note_list notes; /* warnings; owned */
-    size_t refused_scans;   /* of several; the notes begin with them */
-    char hash[65];          /* SHA-256 of the first file (of all of them one after another), hexadecimal */
+    struct note_list notes;          /* warnings; owned */
+    size_t refused_scans;            /* of several; the notes begin with them */
+    size_t copies;                   /* scans that are the same as one before and were left out, */
+    const char *copy_file, *copy_of; /* of which the first is this file, and which it repeats; the scene's */
+    char hash[65];                   /* SHA-256 of the first file (of all of them one after another), hexadecimal */
     char format[32];
     char units[40];                 /* "x mm, z um" as read */
     size_t scans;                   /* averaged: files, or rows of a map */

@@ -73,10 +73,6 @@ enum status_code surface_read_members(struct surface_record *record, struct powe
         profiles = profiles && !set->members[p].is_row;
     if (all == 0) /* a map of which other rows were chosen than can be used */
         return STATUS_OK;
-    if (all > 1 && repeats_merge_identical(set)) {
-        note_add(&record->summary.notes, NULL, "note.identical\nscans %zu", all);
-        scans->independent = 1;
-    }
     if (set->count > 1 && profiles &&
         repeats_cut_to_shortest(set, &record->summary.repeats.cut, scene, status) != STATUS_OK)
         return status->code;
@@ -210,7 +206,8 @@ static enum status_code take_along(struct surface_summary *summary, const struct
     struct surface_record along = {.summary = {.scene = &surface}};
     struct power_law_scans scans = {0};
     struct status problem = {0};
-    const struct surface_scans task = {&along, &scans, scene};
+    struct copies copies = {0};
+    const struct surface_scans task = {&along, &scans, scene, &copies};
     surface.files = surface.along;
     enum status_code rc = STATUS_OK;
     for (size_t f = 0; f < surface.files.count && rc == STATUS_OK; f++)
@@ -222,6 +219,7 @@ static enum status_code take_along(struct surface_summary *summary, const struct
         note_add(&summary->notes, NULL, "note.along\ntimes %.3g", unlike);
     surface_record_free(&along);
     power_law_scans_free(&scans);
+    copies_free(&copies);
     return rc == STATUS_OK ? STATUS_OK : status_fail(status, rc, "along: %s", problem.message);
 }
 
@@ -325,13 +323,15 @@ static void find_plating_hardness(struct surface_summary *summary, const struct 
     summary->indent_m = NAN;
     if (!joint->plating || bodies->hardness_Pa > 0)
         return;
-    summary->indent_m = cmy_indent_m(surface, load > 0 ? pressure_Pa / own_Pa : usual_area);
+    double indent_m = cmy_indent_m(surface, load > 0 ? pressure_Pa / own_Pa : usual_area);
+    summary->indents_through = indent_m >= joint->plating_thickness_m;
     if (bodies->counterface_kind == MATERIAL_COUNTERFACE_ELASTIC && !joint->both_plated)
         other_Pa = material_hardness(&bodies->counterface);
-    if (!(joint->plating_thickness_m > summary->indent_m) || isnan(other_Pa))
-        return;
-    summary->hardness = own_Pa < other_Pa ? SURFACE_HARDNESS_PLATING : SURFACE_HARDNESS_BODIES;
-    summary->pair.hardness_Pa = fmin(own_Pa, other_Pa);
+    if (joint->plating_thickness_m > indent_m && !isnan(other_Pa)) {
+        summary->hardness = own_Pa < other_Pa ? SURFACE_HARDNESS_PLATING : SURFACE_HARDNESS_BODIES;
+        summary->pair.hardness_Pa = fmin(own_Pa, other_Pa);
+    }
+    summary->indent_m = cmy_indent_m(surface, load > 0 ? pressure_Pa / summary->pair.hardness_Pa : usual_area);
 }
 
 /** That of a plating; and where it falls with size, the hardness of all but cmy: that of cmy's spots at the operating
@@ -362,7 +362,8 @@ enum status_code surface_read(struct surface_record *out, const struct scene *sc
     struct status problem = {0};
     struct hash hash = hash_start();
     struct power_law_scans scans = {0};
-    const struct surface_scans task = {out, &scans, scene};
+    struct copies copies = {0};
+    const struct surface_scans task = {out, &scans, scene, &copies};
     out->counterface = counterface;
     summary->scene = surface;
     summary->pair = scene_pair(&surface->bodies);
@@ -376,6 +377,7 @@ enum status_code surface_read(struct surface_record *out, const struct scene *sc
     if (rc == STATUS_OK)
         rc = conclude(out, &scans, scene, counterface, &problem);
     power_law_scans_free(&scans);
+    copies_free(&copies);
     if (rc == STATUS_MEMORY && status_memory(status))
         return surface_put_aside(out, scene, status);
     if (rc == STATUS_OK && surface != &scene->counterface_surface)

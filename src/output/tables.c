@@ -264,7 +264,9 @@ static void put_contact(struct table *table, const struct surface_record *record
                 const struct quantity_row *row = &quantity_rows[q];
                 if (!(quantities & QUANTITY_BIT(q)))
                     continue;
-                double value = point->value[q];
+                bool apart =
+                    isinf(point->value[q]) && point->value[QUANTITY_AREA] == 0; /* foreseen: no metal touches */
+                double value = apart ? NAN : point->value[q];
                 if (!(row->is & QUANTITY_SIGMA_ALONE))
                     put_number(table, row->name, value);
                 if (q == QUANTITY_LOAD)

@@ -32,6 +32,8 @@ void view_direct(json_t *out, const struct view_source *source);
 void view_accuracy(json_t *out, const struct view_source *source);
 void view_findings(json_t *out, const struct view_source *source);
 void view_inputs(json_t *out, const struct view_source *source);
+/** Behind a program that is given its tables in mm. */
+extern const char view_export_mm[];
 void view_export(json_t *out, const struct view_source *source);
 
 /** Rows that a table shows at most; data/ has all. */

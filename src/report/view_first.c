@@ -41,6 +41,12 @@ static double cost_of(const struct view_source *source, size_t surface)
     return isnan(value) ? INFINITY : source->asked.more_is_better ? -value : value;
 }
 
+/** Does a filler's bond line keep the metals apart at the operating load? */
+static bool nothing_touches(const struct view_source *source, size_t surface)
+{
+    return comparison_middle(source->results, source->leading, surface).value[QUANTITY_AREA] == 0;
+}
+
 /** One surface's answer to the target: flags say how the load is to be read. */
 static void put_answer(json_t *out, const struct view_source *source, const struct answer *answer, size_t surface)
 {
@@ -51,12 +57,11 @@ static void put_answer(json_t *out, const struct view_source *source, const stru
     view_flag(out, "at_most", answer->kind == ANSWER_LIGHTEST || (met && answer->full));
     view_flag(out, "not_reached", answer->kind == ANSWER_NOT_REACHED);
     view_flag(out, "no_number", answer->kind == ANSWER_NONE);
+    view_flag(out, "held", answer->kind == ANSWER_NONE && answer->held);
     if (answer->kind != ANSWER_NONE)
         view_load(out, "load", source, surface, answer->load);
     view_interval(out, "interval", answer->low * scale, answer->high * scale, DIGITS);
-    const struct surface_record *record = &source->results->surfaces[surface];
-    view_flag(out, "beyond",
-              met && record->bands && record->bands[source->leading] && isnan(answer->low) && isnan(answer->high));
+    view_flag(out, "beyond", met && answer->wider && isnan(answer->low) && isnan(answer->high));
 }
 
 static void put_value(json_t *out, const struct view_source *source, size_t surface)
@@ -66,12 +71,14 @@ static void put_value(json_t *out, const struct view_source *source, size_t surf
     asked_interval(ends, &source->asked, source->results, source->leading, surface);
     view_number(out, "value", value, 3, source->asked.unit);
     view_flag(out, "no_number", !isfinite(value));
+    view_flag(out, "held", !isfinite(value) && nothing_touches(source, surface));
     const struct model_row *row = model_rows[source->leading];
     const struct material_pair *pair = results_pair(source->results, surface);
     double pressure_Pa = material_pair_pressure(pair, results_operating_load(source->results, surface));
     if (!isfinite(value) && row->plastic && pressure_Pa >= pair->hardness_Pa)
         view_number(out, "exceeded_hardness", pair->hardness_Pa * 1e-6, 3, "MPa");
-    else if (!isfinite(value) && row->ends && (!row->uses_strip || view_summary(source, surface)->has_strips))
+    else if (!isfinite(value) && !nothing_touches(source, surface) && row->ends &&
+             (!row->uses_strip || view_summary(source, surface)->has_strips))
         view_number(out, "ends_at_percent", 100 * row->largest_area, 2, "");
     view_interval(out, "interval", ends[0], ends[1], DIGITS);
 }
@@ -405,6 +412,16 @@ static void put_meeting(json_t *out, const struct view_source *source, size_t su
     }
 }
 
+/** Is a measured load beyond those that the models ran at? */
+static bool reaches_past(const struct measured *measured, const struct results *results, size_t surface)
+{
+    const double *loads = results_loads(results, surface);
+    for (size_t i = 0; i < measured->count; i++)
+        if (measured->load[i] < loads[0] || measured->load[i] > loads[results->load_count - 1])
+            return true;
+    return false;
+}
+
 /** Where the measurement on a surface meets the target, and how the leading model fares against it. */
 static void put_measured_on(json_t *item, const struct view_source *source, size_t surface)
 {
@@ -422,6 +439,7 @@ static void put_measured_on(json_t *item, const struct view_source *source, size
     view_flag(item, "both", json_object_get(item, "loading") && json_object_get(item, "unloading"));
     struct measured_distance distance = measured_compare(measured, answers, source->leading);
     view_flag(item, "beyond", distance.points == 0);
+    view_flag(item, "wider", distance.points == 0 && reaches_past(measured, source->results, surface));
     put_ratio(item, source, "ratio", pow(10, distance.bias_decades));
     view_number(item, "carries", estimate_value(&answers->fit), DIGITS, "");
     view_number(item, "carries_times", times >= 1.005 ? times : NAN, times < 1.095 ? 3 : DIGITS, "");
@@ -444,7 +462,7 @@ static void put_beside(json_t *out, const struct view_source *source)
     enum quantity quantity =
         quantity_rows[source->asked.quantity].from ? results_criterion(results) : source->asked.quantity;
     const struct asked_solved solved = asked_direct(results, quantity, results_operating_load(results, baseline));
-    if (solved.value > 0) {
+    if (solved.value > 0 && !nothing_touches(source, baseline)) {
         json_t *item = view_part(out, "direct_answer");
         bool own = quantity == source->asked.quantity,
              bare = quantity == QUANTITY_ECR && source->asked.quantity == QUANTITY_JOINT_ECR;
@@ -733,7 +751,8 @@ static void put_hardness(json_t *out, const struct view_source *source)
     view_flag(item, "of_scene", summary->hardness == SURFACE_HARDNESS_SCENE);
     view_flag(item, "of_plating", summary->hardness == SURFACE_HARDNESS_PLATING);
     view_flag(item, "of_bodies", summary->hardness == SURFACE_HARDNESS_BODIES);
-    view_flag(item, "too_thin", summary->indent_m >= joint->plating_thickness_m);
+    view_flag(item, "too_thin", summary->indents_through && isfinite(summary->indent_m));
+    view_flag(item, "through", summary->indent_m >= joint->plating_thickness_m);
     for (size_t k = 0; k < source->results->usable_count; k++) {
         const struct surface_summary *other = view_summary(source, source->results->by_roughness[k]);
         apart += other->hardness != summary->hardness || other->pair.hardness_Pa != summary->pair.hardness_Pa;
@@ -804,13 +823,14 @@ void view_first_page(json_t *out, const struct view_source *source)
     put_beside(out, source);
     put_hardness(out, source);
     double waves = INFINITY;
-    bool in_part = false;
+    bool in_part = false, touching = false;
     size_t silent = 0, unyielding = 0, last = 0;
     for (size_t k = 0; k < results->usable_count; k++) {
         size_t i = results->by_roughness[k];
         const struct surface_summary *summary = view_summary(source, i);
         waves = fmin(waves, summary->longest_waves);
         in_part = in_part || summary->strips_in_part;
+        touching = touching || !nothing_touches(source, i);
         if (!summary->pair.unknown && !(summary->pair.hardness_Pa > 0) && ++unyielding)
             last = i;
         if (asked->target && !isfinite(value_of(source, source->leading, i)) && silent++ == 0)
@@ -822,8 +842,10 @@ void view_first_page(json_t *out, const struct view_source *source)
     if (unyielding > 0)
         view_flag(json_object_get(out, "no_hardness"), "some", unyielding < results->usable_count);
     view_flag(out, "strips_in_part", in_part && model_rows[source->leading]->uses_strip);
-    bool few_waves = waves < SURFACE_LONGEST_WAVES && !model_rows[source->leading]->uses_map; /* which is no scan */
-    put_limits(out, source, few_waves);
+    bool few_waves =
+        touching && waves < SURFACE_LONGEST_WAVES && !model_rows[source->leading]->uses_map; /* which is no scan */
+    if (touching)
+        put_limits(out, source, few_waves);
     put_flatness(out, source);
     if (few_waves)
         view_number(out, "longest_waves", waves, DIGITS, "");

@@ -57,7 +57,7 @@ static void put_model(json_t *out, const struct view_source *source, size_t m)
                         "");
     view_number(row, "full_load", curve->exists ? curve->full_load * scale : NAN, 3, "");
     bool invalid = !curve_summary_is_valid(curve, at.value[QUANTITY_LOAD]);
-    bool above = !model_rows[m]->plastic && !pair->unknown &&
+    bool above = !model_rows[m]->plastic && !pair->unknown && at.value[QUANTITY_AREA] != 0 &&
                  material_pair_pressure(pair, at.value[QUANTITY_LOAD]) > pair->hardness_Pa * at.value[QUANTITY_AREA];
     view_flag(row, "invalid", invalid);
     view_flag(row, "above_hardness", above);
@@ -301,7 +301,7 @@ void view_joint(json_t *out, const struct view_source *source)
         view_number(part, "bond_line_um", joint->bond_line_m > 0 ? joint->bond_line_m * 1e6 : NAN, 3, "");
         put_range(part, "conductance", &ranges[QUANTITY_JOINT], 2);
         view_number(part, "radiation", 4 * constant_stefan_boltzmann * pow(joint->temperature_K, 3), 2, "");
-        view_flag(part, "finish_matters", share.least > 50);
+        view_flag(part, "finish_matters", share.least > 50 && share.most < 100);
         view_flag(part, "load_matters", share.most < 50);
     }
     if (film) {
@@ -316,6 +316,7 @@ void view_joint(json_t *out, const struct view_source *source)
         view_number(part, "thickness_um", joint->plating_thickness_m * 1e6, 3, "");
         view_flag(part, "both", joint->both_plated);
         put_range(part, "factor", &factor, 3);
+        view_flag(part, "no_spots", ranges[GAP_SHARE].least >= 100);
         view_flag(part, "helps", factor.most < 1);
         view_flag(part, "hurts", factor.least > 1 && factor.most >= factor.least);
     }

@@ -170,6 +170,7 @@ void view_surfaces(json_t *out, const struct view_source *source)
     const struct results *results = source->results;
     const struct scene *scene = results->scene;
     json_t *item = view_part(out, "surfaces"), *rows = view_list(item, "rows");
+    view_flag(item, "gaps", plan_quantities(source->results->plan) & QUANTITY_BIT(QUANTITY_JOINT));
     size_t scans = 0, of_maps = 0, periodic = 0, windowed = 0, lawless = 0, last_lawless = 0;
     bool has_heights = false;
     for (size_t i = 0; i < results->surface_count; i++) {

@@ -491,7 +491,7 @@ const struct scene_key scene_keys[] = {
     {"closure", "area and gap of a sinusoid; default: thesis", SCENE_CHOICE(AT(closure), closure_names)},
     {"export",
      "programs that tables of conductance over pressure are written for, of abaqus, ansys, calculix, comsol, elmer, "
-     "moose; default: none",
+     "moose; with :mm behind it (calculix:mm) in N, mm, s, else in SI; default: none",
      read_export, .at = AT(exports)},
     {"max_missing", "share of missing points that may be bridged; default: 10 %",
      SCENE_QUANTITY(AT(max_missing), UNIT_NUMBER | UNIT_PERCENT, 0.0, 0.9)},

@@ -12,6 +12,7 @@
 
 static const double balance = 0.02;    /* between two statements of a force, or of an area */
 static const double same_place = 1e-6; /* of the range of places */
+static const double rounded = 0.1;     /* of a step */
 static const double largest = 1e15;    /* of what a file may hold, in SI */
 static const double hole = 0.65;       /* over the head: ISO 273, medium, beneath ISO 4762, 0.62 (M3) to 0.69 (M10) */
 enum { BOLTS_MOST = 1000 };
@@ -56,7 +57,7 @@ bool scene_shape_read(struct scene_source *source, const struct scene_key *key, 
         [CROWN] = {"crown", NULL, SCENE_QUANTITY(AT(crown_m), UNIT_DISTANCE, 1e-6, 1e9)},
         [HEIGHT] = {"height", NULL, scene_surfaces_files, .at = AT(files)},
         [PRESSURE] = {"pressure", NULL, scene_surfaces_files, .at = AT(files)},
-        [BOLTS] = {"bolts", NULL, read_bolts, .at = AT(bolts), .quantities = UNIT_DISTANCE, .least = 0, .most = 1e3},
+        [BOLTS] = {"bolts", NULL, read_bolts, .at = AT(bolts), .quantities = UNIT_DISTANCE, .least = -1e3, .most = 1e3},
         [SIZE] = {"size", NULL, scene_shape_pair, .at = offsetof(struct scene, joint.size_m),
                   .quantities = UNIT_DISTANCE, .least = 1e-9, .most = 1e3},
         [THICKNESS] = {"thickness", NULL, scene_shape_pair, .at = offsetof(struct scene, joint.thickness_m),
@@ -119,34 +120,49 @@ bool scene_shape_size(struct scene *scene, struct scene_source *source)
 
 /* ---- Files ---- */
 
-/* How long `count` places are with the halves of the steps on their outer sides, or without: what is nearer to `side`.
- * False: neither is. `shift` is then what takes the first place to where it is from the corner. */
-static bool fits(double *shift, const double *at, size_t count, double side_m)
+/* Moves `count` places to where they are from the corner. They are middles of cells (*cells) or nodes of which the
+ * outer ones lie on the edges: what comes nearer to `side`, and is then stretched to it; rounded places of equal steps
+ * are put right. The factor of the stretch, 1 where that is rounding; NaN: neither is as long. */
+static double fit(bool *cells, double *at, size_t count, double side_m)
 {
-    double range = at[count - 1] - at[0], step = range / (double)(count - 1);
-    bool middles = fabs(range + step - side_m) < fabs(range - side_m);
-    *shift = (middles ? (side_m - range) / 2 : 0) - at[0];
-    return fabs(range + (middles ? step : 0) - side_m) <= balance * side_m;
+    double first = at[0], range = at[count - 1] - first, step = range / (double)(count - 1);
+    *cells = fabs(range + step - side_m) < fabs(range - side_m);
+    double length = range + (*cells ? step : 0), times = side_m / length;
+    bool equal = true;
+    for (size_t i = 0; i < count; i++)
+        equal = equal && fabs(at[i] - first - step * (double)i) < rounded * step;
+    for (size_t i = 0; i < count; i++)
+        at[i] = ((equal ? step * (double)i : at[i] - first) + (*cells ? step / 2 : 0)) * times;
+    if (fabs(length - side_m) < 2 * rounded * step)
+        return 1;
+    return fabs(length - side_m) <= balance * side_m ? times : NAN;
 }
 
-/* Lays values at places on the cells; the places are moved to the corner. */
+/* Lays values at places on the cells. A pressure keeps its force where it is stretched; a height lies at points,
+ * between which it is never a step. */
 static bool lay(struct scene_source *source, const char *file, double *const at[2], const size_t count[2],
                 const double *value)
 {
     struct joint *joint = &source->scene->joint;
     const double *side_m = joint->size_m;
+    struct shape_grid grid = {{at[0], at[1]}, {count[0], count[1]}, value, {false, false}};
+    struct shape_field *field = &joint->fields[joint->field_count++];
+    double times = 1;
     for (int side = 0; side < 2; side++) {
-        double shift;
-        if (!fits(&shift, at[side], count[side], side_m[side]))
+        double range = at[side][count[side] - 1] - at[side][0],
+               own = fit(&grid.cells[side], at[side], count[side], side_m[side]);
+        if (isnan(own))
             return SHAPE_FAIL(source, "'%s' is %g m long in %c, the nominal area %g m; correct 'size' or the file",
-                              scene_words_show(file).text, at[side][count[side] - 1] - at[side][0], "xy"[side],
-                              side_m[side]);
-        for (size_t i = 0; i < count[side]; i++)
-            at[side][i] += shift;
+                              scene_words_show(file).text, range, "xy"[side], side_m[side]);
+        grid.cells[side] = grid.cells[side] && joint->pressed;
+        times *= own;
     }
-    const double *const places[2] = {at[0], at[1]};
-    return shape_field_grid(&joint->fields[joint->field_count++], places, count, value, side_m, source->status) ==
-           STATUS_OK;
+    if (shape_field_grid(field, &grid, side_m, source->status) != STATUS_OK)
+        return false;
+    field->mean /= joint->pressed ? times : 1;
+    for (size_t k = 0; joint->pressed && k < field->nx * field->ny; k++)
+        field->value[k] /= times;
+    return true;
 }
 
 static bool read_height(struct scene_source *source, const char *file)
@@ -339,6 +355,27 @@ static bool hold_load(struct scene *scene, struct scene_source *source)
                       fields[0].mean * scene->nominal_area_m2, 100 * off);
 }
 
+/* Each hole lies inside the area, and none in another. */
+static bool check_bolts(struct scene_source *source, const struct shape_bolts *bolts, const double side_m[2])
+{
+    for (size_t i = 0; i < bolts->count; i++) {
+        const double *own = bolts->middle_m[i];
+        for (int side = 0; side < 2; side++)
+            if (own[side] < bolts->hole_m || own[side] > side_m[side] - bolts->hole_m)
+                return SHAPE_FAIL(source,
+                                  "bolt %zu is at %g m in %c, where its hole of %.3g m leaves the area, 0 to %g m; "
+                                  "coordinates count from a corner",
+                                  i + 1, own[side], "xy"[side], 2 * bolts -> hole_m, side_m[side]);
+        for (size_t k = 0; k < i; k++)
+            if (hypot(own[0] - bolts->middle_m[k][0], own[1] - bolts->middle_m[k][1]) < 2 * bolts->hole_m)
+                return SHAPE_FAIL(source,
+                                  "bolts %zu and %zu are at one place, their holes in one another; correct either, "
+                                  "coordinates count from a corner",
+                                  k + 1, i + 1);
+    }
+    return true;
+}
+
 bool scene_shape_complete(struct scene *scene, struct scene_source *source)
 {
     struct scene_shape *shape = &scene->shape;
@@ -353,17 +390,13 @@ bool scene_shape_complete(struct scene *scene, struct scene_source *source)
     for (size_t i = 0; i < shape->files.count; i++)
         if (!(joint->pressed ? read_pressure : read_height)(source, shape->files.path[i]))
             return false;
-    for (size_t i = 0; i < bolts->count; i++)
-        for (int side = 0; side < 2; side++)
-            if (bolts->middle_m[i][side] > joint->size_m[side])
-                return SHAPE_FAIL(source,
-                                  "bolt %zu is at %g m in %c, the area ends at %g m; places count from a corner", i + 1,
-                                  bolts->middle_m[i][side], "xy"[side], joint -> size_m[side]);
     if (bolts->count > 0) {
         struct status problem = {0};
         bolts->hole_m = hole * shape->head_m / 2;
         bolts->reach_m = shape->head_m / 2 + fmin(joint->thickness_m[0], joint->thickness_m[1]);
         joint->field_count = 1;
+        if (!check_bolts(source, bolts, joint->size_m))
+            return false;
         if (shape_field_bolts(joint->fields, bolts, joint->size_m, &problem) != STATUS_OK)
             return SHAPE_FAIL(source, "%s", problem.message);
     }

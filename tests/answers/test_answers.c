@@ -485,6 +485,119 @@ TEST_CASE(intervals_of_a_band)
     drop(&f);
 }
 
+/** A joint with grease of 0.8 W/(m K) and a bond line, its curve of one model, and what is asked of it. */
+static void grease(struct fixture *f, struct contact_point points[LOADS + 1], size_t m, double bond_line_m)
+{
+    f->scene.joint = (struct joint){.fill = JOINT_MEDIUM, .conductivity_W_per_mK = 0.8, .bond_line_m = bond_line_m};
+    f->plan.models = MODEL_BIT(m);
+    f->plan.running = EFFECT_BIT(EFFECT_GAP) | EFFECT_BIT(EFFECT_PLASTICITY) | EFFECT_BIT(EFFECT_ELECTRICAL) |
+                      EFFECT_BIT(EFFECT_THERMAL);
+    struct model_curve *curve = &f->record.curves[m];
+    *curve = (struct model_curve){.points = points};
+    expect_ok(model_run, curve, model_rows[m], &f->task);
+    const struct joint_task joint = surface_joint(&f->record, &f->scene, &f->plan, &f->task);
+    joint_hold(points, curve->count, &joint);
+    expect_ok(joint_curve, curve, model_rows[m], &f->task, &joint);
+    f->scene.target_count = 0;
+}
+
+static size_t ask_joint(struct fixture *f, double value)
+{
+    size_t target = ask(f, "conductance", value);
+    f->targets[target].quantity = QUANTITY_JOINT;
+    return target;
+}
+
+/** Grease that is thicker than the gap carries all heat: no load gives more than k/t, any gives that; no spot is
+ * counted, and limits are judged by it. */
+TEST_CASE(a_bond_line_thicker_than_the_gap)
+{
+    static struct contact_point points[LOADS + 1];
+    struct scene_asked limit[4] = {{.quantity = QUANTITY_JOINT, .value = 3.1e4},
+                                   {.quantity = QUANTITY_JOINT, .value = 3.3e4},
+                                   {.quantity = QUANTITY_ECR, .value = 1e9, .is_upper = true},
+                                   {.quantity = QUANTITY_AREA, .value = 1e-9}};
+    static const enum limit_verdict verdicts[] = {LIMIT_MET, LIMIT_MISSED, LIMIT_MISSED, LIMIT_MISSED};
+    for (size_t m = 0; m < model_count; m++) {
+        struct fixture f;
+        const char *name = model_rows[m]->name;
+        make(&f, 1);
+        if (model_rows[m]->uses_strip || model_rows[m]->uses_map) {
+            drop(&f);
+            continue;
+        }
+        f.scene.limits = limit;
+        f.scene.limit_count = 4;
+        grease(&f, points, m, 25e-6);
+        size_t above = ask_joint(&f, 5e5), just = ask_joint(&f, 3.201e4), below = ask_joint(&f, 3.199e4),
+               ecr = ask(&f, "ecr", 1), area = ask(&f, "area", 1e-9);
+        find(&f);
+        const size_t none[] = {above, just, ecr, area};
+        for (int k = 0; k < 4; k++) {
+            const struct answer *found = answer(&f, none[k], name);
+            if (found->kind != ANSWER_NONE || !found->held || !isnan(found->load) || !isnan(found->spots_per_m2))
+                fail_msg("%s, target %d: kind %d, %g", name, k, (int)found->kind, found->load);
+            assert_note("no load reaches it: the gap stays at the bond line of the filler", found, 1e-6, 1, "N");
+        }
+        assert_int_equal(answer(&f, below, name)->kind, ANSWER_LIGHTEST);
+        assert_true(isnan(answer(&f, below, name)->spots_per_m2));
+        assert_note("already at the lightest load", answer(&f, below, name), 1e-6, 1, "N");
+        for (int k = 0; k < 4; k++)
+            if (f.record.summary.limits[k].verdict != verdicts[k])
+                fail_msg("%s, limit %d: %d", name, k, (int)f.record.summary.limits[k].verdict);
+        assert_near(f.record.summary.limits[0].value, 0.8 / 25e-6, 1e-14);
+        assert_true(isnan(f.record.summary.limits[2].value));
+        drop(&f);
+    }
+}
+
+/** Loads that the gap alone tells, below that at which it comes to the bond line, stay to the byte; beyond it more load
+ * changes nothing. A bond line below all gaps changes nothing at all. */
+TEST_CASE(a_bond_line_that_the_gap_comes_down_to)
+{
+    static struct contact_point points[LOADS + 1];
+    const size_t m = model_named("cmy"), middle = LOADS / 3;
+    struct fixture f;
+    make(&f, 1);
+    f.task.load_count = LOADS - LOADS / 4; /* below the hardness */
+    grease(&f, points, m, 0);
+    const struct contact_point at = points[middle], before = points[middle - 1], last = points[f.task.load_count - 1];
+    assert_true(at.value[QUANTITY_SEPARATION] > last.value[QUANTITY_SEPARATION]);
+    double between = sqrt(at.value[QUANTITY_JOINT] * before.value[QUANTITY_JOINT]);
+    size_t lighter = ask_joint(&f, between), heavier = ask_joint(&f, 0.99 * last.value[QUANTITY_JOINT]),
+           ecr = ask(&f, "ecr", 1.01 * last.value[QUANTITY_ECR]);
+    find(&f);
+    struct answer free_of[3] = {*answer(&f, lighter, "cmy"), *answer(&f, heavier, "cmy"), *answer(&f, ecr, "cmy")};
+    for (int k = 0; k < 3; k++)
+        assert_int_equal(free_of[k].kind, ANSWER_LOAD);
+    grease(&f, points, m, 0.99 * last.value[QUANTITY_SEPARATION]); /* thinner than all gaps */
+    ask_joint(&f, between);
+    ask_joint(&f, 0.99 * last.value[QUANTITY_JOINT]);
+    ask(&f, "ecr", 1.01 * last.value[QUANTITY_ECR]);
+    find(&f);
+    for (size_t k = 0; k < 3; k++)
+        assert_memory_equal(answer(&f, k, "cmy"), &free_of[k], sizeof *free_of);
+    /* between two loads of the curve */
+    double bond_line_m = (at.value[QUANTITY_SEPARATION] + points[middle + 1].value[QUANTITY_SEPARATION]) / 2;
+    grease(&f, points, m, bond_line_m);
+    double plateau = points[f.task.load_count - 1].value[QUANTITY_JOINT];
+    assert_near(points[middle + 1].value[QUANTITY_JOINT], plateau, 1e-14);
+    assert_true(plateau > at.value[QUANTITY_JOINT]);
+    ask_joint(&f, between);
+    ask_joint(&f, 0.99 * last.value[QUANTITY_JOINT]);
+    ask(&f, "ecr", 1.01 * last.value[QUANTITY_ECR]);
+    size_t under = ask_joint(&f, plateau * (1 - 1e-3)), over = ask_joint(&f, plateau * (1 + 1e-6));
+    find(&f);
+    assert_near(answer(&f, 0, "cmy")->load, free_of[0].load, 1e-9);
+    assert_near(answer(&f, 0, "cmy")->spots_per_m2, free_of[0].spots_per_m2, 1e-9);
+    assert_true(answer(&f, 1, "cmy")->kind == ANSWER_NONE && answer(&f, 1, "cmy")->held);
+    assert_true(answer(&f, 2, "cmy")->kind == ANSWER_NONE && answer(&f, 2, "cmy")->held);
+    assert_int_equal(answer(&f, under, "cmy")->kind, ANSWER_LOAD);
+    assert_within(answer(&f, under, "cmy")->load, f.loads[middle], f.loads[middle + 1]);
+    assert_true(answer(&f, over, "cmy")->held);
+    drop(&f);
+}
+
 /* A limit that the interval straddles cannot be told; without one the value decides. */
 TEST_CASE(limits)
 {

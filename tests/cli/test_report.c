@@ -179,7 +179,7 @@ TEST_IN_WORKSPACE(test_laws_at_one_wavelength)
     synthesise(place, "0.085", "1.5", "0.3mm", "d/a.csv");
     synthesise(place, "1e-3", "1", "0.6mm", "d/b.csv");
     run_to_exit(place, 0, "report", "d", "--no-cost");
-    expect_in_file(place, "out/d/report.md", "at 17.3 µm", "| α (SI) | γ | rms (decades) | Δ (µm) |",
+    expect_in_file(place, "out/d/report.md", "at 17.3 µm", "| α (m¹⁻ᵞ) | γ | rms (decades) | Δ (µm) |",
                    " | 0.00613 ×÷ 1.07 |", /* 0.085 17.32e-6^1.5 m */
                    " | 0.00100 | 1.000 ± 0.027 | ");
     workspace_write(place, "d/scene.yaml", "surfaces: [{name: a, file: a.csv}]\nfit: thesis\n");
