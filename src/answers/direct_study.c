@@ -154,6 +154,7 @@ static enum status_code run_models(struct maker *maker, struct status *status)
     asked.loads = plan->load;
     asked.load_count = plan->loads;
     struct model_task ask = surface_model_task(task->surface, &asked);
+    ask.rough = (struct cmy){.sigma_m = 0};
     ask.spectrum = &study->rows; /* of a surface whose waves all are known */
     ask.levelled = false;
     ask.asperities = has_asperities ? &asperities : NULL;

@@ -92,7 +92,9 @@ static const struct argp_option report_options[] = {
     {"jobs", 'j', "N", 0, "threads, 1 to 64 (default: one a processor)", 0},
     {"show", 's', 0, 0, "also draw the main charts as text (default: not)", 0},
     {"no-cost", KEY_NO_COST, 0, 0, "leave out the section on what accuracy costs in time (default: not)", 0},
-    {"check", KEY_CHECK, 0, 0, "end with exit status 5 where a surface misses one of the scene's limits (default: not)",
+    {"check", KEY_CHECK, 0, 0,
+     "end with exit status 5 where a surface misses one of the scene's limits, 6 where none does and one is undecided "
+     "(default: not)",
      0},
     {"brief", KEY_BRIEF, 0, 0, "write the report's first page alone; data and results.json as ever (default: not)", 0},
     {"template", KEY_TEMPLATE, "FILE", 0, "fill FILE in place of the program's report.md (docs/templates.md)", 0},
@@ -230,9 +232,11 @@ static int report(char **written, struct arguments *arguments, struct scene *sce
             printf("%s\n%s\n", text_string(&outcome.table), outcome.path);
         if (outcome.refused + outcome.left_out > 0)
             exit_status = COMMAND_REFUSED;
-        if (arguments->check && outcome.missed_count > 0) {
+        if (arguments->check && outcome.missed_count + outcome.undecided_count > 0) {
             fputs(text_string(&outcome.missed), stderr);
-            exit_status = COMMAND_MISSED; /* the refused are named too, but this is what was asked */
+            fputs(text_string(&outcome.undecided), stderr);
+            /* the refused are named too, but this is what was asked */
+            exit_status = outcome.missed_count > 0 ? COMMAND_MISSED : COMMAND_UNDECIDED;
         }
         if (arguments->verbose) {
             fprintf(stderr, "\n%s", text_string(&outcome.work));

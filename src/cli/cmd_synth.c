@@ -3,6 +3,7 @@
 #include "profile/synth.h"
 
 #include <math.h>
+#include <string.h>
 #include <stdio.h>
 #include <stdlib.h>
 

@@ -15,8 +15,9 @@ enum command_exit {
     COMMAND_REFUSED = 1, /* a report was written, but some scan was refused */
     COMMAND_USAGE = 2,
     COMMAND_SCENE = 3,
-    COMMAND_NOTHING = 4, /* nothing could be reported, or not on standard output */
-    COMMAND_MISSED = 5,  /* report --check: a report was written, but a surface misses a limit */
+    COMMAND_NOTHING = 4,   /* nothing could be reported, or not on standard output */
+    COMMAND_MISSED = 5,    /* report --check: a report was written, but a surface misses a limit */
+    COMMAND_UNDECIDED = 6, /* report --check: none misses one, but of one it is undecided, or no value is known */
     COMMAND_STATUSES,
 };
 

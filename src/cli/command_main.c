@@ -34,6 +34,7 @@ const char *const command_statuses[COMMAND_STATUSES] = {
     [COMMAND_SCENE] = "scene invalid",
     [COMMAND_NOTHING] = "nothing could be reported, or not on standard output",
     [COMMAND_MISSED] = "report --check: a limit is missed",
+    [COMMAND_UNDECIDED] = "report --check: no limit is missed, but one is undecided",
 };
 
 /** The list of commands, as --help prints it. */

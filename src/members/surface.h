@@ -66,6 +66,9 @@ struct surface_summary {
     struct roughness roughness;
     struct asperities asperities;
     bool has_asperities; /* a statistical model exists */
+    double between_m2;   /* what Sq² of maps has over their rows' mean square height; 0: profiles */
+    struct cmy rough;    /* what handbooks ask: Rq (of maps Sq), and the surface's mean slope, of a lay as across it and
+                            along it together */
     struct power_law power_law;
     struct power_law line;        /* the thesis's, through all harmonics of fit_band, whatever `fit` */
     double independent;           /* scans averaged; rows of a map count less */
@@ -96,6 +99,7 @@ struct surface_summary {
 struct surface_record {
     struct surface_summary summary;
     struct spectrum spectrum;    /* its length over surface_kappa(), as those of the ensemble and the strips are */
+    struct spectrum typical;     /* geometric means of the scans' amplitudes: what the thesis's line goes through */
     struct spectrum tapered;     /* rms amplitudes the law is fitted to; count 0: fit: thesis */
     struct power_law_band *band; /* the same law with its bins, knees and lines; NULL: fit: thesis, or dropped */
     struct ensemble ensemble;    /* scans to be run alone, until they have been; count 0: there is one */

@@ -70,7 +70,8 @@ void view_load(json_t *out, const char *name, const struct view_source *source, 
 const char *view_name(const struct view_source *source, size_t surface);
 const struct surface_summary *view_summary(const struct view_source *source, size_t surface);
 
-/** The targets' and limits' verdicts: names each surface that misses a limit, a line each; returns how many. */
-size_t view_missed_limits(struct text *out, const struct results *results);
+/** Names each surface that misses a limit, else each of which it is undecided or not known, a line each; returns how
+ * many. */
+size_t view_limits_of(struct text *out, const struct results *results, bool missed);
 
 #endif

@@ -245,7 +245,8 @@ static enum status_code write_all(struct run *run, struct run_outcome *out, stru
     if (rc != STATUS_OK ||
         report_terminal(&out->table, "terminal", run->view, options->templates, false, status) != STATUS_OK)
         return status->code;
-    out->missed_count = view_missed_limits(&out->missed, run->results);
+    out->missed_count = view_limits_of(&out->missed, run->results, true);
+    out->undecided_count = view_limits_of(&out->undecided, run->results, false);
     out->times.report = lap(&last);
     return stopped(run) ? status->code : status_lost ? status_memory(status) : exchange_commit(&run->output, status);
 }
@@ -328,6 +329,7 @@ void run_outcome_free(struct run_outcome *outcome)
     text_free(&outcome->messages);
     text_free(&outcome->table);
     text_free(&outcome->missed);
+    text_free(&outcome->undecided);
     text_free(&outcome->charts);
     text_free(&outcome->work);
     json_decref(outcome->outline);

@@ -38,11 +38,13 @@ struct run_outcome {
     struct text table;        /* the first page's table and sentence for a terminal */
     struct text missed;       /* one line a surface and limit that it misses */
     size_t missed_count;      /* of those */
-    struct text charts;       /* when terminal_size was given */
-    char *path;               /* of report.html */
-    struct text work;         /* what was done, effect by effect */
-    struct json_t *outline;   /* json_outline(), when asked for; else NULL */
-    uint64_t evaluations;     /* done */
+    struct text undecided;    /* the same of those that are undecided, or have no value */
+    size_t undecided_count;
+    struct text charts;     /* when terminal_size was given */
+    char *path;             /* of report.html */
+    struct text work;       /* what was done, effect by effect */
+    struct json_t *outline; /* json_outline(), when asked for; else NULL */
+    uint64_t evaluations;   /* done */
     struct run_times times;
 };
 

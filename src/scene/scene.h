@@ -63,7 +63,7 @@ struct scene_load {
     size_t points;               /* >= 1 */
     double *values;              /* count `points`, or NULL */
     enum unit_quantity kind;     /* UNIT_NUMBER: P/(A_n E'); UNIT_PRESSURE: P/A_n; UNIT_FORCE: P */
-    struct unit unit;            /* what they were given in */
+    struct unit unit;            /* what they were given in; where the scene gives none, what operating_load was */
     char unit_text[UNIT_LENGTH]; /* the same, as charts and tables over load are to stand in; "": P/(A_n E') */
     bool given;                  /* by the scene: kind and unit are those of its first load */
 };
@@ -72,6 +72,8 @@ struct scene_load {
 struct scene_one_load {
     double load; /* SI; 0: none */
     enum unit_quantity kind;
+    struct unit unit;
+    char unit_text[UNIT_LENGTH]; /* as given; "": P/(A_n E'), or it was not */
 };
 
 struct scene_convergence {

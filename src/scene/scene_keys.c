@@ -235,7 +235,10 @@ static bool read_one_load(struct scene_source *source, const struct scene_key *k
     struct scene_quantity quantity;
     if (!scene_source_quantity_of(&quantity, source, key, value))
         return false;
-    *(struct scene_one_load *)field = (struct scene_one_load){quantity.value, quantity.kind};
+    struct scene_one_load *one = field;
+    *one = (struct scene_one_load){quantity.value, quantity.kind, quantity.unit, ""};
+    if (quantity.kind != UNIT_NUMBER)
+        strcpy(one->unit_text, quantity.text);
     return true;
 }
 
@@ -463,13 +466,16 @@ const struct scene_key scene_keys[] = {
      "{from, to, points}, spaced by equal factors, or {values: [...]}, as P/(A_n E') or with a unit, in which charts "
      "and tables then stand; default: 1e-6 to 0.1, and a decade beyond operating_load, in 121 points",
      read_load, .at = AT(load)},
-    {"operating_load", "where the first page stands; default: the middle of an area of 0.1 to 10 %", read_one_load,
-     .at = AT(operating), LOADS},
+    {"operating_load",
+     "where the first page stands; its unit is that of charts and tables where `load` has no loads; default: the "
+     "middle "
+     "of an area of 0.1 to 10 %",
+     read_one_load, .at = AT(operating), LOADS},
     {"targets", "a list of {ecr, tcr, conductance, gap, area or temperature: value}: the load that each takes",
      scene_asked_read, .at = 0},
     {"limits",
      "a mapping of such quantities, each {most: value} or {least: value}, at the operating load; `report --check` ends "
-     "with 5 where one is missed",
+     "with 5 where one is missed, with 6 where none is and one is undecided",
      scene_asked_read, .at = 0},
     {"tolerance", "relative, of every reported number; default: 1e-6", SCENE_NUMBER(AT(tolerance), 1e-14, 0.1)},
     {"accuracy",

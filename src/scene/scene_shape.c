@@ -344,7 +344,7 @@ static bool hold_load(struct scene *scene, struct scene_source *source)
     if (count > 1 || scene->shape.scale || pair.unknown)
         return true;
     if (scene->operating.load == 0) {
-        scene->operating = (struct scene_one_load){fields[0].mean, UNIT_PRESSURE};
+        scene->operating = (struct scene_one_load){.load = fields[0].mean, .kind = UNIT_PRESSURE};
         return true;
     }
     double asked_Pa = scene_load_of(&scene->operating, scene, &pair) * pair.effective_modulus_Pa;

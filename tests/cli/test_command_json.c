@@ -184,7 +184,7 @@ TEST_IN_WORKSPACE(test_report)
     static const char *const names[] = {"a", "b"};
     for (size_t i = 0; i < 2; i++) {
         const json_t *missed = find(json_object_get(json, "missed_limits"), "surface", names[i]);
-        assert_string_equal(text_of(missed, "verdict"), "misses");
+        assert_string_equal(text_of(missed, "verdict"), "missed");
         assert_string_equal(text_of(missed, "limit"), "ecr most 1e-12 mohm");
     }
     assert_true(json_equal(json_object_get(json, "refused"), json_object_get(results, "refused")));
