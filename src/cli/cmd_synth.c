@@ -3,9 +3,9 @@
 #include "profile/synth.h"
 
 #include <math.h>
-#include <string.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 struct arguments {
     struct synth_def def;

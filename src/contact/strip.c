@@ -208,8 +208,8 @@ static enum status_code solve_strip(struct strip_curve *curve, struct solver *so
     return STATUS_OK;
 }
 
-/** A seed that a row's first heights make, which no two rows share: its surrogates depend neither on its name nor on its
- * place (FNV-1a). */
+/** A seed that a row's first heights make, which no two rows share: its surrogates depend neither on its name nor on
+ * its place (FNV-1a). */
 static uint64_t seed_of(const double *height_m, size_t points)
 {
     enum { HEIGHTS = 64 };

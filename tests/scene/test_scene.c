@@ -271,12 +271,10 @@ TEST_CASE(test_loads_reach_a_decade_beyond)
     static const struct {
         const char *text;
         double from, to;
-    } cases[] = {{"operating_load: 1e-4", 1e-6, 0.1},
-                 {"operating_load: 2e-6", 2e-7, 0.1},
-                 {"operating_load: 1e-8", 1e-9, 0.1},
-                 {"operating_load: 0.03", 1e-6, 0.3},
-                 {"operating_load: 0.5", 1e-6, 1},
-                 {"operating_load: 2e-6\nload: {from: 1e-6, to: 1e-3}", 1e-6, 1e-3}};
+    } cases[] = {
+        {"operating_load: 1e-4", 1e-6, 0.1}, {"operating_load: 2e-6", 2e-7, 0.1},
+        {"operating_load: 1e-8", 1e-9, 0.1}, {"operating_load: 0.03", 1e-6, 0.3},
+        {"operating_load: 0.5", 1e-6, 1},    {"operating_load: 2e-6\nload: {from: 1e-6, to: 1e-3}", 1e-6, 1e-3}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct scene scene = scene_of(filled("material: tin\n%s\n", cases[i].text));
         assert_near(scene.load.from, cases[i].from, 1e-12);
