@@ -123,6 +123,24 @@ static void decide(double pressure, double raise)
     effects_decide(&plan, &scene, &record, 1);
 }
 
+/* Sweeps of made-up surfaces are never unasked: by the key, or where they are listed. */
+PLACED(test_convergence_is_asked_for)
+{
+    struct plan asked;
+    scene.models = (1u << model_count) - 1;
+    plan_make(&asked, &scene, support_words());
+    assert_false(plan_runs(&asked, EFFECT_CONVERGENCE));
+    assert_string_equal(asked.effects[EFFECT_CONVERGENCE].reason, "no 'convergence' is given");
+    scene.convergence.given = true;
+    plan_make(&asked, &scene, support_words());
+    assert_true(plan_runs(&asked, EFFECT_CONVERGENCE));
+    scene.convergence.given = false;
+    scene.effects = EFFECT_BIT(EFFECT_CONVERGENCE);
+    plan_make(&asked, &scene, support_words());
+    assert_true(plan_runs(&asked, EFFECT_CONVERGENCE));
+    scene.effects = 0;
+}
+
 /* (1 + r^4)^(1/4) - 1 = 1e-4 at r = 0.14143. */
 PLACED(test_decisions)
 {
