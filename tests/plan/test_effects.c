@@ -126,18 +126,18 @@ static void decide(double pressure, double raise)
 /* Sweeps of made-up surfaces are never unasked: by the key, or where they are listed. */
 PLACED(test_convergence_is_asked_for)
 {
-    struct plan asked;
+    struct plan made;
     scene.models = (1u << model_count) - 1;
-    plan_make(&asked, &scene, support_words());
-    assert_false(plan_runs(&asked, EFFECT_CONVERGENCE));
-    assert_string_equal(asked.effects[EFFECT_CONVERGENCE].reason, "no 'convergence' is given");
+    plan_make(&made, &scene, support_words());
+    assert_false(plan_runs(&made, EFFECT_CONVERGENCE));
+    assert_string_equal(made.effects[EFFECT_CONVERGENCE].reason, "no 'convergence' is given");
     scene.convergence.given = true;
-    plan_make(&asked, &scene, support_words());
-    assert_true(plan_runs(&asked, EFFECT_CONVERGENCE));
+    plan_make(&made, &scene, support_words());
+    assert_true(plan_runs(&made, EFFECT_CONVERGENCE));
     scene.convergence.given = false;
     scene.effects = EFFECT_BIT(EFFECT_CONVERGENCE);
-    plan_make(&asked, &scene, support_words());
-    assert_true(plan_runs(&asked, EFFECT_CONVERGENCE));
+    plan_make(&made, &scene, support_words());
+    assert_true(plan_runs(&made, EFFECT_CONVERGENCE));
     scene.effects = 0;
 }
 
