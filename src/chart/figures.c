@@ -22,12 +22,7 @@ static const char *const sweep_colours[] = {"#431575", "#2b338f", "#025185", "#0
                                             "#058a64", "#4f9737", "#939803", "#c79608"};
 static const char ink[] = "#222222", quiet[] = "#8a8a8a";
 static const char no_break[] = "\u00a0";
-enum {
-    COLOURS = sizeof surface_colours / sizeof *surface_colours,
-    DASH_OUTSIDE = 2,
-    DASH_OTHER = 4,
-    DASH_UNLOADING = 5
-};
+enum { COLOURS = sizeof surface_colours / sizeof *surface_colours, DASH_OUTSIDE = 2, DASH_OTHER = 4 };
 
 #define NOTE(note) (1u << (note))
 
@@ -98,19 +93,18 @@ static void put_part(struct chart *chart, const struct source *source, const str
     }
 }
 
-/** A model's curve of a surface, dashed outside its range of validity, and that of falling load, named once. */
+/** A model's curve of a surface, dashed outside its range of validity. */
 static void put_curve(struct chart *chart, const struct source *source, const struct surface_record *record, size_t m,
                       const struct axis axis[2], struct chart_curve look)
 {
     const struct model_curve *curve = &record->curves[m];
-    const struct surface_unloading *unloading = record->summary.unloading;
     const double sigma_m = record->summary.asperities.sigma_m;
     if (!curve->exists)
         return;
     struct curve_validity valid = curve_summary_validity(curve, model_rows[m]);
     for (int n = 0; n < FIGURE_NOTES && quantity_rows[axis[1].quantity].note; n++)
         look.notes |= strcmp(figure_notes[n], quantity_rows[axis[1].quantity].note) == 0 ? NOTE(n) : 0;
-    struct chart_curve outside = look, falling = look;
+    struct chart_curve outside = look;
     outside.dash = DASH_OUTSIDE;
     outside.width = 1.2;
     outside.legend = valid.end > valid.first ? "" : look.legend;
@@ -126,13 +120,6 @@ static void put_curve(struct chart *chart, const struct source *source, const st
         chart_curve(chart, &outside);
         put_part(chart, source, curve->points + from, curve->count - from, axis, sigma_m);
     }
-    if (!unloading || unloading->model != m)
-        return;
-    falling.legend = record == source->baseline ? SAY("unloading") : "";
-    falling.dash = DASH_UNLOADING;
-    falling.width = 1.6;
-    chart_curve(chart, &falling);
-    put_part(chart, source, unloading->points, unloading->ratio.count, axis, sigma_m);
 }
 
 static struct chart_curve model_look(size_t m)

@@ -38,7 +38,7 @@ static const struct argp_option scene_options[] = {
     {"material", 'm', "MATERIAL", 0, "a built-in material (default: the scene's, else none)", 1},
     {"effects", 'e', "EFFECTS", 0,
      "auto, some of plasticity, separation, electrical, thermal, scale-dependent, stiffness, last-scale, "
-     "convergence, uncertainty, unloading, direct, gap, film, plating, heating, shape, or both, with commas (default: "
+     "convergence, uncertainty, direct, gap, film, plating, heating, shape, or both, with commas (default: "
      "the scene's, else auto)",
      1},
     {"tolerance", 't', "REL", 0, "relative tolerance of every number, 1e-14 to 0.1 (default: the scene's, else 1e-6)",
@@ -187,7 +187,6 @@ static void print_times(const struct run_times *times)
         print_time(model_rows[m]->label, times->models[m]);
     print_time("convergence", times->convergence);
     print_time("uncertainty", times->uncertainty);
-    print_time("unloading", times->unloading);
     print_time("direct solution", times->direct);
     print_time("what accuracy costs", times->cost);
     print_time("tables and json", times->tables);

@@ -137,7 +137,6 @@ void surface_record_free(struct surface_record *record)
     free(summary->direct);
     free(summary->answers);
     free(summary->limits);
-    free(summary->unloading);
     *summary = (struct surface_summary){0};
 }
 

@@ -3,7 +3,7 @@
 #ifndef MEMBERS_SURFACE_H
 #define MEMBERS_SURFACE_H
 
-#include "contact/unloading.h"
+#include "contact/strip.h"
 #include "joint/joint.h"
 #include "members/curve_summary.h"
 #include "members/note.h"
@@ -25,15 +25,7 @@ struct direct_plan; /* plan/direct_plan.h */
 
 /** Where a run's time goes, by stage [s]. */
 struct surface_times {
-    double read, prepare, spectrum, convergence, uncertainty, strips, tiles, unloading;
-};
-
-/** The curve of falling load. */
-struct surface_unloading {
-    double largest_load; /* P/(A_n E') */
-    size_t model;        /* the leading one, whose curve of rising load it leaves there */
-    struct unloading ratio;
-    struct contact_point points[UNLOADING_SHARES]; /* at its shares of the largest load: ratio.count, rising */
+    double read, prepare, spectrum, convergence, uncertainty, strips, tiles;
 };
 
 /** Whose hardness the models have. */
@@ -99,8 +91,7 @@ struct surface_summary {
     double lay;                 /* rms slope along over across it: surface_kappa() */
     double perfect_lay[2]; /* where none is known: area and ECR of the leading model at the operating load if the scans
                               ran across a perfect one, over those as they are; NaN: no answer; 0: not asked */
-    struct direct_plan *direct;          /* how its contact is solved directly; owned, NULL: it is not called for */
-    struct surface_unloading *unloading; /* the same; NULL: not called for, or it has none */
+    struct direct_plan *direct; /* how its contact is solved directly; owned, NULL: it is not called for */
     struct surface_times times;
 };
 

@@ -10,11 +10,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/** Does a model that may run use strips, or unloading? */
+/** Does a model that may run use strips? */
 static bool wants_strips(const struct scene *scene)
 {
-    return (scene->effects & EFFECT_BIT(EFFECT_UNLOADING)) ||
-           (scene->models & model_flagged(offsetof(struct model_row, uses_strip)));
+    return scene->models & model_flagged(offsetof(struct model_row, uses_strip));
 }
 
 /** Repeats, for a surface, what was noted about the scans of its counterface. */

@@ -101,8 +101,6 @@ static json_t *scene_json(const struct results *results)
                             json_shown(scene->load.unit_text));
     if (results->usable_count > 0)
         json_set(json, "operating_load_over_AnEp", results_operating_load(results, results->baseline));
-    if (plan_runs(results->plan, EFFECT_UNLOADING))
-        json_set(json, "unload_from_over_AnEp", scene_load_of(&scene->unload_from, scene, &pair));
     if (scene->called & results->plan->running)
         json_object_set_new(json, "joint", joint_json(results));
     json_set_all(json, "shape_size_m", scene->joint.size_m,

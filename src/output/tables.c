@@ -557,28 +557,6 @@ static void fill_limits(struct table *table, const struct results *results, size
     }
 }
 
-static void fill_unloading(struct table *table, const struct results *results, size_t index)
-{
-    const struct surface_summary *summary = &results->surfaces[index].summary;
-    const struct surface_unloading *unloading = summary->unloading;
-    for (size_t i = 0; unloading && i < unloading->ratio.count; i++) {
-        const struct contact_point *point = &unloading->points[i];
-        double load = point->value[QUANTITY_LOAD];
-        put_text(table, "surface", summary->scene->name);
-        put_word(table, "model", model_rows[unloading->model]->name);
-        put_number(table, "load_over_AnEp", load);
-        put_number(table, "largest_load_over_AnEp", unloading->largest_load);
-        for (int q = 0; q < QUANTITY_COUNT; q++)
-            if ((quantity_rows[q].is & QUANTITY_BANDED) && !quantity_rows[q].from &&
-                (plan_quantities(results->plan) & QUANTITY_BIT(q))) {
-                put_number(table, quantity_rows[q].name, point->value[q]);
-                put(table, quantity_rows[q].name, "_over_loading",
-                    unloading_factor(&unloading->ratio, (enum quantity)q, load / unloading->largest_load));
-            }
-        end_row(table);
-    }
-}
-
 static void fill_direct(struct table *table, const struct results *results, size_t index)
 {
     const struct direct_study *study = &results->direct[index / DIRECT_STUDY_KINDS];
@@ -649,7 +627,6 @@ json_t *tables_limits_json(const struct results *results)
 
 enum status_code tables_write(const struct results *results, const char *directory, struct status *status)
 {
-    const struct plan *plan = results->plan;
     const size_t surfaces = results->surface_count, studies = results->direct_count;
     const struct {
         const char *name;
@@ -660,7 +637,6 @@ enum status_code tables_write(const struct results *results, const char *directo
         {"sensitivity.csv", surfaces, fill_sensitivity},
         {"answers.csv", surfaces, fill_answers},
         {"limits.csv", surfaces, fill_limits},
-        {"unloading.csv", plan_runs(plan, EFFECT_UNLOADING) ? surfaces : 0, fill_unloading},
         {"convergence.csv", results->convergence ? CONVERGENCE_SWEEP_COUNT : 0, fill_convergence},
         {"direct.csv", studies * DIRECT_STUDY_KINDS, fill_direct},
         {"direct_ratio.csv", studies, fill_direct_ratio},

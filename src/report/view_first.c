@@ -234,7 +234,8 @@ static void put_in_order(json_t *item, const struct view_source *source, size_t 
 {
     struct text text = {0};
     const size_t count = source->results->usable_count;
-    for (size_t k = 0; k<count; k += count> 4 ? count - 1 : 1) {
+    const size_t step = count > 4 ? count - 1 : 1;
+    for (size_t k = 0; k < count; k += step) {
         text_add(&text, k == 0 ? "" : count > 4 ? "\u00a0…\u00a0" : ", ");
         number_format(&text, value_of(source, m, source->results->by_roughness[k]), 3);
     }

@@ -72,7 +72,6 @@ static void add_times(struct run_times *times, const struct results *results)
         times->tiles += summary->times.tiles;
         times->convergence += summary->times.convergence;
         times->uncertainty += summary->times.uncertainty;
-        times->unloading += summary->times.unloading;
         for (size_t m = 0; times->models && m < model_count; m++)
             times->models[m] += surface_model(summary, m)->seconds;
     }

@@ -26,8 +26,8 @@ struct run_options {
 
 /** Wall time by stage [s], the threads' own stages summed. */
 struct run_times {
-    double read, prepare, spectrum, strips, tiles, convergence, uncertainty, unloading, direct, cost, tables, figures,
-        gnuplot, report, total;
+    double read, prepare, spectrum, strips, tiles, convergence, uncertainty, direct, cost, tables, figures, gnuplot,
+        report, total;
     double *models; /* model_count of them; owned */
 };
 

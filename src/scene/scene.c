@@ -41,7 +41,7 @@ static struct scene default_scene(void)
 
 bool scene_bins_spectra(const struct scene *scene)
 {
-    return scene->data == SCENE_DATA_AUTO && !scene->exports && scene->surface_count > SCENE_DATA_SURFACES;
+    return !scene->exports && scene->surface_count > SCENE_DATA_SURFACES;
 }
 
 /* Reads scene.yaml; without one, scene->path goes. A dangling link of that name is an error, not an absence. */
@@ -307,8 +307,7 @@ static bool check_loads(struct scene *scene, struct scene_source *source)
     take_load_unit(&scene->load, &scene->operating);
     return check_load_kind(scene, source, "load", scene->load.kind, scene_keys_line(source, "load")) &&
            check_load_kind(scene, source, "loads", scene->direct.kind, scene_keys_line(source, "direct")) &&
-           check_one_load(&scene->operating, "operating_load", scene, source) &&
-           check_one_load(&scene->unload_from, "unload_from", scene, source);
+           check_one_load(&scene->operating, "operating_load", scene, source);
 }
 
 static bool check_template(const struct scene *scene, struct scene_source *source)

@@ -232,16 +232,3 @@ TEST_IN_WORKSPACE(test_failures)
     expect_failure(place, 2, 3, "--show draws where --json prints", "report", "bad", "--json", "--show");
     assert_false(workspace_has(place, "out"));
 }
-
-/** From anywhere, of the program alone, writing nothing. */
-TEST_IN_WORKSPACE(test_self_test)
-{
-    char *before = workspace_digest(place, ".");
-    struct process text = expect_exit(place, 0, "self-test"), verbose = expect_exit(place, 0, "self-test", "--verbose");
-    expect_digest(place, ".", before);
-    expect_part(text.out, "\nmodels        ");
-    expect_part(text.out, " numbers: this build computes correctly here\n");
-    expect_part(verbose.out, "\n  strip                contact points ");
-    expect_no_part(verbose.out, "WRONG");
-    expect_failure(place, 2, 3, "roughcontact self-test: Too many arguments", "self-test", "x");
-}

@@ -57,8 +57,8 @@ TEST_IN_WORKSPACE(test_usage)
 {
     expect_failure(place, 2, 1, "unknown command 'reprot'; did you mean 'report'?", "reprot", "d");
     expect_failure(place, 2, 1,
-                   "unknown command '--bogus'; allowed: report, direct, plan, init, inspect, compare, view, synth, "
-                   "models, materials, self-test",
+                   "unknown command '--bogus'; allowed: report, direct, plan, init, inspect, compare, synth, "
+                   "models, materials",
                    "--bogus");
     expect_failure(place, 2, 1, "unknown command 'a?b'",
                    "a\x1b"

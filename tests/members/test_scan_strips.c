@@ -152,6 +152,7 @@ TEST_CASE(pairs_solve_as_what_they_are)
         struct strip_rows rows = rough.rows;
         struct strip alone;
         rows.height_m += 4 * p * POINTS;
+        rows.seed += 4 * p;
         rows.rows = 4;
         expect_ok(strip_solve, &alone, &rows, STRIP_SURROGATES, NULL);
         assert_non_null(own_members[p].strip);
