@@ -32,6 +32,13 @@ static double full_value(enum quantity quantity, const struct joint_task *joint)
     return isinf(quantity_rows[quantity].at_full) ? INFINITY : point.value[quantity];
 }
 
+/** The number at a point; of a resistance through metal that does not touch: infinite. */
+static double value_at(const struct contact_point *point, enum quantity quantity)
+{
+    bool apart = quantity_rows[quantity].from & QUANTITY_BIT(QUANTITY_ECR) && isinf(point->value[QUANTITY_ECR]);
+    return apart && (quantity_rows[quantity].is & QUANTITY_ENDS) ? INFINITY : point->value[quantity];
+}
+
 /** One end of the band about a curve. */
 struct band_end {
     const struct model_curve *curve;
@@ -78,7 +85,8 @@ struct search {
     const struct model_curve *known; /* its curve, at some loads */
     const struct band_end *end;      /* NULL: the curve itself */
     struct contact_point point;      /* at the load that was asked for last; nothing where the curve has none */
-    double value, full_load;         /* NaN: the model has none there */
+    bool asks_wider;
+    double value, full_load; /* NaN: the model has none there */
     struct status *status;
 };
 
@@ -91,10 +99,19 @@ static bool look_up(struct search *search, double load)
         i++;
     if (i == known->count || known->points[i].value[QUANTITY_LOAD] > load * (1 + 1e-14))
         return false;
-    search->full_load = known->full_load;
+    search->full_load = joint_is_held(&known->points[i], &search->joint) ? NAN : known->full_load;
     search->point = known->points[i];
-    search->value = known->points[i].value[search->target->quantity];
+    search->value = value_at(&search->point, search->target->quantity);
     return true;
+}
+
+/** The first point of the known curve that a bond line holds, as which all heavier loads are; NULL: none. */
+static const struct contact_point *first_held(const struct search *search)
+{
+    for (size_t i = 0; i < search->known->count; i++)
+        if (joint_is_held(&search->known->points[i], &search->joint))
+            return &search->known->points[i];
+    return NULL;
 }
 
 /** The model at one load. */
@@ -102,18 +119,27 @@ static void run_at(struct search *search, double load)
 {
     struct contact_point points[2] = {quantity_nothing(), quantity_nothing()};
     struct model_curve curve = {.points = points};
+    const struct contact_point *held = first_held(search);
     const struct model_task one = model_task_at(&search->task, &load, 1);
     search->point = quantity_nothing();
     search->value = NAN;
     if (look_up(search, load))
         return;
-    if (ensemble_curve(&curve, NULL, search->set, search->row, &one, search->status) != STATUS_OK ||
-        joint_curve(&curve, search->row, &one, &search->joint, search->status) != STATUS_OK)
+    bool beyond = held && held->value[QUANTITY_LOAD] <= load;
+    if (!beyond && ensemble_curve(&curve, NULL, search->set, search->row, &one, search->status) != STATUS_OK)
+        return;
+    joint_hold(points, curve.count, &search->joint);
+    if (held && (beyond || joint_is_held(points, &search->joint))) {
+        points[0] = *held; /* but for what the parts' shape makes of it there */
+        points[0].value[QUANTITY_LOAD] = load;
+        curve = (struct model_curve){.points = points, .count = 1, .exists = true, .full_load = NAN};
+    }
+    if (joint_curve(&curve, search->row, &one, &search->joint, search->status) != STATUS_OK)
         return;
     search->full_load = curve.exists ? curve.full_load : NAN;
     if (curve.count > 0 && points[0].value[QUANTITY_LOAD] == load) {
         search->point = points[0];
-        search->value = points[0].value[search->target->quantity];
+        search->value = value_at(points, search->target->quantity);
     }
 }
 
@@ -158,6 +184,29 @@ static enum status_code narrow(double ends[2], struct search *search)
     return search->status->code;
 }
 
+/** Does the contact of flat parts meet the target where the search stands? Load makes them flat. */
+static bool flat_meets(const struct search *search)
+{
+    bool rising = rises(search->target),
+         shaped = quantity_rows[search->target->quantity].effect & EFFECT_BIT(EFFECT_SHAPE);
+    double flat = joint_resistance(search->point.value, &search->joint, rising ? JOINT_HEAT : JOINT_CURRENT);
+    return shaped && (rising ? 1 / flat >= search->target->value : flat <= search->target->value);
+}
+
+/** Would loads up to a thousand times as light (`heavy`: as heavy) tell where the target is passed? */
+static bool found_beyond(struct search *search, bool heavy)
+{
+    const struct model_task *task = &search->task;
+    double load = task->loads[heavy ? task->load_count - 1 : 0];
+    for (int decade = 0; decade < 3; decade++) {
+        load *= heavy ? 10 : 0.1;
+        bool met = excess(log(load), search) >= 0;
+        if (met == heavy && !isnan(search->value))
+            return true;
+    }
+    return false;
+}
+
 /** The load at which the target is met. */
 static enum status_code solve(struct answer *out, struct search *search)
 {
@@ -178,6 +227,8 @@ static enum status_code solve(struct answer *out, struct search *search)
         out->kind = ANSWER_LOAD;
         out->load = ends[1];
     }
+    if (known && search->asks_wider && (at_first >= 0 || at_last < 0))
+        out->wider = found_beyond(search, at_first < 0);
     run_at(search, out->load);
     if (isnan(search->value) && search->full_load <= last && full_meets) {
         out->full = search->full_load > first;
@@ -191,9 +242,14 @@ static enum status_code solve(struct answer *out, struct search *search)
     }
     if (search->full_load <= out->load)
         search->point = (struct contact_point){.value[QUANTITY_AREA] = 1};
+    out->held = joint_is_held(&search->point, &search->joint);
+    if (out->held && out->kind == ANSWER_NOT_REACHED && !flat_meets(search))
+        *out = (struct answer){
+            .kind = ANSWER_NONE, .load = NAN, .low = NAN, .high = NAN, .spots_per_m2 = NAN, .held = true};
     out->invalid = !curve_summary_point_is_valid(&search->point, search->row);
-    out->above_hardness = !search->row->plastic && material_pair_pressure(search->task.pair, out->load) >
-                                                       search->task.hardness_Pa * search->point.value[QUANTITY_AREA];
+    out->above_hardness = !out->held && !search->row->plastic &&
+                          material_pair_pressure(search->task.pair, out->load) >
+                              search->task.hardness_Pa * search->point.value[QUANTITY_AREA];
     return search->status->code;
 }
 
@@ -220,7 +276,7 @@ static enum status_code count_spots(struct answer *out, const struct ensemble *s
 {
     const struct model_row *row = model_rows[by];
     struct model_task one = model_task_at(task, &out->load, 1);
-    size_t runs = set->count > 1 ? set->count : 1, counted = 0;
+    size_t runs = set->count > 1 && !row->textbook ? set->count : 1, counted = 0;
     double sum = 0;
     for (size_t r = 0; r < runs; r++) {
         struct contact_spots spots = {NAN, NAN};
@@ -253,6 +309,7 @@ static enum status_code solve_band(struct answer *out, const struct surface_reco
         if (solve(&one, &on_end) != STATUS_OK)
             return search->status->code;
         double load = one.kind == ANSWER_LOAD && !one.full ? one.load : NAN;
+        out->wider = out->wider || one.wider;
         if (side == rises(search->target)) /* that end gets there at the lighter load */
             out->low = isnan(load) ? NAN : fmin(load, out->load);
         else
@@ -267,17 +324,26 @@ static enum status_code answer_target(struct answer *out, const struct surface_r
 {
     const size_t m = model_index(search.row);
     const unsigned from = quantity_rows[target->quantity].from, needed = from ? from : QUANTITY_BIT(target->quantity);
+    const bool holds = joint_has_bond_line(&search.joint);
     search.target = target;
     *out = no_answer;
-    search.joint.effects = from ? search.joint.effects : 0;
-    search.task.wanted &= QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | needed;
+    search.joint.effects &= from ? ~0u : holds ? EFFECT_BIT(EFFECT_GAP) : 0;
+    search.task.wanted &= (holds ? QUANTITY_BIT(QUANTITY_SEPARATION) : 0) | QUANTITY_BIT(QUANTITY_LOAD) |
+                          QUANTITY_BIT(QUANTITY_AREA) | needed;
     if (!record->curves[m].exists || (search.row->quantities & search.task.wanted & needed) != needed)
         return STATUS_OK;
+    search.asks_wider = record->bands[m];
     if (solve(out, &search) != STATUS_OK)
         return search.status->code;
-    bool banded = record->bands[m] && out->kind == ANSWER_LOAD && !out->full;
-    return banded ? solve_band(out, record, &search) : STATUS_OK;
+    const struct band_end any = {&record->curves[m], record->bands[m], record->band_count, target->quantity, 0,
+                                 &search.joint};
+    bool banded = record->bands[m] && !isnan(band_shift(log(out->load), &any));
+    out->wider = out->wider && banded;
+    return banded && out->kind == ANSWER_LOAD && !out->full ? solve_band(out, record, &search) : STATUS_OK;
 }
+
+const char *const limit_verdict_words[] = {
+    [LIMIT_NO_VALUE] = "no value", [LIMIT_MET] = "met", [LIMIT_MISSED] = "missed", [LIMIT_UNDECIDED] = "undecided"};
 
 enum limit_verdict answers_judge(const struct limit_check *check, const struct scene_asked *limit)
 {
@@ -287,7 +353,7 @@ enum limit_verdict answers_judge(const struct limit_check *check, const struct s
     double low = known ? check->low : check->value, high = known ? check->high : check->value;
     if (limit->is_upper ? high <= limit->value : low >= limit->value)
         return LIMIT_MET;
-    return (limit->is_upper ? low > limit->value : high < limit->value) ? LIMIT_MISSED : LIMIT_CANNOT_TELL;
+    return (limit->is_upper ? low > limit->value : high < limit->value) ? LIMIT_MISSED : LIMIT_UNDECIDED;
 }
 
 /** The leading model at load i of its curve against a limit, with its band. */
@@ -297,12 +363,13 @@ static struct limit_check check_point(const struct surface_record *record, size_
     const struct model_curve *curve = &record->curves[leading];
     const struct ensemble_band *band = record->bands[leading];
     enum quantity quantity = limit->quantity;
-    struct limit_check out = {.value = curve->points[i].value[quantity], .low = NAN, .high = NAN};
+    struct limit_check out = {.value = value_at(&curve->points[i], quantity), .low = NAN, .high = NAN};
     if (band && i < record->band_count && band[i].load == curve->points[i].value[QUANTITY_LOAD]) {
         out.low = at_end(&(struct band_end){curve, band, record->band_count, quantity, 0, joint}, i);
         out.high = at_end(&(struct band_end){curve, band, record->band_count, quantity, 1, joint}, i);
     }
     out.verdict = answers_judge(&out, limit);
+    out.value = isfinite(out.value) ? out.value : NAN; /* no metal touches */
     return out;
 }
 
@@ -313,9 +380,13 @@ static struct limit_check check_limit(const struct surface_record *record, size_
     const struct model_curve *curve = &record->curves[leading];
     struct limit_check out = {.value = NAN, .low = NAN, .high = NAN};
     for (size_t i = 0; curve->exists && i < curve->count; i++)
-        if (curve->points[i].value[QUANTITY_LOAD] == load)
+        if (curve->points[i].value[QUANTITY_LOAD] == load &&
+            (!model_rows[leading]->textbook || curve_summary_point_is_valid(&curve->points[i], model_rows[leading])))
             out = check_point(record, leading, limit, joint, i);
-    if (out.verdict == LIMIT_NO_VALUE && curve->exists && curve->full_load <= load) {
+    if (out.verdict == LIMIT_NO_VALUE && curve->exists && curve->count > 0 &&
+        joint_is_held(&curve->points[curve->count - 1], joint)) {
+        out = check_point(record, leading, limit, joint, curve->count - 1);
+    } else if (out.verdict == LIMIT_NO_VALUE && curve->exists && curve->full_load <= load) {
         out.value = full_value(limit->quantity, joint);
         out.verdict = answers_judge(&out, limit);
         out.value = isfinite(out.value) ? out.value : NAN;
@@ -361,7 +432,8 @@ enum status_code answers_find(struct surface_record *record, const struct scene 
                 target.value *= summary->carried; /* the model's resistance over that factor is what is met */
             if (answer_target(answer, record, &target, search) != STATUS_OK)
                 return status->code;
-            bool met = (answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST) && !answer->full;
+            bool met =
+                (answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST) && !answer->full && !answer->held;
             size_t by = met ? counting_model(record, plan, m, answer->load) : model_count;
             if (by < model_count && count_spots(answer, &record->ensemble, by, &own, status) != STATUS_OK)
                 return status->code;
@@ -387,7 +459,8 @@ void answers_note(struct text *out, const struct answer *answer, double nominal_
     const char *before = "";
     double spots = answer->spots_per_m2 * nominal_area_m2;
     if (answer->kind == ANSWER_NONE)
-        text_add(out, "no value");
+        text_add(out, "%s",
+                 answer->held ? "no load reaches it: the gap stays at the bond line of the filler" : "no value");
     if (answer->kind == ANSWER_LIGHTEST)
         text_add(out, "already at the lightest load");
     if (answer->kind == ANSWER_NOT_REACHED)

@@ -24,11 +24,16 @@ struct answer {
     double spots_per_m2; /* at that load; NaN: not known */
     bool invalid;        /* beyond the model's range of validity there */
     bool full;           /* the load is that of full contact, where it is met at the latest: numbers end before */
+    bool wider;          /* an end of the interval lies beyond the loads, and wider ones could tell it */
+    bool held; /* a filler's bond line holds the metals apart there, or from there on, and no load changes that */
     bool above_hardness; /* an elastic model whose contact bears more than that there */
     size_t counted_by;   /* the model whose spots they are, where they are known */
 };
 
-enum limit_verdict { LIMIT_NO_VALUE, LIMIT_MET, LIMIT_MISSED, LIMIT_CANNOT_TELL };
+enum limit_verdict { LIMIT_NO_VALUE, LIMIT_MET, LIMIT_MISSED, LIMIT_UNDECIDED };
+
+/** The one word for each: "no value", "met", "missed", "undecided". */
+extern const char *const limit_verdict_words[];
 
 /** A limit at the operating load, by the leading model; numbers of its row's quantity. */
 struct limit_check {

@@ -69,14 +69,15 @@ static enum status_code try_law(struct surface_record *record, const struct mode
 
 /** The other estimate of beta (4.54), which brings delta_ADJ closest to the separation H of the multiscale model of the
  * same material law, in the mean square: the mean of 4 (H - delta/2)/sigma over the loads that both answer. */
-static double nearest_beta(const struct surface_record *record, size_t m)
+static double nearest_beta(const struct surface_record *record, size_t m, const struct joint_task *joint)
 {
     const struct model_curve *curve = &record->curves[m],
                              *other = &record->curves[model_index(model_rows[m]->counterpart)];
     double sum = 0, count = 0;
     for (size_t i = 0; i < curve->count && i < other->count; i++) {
         const double *own = curve->points[i].value, *multiscale = other->points[i].value;
-        if (own[QUANTITY_LOAD] != multiscale[QUANTITY_LOAD])
+        if (own[QUANTITY_LOAD] != multiscale[QUANTITY_LOAD] || joint_is_held(&curve->points[i], joint) ||
+            joint_is_held(&other->points[i], joint))
             continue;
         sum += statistical_beta_multiscale(&own[QUANTITY_SEPARATION], &multiscale[QUANTITY_SEPARATION], 1,
                                            record->summary.asperities.sigma_m);
@@ -114,7 +115,9 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     struct ensemble_result result = {.joint = &joint, .band = record->bands[m]};
     if (ensemble_curve(curve, &result, &record->ensemble, model_rows[m], task, status) != STATUS_OK)
         return status->code;
-    curve->kink.wavelength_m *= surface_kappa(&record->summary);              /* as the scans have it */
+    curve->kink.wavelength_m *= surface_kappa(&record->summary); /* as the scans have it */
+    if (curve->exists)
+        joint_hold(curve->points, curve->count, &joint);
     if (joint_curve(curve, model_rows[m], task, &joint, status) != STATUS_OK) /* of several scans, the mean curve's */
         return status->code;
     if (curve->exists)
@@ -131,7 +134,7 @@ static enum status_code run_model(struct surface_record *record, size_t m, const
     }
     note_model(record, m, result.left_out);
     if (model_rows[m]->uses_map && curve->exists)
-        return uncertainty_of_map(record, m, task, status);
+        return uncertainty_of_map(record, m, task, &joint, status);
     return STATUS_OK;
 }
 
@@ -265,10 +268,11 @@ static enum status_code curves_run(struct surface_record *record, const struct s
     if (plan_runs(plan, EFFECT_UNCERTAINTY) && record->height_m &&
         uncertainty_run(record, asked, &task, status) != STATUS_OK)
         return status->code;
+    const struct joint_task joint = surface_joint(record, scene, plan, &task);
     for (size_t m = 0; m < model_count; m++)
         if (plan_runs(plan, EFFECT_SEPARATION) && plan_runs_model(plan, m) &&
             plan_runs_model(plan, model_index(model_rows[m]->counterpart)))
-            record->summary.models[m]->beta_multiscale = nearest_beta(record, m);
+            record->summary.models[m]->beta_multiscale = nearest_beta(record, m, &joint);
     if (plan_runs(plan, EFFECT_CONVERGENCE)) {
         extend(record, scene);
         if (try_law(record, &task, status) != STATUS_OK)
@@ -278,71 +282,6 @@ static enum status_code curves_run(struct surface_record *record, const struct s
     if (record->shapes && plan_runs_model(plan, leading))
         record->summary.carrying = joint_shape_area(&record->shapes[leading], task.loads[model_task_operating(&task)]);
     return answers_find(record, scene, plan, &task, status);
-}
-
-/** The leading model at the shares of the largest load, times what unloading does there. */
-static enum status_code unload(struct surface_unloading *out, const struct surface_record *record,
-                               const struct model_task *task, struct status *status)
-{
-    double loads[UNLOADING_SHARES];
-    size_t count = out->ratio.count;
-    struct contact_point points[UNLOADING_SHARES + 1];
-    struct model_curve curve = {.points = points};
-    for (size_t i = 0; i < count; i++)
-        loads[i] = out->largest_load * out->ratio.share[count - 1 - i];
-    struct model_task asked = model_task_at(task, loads, count);
-    if (ensemble_curve(&curve, NULL, &record->ensemble, model_rows[out->model], &asked, status) != STATUS_OK)
-        return status->code;
-    if (curve.count < count)
-        return status_fail(status, STATUS_MODEL, "the curve of %s ends below unload_from",
-                           model_rows[out->model]->label);
-    for (int q = QUANTITY_AREA; q < QUANTITY_COUNT; q++) {
-        double up[UNLOADING_SHARES];
-        for (size_t i = 0; i < count; i++)
-            up[i] = points[count - 1 - i].value[q];
-        unloading_bound(&out->ratio, (enum quantity)q, up);
-    }
-    for (size_t i = 0; i < count; i++) {
-        out->points[i] = points[i];
-        for (int q = QUANTITY_AREA; q < QUANTITY_COUNT; q++)
-            out->points[i].value[q] *= unloading_factor(&out->ratio, (enum quantity)q, loads[i] / out->largest_load);
-    }
-    return STATUS_OK;
-}
-
-enum { STRIP_SHARES = 5 }; /* a strip that has fewer of them tells too little */
-
-/** The curve of falling load. Where there is none a note says why. */
-static enum status_code run_unloading(struct surface_record *record, const struct surface_task *of,
-                                      struct status *status)
-{
-    struct surface_summary *summary = &record->summary;
-    struct surface_unloading *out = summary->unloading = calloc(1, sizeof *out);
-    const struct model_task asked = surface_model_task(record, of);
-    double started = clock_seconds(), hardness = asked.hardness_Pa / asked.pair->effective_modulus_Pa;
-    struct status problem = {0};
-    enum status_code rc = STATUS_OK;
-    if (!out)
-        return status_memory(status);
-    out->largest_load = scene_load_of(&of->scene->unload_from, of->scene, asked.pair);
-    out->model = plan_leading_model(of->plan);
-    if (asked.rows)
-        rc = unloading_solve(&out->ratio, asked.rows, out->largest_load, hardness, of->stop, &problem);
-    if (rc == STATUS_OK && out->ratio.count < STRIP_SHARES)
-        rc = status_fail(&problem, STATUS_MODEL, "too few spots touch in its strip; take longer or more scans");
-    if (rc == STATUS_OK)
-        rc = unload(out, record, &asked, &problem);
-    summary->times.unloading = clock_seconds() - started;
-    if (rc == STATUS_OK && out->ratio.raised > 1)
-        note_add(&summary->notes, NULL, "note.unload_from\ntimes %g", out->ratio.raised);
-    if (rc == STATUS_OK)
-        return rc;
-    free(out);
-    summary->unloading = NULL;
-    if (rc != STATUS_MODEL)
-        return status_fail(status, rc, "%s", problem.message);
-    note_add(&summary->notes, NULL, "note.no_unloading\nwhy\t%s", problem.message);
-    return STATUS_OK;
 }
 
 enum status_code surface_answers_find(struct surface_record *record, const struct surface_task *task,
@@ -361,5 +300,5 @@ enum status_code surface_answers_find(struct surface_record *record, const struc
         rc = solve_strips(record, &plan, asked.stop, status);
     if (rc == STATUS_OK)
         rc = curves_run(record, &asked, status);
-    return rc == STATUS_OK && plan_runs(&plan, EFFECT_UNLOADING) ? run_unloading(record, &asked, status) : rc;
+    return rc;
 }

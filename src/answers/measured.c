@@ -174,22 +174,6 @@ static double resistance_at(const struct model_curve *curve, double load, enum q
     return NAN;
 }
 
-static void answer_branches(struct measured_answers *out, const struct measured *measured, enum quantity quantity,
-                            const struct surface_unloading *unloading)
-{
-    double *up = out->resistance + MEASURED_LOADING * measured->count, *down = up + measured->count;
-    for (const struct measured_run *run = measured->runs; run < measured->runs + measured->run_count; run++)
-        for (size_t i = run->first; i < run->end; i++) {
-            bool falls = i > run->turn;
-            double rising = unloading ? out->resistance[unloading->model * measured->count + i] : NAN;
-            up[i] = falls ? NAN : rising;
-            down[i] = NAN;
-            if (unloading && falls)
-                down[i] =
-                    rising * unloading_factor(&unloading->ratio, quantity, measured->load[i] / unloading->largest_load);
-        }
-}
-
 enum status_code measured_answer(struct measured_answers *out, const struct measured *measured,
                                  const struct surface_record *record, const struct surface_task *asked,
                                  struct status *status)
@@ -200,25 +184,25 @@ enum status_code measured_answer(struct measured_answers *out, const struct meas
     const enum quantity quantity = measured_quantity(measured, joint.effects);
     double *loads = calloc(measured->count, sizeof *loads);
     struct contact_point *points = malloc((measured->count + 1) * sizeof *points);
-    *out =
-        (struct measured_answers){.resistance = calloc((model_count + 2) * measured->count, sizeof *out->resistance)};
+    *out = (struct measured_answers){.resistance = calloc(model_count * measured->count, sizeof *out->resistance)};
     bool stored = loads && points && out->resistance;
     size_t count = stored ? loads_within(loads, measured, &task) : 0;
     struct model_task at_loads = model_task_at(&task, loads, count);
     const unsigned own = QUANTITY_BIT(measured_quantity(measured, 0)); /* all that the models are asked */
     at_loads.wanted = QUANTITY_BIT(QUANTITY_LOAD) | QUANTITY_BIT(QUANTITY_AREA) | own;
+    if (joint_has_bond_line(&joint))
+        at_loads.wanted |= QUANTITY_BIT(QUANTITY_SEPARATION);
     enum status_code rc = stored ? STATUS_OK : status_memory(status);
     for (size_t m = 0; m < model_count && rc == STATUS_OK; m++) {
         struct model_curve curve = {.points = points};
         if ((models & MODEL_BIT(m)) && count > 0 && (model_rows[m]->quantities & own))
             rc = ensemble_curve(&curve, NULL, &record->ensemble, model_rows[m], &at_loads, status);
+        joint_hold(points, curve.count, &joint);
         if (rc == STATUS_OK && quantity_rows[quantity].from)
             rc = joint_curve(&curve, model_rows[m], &at_loads, &joint, status);
         for (size_t i = 0; i < measured->count; i++)
             out->resistance[m * measured->count + i] = resistance_at(&curve, measured->load[i], quantity);
     }
-    if (rc == STATUS_OK)
-        answer_branches(out, measured, quantity, record->summary.unloading);
     free(loads);
     free(points);
     return rc;

@@ -46,7 +46,7 @@ static void take_points(struct table *out, const struct model_curve *curve, size
 static enum status_code own_curve(struct table *out, const struct surface_record *record, size_t m,
                                   const struct model_task *task, const struct joint_task *joint, struct status *status)
 {
-    double loads[NODES], first = task->loads[0] * lighter, decades = -log10(first);
+    double loads[NODES], own_gap_m[NODES] = {0}, first = task->loads[0] * lighter, decades = -log10(first);
     size_t count = (size_t)fmin(fmax(decades * nodes_per_decade, 8), NODES);
     struct contact_point *points = calloc(count + 1, sizeof *points);
     struct model_curve curve = {.points = points};
@@ -56,8 +56,14 @@ static enum status_code own_curve(struct table *out, const struct surface_record
     enum status_code rc = points ? STATUS_OK : status_memory(status);
     if (rc == STATUS_OK)
         rc = ensemble_curve(&curve, NULL, &record->ensemble, model_rows[m], &dense, status);
+    for (size_t i = 0; curve.exists && i < curve.count && i < count; i++)
+        own_gap_m[i] = points[i].value[QUANTITY_SEPARATION];
+    if (rc == STATUS_OK && curve.exists)
+        joint_hold(points, curve.count, joint);
     if (rc == STATUS_OK)
         rc = joint_curve(&curve, model_rows[m], &dense, joint, status);
+    for (size_t i = 0; curve.exists && i < curve.count && i < count; i++) /* a bond line has no spring of its own */
+        points[i].value[QUANTITY_SEPARATION] = own_gap_m[i];
     if (rc == STATUS_OK && curve.exists)
         take_points(out, &curve, 1, joint, JOINT_HEAT);
     free(points);
@@ -94,7 +100,8 @@ static enum status_code lay_out(struct cells *out, const struct joint *joint, co
         out->bodies[JOINT_CURRENT][side] = (struct shape_body){pair->side_resistivity_ohm_m[side], thickness_m};
     }
     size_t current = 0; /* a plating has no factor where spots meet, and resistance stays as there */
-    while (current < own->count && isfinite(own->value[1 + JOINT_CURRENT][current]))
+    while (current < own->count && own->value[1 + JOINT_CURRENT][current] > 0 &&
+           isfinite(own->value[1 + JOINT_CURRENT][current]))
         current++;
     if (shape_make(&out->shape, nx, ny, side_m, status) != STATUS_OK ||
         shape_curve_gap(&out->gap, own->at, own->value[0], own->count, out->hardness_Pa, status) != STATUS_OK ||
@@ -204,6 +211,19 @@ static enum status_code take_rings(struct joint_shape *out, struct cells *cells,
     return STATUS_OK;
 }
 
+/** Says what to do where there is no answer: at a pressure, or at none (NaN) of the model's own curve. */
+static enum status_code no_answer(double pressure_Pa, struct status *status)
+{
+    const struct status problem = *status;
+    if (problem.code != STATUS_MODEL)
+        return problem.code;
+    *status = (struct status){0};
+    if (isnan(pressure_Pa))
+        return status_fail(status, STATUS_MODEL, "%s; 'shape' takes another of 'models'", problem.message);
+    return status_fail(status, STATUS_MODEL, "at %.3g MPa %s; begin 'load' higher, or correct 'shape'",
+                       pressure_Pa * 1e-6, problem.message);
+}
+
 /** All loads, and the resistances there. */
 static enum status_code solve(struct joint_shape *out, struct cells *cells, const struct model_task *task,
                               struct status *status)
@@ -211,6 +231,7 @@ static enum status_code solve(struct joint_shape *out, struct cells *cells, cons
     struct table area = {0}, flat = {0}, over = {0}, spots = {0};
     const double first = task->loads[0] / beyond, last = task->loads[task->load_count - 1] * beyond;
     const int loads = cells->joint->fields ? LOADS : LOADS_MOST;
+    double yields_Pa = cells->hardness_Pa;
     for (int i = 0; i < loads; i++) {
         double load = first * pow(last / first, (double)i / (loads - 1)), unused;
         double pressure_Pa = material_pair_pressure(task->pair, load);
@@ -218,9 +239,11 @@ static enum status_code solve(struct joint_shape *out, struct cells *cells, cons
         if (!(pressure_Pa < cells->hardness_Pa))
             break;
         if (solve_one(&at, cells, task, pressure_Pa, status) != STATUS_OK)
-            return status->code;
-        if (at.yielding_load > shape_yielding_most)
+            return no_answer(pressure_Pa, status);
+        if (at.yielding_load > shape_yielding_most) {
+            yields_Pa = pressure_Pa;
             break;
+        }
         for (int way = 0; way < JOINT_WAYS; way++) {
             if (cells->conductance[way].count == 0)
                 continue;
@@ -234,8 +257,9 @@ static enum status_code solve(struct joint_shape *out, struct cells *cells, cons
     }
     if (area.count < 3)
         return status_fail(status, STATUS_MODEL,
-                           "the joint's shape: over %g %% of the load lies on cells at the hardness",
-                           100 * shape_yielding_most);
+                           "from %.3g MPa on over %g %% of the load lies where 'shape' presses at the hardness; begin "
+                           "'load' lower, or correct 'shape' or 'hardness'",
+                           yields_Pa * 1e-6, 100 * shape_yielding_most);
     if (take_rings(out, cells, task, status) != STATUS_OK)
         return status->code;
     out->least = area.at[0];
@@ -265,7 +289,8 @@ enum status_code shaped_make(struct surface_record *record, size_t m, const stru
         rc = own_curve(own, record, m, task, &joint, &problem);
     if (rc == STATUS_OK) {
         cells->hardness_Pa = model_rows[m]->plastic ? task->hardness_Pa : INFINITY;
-        rc = lay_out(cells, &asked->scene->joint, own, task, &problem);
+        if (lay_out(cells, &asked->scene->joint, own, task, &problem) != STATUS_OK)
+            rc = no_answer(NAN, &problem);
     }
     out = record->shapes ? &record->shapes[m] : NULL;
     if (rc == STATUS_OK)

@@ -182,7 +182,7 @@ void text_add_markdown_shown(struct text *text, const char *all)
 void text_add_unmarked(struct text *text, const char *string)
 {
     for (; *string; string++)
-        text_add(text, strchr("\\*`", *string) ? "\\%c" : "%c", *string);
+        text_add(text, strchr("\\*`#", *string) ? "\\%c" : "%c", *string);
 }
 
 void text_strip_marks(struct text *text)
@@ -191,6 +191,8 @@ void text_strip_marks(struct text *text)
     for (size_t i = 0; i < text->length; i++)
         if (text->data[i] == '\\' && i + 1 < text->length)
             text->data[kept++] = text->data[++i];
+        else if (text->data[i] == '#' && (text->data[i + 1] == '#' || text->data[i + 1] == ' '))
+            i += text->data[i + 1] == ' '; /* of a heading */
         else if (!strchr("*`", text->data[i]))
             text->data[kept++] = text->data[i];
     text->length = kept;

@@ -88,6 +88,7 @@ static enum status_code add_quarters(struct simulated *out, const struct record_
                                             body->spacing_m};
         if (ensemble_add(&out->quarters, k, &part, &scan->how, status) != STATUS_OK)
             return status->code;
+        out->quarters.members[k].seed = (uint64_t)k << 48;
     }
     if (out->quarters.keeps_heights &&
         strips_gather(&out->strips, &out->quarters, scan->body[1].points > 0, status) == STATUS_OK)
@@ -285,7 +286,7 @@ enum status_code uncertainty_run(struct surface_record *record, const struct sur
 enum { MAP_DEGREES = 4 /* of freedom of its standard errors: they are of four quarters, about */ };
 
 enum status_code uncertainty_of_map(struct surface_record *record, size_t m, const struct model_task *task,
-                                    struct status *status)
+                                    const struct joint_task *joint, struct status *status)
 {
     static const double carried[] = {0.02, 0.015, 0.033}; /* rms of ln between the loads solved: eight synthetic maps */
     struct estimate estimates[CURVE_ESTIMATES];
@@ -294,20 +295,29 @@ enum status_code uncertainty_of_map(struct surface_record *record, size_t m, con
         estimates[k] = estimate_none;
     if (!(record->bands[m] = ensemble_band_make(task->loads, task->load_count)))
         return status_memory(status);
-    for (size_t i = 0; i < curve->count; i++)
+    for (size_t i = 0; i < curve->count; i++) {
+        const struct contact_point *point = &curve->points[i];
+        struct estimate own[QUANTITY_COUNT];
+        double sd[QUANTITY_COUNT] = {0};
         for (int q = 0; q < QUANTITY_COUNT; q++) {
-            const struct quantity_row *row = &quantity_rows[q];
-            const int which = row->solved.mean; /* area, gap, constriction */
-            if (!(row->is & QUANTITY_BANDED) || row->from)
-                continue;
-            double value = quantity_shown(&curve->points[i], (enum quantity)q, record->summary.asperities.sigma_m);
-            double s = transfer_error(task->transfer, model_rows[m]->plastic, which, task->loads[i]);
-            struct estimate own = estimate_of_error(value, hypot(s, carried[which]), MAP_DEGREES);
-            own.bound[1] = q == QUANTITY_AREA;
-            for (int side = 0; side < 2; side++)
-                record->bands[m][i].mean[q][side] = estimate_end(&own, side);
-            if (i == model_task_operating(task))
-                estimates[q] = own;
+            const int which = quantity_rows[q].solved.mean; /* area, gap, constriction */
+            if ((quantity_rows[q].is & QUANTITY_BANDED) && !quantity_rows[q].from)
+                sd[q] = hypot(transfer_error(task->transfer, model_rows[m]->plastic, which, task->loads[i]),
+                              carried[which]);
         }
+        joint_carry_sd(sd, point, model_rows[m], joint);
+        for (int q = 0; q < QUANTITY_COUNT; q++) {
+            double value = quantity_shown(point, (enum quantity)q, record->summary.asperities.sigma_m);
+            bool banded = quantity_rows[q].is & QUANTITY_BANDED;
+            own[q] = banded ? estimate_of_error(value, sd[q], MAP_DEGREES) : estimate_none;
+            own[q].share = q == QUANTITY_AREA;
+        }
+        ensemble_hold(own, point, joint);
+        for (int q = 0; q < QUANTITY_COUNT; q++)
+            for (int side = 0; side < 2; side++)
+                record->bands[m][i].mean[q][side] = estimate_end(&own[q], side);
+        if (i == model_task_operating(task))
+            memcpy(estimates, own, sizeof own);
+    }
     return curve_summary_put_estimates(record->summary.models[m], estimates, status);
 }

@@ -18,8 +18,9 @@ MUST_CHECK enum status_code uncertainty_run(struct surface_record *record, const
  * model run on every record. */
 double uncertainty_seconds(size_t points);
 
-/** The interval of a map's direct solution, model `m`, by its standard errors. Error: STATUS_MEMORY. */
+/** The interval of a map's direct solution, model `m`, by its standard errors, and of what the joint makes of it.
+ * Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code uncertainty_of_map(struct surface_record *record, size_t m, const struct model_task *task,
-                                               struct status *status);
+                                               const struct joint_task *joint, struct status *status);
 
 #endif

@@ -12,8 +12,9 @@ static const struct chart_extent nothing = {INFINITY, -INFINITY};
 /* The canvas, in the unit of the drawing, nearly a pixel of a page on a screen: of two panels side by side each is 300
  * wide. */
 enum { WIDTH = 800, FONT = 15, LEFT = 90, LABEL = 76, RIGHT = 14, BELOW = 50, NUMBERS = 26, BETWEEN = 20 };
-enum { LEGEND_ROW = 21 };
-static const double LETTER = 7.2, SAMPLE = 47; /* a letter, and what stands before a legend's name */
+enum { LEGEND_ROW = 23, MARK_ROW = 18, NAME = 24 /* between a name on the y axis and its axis, and before it */ };
+/* A letter of a wide font, as not everyone has the one asked for, and what stands before a legend's name. */
+static const double LETTER = 8.2, SAMPLE = 47;
 
 /* Of its value: of a narrower range, tics would have the same number in six digits. */
 static const double narrowest = 1e-4;
@@ -259,6 +260,7 @@ static struct chart_extent range_of(struct chart_extent data, bool logarithmic)
 struct layout {
     size_t columns, rows, legend_columns;
     double wide, gap, panel, height; /* of a panel, between two, of a panel, of all */
+    double above;                    /* a panel, below its title: for the names of marks */
     double top[CHART_PANELS];        /* of a row's panels */
     double legend_x, legend_y;       /* of the legend's corner, or of the middle of its upper side */
     bool legend_beside;              /* it stands where the last row has no panel */
@@ -270,6 +272,22 @@ static const char *x_label_of(const struct chart *chart, size_t columns, size_t 
 {
     const char *own = chart->panel[p].x_label;
     return p + columns < chart->panels && strcmp(chart->panel[p + columns].x_label, own) == 0 ? "" : own;
+}
+
+/** Characters of the longest name of marks across the panels; 0: none has one. */
+static int longest_mark(const struct chart *chart, const char *across)
+{
+    int longest = 0;
+    for (size_t p = 0; p < chart->panels; p++) {
+        size_t i;
+        json_t *mark;
+        json_array_foreach(chart->panel[p].marks, i, mark)
+        {
+            int length = text_characters(json_string_value(json_object_get(mark, "name")));
+            longest = json_object_get(mark, across) && length > longest ? length : longest;
+        }
+    }
+    return longest;
 }
 
 static struct layout layout_of(const struct chart *chart)
@@ -293,8 +311,11 @@ static struct layout layout_of(const struct chart *chart)
     out.rows = (chart->panels + out.columns - 1) / out.columns;
     out.panel = chart->panel_height > 0 ? chart->panel_height : out.columns == 1 ? 260 : 110;
     out.panel = fmax(out.panel, LETTER * label); /* which is written upwards beside it */
-    out.gap = own ? LEFT + 4 : BETWEEN;
-    out.wide = (WIDTH - LEFT - RIGHT - (double)(out.columns - 1) * out.gap) / (double)out.columns;
+    double beside_panel = longest_mark(chart, "horizontal") > 0 ? LETTER * longest_mark(chart, "horizontal") + 8 : 0;
+    out.above = longest_mark(chart, "vertical") > 0 ? MARK_ROW : 0;
+    title += out.above;
+    out.gap = (own ? LEFT + 4 : BETWEEN) + beside_panel;
+    out.wide = (WIDTH - LEFT - RIGHT - beside_panel - (double)(out.columns - 1) * out.gap) / (double)out.columns;
     for (size_t row = 0; row < out.rows; row++) {
         bool labelled = false;
         for (size_t p = row * out.columns; p < (row + 1) * out.columns && p < chart->panels; p++)
@@ -304,13 +325,15 @@ static struct layout layout_of(const struct chart *chart)
     }
     size_t last_row = chart->panels - (out.rows - 1) * out.columns, free = out.columns - last_row;
     double beside = LEFT + (double)last_row * (out.wide + out.gap) - (own ? 50 : 0); /* no numbers stand there */
-    out.legend_beside = entries > 0 && free > 0 && LETTER * longest + SAMPLE <= WIDTH - beside &&
-                        LEGEND_ROW * (double)entries <= out.panel + BELOW + 10;
-    out.legend_columns = out.legend_beside ? 1 : (size_t)fmax(1, (WIDTH - 20) / (9.6 * longest + 68));
+    const size_t columns = (size_t)fmax(1, (WIDTH - 20) / (9.6 * longest + 68)),
+                 rows = (entries + columns - 1) / columns;
+    const double below = y + 4 + LEGEND_ROW * (double)rows,
+                 beside_end = out.top[out.rows - 1] - 10 + LEGEND_ROW * (double)entries;
+    out.legend_beside = entries > 0 && free > 0 && LETTER * longest + SAMPLE <= WIDTH - beside && beside_end <= below;
+    out.legend_columns = out.legend_beside ? 1 : columns;
     out.legend_x = out.legend_beside ? beside : WIDTH / 2.0;
     out.legend_y = out.legend_beside ? out.top[out.rows - 1] - 10 : y + 4;
-    size_t legend_rows = (entries + out.legend_columns - 1) / out.legend_columns;
-    out.height = y + (entries > 0 && !out.legend_beside ? LEGEND_ROW * (double)legend_rows + 8 : 0) + 4;
+    out.height = 4 + (entries == 0 ? y : out.legend_beside ? fmax(y, beside_end) : below + 4);
     return out;
 }
 
@@ -322,6 +345,33 @@ static void mark_more(json_t *list, const char *flag)
     json_array_foreach(list, i, item)
     {
         json_object_set_new(item, flag, json_boolean(i + 1 < json_array_size(list)));
+    }
+}
+
+/** What the names on a panel's y axis take more than numbers would. */
+static double names_width(const struct chart_panel *panel)
+{
+    int longest = 0;
+    size_t i;
+    json_t *name;
+    json_array_foreach(panel->names, i, name)
+    {
+        int length = text_characters(json_string_value(json_object_get(name, "label")));
+        longest = length > longest ? length : longest;
+    }
+    return fmax(0, LETTER * longest + NAME - LEFT);
+}
+
+/** Has the names of marks across x, above the panel, stay within it. */
+static void align_marks(const struct chart_panel *panel, const struct chart_extent *x)
+{
+    size_t i;
+    json_t *mark;
+    json_array_foreach(panel->marks, i, mark)
+    {
+        double at = json_number_value(json_object_get(mark, "at"));
+        double share = panel->log_x ? log(at / x->low) / log(x->high / x->low) : (at - x->low) / (x->high - x->low);
+        json_object_set_new(mark, "side", json_string(share > 0.8 ? "right" : "center"));
     }
 }
 
@@ -341,23 +391,24 @@ static json_t *panel_view(const struct chart *chart, const struct layout *layout
     y = range_of(y, panel->log_y);
     size_t row = p / layout->columns, column = p % layout->columns;
     bool bare = chart->shares && column > 0 && !panel->alone && !chart->panel[p - 1].alone; /* numbered before */
-    double names = json_array_size(panel->names) > 0 ? 165 : 0;
+    double names = names_width(panel);
     double left = LEFT + (double)column * (layout->wide + layout->gap), top = layout->top[row];
     mark_more(panel->curves, "more");
+    align_marks(panel, &x);
     json_t *ticks = json_array_size(panel->names) > 0
                         ? json_incref(panel->names)
                         : ticks_of(&y, panel->log_y, layout->letters, layout->panel < 150 ? 4 : 6);
     json_t *x_ticks = ticks_of(&x, panel->log_x, layout->letters, layout->columns > 1 ? 5 : 8);
     mark_more(ticks, "more");
     mark_more(x_ticks, "more");
-    return json_pack("{so so so sb sb sb sf sf sf sf sf sf sf sf so so sO sO sf sf}", "title", json_shown(panel->title),
-                     "x_label", json_shown(x_label_of(chart, layout->columns, p)), "y_label",
+    return json_pack("{so so so sb sb sb sf sf sf sf sf sf sf sf so so sO sO sf sf sf}", "title",
+                     json_shown(panel->title), "x_label", json_shown(x_label_of(chart, layout->columns, p)), "y_label",
                      json_shown(bare ? "" : panel->y_label), "log_x", panel->log_x, "log_y", panel->log_y, "bare", bare,
                      "x_low", x.low, "x_high", x.high, "y_low", y.low, "y_high", y.high, "left", (left + names) / WIDTH,
                      "right", (left + layout->wide) / WIDTH, "top", 1 - top / layout->height, "bottom",
                      1 - (top + layout->panel) / layout->height, "y_ticks", ticks, "x_ticks", x_ticks, "curves",
-                     panel->curves, "marks", panel->marks, "title_y", 1 - (top - 12) / layout->height, "y_label_x",
-                     (left - LABEL) / WIDTH);
+                     panel->curves, "marks", panel->marks, "title_y", 1 - (top - 12 - layout->above) / layout->height,
+                     "mark_y", 1 - (top - 10) / layout->height, "y_label_x", (left - LABEL) / WIDTH);
 }
 
 static void escape_gnuplot(struct text *out, const char *string)

@@ -11,6 +11,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 /* Surfaces: Okabe and Ito's hues with their lightness moved until each stands out from white, and any two still differ
  * for deuteranopes and protanopes. Sweeps: one ramp from dark violet to gold. Models have their colours in their rows.
@@ -20,12 +21,8 @@ static const char *const surface_colours[] = {"#1257d0", "#cc5500", "#1fb380", "
 static const char *const sweep_colours[] = {"#431575", "#2b338f", "#025185", "#04657a", "#017775",
                                             "#058a64", "#4f9737", "#939803", "#c79608"};
 static const char ink[] = "#222222", quiet[] = "#8a8a8a";
-enum {
-    COLOURS = sizeof surface_colours / sizeof *surface_colours,
-    DASH_OUTSIDE = 2,
-    DASH_OTHER = 4,
-    DASH_UNLOADING = 5
-};
+static const char no_break[] = "\u00a0";
+enum { COLOURS = sizeof surface_colours / sizeof *surface_colours, DASH_OUTSIDE = 2, DASH_OTHER = 4 };
 
 #define NOTE(note) (1u << (note))
 
@@ -96,19 +93,18 @@ static void put_part(struct chart *chart, const struct source *source, const str
     }
 }
 
-/** A model's curve of a surface, dashed outside its range of validity, and that of falling load, named once. */
+/** A model's curve of a surface, dashed outside its range of validity. */
 static void put_curve(struct chart *chart, const struct source *source, const struct surface_record *record, size_t m,
                       const struct axis axis[2], struct chart_curve look)
 {
     const struct model_curve *curve = &record->curves[m];
-    const struct surface_unloading *unloading = record->summary.unloading;
     const double sigma_m = record->summary.asperities.sigma_m;
     if (!curve->exists)
         return;
     struct curve_validity valid = curve_summary_validity(curve, model_rows[m]);
     for (int n = 0; n < FIGURE_NOTES && quantity_rows[axis[1].quantity].note; n++)
         look.notes |= strcmp(figure_notes[n], quantity_rows[axis[1].quantity].note) == 0 ? NOTE(n) : 0;
-    struct chart_curve outside = look, falling = look;
+    struct chart_curve outside = look;
     outside.dash = DASH_OUTSIDE;
     outside.width = 1.2;
     outside.legend = valid.end > valid.first ? "" : look.legend;
@@ -124,13 +120,6 @@ static void put_curve(struct chart *chart, const struct source *source, const st
         chart_curve(chart, &outside);
         put_part(chart, source, curve->points + from, curve->count - from, axis, sigma_m);
     }
-    if (!unloading || unloading->model != m)
-        return;
-    falling.legend = record == source->baseline ? SAY("unloading") : "";
-    falling.dash = DASH_UNLOADING;
-    falling.width = 1.6;
-    chart_curve(chart, &falling);
-    put_part(chart, source, unloading->points, unloading->ratio.count, axis, sigma_m);
 }
 
 static struct chart_curve model_look(size_t m)
@@ -234,7 +223,17 @@ static void put_bar(struct chart *chart, const struct asked *asked, double load,
     chart_row(chart, load, asked_shown(asked, value), fmin(a, b), fmax(a, b));
 }
 
-/** What was measured on a surface shown, loading filled, unloading open: from the largest load on. */
+/** The surface's name, where others shown were measured as well. */
+static const char *measured_name(const struct source *source, size_t k)
+{
+    const struct results *results = source->results;
+    size_t measured = 0;
+    for (size_t i = 0; i < results->shown_count; i++)
+        measured += results_measured(results, results->shown[i]) != NULL;
+    return measured > 1 ? short_name(source, results->surfaces[results->shown[k]].summary.scene->name) : "";
+}
+
+/** What was measured on a surface shown, in its colour, loading filled, unloading open: from the largest load on. */
 static void put_measured(struct chart *chart, const struct source *source, const struct asked *asked, size_t k)
 {
     const struct results *results = source->results;
@@ -244,9 +243,8 @@ static void put_measured(struct chart *chart, const struct source *source, const
         const struct measured_run *run = &measured->runs[part / 2];
         bool branch = part % 2, both = run->turn + 1 < run->end && run->turn > run->first;
         const char *name = !both ? "measured" : branch ? "measured.unloading" : "measured.loading";
-        CURVE(.kind = CHART_BARS, .legend = SAY("%s", name),
-              .colour = results->usable_count > 1 ? surface_look(source, k).colour : ink,
-              .marker = both && branch ? 6 : 7);
+        CURVE(.kind = CHART_BARS, .legend = SAY("%s\nsurface\t%s", name, measured_name(source, k)),
+              .colour = surface_look(source, k).colour, .marker = both && branch ? 6 : 7);
         for (size_t i = branch ? run->turn + 1 : run->first; i < (branch ? run->end : run->turn + 1); i++)
             put_bar(chart, asked, scale * measured->load[i], measured->resistance[i], measured->error[i]);
     }
@@ -284,6 +282,17 @@ static void put_direct(struct chart *chart, const struct source *source, double 
     }
 }
 
+/** The first target, with its value as the scene has it. */
+static void mark_target(struct chart *chart, const struct source *source, bool vertical)
+{
+    const struct asked *asked = &source->asked;
+    char value[UNIT_LENGTH + 32];
+    if (!asked->target)
+        return;
+    asked_text(value, sizeof value, asked->target->text);
+    chart_mark(chart, vertical, asked_shown(asked, asked->target->value), SAY("target\nvalue %s", value));
+}
+
 static void make_answer(struct chart *chart, const struct source *source)
 {
     const struct results *results = source->results;
@@ -309,9 +318,14 @@ static void make_answer(struct chart *chart, const struct source *source)
     put_direct(chart, source, scale);
     for (size_t k = 0; k < results->shown_count && asked->quantity == results_measured_quantity(results); k++)
         put_measured(chart, source, asked, k);
-    if (asked->target)
-        chart_mark(chart, false, asked_shown(asked, asked->target->value), SAY("target"));
-    chart_mark(chart, true, scale * results_operating_load(results, results->baseline), SAY("operating_load"));
+    mark_target(chart, source, false);
+    const struct asked_load as = asked_load_of(results, results->baseline);
+    const double load = as.scale * results_operating_load(results, results->baseline);
+    struct text value = {0};
+    number_format(&value, load, 3);
+    chart_mark(chart, true, load,
+               SAY("operating_load\nvalue %s%s%s", text_string(&value), as.unit[0] ? no_break : "", as.unit));
+    text_free(&value);
 }
 
 /** A model at the operating load on the baseline. */
@@ -367,8 +381,7 @@ static void make_models(struct chart *chart, const struct source *source)
         chart_row(chart, rows[r].value, y, ends ? rows[r].ends[0] : rows[r].value,
                   ends ? rows[r].ends[1] : rows[r].value);
     }
-    if (asked->target)
-        chart_mark(chart, true, asked_shown(asked, asked->target->value), SAY("target"));
+    mark_target(chart, source, true);
     chart->panel_height = 42 + 26 * (double)count;
 }
 
@@ -665,7 +678,7 @@ static void make_direct(struct chart *chart, const struct source *source)
             continue;
         chart_panel(chart, quantity_words(source, "panel.direct", quantity), load_label(source, false),
                     SAY("axis.model_over_direct"), true, true)
-            ->y_most = (struct chart_extent){0.1, 10};
+            ->y_most = (struct chart_extent){1e-3, 1e3};
         CURVE(.kind = CHART_BAND, .legend = SAY("direct.error"), .colour = ink);
         for (size_t i = 0; i < study->plan.loads; i++) {
             double error, value = direct_study_value(study, pair, DIRECT_STUDY_ELASTIC, quantity, i, &error);
@@ -809,6 +822,23 @@ enum status_code figures_draw(struct figures *out, const struct results *results
     }
     mustache_folder_free(&folder);
     return status->code;
+}
+
+enum status_code figures_check(const struct figures *figures, const char *directory, struct status *status)
+{
+    for (size_t i = 0; i < figures->count; i++) {
+        struct text file = {0};
+        struct stat drawn;
+        text_add(&file, "%s/figures/%s.svg", directory, figures->figure[i].name);
+        bool good = !file.failed && stat(text_string(&file), &drawn) == 0 && drawn.st_size > 0;
+        text_free(&file);
+        if (!good)
+            return status_fail(status, STATUS_CHART,
+                               "gnuplot did not draw '%s.svg' and did not say why: see whether it runs by itself "
+                               "('gnuplot -d')",
+                               figures->figure[i].name);
+    }
+    return STATUS_OK;
 }
 
 enum status_code figures_letters(struct text *out, const struct figures *figures, const char *directory,

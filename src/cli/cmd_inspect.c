@@ -31,7 +31,10 @@ static const struct argp_option options[] = {
     {"z-unit", KEY_Z_UNIT, "UNIT", 0, "unit of z where the file names none (default: such a file is refused)", 0},
     {"column", KEY_COLUMN, "Z|X,Z", 0, "columns by number (default: the first two that can be x and z)", 0},
     {"lambda-s", KEY_LAMBDA_S, "LENGTH", 0, "cut-off of a Gaussian low-pass (default: none; profiles only)", 0},
-    {"lambda-c", KEY_LAMBDA_C, "LENGTH", 0, "cut-off of a high-pass: R beside P parameters (default: none)", 0},
+    {"lambda-c", KEY_LAMBDA_C, "LENGTH", 0,
+     "cut-off of a high-pass: R beside P parameters, of whole sampling lengths but half of one at either end (default: "
+     "none)",
+     0},
     {0},
 };
 
@@ -120,6 +123,8 @@ static enum status_code draw(const struct profile *profile, struct status *statu
     return rc;
 }
 
+enum { REFUSALS_SAID = 10 }; /* more are counted */
+
 /** What was looked at so far. */
 struct outcome {
     json_t *all;
@@ -134,7 +139,7 @@ static void refuse(struct outcome *outcome, const struct arguments *arguments, c
     if (arguments->json)
         json_array_append_new(outcome->all,
                               json_pack("{s:o, s:o}", "file", json_shown(path), "error", json_shown(message)));
-    else
+    else if (outcome->refused <= REFUSALS_SAID)
         command_complain("", message);
 }
 
@@ -254,6 +259,8 @@ int command_inspect(int argc, char **argv)
         else
             inspect_file(&outcome, &arguments, path, arguments.scan);
     }
+    if (!arguments.json && outcome.refused > REFUSALS_SAID)
+        fprintf(stderr, "and %zu more scans refused; --json names all\n", outcome.refused - REFUSALS_SAID);
     if (!arguments.json)
         json_decref(outcome.all);
     else

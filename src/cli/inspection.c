@@ -40,7 +40,8 @@ static enum status_code compute_parameters(struct inspection *out, struct status
     if (profile_make(&before, &out->scan, 0, &primary, status) == STATUS_OK) {
         out->primary = parameters_compute('P', before.height_m, before.points, before.spacing_m, 1);
         out->has_filtered = parameters_of_roughness(&out->filtered, profile->height_m, profile->points,
-                                                    profile->spacing_m, out->options.lambda_c_m, status) == STATUS_OK;
+                                                    profile->spacing_m, out->options.lambda_c_m,
+                                                    profile->periodic ? NULL : profile->margin_m, status) == STATUS_OK;
     }
     profile_free(&before);
     return status->code;
@@ -53,13 +54,18 @@ static enum status_code fit_law(struct inspection *out, struct status *status)
     const struct power_law_scans_def def = {map ? 0 : out->options.lambda_s_m, NULL};
     const struct profile *profile = &out->profile;
     struct power_law_scans single = {0}, *scans = map ? &out->areal.scans : &single;
+    struct spectrum own = {0};
     struct power_law_band band;
     enum status_code code = STATUS_OK;
     if (!map)
         code = power_law_scans_add(&single, profile->height_m, profile->points, profile->spacing_m, profile->digit_m,
                                    status);
+    if (code == STATUS_OK && !map)
+        code = spectrum_compute(&own, profile->height_m, profile->points, profile->spacing_m,
+                                spectrum_window_for(SPECTRUM_WINDOW_AUTO, profile->periodic), status);
     if (code == STATUS_OK && (code = power_law_scans_fit(&band, scans, &def, status)) == STATUS_OK)
-        out->power_law = power_law_of_band(&band);
+        out->power_law = power_law_of_band(&band, map ? &out->areal.spectrum : &own);
+    spectrum_free(&own);
     power_law_scans_free(&single);
     return code;
 }
@@ -111,6 +117,8 @@ static void add_parameters(json_t *object, const struct parameters *parameters)
     }
     snprintf(key, sizeof key, "%c_evaluation_length_m", parameters->letter);
     json_set(object, key, parameters->evaluation_length_m);
+    snprintf(key, sizeof key, "%c_first_m", parameters->letter);
+    json_set(object, key, parameters->first_m);
     snprintf(key, sizeof key, "%c_sampling_lengths", parameters->letter);
     json_object_set_new(object, key, json_integer((json_int_t)parameters->sampling_lengths));
 }
@@ -184,6 +192,8 @@ static void show_parameters(json_t *list, const struct parameters *parameters)
     json_t *item = json_pack("{s:s, s:o, s:I, s:b}", "letter", letter, "values", values, "lengths",
                              (json_int_t)parameters->sampling_lengths, "one", parameters->sampling_lengths == 1);
     show(item, "evaluation_mm", parameters->evaluation_length_m * 1e3, 6);
+    if (parameters->first_m > 0)
+        show(item, "first_mm", parameters->first_m * 1e3, 6);
     json_array_append_new(list, item);
 }
 
@@ -222,10 +232,11 @@ json_t *inspection_view(const char *path, const struct inspection *f)
     show(view, "wavelength_um", law->wavelength_m * 1e6, 3);
     show(view, "psd_m3", law->psd_m3, 3);
     snprintf(gamma, sizeof gamma, "%.3f +- %.3f", law->gamma, law->gamma_error);
-    json_object_update_new(view, json_pack("{s:b, s:b, s:b, s:b, s:b, s:s}", "map", f->scan.kind == SCAN_AREAL,
-                                           grids[f->profile.grid], true, "periodic", f->profile.periodic, "no_law",
-                                           law->found == POWER_LAW_BAND_NONE, "narrow",
-                                           law->found == POWER_LAW_BAND_NARROW, "gamma", gamma));
+    json_object_update_new(view,
+                           json_pack("{s:b, s:b, s:b, s:b, s:b, s:b, s:s}", "map", f->scan.kind == SCAN_AREAL,
+                                     grids[f->profile.grid], true, "periodic", f->profile.periodic, "no_law",
+                                     law->found == POWER_LAW_BAND_NONE, "narrow", law->found == POWER_LAW_BAND_NARROW,
+                                     "scattered", law->found == POWER_LAW_BAND_SCATTERED, "gamma", gamma));
     if (f->has_parameters)
         show_parameters(parameters, &f->primary);
     if (f->has_filtered)

@@ -39,12 +39,10 @@ const size_t model_error_count = sizeof model_errors / sizeof *model_errors;
 
 double model_sd(const struct model_row *row, enum quantity quantity)
 {
-    const int column = quantity == QUANTITY_AREA                                          ? 0
-                       : quantity == QUANTITY_SEPARATION || quantity == QUANTITY_MEAN_GAP ? 1
-                                                                                          : 2;
+    const enum quantity_follows follows = quantity_rows[quantity].follows;
     for (size_t i = 0; i < model_error_count; i++)
-        if (model_errors[i].model == row)
-            return model_errors[i].ln_sd[column];
+        if (model_errors[i].model == row && follows != FOLLOWS_NOTHING)
+            return model_errors[i].ln_sd[follows - 1];
     return 0;
 }
 

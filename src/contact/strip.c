@@ -83,10 +83,9 @@ static void phases_free(struct phases *phases)
 }
 
 /** A Gaussian row. */
-static void draw_row(double *out, struct phases *phases, size_t length, size_t row, uint64_t seed,
+static void draw_row(double *out, struct phases *phases, size_t length, uint64_t seed, uint64_t first,
                      struct status *status)
 {
-    uint64_t first = (uint64_t)row << 32;
     double normal = gsl_cdf_ugaussian_Pinv(direct_random(seed, first) + ldexp(1, -54));
     phases->room.transform[0][0] = phases->mean_m + phases->deviation_m * normal;
     phases->room.transform[0][1] = 0;
@@ -210,7 +209,7 @@ static enum status_code solve_strip(struct strip_curve *curve, struct solver *so
     return STATUS_OK;
 }
 
-enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, size_t first, size_t surrogates,
+enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, size_t surrogates,
                              const atomic_bool *stop, struct status *status)
 {
     size_t length = row_length(rows), points;
@@ -227,7 +226,8 @@ enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, s
         struct strip_curve *curve = &out->surrogate[out->surrogates];
         struct status problem = {0};
         for (size_t r = 0; r < rows->rows && s % 2 == 0; r++)
-            draw_row(solver.strip_m + r * length, &phases, length, first + r, s / 2 + 1, status);
+            draw_row(solver.strip_m + r * length, &phases, length, rows->seed ? rows->seed[r] + s / 2 : s / 2 + 1,
+                     rows->seed ? 0 : r << 32, status);
         for (size_t k = 0; k < points && s % 2 == 1; k++) /* turned over, which is as likely and errs the other way */
             solver.strip_m[k] = 2 * phases.mean_m - solver.strip_m[k];
         if (status->code == STATUS_OK)

@@ -24,7 +24,8 @@ struct strip_rows {
     const double *height_m; /* rows x points */
     size_t rows, points;
     double spacing_m;
-    bool periodic; /* each closes on itself; else it is mirrored */
+    bool periodic;        /* each closes on itself; else it is mirrored */
+    const uint64_t *seed; /* one a row, of its surrogates' phases; NULL: its number */
 };
 
 /** The rows one after another, each with its mirror image behind it unless periodic: so many heights, malloc'ed; NULL:
@@ -47,14 +48,14 @@ struct strip {
     uint64_t transforms; /* pairs of transforms that it took, times points */
 };
 
-/** Joins the rows, of all a surface has those from `first` on, to one strip and solves it, and as many surrogates:
+/** Joins the rows to one strip and solves it, and as many surrogates:
  * every row with random phases on these rows' mean power and a normal mean of these rows' mean and deviation, hashed
- * from the row's number, so that a row keeps its phases whatever other rows there are; every second one is the one
- * before turned over. Loads and surrogates that do not converge are left out. Errors: STATUS_MODEL: flat rows, or not
- * one load under which enough points touch and the solution converges; STATUS_INTERRUPTED when *stop (NULL: never)
- * becomes non-zero; STATUS_MEMORY. */
-MUST_CHECK enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, size_t first,
-                                        size_t surrogates, const atomic_bool *stop, struct status *status);
+ * from the row's seed, so that it keeps its phases whatever other rows there are;
+ * every second one is the one before turned over. Loads and surrogates that do not converge are left out. Errors:
+ * STATUS_MODEL: flat rows, or not one load under which enough points touch and the solution converges;
+ * STATUS_INTERRUPTED when *stop (NULL: never) becomes non-zero; STATUS_MEMORY. */
+MUST_CHECK enum status_code strip_solve(struct strip *out, const struct strip_rows *rows, size_t surrogates,
+                                        const atomic_bool *stop, struct status *status);
 
 /** Pairs of transforms times points that strip_solve() takes with STRIP_SURROGATES, about. */
 uint64_t strip_cost(const struct strip_rows *rows);

@@ -236,6 +236,44 @@ static double (*const makers[QUANTITY_COUNT])(const struct making *of) = {[QUANT
                                                                           [QUANTITY_VOLTAGE] = make_voltage,
                                                                           [QUANTITY_TEMPERATURE] = make_temperature};
 
+bool joint_has_bond_line(const struct joint_task *task)
+{
+    return runs(task, EFFECT_GAP) && task->joint->fill == JOINT_MEDIUM && task->joint->bond_line_m > 0;
+}
+
+bool joint_is_held(const struct contact_point *point, const struct joint_task *task)
+{
+    return joint_has_bond_line(task) && point->value[QUANTITY_SEPARATION] == task->joint->bond_line_m;
+}
+
+void joint_hold(struct contact_point *points, size_t count, const struct joint_task *task)
+{
+    for (size_t i = 0; i < count && joint_has_bond_line(task); i++) {
+        const struct contact_point own = points[i], *before = i > 0 ? &points[i - 1] : NULL;
+        const double gap_m = task->joint->bond_line_m, *end = own.value;
+        double *value = points[i].value;
+        bool goes_on =
+            before && isnan(end[QUANTITY_SEPARATION]) && joint_is_held(before, task); /* a model's gap ends */
+        if (!(end[QUANTITY_SEPARATION] < gap_m) && !goes_on)
+            continue;
+        points[i] = quantity_nothing();
+        for (int q = QUANTITY_AREA; q <= QUANTITY_TCR_SCALE_DEPENDENT; q++)
+            if (!isnan(end[q]))
+                value[q] = q == QUANTITY_AREA ? 0 : INFINITY;
+        if (before && before->value[QUANTITY_SEPARATION] >= gap_m) {
+            const double *first = before->value, fall_m = first[QUANTITY_SEPARATION] - end[QUANTITY_SEPARATION];
+            double part = (first[QUANTITY_SEPARATION] - gap_m) / fall_m;
+            points[i].beyond_fit = before->beyond_fit;
+            points[i].radius_clamped = before->radius_clamped;
+            for (int q = QUANTITY_AREA; q <= QUANTITY_TCR_SCALE_DEPENDENT; q++) /* a share of 0: as before */
+                value[q] = !(part > 0) ? first[q] : isnan(value[q]) ? NAN : pow(first[q], 1 - part) * pow(end[q], part);
+        }
+        value[QUANTITY_SEPARATION] = gap_m;
+        value[QUANTITY_ADJUSTED] = isnan(end[QUANTITY_ADJUSTED]) ? NAN : gap_m;
+        value[QUANTITY_LOAD] = end[QUANTITY_LOAD];
+    }
+}
+
 void joint_apply(struct contact_point *points, const struct contact_spots *spots, size_t count,
                  const struct joint_task *task, const struct model_row *model)
 {
@@ -256,11 +294,23 @@ void joint_apply(struct contact_point *points, const struct contact_spots *spots
     }
 }
 
+void joint_carry_sd(double sd[QUANTITY_COUNT], const struct contact_point *point, const struct model_row *row,
+                    const struct joint_task *task)
+{
+    struct contact_point rougher = *point;
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        if (q != QUANTITY_SEPARATION || !joint_is_held(point, task))
+            rougher.value[q] *= exp(q == QUANTITY_AREA ? -sd[q] : sd[q]);
+    joint_apply(&rougher, NULL, 1, task, row);
+    for (int q = 0; q < QUANTITY_COUNT; q++)
+        if (quantity_rows[q].from)
+            sd[q] = fabs(log(rougher.value[q] / point->value[q]));
+}
+
 void joint_model_sd(double out[QUANTITY_COUNT], const struct contact_point *point, const struct model_row *row,
                     const struct joint_task *task, double longest_waves)
 {
     const double pressure_Pa = material_pair_pressure(task->pair, point->value[QUANTITY_LOAD]);
-    struct contact_point rougher = *point;
     for (int q = 0; q < QUANTITY_COUNT; q++) {
         out[q] = q == QUANTITY_AREA || q == QUANTITY_SEPARATION || (QUANTITY_RESISTANCES & QUANTITY_BIT(q))
                      ? model_surface_sd(row, (enum quantity)q, longest_waves)
@@ -270,14 +320,9 @@ void joint_model_sd(double out[QUANTITY_COUNT], const struct contact_point *poin
                    elastic_sd = model_surface_sd(row->elastic, QUANTITY_AREA, longest_waves);
             out[q] = hypot(bearing_area_sd, log1p(share * expm1(4 * elastic_sd)) / 4);
         }
-        rougher.value[q] *= exp(q == QUANTITY_AREA ? -out[q] : out[q]);
     }
-    if (!(model_sd(row, QUANTITY_AREA) > 0))
-        return;
-    joint_apply(&rougher, NULL, 1, task, row);
-    for (int q = 0; q < QUANTITY_COUNT; q++)
-        if (quantity_rows[q].from)
-            out[q] = fabs(log(rougher.value[q] / point->value[q]));
+    if (model_sd(row, QUANTITY_AREA) > 0)
+        joint_carry_sd(out, point, row, task);
 }
 
 void joint_bounds(double out[QUANTITY_COUNT][2], const struct contact_point *point, const struct model_row *row,
@@ -321,6 +366,9 @@ enum status_code joint_curve(struct model_curve *curve, const struct model_row *
         for (size_t i = 0; i < curve->count; i++)
             if (i >= task->load_count || curve->points[i].value[QUANTITY_LOAD] != task->loads[i]) /* full contact */
                 spots[i] = (struct contact_spots){NAN, NAN};
+            else if (joint_is_held(&curve->points[i], joint)) /* the model's would be those of the whole load */
+                spots[i] = joint_equal_spots(curve->points[i].value[QUANTITY_AREA],
+                                             curve->points[i].value[QUANTITY_ECR], joint->pair->resistivity_ohm_m);
     }
     if (rc == STATUS_OK)
         joint_apply(curve->points, spots, curve->count, joint, row);

@@ -88,6 +88,16 @@ struct contact_spots joint_equal_spots(double area_ratio, double ecr_ohm_m2, dou
  * predicted: a tunnel resistance spans ten decades within 1.5 nm. */
 double joint_film(double contact_ohm_m2, double film_ohm_m2, double area_ratio);
 
+/** Is there a filler with a bond line? */
+bool joint_has_bond_line(const struct joint_task *task);
+/** Does a filler's bond line t hold the mean planes apart at a point, which is then the metal's at a gap of t? */
+bool joint_is_held(const struct contact_point *point, const struct joint_task *task);
+/** Where the metal's own gap is less than the bond line t of what fills it, a rigid layer of t bears the rest of the
+ * load: from where the curve's gap passes t on, what touches stays as it was there (straight in the logarithms between
+ * two loads); where it is less from the first load on, no metal touches: area 0, resistances infinite, h = k/t. Gap: t;
+ * stiffness and what else the model knows: NaN. Points of rising load; those that are held already stay as they are. */
+void joint_hold(struct contact_point *points, size_t count, const struct joint_task *task);
+
 /** Fills the quantities that are made of the model's (quantity_row.from) and that the effects call for, or none.
  * `spots`: the model's, one a point; NULL: it has none, so equal ones. `model`: that whose shape counts; NULL: none.
  * What is not finite is NaN. */
@@ -97,10 +107,13 @@ void joint_apply(struct contact_point *points, const struct contact_spots *spots
 /** Of a point, the resistance that its spots and gaps have between them, of JOINT_WAYS. */
 double joint_resistance(const double *value, const struct joint_task *task, int way);
 
+/** Of standard deviations `sd` of the logarithm of what a model computes, those of what the joint makes of it: of all
+ * together, as on a rougher surface, with less area, a wider gap and more resistance. */
+void joint_carry_sd(double sd[QUANTITY_COUNT], const struct contact_point *point, const struct model_row *row,
+                    const struct joint_task *task);
 /** Standard deviations of the logarithm of all quantities at a point that come of the model's own error
- * (model_surface_sd(), of a plastic area what bearing_area() makes of it, and bearing_area_sd): of what the joint makes
- * of area, gap and resistance, of all of them together, as on a rougher surface, with less area, a wider gap and more
- * resistance. 0: not counted in; what is NaN there is not known. */
+ * (model_surface_sd(), of a plastic area what bearing_area() makes of it, and bearing_area_sd; joint_carry_sd()). 0:
+ * not counted in; what is NaN there is not known. */
 void joint_model_sd(double out[QUANTITY_COUNT], const struct contact_point *point, const struct model_row *row,
                     const struct joint_task *task, double longest_waves);
 

@@ -29,10 +29,12 @@ static enum status_code curve_make(struct shape_curve *out, const double *pressu
         out->ln_pressure[i] = log(pressure_Pa[i]);
         out->value[i] = value[i];
         if (!isfinite(out->ln_pressure[i]) || !isfinite(value[i]) || (i > 0 && pressure_Pa[i] <= pressure_Pa[i - 1]))
-            return status_fail(status, STATUS_MODEL, "a curve over pressure is not finite at %g Pa", pressure_Pa[i]);
+            return status_fail(status, STATUS_MODEL, "its curve over pressure is not finite at %.3g MPa",
+                               pressure_Pa[i] * 1e-6);
     }
     if (out->count < 3)
-        return status_fail(status, STATUS_MODEL, "a curve over pressure has %zu points, of the 3 it takes", out->count);
+        return status_fail(status, STATUS_MODEL, "its curve over pressure has %zu points, of the 3 it takes",
+                           out->count);
     out->between = gsl_interp_alloc(gsl_interp_steffen, out->count);
     out->nearest = gsl_interp_accel_alloc();
     return out->between && out->nearest ? STATUS_OK : status_memory(status);
@@ -54,7 +56,7 @@ enum status_code shape_curve_gap(struct shape_curve *out, const double *pressure
     size_t last = out->count - 1;
     double mean = (out->value[last] - out->value[0]) / (x[last] - x[0]);
     if (!(mean < 0))
-        return status_fail(status, STATUS_MODEL, "the gap does not fall with the pressure");
+        return status_fail(status, STATUS_MODEL, "its gap does not fall with the pressure");
     out->above = kept_slope * mean;
     for (size_t i = 1; i <= last; i++)
         out->value[i] = fmin(out->value[i], out->value[i - 1] + out->above * (x[i] - x[i - 1]));
@@ -70,7 +72,7 @@ enum status_code shape_curve_conductance(struct shape_curve *out, const double *
     for (size_t i = 0; i < out->count; i++) {
         out->value[i] = log(out->value[i]);
         if (!isfinite(out->value[i]))
-            return status_fail(status, STATUS_MODEL, "no conductance at %g Pa", pressure_Pa[i]);
+            return status_fail(status, STATUS_MODEL, "it conducts nothing at %.3g MPa", pressure_Pa[i] * 1e-6);
     }
     interpolate(out);
     return STATUS_OK;
@@ -113,8 +115,9 @@ enum status_code shape_make(struct shape *out, size_t nx, size_t ny, const doubl
                            side_m[0], side_m[1], nx, ny);
     out->field = fftw_alloc_real(out->cells);
     out->room = calloc(FIELDS * out->cells, sizeof(double));
-    if (!out->field || !out->room || !fft_plan(make_plans, out))
+    if (!out->field || !out->room)
         return status_memory(status);
+    fft_plan(make_plans, out);
     out->pressure_Pa = out->room + (FIELDS - 1) * out->cells;
     out->ln_pressure = out->pressure_Pa - out->cells;
     out->table = out->ln_pressure - out->cells;
@@ -131,14 +134,13 @@ void shape_free(struct shape *shape)
     *shape = (struct shape){0};
 }
 
-/** The field becomes S[field] times what the table has of it. False: out of memory. */
-static bool apply(struct shape *shape)
+/** The field becomes S[field] times what the table has of it. */
+static void apply(struct shape *shape)
 {
-    if (!fft_run(shape->forth))
-        return false;
+    fftw_execute(shape->forth);
     for (size_t k = 0; k < shape->cells; k++)
         shape->field[k] *= shape->table[k];
-    return fft_run(shape->back);
+    fftw_execute(shape->back);
 }
 
 /** Sum of resistivity tanh(|q| t)/|q| over the two bodies, with the 1/(4 n_x n_y) of the cosine transforms. */
@@ -174,11 +176,10 @@ static enum status_code solve(double *y, struct shape *shape, const double *scal
     memcpy(direction, residual, n * sizeof *direction);
     for (size_t i = 0; square > least; i++, shape->iterations++) {
         if (i == ITERATIONS_MOST || !isfinite(square))
-            return status_fail(status, STATUS_MODEL, "the joint's shape: its conjugate gradients do not converge");
+            return status_fail(status, STATUS_MODEL, "its conjugate gradients do not converge");
         for (size_t k = 0; k < n; k++)
             field[k] = scale[k] * direction[k];
-        if (!apply(shape))
-            return status_memory(status);
+        apply(shape);
         double curvature = 0, before = square;
         for (size_t k = 0; k < n; k++) {
             field[k] = direction[k] + scale[k] * field[k];
@@ -221,8 +222,7 @@ static enum status_code step(double *change, struct shape *shape, const double *
     double *work = rest + 3 * n, *p = shape->pressure_Pa, *level = shape->level, *field = shape->field;
     double sums[2] = {0}, middle = 0, pressures = 0;
     memcpy(field, p, n * sizeof *p);
-    if (!apply(shape))
-        return status_memory(status);
+    apply(shape);
     for (size_t k = 0; k < n; k++) {
         double over = exp(level[k] - ln_hardness), free = 1 / (1 + over);
         double closing = level[k] > shape->ln_pressure[k] ? gap->above * (level[k] - shape->ln_pressure[k]) : 0;
@@ -244,8 +244,7 @@ static enum status_code step(double *change, struct shape *shape, const double *
     double approach = ((double)n * mean_Pa - pressures + sums[0]) / sums[1];
     for (size_t k = 0; k < n; k++)
         field[k] = scale[k] * (approach * y[1][k] - y[0][k]);
-    if (!apply(shape))
-        return status_memory(status);
+    apply(shape);
     const double low = log(negligible * mean_Pa), high = ln_hardness + step_most;
     *change = 0;
     for (size_t k = 0; k < n; k++) {
@@ -269,7 +268,7 @@ enum status_code shape_press(struct shape *shape, const double *gap_m, const str
     double change = INFINITY, last = INFINITY, share = 1;
     shape->iterations = 0;
     if (!(mean_Pa > 0 && mean_Pa < gap->most_Pa))
-        return status_fail(status, STATUS_MODEL, "the joint's shape: its mean pressure is not below the hardness");
+        return status_fail(status, STATUS_MODEL, "its mean pressure is not below the hardness");
     fill_table(shape, bodies);
     for (size_t k = 0; k < shape->cells; k++) /* from the last solution, which takes half the time */
         shape->level[k] = shape->mean_Pa > 0 ? shape->level[k] + log(mean_Pa / shape->mean_Pa)
@@ -278,7 +277,7 @@ enum status_code shape_press(struct shape *shape, const double *gap_m, const str
     set_pressures(shape, log(gap->most_Pa));
     for (shape->steps = 0; change > converged; shape->steps++) {
         if (shape->steps == STEPS_MOST)
-            return status_fail(status, STATUS_MODEL, "the joint's shape: the pressures do not converge");
+            return status_fail(status, STATUS_MODEL, "its pressures do not converge");
         if (step(&change, shape, gap_m, gap, share, status) != STATUS_OK)
             return status->code;
         if (shape->steps >= STEPS_WHOLE) /* it goes round a bend of the curve */

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "joint/shape_field.h"
 
-#include <gsl/gsl_interp2d.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -27,28 +26,61 @@ static enum status_code take_mean(struct shape_field *field)
     return STATUS_OK;
 }
 
-enum status_code shape_field_grid(struct shape_field *out, const double *const at_m[2], const size_t count[2],
-                                  const double *value, const double side_m[2], struct status *status)
+/* Values at places along a line, `step` apart in memory. */
+struct line {
+    const double *at_m, *value;
+    size_t count, step;
+    bool cells; /* each holds out to the middles between them; else straight lines go from one to the next */
+};
+
+/** At x, which lies in piece `piece` of the line: before its first border, or behind as many. */
+static double on_line(const struct line *line, size_t piece, double x_m)
 {
+    const double *at_m = line->at_m, *value = line->value;
+    if (line->cells || piece == 0 || piece == line->count)
+        return value[line->step * (line->cells || piece == 0 ? piece : piece - 1)];
+    double part = (x_m - at_m[piece - 1]) / (at_m[piece] - at_m[piece - 1]);
+    return value[line->step * (piece - 1)] * (1 - part) + value[line->step * piece] * part;
+}
+
+/** Means over `cells` equal parts of a side, `out_step` apart: exact, each piece having the value of its middle. */
+static void take_means(double *out, size_t out_step, size_t cells, double side_m, const struct line *line)
+{
+    const size_t borders = line->cells ? line->count - 1 : line->count;
+    size_t piece = 0;
+    for (size_t k = 0; k < cells; k++) {
+        double from = side_m * (double)k / (double)cells, end = side_m * (double)(k + 1) / (double)cells, sum = 0;
+        while (from < end) {
+            double border = INFINITY;
+            if (piece < borders)
+                border = line->cells ? (line->at_m[piece] + line->at_m[piece + 1]) / 2 : line->at_m[piece];
+            double to = fmin(fmax(border, from), end);
+            sum += to > from ? on_line(line, piece, (from + to) / 2) * (to - from) : 0;
+            piece += to < end || border == end;
+            from = to;
+        }
+        out[k * out_step] = sum * (double)cells / side_m;
+    }
+}
+
+enum status_code shape_field_grid(struct shape_field *out, const struct shape_grid *grid, const double side_m[2],
+                                  struct status *status)
+{
+    const size_t *count = grid->count;
     *out = (struct shape_field){.nx = cells_of((double)count[0]), .ny = cells_of((double)count[1])};
     if (count[0] < 2 || count[1] < 2)
         return status_fail(status, STATUS_MODEL, "a field of %zu x %zu points is no grid", count[0], count[1]);
+    double *rows = calloc(out->nx * count[1], sizeof *rows);
     out->value = calloc(out->nx * out->ny, sizeof *out->value);
-    gsl_interp2d *between = gsl_interp2d_alloc(gsl_interp2d_bilinear, count[0], count[1]);
-    if (!out->value || !between) {
-        gsl_interp2d_free(between);
-        return status_memory(status);
-    }
-    gsl_interp2d_init(between, at_m[0], at_m[1], value, count[0], count[1]);
-    for (size_t k = 0; k < out->nx * out->ny; k++) {
-        double x = ((double)(k % out->nx) + 0.5) / (double)out->nx * side_m[0];
-        double y = ((double)(k / out->nx) + 0.5) / (double)out->ny * side_m[1];
-        x = fmin(fmax(x, at_m[0][0]), at_m[0][count[0] - 1]);
-        y = fmin(fmax(y, at_m[1][0]), at_m[1][count[1] - 1]);
-        out->value[k] = gsl_interp2d_eval(between, at_m[0], at_m[1], value, x, y, NULL, NULL);
-    }
-    gsl_interp2d_free(between);
-    return take_mean(out);
+    for (size_t j = 0; rows && j < count[1]; j++)
+        take_means(rows + j * out->nx, 1, out->nx, side_m[0],
+                   &(struct line){grid->at_m[0], grid->value + j * count[0], count[0], 1, grid->cells[0]});
+    for (size_t i = 0; rows && out->value && i < out->nx; i++)
+        take_means(out->value + i, out->nx, out->ny, side_m[1],
+                   &(struct line){grid->at_m[1], rows + i, count[1], out->nx, grid->cells[1]});
+    enum status_code rc = rows && out->value ? take_mean(out) : status_memory(status);
+    free(rows);
+    return rc;
 }
 
 double shape_bolt_pressure(const struct shape_bolts *bolts, double r_m)

@@ -4,6 +4,7 @@
 #define JOINT_SHAPE_FIELD_H
 
 #include "base/status.h"
+#include <stdbool.h>
 #include <stddef.h>
 
 /** Gap of the unloaded parts [m], or pressure [Pa]. Owned: shape_field_free(). */
@@ -15,12 +16,18 @@ struct shape_field {
 };
 void shape_field_free(struct shape_field *field);
 
-/** From `value`, of node i in row j at j nx + i, with nodes at ascending x_m and y_m from a corner of the area:
- * bilinear between them, beyond the outermost as there. Errors: STATUS_MEMORY; fewer than 2 nodes a side: STATUS_MODEL.
- */
-MUST_CHECK enum status_code shape_field_grid(struct shape_field *out, const double *const at_m[2],
-                                             const size_t count[2], const double *value, const double side_m[2],
-                                             struct status *status);
+/** Values at ascending places x_m and y_m from a corner of the area: of place i in row j at j count[0] + i. */
+struct shape_grid {
+    const double *at_m[2];
+    size_t count[2];
+    const double *value;
+    bool cells[2]; /* each holds half way to its neighbours; else it is straight between them, the outermost beyond */
+};
+
+/** Means of a grid over each cell of the field, exact, so that nothing of it is lost or added. Errors: STATUS_MEMORY;
+ * fewer than 2 places a side: STATUS_MODEL. */
+MUST_CHECK enum status_code shape_field_grid(struct shape_field *out, const struct shape_grid *grid,
+                                             const double side_m[2], struct status *status);
 
 /** Bolts that are alike. */
 struct shape_bolts {

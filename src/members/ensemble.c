@@ -130,6 +130,7 @@ struct model_task member_task(struct asperities *asperities, const struct member
     struct model_task own = *task;
     struct status none = {0};
     own.spectrum = &member->spectrum;
+    own.rough = (struct cmy){member->roughness.rq_m, cmy_slope(member->roughness.m2)};
     if (member->strip) {
         own.rows = &member->strip->rows;
         own.strip = &member->strip->strip;
@@ -222,7 +223,7 @@ struct mean {
     const struct ensemble *set;
     const struct model_row *model;
     const struct model_task *task;
-    const struct model_curve *joined; /* the curve of all rows in one strip; NULL of a model that uses none */
+    const struct model_curve *joined; /* the curve of all rows in one strip, or of the textbook; NULL of other models */
 };
 
 /** The mean of what is in curves->value. Where nothing is left of a positive quantity in any of them, that is it. */
@@ -336,6 +337,21 @@ static void join(struct contact_point *point, struct estimate *estimates, const 
     }
 }
 
+void ensemble_hold(struct estimate estimates[QUANTITY_COUNT], const struct contact_point *point,
+                   const struct joint_task *joint)
+{
+    for (int q = QUANTITY_AREA; q < QUANTITY_COUNT && joint_is_held(point, joint); q++) {
+        bool filler = q == QUANTITY_GAP || q == QUANTITY_JOINT;
+        if (filler && !(point->value[QUANTITY_AREA] > 0)) /* as sure as what the scene says of it */
+            estimates[q].s = estimates[q].half_width = estimates[q].next_half_width = estimates[q].model_sd = 0;
+        else if (q <= QUANTITY_TCR_SCALE_DEPENDENT && point->value[QUANTITY_AREA] > 0 && q != QUANTITY_SEPARATION &&
+                 q != QUANTITY_ADJUSTED)
+            estimates[q].mean = log(point->value[q]);
+        else if (!quantity_rows[q].from || quantity_rows[q].derive || !(point->value[QUANTITY_AREA] > 0))
+            estimates[q] = estimate_none;
+    }
+}
+
 void ensemble_settle(struct estimate estimates[QUANTITY_COUNT], const struct contact_point *point,
                      const struct model_row *model, const struct joint_task *joint, double longest_waves)
 {
@@ -352,6 +368,7 @@ void ensemble_settle(struct estimate estimates[QUANTITY_COUNT], const struct con
     joint_bounds(bound, point, model, joint);
     for (int q = 0; q < QUANTITY_COUNT; q++)
         memcpy(estimates[q].bound, bound[q], sizeof bound[q]);
+    ensemble_hold(estimates, point, joint);
     if (model_area_is_pressed(model, point, pressure_Pa / joint->pair->hardness_Pa))
         estimates[QUANTITY_AREA].half_width = estimates[QUANTITY_AREA].next_half_width = NAN;
 }
@@ -364,7 +381,7 @@ static enum status_code mean_curve(struct model_curve *curve, struct ensemble_re
     const struct model_curve *joined = of->joined;
     struct estimate estimates[QUANTITY_COUNT];
     const struct joint_task bare = {.pair = task->pair}, *joint = result->joint ? result->joint : &bare;
-    double share = of->set->scan_count > 1 ? 0.5 : 1, waves = model_task_longest_waves(task);
+    double share = of->set->scan_count > 1 && model->uses_strip ? 0.5 : 1, waves = model_task_longest_waves(task);
     size_t full = offsetof(struct model_curve, full_load), beta = offsetof(struct model_curve, beta);
     estimates[QUANTITY_LOAD] = estimate_none;
     curve->exists = true;
@@ -381,6 +398,7 @@ static enum status_code mean_curve(struct model_curve *curve, struct ensemble_re
         point->value[QUANTITY_LOAD] = task->loads[i];
         if (joined)
             join(point, estimates, &joined->points[i], share);
+        joint_hold(i > 0 ? point - 1 : point, i > 0 ? 2 : 1, joint);
         const struct model_task here = model_task_at(task, &task->loads[i], 1);
         struct model_curve alone = {.exists = true, .points = point, .count = 1};
         if (joint_curve(&alone, model, &here, joint, status) != STATUS_OK)
@@ -418,7 +436,7 @@ enum status_code ensemble_curve(struct model_curve *curve, struct ensemble_resul
     struct model_curve joined = {.points = malloc((task->load_count + 1) * sizeof *joined.points)};
     if (rc == STATUS_OK && !joined.points)
         rc = status_memory(status);
-    if (rc == STATUS_OK && model->uses_strip)
+    if (rc == STATUS_OK && (model->uses_strip || model->textbook))
         rc = model_run(&joined, model, task, status);
     const struct mean of = {&curves, set, model, task, joined.exists ? &joined : NULL};
     if (rc == STATUS_OK && curves.count > 0)

@@ -31,6 +31,7 @@ struct member {
     size_t points;
     double spacing_m;
     bool periodic; /* it closes on itself */
+    uint64_t seed; /* of the heights as they were measured, of its strip's surrogates */
 };
 
 /** A file. */
@@ -138,6 +139,10 @@ struct ensemble_band *ensemble_band_make(const double *loads, size_t count);
  * operating load, as the model shows it, then these. */
 enum { CURVE_FULL_LOAD = QUANTITY_COUNT, CURVE_BETA, CURVE_ESTIMATES };
 
+/** Estimates at a point that a bond line holds (joint_hold()), else nothing: where no metal touches, only the filler's
+ * heat, as sure as the scene; else the point's own numbers in the middle. */
+void ensemble_hold(struct estimate estimates[QUANTITY_COUNT], const struct contact_point *point,
+                   const struct joint_task *joint);
 /** Completes estimates of all quantities at a point of a surface: the model's own error; the point's numbers in the
  * middle of those of the joint, which are not the mean of the members' but made of means; an area of load and hardness
  * alone has no interval. */

@@ -41,22 +41,6 @@ enum status_code repeats_add(struct ensemble *set, size_t row, size_t rows, stru
     return STATUS_OK;
 }
 
-bool repeats_merge_identical(struct ensemble *set)
-{
-    const struct member *first = &set->members[0];
-    for (size_t p = 0; p < set->count; p++) {
-        const struct member *member = &set->members[p];
-        if (member->is_row || member->points != first->points || member->spacing_m != first->spacing_m ||
-            memcmp(member->height_m, first->height_m, first->points * sizeof *first->height_m) != 0)
-            return false;
-    }
-    for (; set->count > 1; set->count--) {
-        spectrum_free(&set->members[set->count - 1].spectrum);
-        free(set->members[set->count - 1].height_m);
-    }
-    return true;
-}
-
 /** Adds subrecords of `points` of one scan to `cut`. */
 static enum status_code cut_scan(struct ensemble *cut, const struct member *scan, size_t points,
                                  const struct scene *scene, struct status *status)
@@ -69,6 +53,7 @@ static enum status_code cut_scan(struct ensemble *cut, const struct member *scan
                                             scan->spacing_m};
         if (ensemble_add(cut, scan->scan, &part, &how, status) != STATUS_OK)
             return status->code;
+        cut->members[cut->count - 1].seed = scan->seed + ((uint64_t)k << 48);
     }
     return STATUS_OK;
 }

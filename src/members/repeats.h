@@ -22,9 +22,6 @@ MUST_CHECK enum status_code repeats_add_scan(struct ensemble *set, const char *f
 MUST_CHECK enum status_code repeats_add(struct ensemble *set, size_t row, size_t rows, struct profile *profile,
                                         struct member *own, struct status *status);
 
-/** Is every scan the first once more? Then that one alone stays. */
-bool repeats_merge_identical(struct ensemble *set);
-
 /** Cuts scans of unlike lengths to subrecords as long as the shortest; *cut: how many members they are, 0 where none is
  * longer. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code repeats_cut_to_shortest(struct ensemble *set, size_t *cut, const struct scene *scene,

@@ -36,10 +36,19 @@ static enum status_code add_scan(const struct surface_scans *task, const struct 
         rc = hash_file(hash, scan.sidecar, status);
     if (rc == STATUS_OK && scan.kind == SCAN_AREAL && task->scene->direction == SCAN_DIRECTION_Y)
         rc = scan_transpose(&scan, status);
-    summary->times.read += clock_seconds() - started;
+    const char *of = NULL;
     if (rc == STATUS_OK)
+        rc = copies_find(&of, task->copies, &scan, bytes->path, status);
+    summary->times.read += clock_seconds() - started;
+    if (of) {
+        note_add(&summary->notes, bytes->path, "note.copy\nof\t%s", of);
+        if (summary->copies++ == 0) {
+            summary->copy_file = bytes->path;
+            summary->copy_of = of;
+        }
+    } else if (rc == STATUS_OK)
         rc = surface_rows_add(task, &scan, bytes->path, status);
-    if (rc == STATUS_OK) {
+    if (rc == STATUS_OK && !of) {
         snprintf(summary->format, sizeof summary->format, "%s", scan.format);
         snprintf(summary->units, sizeof summary->units, "x %s, z %s", scan.x_unit, scan.z_unit);
     }
@@ -97,9 +106,35 @@ enum status_code surface_files_read_one(const struct surface_scans *task, const 
     return rc;
 }
 
-static int by_name(const void *a, const void *b)
+/** A file and what its bytes hash to; of one that cannot be read "", and its error comes when it is to be added. */
+struct content {
+    char digits[2 * HASH_BYTES + 1];
+    const char *file;
+};
+
+static int by_content(const void *a, const void *b)
 {
-    return strcmp(*(const char *const *)a, *(const char *const *)b);
+    const struct content *one = a, *other = b;
+    const int order = strcmp(one->digits, other->digits);
+    return order != 0 ? order : strcmp(one->file, other->file);
+}
+
+/** The files of a surface in the order of their contents, malloc'ed; NULL: out of memory. */
+static struct content *files_by_content(const struct surface_scans *task, const struct scene_surface *surface)
+{
+    struct content *out = calloc(surface->files.count + 1, sizeof *out);
+    for (size_t f = 0; out && f < surface->files.count; f++) {
+        struct status unread = {0};
+        struct hash hash = hash_start();
+        char *path = surface->files.count > 1 ? scene_file_path(task->scene, surface->files.path[f]) : NULL;
+        out[f].file = surface->files.path[f];
+        if (path && hash_file(&hash, path, &unread) == STATUS_OK)
+            hash_finish(&hash, out[f].digits);
+        free(path);
+    }
+    if (out)
+        qsort(out, surface->files.count, sizeof *out, by_content);
+    return out;
 }
 
 /** Notes which scans were refused, where others are used. */
@@ -121,16 +156,12 @@ enum status_code surface_files_read(const struct surface_scans *task, struct has
     const struct scene_surface *surface = task->record->summary.scene;
     size_t count = surface->files.count, used = 0;
     struct status refused = {0};
-    const char **file = malloc((count + 1) * sizeof *file);
+    struct content *file = files_by_content(task, surface);
     char **refusal = calloc(count + 1, sizeof *refusal);
     enum status_code rc = file && refusal ? STATUS_OK : status_memory(status);
-    for (size_t f = 0; f < count && rc == STATUS_OK; f++)
-        file[f] = surface->files.path[f];
-    if (rc == STATUS_OK) /* what comes out does not depend on the order in which a scene lists them */
-        qsort(file, count, sizeof *file, by_name);
     for (size_t f = 0; f < count && rc == STATUS_OK; f++) {
         struct status problem = {0};
-        enum status_code own = surface_files_read_one(task, file[f], hash, &problem);
+        enum status_code own = surface_files_read_one(task, file[f].file, hash, &problem);
         used += own == STATUS_OK;
         if (own == STATUS_MEMORY || own == STATUS_INTERRUPTED)
             rc = status_fail(status, own, "%s", problem.message);

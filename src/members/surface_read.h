@@ -4,6 +4,7 @@
 #define MEMBERS_SURFACE_READ_H
 
 #include "base/hash.h"
+#include "members/copies.h"
 #include "members/surface.h"
 
 /** Reads and describes one surface: everything but effects and models. What is wrong with its files is no error: then
@@ -20,11 +21,13 @@ struct surface_scans {
     struct surface_record *record;
     struct power_law_scans *scans; /* that its law will be fitted to */
     const struct scene *scene;
+    struct copies *copies; /* of its scans so far */
 };
 
-/** Adds every file of a surface, by name: what comes out does not depend on the order in which a scene lists them. One
- * that cannot be used is refused, which is noted. Errors: STATUS_SCAN with the first one's reason where none is left,
- * STATUS_MEMORY, STATUS_INTERRUPTED. */
+/** Adds every file of a surface, in the order of their contents: what comes out does not depend on their names, nor on
+ * the order in which a scene lists them. A scan that is a copy of one before counts once, and one that cannot be used
+ * is refused; either is noted. Errors: STATUS_SCAN with the first one's reason where none is left, STATUS_MEMORY,
+ * STATUS_INTERRUPTED. */
 MUST_CHECK enum status_code surface_files_read(const struct surface_scans *task, struct hash *hash,
                                                struct status *status);
 /** Adds the scans of one file, of which an archive may hold several: one that cannot be used costs itself alone. `hash`
@@ -45,9 +48,8 @@ MUST_CHECK enum status_code surface_rows_add(const struct surface_scans *task, s
 MUST_CHECK enum status_code surface_read_counterface(struct surface_record *record, struct power_law_scans *scans,
                                                      const struct surface_record *counterface, struct status *status);
 
-/** Once all of the files were added, in this order: a single scan (or several that are identical, which are
- * one independent scan) is the surface itself; of several profiles the longer ones are cut to subrecords as long as the
- * shortest. Error: STATUS_MEMORY. */
+/** Once all of the files were added, in this order: a single scan is the surface itself; of several profiles the longer
+ * ones are cut to subrecords as long as the shortest. Error: STATUS_MEMORY. */
 MUST_CHECK enum status_code surface_read_members(struct surface_record *record, struct power_law_scans *scans,
                                                  const struct scene *scene, struct status *status);
 

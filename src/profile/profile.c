@@ -351,6 +351,29 @@ static enum status_code take_filters(struct profile *profile, const struct profi
                : status_fail(status, STATUS_SCAN, "no roughness is left between lambda_s and lambda_c");
 }
 
+/** Leaves out the run-up and the overtravel that the scan's header names, as far as the record has them. */
+static enum status_code cut_margins(struct profile *profile, const double margin_m[2], struct status *status)
+{
+    size_t cut[2];
+    if (!(margin_m[0] > 0 || margin_m[1] > 0))
+        return STATUS_OK;
+    for (int end = 0; end < 2; end++)
+        cut[end] = (size_t)fmin(round(margin_m[end] / profile->spacing_m), (double)profile->points);
+    if (cut[0] + cut[1] + LEAST_POINTS > profile->points)
+        return status_fail(status, STATUS_SCAN,
+                           "run-up and overtravel, %.4g and %.4g mm by the header, leave nothing of the record",
+                           margin_m[0] * 1e3, margin_m[1] * 1e3);
+    profile->points -= cut[0] + cut[1];
+    double *const arrays[] = {profile->height_m, profile->measured_x_m, profile->measured_z_m};
+    for (int a = 0; a < 3; a++)
+        if (arrays[a])
+            memmove(arrays[a], arrays[a] + cut[0], profile->points * sizeof *arrays[a]);
+    memcpy(profile->margin_m, margin_m, sizeof profile->margin_m);
+    profile_note(profile, "run-up of %.4g mm and overtravel of %.4g mm are left out, as the header names them",
+                 margin_m[0] * 1e3, margin_m[1] * 1e3);
+    return STATUS_OK;
+}
+
 enum status_code profile_make(struct profile *out, const struct scan *scan, size_t row,
                               const struct profile_options *options, struct status *status)
 {
@@ -380,6 +403,9 @@ enum status_code profile_make(struct profile *out, const struct scan *scan, size
         if (even_out(out, x_m, status) != STATUS_OK)
             return status->code;
     }
+    const bool runs_in = options->lambda_c_m > 0; /* the filter, on what is left out */
+    if (!runs_in && cut_margins(out, scan->margin_m, status) != STATUS_OK)
+        return status->code;
     out->periodic = out->points >= 3 && record_window_is_periodic(out->height_m, out->points);
     struct profile_options how = *options;
     if (out->periodic && how.periodic_mean && how.level == LEVEL_LINE)
@@ -387,7 +413,9 @@ enum status_code profile_make(struct profile *out, const struct scan *scan, size
     if (take_level(out, &how, status) != STATUS_OK)
         return status->code;
     check_sanity(out, out->digit_m, &how);
-    return take_filters(out, &how, status);
+    if (take_filters(out, &how, status) != STATUS_OK)
+        return status->code;
+    return runs_in ? cut_margins(out, scan->margin_m, status) : STATUS_OK;
 }
 
 void profile_free(struct profile *profile)

@@ -28,6 +28,7 @@ struct profile {
     double *measured_x_m, *measured_z_m; /* uneven x and no filter: the points as measured, levelled; else NULL */
     bool periodic;                       /* it closes on itself, before levelling: record_window_is_periodic() */
     double digit_m;                      /* step of the digitiser: profile_digitiser_step(); 0: none seen */
+    double margin_m[2];                  /* of run-up and overtravel, left out at its ends */
     double tilt;                         /* slope the levelling took out (line, parabola, circle, robust), else 0 */
     char notes[PROFILE_NOTES][PROFILE_NOTE_LENGTH]; /* each one line, lower case: steps taken and warnings */
     size_t note_count;
@@ -40,6 +41,7 @@ extern const struct profile_options profile_defaults;
  *  missing points: at the ends cut off, between others bridged by straight lines;
  *  x: uniform; or rounded to few digits: the header's spacing where it names one that fits to 0.5 %, else the mean one;
  *     or uneven: interpolated monotonically (Steffen) to a uniform grid;
+ *  run-up and overtravel left out, but where lambda_c is given: then they are what the filter runs in on;
  *  levelling (level.h); Gaussian low-pass lambda_s, then high-pass lambda_c.
  * Owned: profile_free(), whatever comes back. Errors: STATUS_SCAN: more points missing than options->max_missing, fewer
  * than 3 left, a flat profile (before or after levelling or the filters), a lambda_c longer than the scan;

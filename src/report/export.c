@@ -49,6 +49,15 @@ static void programs_free(struct programs *programs)
     free(programs->entry);
 }
 
+/** Takes the unit off a word that names a program: is it mm? */
+static bool take_mm(const char *word, size_t *length)
+{
+    const size_t ending = strlen(view_export_mm);
+    bool mm = *length > ending && strncmp(word + *length - ending, view_export_mm, ending) == 0;
+    *length -= mm ? ending : 0;
+    return mm;
+}
+
 enum status_code export_check(const struct scene *scene, const char *templates, struct status *status)
 {
     struct programs programs;
@@ -56,13 +65,16 @@ enum status_code export_check(const struct scene *scene, const char *templates, 
     size_t length, words = 0;
     if (!scene->exports || programs_read(&programs, templates, status) != STATUS_OK)
         return status->code;
-    for (const char *rest = scene->exports, *word; (word = scene_words_next(&rest, &length)); words++)
+    for (const char *rest = scene->exports, *word; (word = scene_words_next(&rest, &length)); words++) {
+        (void)take_mm(word, &length);
         if (problem.length == 0 && scene_words_find(word, length, programs.name, programs.count) == programs.count) {
             text_add(&problem, "unknown program '%s'; there are",
                      scene_words_show_view((struct string_view){word, word + length}).text);
             for (size_t k = 0; k < programs.count; k++)
                 text_add(&problem, "%s %s", k > 0 ? "," : "", programs.name[k]);
+            text_add(&problem, "; %s behind one gives N, mm, s", view_export_mm);
         }
+    }
     programs_free(&programs);
     if (words == 0)
         text_add(&problem, "names no program; name one, such as calculix");
@@ -91,11 +103,13 @@ static enum status_code write_one(json_t *view, const json_t *item, const struct
 {
     struct text content = {0}, name = {0};
     const char *program = programs->name[k], *ending = programs->ending[k];
+    const bool mm = json_is_true(json_object_get(item, "mm"));
     char dotted[NAME_MAX + 2];
     snprintf(dotted, sizeof dotted, ".%s", ending);
     struct mustache_folder templates = {text_string(&programs->folder), dotted, NULL, status};
     enum status_code rc = mustache_file(&content, &templates, program, item, add_comment);
-    text_add(&name, "export/%s.%s.%s", json_string_value(json_object_get(item, "file")), program, ending);
+    text_add(&name, "export/%s.%s%s.%s", json_string_value(json_object_get(item, "file")), program, mm ? "-mm" : "",
+             ending);
     if (rc == STATUS_OK)
         rc = text_save(&content, status, "%s/%s", directory, text_string(&name));
     if (json_array_size(json_object_get(view, "exported")) < VIEW_ROWS)
@@ -116,13 +130,15 @@ enum status_code export_write(json_t *view, const struct scene *scene, const cha
     const json_t *item, *exports = json_object_get(view, "exports");
     if (!scene->exports || programs_read(&programs, templates, status) != STATUS_OK)
         return status->code;
-    bool asked[SCENE_EXPORTS_MOST + 1] = {false};
-    for (const char *rest = scene->exports, *word; (word = scene_words_next(&rest, &length));)
-        asked[scene_words_find(word, length, programs.name, programs.count)] = true;
+    bool asked[2][SCENE_EXPORTS_MOST + 1] = {{false}}; /* in SI, in mm */
+    for (const char *rest = scene->exports, *word; (word = scene_words_next(&rest, &length));) {
+        bool mm = take_mm(word, &length);
+        asked[mm][scene_words_find(word, length, programs.name, programs.count)] = true;
+    }
     json_array_foreach(exports, i, item)
     {
         for (size_t k = 0; k < programs.count && status->code == STATUS_OK; k++)
-            if (asked[k])
+            if (asked[json_is_true(json_object_get(item, "mm"))][k])
                 (void)write_one(view, item, &programs, k, directory, status);
     }
     view_separate(json_object_get(view, "exported"));

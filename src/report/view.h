@@ -34,6 +34,8 @@ void view_direct(json_t *out, const struct view_source *source);
 void view_accuracy(json_t *out, const struct view_source *source);
 void view_findings(json_t *out, const struct view_source *source);
 void view_inputs(json_t *out, const struct view_source *source);
+/** Behind a program that is given its tables in mm. */
+extern const char view_export_mm[];
 void view_export(json_t *out, const struct view_source *source);
 
 /** Rows that a table shows at most; data/ has all. */
@@ -62,15 +64,16 @@ json_t *view_item(json_t *array);
 json_t *view_list(json_t *out, const char *name);
 /** Marks all items but the last with `more`, the first with `first`, the last with `last`. */
 void view_separate(json_t *array);
-/** A load of a surface as the user has it: "0.40 N". */
 /** `gamma` with its standard error and `alpha` of a law; nothing where there is none. */
 void view_law(json_t *out, const struct power_law *law);
+/** A load of a surface as the user has it: "0.40 N". */
 void view_load(json_t *out, const char *name, const struct view_source *source, size_t surface, double load);
 /** Name of a surface, as given. */
 const char *view_name(const struct view_source *source, size_t surface);
 const struct surface_summary *view_summary(const struct view_source *source, size_t surface);
 
-/** The targets' and limits' verdicts: names each surface that misses a limit, a line each; returns how many. */
-size_t view_missed_limits(struct text *out, const struct results *results);
+/** Names each surface that misses a limit, else each of which it is undecided or not known, a line each; returns how
+ * many. */
+size_t view_limits_of(struct text *out, const struct results *results, bool missed);
 
 #endif

@@ -10,14 +10,23 @@
 
 enum { LAWS = 2, NUMBER = 32, NAME_MOST = 100, FEW = 20 };
 
+/** Units of a table, and one of each in SI. */
+static const struct units {
+    const char *all, *pressure, *of[LAWS], *column[LAWS];
+    double pressure_Pa, of_SI[LAWS];
+} units[] = {{"N, m, s, J, K", "Pa", {"W/(m2 K)", "S/m2"}, {"W_per_m2K", "S_per_m2"}, 1, {1, 1}},
+             {"N, mm, s, mJ, K", "MPa", {"mW/(mm2 K)", "S/mm2"}, {"mW_per_mm2K", "S_per_mm2"}, 1e6, {1e3, 1e6}}};
+
 /** h and g of the templates: 1/(TCR Aₙ), or h_j of the joint where something fills its gaps; 1/(ECR Aₙ), with film and
  * plating where there are such. */
 struct law {
-    const char *name, *ends_name, *value, *low, *high;
+    const char *name, *ends_name, *value, *low, *high, *unit, *column;
     enum quantity whole, contact;
-    struct asked asked;
+    struct asked asked, apart; /* apart: where nothing touches; of scale 0: nothing conducts */
     bool exists, ends;
 };
+
+const char view_export_mm[] = ":mm";
 
 static void put_si(json_t *out, const char *name, double value)
 {
@@ -42,9 +51,38 @@ static void put_file(json_t *out, const char *surface, size_t number)
     json_object_set_new(out, "file", json_string(name));
 }
 
-/** The points at which each law that exists has a number, by rising pressure. FEW of them, evenly chosen with both
- * ends, are `few`: contact between faces in CalculiX holds no more (2.20: springforc_f2f_th.f). */
-static void put_rows(json_t *rows, struct law laws[LAWS], const struct surface_record *record, size_t m)
+static void put_ends(json_t *row, const struct law *law, double value, const double ends[2])
+{
+    put_si(row, law->value, value);
+    put_si(row, law->low, ends[0]);
+    put_si(row, law->high, ends[1]);
+}
+
+/** The first row, that no program carries the next one's numbers on to no pressure: what fills the gaps conducts alone,
+ * as it does at the lightest load. */
+static void put_apart(json_t *row, const struct law *law, const struct contact_point *point,
+                      const struct ensemble_band *band)
+{
+    const enum quantity quantity = law->apart.quantity;
+    double value = 0, ends[2] = {0, 0};
+    if (law->apart.scale > 0) {
+        value = ends[0] = ends[1] = asked_shown(&law->apart, point->value[quantity]);
+        if (band && isfinite(band->mean[quantity][0]) && isfinite(band->mean[quantity][1]))
+            asked_ends(ends, &law->apart, band->mean[quantity]);
+    }
+    put_ends(row, law, value, ends);
+}
+
+/** Is the j-th of so many rows one of FEW: the first two, the last, and others evenly between? Contact between faces in
+ * CalculiX holds no more (2.20: springforc_f2f_th.f). */
+static bool is_few(size_t j, size_t count)
+{
+    return count <= FEW || j < 2 || (j - 1) * (FEW - 2) / (count - 2) > (j - 2) * (FEW - 2) / (count - 2);
+}
+
+/** The points at which each law that exists has a number, by rising pressure from none on. */
+static void put_rows(json_t *rows, struct law laws[LAWS], const struct surface_record *record, size_t m,
+                     double pressure_unit_Pa)
 {
     const struct model_curve *curve = &record->curves[m];
     const struct ensemble_band *bands = record->bands ? record->bands[m] : NULL;
@@ -57,49 +95,60 @@ static void put_rows(json_t *rows, struct law laws[LAWS], const struct surface_r
             whole = whole && (!laws[k].exists || point->value[laws[k].asked.quantity] > 0);
         if (!whole)
             continue;
-        json_t *row = view_item(rows);
-        put_si(row, "pressure", last = pressure_Pa);
+        json_t *none = last > 0 ? NULL : view_item(rows), *row = view_item(rows);
+        put_si(none, "pressure", 0);
+        put_si(row, "pressure", pressure_Pa / pressure_unit_Pa);
+        last = pressure_Pa;
         for (int k = 0; k < LAWS; k++) {
+            const enum quantity quantity = laws[k].asked.quantity;
             double ends[2] = {NAN, NAN};
             if (bands)
-                asked_ends(ends, &laws[k].asked, bands[i].mean[laws[k].asked.quantity]);
+                asked_ends(ends, &laws[k].asked, bands[i].mean[quantity]);
             laws[k].ends = laws[k].ends && ends[0] < ends[1] && isfinite(ends[1] - ends[0]);
-            put_si(row, laws[k].value, asked_shown(&laws[k].asked, point->value[laws[k].asked.quantity]));
-            put_si(row, laws[k].low, ends[0]);
-            put_si(row, laws[k].high, ends[1]);
+            put_ends(row, &laws[k], asked_shown(&laws[k].asked, point->value[quantity]), ends);
+            if (none)
+                put_apart(none, &laws[k], point, bands ? &bands[i] : NULL);
         }
     }
-    size_t j, steps = json_array_size(rows) - 1;
+    size_t j, count = json_array_size(rows);
     json_t *row;
     json_array_foreach(rows, j, row)
     {
         view_count(row, "number", j + 1);
-        view_flag(row, "few", steps < FEW || j == 0 || j * (FEW - 1) / steps > (j - 1) * (FEW - 1) / steps);
+        view_flag(row, "few", is_few(j, count));
     }
 }
 
-static void put_surface(json_t *item, const struct view_source *source, size_t surface)
+static void put_surface(json_t *item, const struct view_source *source, size_t surface, const struct units *in)
 {
     const struct results *results = source->results;
     const struct surface_record *record = &results->surfaces[surface];
     const struct model_row *model = model_rows[source->leading];
     const struct model_curve *curve = &record->curves[source->leading];
     const unsigned computed = plan_quantities(results->plan);
-    struct law laws[LAWS] = {
-        {"thermal", "thermal_ends", "h", "h_low", "h_high", QUANTITY_JOINT, QUANTITY_TCR, .ends = true},
-        {"electrical", "electrical_ends", "g", "g_low", "g_high", QUANTITY_JOINT_ECR, QUANTITY_ECR, .ends = true}};
+    struct law laws[LAWS] = {{"thermal", "thermal_ends", "h", "h_low", "h_high", "h_unit", "h_column", QUANTITY_JOINT,
+                              QUANTITY_TCR, .ends = true},
+                             {"electrical", "electrical_ends", "g", "g_low", "g_high", "g_unit", "g_column",
+                              QUANTITY_JOINT_ECR, QUANTITY_ECR, .ends = true}};
     for (int k = 0; k < LAWS; k++) {
         struct law *law = &laws[k];
         bool whole = computed & QUANTITY_BIT(law->whole);
         law->asked.quantity = whole ? law->whole : law->contact;
         law->asked.reciprocal = law->asked.quantity != QUANTITY_JOINT;
-        law->asked.scale = 1;
+        law->asked.scale = 1 / in->of_SI[k];
+        if (law->asked.quantity == QUANTITY_JOINT)
+            law->apart = (struct asked){.quantity = QUANTITY_GAP, .scale = law->asked.scale};
         for (size_t i = 0; i < curve->count; i++)
             law->exists = law->exists || isfinite(curve->points[i].value[law->asked.quantity]);
     }
     json_t *rows = view_list(item, "rows");
-    put_rows(rows, laws, record, source->leading);
+    put_rows(rows, laws, record, source->leading, in->pressure_Pa);
+    view_text(item, "units", in->all);
+    view_text(item, "pressure_unit", in->pressure);
+    view_flag(item, "mm", in != units);
     for (int k = 0; k < LAWS; k++) {
+        view_text(item, laws[k].unit, in->of[k]);
+        view_text(item, laws[k].column, in->column[k]);
         view_flag(item, laws[k].name, laws[k].exists);
         view_flag(item, laws[k].ends_name, laws[k].exists && laws[k].ends);
     }
@@ -107,7 +156,7 @@ static void put_surface(json_t *item, const struct view_source *source, size_t s
     for (int end = 0; end < 2 && valid.end > valid.first; end++) {
         const struct contact_point *point = &curve->points[end == 0 ? valid.first : valid.end - 1];
         put_si(item, end == 0 ? "valid_from" : "valid_to",
-               material_pair_pressure(&record->summary.pair, point->value[QUANTITY_LOAD]));
+               material_pair_pressure(&record->summary.pair, point->value[QUANTITY_LOAD]) / in->pressure_Pa);
     }
     view_count(item, "count", json_array_size(rows));
     view_count(item, "surface_number", surface + 1);
@@ -118,20 +167,22 @@ static void put_surface(json_t *item, const struct view_source *source, size_t s
     view_flag(item, "gap", laws[0].asked.quantity == QUANTITY_JOINT);
     view_flag(item, "film_or_plating", laws[1].asked.quantity == QUANTITY_JOINT_ECR);
     view_flag(item, "shape", plan_runs(results->plan, EFFECT_SHAPE));
-    put_si(item, "sigma", record->summary.roughness.rq_m);
-    put_si(item, "slope", cmy_slope(record->summary.roughness.m2));
+    put_si(item, "sigma", record->summary.rough.sigma_m);
+    put_si(item, "slope", record->summary.rough.slope);
     put_si(item, "hardness", record->summary.pair.hardness_Pa);
 }
 
 void view_export(json_t *out, const struct view_source *source)
 {
-    for (size_t i = 0; i < source->results->surface_count && source->results->scene->exports; i++) {
-        const struct surface_record *record = &source->results->surfaces[i];
-        json_t *item = json_object();
-        if (record->summary.usable && record->curves && record->curves[source->leading].exists)
-            put_surface(item, source, i);
-        if (json_array_size(json_object_get(item, "rows")) > 0)
-            json_array_append(view_list(out, "exports"), item);
-        json_decref(item);
-    }
+    const char *exports = source->results->scene->exports;
+    for (size_t u = 0; u < sizeof units / sizeof *units && exports && (u == 0 || strstr(exports, view_export_mm)); u++)
+        for (size_t i = 0; i < source->results->surface_count; i++) {
+            const struct surface_record *record = &source->results->surfaces[i];
+            json_t *item = json_object();
+            if (record->summary.usable && record->curves && record->curves[source->leading].exists)
+                put_surface(item, source, i, &units[u]);
+            if (json_array_size(json_object_get(item, "rows")) > 0)
+                json_array_append(view_list(out, "exports"), item);
+            json_decref(item);
+        }
 }

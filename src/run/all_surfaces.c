@@ -259,6 +259,46 @@ static enum status_code run_shown(struct pass *all, struct status *status)
     return STATUS_OK;
 }
 
+/** The baseline's files are the scene's or its own. */
+static enum status_code check_both(const struct scene *scene, const struct scene_surface *surface,
+                                   struct status *status)
+{
+    if (scene->measured.files.count == 0 || surface->measured.files.count == 0)
+        return STATUS_OK;
+    return status_fail(status, STATUS_SCENE,
+                       "the baseline, '%s', has 'measured' of its own and the scene's; remove either",
+                       scene_words_show(surface->name).text);
+}
+
+static enum status_code check_same(bool same, struct status *status)
+{
+    return same ? STATUS_OK : status_fail(status, STATUS_SCENE, "both ECR and TCR are measured; take out one of them");
+}
+
+/** Before any model runs: is there nothing to correct in the files of what was measured? As the pair's modulus scales
+ * loads alone, any does. */
+static enum status_code check_measured(const struct scene *scene, const struct plan *plan, struct status *status)
+{
+    const struct material_pair any = {.effective_modulus_Pa = 1};
+    const struct scene_measured *first = NULL;
+    size_t before = 0;
+    for (size_t i = 0; i <= scene->surface_count && status->code == STATUS_OK; i++) {
+        const struct scene_surface *surface = i > 0 ? &scene->surfaces[i - 1] : NULL;
+        struct measured measured = {.given = surface ? &surface->measured : &scene->measured, .before = before};
+        if (measured.given->files.count == 0)
+            continue;
+        first = first ? first : measured.given;
+        if (measured_read(&measured, scene, plan, &any, status) == STATUS_OK)
+            (void)check_same(first->quantity == measured.given->quantity, status);
+        before += measured.count;
+        measured_free(&measured);
+        if (surface && status->code == STATUS_OK &&
+            (scene->surface_count == 1 || (scene->baseline && strcmp(scene->baseline, surface->name) == 0)))
+            (void)check_both(scene, surface, status);
+    }
+    return status->code;
+}
+
 /** What was measured, on usable surfaces: on the baseline what the scene says, on others what is said of them. */
 static enum status_code read_measured(struct all_surfaces *out, struct status *status)
 {
@@ -270,10 +310,8 @@ static enum status_code read_measured(struct all_surfaces *out, struct status *s
         const struct scene_surface *surface = &scene->surfaces[i];
         bool both = i == results->baseline && scene->measured.files.count > 0;
         const struct scene_measured *given = both ? &scene->measured : &surface->measured;
-        if (both && surface->measured.files.count > 0)
-            return status_fail(status, STATUS_SCENE,
-                               "the baseline, '%s', has 'measured' of its own and the scene's; remove either",
-                               scene_words_show(surface->name).text);
+        if (both && check_both(scene, surface, status) != STATUS_OK)
+            return status->code;
         if (given->files.count == 0)
             continue;
         if (!out->measured && !(out->measured = calloc(results->surface_count, sizeof *out->measured)))
@@ -283,8 +321,6 @@ static enum status_code read_measured(struct all_surfaces *out, struct status *s
         if (measured_read(&out->measured[i], scene, &out->plan, results_pair(results, i), status) != STATUS_OK)
             return status->code;
         before += out->measured[i].count;
-        if (measured_quantity(&out->measured[i], out->plan.running) != results_measured_quantity(results))
-            return status_fail(status, STATUS_SCENE, "both ECR and TCR are measured; take out one of them");
     }
     return STATUS_OK;
 }
@@ -309,7 +345,8 @@ enum status_code all_surfaces_run(struct all_surfaces *out, const struct scene *
         plan_make(&out->plan, scene, &out->words);
     if (status->code != STATUS_OK)
         return status->code;
-    if (make_loads(out, scene, status) != STATUS_OK || read_counterface(out, scene, status) != STATUS_OK)
+    if (check_measured(scene, &out->plan, status) != STATUS_OK || make_loads(out, scene, status) != STATUS_OK ||
+        read_counterface(out, scene, status) != STATUS_OK)
         return status->code;
     const struct threads *threads = &results->threads;
     struct pass all = {.prepared = out,

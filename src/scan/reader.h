@@ -106,12 +106,13 @@ size_t scan_disorder(const double *x, size_t stride, size_t n);
 
 /* Does it look like that format (cheap)? Where its first bytes alone do not tell. */
 typedef bool scan_sniffer(const struct scan_file *file);
-scan_sniffer scan_x3p_sniff, scan_sdf_sniff, scan_npl_prf_sniff, scan_smd_sniff, scan_nist_xml_sniff, scan_text_sniff;
+scan_sniffer scan_x3p_sniff, scan_sdf_sniff, scan_npl_prf_sniff, scan_smd_sniff, scan_nist_xml_sniff, scan_text_sniff,
+    scan_wyko_sniff, scan_zygo_sniff;
 
 typedef enum status_code scan_reading(struct scan *out, const struct scan_file *file);
 scan_reading scan_x3p_read, scan_mahr_prf_read, scan_sur_read, scan_al3d_read, scan_sdf_read, scan_gsf_read,
     scan_gwy_read, scan_surfer_read, scan_mahr_text_read, scan_npl_prf_read, scan_smd_read, scan_nist_xml_read,
-    scan_text_read;
+    scan_text_read, scan_wyko_read, scan_zygo_read;
 
 /** Are there NUL bytes, or control characters that no text has, in the first bytes? */
 bool scan_is_binary(const struct scan_file *file);

@@ -23,8 +23,10 @@ struct scan {
     double *x_m;         /* nx positions, or NULL where the file gives a spacing only */
     double dx_m, dy_m;   /* spacing; dx_m = (last - first)/(nx - 1) when x_m is given; dy_m 0 for a profile */
     double nominal_dx_m; /* spacing that the header names beside the positions x_m; 0: none */
-    double *z_m;         /* ny*nx heights, row after row; NaN where a point is missing */
-    size_t missing;      /* how many are */
+    double
+        margin_m[2]; /* run-up at the beginning and overtravel at the end, which the header says are in it; 0: none */
+    double *z_m;     /* ny*nx heights, row after row; NaN where a point is missing */
+    size_t missing;  /* how many are */
     char x_unit[SCAN_UNIT_SIZE],
         z_unit[SCAN_UNIT_SIZE];                        /* as named by the file, else by a sidecar, else by the scene */
     char part[104];                                    /* of an archive: which file in it; else "" */

@@ -1,29 +1,52 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Mahr MarWin text: sections in brackets, `NO_POINTS=n`, then below [PROFILE_VALUES] one line a point,
- * `index=x y z c lock` in millimetres. */
+/* Mahr text of MarWin and of MarSurf PS 10: sections in brackets, `NO_POINTS=n`, `PRETRAV_LIN=` and `POSTTRAV_LIN=`,
+ * then below [PROFILE_VALUES] one line a point, `index=` and fields as the line `// X,Y,Z,C,Lock` names them; without
+ * such a line `index=x z lock`. Lengths are millimetres. */
 #include "scan/reader.h"
 #include "scan/string_view.h"
 
+#include <stdint.h>
 #include <string.h>
 
 static const double mahr_unit_m = 1e-3; /* of both */
-enum { MAHR_SHORTEST = 8 };             /* bytes of the shortest line of a point, `0=1 2 3` and its end */
+enum { MAHR_SHORTEST = 6 /* bytes of the shortest line of a point, `0=1 2` and its end */, MAHR_FIELDS = 8 };
 
-/* Reads `index=x y z ...`; false when the line is not of that form. */
-static bool read_point(struct string_view line, double *x, double *z)
+/* Which fields behind `index=` are x and z, from 0. */
+struct columns {
+    size_t x, z;
+};
+
+/* The places of X and Z in a comment that names the fields; false: it does not. */
+static bool read_columns(struct columns *out, struct string_view comment)
+{
+    struct columns found = {SIZE_MAX, SIZE_MAX};
+    struct string_view name;
+    for (size_t i = 0; cell_next(&comment, ',', &name); i++) {
+        found.x = string_view_equals(name, "X") ? i : found.x;
+        found.z = string_view_equals(name, "Z") ? i : found.z;
+    }
+    if (found.x >= MAHR_FIELDS || found.z >= MAHR_FIELDS)
+        return false;
+    *out = found;
+    return true;
+}
+
+/* Reads `index=a b c ...`; false when the line is not of that form. */
+static bool read_point(struct string_view line, const struct columns *columns, double *x, double *z)
 {
     const char *equals = memchr(line.start, '=', string_view_length(line));
+    size_t last = columns->x > columns->z ? columns->x : columns->z;
     if (!equals)
         return false;
     line.start = equals + 1;
-    double value[3];
-    for (size_t i = 0; i < 3; i++) {
+    double value[MAHR_FIELDS];
+    for (size_t i = 0; i <= last; i++) {
         struct string_view word;
         if (!scan_word(&line, &word) || !number_read(word, &value[i]))
             return false;
     }
-    *x = value[0] * mahr_unit_m;
-    *z = value[2] * mahr_unit_m;
+    *x = value[columns->x] * mahr_unit_m;
+    *z = value[columns->z] * mahr_unit_m;
     return true;
 }
 
@@ -31,8 +54,11 @@ static bool read_point(struct string_view line, double *x, double *z)
 static enum status_code read_points(struct scan *out, struct lines lines, const struct scan_file *file)
 {
     size_t n = 0;
+    struct columns columns = {0, 1};
     for (struct string_view line; lines_next(&lines, &line);) {
         line = string_view_trim(line);
+        if (string_view_starts(line, "//") && n == 0)
+            (void)read_columns(&columns, (struct string_view){line.start + 2, line.end});
         if (line.start == line.end || string_view_starts(line, "//"))
             continue;
         if (*line.start == '[')
@@ -40,14 +66,23 @@ static enum status_code read_points(struct scan *out, struct lines lines, const 
         if (n == out->nx)
             return scan_fail(file, lines.number, "more points than NO_POINTS says, %zu; export the scan again",
                              out->nx);
-        if (!read_point(line, &out->x_m[n], &out->z_m[n]))
-            return scan_fail(file, lines.number, "'%s' is no line `index=x y z ...`; correct or remove it",
+        if (!read_point(line, &columns, &out->x_m[n], &out->z_m[n]))
+            return scan_fail(file, lines.number, "'%s' is no line `index=x z ...`; correct or remove it",
                              scan_quote(line).text);
         n++;
     }
     if (n < out->nx)
         return scan_fail(file, lines.number, "the points end after %zu of %zu; export the scan again", n, out->nx);
     return STATUS_OK;
+}
+
+/* Takes over how much of the record lies before or behind what was to be measured. */
+static void read_margin(double *margin_m, struct string_view line, const char *key)
+{
+    double length;
+    if (string_view_starts(line, key) &&
+        number_read((struct string_view){line.start + strlen(key), line.end}, &length) && length > 0)
+        *margin_m = length * mahr_unit_m;
 }
 
 enum status_code scan_mahr_text_read(struct scan *out, const struct scan_file *file)
@@ -59,6 +94,8 @@ enum status_code scan_mahr_text_read(struct scan *out, const struct scan_file *f
         if (string_view_starts(line, "NO_POINTS=") &&
             !number_read_size((struct string_view){line.start + strlen("NO_POINTS="), line.end}, &n))
             return scan_fail(file, lines.number, "NO_POINTS is no number of points");
+        read_margin(&out->margin_m[0], line, "PRETRAV_LIN=");
+        read_margin(&out->margin_m[1], line, "POSTTRAV_LIN=");
         if (!string_view_equals(line, "[PROFILE_VALUES]"))
             continue;
         size_t room = (size_t)(lines.end - lines.next + 1) / MAHR_SHORTEST;

@@ -22,6 +22,7 @@ struct table {
     size_t rows, columns;
     double *cell;                 /* rows x columns */
     size_t first_line, last_line; /* where the rows are, counted from 1 */
+    size_t next_block;            /* the line of a comment with keys below them, where another block begins; 0: none */
     struct text_header header;    /* of the preamble */
     const struct scan_file *file;
 };
@@ -56,6 +57,8 @@ struct row {
     unsigned decimal;       /* decimal signs met */
     struct string_view bad; /* the first cell that is no finite number */
     size_t numbers;         /* cells that are numbers */
+    const struct scan_options
+        *wanted; /* columns that the scene chooses, both; others may hold text; NULL: it does not */
 };
 
 /* Has `row`, as wide as the table, room for an empty cell: a point that was not measured? */
@@ -76,12 +79,17 @@ static bool read_row(struct row *row, struct string_view line, char delimiter)
     size_t cells = 0;
     bool open = delimiter != ' ' && line.end > line.start && line.end[-1] == delimiter; /* an empty cell behind it */
     row->count = 0;
+    const char *start = line.start;
     for (struct string_view cell; cell_next(&line, delimiter, &cell); cells++) {
         if (cell.start == cell.end)
             continue;
         double value = NAN;
-        bool good = number_scan(cell, allowed, &row->decimal, &value) == cell.end && isfinite(value);
+        unsigned signs =
+            cell.start > start && cell.start[-1] == '"' ? NUMBER_POINT | NUMBER_COMMA : allowed; /* in quotes */
+        bool good = number_scan(cell, signs, &row->decimal, &value) == cell.end && isfinite(value);
         row->numbers += good ? 1 : 0;
+        if (!good && row->wanted && cells + 1 != row->wanted->z_column && cells + 1 != row->wanted->x_column)
+            good = true; /* text in a column that was not chosen: a time, a name */
         /* a line of stars above the numbers is none of them */
         if (!good && scan_is_missing(cell) && (*cell.start != '*' || row->room > 0 || row->numbers > 0)) {
             value = NAN;
@@ -102,9 +110,15 @@ static bool read_row(struct row *row, struct string_view line, char delimiter)
     return row->count > 0;
 }
 
+/* The columns that are chosen, where they are two. */
+static const struct scan_options *wanted_of(const struct scan_file *file)
+{
+    return file->options && file->options->z_column > 0 && file->options->x_column > 0 ? file->options : NULL;
+}
+
 /* The delimiter with which `line` is a row of numbers; 0 when it is none. "0,5 1,2" has blanks between decimal commas;
  * "0,5" is two columns, since a single column with decimal commas cannot be told from that. */
-static char find_delimiter(struct string_view line, size_t *columns)
+static char find_delimiter(struct string_view line, const struct scan_file *file, size_t *columns)
 {
     static const struct {
         char delimiter;
@@ -114,8 +128,10 @@ static char find_delimiter(struct string_view line, size_t *columns)
         char delimiter = ways[i].delimiter;
         if (delimiter != ' ' && !memchr(line.start, delimiter, string_view_length(line)))
             continue;
-        struct row row = {0};
-        if (read_row(&row, line, delimiter) && row.count >= ways[i].least && (row.numbers > 0 || row.count > 2)) {
+        struct row row = {.wanted = wanted_of(file)};
+        if (read_row(&row, line, delimiter) && row.count >= ways[i].least &&
+            (!row.wanted || (row.count >= row.wanted->z_column && row.count >= row.wanted->x_column)) &&
+            (row.numbers > 0 || row.count > 2)) {
             *columns = row.count;
             return delimiter;
         }
@@ -184,14 +200,21 @@ static enum status_code read_rows(struct table *table, struct lines lines)
             blank = blank ? blank : lines.number;
             continue;
         }
-        if (is_comment(table, content))
+        if (is_comment(table, content)) {
+            if (table->rows > 0 && text_header_is_block(content)) {
+                table->next_block = lines.number;
+                break;
+            }
             continue;
+        }
         if (blank && table->columns == 1)
             return scan_fail(table->file, blank, "a blank line among the heights; remove it, or fill in the height");
         if (table->rows >= most)
             return scan_fail(table->file, lines.number, "too many rows%s",
                              limit_words(most == points ? LIMIT_POINTS : LIMIT_CELLS).text);
-        struct row row = {.cell = table->cell + table->rows * table->columns, .room = table->columns};
+        struct row row = {.cell = table->cell + table->rows * table->columns,
+                          .room = table->columns,
+                          .wanted = wanted_of(table->file)};
         if (!read_row(&row, table->delimiter == ' ' ? content : line, table->delimiter) || row.count != table->columns)
             return fail_row(table, &row, lines.number);
         decimal |= row.decimal;
@@ -219,7 +242,7 @@ static bool is_damaged_row(const struct table *table, struct string_view line, s
 }
 
 /* Is `content` nothing but how many rows follow? `lines` goes on with the next line, which then has more columns. */
-static bool is_count(size_t *announced, struct string_view content, struct lines lines)
+static bool is_count(size_t *announced, struct string_view content, struct lines lines, const struct scan_file *file)
 {
     size_t columns = 0;
     while (content.end > content.start && strchr(",;", content.end[-1]))
@@ -230,7 +253,7 @@ static bool is_count(size_t *announced, struct string_view content, struct lines
         bool comment;
         struct string_view next = text_header_uncomment(line, &comment);
         if (!comment && next.start < next.end)
-            return find_delimiter(line, &columns) && columns > 1;
+            return find_delimiter(line, file, &columns) && columns > 1;
     }
     return false;
 }
@@ -239,6 +262,26 @@ static bool is_count(size_t *announced, struct string_view content, struct lines
 static bool is_too_deep(struct string_view text, struct string_view line)
 {
     return (size_t)(line.start - text.start) > limit_most(LIMIT_HEADER_BYTES);
+}
+
+/* Has a line one column of text or more, and two of numbers beside it? From 1 the first of either. */
+static bool has_text_and_numbers(struct string_view line, size_t *text, size_t *first, size_t *second)
+{
+    static const char delimiters[] = "\t;,";
+    for (size_t d = 0; delimiters[d]; d++) {
+        struct string_view rest = line, cell;
+        size_t at = 0;
+        *text = *first = *second = 0;
+        while (cell_next(&rest, delimiters[d], &cell)) {
+            double value;
+            const bool number = number_read(cell, &value);
+            at++;
+            *(number ? *first == 0 ? first : *second == 0 ? second : &at : *text == 0 ? text : &at) = at;
+        }
+        if (*text > 0 && *second > 0)
+            return true;
+    }
+    return false;
 }
 
 /* Finds the first line that is a row of numbers and reads from there to the end; comments and, with two columns or
@@ -259,13 +302,13 @@ static enum status_code read_table(struct table *table)
         struct string_view content = text_header_uncomment(line, &comment);
         if (comment || content.start == content.end)
             continue;
-        table->delimiter = find_delimiter(line, &table->columns);
+        table->delimiter = find_delimiter(line, table->file, &table->columns);
         if (!table->delimiter) {
             above = line;
             above_line = lines.number;
             continue;
         }
-        if (table->columns == 1 && is_count(&announced, content, lines)) {
+        if (table->columns == 1 && is_count(&announced, content, lines, table->file)) {
             announced_line = lines.number;
             continue;
         }
@@ -284,6 +327,12 @@ static enum status_code read_table(struct table *table)
                              announced, table->rows);
         return table->file->status->code;
     }
+    size_t text = 0, first = 0, second = 0;
+    if (above.start && has_text_and_numbers(above, &text, &first, &second))
+        return scan_fail(table->file, above_line,
+                         "column %zu holds text; choose the columns of x and z, as with `--column %zu,%zu` or `column: "
+                         "[%zu, %zu]` in a scene",
+                         text, first, second, first, second);
     return scan_fail(table->file, 0, "no line of numbers in it: not a scan");
 }
 
@@ -296,7 +345,7 @@ bool scan_text_has_numbers(const struct scan_file *file)
         bool comment;
         struct string_view content = text_header_uncomment(line, &comment);
         if (!comment && content.start < content.end && string_view_length(line) <= limit_most(LIMIT_LINE_BYTES) &&
-            find_delimiter(line, &columns))
+            find_delimiter(line, file, &columns))
             return true;
     }
     return false;
@@ -326,35 +375,69 @@ static double at(const struct table *table, size_t row, size_t column)
 
 /* Values instruments write where they measured nothing (-25400 um is one inch below). They count as missing only where
  * every other height is far smaller. */
-static const double sentinels[] = {-25400, -32768, -99999, -9999};
+static const double sentinels[] = {-25400, -32768, -99999, -9999, 9999, 99999, 1e10, -2147483648.0};
 static const double sentinel_distance = 4;
+/* Any other is one where it comes again and lies so many times the range of all others away from them. */
+static const double gap_distance = 20;
+static const double gap_share = 0.1; /* of the points, at most */
 
 static bool is_mark(double height, double mark)
 {
     return fabs(height - mark) <= 1e-12 * fabs(mark);
 }
 
+/* An extreme height (`highest` or lowest) that comes again and lies far off all others. */
+static void mark_gap(struct scan *out, bool highest)
+{
+    const size_t points = out->nx * out->ny;
+    double extreme = NAN, others[2] = {INFINITY, -INFINITY};
+    size_t found = 0;
+    for (size_t i = 0; i < points; i++)
+        extreme = highest ? fmax(extreme, out->z_m[i]) : fmin(extreme, out->z_m[i]);
+    for (size_t i = 0; i < points; i++) {
+        found += out->z_m[i] == extreme;
+        others[0] = out->z_m[i] != extreme ? fmin(others[0], out->z_m[i]) : others[0];
+        others[1] = out->z_m[i] != extreme ? fmax(others[1], out->z_m[i]) : others[1];
+    }
+    const double range = others[1] - others[0], apart = highest ? extreme - others[1] : others[0] - extreme;
+    if (found < 2 || (double)found > gap_share * (double)points || !(range > 0 && apart > gap_distance * range))
+        return;
+    for (size_t i = 0; i < points; i++)
+        out->z_m[i] = out->z_m[i] == extreme ? NAN : out->z_m[i];
+    scan_warn(out, "a height of %g %s, %zu times, lies over %g times the range of all others away: taken as missing",
+              extreme / scan_unit_m(out->z_unit), out->z_unit, found, gap_distance);
+}
+
+static void mark_gaps(struct scan *out)
+{
+    mark_gap(out, true);
+    mark_gap(out, false);
+}
+
 static void mark_sentinels(struct scan *out)
 {
-    double z_m = scan_unit_m(out->z_unit), lowest_m = 0;
+    double z_m = scan_unit_m(out->z_unit), ends_m[2] = {0, 0};
     size_t points = out->nx * out->ny;
-    for (size_t i = 0; i < points; i++)
-        lowest_m = out->z_m[i] < lowest_m ? out->z_m[i] : lowest_m;
+    for (size_t i = 0; i < points; i++) {
+        ends_m[0] = fmin(ends_m[0], out->z_m[i]);
+        ends_m[1] = fmax(ends_m[1], out->z_m[i]);
+    }
     for (size_t k = 0; k < sizeof sentinels / sizeof *sentinels; k++) {
         double mark = sentinels[k] * z_m;
         size_t found = 0, near = 0;
-        if (lowest_m > mark / 2)
+        if (mark < 0 ? ends_m[0] > mark / 2 : ends_m[1] < mark / 2)
             continue;
         for (size_t i = 0; i < points; i++) {
             found += is_mark(out->z_m[i], mark) ? 1 : 0;
             near += !is_mark(out->z_m[i], mark) && fabs(out->z_m[i]) * sentinel_distance > fabs(mark) ? 1 : 0;
         }
-        if (found == 0 || near > 0)
+        if (found < (mark > 0 || mark < -1e6 * z_m ? 2 : 1) || near > 0)
             continue;
         for (size_t i = 0; i < points; i++)
             out->z_m[i] = is_mark(out->z_m[i], mark) ? NAN : out->z_m[i];
         scan_warn(out, "a height of %g %s stands for a missing point, %zu times", sentinels[k], out->z_unit, found);
     }
+    mark_gaps(out);
 }
 
 /* Column out->z_column from row `first` on, in the table's place, and with it the positions in out->x_column, if there
@@ -431,6 +514,15 @@ static bool begins_with_count(const struct table *table)
            table->cell[1] != round(table->cell[1]);
 }
 
+/* Refuses a length that two lines of the header give differently. */
+static enum status_code check_said_once(const struct table *table, const struct text_quantity *said, const char *what)
+{
+    if (said->other_line == 0)
+        return STATUS_OK;
+    return scan_fail(table->file, said->other_line, "%s is another one than in line %zu; correct or remove one of them",
+                     what, said->line);
+}
+
 /* Column `z` alone, at the spacing that the header names. */
 static enum status_code take_heights(struct scan *out, struct table *table, size_t z)
 {
@@ -442,7 +534,8 @@ static enum status_code take_heights(struct scan *out, struct table *table, size
         return scan_fail(table->file, table->first_line,
                          "one column is heights only: no spacing; add a line `spacing 0.5 um` above the numbers, or a "
                          "column x");
-    if (take_units(out, table, table->header.spacing.unit, &x_m, &z_m) != STATUS_OK)
+    if (check_said_once(table, &table->header.spacing, "the spacing") != STATUS_OK ||
+        take_units(out, table, table->header.spacing.unit, &x_m, &z_m) != STATUS_OK)
         return table->file->status->code;
     out->dx_m = table->header.spacing.value * x_m;
     size_t first = begins_with_count(table) ? 1 : 0;
@@ -480,7 +573,7 @@ static enum status_code take_points(struct scan *out, struct table *table, size_
     if (take_columns(out, table, 0, x_m, z_m) != STATUS_OK)
         return table->file->status->code;
     const char *unit = header->spacing.unit ? header->spacing.unit : out->x_unit;
-    if (header->spacing.value > 0)
+    if (header->spacing.value > 0 && header->spacing.other_line == 0)
         out->nominal_dx_m = header->spacing.value * scan_unit_m(unit);
     if (columns > (header->valid < columns ? 3 : 2) && table->file->options->z_column == 0)
         scan_warn(out, "%zu columns: column %zu read as x, column %zu as z, the others ignored", columns, x + 1, z + 1);
@@ -512,14 +605,34 @@ static bool has_even_steps(const struct table *table)
     return step != 0;
 }
 
+/* Does the first column count, by one from row to row? */
+static bool counts(const struct table *table)
+{
+    for (size_t i = 0; i < table->rows; i++)
+        if (at(table, i, 0) != at(table, 0, 0) + (double)i || at(table, i, 0) != round(at(table, i, 0)))
+            return false;
+    return true;
+}
+
+/* Where the first column counts and has no unit, the first with a unit that goes one way; else the first. */
+static size_t find_x_of_counter(const struct table *table)
+{
+    for (size_t c = 1; c < table->columns && c < TEXT_HEADER_COLUMNS && counts(table); c++)
+        if (table->header.unit[c] && goes_one_way(table, c))
+            return c;
+    return 0;
+}
+
 /* The column that is x: the first, unless that counts the points, or is the only one of three without a unit. */
 static size_t find_x(const struct table *table)
 {
     const struct text_header *header = &table->header;
     bool first_named =
         header->unit[0] || (table->file->options->sidecar && table->file->options->sidecar->header.unit[0]);
-    if (table->columns < 3 || header->valid <= 2 || first_named || !goes_one_way(table, 1))
+    if (table->columns < 3 || header->valid <= 2 || first_named)
         return 0;
+    if (!goes_one_way(table, 1))
+        return find_x_of_counter(table);
     return (header->unit[1] && header->unit[2]) || counts_up(table) ? 1 : 0;
 }
 
@@ -648,9 +761,12 @@ static enum status_code take_matrix(struct scan *out, const struct table *table)
     struct text_quantity width = header->width, height = header->height;
     struct text_quantity step = header->pixel.value > 0 ? header->pixel : header->spacing;
     if (step.value > 0) {
-        width = (struct text_quantity){step.value * (double)table->columns, step.unit};
-        height = (struct text_quantity){step.value * (double)table->rows, step.unit};
+        width = (struct text_quantity){step.value * (double)table->columns, step.unit, step.line, step.other_line};
+        height = (struct text_quantity){step.value * (double)table->rows, step.unit, 0, 0};
     }
+    if (check_said_once(table, &width, step.value > 0 ? "the pixel size" : "the width") != STATUS_OK ||
+        check_said_once(table, &height, "the height of the map") != STATUS_OK)
+        return table->file->status->code;
     if (!(width.value > 0 && height.value > 0))
         return scan_fail(table->file, table->first_line,
                          "a matrix of %zu x %zu heights without its pixel size; add a line `pixel size = 0.5 um` above "
@@ -681,6 +797,10 @@ static enum status_code take_table(struct scan *out, struct table *table)
     if (table->columns == 1)
         return take_heights(out, table, 0);
     size_t x = find_x(table);
+    if (x > 1) /* behind a counter: the heights are the first other column with a unit */
+        for (size_t c = 1; c < table->columns && c < TEXT_HEADER_COLUMNS; c++)
+            if (c != x && table->header.unit[c])
+                return take_points(out, table, x, c);
     return take_points(out, table, x, table->header.valid == x + 1 ? x + 2 : x + 1);
 }
 
@@ -690,6 +810,9 @@ enum status_code scan_text_read(struct scan *out, const struct scan_file *file)
     out->format = name_of(file, out->format);
     if (read_table(&table) == STATUS_OK && take_table(out, &table) == STATUS_OK)
         mark_sentinels(out);
+    if (table.next_block > 0 && file->status->code == STATUS_OK)
+        scan_warn(out, "another block begins in line %zu and is not read; to read it, save it as a file of its own",
+                  table.next_block);
     free(table.cell);
     return file->status->code;
 }

@@ -66,8 +66,13 @@ bool cell_next(struct string_view *rest, char delimiter, struct string_view *cel
         return false;
     const char *stop = rest->start;
     if (delimiter != ' ') {
-        stop = memchr(rest->start, delimiter, string_view_length(*rest));
+        const char *open = rest->start + strspn(rest->start, " "), *close = NULL;
+        if (open < rest->end && *open == '"') /* what stands in quotes is one cell, delimiters and all */
+            close = memchr(open + 1, '"', (size_t)(rest->end - open - 1));
+        stop = memchr(close ? close : rest->start, delimiter, (size_t)(rest->end - (close ? close : rest->start)));
         *cell = string_view_trim((struct string_view){rest->start, stop ? stop : rest->end});
+        if (close && string_view_length(*cell) > 1 && cell->end - 1 == close)
+            *cell = string_view_trim((struct string_view){open + 1, close});
         rest->start = stop ? stop + 1 : rest->end;
         return true;
     }

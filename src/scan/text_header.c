@@ -2,6 +2,7 @@
 #include "scan/text_header.h"
 #include "scan/reader.h"
 
+#include <math.h>
 #include <string.h>
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
@@ -19,8 +20,13 @@ struct key {
 
 #define PLACE(member) offsetof(struct text_header, member)
 
-/* a step of the heights or of the rows is none along the profile */
-#define OTHER_AXES "y z dy dz height vertical"
+/* a step of the heights or of the rows is none along the profile, nor is a length, a number, a time or a mean of waves
+ */
+#define OTHER_AXES "y z dy dz height vertical row rows line lines column"
+#define NO_STEP                                                                                                        \
+    OTHER_AXES                                                                                                         \
+    " length speed velocity frequency rate points point number count profile profiles evaluation mean rsm sm "         \
+    "psm groove thread time"
 
 /* What a number is, by the words in front of it: one of `any`, one of `also` where that is given, and none of `none`.
  */
@@ -29,8 +35,9 @@ static const struct {
     size_t place; /* offset of its struct text_quantity in struct text_header */
 } meanings[] = {
     {"factor", "conversion", "", PLACE(z_factor)},
-    {"spacing dx deltax step resolution interval increment pitch sampling", "", OTHER_AXES, PLACE(spacing)},
+    {"spacing dx deltax step resolution interval increment pitch sampling", "", NO_STEP, PLACE(spacing)},
     {"pixel", "size", OTHER_AXES, PLACE(pixel)},
+    {"scale", "x", OTHER_AXES, PLACE(pixel)},
     {"width x-length", "", "", PLACE(width)},
     {"height y-length", "", "", PLACE(height)},
 };
@@ -43,11 +50,16 @@ static const struct {
     unsigned axes;
     bool unit;
 } axis_words[] = {
-    {"x x-axis lateral horizontal", AXIS_X, false},    {"y y-axis", AXIS_Y, false},
-    {"z z-axis value height vertical", AXIS_Z, false}, {"xy", AXIS_X | AXIS_Y, false},
-    {"xyz", AXIS_X | AXIS_Y | AXIS_Z, false},          {"unit units", 0, true},
-    {"x-unit x-units xunit xunits", AXIS_X, true},     {"y-unit y-units yunit yunits", AXIS_Y, true},
-    {"z-unit z-units zunit zunits", AXIS_Z, true},     {"xyunits", AXIS_X | AXIS_Y, true},
+    {"x x-axis lateral horizontal", AXIS_X, false},
+    {"y y-axis", AXIS_Y, false},
+    {"z z-axis value height vertical data", AXIS_Z, false},
+    {"xy", AXIS_X | AXIS_Y, false},
+    {"xyz", AXIS_X | AXIS_Y | AXIS_Z, false},
+    {"unit units einheit", 0, true},
+    {"x-unit x-units xunit xunits", AXIS_X, true},
+    {"y-unit y-units yunit yunits", AXIS_Y, true},
+    {"z-unit z-units zunit zunits", AXIS_Z, true},
+    {"xyunits", AXIS_X | AXIS_Y, true},
 };
 
 static const char *either(const char *first, const char *second)
@@ -97,8 +109,18 @@ static bool has_any(const struct key *key, const char *words)
     return false;
 }
 
-/* Takes over `value`, in `unit` (NULL: none), that follows `key`. `sign`: a '=' or the like stands between. */
-static void take_number(struct text_header *header, const struct key *key, double value, const char *unit, bool sign)
+/* Do they say the same, as far as their units tell? */
+static bool is_same(const struct text_quantity *a, const struct text_quantity *b)
+{
+    double a_m = a->unit ? scan_unit_m(a->unit) : 1, b_m = b->unit ? scan_unit_m(b->unit) : 1;
+    return !a->unit != !b->unit || fabs(a->value * a_m - b->value * b_m) <= 1e-6 * a->value * a_m;
+}
+
+/* Takes over `value`, in `unit` (NULL: none), that follows `key` in this line. `sign`: a '=' or the like stands
+ * between.
+ */
+static void take_number(struct text_header *header, const struct key *key, double value, const char *unit, bool sign,
+                        size_t line)
 {
     if (!(value > 0 && value < 1e300) || !(unit || sign))
         return;
@@ -106,7 +128,12 @@ static void take_number(struct text_header *header, const struct key *key, doubl
         if (!has_any(key, meanings[i].any) || (*meanings[i].also && !has_any(key, meanings[i].also)) ||
             has_any(key, meanings[i].none))
             continue;
-        memcpy((char *)header + meanings[i].place, &(struct text_quantity){value, unit}, sizeof(struct text_quantity));
+        struct text_quantity *place = (struct text_quantity *)(void *)((char *)header + meanings[i].place),
+                             found = {value, unit, line, 0};
+        if (place->value > 0 && line > 0 && !is_same(place, &found))
+            place->other_line = line;
+        else if (place->other_line == 0)
+            *place = found;
         return;
     }
 }
@@ -142,8 +169,30 @@ static bool take_unit(struct text_header *header, const struct key *key, const c
     return true;
 }
 
-/* Takes over what the keys in `line` say. Does one of them name a unit? */
-static bool add_line(struct text_header *header, struct string_view line)
+/* Is what stands right behind a number, in `line`, the unit of something else than a length: 400 Hz, 2 mm/s, 64 points?
+ */
+static bool is_other_kind(struct string_view word, struct string_view rest)
+{
+    static const char others[] = "hz khz mhz s ms sec second seconds min n mn kg g v mv a % percent rpm dpi bit bits "
+                                 "point points pts sample samples pixel pixels px line lines row rows count counts";
+    static const char per_point[] = "sample samples pixel pixels px point points pt step";
+    struct string_view behind;
+    char before;
+    if (rest.start < rest.end && *rest.start == '/' && next_word(&rest, &behind, &before))
+        return !string_view_is_one_of(behind, per_point);
+    return string_view_is_one_of(word, others);
+}
+
+/* Does `rest` begin with "/pixel"? */
+static bool is_per_pixel(struct string_view rest)
+{
+    struct string_view word;
+    char before;
+    return next_word(&rest, &word, &before) && string_view_is_one_of(word, "pixel pixels px");
+}
+
+/* Takes over what the keys in `line`, of that number (0: of a file beside), say. Does one of them name a unit? */
+static bool add_line(struct text_header *header, struct string_view line, size_t line_number)
 {
     struct key key = {.count = 0};
     struct string_view word;
@@ -154,13 +203,22 @@ static bool add_line(struct text_header *header, struct string_view line)
         if (end) { /* its unit stands right behind it, or is the next word */
             bool sign = before && strchr("=:,;\t", before);
             struct string_view behind = {end, word.end}, rest = line;
-            char between;
+            char between = ' ';
             if (end == word.end && !next_word(&rest, &behind, &between))
                 behind = (struct string_view){end, end};
+            if ((between == ' ' || between == '\0') && is_other_kind(behind, rest)) {
+                line = rest;
+                key = (struct key){.count = 0};
+                continue;
+            }
             struct scan_unit found = scan_unit_find(behind);
             const char *unit = found.si > 0 ? found.name : NULL;
+            bool pixel = unit && rest.start < rest.end && *rest.start == '/' && is_per_pixel(rest);
             line = unit && end == word.end ? rest : line;
-            take_number(header, &key, value, unit ? unit : key.unit, sign);
+            if (pixel && key.count > 0 &&
+                !has_any(&key, OTHER_AXES)) /* `XY calibration,277.8,nm/pixel`, in any language */
+                key = (struct key){.word = {string_view_of("pixel"), string_view_of("size")}, .count = 2};
+            take_number(header, &key, value, unit ? unit : key.unit, sign, line_number);
             key = (struct key){.count = 0};
             continue;
         }
@@ -288,13 +346,47 @@ static bool read_titles(struct text_header *header, struct string_view line, cha
     return true;
 }
 
+bool text_header_is_block(struct string_view comment)
+{
+    static const char names[] = "channel title block data";
+    struct text_header header = {.valid = SIZE_MAX}, before = header;
+    bool marked;
+    comment = text_header_uncomment(comment, &marked);
+    struct string_view rest = comment, word = comment;
+    char separator;
+    bool named = next_word(&rest, &word, &separator) && string_view_is_one_of(word, names) && rest.start < rest.end &&
+                 *rest.start == ':';
+    return named || add_line(&header, comment, 1) || memcmp(&before, &header, sizeof header) != 0;
+}
+
 bool text_header_add(struct text_header *header, struct string_view text)
 {
     bool any = false, comment;
     struct lines lines = lines_begin(text);
     for (struct string_view line; lines_next(&lines, &line);)
-        any = add_line(header, text_header_uncomment(line, &comment)) || any;
+        any = add_line(header, text_header_uncomment(line, &comment), 0) || any;
     return any;
+}
+
+/* Lines of a comment header whose keys are in a language that is not known here, as Gwyddion writes them: a length, or
+ * a unit alone, behind a colon. */
+static void add_other(struct text_header *header, struct string_view line)
+{
+    const char *colon = memchr(line.start, ':', string_view_length(line));
+    struct string_view rest = {colon ? colon + 1 : line.end, line.end}, word, unit, nothing;
+    char before;
+    double value;
+    if (!next_word(&rest, &word, &before))
+        return;
+    const char *end = number_scan(word, NUMBER_POINT, NULL, &value);
+    bool alone = !next_word(&rest, &unit, &before);
+    if (!end && alone && scan_unit_find(word).name)
+        header->other_unit = scan_unit_find(word).name;
+    if (!end || end != word.end || alone || next_word(&rest, &nothing, &before) || !(value > 0))
+        return;
+    const struct scan_unit found = scan_unit_find(unit);
+    if (found.si > 0 && header->other_count++ < COUNT(header->other))
+        header->other[header->other_count - 1] = (struct text_quantity){value, found.name, 0, 0};
 }
 
 struct text_header text_header_read(struct string_view preamble, char delimiter, size_t columns)
@@ -304,19 +396,33 @@ struct text_header text_header_read(struct string_view preamble, char delimiter,
     struct string_view last[TEXT_HEADER_LINES]; /* line i, blank ones aside, at i % TEXT_HEADER_LINES */
     size_t count = 0;
     struct lines lines = lines_begin(preamble);
+    bool spip = false;
     for (struct string_view line; lines_next(&lines, &line);) {
         bool comment;
         line = text_header_uncomment(line, &comment);
         if (line.start == line.end)
             continue;
-        if (add_line(&header, line))
+        spip = spip || string_view_starts(line, "Created by SPIP");
+        const struct text_header before = header;
+        if (add_line(&header, line, lines.number))
             line.end = line.start; /* `X unit: mm` is no pair of titles */
+        else if (comment && memcmp(&before, &header, sizeof header) == 0)
+            add_other(&header, line);
         last[count++ % TEXT_HEADER_LINES] = line;
     }
     for (size_t i = count > TEXT_HEADER_LINES ? count - TEXT_HEADER_LINES : 0; i < count; i++)
         for (size_t k = 0; k < sizeof delimiters; k++)
             if (read_titles(&header, last[i % TEXT_HEADER_LINES], delimiters[k], columns))
                 break;
+    if (spip) { /* whose lengths are in nm */
+        header.width.unit = either(header.width.unit, "nm");
+        header.height.unit = either(header.height.unit, "nm");
+    }
+    if (header.other_count == 2 && !(header.width.value > 0) && !(header.pixel.value > 0)) {
+        header.width = header.other[0];
+        header.height = header.other[1];
+        header.z_unit = either(header.z_unit, header.other_unit);
+    }
     return header;
 }
 

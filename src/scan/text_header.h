@@ -14,6 +14,7 @@ enum { TEXT_HEADER_COLUMNS = 64, TEXT_HEADER_LINES = 3 };
 struct text_quantity {
     double value;
     const char *unit;
+    size_t line, other_line; /* that say it, and say something else; 0: none */
 };
 
 struct text_header {
@@ -26,6 +27,9 @@ struct text_header {
     const char *x_unit, *y_unit, *z_unit; /* `x_unit: mm`, `Value units: m`; NULL where not said */
     const char *all_unit;                 /* `unit: um`: of every axis that has none of its own */
     struct text_quantity z_factor;        /* `height conversion factor (-> m) = 1e-9` */
+    struct text_quantity other[2]; /* lengths of keys in other languages: width and height, where nothing else is */
+    size_t other_count;
+    const char *other_unit; /* of such a key that has a unit alone, a height's */
 };
 
 /** What a file beside a scan says of it (sidecar.h). */
@@ -45,6 +49,9 @@ bool text_header_says(struct string_view title, const char *words);
 
 /** Without its mark (#, //, %, ;) and trimmed when `line` is a comment, else just trimmed; *comment tells. */
 struct string_view text_header_uncomment(struct string_view line, bool *comment);
+
+/** Does a comment below rows of numbers have a key of a header, or units, so that another block begins there? */
+bool text_header_is_block(struct string_view comment);
 
 /** Takes over what the keys in every line of `text` say, as the members of struct text_header describe it. Does one of
  * them name a unit? */

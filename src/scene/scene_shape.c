@@ -12,9 +12,9 @@
 
 static const double balance = 0.02;    /* between two statements of a force, or of an area */
 static const double same_place = 1e-6; /* of the range of places */
-static const double nut_factor = 0.2;  /* of any bolt: Shigley's Mechanical Engineering Design, sec. 8-8 */
+static const double rounded = 0.1;     /* of a step */
 static const double largest = 1e15;    /* of what a file may hold, in SI */
-static const double hole = 1.1;        /* over the thread: ISO 273, medium */
+static const double hole = 0.65;       /* over the head: ISO 273, medium, beneath ISO 4762, 0.62 (M3) to 0.69 (M10) */
 enum { BOLTS_MOST = 1000 };
 
 /* Fails in the line of the key. */
@@ -47,21 +47,8 @@ static bool read_bolts(struct scene_source *source, const struct scene_key *key,
     return true;
 }
 
-/* "M5". */
-static bool read_thread(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
-{
-    char text[16], *end = text;
-    struct scene_key word = {key->name, NULL, SCENE_SHORT_TEXT(0, sizeof text)};
-    if (!scene_source_short_text(source, &word, value, text))
-        return false;
-    double size = *text == 'M' ? strtod(text + 1, &end) : NAN;
-    *(double *)field = size * 1e-3;
-    return (size >= 1 && size <= 100 && *end == '\0') ||
-           scene_source_fail_at(source, value, "'thread' is no metric thread; give it as M5 (M1 to M100)");
-}
-
 #define AT(member) offsetof(struct scene, shape.member)
-enum { FLATNESS, CROWN, HEIGHT, PRESSURE, BOLTS, WAYS, OVER = WAYS, SIZE, THICKNESS, SCALE, TORQUE, THREAD, HEAD };
+enum { FLATNESS, CROWN, HEIGHT, PRESSURE, BOLTS, WAYS, OVER = WAYS, SIZE, THICKNESS, SCALE, FORCE, HEAD };
 bool scene_shape_read(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
 {
     static const struct scene_key keys[] = {
@@ -70,21 +57,18 @@ bool scene_shape_read(struct scene_source *source, const struct scene_key *key, 
         [CROWN] = {"crown", NULL, SCENE_QUANTITY(AT(crown_m), UNIT_DISTANCE, 1e-6, 1e9)},
         [HEIGHT] = {"height", NULL, scene_surfaces_files, .at = AT(files)},
         [PRESSURE] = {"pressure", NULL, scene_surfaces_files, .at = AT(files)},
-        [BOLTS] = {"bolts", NULL, read_bolts, .at = AT(bolts), .quantities = UNIT_DISTANCE, .least = 0, .most = 1e3},
+        [BOLTS] = {"bolts", NULL, read_bolts, .at = AT(bolts), .quantities = UNIT_DISTANCE, .least = -1e3, .most = 1e3},
         [SIZE] = {"size", NULL, scene_shape_pair, .at = offsetof(struct scene, joint.size_m),
                   .quantities = UNIT_DISTANCE, .least = 1e-9, .most = 1e3},
         [THICKNESS] = {"thickness", NULL, scene_shape_pair, .at = offsetof(struct scene, joint.thickness_m),
                        .quantities = UNIT_DISTANCE, .least = 1e-9, .most = 1e3},
         [SCALE] = {"scale", NULL, SCENE_YES(AT(scale))},
-        [TORQUE] = {"torque", NULL, SCENE_QUANTITY(AT(torque_Nm), UNIT_TORQUE, 1e-9, 1e9)},
-        [THREAD] = {"thread", NULL, read_thread, .at = AT(thread_m)},
+        [FORCE] = {"force", NULL, SCENE_QUANTITY(AT(bolts.force_N), UNIT_FORCE, 1e-9, 1e9)},
         [HEAD] = {"head", NULL, SCENE_QUANTITY(AT(head_m), UNIT_DISTANCE, 1e-4, 1.0)},
-        {"nut_factor", NULL, SCENE_NUMBER(AT(nut_factor), 0.01, 1.0)},
     };
     struct scene_shape *shape = &source->scene->shape;
     size_t lines[SCENE_COUNT(keys)];
     int ways = 0;
-    shape->nut_factor = nut_factor;
     if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, field))
         return false;
     for (int way = 0; way < WAYS; way++)
@@ -100,15 +84,13 @@ bool scene_shape_read(struct scene_source *source, const struct scene_key *key, 
     if (lines[FLATNESS] > 0 && !(shape->flatness_m < shape->over_m))
         return scene_source_fail(source, lines[OVER],
                                  "'over' is %g m, less than 'flatness'; give the length it is over", shape->over_m);
-    for (int k = TORQUE; k <= HEAD; k++)
+    for (int k = FORCE; k <= HEAD; k++)
         if ((lines[k] > 0) != (lines[BOLTS] > 0))
             return scene_source_fail_at(source, value, "'%s' %s 'bolts'; %s it", keys[k].name,
                                         lines[BOLTS] ? "is missing beside" : "says nothing without",
                                         lines[BOLTS] ? "add" : "remove");
     if (lines[BOLTS] && !lines[THICKNESS])
         return scene_source_fail_at(source, value, "'thickness' is missing beside 'bolts'; add it");
-    if (lines[BOLTS] && !(shape->head_m > hole * shape->thread_m))
-        return scene_source_fail(source, lines[HEAD], "'head' is %g m, no wider than its hole", shape->head_m);
     if (lines[HEIGHT] && shape->files.count > 1)
         return scene_source_fail(source, lines[HEIGHT], "'height' is one map, not %zu", shape->files.count);
     return lines[SCALE] == 0 || lines[BOLTS] || lines[PRESSURE] ||
@@ -138,34 +120,49 @@ bool scene_shape_size(struct scene *scene, struct scene_source *source)
 
 /* ---- Files ---- */
 
-/* How long `count` places are with the halves of the steps on their outer sides, or without: what is nearer to `side`.
- * False: neither is. `shift` is then what takes the first place to where it is from the corner. */
-static bool fits(double *shift, const double *at, size_t count, double side_m)
+/* Moves `count` places to where they are from the corner. They are middles of cells (*cells) or nodes of which the
+ * outer ones lie on the edges: what comes nearer to `side`, and is then stretched to it; rounded places of equal steps
+ * are put right. The factor of the stretch, 1 where that is rounding; NaN: neither is as long. */
+static double fit(bool *cells, double *at, size_t count, double side_m)
 {
-    double range = at[count - 1] - at[0], step = range / (double)(count - 1);
-    bool middles = fabs(range + step - side_m) < fabs(range - side_m);
-    *shift = (middles ? (side_m - range) / 2 : 0) - at[0];
-    return fabs(range + (middles ? step : 0) - side_m) <= balance * side_m;
+    double first = at[0], range = at[count - 1] - first, step = range / (double)(count - 1);
+    *cells = fabs(range + step - side_m) < fabs(range - side_m);
+    double length = range + (*cells ? step : 0), times = side_m / length;
+    bool equal = true;
+    for (size_t i = 0; i < count; i++)
+        equal = equal && fabs(at[i] - first - step * (double)i) < rounded * step;
+    for (size_t i = 0; i < count; i++)
+        at[i] = ((equal ? step * (double)i : at[i] - first) + (*cells ? step / 2 : 0)) * times;
+    if (fabs(length - side_m) < 2 * rounded * step)
+        return 1;
+    return fabs(length - side_m) <= balance * side_m ? times : NAN;
 }
 
-/* Lays values at places on the cells; the places are moved to the corner. */
+/* Lays values at places on the cells. A pressure keeps its force where it is stretched; a height lies at points,
+ * between which it is never a step. */
 static bool lay(struct scene_source *source, const char *file, double *const at[2], const size_t count[2],
                 const double *value)
 {
     struct joint *joint = &source->scene->joint;
     const double *side_m = joint->size_m;
+    struct shape_grid grid = {{at[0], at[1]}, {count[0], count[1]}, value, {false, false}};
+    struct shape_field *field = &joint->fields[joint->field_count++];
+    double times = 1;
     for (int side = 0; side < 2; side++) {
-        double shift;
-        if (!fits(&shift, at[side], count[side], side_m[side]))
+        double range = at[side][count[side] - 1] - at[side][0],
+               own = fit(&grid.cells[side], at[side], count[side], side_m[side]);
+        if (isnan(own))
             return SHAPE_FAIL(source, "'%s' is %g m long in %c, the nominal area %g m; correct 'size' or the file",
-                              scene_words_show(file).text, at[side][count[side] - 1] - at[side][0], "xy"[side],
-                              side_m[side]);
-        for (size_t i = 0; i < count[side]; i++)
-            at[side][i] += shift;
+                              scene_words_show(file).text, range, "xy"[side], side_m[side]);
+        grid.cells[side] = grid.cells[side] && joint->pressed;
+        times *= own;
     }
-    const double *const places[2] = {at[0], at[1]};
-    return shape_field_grid(&joint->fields[joint->field_count++], places, count, value, side_m, source->status) ==
-           STATUS_OK;
+    if (shape_field_grid(field, &grid, side_m, source->status) != STATUS_OK)
+        return false;
+    field->mean /= joint->pressed ? times : 1;
+    for (size_t k = 0; joint->pressed && k < field->nx * field->ny; k++)
+        field->value[k] /= times;
+    return true;
 }
 
 static bool read_height(struct scene_source *source, const char *file)
@@ -347,7 +344,7 @@ static bool hold_load(struct scene *scene, struct scene_source *source)
     if (count > 1 || scene->shape.scale || pair.unknown)
         return true;
     if (scene->operating.load == 0) {
-        scene->operating = (struct scene_one_load){fields[0].mean, UNIT_PRESSURE};
+        scene->operating = (struct scene_one_load){.load = fields[0].mean, .kind = UNIT_PRESSURE};
         return true;
     }
     double asked_Pa = scene_load_of(&scene->operating, scene, &pair) * pair.effective_modulus_Pa;
@@ -356,6 +353,27 @@ static bool hold_load(struct scene *scene, struct scene_source *source)
            SHAPE_FAIL(source,
                       "'shape' carries %g N, %+.3g %% from 'operating_load'; correct either, or add scale: true",
                       fields[0].mean * scene->nominal_area_m2, 100 * off);
+}
+
+/* Each hole lies inside the area, and none in another. */
+static bool check_bolts(struct scene_source *source, const struct shape_bolts *bolts, const double side_m[2])
+{
+    for (size_t i = 0; i < bolts->count; i++) {
+        const double *own = bolts->middle_m[i];
+        for (int side = 0; side < 2; side++)
+            if (own[side] < bolts->hole_m || own[side] > side_m[side] - bolts->hole_m)
+                return SHAPE_FAIL(source,
+                                  "bolt %zu is at %g m in %c, where its hole of %.3g m leaves the area, 0 to %g m; "
+                                  "coordinates count from a corner",
+                                  i + 1, own[side], "xy"[side], 2 * bolts -> hole_m, side_m[side]);
+        for (size_t k = 0; k < i; k++)
+            if (hypot(own[0] - bolts->middle_m[k][0], own[1] - bolts->middle_m[k][1]) < 2 * bolts->hole_m)
+                return SHAPE_FAIL(source,
+                                  "bolts %zu and %zu are at one place, their holes in one another; correct either, "
+                                  "coordinates count from a corner",
+                                  k + 1, i + 1);
+    }
+    return true;
 }
 
 bool scene_shape_complete(struct scene *scene, struct scene_source *source)
@@ -372,18 +390,13 @@ bool scene_shape_complete(struct scene *scene, struct scene_source *source)
     for (size_t i = 0; i < shape->files.count; i++)
         if (!(joint->pressed ? read_pressure : read_height)(source, shape->files.path[i]))
             return false;
-    for (size_t i = 0; i < bolts->count; i++)
-        for (int side = 0; side < 2; side++)
-            if (bolts->middle_m[i][side] > joint->size_m[side])
-                return SHAPE_FAIL(source,
-                                  "bolt %zu is at %g m in %c, the area ends at %g m; places count from a corner", i + 1,
-                                  bolts->middle_m[i][side], "xy"[side], joint -> size_m[side]);
     if (bolts->count > 0) {
         struct status problem = {0};
-        bolts->force_N = shape->torque_Nm / (shape->nut_factor * shape->thread_m);
-        bolts->hole_m = hole * shape->thread_m / 2;
+        bolts->hole_m = hole * shape->head_m / 2;
         bolts->reach_m = shape->head_m / 2 + fmin(joint->thickness_m[0], joint->thickness_m[1]);
         joint->field_count = 1;
+        if (!check_bolts(source, bolts, joint->size_m))
+            return false;
         if (shape_field_bolts(joint->fields, bolts, joint->size_m, &problem) != STATUS_OK)
             return SHAPE_FAIL(source, "%s", problem.message);
     }

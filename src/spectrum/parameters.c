@@ -117,18 +117,26 @@ struct parameters parameters_compute(char letter, const double *height_m, size_t
 }
 
 enum status_code parameters_of_roughness(struct parameters *out, const double *height_m, size_t points,
-                                         double spacing_m, double cutoff_m, struct status *status)
+                                         double spacing_m, double cutoff_m, const double margin_m[2],
+                                         struct status *status)
 {
-    double length_m = (double)points * spacing_m, fit = floor(length_m / cutoff_m + short_of_fit);
+    size_t run_in[2] = {0, 0};
+    for (int end = 0; end < 2 && margin_m; end++)
+        run_in[end] = (size_t)fmax(round((cutoff_m / 2 - margin_m[end]) / spacing_m), 0);
+    const double all_m = (double)points * spacing_m, length_m = all_m - (double)(run_in[0] + run_in[1]) * spacing_m,
+                 fit = floor(length_m / cutoff_m + short_of_fit);
     if (fit < 1)
-        return status_fail(status, STATUS_SCAN, "the scan of %.6g m is shorter than one sampling length, %.6g m",
-                           length_m, cutoff_m);
+        return status_fail(status, STATUS_SCAN,
+                           "the scan of %.6g m is shorter than one sampling length of %.6g m with %s", all_m, cutoff_m,
+                           margin_m ? "half of one at either end for the filter" : "nothing left out");
     if (!(cutoff_m >= 3 * spacing_m))
         return status_fail(status, STATUS_SCAN, "a sampling length of %.6g m has under 3 points, %.6g m apart",
                            cutoff_m, spacing_m);
-    double wanted = round(fit * cutoff_m / spacing_m);
-    size_t used = wanted < (double)points ? (size_t)wanted : points;
-    *out = parameters_compute('R', height_m + (points - used) / 2, used, spacing_m, (size_t)fit);
+    const size_t between = points - run_in[0] - run_in[1];
+    const double wanted = round(fit * cutoff_m / spacing_m);
+    const size_t used = wanted < (double)between ? (size_t)wanted : between, first = run_in[0] + (between - used) / 2;
+    *out = parameters_compute('R', height_m + first, used, spacing_m, (size_t)fit);
+    out->first_m = (double)first * spacing_m;
     return STATUS_OK;
 }
 

@@ -32,18 +32,22 @@ extern const struct parameters_row parameters_rows[PARAMETERS_COUNT];
 struct parameters {
     char letter; /* 'P' or 'R' */
     size_t sampling_lengths;
-    double evaluation_length_m;     /* points h, those outside the sampling lengths left out */
-    double value[PARAMETERS_COUNT]; /* of parameters_rows; NaN: not defined for these heights */
+    double first_m, evaluation_length_m; /* where that begins in the profile; points h, those outside the sampling
+                                            lengths left out */
+    double value[PARAMETERS_COUNT];      /* of parameters_rows; NaN: not defined for these heights */
 };
 
 /** Parameters of `points` >= 3 heights cut into `sampling_lengths` equal parts. */
 struct parameters parameters_compute(char letter, const double *height_m, size_t points, double spacing_m,
                                      size_t sampling_lengths);
 
-/** Those of an R profile (high-pass filtered): as many sampling lengths of cutoff_m as fit (one that is at most 1 %
- * short fits), from the middle of the record. Error: STATUS_SCAN: not one fits. */
+/** Those of an R profile (high-pass filtered), as instruments have them: the filter runs in on half a cutoff_m at
+ * either end, less what was left out there already (`margin_m`; NULL: the profile is periodic, and the filter needs
+ * none); of what is between, as many sampling lengths of cutoff_m as fit (one that is at most 1 % short fits), from the
+ * middle. Error: STATUS_SCAN: not one fits. */
 MUST_CHECK enum status_code parameters_of_roughness(struct parameters *out, const double *height_m, size_t points,
-                                                    double spacing_m, double cutoff_m, struct status *status);
+                                                    double spacing_m, double cutoff_m, const double margin_m[2],
+                                                    struct status *status);
 
 /** The value called `name` ("q"); NaN: no such row. */
 double parameters_value(const struct parameters *parameters, const char *name);

@@ -182,9 +182,9 @@ TEST_CASE(panels_have_room)
     const double straight[][2] = {{1e-9, 1}, {10, 10}}, letter = 6.5, height_of_label = 16;
     for (int count = 1; count <= 9; count++)
         for (int shares = 0; shares < 2; shares++)
-            for (int curves = 1; curves <= 9; curves += 4) {
+            for (int curves = 1; curves <= 17; curves += 4) {
                 struct chart chart = chart_make("room");
-                char name[9][40]; /* as long as the chart lives */
+                char name[17][40]; /* as long as the chart lives */
                 chart.shares = shares;
                 chart.panel_height = 40;
                 for (int p = 0; p < count; p++) {
@@ -214,12 +214,47 @@ TEST_CASE(panels_have_room)
                     if (right > beside || centred)
                         lowest = fmin(lowest, under);
                 }
+                const double rows = ceil(curves / setting(strstr(text_string(&script), "maxcols "), "maxcols "));
+                assert_true(curves == 0 || high * legend >= 22.6 * rows); /* none is cut off below */
                 if (legend > lowest)
                     fail_msg("%d panels, %d curves: the legend begins at %g, what is above it ends at %g", count,
                              curves, legend, lowest);
                 text_free(&script);
                 chart_free(&chart);
             }
+}
+
+/* Names on an axis and those of marks have their room, whatever font draws them: above the panel, or right of it. */
+TEST_CASE(names_of_rows_and_marks_have_room)
+{
+    static const char row[] = "direct solution of the map with hardness", across[] = "operating load 0.475 N",
+                      target[] = "target 20000 W/(m²·K)";
+    static const double letter = 7.6;
+    for (int at = 0; at <= 10; at++) {
+        struct chart chart = chart_make("names");
+        chart_panel(&chart, "title", "x", "", false, false);
+        chart_name_row(&chart, 1, row);
+        chart_curve(&chart, &(struct chart_curve){.kind = CHART_POINTS, .legend = "", .colour = "#000000"});
+        for (int x = 0; x <= 10; x++)
+            chart_row(&chart, x, 1, 0, 0);
+        chart_mark(&chart, true, at, across);
+        if (at % 2)
+            chart_mark(&chart, false, 1, target);
+        struct text script = script_of(&chart, NULL);
+        const char *drawn = text_string(&script), *mark = strstr(drawn, across);
+        double left = setting(drawn, "set lmargin at screen "), right = setting(drawn, "set rmargin at screen "),
+               top = setting(drawn, "set tmargin at screen "), high = setting(drawn, "size 800,"),
+               title = setting(strstr(drawn, "'title' at graph 0, "), "screen "), above = setting(mark, "screen "),
+               middle = 800 * (left + (right - left) * at / 10);
+        assert_true(800 * left >= letter * (double)text_characters(row));
+        assert_true(at % 2 == 0 || 800 * (1 - right) >= letter * (double)text_characters(target));
+        assert_true(high * (above - top) >= 8 && high * (title - above) >= 16 && high * (1 - title) >= 8);
+        double half = letter * (double)text_characters(across) / 2;
+        double from = middle - (strstr(mark, " right textcolor") == strstr(mark, " textcolor") - 6 ? 2 : 1) * half;
+        assert_true(from >= 0 && from + 2 * half <= 800);
+        text_free(&script);
+        chart_free(&chart);
+    }
 }
 
 /* Of too many panels the last takes the place of the one before; none is written behind the end. */

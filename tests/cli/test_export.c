@@ -11,7 +11,7 @@ struct place_of {
     const char *section, *stop, *prefix;
     int pressure, value; /* columns; the same one: of two lines, whose column before is 0 and 1 */
 };
-#define APDL(name) "*DIM," name ",TABLE,13,1,1,PRESSURE\n", "*", name "(", 2, 2
+#define APDL(name) "*DIM," name ",TABLE,14,1,1,PRESSURE\n", "*", name "(", 2, 2
 #define SIF(name)  "\n" name " = Variable \"Contact Pressure\"\n  Real\n", "  End", "", 0, 1
 #define COLUMNS(head)                                                                                                  \
     {head, NULL, "", 0, 1}, {head, NULL, "", 0, 2}, {head, NULL, "", 0, 3}, {head, NULL, "", 0, 4},                    \
@@ -122,15 +122,18 @@ TEST_IN_WORKSPACE(each_is_read_back)
         char path[64], column[64];
         double pressure[ROWS], value[ROWS];
         char *text = workspace_read(place, filled("o/export/plain.%s", formats[f].file));
-        expect_parts(text, "surface: plain\n", "it holds from 100000 Pa to ", " Pa", "W/", "S/", "[Pa]");
+        expect_parts(text, "surface: plain\n", "it holds from 100000 Pa to ", " Pa", "Units: N, m, s, J, K.\n",
+                     "Thermal: spots. Electrical: spots. At no pressure nothing conducts.\n", "[W/(m2 K)]", "[S/m2]",
+                     "[Pa]");
         for (int t = 0; t < TABLES; t++) {
-            assert_int_equal(read_table(pressure, value, text, &formats[f].table[t]), POINTS);
+            assert_int_equal(read_table(pressure, value, text, &formats[f].table[t]), POINTS + 1);
             snprintf(column, sizeof column, "%s%s", columns[t / 3], ends[t % 3]);
+            assert_true(pressure[0] == 0 && value[0] == 0); /* else a program would carry the next row on */
             for (size_t r = 0; r < POINTS; r++) {
                 assert_string_equal(table_text(&contact, r, "surface"), "plain");
-                assert_near(pressure[r], table_number(&contact, r, "pressure_Pa"), 5e-9);
-                assert_near(value[r], 1 / table_number(t % 3 ? &bands : &contact, r, column), 5e-9);
-                assert_true(r == 0 || pressure[r] > pressure[r - 1]);
+                assert_near(pressure[r + 1], table_number(&contact, r, "pressure_Pa"), 5e-9);
+                assert_near(value[r + 1], 1 / table_number(t % 3 ? &bands : &contact, r, column), 5e-9);
+                assert_true(pressure[r + 1] > pressure[r]);
             }
         }
         text = workspace_read(place, filled("o/export/_STEP_____~2.%s", formats[f].file));
@@ -139,24 +142,90 @@ TEST_IN_WORKSPACE(each_is_read_back)
         assert_true(workspace_has(place, path));
     }
     assert_int_equal(workspace_count(place, "-"), 0);
-    expect_in_file(place, "o/export/plain.comsol.txt", "[m] rms height", " mean absolute slope", "[Pa] hardness");
+    struct table surfaces = workspace_table(place, "o/data/surfaces.csv");
+    char *text = workspace_read(place, "o/export/plain.comsol.txt");
+    expect_parts(text, "[m] rms height", " mean absolute slope", "[Pa] hardness", "mean absolute slope");
+    assert_near(strtod(strstr(text, "\n% m ") + 5, NULL), sqrt(2 * table_number(&surfaces, 0, "m2") / acos(-1)), 0.1);
     expect_in_file(place, "o/manifest.txt", "\nexport/plain.ansys.mac\n");
     expect_in_file(place, "o/report.md", "For other programs", "export/plain.ansys.mac,", "export/plain.moose.csv");
 }
 
+/* Air conducts where nothing touches; film stands in the way of a current alone. */
 TEST_IN_WORKSPACE(what_is_in_the_joint_is_in_the_tables)
 {
+    static const char head[] = "| TCC, with gaps (W/(mm";
     make_scene(place, POINTS,
                "gap: {gas: air, pressure: 1 atm, temperature: 300 K}\nfilm: 1e-12 ohm m2\nexport: moose\n");
     run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
-    struct table contact = workspace_table(place, "o/data/contact.csv");
+    struct table contact = workspace_table(place, "o/data/contact.csv"),
+                 bands = workspace_table(place, "o/data/bands.csv");
     char *text = workspace_read(place, "o/export/plain.moose.csv");
     double pressure[ROWS], value[ROWS];
-    expect_parts(text, "; with what fills the gaps; with film and plating\n");
-    assert_int_equal(read_table(pressure, value, text, &formats[4].table[0]), POINTS);
-    assert_near(value[3], table_number(&contact, 3, "joint_W_per_m2K"), 5e-9);
+    expect_parts(text, "Thermal: spots and what fills the gaps. Electrical: spots with film and plating. "
+                       "At no pressure what fills the gaps conducts alone.\n");
+    for (int t = 0; t < 3; t++) {
+        static const char *const ends[] = {"gap_W_per_m2K", "gap_W_per_m2K_mean_low_95", "gap_W_per_m2K_mean_high_95"};
+        assert_int_equal(read_table(pressure, value, text, &formats[4].table[t]), POINTS + 1);
+        assert_true(pressure[0] == 0);
+        assert_near(value[0], table_number(t ? &bands : &contact, 0, ends[t]), 5e-9);
+        assert_true(value[0] > 0 && value[0] < value[1]);
+    }
+    read_table(pressure, value, text, &formats[4].table[0]);
+    assert_near(value[4], table_number(&contact, 3, "joint_W_per_m2K"), 5e-9);
     read_table(pressure, value, text, &formats[4].table[3]);
-    assert_near(value[3], 1 / table_number(&contact, 3, "joint_ecr_ohm_m2"), 5e-9);
+    assert_near(value[4], 1 / table_number(&contact, 3, "joint_ecr_ohm_m2"), 5e-9);
+    assert_true(value[0] == 0);
+    expect_in_file(place, "o/report.md", head);
+    make_scene(place, POINTS, "");
+    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    expect_not_in_file(place, "o/report.md", head);
+    expect_in_file(place, "o/report.md", "| TCC (W/(mm");
+}
+
+/* A megapascal, and what it conducts in mW/(mm2 K) and S/mm2. */
+TEST_IN_WORKSPACE(decks_in_millimetres)
+{
+    static const double of_SI[] = {1e-3, 1e-6};
+    make_scene(place, POINTS, "");
+    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o", "--export", "calculix:mm, abaqus:mm,calculix,moose");
+    struct table contact = workspace_table(place, "o/data/contact.csv");
+    assert_true(workspace_has(place, "o/export/plain.calculix.inp") &&
+                workspace_has(place, "o/export/plain.moose.csv"));
+    assert_false(workspace_has(place, "o/export/plain.abaqus.inp"));
+    assert_false(workspace_has(place, "o/export/plain.moose-mm.csv"));
+    expect_in_file(place, "o/report.md", "export/plain.calculix-mm.inp");
+    for (int f = 0; f < 2; f++) {
+        double pressure[ROWS], value[ROWS];
+        char *text = workspace_read(place, filled("o/export/plain.%s-mm.inp", f ? "abaqus" : "calculix"));
+        expect_parts(text, "Units: N, mm, s, mJ, K.\n", "it holds from 0.1 MPa to ", "[mW/(mm2 K)]", "[S/mm2]",
+                     "[MPa]");
+        for (int way = 0; way < 2; way++) {
+            assert_int_equal(read_table(pressure, value, text, &formats[f].table[3 * way]), POINTS + 1);
+            assert_near(pressure[3], 1e-6 * table_number(&contact, 2, "pressure_Pa"), 5e-9);
+            assert_near(value[3], of_SI[way] / table_number(&contact, 2, way ? "ecr_ohm_m2" : "tcr_K_m2_per_W"), 5e-9);
+        }
+    }
+    expect_failure(place, 2, 1, "--export: unknown program 'moose:cm'; there are abaqus, ", "report", "d", "--export",
+                   "moose:cm");
+    expect_failure(place, 2, 1, "moose; :mm behind one gives N, mm, s", "report", "d", "--export", "fluent:mm");
+}
+
+/* Of a thousand points those that CalculiX takes: no pressure, both ends, and others evenly between. */
+TEST_IN_WORKSPACE(calculix_takes_twenty_rows)
+{
+    make_scene(place, 1000, "export: calculix\n");
+    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
+    struct table contact = workspace_table(place, "o/data/contact.csv");
+    double p[ROWS], h[ROWS];
+    char *text = workspace_read(place, "o/export/plain.calculix.inp");
+    for (int t = 0; t < TABLES; t++)
+        assert_int_equal(read_table(p, h, text, &formats[0].table[t]), ROWS);
+    read_table(p, h, text, &formats[0].table[0]);
+    assert_true(p[0] == 0 && h[0] == 0);
+    assert_near(h[1], 1 / table_number(&contact, 0, "tcr_K_m2_per_W"), 5e-9);
+    assert_near(h[ROWS - 1], 1 / table_number(&contact, 999, "tcr_K_m2_per_W"), 5e-9);
+    for (int r = 2; r < ROWS; r++)
+        assert_near(log(p[r] / p[r - 1]), log(1000) / (ROWS - 2), 0.03);
 }
 
 TEST_IN_WORKSPACE(only_what_is_asked_for)
@@ -182,24 +251,34 @@ TEST_IN_WORKSPACE(only_what_is_asked_for)
     expect_failure(place, 3, 1, "d/scene.yaml: export: unknown program 'fluent'; there are abaqus", "plan", "d");
 }
 
-/* Blocks of 20 mm at 100 W/(m K) and 30 mm at 30 W/(m K), pressed together by 5.5 bar, which lies between two rows. */
-static const char deck[] =
-    "*NODE, NSET=ALL\n1,0,0,0\n2,.01,0,0\n3,.01,.01,0\n4,0,.01,0\n5,0,0,.02\n6,.01,0,.02\n7,.01,.01,.02\n8,0,.01,.02\n"
-    "11,0,0,.02\n12,.01,0,.02\n13,.01,.01,.02\n14,0,.01,.02\n15,0,0,.05\n16,.01,0,.05\n17,.01,.01,.05\n18,0,.01,.05\n"
-    "*ELEMENT, TYPE=C3D8, ELSET=LOWER\n1,1,2,3,4,5,6,7,8\n"
-    "*ELEMENT, TYPE=C3D8, ELSET=UPPER\n2,11,12,13,14,15,16,17,18\n"
-    "*MATERIAL, NAME=ONE\n*ELASTIC\n1e11,0\n*CONDUCTIVITY\n100.\n"
-    "*MATERIAL, NAME=TWO\n*ELASTIC\n1e11,0\n*CONDUCTIVITY\n30.\n"
-    "*SOLID SECTION, ELSET=LOWER, MATERIAL=ONE\n*SOLID SECTION, ELSET=UPPER, MATERIAL=TWO\n"
-    "*SURFACE, NAME=SLAVE\n2,S1\n*SURFACE, NAME=MASTER\n1,S2\n"
-    "*SURFACE INTERACTION, NAME=JOINT\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n1e14,1e3\n"
-    "*INCLUDE, INPUT=o/export/plain.calculix.inp\n"
-    "*CONTACT PAIR, INTERACTION=JOINT, TYPE=SURFACE TO SURFACE\nSLAVE,MASTER\n"
-    "*INITIAL CONDITIONS, TYPE=TEMPERATURE\nALL,300.\n"
-    "*STEP, NLGEOM\n*COUPLED TEMPERATURE-DISPLACEMENT, STEADY STATE\n1.,1.\n"
-    "*BOUNDARY\n1,1,3\n2,1,3\n3,1,3\n4,1,3\nALL,1,2\n1,11,11,400.\n2,11,11,400.\n3,11,11,400.\n4,11,11,400.\n"
-    "15,11,11,300.\n16,11,11,300.\n17,11,11,300.\n18,11,11,300.\n"
-    "*DLOAD\n2,P2,5.5e5\n*EL PRINT, ELSET=UPPER\nHFL\n*END STEP\n";
+/* Blocks of 20 mm at 100 W/(m K) and 30 mm at 30 W/(m K), pressed together, in the units of a deck: with a, 2a, 5a for
+ * 10, 20 and 50 mm. */
+#define DECK(a, b, c, modulus, stiffness, least, table, load)                                                          \
+    "*NODE, NSET=ALL\n1,0,0,0\n2," a ",0,0\n3," a "," a ",0\n4,0," a ",0\n5,0,0," b "\n6," a ",0," b "\n7," a "," a    \
+    "," b "\n8,0," a "," b "\n11,0,0," b "\n12," a ",0," b "\n13," a "," a "," b "\n14,0," a "," b "\n15,0,0," c       \
+    "\n16," a ",0," c "\n17," a "," a "," c "\n18,0," a "," c "\n"                                                     \
+    "*ELEMENT, TYPE=C3D8, ELSET=LOWER\n1,1,2,3,4,5,6,7,8\n"                                                            \
+    "*ELEMENT, TYPE=C3D8, ELSET=UPPER\n2,11,12,13,14,15,16,17,18\n"                                                    \
+    "*MATERIAL, NAME=ONE\n*ELASTIC\n" modulus ",0\n*CONDUCTIVITY\n100.\n"                                              \
+    "*MATERIAL, NAME=TWO\n*ELASTIC\n" modulus ",0\n*CONDUCTIVITY\n30.\n"                                               \
+    "*SOLID SECTION, ELSET=LOWER, MATERIAL=ONE\n*SOLID SECTION, ELSET=UPPER, MATERIAL=TWO\n"                           \
+    "*SURFACE, NAME=SLAVE\n2,S1\n*SURFACE, NAME=MASTER\n1,S2\n"                                                        \
+    "*SURFACE INTERACTION, NAME=JOINT\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n" stiffness "," least           \
+    "\n*INCLUDE, INPUT=o/export/" table ".inp\n"                                                                       \
+    "*CONTACT PAIR, INTERACTION=JOINT, TYPE=SURFACE TO SURFACE\nSLAVE,MASTER\n"                                        \
+    "*INITIAL CONDITIONS, TYPE=TEMPERATURE\nALL,300.\n"                                                                \
+    "*STEP, NLGEOM\n*COUPLED TEMPERATURE-DISPLACEMENT, STEADY STATE\n1.,1.\n"                                          \
+    "*BOUNDARY\n1,1,3\n2,1,3\n3,1,3\n4,1,3\nALL,1,2\n1,11,11,400.\n2,11,11,400.\n3,11,11,400.\n4,11,11,400.\n"         \
+    "15,11,11,300.\n16,11,11,300.\n17,11,11,300.\n18,11,11,300.\n"                                                     \
+    "*DLOAD\n2,P2," load "\n*EL PRINT, ELSET=UPPER\nHFL\n*END STEP\n"
+static const struct {
+    const char *job;
+    double pressure_Pa, flux; /* of a W/m2 in the deck's units */
+} decks[] = {
+    {DECK(".01", ".02", ".05", "1e11", "1e14", "1e3", "plain.calculix", "5.5e5"), 5.5e5, 1}, /* between two rows */
+    {DECK(".01", ".02", ".05", "1e11", "1e14", "1e3", "plain.calculix", "5e4"), 5e4, 1}, /* below the lightest load */
+    {DECK("10.", "20.", "50.", "1e5", "1e5", "1e-3", "plain.calculix-mm", ".55"), 5.5e5, 1e-3},
+};
 
 TEST_IN_WORKSPACE(calculix_conducts_with_it)
 {
@@ -207,21 +286,20 @@ TEST_IN_WORKSPACE(calculix_conducts_with_it)
         print_message("[  SKIPPED ] no ccx (Debian: calculix-ccx)\n");
         skip();
     }
-    make_scene(place, 1000, "export: calculix\n");
-    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o");
-    struct table contact = workspace_table(place, "o/data/contact.csv");
+    make_scene(place, 1000, "");
+    run_to_exit(place, 0, "report", "d", "--no-cost", "-o", "o", "--export", "calculix,calculix:mm");
     double p[ROWS], h[ROWS];
     char *text = workspace_read(place, "o/export/plain.calculix.inp");
-    size_t r = 1, last = 999; /* of a thousand points the few that ccx takes */
     assert_int_equal(read_table(p, h, text, &formats[0].table[0]), ROWS);
-    assert_near(h[0], 1 / table_number(&contact, 0, "tcr_K_m2_per_W"), 5e-9);
-    assert_near(h[ROWS - 1], 1 / table_number(&contact, last, "tcr_K_m2_per_W"), 5e-9);
-    while (p[r] < 5.5e5)
-        r++;
-    double between = h[r - 1] + (h[r] - h[r - 1]) * (5.5e5 - p[r - 1]) / (p[r] - p[r - 1]);
-    workspace_write(place, "job.inp", deck);
-    workspace_shell(place, "ccx job");
-    char *flux = workspace_shell(place, "awk 'NF == 5 && $1 == 2 {print $5; exit}' job.dat");
-    assert_near(100 / strtod(flux, NULL), 0.02 / 100 + 1 / between + 0.03 / 30, 1e-6);
-    assert_true(1 / between > 1e-5); /* of which the contact is a part that would be missed */
+    for (size_t d = 0; d < sizeof decks / sizeof *decks; d++) {
+        size_t r = 1;
+        while (p[r] < decks[d].pressure_Pa)
+            r++;
+        double between = h[r - 1] + (h[r] - h[r - 1]) * (decks[d].pressure_Pa - p[r - 1]) / (p[r] - p[r - 1]);
+        workspace_write(place, "job.inp", decks[d].job);
+        workspace_shell(place, "ccx job");
+        double flux = strtod(workspace_shell(place, "awk 'NF == 5 && $1 == 2 {print $5; exit}' job.dat"), NULL);
+        assert_near(100 * decks[d].flux / flux, 0.02 / 100 + 1 / between + 0.03 / 30, 1e-6);
+        assert_true(1 / between > 1e-5); /* of which the contact is a part that would be missed */
+    }
 }

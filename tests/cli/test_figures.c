@@ -20,8 +20,8 @@ static void numbers_in(char *out, size_t size, const char *script)
     for (int n = 1, end; n + 1 < 100; n = end + 1) {
         for (end = n; there[end]; end++)
             ;
-        for (int k = n;
-             k<end; k += end - k> 2 && k == n ? end - k - 1 : 1) /* the first and the last of three or more */
+        const int step = end - n > 2 ? end - n - 1 : 1; /* the first and the last of three or more */
+        for (int k = n; k < end; k += step)
             snprintf(out + strlen(out), size - strlen(out), "%s6-%02d",
                      k > n && end - n > 2 ? " to "
                      : out[0]             ? ", "
@@ -58,13 +58,33 @@ static void expect_flags(const char *place, const char *out, const char *name, c
     assert_string_equal(said ? said : "", surfaces ? "6-10" : numbers);
 }
 
+/** No title of a panel reaches beyond the drawing's right edge, whatever font draws it. */
+static void expect_titles_whole(const char *script)
+{
+    static const char margin[] = "set lmargin at screen ", title[] = "' at graph 0, screen ";
+    for (const char *panel = script; (panel = strstr(panel, margin)); panel++) {
+        const char *end = strstr(panel, title), *start = end;
+        while (end && start[-1] != '\'')
+            start--;
+        double characters = 0;
+        for (const char *c = start; end && c < end; c++)
+            characters += (*c & 0xc0) != 0x80;
+        if (800 * strtod(panel + strlen(margin), NULL) + 7.4 * characters > 800)
+            fail_msg("cut off: %.60s", start);
+    }
+}
+
 /** Makes a report and holds all its captions against its charts. */
 static void expect_captions(const char *place, const char *directory, const char *out)
 {
     run_to_exit(place, 0, "report", directory, "-o", out);
     json_t *view = workspace_json(place, filled("%s/view.json", out)), *figure;
     const char *name;
-    json_object_foreach(json_object_get(view, "figures"), name, figure) expect_flags(place, out, name, figure);
+    json_object_foreach(json_object_get(view, "figures"), name, figure)
+    {
+        expect_flags(place, out, name, figure);
+        expect_titles_whole(file_of(place, out, name, "gp"));
+    }
 }
 
 TEST_IN_WORKSPACE(captions_say_what_is_drawn)
@@ -77,6 +97,17 @@ TEST_IN_WORKSPACE(captions_say_what_is_drawn)
                    "Figures 6\\-11 to 6-14. ", "dashed outside", "dotted: TCR scale-dependent",
                    "statistical gaps adjusted", "up to 99 % contact",
                    "TCR versus load, up to 99 % contact; dotted: scale-dependent.");
+    /* no model leaves the axis of its ratio to the direct solution */
+    struct table ratios = workspace_table(place, "tin/data/direct_ratio.csv");
+    char *script = file_of(place, "tin", "direct", "gp"), *high;
+    double least = strtod(strstr(script, "set yrange [") + strlen("set yrange ["), &high),
+           most = strtod(high + 1, NULL);
+    for (size_t r = 0; r < ratios.rows; r++)
+        for (int q = 0; q < 3; q++) {
+            double ratio = table_number(&ratios, r, (const char *[]){"area", "gap", "ecr"}[q]);
+            if (ratio > 0 && (ratio < least || ratio > most)) /* 0: an empty cell */
+                fail_msg("%g is not in %g to %g", ratio, least, most);
+        }
     /* an elastic model of the thesis alone, two surfaces too smooth for it to end, at light loads */
     workspace_scan(place, "d/a.csv", 400, 1);
     workspace_scan(place, "d/b.csv", 400, 2);
@@ -146,6 +177,37 @@ TEST_IN_WORKSPACE(direct_solutions_are_of_their_surface)
 }
 
 /* What a contact is heated by comes to a few units in the last place of its temperature. */
+/* What was measured is filled on loading and open on unloading, in its surface's colour, over all lines, and named for
+ * it where others were measured too; marks say their values. */
+TEST_IN_WORKSPACE(measured_points_are_of_their_surface)
+{
+    static const char test[] = "F (N);R (mohm)\n1;900\n2;500\n4;300\n6;200\n4;220\n2;320\n";
+    workspace_scan(place, "d/a.csv", 400, 3);
+    workspace_scan(place, "d/b.csv", 400, 4);
+    workspace_write(place, "d/ecr.txt", test);
+    for (int both = 0; both < 2; both++) {
+        char filled_in[8] = "", open[8] = "";
+        workspace_write(
+            place, "d/scene.yaml",
+            filled("material: tin\nnominal_area: 1 mm2\nbaseline: b\nmodels: [strip, gw]\n"
+                   "load: {from: 1 N, to: 10 N, points: 9}\noperating_load: 2 N\ntargets: [{ecr: 2.5 mohm}]\n"
+                   "measured: {file: ecr.txt, quantity: ecr}\nsurfaces:\n"
+                   "  - {name: a, file: a.csv%s}\n  - {name: b, file: b.csv}\n",
+                   both ? ", measured: {file: ecr.txt, quantity: ecr}" : ""));
+        run_to_exit(place, 0, "report", "d", "-o", "out", "--no-cost");
+        char *script = file_of(place, "out", "answer", "gp"), *data = file_of(place, "out", "answer", "csv");
+        assert_int_equal(rows_of_points(script, data, 7, filled_in), both ? 8 : 4);
+        assert_int_equal(rows_of_points(script, data, 6, open), both ? 4 : 2);
+        expect_parts(script, "'target 2.5\u00a0mΩ'", "'operating load 2.00\u00a0N'",
+                     both ? "'measured on a, loading'" : "'measured, loading'",
+                     both ? "'measured on b, unloading'" : "'measured, unloading'");
+        expect_part(script, filled("lines lc rgb '%s' lw 2.6 dt 1 title 'b'", filled_in));
+        assert_string_equal(filled_in, open);
+        const char *dots = strstr(script, "yerrorbars"), *line = strstr(dots, "with lines");
+        assert_true(line > strstr(dots, "# The legend")); /* no line is drawn over them */
+    }
+}
+
 /* Sweeps of an elastic-plastic model that yields from the first scale on would lie on each other. */
 TEST_IN_WORKSPACE(sweeps_that_yield_are_told_apart)
 {
@@ -162,7 +224,7 @@ TEST_IN_WORKSPACE(sweeps_that_yield_are_told_apart)
         }
     assert_true(least < 0.1 && most > 2 * least);
     char *script = file_of(place, "o", "convergence", "gp");
-    expect_parts(script, "multiscale elastic, at 0.0010'", "multiscale elastic-plastic, at 8.4·10⁻⁶'");
+    expect_parts(script, "α: multiscale elastic at 0.0010'", "γ: multiscale elastic-plastic at 8.4·10⁻⁶'");
 }
 
 /* Of a report's only surface the chart of what the first page has drawn, and gap against area, are the appendix's; of

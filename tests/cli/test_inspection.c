@@ -106,6 +106,34 @@ static void check_profile(const struct inspection *f, json_t *expected)
     }
 }
 
+/* What the instrument itself printed, of the record without its run-up and overtravel; Rq of all points, as read. */
+static void check_instrument(const char *file, json_t *entry)
+{
+    json_t *printed = json_object_get(entry, "instrument"), *uniform = json_object_get(entry, "as_uniform");
+    struct profile_options options = profile_defaults;
+    options.lambda_s_m = number(printed, "lambda_s_um") * 1e-6;
+    options.lambda_c_m = number(printed, "lambda_c_um") * 1e-6;
+    struct inspection f = find(file, &options);
+    assert_near(parameters_value(&f.filtered, "a"), number(printed, "Ra_um") * 1e-6, 1e-3);
+    assert_near(parameters_value(&f.filtered, "q"), number(printed, "Rq_um") * 1e-6, 3e-3);
+    assert_near(parameters_value(&f.filtered, "z"), number(printed, "Rz_um") * 1e-6, 3e-3);
+    assert_int_equal(f.filtered.sampling_lengths, 3);
+    assert_int_equal(f.scan.nx, (size_t)number(uniform, "points"));
+    assert_near(f.scan.dx_m, number(uniform, "dx_um") * 1e-6, 1e-9);
+    inspection_free(&f);
+    struct scan scan;
+    struct profile whole;
+    expect_ok(scan_read, &scan, filled("%s/%s", REAL_SCANS, file), &no_units);
+    assert_near(scan.margin_m[0], 0.4e-3, 1e-9);
+    assert_near(scan.margin_m[1], 0.4e-3, 1e-9);
+    memset(scan.margin_m, 0, sizeof scan.margin_m);
+    expect_ok(profile_make, &whole, &scan, 0, &profile_defaults);
+    assert_near(roughness_of_heights(whole.height_m, whole.points, whole.spacing_m).rq_m,
+                number(uniform, "Rq_um") * 1e-6, 1e-9);
+    profile_free(&whole);
+    scan_free(&scan);
+}
+
 /* Positions that are rounded: the reference's "as_uniform"; all others, the truly uneven ones too: "actual_x". */
 TEST_CASE(test_every_reference_figure)
 {
@@ -118,6 +146,10 @@ TEST_CASE(test_every_reference_figure)
     json_object_foreach(all, file, entry)
     {
         print_message("%s\n", file);
+        if (json_object_get(entry, "instrument")) {
+            check_instrument(file, entry);
+            continue;
+        }
         struct inspection inspection = find(file, &profile_defaults);
         json_t *map = json_object_get(entry, "areal"), *uniform = json_object_get(entry, "as_uniform");
         bool measured = inspection.profile.measured_x_m != NULL;
@@ -141,7 +173,7 @@ TEST_CASE(test_roughness_profile)
     struct inspection with = find("nist_npl_edm.xml", &options);
     assert_false(without.has_filtered);
     assert_true(with.has_filtered);
-    assert_int_equal(with.filtered.sampling_lengths, 7);
+    assert_int_equal(with.filtered.sampling_lengths, 6); /* and half of one at either end */
     assert_memory_equal(with.primary.value, without.primary.value, sizeof with.primary.value);
     assert_true(parameters_value(&with.filtered, "q") < parameters_value(&with.primary, "q"));
     json_t *object = inspection_json("nist_npl_edm.xml", &with), *parameters = json_object_get(object, "parameters");
@@ -174,7 +206,7 @@ TEST_IN_WORKSPACE(test_the_text_of_a_map)
                                      "  plane out   Sq 1 um, Sa 1 um, Sz 2 um; below: rows, each over its line\n"
                                      "  roughness   Rq 0.956183 um, Ra 0.914286 um, peak to valley 2.51429 um\n"
                                      "  moments     m2 0.00734694, m4 1 /um2\n"
-                                     "  to paste    sigma_asp 0.956183 um, m_asp 0.0683901 (of two rough sides the "
+                                     "  to paste    sigma_asp 1 um, m_asp 0.0683901 (of two rough sides the "
                                      "root of the sum of squares)\n"
                                      "  power law   - (no power law found)\n");
 }
@@ -183,24 +215,24 @@ TEST_IN_WORKSPACE(test_the_text_of_a_profile)
 {
     run_to_exit(place, 0, "synth", "-n", "300", "-o", "p.csv");
     struct process process = expect_exit(place, 0, "inspect", "--lambda-c", "80um", "p.csv");
-    assert_string_equal(process.out,
-                        "p.csv\n"
-                        "  format      text, x in um, z in um\n"
-                        "  points      300, spacing 1 um (uniform), length 0.299 mm, periodic\n"
-                        "  parameters  Pa 0.17826 Pq 0.19496 Pp 0.41121 Pv 0.28598 Pz 0.6972 \n"
-                        "              Pt 0.6972 Psk 0.22413 Pku 1.6848 Pdq 0.018759 Psm - \n"
-                        "              lengths in um, over 0.3 mm in 1 sampling length, slope 7-point\n"
-                        "  parameters  Ra 0.054325 Rq 0.065465 Rp 0.14363 Rv 0.12002 Rz 0.26365 \n"
-                        "              Rt 0.31709 Rsk 0.34101 Rku 2.3256 Rdq 0.017724 Rsm 37.814 \n"
-                        "              lengths in um, over 0.24 mm in 3 sampling lengths, slope 7-point\n"
-                        "  roughness   Rq 0.0633857 um, Ra 0.0510933 um, peak to valley 0.317094 um\n"
-                        "  moments     m2 0.000261124, m4 0.000217982 /um2\n"
-                        "  to paste    sigma_asp 0.0633857 um, m_asp 0.0128933 (of two rough sides the root of the sum "
-                        "of squares)\n"
-                        "  power law   gamma 1.628 +- 0.097 from 2.01 to 18.8 um (narrow), misfit 0.03 decades\n"
-                        "              rms amplitude 0.001925 um x/: 1.08 at 6.14 um, C 5.56e-22 m3\n"
-                        "  note        gaussian high-pass lambda_c = 80 um (ISO 16610-21; its end goes on at its "
-                        "beginning)\n");
+    assert_string_equal(
+        process.out, "p.csv\n"
+                     "  format      text, x in um, z in um\n"
+                     "  points      300, spacing 1 um (uniform), length 0.299 mm, periodic\n"
+                     "  parameters  Pa 0.17826 Pq 0.19496 Pp 0.41121 Pv 0.28598 Pz 0.6972 \n"
+                     "              Pt 0.6972 Psk 0.22413 Pku 1.6848 Pdq 0.018759 Psm - \n"
+                     "              lengths in um, over 0.3 mm in 1 sampling length, slope 7-point\n"
+                     "  parameters  Ra 0.054325 Rq 0.065465 Rp 0.14363 Rv 0.12002 Rz 0.26365 \n"
+                     "              Rt 0.31709 Rsk 0.34101 Rku 2.3256 Rdq 0.017724 Rsm 37.814 \n"
+                     "              lengths in um, over 0.24 mm in 3 sampling lengths from 0.03 mm on, slope 7-point\n"
+                     "  roughness   Rq 0.0633857 um, Ra 0.0510933 um, peak to valley 0.317094 um\n"
+                     "  moments     m2 0.000261124, m4 0.000217982 /um2\n"
+                     "  to paste    sigma_asp 0.0633857 um, m_asp 0.0128933 (of two rough sides the root of the sum "
+                     "of squares)\n"
+                     "  power law   gamma 1.628 +- 0.097 from 2.01 to 18.8 um (narrow), misfit 0.03 decades\n"
+                     "              rms amplitude 0.001925 um x/: 1.08 at 6.14 um, C 5.56e-22 m3\n"
+                     "  note        gaussian high-pass lambda_c = 80 um (ISO 16610-21; its end goes on at its "
+                     "beginning)\n");
 }
 
 /* A map of 6 x 4 heights, of which the plane leaves (-1)^(x + y) um. */

@@ -152,18 +152,38 @@ static struct size size_of(const char *text)
     return out;
 }
 
-/** Sheets of A4 that a browser prints the report on. */
+/** Has the printed report a section of that head? */
+static bool is_printed(const struct text *pdf, const char *head)
+{
+    const char *title = filled("/Title (%s)", head);
+    const size_t length = strlen(title);
+    for (size_t i = 0; i + length < pdf->length; i++)
+        if (memcmp(pdf->data + i, title, length) == 0)
+            return true;
+    return false;
+}
+
+/** Sheets of A4 that a browser prints the report on, with the notes that it sends its reader to. */
 static size_t sheets_of(const char *place)
 {
     static const char mark[] = "/Type /Page";
     char to[4200], from[4200];
     snprintf(to, sizeof to, "--print-to-pdf=%s/out.pdf", place);
     snprintf(from, sizeof from, "file://%s/out/report.html", place);
-    const char *const print[] = {
-        "chromium", "--headless", "--no-sandbox", "--disable-gpu", "--no-pdf-header-footer", to, from, NULL};
+    const char *const print[] = {"chromium",
+                                 "--headless",
+                                 "--no-sandbox",
+                                 "--disable-gpu",
+                                 "--no-pdf-header-footer",
+                                 "--generate-pdf-document-outline",
+                                 to,
+                                 from,
+                                 NULL};
     run_list(place, print);
     struct text *pdf = support_text();
     expect_ok(text_read_file, pdf, filled("%s/out.pdf", place));
+    assert_true(is_printed(pdf, "The surfaces") && is_printed(pdf, "Inputs and notes"));
+    assert_false(is_printed(pdf, "Methods and sources") || is_printed(pdf, "Appendices"));
     size_t sheets = 0;
     for (size_t i = 0; i + sizeof mark < pdf->length; i++)
         sheets += memcmp(pdf->data + i, mark, sizeof mark - 1) == 0 && pdf->data[i + sizeof mark - 1] != 's';

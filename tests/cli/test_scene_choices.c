@@ -85,6 +85,27 @@ TEST_IN_WORKSPACE(a_model_that_is_not_there_is_told)
     expect_failure(place, 4, 3, "no model is left for these scans and this material; name others in 'models'", "report",
                    "d");
     assert_false(workspace_has(place, "out/d/report.md"));
+    /* what was measured is checked before: its mistakes come first */
+    static const struct {
+        const char *csv, *scene, *surface;
+        int status;
+        const char *said;
+    } rows[] = {
+        {"load (N),ECR (mohm)\n1,2\n2,x\n", "measured: {file: m.txt}\n", "", 3, "m.txt:3: 'x' is no number"},
+        {"1,2\n", "measured: {file: m.txt}\n", "", 3, "m.txt: nothing says the unit of the load"},
+        {"load (N),ECR (mohm)\n1,2\n", "", ", measured: {file: m.txt, quantity: tcr}", 3, "m.txt"},
+        {"load (N),ECR (mohm)\n1,2\n", "measured: {file: m.txt}\n", ", measured: {file: m.txt}", 3,
+         "the baseline, 'a', has 'measured' of its own and the scene's; remove either"},
+        {"load (N),ECR (mohm)\n1,2\n", "measured: {file: m.txt}\n", "", 4, "no model is left for these scans"},
+    };
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        workspace_write(place, "d/m.txt", rows[k].csv);
+        workspace_write(place, "d/scene.yaml",
+                        filled("material: tin\nmodels: [strip]\nnominal_area: 1 mm2\n%ssurfaces: [{name: a, file: "
+                               "'a-*.csv'%s}]\n",
+                               rows[k].scene, rows[k].surface));
+        expect_failure(place, rows[k].status, rows[k].status == 3 ? 1 : 3, rows[k].said, "report", "d");
+    }
 }
 
 /* At the load that a gap takes, the gap is that; its interval holds it. */

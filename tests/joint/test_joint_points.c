@@ -139,6 +139,91 @@ TEST_CASE(gaps)
                 apply(&joint, gap, point_of(0.3, 0)).value[QUANTITY_GAP], 1e-15);
 }
 
+/** A filler's bond line t: from where the gap passes it on, what touches stays; where it never was wider no metal
+ * touches and h = k/t; a thinner one, another filling and a joint without the effect change nothing. */
+TEST_CASE(a_bond_line_holds)
+{
+    enum { COUNT = 4 };
+    struct joint joint = {.fill = JOINT_MEDIUM, .conductivity_W_per_mK = 0.8, .film_ohm_m2 = 1e-12};
+    const unsigned gap = EFFECT_BIT(EFFECT_GAP) | EFFECT_BIT(EFFECT_FILM);
+    struct joint_task task = {&joint, &pair, 1e-6, 2e-6, gap, 1e-12, NULL};
+    struct contact_point own[COUNT], held[COUNT];
+    for (int i = 0; i < COUNT; i++) {
+        own[i] = point_of(1e-3 * pow(4, i), (4 - i) * 1e-6);
+        own[i].value[QUANTITY_LOAD] = 1e-5 * pow(4, i);
+        own[i].value[QUANTITY_ECR] /= pow(4, i);
+        own[i].value[QUANTITY_TCR] /= pow(4, i);
+        own[i].value[QUANTITY_STIFFNESS] = 1e12;
+    }
+    const struct {
+        double bond_line_m;
+        enum joint_fill fill;
+        unsigned effects;
+    } nothing[] = {{0, JOINT_MEDIUM, gap},
+                   {0.99e-6, JOINT_MEDIUM, gap},
+                   {1e-6, JOINT_MEDIUM, gap},
+                   {25e-6, JOINT_GAS, gap},
+                   {25e-6, JOINT_MEDIUM, 0}};
+    for (size_t k = 0; k < sizeof nothing / sizeof *nothing; k++) {
+        memcpy(held, own, sizeof own);
+        joint.bond_line_m = nothing[k].bond_line_m;
+        joint.fill = nothing[k].fill;
+        task.effects = nothing[k].effects;
+        joint_hold(held, COUNT, &task);
+        assert_memory_equal(held, own, sizeof own);
+    }
+    joint.fill = JOINT_MEDIUM;
+    task.effects = gap;
+    joint.bond_line_m = 2.25e-6; /* three quarters of the way from the second to the third */
+    memcpy(held, own, sizeof own);
+    for (int again = 0; again < 2; again++) {
+        joint_hold(held, COUNT, &task);
+        joint_apply(held, NULL, COUNT, &task, NULL);
+        assert_false(joint_is_held(&held[1], &task));
+        assert_near(held[1].value[QUANTITY_TCR], 1e-5, 1e-14);
+        for (int i = 2; i < COUNT; i++) {
+            const double *value = held[i].value;
+            assert_true(joint_is_held(&held[i], &task));
+            assert_near(value[QUANTITY_LOAD], 1e-5 * pow(4, i), 1e-14);
+            assert_near(value[QUANTITY_AREA], 1e-3 * pow(4, 1.75), 1e-12);
+            assert_near(value[QUANTITY_ECR], 2e-10 * pow(4, -1.75), 1e-12);
+            assert_near(value[QUANTITY_JOINT], pow(4, 1.75) / 4e-5 + (1 - value[QUANTITY_AREA]) * 0.8 / 2.25e-6, 1e-12);
+            assert_true(isnan(value[QUANTITY_STIFFNESS]));
+        }
+        held[3] = own[3]; /* the next time a model whose gap has no number there */
+        held[3].value[QUANTITY_SEPARATION] = NAN;
+    }
+    joint.bond_line_m = 25e-6;
+    memcpy(held, own, sizeof own);
+    joint_hold(held, COUNT, &task);
+    joint_apply(held, NULL, COUNT, &task, NULL);
+    for (int i = 0; i < COUNT; i++) {
+        const double *value = held[i].value;
+        assert_true(value[QUANTITY_AREA] == 0 && isinf(value[QUANTITY_ECR]) && isinf(value[QUANTITY_TCR]));
+        assert_near(value[QUANTITY_GAP], 0.8 / 25e-6, 1e-15);
+        assert_near(value[QUANTITY_JOINT], 0.8 / 25e-6, 1e-15);
+        assert_true(isnan(value[QUANTITY_JOINT_ECR]) && isnan(value[QUANTITY_SPOT_DENSITY]));
+    }
+}
+
+/** Errors of area, gap and resistance together, as on a rougher surface, make those of the joint. */
+TEST_CASE(errors_are_carried_into_the_joint)
+{
+    const struct joint joint = {.fill = JOINT_MEDIUM, .conductivity_W_per_mK = 0.8};
+    const struct joint_task task = {&joint, &pair, 1e-6, 2e-6, EFFECT_BIT(EFFECT_GAP), 1e-12, NULL};
+    struct contact_point point = point_of(0.01, 4e-6);
+    double sd[QUANTITY_COUNT] = {0}, metal = 1 / 4e-5, grease = 0.99 * 0.8 / 4e-6;
+    joint_apply(&point, NULL, 1, &task, NULL);
+    sd[QUANTITY_AREA] = 0.2;
+    sd[QUANTITY_SEPARATION] = 0.1;
+    sd[QUANTITY_TCR] = 0.5;
+    joint_carry_sd(sd, &point, model_rows[0], &task);
+    double open = (1 - 0.01 * exp(-0.2)) / 0.99;
+    assert_near(sd[QUANTITY_GAP], -log(open * exp(-0.1)), 1e-12);
+    assert_near(sd[QUANTITY_JOINT], log((metal + grease) / (metal * exp(-0.5) + grease * open * exp(-0.1))), 1e-12);
+    assert_near(sd[QUANTITY_TCR], 0.5, 0);
+}
+
 /** Equal spots have the area and the resistance they are made from; own ones come through as they are. */
 TEST_CASE(spots)
 {

@@ -295,10 +295,10 @@ TEST_CASE(curves)
         const double *pressure_Pa, *gap_m;
         double hardness_Pa;
         const char *says;
-    } wrong[] = {{pressure_Pa, gap_m, 5e4, "a curve over pressure has 2 points, of the 3 it takes"},
-                 {pressure_Pa, pressure_Pa, INFINITY, "the gap does not fall with the pressure"},
-                 {twice_Pa, gap_m, INFINITY, "a curve over pressure is not finite at 1000 Pa"},
-                 {pressure_Pa, lost_m, INFINITY, "a curve over pressure is not finite at 10000 Pa"}};
+    } wrong[] = {{pressure_Pa, gap_m, 5e4, "its curve over pressure has 2 points, of the 3 it takes"},
+                 {pressure_Pa, pressure_Pa, INFINITY, "its gap does not fall with the pressure"},
+                 {twice_Pa, gap_m, INFINITY, "its curve over pressure is not finite at 0.001 MPa"},
+                 {pressure_Pa, lost_m, INFINITY, "its curve over pressure is not finite at 0.01 MPa"}};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         struct status problem = {0};
         assert_int_equal(shape_curve_gap(&gap, wrong[i].pressure_Pa, wrong[i].gap_m, 3, wrong[i].hardness_Pa, &problem),

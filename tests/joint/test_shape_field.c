@@ -5,27 +5,89 @@
 
 static const double sides_m[2] = {30e-3, 20e-3};
 
-/** Between nodes a plane is a plane, and beyond the outermost it stays as there. */
+/** Between nodes a plane is a plane, and beyond the outermost it stays as there: of a cell that an outer node cuts the
+ * mean of both. */
 TEST_CASE(test_plane)
 {
     const double x[] = {0, 5e-3, 12e-3, 30e-3}, y[] = {5e-3, 6e-3, 15e-3};
-    const double *const at[2] = {x, y};
-    const size_t count[2] = {4, 3};
     double value[12];
+    const struct shape_grid grid = {{x, y}, {4, 3}, value, {false, false}},
+                            line = {{x, y}, {4, 1}, value, {false, false}};
     struct shape_field field;
     for (size_t k = 0; k < 12; k++)
         value[k] = 1 + 100 * x[k % 4] + 300 * y[k / 4];
-    expect_ok(shape_field_grid, &field, at, count, value, sides_m);
+    expect_ok(shape_field_grid, &field, &grid, sides_m);
     assert_int_equal(field.nx, 64);
-    for (size_t k = 0; k < field.nx * field.ny; k++) {
+    for (size_t k = 0; k < field.nx * field.ny; k++) { /* y of 5 and 15 mm are borders of cells */
         double cx = ((double)(k % field.nx) + 0.5) / 64 * sides_m[0];
         double cy = ((double)(k / field.nx) + 0.5) / 64 * sides_m[1];
         assert_near(field.value[k], 1 + 100 * cx + 300 * fmin(fmax(cy, 5e-3), 15e-3), 1e-12);
     }
     assert_near(field.mean, 1 + 100 * 15e-3 + 300 * 10e-3, 1e-12);
     shape_field_free(&field);
-    const size_t line[2] = {4, 1};
-    expect_fails(STATUS_MODEL, "", shape_field_grid, &field, at, line, value, sides_m);
+    expect_fails(STATUS_MODEL, "", shape_field_grid, &field, &line, sides_m);
+    shape_field_free(&field);
+}
+
+/** Whatever the number of places, all the force arrives: of a line on an edge, and of a single place. */
+TEST_CASE(test_a_grid_of_any_size_keeps_its_force)
+{
+    static const size_t sizes[][2] = {{2, 2},     {3, 64},  {50, 65},   {64, 128},
+                                      {127, 129}, {300, 7}, {300, 300}, {517, 201}};
+    for (size_t s = 0; s < sizeof sizes / sizeof *sizes; s++)
+        for (int how = 0; how < 8; how++) {
+            const bool cells[2] = {how & 1, how & 2};
+            const size_t *n = sizes[s];
+            double *room = calloc(n[0] * n[1] + n[0] + n[1], sizeof *room), force = 0, got = 0;
+            assert_non_null(room);
+            double *at[2] = {room + n[0] * n[1], room + n[0] * n[1] + n[0]};
+            for (int side = 0; side < 2; side++)
+                for (size_t i = 0; i < n[side]; i++)
+                    at[side][i] = sides_m[side] * ((double)i + (cells[side] ? 0.5 : 0)) /
+                                  ((double)n[side] - (cells[side] ? 0 : 1));
+            for (size_t j = 0; j < n[1]; j++)
+                room[j * n[0] + n[0] - 1] = how & 4 ? 1 : 0;
+            room[n[1] / 2 * n[0] + n[0] / 3] = 7;
+            for (size_t k = 0; k < n[0] * n[1]; k++) {
+                const size_t of[2] = {k % n[0], k / n[0]};
+                double part = room[k];
+                for (int side = 0; side < 2; side++) /* an outer node has half of what others have */
+                    part *= cells[side] ? 1. / (double)n[side]
+                                        : (of[side] == 0 || of[side] == n[side] - 1 ? 0.5 : 1) / ((double)n[side] - 1);
+                force += part;
+            }
+            const struct shape_grid grid = {{at[0], at[1]}, {n[0], n[1]}, room, {cells[0], cells[1]}};
+            struct shape_field field;
+            expect_ok(shape_field_grid, &field, &grid, sides_m);
+            for (size_t k = 0; k < field.nx * field.ny; k++)
+                got += field.value[k] / (double)(field.nx * field.ny);
+            assert_near(field.mean, force, 1e-12);
+            assert_near(got, force, 1e-12);
+            shape_field_free(&field);
+            free(room);
+        }
+}
+
+/** A cell of the field takes of each cell of the grid, and of each straight piece, what it has of it. */
+TEST_CASE(test_cells_that_a_border_cuts)
+{
+    const double x[] = {5e-3, 15e-3, 25e-3}, y[] = {0, 20e-3}, value[] = {1, 5, 2, 1, 5, 2};
+    struct shape_grid grid = {{x, y}, {3, 2}, value, {true, false}};
+    struct shape_field field;
+    expect_ok(shape_field_grid, &field, &grid, sides_m);
+    for (size_t k = 0; k < 64; k++)
+        assert_near(field.value[k],
+                    k < 21    ? 1
+                    : k == 21 ? 1. / 3 + 5 * 2. / 3
+                    : k < 42  ? 5
+                    : k == 42 ? 5 * 2. / 3 + 2. / 3
+                              : 2,
+                    1e-12);
+    shape_field_free(&field);
+    grid.cells[0] = false;
+    expect_ok(shape_field_grid, &field, &grid, sides_m); /* the node at 15 mm is the middle, a border of cells */
+    assert_near(field.value[31], 5 - 4 * 0.5 * 30. / 64 / 10, 1e-12);
+    assert_near(field.value[32], 5 - 3 * 0.5 * 30. / 64 / 10, 1e-12);
     shape_field_free(&field);
 }
 

@@ -16,7 +16,11 @@ static struct strips strips_of(const double *height_m, size_t rows, size_t point
     struct strips strips = {.height_m = malloc(rows * points * sizeof(double))};
     assert_non_null(strips.height_m);
     memcpy(strips.height_m, height_m, rows * points * sizeof(double));
-    strips.rows = (struct strip_rows){strips.height_m, rows, points, spacing_m, periodic};
+    strips.seed = calloc(rows, sizeof *strips.seed);
+    assert_non_null(strips.seed);
+    for (size_t r = 0; r < rows; r++)
+        strips.seed[r] = (uint64_t)r << 32;
+    strips.rows = (struct strip_rows){strips.height_m, rows, points, spacing_m, periodic, strips.seed};
     return strips;
 }
 
@@ -140,7 +144,7 @@ TEST_CASE(pairs_solve_as_what_they_are)
             assert_within(flat->value[flat->count - back][q], alike->value[alike->count - back][q], 0.05);
     for (double area = 0.05; area < 0.5; area *= 2) {
         struct strip_ratio ratio = strip_ratio_at(&rough.joined->strip, area);
-        assert_within(ratio.load, 0, 0.2);
+        assert_within(ratio.load, 0, 0.3);
         assert_within(ratio.constriction, 0, 0.4);
         assert_within(ratio.separation, 0, 0.4);
     }
@@ -148,8 +152,9 @@ TEST_CASE(pairs_solve_as_what_they_are)
         struct strip_rows rows = rough.rows;
         struct strip alone;
         rows.height_m += 4 * p * POINTS;
+        rows.seed += 4 * p;
         rows.rows = 4;
-        expect_ok(strip_solve, &alone, &rows, 4 * p, STRIP_SURROGATES, NULL);
+        expect_ok(strip_solve, &alone, &rows, STRIP_SURROGATES, NULL);
         assert_non_null(own_members[p].strip);
         assert_memory_equal(&own_members[p].strip->strip, &alone, sizeof alone);
         solved_strip_free(own_members[p].strip);

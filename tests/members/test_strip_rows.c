@@ -207,7 +207,7 @@ FREED(solved)
     assert_int_equal(solve(NULL), STATUS_OK);
     assert_non_null(strips.joined);
     struct strip expected;
-    expect_ok(strip_solve, &expected, &strips.rows, 0, STRIP_SURROGATES, NULL);
+    expect_ok(strip_solve, &expected, &strips.rows, STRIP_SURROGATES, NULL);
     assert_memory_equal(&strips.joined->strip, &expected, sizeof expected);
     assert_null(set.members[0].strip); /* rows of a map */
     assert_int_equal(strips.transforms, strips.joined->strip.transforms);

@@ -145,6 +145,79 @@ TEST_CASE(a_map_is_its_direct_solution)
         }
 }
 
+/** ln area, gap and constriction length of a part of a map at one load. */
+static void solve_part(double out[3], const struct direct_map *map, enum direct_map_part part, double load)
+{
+    struct direct_map taken;
+    struct direct_contact contact;
+    struct direct_ladder_def ladder = {&load, 1, INFINITY, 1e-6, true, NULL};
+    struct direct_point point;
+    expect_ok(direct_map_take, &taken, map, part);
+    expect_ok(direct_contact_make, &contact, taken.height_m, &taken.grid);
+    expect_ok(direct_ladder_run, &point, &contact, &ladder);
+    const double value[] = {point.quantities.area_ratio, point.quantities.gap_m, point.constriction_m};
+    for (int q = 0; q < 3; q++)
+        out[q] = log(value[q]);
+    direct_contact_free(&contact);
+    direct_map_free(&taken);
+}
+
+/** An error is what every second point changes, what a wider low-pass changes of a map that has had one, and the
+ * scatter of its quarters. */
+TEST_CASE(errors_are_of_all_that_tells_them)
+{
+    for (int filtered = 0; filtered < 2; filtered++) {
+        struct tiles tiles = map_of(SIDE, SIDE, 5, as_they_are);
+        struct direct_map map;
+        double wider = 0;
+        size_t known = 0;
+        tiles.def.cutoff = filtered ? 6 : 0;
+        expect_ok(tiles_solve, &tiles, INFINITY, NULL);
+        expect_ok(direct_map_make, &map, tiles.height_m, &tiles.def, SIZE_MAX);
+        assert_int_equal(direct_map_has(&map, DIRECT_MAP_WIDER), filtered);
+        const struct transfer_errors *error = &tiles.transfer->error[0];
+        for (size_t k = 1; k < error->count; k++) {
+            double of[DIRECT_MAP_PARTS][3] = {{0}}, load = exp(error->ln_load[k]);
+            for (int p = 0; p < DIRECT_MAP_PARTS; p++)
+                if (p == DIRECT_MAP_WHOLE || direct_map_has(&map, (enum direct_map_part)p))
+                    solve_part(of[p], &map, (enum direct_map_part)p, load);
+            for (int q = 0; q < 3; q++) {
+                double mean = 0, square = pow(of[DIRECT_MAP_WHOLE][q] - of[DIRECT_MAP_SECOND][q], 2);
+                for (int p = 0; p < 4; p++)
+                    mean += of[DIRECT_MAP_QUARTER + p][q] / 4;
+                for (int p = 0; p < 4; p++)
+                    square += pow(of[DIRECT_MAP_QUARTER + p][q] - mean, 2) / 3;
+                double more = filtered ? pow(of[DIRECT_MAP_WIDER][q] - of[DIRECT_MAP_SECOND][q], 2) : 0;
+                if (isnan(error->value[k][q])) /* too few points touch, or all of a quarter does */
+                    continue;
+                assert_near(error->value[k][q], sqrt(square + more), 3e-2);
+                wider = fmax(wider, more / square);
+                known++;
+            }
+        }
+        assert_true(known >= 6);
+        assert_int_equal(wider > 0.2, filtered); /* which would be missed */
+        direct_map_free(&map);
+        tiles_free(&tiles);
+    }
+}
+
+/** The spectrum of a map with a lay is that of rows and columns alike, with the mean square gradient of the map. */
+TEST_CASE(a_map_with_a_lay)
+{
+    for (int columns = 0; columns < 2; columns++) {
+        struct tiles tiles = map_of(SIDE, SIDE, 1, as_they_are);
+        double profile_m[SIDE], gradient;
+        memcpy(profile_m, tiles.height_m, sizeof profile_m);
+        for (size_t k = 0; k < SIDE * SIDE; k++)
+            tiles.height_m[k] = 0.1 * tiles.height_m[k] + profile_m[columns ? k / SIDE : k % SIDE];
+        gradient = gradient_of(&tiles);
+        expect_ok(tiles_solve, &tiles, INFINITY, NULL);
+        assert_near(sqrt(2 * spectrum_moment(&tiles.transfer->spectrum, 1)), gradient, 0.12);
+        tiles_free(&tiles);
+    }
+}
+
 enum { MAPS = 10, SHARES = 3, ASKED = 3 };
 static const double shares[SHARES] = {0.005, 0.03, 0.2};
 
@@ -266,7 +339,10 @@ TEST_CASE(two_maps)
 {
     struct tiles own = map_of(SIDE, SIDE, 1, as_they_are), other = map_of(40, 48, 2, worn),
                  alone = map_of(SIDE, SIDE, 1, as_they_are);
+    own.def.cutoff = 6; /* the wider low-pass is what both are known to */
+    other.def.cutoff = 8;
     tiles_pair(&own, &other);
+    assert_true(own.def.cutoff == 8);
     size_t found = 0;
     for (size_t down = 0; down < 2 * 48; down++)
         for (size_t right = 0; right < 2 * 40; right++) {
@@ -280,6 +356,9 @@ TEST_CASE(two_maps)
             found += same;
         }
     assert_int_equal(found, 1);
+    other.def.cutoff = 6;
+    tiles_pair(&own, &other);
+    assert_true(own.def.cutoff == 8);
     other.def.dx_m *= 1.02;
     tiles_pair(&own, &other);
     assert_null(own.height_m);

@@ -43,6 +43,35 @@ TEST_CASE(test_uniform_positions_are_taken_as_they_are)
         }
 }
 
+/* Run-up and overtravel that a header names are no part of the record; a high-pass runs in on them before they go. */
+TEST_CASE(test_run_up_and_overtravel)
+{
+    enum { ALL = 3000, FIRST = 500, LAST = 300 };
+    for (size_t i = 0; i < ALL; i++)
+        z_m[i] = smooth((double)i * 1e-6) + (i < FIRST || i >= ALL - LAST ? 5e-6 : 0);
+    struct scan scan = scan_on(NULL, z_m, ALL, 1e-6), inner = scan_on(NULL, z_m + FIRST, ALL - FIRST - LAST, 1e-6);
+    scan.margin_m[0] = FIRST * 1e-6;
+    scan.margin_m[1] = LAST * 1e-6;
+    struct profile cut = profile_good(&scan, &profile_defaults), own = profile_good(&inner, &profile_defaults);
+    assert_int_equal(cut.points, own.points);
+    assert_memory_equal(cut.height_m, own.height_m, own.points * sizeof(double));
+    assert_non_null(find_note(&cut, "run-up of 0.5 mm and overtravel of 0.3 mm are left out"));
+    assert_null(find_note(&own, "run-up"));
+    profile_free(&cut);
+    profile_free(&own);
+    struct profile_options high = profile_defaults;
+    high.lambda_c_m = 8e-4;
+    struct scan whole = scan_on(NULL, z_m, ALL, 1e-6);
+    struct profile filtered = profile_good(&whole, &high);
+    cut = profile_good(&scan, &high);
+    assert_int_equal(cut.points, ALL - FIRST - LAST);
+    assert_memory_equal(cut.height_m, filtered.height_m + FIRST, cut.points * sizeof(double));
+    profile_free(&cut);
+    profile_free(&filtered);
+    scan.margin_m[1] = 3e-3;
+    assert_profile_refused(&scan, &profile_defaults, "leave nothing of the record");
+}
+
 /* Positions printed to a fixed number of decimals: the spacing hidden in them is the mean one, heights stay. */
 TEST_CASE(test_rounded_positions_are_recognised)
 {

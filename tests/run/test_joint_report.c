@@ -290,12 +290,17 @@ TEST_IN_PLACE(a_plating_has_its_hardness)
             indent_um = strtod(strstr(line, "Vickers indents ") + strlen("Vickers indents "), NULL);
         free(line);
     }
-    for (int side = 0; side < 2; side++) { /* on either side of that depth */
+    for (int side = 0; side < 2; side++) { /* on either side of that depth; what is said is at the hardness taken */
         char scene[512];
         snprintf(scene, sizeof scene, BRONZE "plating: {metal: tin, thickness: %g um}\n",
                  indent_um * (side ? 1.06 : 0.94));
         json_t *results = results_of(place, scene);
         assert_near(hardness_of(results), side ? 100e6 : bronze_Pa, 1e-12);
+        char *page = directory_read(place, "out/report.md");
+        const double said_um = strtod(strstr(page, "Vickers indents ") + strlen("Vickers indents "), NULL);
+        assert_true(side ? fabs(said_um / indent_um - 1) < 1e-3 : said_um < 0.9 * indent_um); /* bronze is harder */
+        assert_int_equal(strstr(page, "; softer tin alone, ") != NULL, !side);
+        assert_int_equal(strstr(page, "which go through") != NULL, 0);
     }
     for (int given = 0; given < 2; given++) { /* as if the scene gave it */
         report_on(place,
@@ -361,6 +366,32 @@ TEST_IN_PLACE(shape_of_the_parts)
         assert_true(k < 3 || lay < lay_flat); /* it changes the spots, not the way to them */
         lay_flat = k == 0 ? lay : lay_flat;
         before = contact;
+    }
+}
+
+/* Where the shape has no answer, the note says at which load, and what to do; elsewhere it says nothing. */
+TEST_IN_PLACE(a_shape_without_an_answer)
+{
+    static const struct {
+        const char *more, *said;
+    } rows[] = {
+        {"shape: {crown: 1 mm}\n",
+         "no shape with JG: at 0.098 MPa its pressures do not converge; begin 'load' higher, or "
+         "correct 'shape'\n"},
+        {"shape: {flatness: 9 um, over: 20 mm}\nhardness: 2 MPa\n",
+         "no shape with JG: from 0.098 MPa on over 5 % of the load lies where 'shape' presses at the hardness; begin "
+         "'load' lower, or correct 'shape' or 'hardness'\n"},
+        {"shape: {flatness: 3 um, over: 20 mm}\n", NULL},
+    };
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        char *page =
+            report_on(place, filled("material: copper\ncounterface: aluminium\nnominal_area: 400 mm2\nmodels: [jg]\n"
+                                    "load: {from: 1 bar, to: 100 bar, points: 7}\noperating_load: 10 bar\n%s"
+                                    "surfaces: [{name: a, file: a.csv}]\n",
+                                    rows[k].more));
+        assert_int_equal(strstr(page, "no shape with") != NULL, rows[k].said != NULL);
+        if (rows[k].said)
+            expect_parts(page, rows[k].said);
     }
 }
 
@@ -559,6 +590,76 @@ TEST_IN_PLACE(what_is_in_the_answer)
         expect_parts(report, limit, target, answer, "\nTextbook (CMY): at most 1.00\u00a0N on *");
         expect_no_parts(report, rows[k].unsaid);
     }
+}
+
+/** Where a bond line keeps the metals apart nothing is said of spots, of what they would be off by, or of the load; the
+ * numbers are the filler's, the verdicts go by them, and no number came out infinite. A thinner one leaves it said. */
+TEST_IN_PLACE(a_bond_line_that_keeps_the_metals_apart)
+{
+    static const char *const of_spots[] = {
+        "Least certain", "longest waves", "more than the ", "the spots are not apart", "bears more than the hardness",
+        "widen `load`"};
+    for (int thick = 0; thick < 2; thick++) {
+        char *report = report_on(
+            place, filled(LOADS "material: tin\nnominal_area: 400 mm2\neffects: [separation, electrical, thermal, "
+                                "plasticity, uncertainty, gap, plating]\n"
+                                "plating: {thickness: 1 mm, resistivity: 1e-8}\n"
+                                "gap: {filler: silicone grease, bond_line: %s}\n"
+                                "targets: [{conductance: 9e8 W/m2/K}, {ecr: 1 nohm}]\n"
+                                "limits: {conductance: {least: 3.3e4 W/m2/K}}\n",
+                          thick ? "25 um" : "1 nm"));
+        bool said = false;
+        for (size_t k = 0; k < sizeof of_spots / sizeof *of_spots; k++) {
+            said = said || strstr(report, of_spots[k]);
+            if (thick)
+                expect_no_parts(report, of_spots[k]);
+        }
+        assert_true(said != thick);
+        struct table contact = directory_table(place, "out/data/contact.csv");
+        for (size_t i = 0; i < contact.rows && thick; i++) {
+            assert_near(number(&contact, i, "joint_W_per_m2K"), 0.8 / 25e-6, 1e-12);
+            assert_near(number(&contact, i, "gap_W_per_m2K"), 0.8 / 25e-6, 1e-12);
+            assert_near(number(&contact, i, "separation_m"), 25e-6, 1e-12);
+            assert_true(number(&contact, i, "area_ratio") == 0 && isnan(number(&contact, i, "ecr_ohm_m2")) &&
+                        isnan(number(&contact, i, "tcr_K_m2_per_W")) && isnan(number(&contact, i, "spots_per_m2")));
+        }
+        if (thick)
+            expect_parts(report, "takes no load, as the gap stays at the bond line of the filler",
+                         "**missed by 2 surfaces**", "They carry 100 % of the heat.");
+        else
+            expect_no_parts(report, "bond line of the filler");
+    }
+}
+
+/** Parts that are not flat come to touch all over under load, also where a bond line holds the planes: what that gives
+ * is found between the loads of the curve, and no load gives more than flat parts have. */
+TEST_IN_PLACE(a_bond_line_between_parts_that_are_not_flat)
+{
+    static const char with[] = "load: {from: 1e-7, to: 3e-4, points: 9}\noperating_load: 1e-6\nmaterial: tin\n"
+                               "models: [cmy]\nnominal_area: 4 cm2\nshape: {flatness: 2 um, over: 20 mm}\n"
+                               "surfaces: [{name: a, file: a.csv}]\n"
+                               "gap: {filler: silicone grease, bond_line: %.17g m}\n%s";
+    enum { CROSSED = 4, LAST = 7 };
+    (void)report_on(place, filled(with, 1e-9, ""));
+    struct table bare = directory_table(place, "out/data/contact.csv");
+    double gap_m = number(&bare, CROSSED, "separation_m"), shape[2], loads[2];
+    (void)report_on(place, filled(with, gap_m, ""));
+    struct table contact = directory_table(place, "out/data/contact.csv");
+    for (size_t k = 0; k < 2; k++) {
+        shape[k] = number(&contact, LAST - 1 + k, "shape_W_per_m2K");
+        loads[k] = number(&contact, LAST - 1 + k, "load_over_AnEp");
+        assert_near(number(&contact, LAST - 1 + k, "separation_m"), gap_m, 1e-12);
+    }
+    double flat = number(&contact, LAST, "joint_W_per_m2K"), asked = (shape[0] + shape[1]) / 2;
+    assert_true(shape[1] > shape[0] * (1 + 1e-6) && flat > shape[1]);
+    (void)report_on(place, filled(with, gap_m,
+                                  filled("targets: [{conductance: %.9g W/m2/K}, {conductance: %.9g W/m2/K}]\n", asked,
+                                         1.01 * flat)));
+    struct table answers = directory_table(place, "out/data/answers.csv");
+    double load = number(&answers, 0, "load_over_AnEp");
+    assert_true(load > loads[0] * 1.01 && load < loads[1] / 1.01);
+    assert_string_equal(table_text(&answers, 1, "note"),
+                        "no load reaches it: the gap stays at the bond line of the filler");
 }
 
 /** All models but CMY take the hardness of CMY's spots at the operating load. */

@@ -108,6 +108,66 @@ TEST_IN_DIRECTORY(two_rough_bodies)
     }
 }
 
+/** A number of the map's leading model in row `at` of its own of a table. */
+static double of_row(const struct directory *place, const char *path, size_t at, const char *column)
+{
+    struct table table = directory_table(place, path);
+    for (size_t i = 0; i < table.rows; i++)
+        if (strcmp(table_text(&table, i, "model"), "direct-plastic") == 0 && at-- == 0)
+            return table_number(&table, i, column);
+    fail_msg("%s: no such row", path);
+    return NAN;
+}
+
+/** What lies in the gaps of a map has an interval, in a vacuum that of the spots; the page advises wider loads where
+ * these tell the interval's end, and only there. */
+TEST_IN_DIRECTORY(joints_of_a_map)
+{
+    enum { MIDDLE = 4 };
+    static const char with[] = "material: bronze\nnominal_area: 1 mm2\nload: {from: %s, to: %s, points: 9}\n"
+                               "gap: %s\n%s\nsurfaces: [" MAP("a") "]\n";
+    static const char *const gaps[] = {"{gas: air}", "{filler: silicone grease}", "{gas: vacuum}"};
+    write_map(place, "in/a.csv", 1, 1);
+    for (int k = 0; k < 3; k++) {
+        run_scene(place, "all", filled(with, "1e-5", "1e-2", gaps[k], ""));
+        double low = of_row(place, "all/data/bands.csv", MIDDLE, "joint_W_per_m2K_mean_low_95"),
+               high = of_row(place, "all/data/bands.csv", MIDDLE, "joint_W_per_m2K_mean_high_95"),
+               own = of_row(place, "all/data/contact.csv", MIDDLE, "joint_W_per_m2K"),
+               metal = of_row(place, "all/data/bands.csv", MIDDLE, "tcr_K_m2_per_W_mean_high_95");
+        assert_true(low < own && own < high);
+        assert_near(sqrt(low * high), own, 1e-9);
+        if (k == 2)
+            assert_near(low, 1 / metal, 1e-9);
+        char asked[100], from[40], to[40];
+        double load = of_row(place, "all/data/contact.csv", MIDDLE, "load_over_AnEp");
+        snprintf(asked, sizeof asked, "targets: {conductance: %.9g W/m2/K}\n", own);
+        run_scene(place, "wide", filled(with, "1e-5", "1e-2", gaps[k], asked));
+        expect_not_in_file(place, "wide/report.md", "beyond the loads", "widen");
+        struct table answers = directory_table(place, "wide/data/answers.csv");
+        for (size_t i = 0; i < answers.rows; i++)
+            if (strcmp(table_text(&answers, i, "model"), "direct-plastic") == 0) {
+                assert_near(table_number(&answers, i, "load_over_AnEp"), load, 1e-6);
+                assert_true(table_number(&answers, i, "high") > load);
+            }
+        if (k == 1)
+            continue; /* its heat hardly hangs on the load */
+        snprintf(from, sizeof from, "%.9g", load * 0.95);
+        snprintf(to, sizeof to, "%.9g", load * 1.05);
+        run_scene(place, "narrow", filled(with, from, to, gaps[k], asked));
+        expect_in_file(place, "narrow/report.md", "(95 % beyond the loads: widen `load`)");
+    }
+    run_scene(place, "any", /* the lightest load conducts a thousand times that, as no load would */
+              filled(with, "1e-6", "1e-4", "{filler: silicone grease}", "targets: {conductance: 1 kW/m2/K}\n"));
+    expect_in_file(place, "any/report.md", "takes at most");
+    expect_not_in_file(place, "any/report.md", "beyond the loads", "widen");
+    run_scene(place, "thick",
+              filled(with, "1e-5", "1e-2", "{filler: silicone grease, bond_line: 25 um}",
+                     "targets: {conductance: 3.1e4 W/m2/K}"));
+    expect_in_file(place, "thick/report.md", "takes at most");
+    expect_not_in_file(place, "thick/report.md", "beyond the loads", "widen", "Too few spots");
+    assert_near(of_row(place, "thick/data/contact.csv", MIDDLE, "joint_W_per_m2K"), 3.2e4, 1e-12);
+}
+
 /** Against a body that is a million times smoother all is as against a flat one. */
 TEST_IN_DIRECTORY(a_smooth_second_body)
 {

@@ -53,7 +53,8 @@ static size_t row_of(const struct table *table, const char *surface, const char 
     return 0;
 }
 
-/** The surface's curve is the geometric mean of those of its scans, each reported by itself: of
+/** The surface's curve, but for the textbook's (test_textbook.c), is the geometric mean of those of its scans, each
+ * reported by itself: of
  * separation/sigma, not of metres; of what may be negative the arithmetic one. The scans' order in the scene does not
  * matter. */
 TEST_IN_DIRECTORY(the_mean_of_five_reports)
@@ -74,7 +75,8 @@ TEST_IN_DIRECTORY(the_mean_of_five_reports)
             double sum = 0, load = table_number(&all, r, "load_over_AnEp");
             const char *model = table_text(&all, r, "model");
             bool signed_one = c == 2 && (strcmp(model, "gw") == 0 || strcmp(model, "jg") == 0);
-            if (table_text(&all, r, columns[c])[0] == '\0' || table_number(&all, r, "area_ratio") == 1)
+            if (strcmp(model, "cmy") == 0 || table_text(&all, r, columns[c])[0] == '\0' ||
+                table_number(&all, r, "area_ratio") == 1)
                 continue;
             for (int s = 0; s < SCANS; s++) {
                 double value = table_number(&alone[s], row_of(&alone[s], "m", model, load), columns[c]);
@@ -222,7 +224,52 @@ TEST_IN_DIRECTORY(identical_scans)
     assert_near(table_number(&three, a, "ecr_ohm_m2_mean_low_95"), low, 1e-9);
     assert_near(table_number(&three, a, "ecr_ohm_m2_mean_high_95"), high, 1e-9);
     assert_string_equal(table_text(&one, b, "ecr_ohm_m2_next_scan_low_95"), "");
-    expect_in_file(place, "three/report.md", "the same to the last digit");
+    expect_in_file(place, "three/report.md", "holds the same heights as", "and counts once with it");
+    expect_not_in_file(place, "one/report.md", "holds the same heights as");
+}
+
+/** Some copies among scans, in another format and unit: as if they were not there. */
+TEST_IN_DIRECTORY(copies_among_scans)
+{
+    for (int s = 0; s < 3; s++)
+        rough(place, s == 0 ? "in/0.csv" : s == 1 ? "in/1.csv" : "in/2.csv", POINTS, 1, (unsigned)s + 1);
+    struct text *csv = support_text(), *copy = support_text();
+    expect_ok(text_read_file, csv, directory_path(place, "in/1.csv"));
+    text_add(copy, "x [mm];z [nm]\n");
+    char *line = strtok(csv->data, "\n");
+    for (double x, z; (line = strtok(NULL, "\n"));)
+        if (sscanf(line, "%lf,%lf", &x, &z) == 2)
+            text_add(copy, "%.7f;%.2f\n", x * 1e-3, z * 1e3 + 70); /* rounded, and from another zero */
+    directory_write(place, "in/copy.txt", text_string(copy));
+    report(place, "three", "", "{name: m, file: [0.csv, 1.csv, 2.csv]}");
+    report(place, "four", "", "{name: m, file: [0.csv, 1.csv, 2.csv, copy.txt]}");
+    struct table three = directory_table(place, "three/data/spread.csv"),
+                 four = directory_table(place, "four/data/spread.csv");
+    assert_near(table_number(&four, 0, "scans"), 3, 0);
+    assert_near(table_number(&four, 0, "effective"), table_number(&three, 0, "effective"), 0);
+    expect_in_file(place, "four/report.md", "holds the same heights as");
+}
+
+/** New names change no number, not even in the last digit. */
+TEST_IN_DIRECTORY(names_change_nothing)
+{
+    for (int s = 0; s < 3; s++)
+        rough(place, s == 0 ? "in/a.csv" : s == 1 ? "in/b.csv" : "in/c.csv", POINTS, 1, (unsigned)s + 1);
+    report(place, "before", "models: [strip, gw]\n", "{name: m, file: [a.csv, b.csv, c.csv]}");
+    for (int move = 0; move < 3; move++) {
+        static const char *const moves[][2] = {{"in/a.csv", "in/x"}, {"in/c.csv", "in/a.csv"}, {"in/x", "in/c.csv"}};
+        char from[4096];
+        snprintf(from, sizeof from, "%s", directory_path(place, moves[move][0]));
+        assert_int_equal(rename(from, directory_path(place, moves[move][1])), 0);
+    }
+    report(place, "after", "models: [strip, gw]\n", "{name: m, file: [a.csv, b.csv, c.csv]}");
+    static const char *const data[] = {"contact", "bands", "spread", "spectrum"};
+    for (size_t d = 0; d < 4; d++) {
+        struct text *before = support_text(), *after = support_text();
+        expect_ok(text_read_file, before, directory_path(place, filled("before/data/%s.csv", data[d])));
+        expect_ok(text_read_file, after, directory_path(place, filled("after/data/%s.csv", data[d])));
+        assert_string_equal(text_string(before), text_string(after));
+    }
 }
 
 /** One scan with open ends that holds few of its longest waves: what it cannot know is in its interval. */

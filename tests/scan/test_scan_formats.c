@@ -10,6 +10,15 @@
     "4=0.0020 0 0.008 0 0\r\n"
 #define MAHR_LAST "5=0.0025 0 -0.0035 0 0\r\n"
 
+/* of a MarSurf PS 10: some points are locked, which is no height */
+#define MAHR_HEAD_BARE "[PROFILE_HEADER]\nNO_POINTS=6\n[PROFILE_VALUES]\n"
+#define MAHR_BARE                                                                                                      \
+    "0=0.0000 0.0005 0\n1=0.0005 -0.00125 1\n2=0.0010 0.00275 1\n3=0.0015 0.000125 0\n4=0.0020 0.008 0\n"              \
+    "5=0.0025 -0.0035 0\n"
+#define MAHR_TURNED                                                                                                    \
+    "0=0.0005 0 0.0000\n1=-0.00125 1 0.0005\n2=0.00275 1 0.0010\n3=0.000125 0 0.0015\n4=0.008 0 0.0020\n"              \
+    "5=-0.0035 0 0.0025\n"
+
 #define NPL_HEAD                                                                                                       \
     "1 2\r\nSAMPLE 0 PRF\r\nCX M 6.0e+000 MM 1.0e+000 D\r\nCZ M 6.0e+000 UM 1.0e-003 L\r\nEOR\r\n"                     \
     "STYLUS_RADIUS 0 MM\r\nSPACING CX 5.0e-004\r\nEOR\r\n"
@@ -47,6 +56,8 @@ TEST_CASE(test_profiles)
     } samples[] = {
         {"mahr-text", MAHR_HEAD MAHR_POINTS MAHR_LAST, SAMPLE_POINTS},
         {"mahr-text", MAHR_HEAD MAHR_POINTS MAHR_LAST "[END]\r\nx\r\n", SAMPLE_POINTS},
+        {"mahr-text", MAHR_HEAD_BARE MAHR_BARE, SAMPLE_POINTS}, /* x z lock, as no line says else */
+        {"mahr-text", MAHR_HEAD_BARE "// Z, Lock, X\n" MAHR_TURNED, SAMPLE_POINTS},
         {"npl-prf", NPL_HEAD NPL_POINTS "EOR\r\nEOF\r\n", SAMPLE_POINTS},
         {"sdf", SDF_HEAD("6", "1") "0.5 -1.25\n2.75 0.125 8.0 -3.5\n*\n< a > b\n*\n", SAMPLE_POINTS},
         {"sdf", SDF_HEAD("6", "1") POINTS, SAMPLE_POINTS},
@@ -186,13 +197,64 @@ TEST_CASE(test_utf16)
     refuse_text(half, &no_units, "damaged UTF-16; save it as UTF-8");
 }
 
+#define WYKO_HEAD "Wyko ASCII Data File Format 0\t0\t1\nX Size\t3\nY Size\t2\nBlock Name\tType\tLength\tValue\n"
+#define WYKO_ROWS "0.5 -1.25 2.75\n0.125 Bad -3.5\n"
+#define ZYGO(kind)                                                                                                     \
+    "Zygo " kind "\n1 9\n0 0 0 0 0 0\n0 0 3 2\n\"a\"\n\"\"\n\"\"\n0 0.5 4.096e-3 0.5 0.5 0 5e-7 17\n3 2\n0\n0 "        \
+    "0\n0\n#\n"
+
+/* Heights in waves, or in a unit of their own; a phase is a quarter of a micrometre here. */
+TEST_CASE(test_interferometers)
+{
+    static const struct {
+        const char *format, *text;
+        double dy_m;
+    } samples[] = {
+        {"wyko",
+         WYKO_HEAD "Pixel_size\t7\t4\t0.0005\nWavelength\t7\t4\t1000\nMult\t7\t4\t2\nRAW_DATA\t3\t48\t\n" WYKO_ROWS,
+         5e-7},
+        {"wyko", /* a line a column, and a block behind */
+         WYKO_HEAD "Pixel_size\t7\t4\t0.0005\nWavelength\t7\t4\t1000\nRAW_DATA\t3\t48\t\n0.5 0.125\n-1.25 Bad\n2.75 "
+                   "-3.5\nIntensity\t3\t48\n1 2 3\n",
+         5e-7},
+        {"wyko",
+         WYKO_HEAD "Pixel_size\t7\t4\t0.0005\nAspect\t7\t4\t4\nWavelength\t7\t4\t77\nRAW DATA\t3\t48\tum\n" WYKO_ROWS,
+         2e-6},
+        {"zygo", ZYGO("ASCII Data File - Format 2") "1 2 3\n#\n2 -5 11\n0.5 2147483640 -14\n#\n", 5e-7},
+        {"zygo", ZYGO("XYZ Data File - Format 1") "0 0 0.5\n1 0 -1.25\n2 0 2.75\n0 1 0.125\n1 1 No Data\n2 1 -3.5\n#\n",
+         5e-7},
+    };
+    for (size_t k = 0; k < sizeof samples / sizeof *samples; k++) {
+        struct scan scan = read_good(samples[k].text, "", "");
+        assert_string_equal(scan.format, samples[k].format);
+        assert_int_equal(scan.nx * scan.ny, SAMPLE_POINTS);
+        assert_near(scan.dx_m, 5e-7, 1e-12);
+        assert_near(scan.dy_m, samples[k].dy_m, 1e-12);
+        assert_int_equal(scan.missing, 1);
+        for (size_t i = 0; i < SAMPLE_POINTS; i++)
+            if (i != 4)
+                assert_near(scan.z_m[i], sample_um[i] * 1e-6, 1e-9);
+        scan_free(&scan);
+    }
+    assert_refused(WYKO_HEAD "Wavelength\t7\t4\t500\nRAW_DATA\t3\t48\t\n" WYKO_ROWS, "no Pixel_size");
+    assert_refused(WYKO_HEAD "Pixel_size\t7\t4\t0.1\nWavelength\t7\t4\t500\n", "no block RAW_DATA");
+    assert_refused("Wyko ASCII Data File Format 0\nX Size\t100000\nY "
+                   "Size\t100000\nPixel_size\t1\nWavelength\t500\nRAW_DATA\n1 2\n",
+                   "the file ends after");
+    assert_refused(ZYGO("ASCII Data File - Format 2") "#\n1 2 3\n", "the file ends after 3");
+    assert_refused(ZYGO("XYZ Data File - Format 1") "3 0 1.00\n0 1 2.00\n1 1 2.00\n0 0 1.00\n1 0 1.00\n2 0 1.00\n#\n",
+                   "is no line `column row height`");
+    assert_refused("Zygo XYZ Data File - Format 1\n1\n", "the header is cut off");
+    assert_refused("Zygo XYZ Data File - Format 1\n1\n2\n0 0 x 2\n", "file:4: no numbers of columns and rows");
+}
+
 TEST_CASE(test_refusals)
 {
     assert_refused(MAHR_HEAD MAHR_POINTS, "file:11: the points end after 5 of 6");
     assert_refused(MAHR_HEAD MAHR_POINTS MAHR_LAST MAHR_LAST, "file:13: more points than NO_POINTS says, 6");
     assert_refused(MAHR_HEAD "0=0.0000 0 nan 0 0\r\n" MAHR_POINTS, "file:7: '0=0.0000 0 nan 0 0' is no line");
     assert_refused("[PROFILE_HEADER]\nNO_POINTS=1000000000000\n[PROFILE_VALUES]\n0=0 0 0 0 0\n",
-                   "the file ends after 1;");
+                   "the file ends after 2;");
     assert_refused("[PROFILE_HEADER]\nNO_POINTS=x\n", "file:2: NO_POINTS is no number");
     assert_refused("[PROFILE_HEADER]\nNO_POINTS=3\n", "no section [PROFILE_VALUES]");
     assert_refused(NPL_HEAD "500\r\nx\r\n2750\r\n125\r\n8000\r\n-3500\r\n", "file:10: 'x' among the heights");

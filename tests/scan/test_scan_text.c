@@ -107,7 +107,7 @@ TEST_CASE(test_words_of_spacing)
 {
     static const char *const words[] = {"spacing",  "dx",          "deltax", "step",    "X resolution",
                                         "Interval", "x increment", "pitch",  "sampling"};
-    static const char *const others[] = {"y", "z", "dy", "dz", "height", "vertical"};
+    static const char *const others[] = {"y", "z", "dy", "dz", "height", "vertical", "row", "line", "time", "mean"};
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
         assert_four_points(filled("# %s = 1 mm\n# z [um]\n0.5\n-1.25\n2.75\n0.125\n", words[i]), "", "");
     }
@@ -115,6 +115,19 @@ TEST_CASE(test_words_of_spacing)
         assert_refused(filled("# %s step = 1 mm\n# z [um]\n0.5\n-1.25\n2.75\n0.125\n", others[i]),
                        "one column is heights only: no spacing");
     }
+    /* a length, a count or a rate of sampling is no step, whatever follows it, nor is a step of another kind */
+    static const char *const none[] = {
+        "Sampling length: 0.8 mm", "Sampling frequency = 400 Hz", "Sampling = 400 Hz",
+        "X distance = 1 mm",       "X step velocity = 2 mm/s",    "step = 2 mm/s",
+        "Sampling: 6400 points",   "Number of step points: 400",  "Mean spacing RSm = 0.1 mm",
+        "Groove spacing = 0.1 mm", "profile distance = 1 mm",     "pitch = 100 lines/mm"};
+    for (size_t i = 0; i < sizeof none / sizeof *none; i++) {
+        assert_refused(filled("# %s\n# z [um]\n0.5\n-1.25\n2.75\n0.125\n", none[i]), "no spacing");
+        assert_four_points(filled("# step = 1 mm\n# %s\n# z [um]\n0.5\n-1.25\n2.75\n0.125\n", none[i]), "", "");
+    }
+    assert_four_points("X step distance = 1000 um\nstep = 1 mm\nz unit: um\n0.5\n-1.25\n2.75\n0.125\n", "", "");
+    assert_refused("spacing = 1 mm\ntitle\nstep = 2 mm\nz unit: um\n0.5\n-1.25\n2.75\n0.125\n",
+                   "file:3: the spacing is another one than in line 1; correct or remove one of them");
     /* a pixel's size, but nothing else of it, makes a matrix */
     assert_refused("pixel depth = 2 um\n1 3 2 4\n5 1 3 1\n1 1 1 1\n", "without its pixel size");
 }
@@ -324,4 +337,106 @@ TEST_CASE(test_a_spent_text_is_freed)
         assert_true((text->data == NULL) == cases[c].goes);
         scan_free(&scan);
     }
+}
+
+static void assert_map(const char *text, double dx_m, double dy_m, double first_m)
+{
+    struct scan scan = read_good(text, "", "");
+    assert_int_equal(scan.nx, 4);
+    assert_int_equal(scan.ny, 2);
+    assert_near(scan.dx_m, dx_m, 1e-12);
+    assert_near(scan.dy_m, dy_m, 1e-12);
+    assert_near(scan.z_m[0], first_m, 1e-12);
+    scan_free(&scan);
+}
+
+#define HEIGHTS "1\t2\t3\t1\n2\t4\t1\t2\n"
+
+/* What programs write above a map, in their own units and in any language. */
+TEST_CASE(test_headers_of_maps)
+{
+    assert_map("# Canal : Topo\n# Largeur : 2.0 \xC2\xB5m\n# Hauteur : 1.0 \xC2\xB5m\n# Unit\xC3\xA9s : m\n" HEIGHTS,
+               5e-7, 5e-7, 1);
+    assert_map("# Created by SPIP 6.3\n# x-length = 2000\n# y-length = 1000\n# z-unit = nm\n" HEIGHTS, 5e-7, 5e-7,
+               1e-9);
+    assert_map("Created by Nova\nNX = 4\nScale X = 0.5\nScale Y = 0.5\nUnit X = um\nUnit Data = nm\n" HEIGHTS, 5e-7,
+               5e-7, 1e-9);
+    assert_map("\"Modell\",\"x\"\n\"XY-Justierung\",\"500\",\"nm/"
+               "pixel\"\n\"Einheit\",\"\xB5m\"\n\n\"1\",\"2\",\"3\",\"1\"\n\"2\",\"4\",\"1\",\"2\"\n",
+               5e-7, 5e-7, 1e-6);
+    /* a third length could be anything */
+    assert_refused("# Largeur : 2.0 um\n# Hauteur : 1.0 um\n# Pas : 3 um\n# Unites : m\n" HEIGHTS HEIGHTS,
+                   "without its pixel size");
+}
+
+/* Keys in a comment between rows begin another block, which is left for a file of its own; a remark does not. */
+TEST_CASE(test_blocks)
+{
+    static const char *const seconds[] = {"# Channel: Phase\n# Width: 2 um\n3\t4\t5\t6\n",
+                                          "# spacing 2 um\n3\t4\t5\t6\n"};
+    for (size_t k = 0; k < 2; k++) {
+        struct scan scan = read_good(filled("# pixel size = 0.5 um\n# z unit: um\n" HEIGHTS "%s", seconds[k]), "", "");
+        assert_int_equal(scan.ny, 2);
+        assert_non_null(
+            strstr(scan.warnings[scan.warning_count - 1], "another block begins in line 5 and is not read"));
+        scan_free(&scan);
+    }
+    struct scan scan = read_good("# pixel size = 0.5 um\n# z unit: um\n" HEIGHTS "# checked\n3\t4\t5\t6\n", "", "");
+    assert_int_equal(scan.ny, 3);
+    scan_free(&scan);
+}
+
+/* Cells in quotes, with commas as decimal signs where they separate columns too. */
+TEST_CASE(test_quotes)
+{
+    assert_four_points(
+        "\"x [mm]\",\"z [um]\"\n\"0,0\",\"0,5\"\n\"1,0\",\"-1,25\"\n\"2,0\",\"2,75\"\n\"3,0\",\"0,125\"\n", "", "");
+    assert_four_points(
+        "\"x [mm]\";\"z [um]\"\n\"0,0\";\"0,5\"\n\"1,0\";\"-1,25\"\n\"2,0\";\"2,75\"\n\"3,0\";\"0,125\"\n", "", "");
+}
+
+/* A height that comes again, far off all others, was not measured; one spike, a step and heights that happen to be 9999
+ * were. */
+TEST_CASE(test_gap_codes)
+{
+    static const struct {
+        double code;
+        int times;
+        double scale;
+        size_t missing;
+    } cases[] = {{9999, 4, 1, 4}, {1e10, 2, 1, 2}, {9999, 1, 1, 0}, {-2147483648.0, 3, 1, 3}, {777, 4, 1, 4},
+                 {-777, 4, 1, 4}, {777, 1, 1, 0},  {40, 4, 1, 0},   {9999, 4, 2000, 0},       {777, 60, 1, 0}};
+    for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
+        struct text *text = support_text();
+        text_add(text, "x [um],z [um]\n");
+        for (int i = 0; i < 200; i++)
+            text_add(text, "%d,%.6g\n", i,
+                     i >= 100 && i < 100 + cases[c].times ? cases[c].code : cases[c].scale * (5 + sin(0.7 * i)));
+        struct scan scan = read_good(text_string(text), "", "");
+        if (scan.missing != cases[c].missing)
+            fail_msg("%g, %d times: %zu missing", cases[c].code, cases[c].times, scan.missing);
+        scan_free(&scan);
+    }
+}
+
+/* Text in a column is said, with what to choose, and passed over where that is done; a counter is no position. */
+TEST_CASE(test_columns_that_are_no_scan)
+{
+    static const char timed[] = "time,x_mm,z_um\n2024-03-01 10:11:00,0,0.5\n2024-03-01 10:11:01,1,-1.25\n"
+                                "2024-03-01 10:11:02,2,2.75\n2024-03-01 10:11:03,3,0.125\n";
+    assert_refused(timed, "column 1 holds text; choose the columns of x and z, as with `--column 2,3`");
+    struct scan scan;
+    struct status status = {0};
+    const struct scan_options chosen = {.x_column = 2, .z_column = 3};
+    assert_int_equal(read_bytes(&scan, timed, strlen(timed), &chosen, &status), STATUS_OK);
+    assert_int_equal(scan.nx, 4);
+    assert_near(scan.z_m[2], 2.75e-6, 1e-12);
+    assert_near(scan.dx_m, 1e-3, 1e-12);
+    scan_free(&scan);
+    scan = read_good(
+        "Counter\tAltitude (um)\tEncoder (mm)\tRow\n37\t0.5\t0\t1\n38\t-1.25\t1\t1\n39\t2.75\t2\t1\n40\t0.125\t3\t1\n",
+        "", "");
+    assert_int_equal(scan.x_column, 3);
+    assert_int_equal(scan.z_column, 2);
+    scan_free(&scan);
 }

@@ -119,14 +119,39 @@ TEST_CASE(test_sampling_lengths_that_fit)
         size_t n = rows[r].points, out = (n - rows[r].used) / 2;
         for (size_t i = 0; i < n; i++) /* what lies outside is higher than anything inside */
             z[i] = i >= out && i < out + rows[r].used ? 1e-6 * sin((double)i) : 1;
-        expect_ok(parameters_of_roughness, &p, z, n, 1e-6, 1e-3);
+        expect_ok(parameters_of_roughness, &p, z, n, 1e-6, 1e-3, NULL);
         assert_int_equal(p.letter, 'R');
         assert_int_equal(p.sampling_lengths, rows[r].sampling_lengths);
         assert_near(p.evaluation_length_m, (double)rows[r].used * 1e-6, 1e-12);
         assert_value(&p, "t", 2e-6, 1e-10);
     }
-    expect_fails(STATUS_SCAN, "", parameters_of_roughness, &p, z, 900, 1e-6, 1e-3);
-    expect_fails(STATUS_SCAN, "", parameters_of_roughness, &p, z, 900, 1e-6, 2e-6);
+    expect_fails(STATUS_SCAN, "", parameters_of_roughness, &p, z, 900, 1e-6, 1e-3, NULL);
+    expect_fails(STATUS_SCAN, "", parameters_of_roughness, &p, z, 900, 1e-6, 2e-6, NULL);
+}
+
+/* The filter runs in on half a sampling length at either end, or on what was left out there before. */
+TEST_CASE(test_the_filter_runs_in)
+{
+    static const struct {
+        size_t points;
+        double margin_m[2];
+        size_t sampling_lengths, first;
+    } rows[] = {{5000, {0, 0}, 4, 500},          {4995, {0, 0}, 4, 500},    {4900, {0, 0}, 3, 950},
+                {5000, {0.5e-3, 0.5e-3}, 5, 0},  {5000, {2e-3, 0}, 4, 250}, {2000, {0, 0}, 1, 500},
+                {4800, {0.3e-3, 0.5e-3}, 4, 500}};
+    double *z = room();
+    struct parameters p;
+    for (size_t r = 0; r < sizeof rows / sizeof *rows; r++) {
+        const size_t n = rows[r].points, end = rows[r].first + rows[r].sampling_lengths * 1000;
+        for (size_t i = 0; i < n; i++) /* what lies outside is higher than anything inside */
+            z[i] = i >= rows[r].first && i < end ? 1e-6 * sin((double)i) : 1;
+        expect_ok(parameters_of_roughness, &p, z, n, 1e-6, 1e-3, rows[r].margin_m);
+        assert_int_equal(p.sampling_lengths, rows[r].sampling_lengths);
+        assert_within(p.first_m, (double)rows[r].first * 1e-6, 1e-12);
+        assert_value(&p, "t", 2e-6, 1e-10);
+    }
+    const double none[2] = {0, 0};
+    expect_fails(STATUS_SCAN, "half of one at either end", parameters_of_roughness, &p, z, 1900, 1e-6, 1e-3, none);
 }
 
 /* A real scan, its points from `first` for `points`, made ready. */
@@ -192,7 +217,7 @@ TEST_CASE(test_mitutoyo)
                                              {"dq", 0.157, 1e-3}};
     struct profile profile = real_profile("mitutoyo_sj_2.csv", LEVEL_NONE, 0, 1);
     struct parameters p;
-    expect_ok(parameters_of_roughness, &p, profile.height_m, profile.points, profile.spacing_m, 2.5e-3);
+    expect_ok(parameters_of_roughness, &p, profile.height_m, profile.points, profile.spacing_m, 2.5e-3, NULL);
     assert_int_equal(p.sampling_lengths, 4);
     assert_printed(&p, printed, sizeof printed / sizeof *printed);
     profile_free(&profile);
