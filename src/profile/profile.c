@@ -351,9 +351,25 @@ static enum status_code take_filters(struct profile *profile, const struct profi
                : status_fail(status, STATUS_SCAN, "no roughness is left between lambda_s and lambda_c");
 }
 
-enum status_code profile_make(struct profile *out, const struct scan *scan, size_t row,
+/** Of `whole` what is evaluated: without run-up and overtravel, at least LEAST_POINTS. */
+static struct scan evaluated(const struct scan *whole)
+{
+    struct scan part = *whole;
+    size_t before = (size_t)(whole->run_up_m / whole->dx_m + 0.5);
+    size_t behind = (size_t)(whole->overtravel_m / whole->dx_m + 0.5);
+    if (before + behind + LEAST_POINTS > whole->nx)
+        return part;
+    part.nx -= before + behind;
+    part.z_m += before;
+    part.x_m = whole->x_m ? whole->x_m + before : NULL;
+    return part;
+}
+
+enum status_code profile_make(struct profile *out, const struct scan *whole, size_t row,
                               const struct profile_options *options, struct status *status)
 {
+    /* lambda_c needs the ends: it is what they are run for */
+    const struct scan part = options->lambda_c_m > 0 || whole->ny > 1 ? *whole : evaluated(whole), *scan = &part;
     *out = (struct profile){.height_m = malloc(scan->nx * sizeof *out->height_m)};
     if (!out->height_m)
         return status_memory(status);

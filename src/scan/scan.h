@@ -19,12 +19,13 @@ enum { SCAN_WARNINGS = 12, SCAN_WARNING_LENGTH = 240, SCAN_UNIT_SIZE = 16 };
 struct scan {
     const char *format; /* the reader's name */
     enum scan_kind kind;
-    size_t nx, ny;       /* points a row, rows (ny = 1 for a profile) */
-    double *x_m;         /* nx positions, or NULL where the file gives a spacing only */
-    double dx_m, dy_m;   /* spacing; dx_m = (last - first)/(nx - 1) when x_m is given; dy_m 0 for a profile */
-    double nominal_dx_m; /* spacing that the header names beside the positions x_m; 0: none */
-    double *z_m;         /* ny*nx heights, row after row; NaN where a point is missing */
-    size_t missing;      /* how many are */
+    size_t nx, ny;                 /* points a row, rows (ny = 1 for a profile) */
+    double *x_m;                   /* nx positions, or NULL where the file gives a spacing only */
+    double dx_m, dy_m;             /* spacing; dx_m = (last - first)/(nx - 1) when x_m is given; dy_m 0 for a profile */
+    double nominal_dx_m;           /* spacing that the header names beside the positions x_m; 0: none */
+    double run_up_m, overtravel_m; /* at the ends of a profile, no part of what is evaluated; 0: none */
+    double *z_m;                   /* ny*nx heights, row after row; NaN where a point is missing */
+    size_t missing;                /* how many are */
     char x_unit[SCAN_UNIT_SIZE],
         z_unit[SCAN_UNIT_SIZE];                        /* as named by the file, else by a sidecar, else by the scene */
     char part[104];                                    /* of an archive: which file in it; else "" */

@@ -1,53 +1,121 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Mahr MarWin text: sections in brackets, `NO_POINTS=n`, then below [PROFILE_VALUES] one line a point,
- * `index=x y z c lock` in millimetres. */
+/* Mahr text: sections in brackets, `NO_POINTS=n`, then below [PROFILE_VALUES] one line a point in millimetres:
+ * `index=x y z c lock` of MarWin, which names them in a comment above, `index=x z lock` of the MarSurf PS 10. */
 #include "scan/reader.h"
 #include "scan/string_view.h"
+#include "scan/text_header.h"
 
+#include <math.h>
 #include <string.h>
 
 static const double mahr_unit_m = 1e-3; /* of both */
-enum { MAHR_SHORTEST = 8 };             /* bytes of the shortest line of a point, `0=1 2 3` and its end */
+enum { MAHR_SHORTEST = 6 };             /* bytes of the shortest line of a point, `0=1 2` and its end */
 
-/* Reads `index=x y z ...`; false when the line is not of that form. */
-static bool read_point(struct string_view line, double *x, double *z)
+/* Which of a point's `count` fields are x and z, from 0; count 0 while that is not known. */
+struct fields {
+    size_t count, x, z;
+};
+
+/* The fields by the comment that names them, `X,Y,Z,C,Lock`. */
+static struct fields named_fields(struct string_view names)
+{
+    struct fields fields = {0, SIZE_MAX, SIZE_MAX};
+    for (struct string_view name;
+         cell_next(&names, memchr(names.start, ',', string_view_length(names)) ? ',' : ' ', &name); fields.count++) {
+        fields.x = string_view_equals(name, "x") ? fields.count : fields.x;
+        fields.z = string_view_equals(name, "z") ? fields.count : fields.z;
+    }
+    return fields.x < SIZE_MAX && fields.z < SIZE_MAX ? fields : (struct fields){0};
+}
+
+static bool read_length(struct string_view word, double *length_m)
+{
+    double value;
+    bool good = number_scan(word, NUMBER_POINT | NUMBER_COMMA, NULL, &value) == word.end && isfinite(value);
+    *length_m = good ? value * mahr_unit_m : 0;
+    return good;
+}
+
+/* Reads `index=field field ...`; false when the line is not of that form. Where nothing names the fields, the first
+ * point tells: up to three are x, z and whether the point is locked. */
+static bool read_point(struct string_view line, struct fields *fields, double *x, double *z)
 {
     const char *equals = memchr(line.start, '=', string_view_length(line));
     if (!equals)
         return false;
-    line.start = equals + 1;
-    double value[3];
-    for (size_t i = 0; i < 3; i++) {
-        struct string_view word;
-        if (!scan_word(&line, &word) || !number_read(word, &value[i]))
-            return false;
+    struct string_view rest = {equals + 1, line.end}, word;
+    size_t count = 0;
+    while (scan_word(&rest, &word))
+        count++;
+    if (fields->count == 0)
+        *fields = (struct fields){count, 0, count > 3 ? 2 : 1};
+    rest.start = equals + 1;
+    bool good = count == fields->count && count > 1;
+    for (size_t i = 0; good && scan_word(&rest, &word); i++) {
+        double length_m;
+        good = read_length(word, &length_m) || (i != fields->x && i != fields->z);
+        *x = i == fields->x ? length_m : *x;
+        *z = i == fields->z ? length_m : *z;
     }
-    *x = value[0] * mahr_unit_m;
-    *z = value[2] * mahr_unit_m;
-    return true;
+    return good;
 }
 
 /* The points from `lines` on, until a section begins or the file ends. */
 static enum status_code read_points(struct scan *out, struct lines lines, const struct scan_file *file)
 {
     size_t n = 0;
+    struct fields fields = {0};
     for (struct string_view line; lines_next(&lines, &line);) {
-        line = string_view_trim(line);
-        if (line.start == line.end || string_view_starts(line, "//"))
+        bool comment;
+        struct string_view content = text_header_uncomment(line, &comment);
+        if (comment && n == 0 && fields.count == 0)
+            fields = named_fields(content);
+        if (comment || content.start == content.end)
             continue;
-        if (*line.start == '[')
+        if (*content.start == '[')
             break;
         if (n == out->nx)
             return scan_fail(file, lines.number, "more points than NO_POINTS says, %zu; export the scan again",
                              out->nx);
-        if (!read_point(line, &out->x_m[n], &out->z_m[n]))
-            return scan_fail(file, lines.number, "'%s' is no line `index=x y z ...`; correct or remove it",
-                             scan_quote(line).text);
+        if (!read_point(content, &fields, &out->x_m[n], &out->z_m[n]))
+            return scan_fail(file, lines.number, "'%s' is no line `index=x%s z ...`%s; correct or remove it",
+                             scan_quote(content).text, fields.z == 1 ? "" : " y",
+                             fields.count > 0 ? " with as many fields as the others" : "");
         n++;
     }
     if (n < out->nx)
         return scan_fail(file, lines.number, "the points end after %zu of %zu; export the scan again", n, out->nx);
     return STATUS_OK;
+}
+
+/* The run-up and overtravel that the header names are to be no part of the record. */
+static enum status_code check_travel(struct scan *out, const struct scan_file *file)
+{
+    double travel_m = out->run_up_m + out->overtravel_m;
+    double length_m = out->x_m[out->nx - 1] - out->x_m[0];
+    if (travel_m == 0)
+        return STATUS_OK;
+    if (!(travel_m < fabs(length_m)))
+        return scan_fail(file, 0,
+                         "run-up and overtravel of %.6g mm leave nothing of %.6g mm; correct PRETRAV_LIN and "
+                         "POSTTRAV_LIN",
+                         travel_m / mahr_unit_m, fabs(length_m) / mahr_unit_m);
+    scan_warn(out, "the run-up of %.6g mm and the overtravel of %.6g mm that the header names are left out",
+              out->run_up_m / mahr_unit_m, out->overtravel_m / mahr_unit_m);
+    return STATUS_OK;
+}
+
+/* Takes over `key=length` in mm, 0 or more. */
+static enum status_code take_length(double *length_m, const char *key, struct string_view line, size_t line_number,
+                                    const struct scan_file *file)
+{
+    line.start += string_view_starts(line, key) ? strlen(key) : string_view_length(line);
+    if (line.start == line.end || *line.start != '=')
+        return STATUS_OK;
+    line.start++;
+    if (read_length(string_view_trim(line), length_m) && *length_m >= 0)
+        return STATUS_OK;
+    return scan_fail(file, line_number, "%s is no length", key);
 }
 
 enum status_code scan_mahr_text_read(struct scan *out, const struct scan_file *file)
@@ -59,13 +127,16 @@ enum status_code scan_mahr_text_read(struct scan *out, const struct scan_file *f
         if (string_view_starts(line, "NO_POINTS=") &&
             !number_read_size((struct string_view){line.start + strlen("NO_POINTS="), line.end}, &n))
             return scan_fail(file, lines.number, "NO_POINTS is no number of points");
+        if (take_length(&out->run_up_m, "PRETRAV_LIN", line, lines.number, file) != STATUS_OK ||
+            take_length(&out->overtravel_m, "POSTTRAV_LIN", line, lines.number, file) != STATUS_OK)
+            return file->status->code;
         if (!string_view_equals(line, "[PROFILE_VALUES]"))
             continue;
         size_t room = (size_t)(lines.end - lines.next + 1) / MAHR_SHORTEST;
         if (scan_reserve_x(out, n, room, file) != STATUS_OK)
             return file->status->code;
         scan_set_units(out, "mm", "mm");
-        return read_points(out, lines, file);
+        return read_points(out, lines, file) == STATUS_OK ? check_travel(out, file) : file->status->code;
     }
     return scan_fail(file, lines.number, "no section [PROFILE_VALUES]; export the scan with its profile");
 }

@@ -123,6 +123,8 @@ TEST_CASE(test_every_reference_figure)
         bool measured = inspection.profile.measured_x_m != NULL;
         if (map)
             check_map(&inspection, map);
+        else if (json_object_get(entry, "instrument")) /* its figures are of all points: tests/scan/test_scan_real.c */
+            assert_int_equal(inspection.scan.nx, (size_t)number(uniform, "points"));
         else
             check_profile(&inspection, uniform && !measured ? uniform : json_object_get(entry, "actual_x"));
         check_law(file, &inspection.power_law);
