@@ -191,9 +191,11 @@ static bool is_header(struct string_view content)
     bool comment;
     struct text_header said = {.valid = SIZE_MAX};
     content = text_header_uncomment(content, &comment);
-    for (const char *at = content.start; at < content.end; at++)
-        if (*at == '=' || *at == '[' || (*at == ':' && (at + 1 == content.end || !isdigit((unsigned char)at[1]))))
-            return true; /* 10:31 is a time */
+    for (const char *c = content.start; c < content.end; c++) {
+        bool time = c > content.start && isdigit((unsigned char)c[-1]) && isdigit((unsigned char)c[1]); /* 10:31 */
+        if (*c == '=' || *c == '[' || (*c == ':' && !time))
+            return true;
+    }
     return text_header_add(&said, content) || said.spacing.value > 0;
 }
 
@@ -566,11 +568,12 @@ static bool begins_with_count(const struct table *table)
 /* Refuses a length of which two lines of the header say different things. */
 static enum status_code check_said_once(const struct table *table, const struct text_quantity *said, const char *what)
 {
-    size_t first = said->line < said->other ? said->line : said->other;
     if (said->other == 0)
         return STATUS_OK;
+    bool ordered = said->line < said->other;
+    size_t first = ordered ? said->line : said->other, second = ordered ? said->other : said->line;
     return scan_fail(table->file, first, "lines %zu and %zu name two %s; remove the one that is not meant", first,
-                     first == said->line ? said->other : said->line, what);
+                     second, what);
 }
 
 /* Column `z` alone, at the spacing that the header names. */

@@ -53,7 +53,7 @@ static const struct {
 /* What a distance may be counted by and stay a step; and words that are no units of anything physical. */
 static const char samples[] = "sample samples pixel pixels px point points pt pts step steps";
 static const char counted[] =
-    "points point pts pt samples sample pixels pixel px lines dpi ppi bit bits counts hz khz rpm sec second seconds %";
+    "points point pts pt samples sample pixels pixel px lines dpi ppi bit bits counts hz khz sec second seconds %";
 
 enum { AXIS_X = 1, AXIS_Y = 2, AXIS_Z = 4 };
 

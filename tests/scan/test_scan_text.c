@@ -191,7 +191,8 @@ TEST_CASE(test_two_spacings)
 /* A comment header between the rows begins another block; remarks, rows taken out and a footer do not. */
 TEST_CASE(test_blocks)
 {
-    static const char *const others[] = {"# Channel: Phase", "# spacing 2 um", "# z [nm]", "# x unit: mm"};
+    static const char *const others[] = {"# Channel: Phase", "# Channel:2", "# spacing 2 um", "# z [nm]",
+                                         "# x unit: mm"};
     for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
         struct scan scan = read_good(
             filled("# dx = 1 mm\n# z [um]\n0.5\n-1.25\n2.75\n0.125\n\n%s\n7\n8\n# b: 1\n9\n", others[i]), "", "");
