@@ -271,18 +271,21 @@ static bool has_medium(const struct claims *c)
     return plan_runs(c->results->plan, EFFECT_GAP) && c->results->scene->joint.fill == JOINT_MEDIUM;
 }
 
+/** Does a filler's bond line keep the metals apart where the summary stands? */
+static bool nothing_touches(const struct claims *c, size_t surface)
+{
+    return comparison_middle(c->results, c->leading, surface).value[QUANTITY_AREA] == 0;
+}
+
 static bool bond_line(struct claims *c)
 {
     const struct joint *joint = &c->results->scene->joint;
     for (size_t k = 0; has_medium(c) && k < c->results->usable_count; k++) {
-        const size_t i = usable(c, k);
-        const double gap_m = comparison_middle(c->results, c->leading, i).value[QUANTITY_SEPARATION];
-        if (!(joint->bond_line_m > gap_m))
+        if (!nothing_touches(c, usable(c, k)))
             continue;
         const double ceiling = joint->conductivity_W_per_mK / joint->bond_line_m;
-        put_surface(c, i);
+        put_surface(c, usable(c, k));
         put_number(c, "line", joint->bond_line_m, joint->bond_line_m * 1e6, 3, "µm");
-        put_number(c, "gap", gap_m, gap_m * 1e6, 2, "µm");
         put_number(c, "most", ceiling, ceiling, 2, "W/(m²·K)");
         return true;
     }
@@ -451,13 +454,13 @@ static bool further_target(struct claims *c)
 static const char *const verdict_keys[] = {[LIMIT_NO_VALUE] = "limit-no-value",
                                            [LIMIT_MET] = "limit-met",
                                            [LIMIT_MISSED] = "limit-missed",
-                                           [LIMIT_CANNOT_TELL] = "limit-undecided"};
+                                           [LIMIT_UNDECIDED] = "limit-undecided"};
 
 /** The limits that the table has no column for: by how many surfaces they are missed, else undecided, else met. */
 static bool further_limit(struct claims *c)
 {
     const size_t l = c->i + ASKED_LIMIT_COLUMNS;
-    static const enum limit_verdict order[] = {LIMIT_MISSED, LIMIT_CANNOT_TELL, LIMIT_NO_VALUE, LIMIT_MET};
+    static const enum limit_verdict order[] = {LIMIT_MISSED, LIMIT_UNDECIDED, LIMIT_NO_VALUE, LIMIT_MET};
     const struct scene_asked *limit = &c->results->scene->limits[l];
     char text[4 * UNIT_LENGTH], unit[UNIT_LENGTH + 20];
     asked_text(unit, sizeof unit, limit->text);
@@ -500,7 +503,7 @@ static bool scans_to_decide(struct claims *c)
             const struct scene_asked *limit = &c->results->scene->limits[l];
             const struct estimate *known = curve_summary_estimate(surface_model(s, c->leading), (int)limit->quantity);
             const double sd = known->count > 1 ? known->sd : known->s;
-            if (check->verdict != LIMIT_CANNOT_TELL || !(sd > 0) || s->has_tiles)
+            if (check->verdict != LIMIT_UNDECIDED || !(sd > 0) || s->has_tiles)
                 continue;
             const size_t more = more_scans(sd, known->model_sd, fabs(log(check->value / limit->value)), s->scans);
             if (more == 0)
@@ -602,7 +605,7 @@ static bool short_scans(struct claims *c)
 {
     double waves = INFINITY;
     for (size_t k = 0; k < c->results->usable_count && !model_rows[c->leading]->uses_map; k++)
-        if (accuracy_few_waves_sd(c->results, usable(c, k)) > 0)
+        if (accuracy_few_waves_sd(c->results, usable(c, k)) > 0 && !nothing_touches(c, usable(c, k)))
             waves = fmin(waves, summary_of(c, usable(c, k))->longest_waves);
     if (!(waves < INFINITY))
         return false;
@@ -621,7 +624,7 @@ static bool direct(struct claims *c)
     const enum quantity quantity =
         quantity_rows[c->asked.quantity].from ? results_criterion(results) : c->asked.quantity;
     const struct asked_solved solved = asked_direct(results, quantity, results_operating_load(results, baseline));
-    if (!(solved.value > 0) || !(solved.ratio > 0))
+    if (!(solved.value > 0) || !(solved.ratio > 0) || nothing_touches(c, baseline))
         return false;
     const bool own =
         quantity == c->asked.quantity || (quantity == QUANTITY_ECR && c->asked.quantity == QUANTITY_JOINT_ECR);

@@ -51,10 +51,8 @@ static void put_value(json_t *row, const struct view_source *source, size_t surf
 
 static void put_row(json_t *row, const struct view_source *source, size_t surface, bool lettered)
 {
-    static const char *const verdicts[] = {[LIMIT_NO_VALUE] = "no_value",
-                                           [LIMIT_MET] = "met",
-                                           [LIMIT_MISSED] = "missed",
-                                           [LIMIT_CANNOT_TELL] = "undecided"};
+    static const char *const verdicts[] = {
+        [LIMIT_NO_VALUE] = "no_value", [LIMIT_MET] = "met", [LIMIT_MISSED] = "missed", [LIMIT_UNDECIDED] = "undecided"};
     const struct comparison_ranking *ranking = &source->comparison->ranking;
     const struct surface_summary *summary = view_summary(source, surface);
     view_text(row, "surface", view_name(source, surface));
@@ -121,28 +119,43 @@ void view_first_page(json_t *out, const struct view_source *source)
     put_table(out, source);
 }
 
-size_t view_missed_limits(struct text *out, const struct results *results)
+/** A value of a limit in its unit. */
+static void add_limit_value(struct text *out, const struct scene_asked *limit, const char *before, double value)
 {
-    size_t missed = 0;
+    text_add(out, "%s", before);
+    number_format(out, scene_asked_shown(limit, value), 3);
+}
+
+size_t view_limits_of(struct text *out, const struct results *results, bool missed)
+{
+    size_t count = 0;
     for (size_t i = 0; i < results->surface_count; i++)
         for (size_t l = 0; l < results->scene->limit_count && results->surfaces[i].summary.usable; l++) {
             const struct scene_asked *limit = &results->scene->limits[l];
             const struct limit_check *check = &results->surfaces[i].summary.limits[l];
-            if (check->verdict != LIMIT_MISSED)
+            bool swapped = limit->is_upper != limit->is_most; /* a reciprocal's ends */
+            if (check->verdict == LIMIT_MET || (check->verdict == LIMIT_MISSED) != missed)
                 continue;
             text_add(out, "surface '");
             text_add_shown(out, results->surfaces[i].summary.scene->name);
-            text_add(out, "' misses the limit %s %s ", limit->symbol, limit->is_most ? "≤" : "≥");
+            text_add(out, "' %s the limit %s %s ", missed ? "misses" : "leaves undecided", limit->symbol,
+                     limit->is_most ? "≤" : "≥");
             text_add_shown(out, limit->text);
-            double value = scene_asked_shown(limit, check->value);
-            text_add(out, isfinite(value) ? ": " : ": from a lighter load on\n");
-            if (isfinite(value)) {
-                number_format(out, value, 3);
+            if (isfinite(check->value))
+                add_limit_value(out, limit, ": ", check->value);
+            else
+                text_add(out, missed ? ": from a lighter load on" : ": no value");
+            if (!missed && isfinite(check->low) && isfinite(check->high)) {
+                add_limit_value(out, limit, " (95 % ", swapped ? check->high : check->low);
+                add_limit_value(out, limit, " to ", swapped ? check->low : check->high);
+                text_add(out, ")");
+            }
+            if (isfinite(check->value)) {
                 text_add(out, " ");
                 text_add_shown(out, limit->unit_text);
-                text_add(out, "\n");
             }
-            missed++;
+            text_add(out, "\n");
+            count++;
         }
-    return missed;
+    return count;
 }

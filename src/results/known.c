@@ -112,7 +112,6 @@ struct known known_load(const struct results *results, const struct scene_asked 
             out.value = load;
         }
     }
-    out.short_loads = !carried && (answer->kind == ANSWER_LOAD || answer->kind == ANSWER_LIGHTEST) && record->bands &&
-                      record->bands[leading] && isnan(answer->low) && isnan(answer->high);
+    out.short_loads = !carried && answer->wider && isnan(answer->low) && isnan(answer->high);
     return out;
 }
