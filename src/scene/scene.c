@@ -5,7 +5,6 @@
 #include "scene/scene_source.h"
 
 #include <errno.h>
-#include <gsl/gsl_sort_double.h>
 #include <libgen.h>
 #include <math.h>
 #include <stdio.h>
@@ -254,14 +253,6 @@ static bool has_one_modulus(const struct scene *scene)
 /* P/(A_n E'), to which loads go by themselves. */
 static const double least_by_itself = 1e-12;
 
-/* A load in the kind of the others; 0: none. */
-static double one_load(const struct scene_one_load *one, const struct scene *scene, const struct material_pair *pair)
-{
-    if (one->load == 0 || one->kind == scene->load.kind)
-        return one->load;
-    return one->load / scene_load_divisor(scene, one->kind, pair) * scene_load_divisor(scene, scene->load.kind, pair);
-}
-
 /* The loads reach a decade beyond it where the scene leaves them to the program. */
 static bool check_one_load(const struct scene_one_load *one, const char *key, struct scene *scene,
                            struct scene_source *source)
@@ -283,7 +274,7 @@ static bool check_one_load(const struct scene_one_load *one, const char *key, st
             key, unit_quantity_name(one->kind),
             load->kind == UNIT_NUMBER ? "P/(A_n E')" : unit_quantity_name(load->kind));
     struct material_pair pair = scene_pair(scene_bodies_of(scene, 0));
-    double value = one_load(one, scene, &pair);
+    double value = scene_load_as(one, scene, &pair);
     if (!load->given && value >= least_by_itself && value <= 1) {
         load->from = least = fmin(least, value / 10);
         load->to = most = fmax(most, fmin(10 * value, 1));
@@ -396,60 +387,4 @@ void scene_free(struct scene *scene)
     free(scene->path);
     free(scene->directory);
     *scene = (struct scene){0};
-}
-
-/* `points` loads in equal steps of their logarithm; by powers of ten, so that whole decades come out exactly. */
-static void fill_decades(double *loads, const struct scene_load *load)
-{
-    double first = log10(load->from), last = log10(load->to);
-    for (size_t i = 1; i + 1 < load->points; i++) {
-        double step = (last - first) * (double)i / (double)(load->points - 1);
-        loads[i] = fmin(fmax(pow(10.0, first + step), load->from), load->to);
-    }
-    loads[load->points - 1] = load->to;
-    loads[0] = load->from;
-}
-
-double scene_load_divisor(const struct scene *scene, enum unit_quantity kind, const struct material_pair *pair)
-{
-    double modulus_Pa = pair->unknown ? NAN : pair->effective_modulus_Pa;
-    return kind == UNIT_NUMBER ? 1 : kind == UNIT_PRESSURE ? modulus_Pa : modulus_Pa * scene->nominal_area_m2;
-}
-
-double scene_load_of(const struct scene_one_load *one, const struct scene *scene, const struct material_pair *pair)
-{
-    return one_load(one, scene, pair) / scene_load_divisor(scene, scene->load.kind, pair);
-}
-
-enum status_code scene_loads(double **loads, size_t *count, size_t *operating, const struct scene *scene,
-                             const struct material_pair *pair, struct status *status)
-{
-    const struct scene_load *load = &scene->load;
-    double divisor = scene_load_divisor(scene, load->kind, pair), operates = one_load(&scene->operating, scene, pair);
-    size_t points = load->points;
-    double *all = malloc((points + 1) * sizeof *all);
-    *loads = all;
-    *count = 0;
-    if (!all)
-        return status_memory(status);
-    if (load->values)
-        memcpy(all, load->values, points * sizeof *all);
-    else
-        fill_decades(all, load);
-    if (operates > 0)
-        all[points++] = operates;
-    gsl_sort(all, 1, points);
-    for (size_t i = 0; i < points; i++)
-        if (i == 0 || all[i] != all[*count - 1])
-            all[(*count)++] = all[i];
-    *operating = *count / 2;
-    for (size_t i = 0; i < *count; i++)
-        if (operates > 0 && all[i] == operates)
-            *operating = i;
-    for (size_t i = 0; i < *count && load->kind != UNIT_NUMBER; i++) {
-        all[i] /= divisor;
-        if (i > 0 && !(all[i] > all[i - 1])) /* neighbours that rounding made one: as many on every surface */
-            all[i] = nextafter(all[i - 1], INFINITY);
-    }
-    return STATUS_OK;
 }

@@ -266,6 +266,9 @@ double scene_load_divisor(const struct scene *scene, enum unit_quantity kind, co
 /** operating or unload_from as P/(A_n E') of a pair of bodies; 0: none. */
 double scene_load_of(const struct scene_one_load *one, const struct scene *scene, const struct material_pair *pair);
 
+/** The same in the kind of the scene's loads. */
+double scene_load_as(const struct scene_one_load *one, const struct scene *scene, const struct material_pair *pair);
+
 /** The scene's loads on a pair of bodies as P/(A_n E'), ascending, without duplicates: malloc'ed array in *loads,
  * *count of them, as many whatever the pair is; *operating is the place of the one where the summary stands. Error:
  * STATUS_MEMORY. */
