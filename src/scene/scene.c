@@ -91,9 +91,7 @@ static bool call_effects(struct scene *scene, struct scene_source *source)
         if (!scene->effects_auto)
             scene->effects = scene_keys_with_needed(scene->effects | bit);
     }
-    return !(scene->called & EFFECT_BIT(EFFECT_HEATING)) || !isnan(scene->nominal_area_m2) ||
-           scene_source_fail(source, scene_keys_line(source, "current"),
-                             "'current' flows through which area? add 'nominal_area'");
+    return true;
 }
 
 /* What the command line says instead of the scene; units once the surfaces are known. */
@@ -146,7 +144,7 @@ static bool check_effects(const struct scene *scene, struct scene_source *source
 }
 
 /* What some keys say beyond themselves. */
-static bool complete_keys(struct scene *scene, struct scene_source *source)
+static void complete_keys(struct scene *scene, const struct scene_source *source)
 {
     bool band = scene_keys_line(source, "fit_band") > 0;
     scene->lay_given = scene_keys_line(source, "lay") > 0;
@@ -156,10 +154,6 @@ static bool complete_keys(struct scene *scene, struct scene_source *source)
         scene->fit_band_m[0] = scene->lambda_s_m;
     if (!band && scene->lambda_c_m > 0)
         scene->fit_band_m[1] = scene->lambda_c_m;
-    return !(scene->lambda_s_m > 0 && scene->lambda_c_m > 0) || scene->lambda_s_m < scene->lambda_c_m ||
-           scene_source_fail(source, scene_keys_line(source, "lambda_c"),
-                             "'lambda_c' is %g m, not above 'lambda_s', %g m; nothing would be left between them",
-                             scene->lambda_c_m, scene->lambda_s_m);
 }
 
 /* One body's mean free path, unless it has one. */
@@ -208,7 +202,7 @@ static bool complete_bodies(struct scene_bodies *bodies, const struct scene *sce
 /* The bodies of every surface; the scene's own count where a surface uses them. */
 static bool complete_all_bodies(struct scene *scene, struct scene_source *source)
 {
-    bool used = scene->surface_count == 0, known = false;
+    bool used = scene->surface_count == 0, known = !isnan(scene->bodies.material.youngs_modulus_Pa);
     for (size_t i = 0; i < scene->surface_count; i++)
         used = used || !scene->surfaces[i].bodies.material_given;
     if (used && !complete_bodies(&scene->bodies, scene, source, NULL))
@@ -219,9 +213,15 @@ static bool complete_all_bodies(struct scene *scene, struct scene_source *source
             return false;
         known = known || !isnan(surface->bodies.material.youngs_modulus_Pa);
     }
-    size_t line = scene_keys_line(source, "hardness");
-    return line == 0 || known || !isnan(scene->bodies.material.youngs_modulus_Pa) ||
-           scene_source_fail(source, line, "'hardness' stands without a material; add 'material'");
+    size_t lines[SCENE_KEYS_MOST]; /* with what is known from elsewhere */
+    for (size_t k = 0; k < scene_key_count; k++) {
+        lines[k] = source->lines[k];
+        if (strcmp(scene_keys[k].name, "material") == 0)
+            lines[k] = known;
+        if (strcmp(scene_keys[k].name, "nominal_area") == 0)
+            lines[k] = scene->nominal_area_m2 > 0;
+    }
+    return scene_source_rules(source, &scene_keys_whole, lines, 0, scene);
 }
 
 /* Can loads of that kind be turned into P/(A_n E') on every surface? */
@@ -326,7 +326,8 @@ static enum status_code complete(struct scene *scene, struct scene_source *sourc
                                  const struct scene_overrides *overrides)
 {
     struct status *status = source->status;
-    if (!complete_keys(scene, source) || !override_values(scene, source, overrides) ||
+    complete_keys(scene, source);
+    if (!override_values(scene, source, overrides) ||
         (scene->surface_count == 0 && scene_files_list(scene, status) != STATUS_OK) ||
         !complete_all_bodies(scene, source) || !scene_shape_complete(scene, source) || !check_loads(scene, source) ||
         !scene_asked_complete(scene, source) || !override_units(scene, source, overrides) ||
@@ -344,7 +345,7 @@ enum status_code scene_read(struct scene *out, const char *directory, const stru
 {
     static const struct scene_overrides nothing = {0};
     const struct scene_overrides *over = overrides ? overrides : &nothing;
-    struct scene_source source = {.scene = out, .status = status};
+    struct scene_source source = {.scene = out, .status = status, .whole = &scene_keys_whole};
     struct text loaded = {0};
     struct stat info;
     bool good = false;

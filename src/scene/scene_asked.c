@@ -47,10 +47,7 @@ static bool read_ends(struct scene_source *source, const struct scene_key *key, 
     keys[0].name = "most";
     keys[1].name = "least";
     keys[0].read = keys[1].read = read_value;
-    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, list))
-        return false;
-    return lines[0] > 0 || lines[1] > 0 ||
-           scene_source_fail_at(source, value, "'%s' has no limit; give 'most' or 'least'", key->name);
+    return scene_source_mapping(source, value, SCENE_RULED(key->name, keys, .required = "most or least"), lines, list);
 }
 
 bool scene_asked_read(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
@@ -77,7 +74,7 @@ bool scene_asked_read(struct scene_source *source, const struct scene_key *key, 
                                                .most = how->most,
                                                .quantities = how->total | how->per_area};
     }
-    const struct scene_mapping mapping = {key->name, keys, known};
+    const struct scene_mapping mapping = {.name = key->name, .keys = keys, .count = known};
     for (size_t i = 0; i < (limits ? 1 : scene_source_item_count(value)); i++)
         if (!scene_source_mapping(source, limits ? value : scene_source_item(source, value, i), &mapping, lines, &list))
             return false;

@@ -10,12 +10,6 @@
 const char *const scene_data_names[SCENE_DATA_COUNT] = {"auto", "full"};
 static const char *const closure_names[SINUSOID_FIT_COUNT] = {"thesis", "numeric"};
 static const char *const mean_free_path_names[SCENE_MEAN_FREE_PATH_COUNT] = {"thesis", "electron"};
-static const char *const measured_quantity_names[SCENE_MEASURED_QUANTITY_COUNT] = {"ecr", "tcr"};
-const unsigned scene_measured_resistances[SCENE_MEASURED_QUANTITY_COUNT] = {
-    [SCENE_MEASURED_ECR] = UNIT_RESISTANCE | UNIT_RESISTANCE_AREA,
-    [SCENE_MEASURED_TCR] = UNIT_THERMAL_RESISTANCE | UNIT_THERMAL_RESISTANCE_AREA,
-};
-
 /* Loads, in Pa or P/(A_n E'): any that keeps its distance from the ends of double. */
 #define LOAD_LEAST       1e-100
 #define LOAD_MOST        1e100
@@ -190,7 +184,7 @@ static const struct scene_key load_keys[] = {
     {"from", NULL, read_load_number, .at = LOAD(from), LOADS},
     {"to", NULL, read_load_number, .at = LOAD(to), LOADS},
     {"points", NULL, SCENE_WHOLE(LOAD(points), 1, LOAD_POINTS_MOST)},
-    {"values", NULL, read_load_list, .at = 0, LOADS},
+    {"values", NULL, read_load_list, .at = 0, LOADS, .excludes = "from, to, points"},
     {"unit", NULL, scene_source_unit, .at = LOAD(unit_text), .quantities = UNIT_LOADS},
 };
 
@@ -212,10 +206,8 @@ static bool read_load(struct scene_source *source, const struct scene_key *key, 
 {
     struct scene_load *load = field;
     size_t lines[SCENE_COUNT(load_keys)];
-    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, load_keys), lines, load))
+    if (!scene_source_mapping(source, value, key->within, lines, load))
         return false;
-    if (load->values && (lines[LOAD_FROM] || lines[LOAD_TO] || lines[LOAD_POINTS]))
-        return scene_source_fail_at(source, value, "'load' has 'values' and also from, to or points; remove either");
     if (lines[LOAD_UNIT] && load->kind != UNIT_NUMBER)
         return scene_source_fail(source, lines[LOAD_UNIT], "'unit' stands beside loads that have theirs; remove it");
     if (lines[LOAD_UNIT])
@@ -256,32 +248,6 @@ static bool read_convergence(struct scene_source *source, const struct scene_key
     struct scene_convergence *convergence = field;
     convergence->given = true;
     return scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, field);
-}
-
-#define MEASURED(member) offsetof(struct scene_measured, member)
-bool scene_keys_measured(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
-                         void *field)
-{
-    static const struct scene_key keys[] = {
-        {"file", NULL, scene_surfaces_files, .at = MEASURED(files)},
-        {"quantity", NULL, SCENE_CHOICE(MEASURED(quantity), measured_quantity_names)},
-        {"load_unit", NULL, scene_source_unit, .at = MEASURED(load_unit), .quantities = UNIT_LOADS},
-        {"resistance_unit", NULL, scene_source_unit, .at = MEASURED(resistance_unit),
-         .quantities = UNIT_RESISTANCE | UNIT_RESISTANCE_AREA | UNIT_THERMAL_RESISTANCE | UNIT_THERMAL_RESISTANCE_AREA},
-        {"carry", NULL, SCENE_YES(MEASURED(carry))},
-    };
-    struct scene_measured *measured = field;
-    size_t lines[SCENE_COUNT(keys)];
-    struct unit unit;
-    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, field))
-        return false;
-    const char *text = measured->resistance_unit;
-    unsigned known = scene_measured_resistances[measured->quantity];
-    if (*text && unit_read(&unit, text, strlen(text)) && !unit_of(&unit, known))
-        return scene_source_fail(source, lines[3], "'resistance_unit' is '%s'; understood: %s", text,
-                                 unit_known(known).text);
-    return measured->files.count > 0 ||
-           scene_source_fail_at(source, value, "'measured' has no 'file'; name a CSV of load and resistance");
 }
 
 /* How many, or which. */
@@ -325,7 +291,7 @@ static bool read_direct(struct scene_source *source, const struct scene_key *key
     if (scene_source_is(value, "off"))
         return true;
     direct->called = true;
-    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, direct_keys), lines, field))
+    if (!scene_source_mapping(source, value, key->within, lines, field))
         return false;
     if (direct->grid % 2 != 0)
         return scene_source_fail(source, lines[0], "'grid' is %zu; give an even number", direct->grid);
@@ -359,29 +325,26 @@ static bool read_fluid(struct scene_source *source, const struct scene_key *key,
 
 /* What fills the gaps between the spots, into a struct joint. */
 #define JOINT(member) offsetof(struct joint, member)
+static const struct scene_key gap_keys[] = {
+    {"conductivity", NULL, SCENE_QUANTITY(JOINT(conductivity_W_per_mK), UNIT_CONDUCTIVITY, 1e-6, 1e4),
+     .excludes = "gas, pressure, accommodation"},
+    {"filler", NULL, SCENE_CHOICE(JOINT(filler), joint_filler_names), .word = "none",
+     .excludes = "gas, pressure, accommodation"},
+    {"bond_line", NULL, SCENE_QUANTITY(JOINT(bond_line_m), UNIT_DISTANCE, 1e-9, 1.0),
+     .needs = "conductivity or filler"},
+    {"gas", NULL, read_fluid, .at = 0},
+    {"pressure", NULL, SCENE_QUANTITY(JOINT(pressure_Pa), UNIT_PRESSURE, 0.0, 1e9)},
+    {"accommodation", NULL, SCENE_NUMBER(JOINT(accommodation), 1e-3, 1.0)},
+    {"temperature", NULL, SCENE_QUANTITY(JOINT(temperature_K), UNIT_TEMPERATURE, 1.0, 1e4)},
+    {"liquid", NULL, read_fluid, .at = 0, .excludes = "conductivity, filler, bond_line, gas, pressure, accommodation"},
+};
 static bool read_gap(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value, void *field)
 {
-    static const struct scene_key keys[] = {
-        {"conductivity", NULL, SCENE_QUANTITY(JOINT(conductivity_W_per_mK), UNIT_CONDUCTIVITY, 1e-6, 1e4)},
-        {"filler", NULL, SCENE_CHOICE(JOINT(filler), joint_filler_names)},
-        {"bond_line", NULL, SCENE_QUANTITY(JOINT(bond_line_m), UNIT_DISTANCE, 1e-9, 1.0)},
-        {"gas", NULL, read_fluid, .at = 0},
-        {"pressure", NULL, SCENE_QUANTITY(JOINT(pressure_Pa), UNIT_PRESSURE, 0.0, 1e9)},
-        {"accommodation", NULL, SCENE_NUMBER(JOINT(accommodation), 1e-3, 1.0)},
-        {"temperature", NULL, SCENE_QUANTITY(JOINT(temperature_K), UNIT_TEMPERATURE, 1.0, 1e4)},
-        {"liquid", NULL, read_fluid, .at = 0},
-    };
     struct joint *joint = field;
-    size_t lines[SCENE_COUNT(keys)];
-    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, field))
+    size_t lines[SCENE_COUNT(gap_keys)];
+    if (!scene_source_mapping(source, value, key->within, lines, field))
         return false;
     bool medium = lines[0] || joint->filler;
-    if (lines[7] && (medium || lines[2] || lines[3] || lines[4] || lines[5]))
-        return scene_source_fail(source, lines[7], "a liquid stands alone, beside 'temperature'; remove the others");
-    if (medium && (lines[3] || lines[4] || lines[5]))
-        return scene_source_fail(source, lines[lines[0] ? 0 : 1], "a filler stands beside a gas; remove either");
-    if (lines[2] && !medium)
-        return scene_source_fail(source, lines[2], "'bond_line' is of which filler? add 'filler' or 'conductivity'");
     if (joint->filler && !lines[0])
         joint->conductivity_W_per_mK = joint_fillers[joint->filler].value;
     joint->fill = medium ? JOINT_MEDIUM : joint->fill;
@@ -399,25 +362,22 @@ static bool read_gap(struct scene_source *source, const struct scene_key *key, c
     return true;
 }
 
+static const char *const sides[] = {"one", "both"};
+static const struct scene_key plating_keys[] = {
+    {"thickness", NULL, SCENE_QUANTITY(JOINT(plating_thickness_m), UNIT_DISTANCE, 1e-12, 1.0)},
+    {"resistivity", NULL, SCENE_QUANTITY(JOINT(plating_ohm_m), UNIT_RESISTIVITY, 1e-12, 1e10)},
+    {"sides", NULL, SCENE_CHOICE(JOINT(both_plated), sides)},
+    {"metal", NULL, SCENE_CHOICE(JOINT(plating), joint_plating_names), .word = "none"},
+};
 static bool read_plating(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
                          void *field)
 {
-    static const char *const sides[] = {"one", "both"};
-    static const struct scene_key keys[] = {
-        {"thickness", NULL, SCENE_QUANTITY(JOINT(plating_thickness_m), UNIT_DISTANCE, 1e-12, 1.0)},
-        {"resistivity", NULL, SCENE_QUANTITY(JOINT(plating_ohm_m), UNIT_RESISTIVITY, 1e-12, 1e10)},
-        {"sides", NULL, SCENE_CHOICE(JOINT(both_plated), sides)},
-        {"metal", NULL, SCENE_CHOICE(JOINT(plating), joint_plating_names)},
-    };
     struct joint *joint = field;
-    size_t lines[SCENE_COUNT(keys)];
-    if (!scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, field))
+    size_t lines[SCENE_COUNT(plating_keys)];
+    if (!scene_source_mapping(source, value, key->within, lines, field))
         return false;
     if (joint->plating && lines[1] == 0)
         joint->plating_ohm_m = joint_platings[joint->plating].value;
-    for (size_t k = 0; k < 2; k++)
-        if (lines[k] == 0 && !(k == 1 && joint->plating))
-            return scene_source_fail_at(source, value, "'%s' has no '%s'; add it", key->name, keys[k].name);
     return true;
 }
 
@@ -446,13 +406,13 @@ const struct scene_key scene_keys[] = {
     {"measured",
      "{file (a list or pattern: each a run), quantity: ecr or tcr, load_unit, resistance_unit, carry: true (into the "
      "targets' loads)}: resistance measured on the baseline to hold the models against",
-     scene_keys_measured, .at = AT(measured)},
+     SCENE_MEASURED(AT(measured))},
     {"nominal_area", "default: none, and resistances stay per area",
      SCENE_QUANTITY(AT(nominal_area_m2), UNIT_AREA, 1e-18, 1e6), .word = "none", .alias = "nominal_area_m2"},
     {"hardness",
      "of the softer body: a pressure, HV 120 (kgf/mm2), or {c1, c2} of the Vickers hardness c1 (d/1 um)^c2 of an "
      "indentation of diagonal d; default: the material's, else 2.84 of its yield strength",
-     SCENE_HARDNESS(AT(bodies))},
+     SCENE_HARDNESS(AT(bodies)), .needs = "material"},
     {"mean_free_path",
      "of what carries heat, for scale-dependent, where the material does not give its own: of phonons, or of a metal's "
      "free electrons; default: thesis",
@@ -460,7 +420,7 @@ const struct scene_key scene_keys[] = {
     {"load",
      "{from, to, points}, spaced by equal factors, or {values: [...]}, as P/(A_n E') or with a unit, in which charts "
      "and tables then stand; default: 1e-6 to 0.1, and a decade beyond operating_load, in 121 points",
-     read_load, .at = AT(load)},
+     read_load, .at = AT(load), .within = SCENE_MAPPING("load", load_keys)},
     {"operating_load", "where the first page stands; default: the middle of an area of 0.1 to 10 %", read_one_load,
      .at = AT(operating), LOADS},
     {"unload_from", "with the effect unloading: the largest load that the contact has seen", read_one_load,
@@ -502,7 +462,8 @@ const struct scene_key scene_keys[] = {
     {"lambda_s", "cut-off of the Gaussian low-pass by ISO 16610-21; default: none",
      SCENE_QUANTITY(AT(lambda_s_m), UNIT_DISTANCE, 1e-12, 1e3), .word = "none", .alias = "lambda_s_m"},
     {"lambda_c", "cut-off of the Gaussian high-pass by ISO 16610-21; default: none",
-     SCENE_QUANTITY(AT(lambda_c_m), UNIT_DISTANCE, 1e-12, 1e3), .word = "none", .alias = "lambda_c_m"},
+     SCENE_QUANTITY(AT(lambda_c_m), UNIT_DISTANCE, 1e-12, 1e3), .word = "none", .alias = "lambda_c_m",
+     .above = "lambda_s"},
     {"tip_radius", "of the stylus: warns where the surface is sharper; default: none",
      SCENE_QUANTITY(AT(tip_radius_m), UNIT_DISTANCE, 1e-12, 1.0), .word = "none", .alias = "tip_radius_m"},
     {"template",
@@ -513,14 +474,14 @@ const struct scene_key scene_keys[] = {
     {"direct",
      "off, or {grid, seeds, loads (how many, or a list), hardness, budget, surfaces: baseline or all}: the direct "
      "solution; default: off",
-     read_direct, .at = AT(direct)},
+     read_direct, .at = AT(direct), .within = SCENE_MAPPING("direct", direct_keys)},
     {"gap",
      "{gas: air, nitrogen, helium, argon, hydrogen, carbon dioxide, SF6, neon, krypton or vacuum, pressure, "
      "temperature, "
      "accommodation}, {liquid: water, oil or glycerin, temperature} or {filler: silicone grease, filled grease, pad or "
      "gallium alloy, or its conductivity, bond_line} of what fills the gaps: the heat that it carries; default: "
      "nothing is said of it",
-     read_gap, .at = AT(joint)},
+     read_gap, .at = AT(joint), .within = SCENE_MAPPING("gap", gap_keys)},
     {"film", "insulating film on the spots, a resistance times an area; default: none",
      SCENE_QUANTITY(AT(joint.film_ohm_m2), UNIT_RESISTANCE_AREA, 0.0, 1e6)},
     {"shape",
@@ -534,18 +495,20 @@ const struct scene_key scene_keys[] = {
      "{thickness, metal: hard gold, soft gold, tin, silver or nickel, or its resistivity, sides: one or both (the "
      "surface's comes first)}; thicker than indents are deep, a metal brings its hardness, below that of 'hardness'; "
      "default: none",
-     read_plating, .at = AT(joint)},
-    {"current", "through the contact, for its voltage and temperature; needs nominal_area; default: none",
-     SCENE_QUANTITY(AT(joint.current_A), UNIT_CURRENT, 1e-12, 1e9)},
+     read_plating, .at = AT(joint),
+     .within = SCENE_RULED("plating", plating_keys, .required = "thickness, resistivity or metal")},
+    {"current", "through the contact, for its voltage and temperature; default: none",
+     SCENE_QUANTITY(AT(joint.current_A), UNIT_CURRENT, 1e-12, 1e9), .needs = "nominal_area"},
     {"convergence", "{alpha, gamma, load, scan_length, scales} of the convergence study", read_convergence,
      .at = AT(convergence)},
     {"surfaces",
      "a list of {name, file, along (scans along the lay) or lay, x_unit, z_unit, column, material, "
      "counterface, hardness, measured}; default: every scan in the directory by its name, a sub-directory a surface of "
      "its files",
-     scene_surfaces_read, .at = 0},
+     scene_surfaces_read, .at = 0, .within = &scene_surfaces_each},
 };
 const size_t scene_key_count = SCENE_COUNT(scene_keys);
+const struct scene_mapping scene_keys_whole = {.name = "scene", .keys = scene_keys, .count = SCENE_COUNT(scene_keys)};
 
 bool scene_said(struct scene_said *out, const struct scene *scene, size_t k)
 {
@@ -564,12 +527,4 @@ bool scene_said(struct scene_said *out, const struct scene *scene, size_t k)
                 : key->read == scene_source_choice || key->read == scene_source_text ? SCENE_SAID_TEXT
                                                                                      : SCENE_SAID_APART;
     return true;
-}
-
-size_t scene_keys_line(const struct scene_source *source, const char *name)
-{
-    size_t k = 0;
-    for (; strcmp(scene_keys[k].name, name) != 0; k++)
-        assert(k + 1 < SCENE_COUNT(scene_keys));
-    return source->lines[k];
 }

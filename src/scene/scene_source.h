@@ -11,14 +11,16 @@
 
 enum { SCENE_KEYS_MOST = 48 }; /* of one mapping */
 
+struct scene_mapping;
 struct scene_source {
     struct scene *scene; /* that is read: its path and directory are known */
     struct status *status;
     yaml_document_t document;
-    const char *option;            /* of the command line, where that is read now */
-    bool effects_overridden;       /* by the command line */
-    size_t lines[SCENE_KEYS_MOST]; /* of scene_keys: where the scene gives them, 0: it does not */
-    size_t file_count;             /* of all surfaces so far */
+    const char *option;                /* of the command line, where that is read now */
+    bool effects_overridden;           /* by the command line */
+    const struct scene_mapping *whole; /* the scene's keys */
+    size_t lines[SCENE_KEYS_MOST];     /* of those: where the scene gives them, 0: it does not */
+    size_t file_count;                 /* of all surfaces so far */
 };
 
 struct scene_key;
@@ -38,26 +40,42 @@ struct scene_key {
     const char *word;    /* numbers: a word that leaves the default, or NULL */
     unsigned quantities; /* quantities: what they may be, enum unit_quantity bits */
     const char *alias;   /* an older name, or NULL: not shown in messages where the other will do */
+    /* What it asks of the other keys of its mapping, or NULL. A list: "a, b or c" is a, and one of b and c. */
+    const char *needs;    /* what has to stand beside it */
+    const char *excludes; /* what may not: of "a, b" neither */
+    const char *above;    /* quantities: the key whose number has to be less */
+    const struct scene_mapping
+        *within; /* that its value is, or each of a list; NULL: none, or it is made as it is read */
 };
 
 /** The keys of scene.yaml, which lie in a struct scene. */
 extern const struct scene_key scene_keys[];
 extern const size_t scene_key_count;
+extern const struct scene_mapping scene_keys_whole;
 extern const struct scene_key *const scene_budget_key; /* of struct scene_direct */
 /** The line that gives the key of that name; 0: none does. */
 size_t scene_keys_line(const struct scene_source *source, const char *name);
 
-/** Parses `bytes` and reads the keys of scene.yaml, unless the text says nothing. Errors: not YAML, nested too deep,
+/** Parses `bytes` and reads the keys of source->whole, unless the text says nothing; their rules wait for what else is
+ * known. Errors: not YAML, nested too deep,
  * more than one document, those of the keys. */
 MUST_CHECK bool scene_source_read(struct scene_source *source, const char *bytes, size_t length);
-/** A mapping's name, for messages, and its keys. */
+/** A mapping's name, for messages, its keys, and what it asks for, both lists as those of a key. */
 struct scene_mapping {
     const char *name;
     const struct scene_key *keys;
     size_t count;
+    const char *required; /* what has to be there */
+    const char *one_of;   /* of "a or b" exactly one has to */
 };
-#define SCENE_MAPPING(name, keys) (&(const struct scene_mapping){(name), (keys), SCENE_COUNT(keys)})
-/** Reads it into `into`; lines[k] is where keys[k] is given, 0: it is not. */
+#define SCENE_MAPPING(name, keys)    SCENE_RULED(name, keys, .required = NULL)
+#define SCENE_RULED(name, keys, ...) (&(const struct scene_mapping){(name), (keys), SCENE_COUNT(keys), __VA_ARGS__})
+/** Fails where a rule is broken: by keys that stand in lines[k], 0: they do not, of a mapping in line `line` that was
+ * read into `into`. */
+MUST_CHECK bool scene_source_rules(struct scene_source *source, const struct scene_mapping *mapping,
+                                   const size_t *lines, size_t line, const void *into);
+/** Reads it into `into` and checks its rules; lines[k] is where keys[k] is given, 0: it is not, or its word is `none`
+ * and it says so. */
 MUST_CHECK bool scene_source_mapping(struct scene_source *source, const yaml_node_t *node,
                                      const struct scene_mapping *mapping, size_t *lines, void *into);
 /** Reads the text of an option of the command line as the value of `key`. Error: STATUS_USAGE. */
@@ -107,7 +125,8 @@ extern const char *const scene_source_yes[2];
 #define SCENE_YES(place) SCENE_CHOICE(place, scene_source_yes)
 #define SCENE_HARDNESS(place)                                                                                          \
     scene_surfaces_hardness, .at = (place), .quantities = UNIT_PRESSURE, .least = 1e3, .most = 1e12,                   \
-                             .alias = "hardness_Pa"
+                             .alias = "hardness_Pa", .within = &scene_surfaces_vickers
+#define SCENE_MEASURED(place)         scene_keys_measured, .at = (place), .within = &scene_keys_of_measured
 #define SCENE_SHORT_TEXT(place, size) scene_source_short_text, .at = (place), .most = (size)
 
 /** `effects` with those they build on. */
@@ -117,15 +136,18 @@ unsigned scene_keys_with_needed(unsigned effects);
 
 /** The list `surfaces`, into a struct scene. */
 scene_reader scene_surfaces_read;
+extern const struct scene_mapping scene_surfaces_each;
 /** rigid | same | a material's name | a mapping of properties | {surface: file, material: ..., x_unit, z_unit}, into
  * source->scene. */
 scene_reader scene_surfaces_counterface;
 /** A pressure, HV 120 or {c1, c2}, into a struct scene_bodies. */
 scene_reader scene_surfaces_hardness;
+extern const struct scene_mapping scene_surfaces_vickers;
 /** A built-in name or a mapping of properties, into a struct scene_bodies. */
 scene_reader scene_surfaces_body;
 /** What was measured, into a struct scene_measured. */
 scene_reader scene_keys_measured;
+extern const struct scene_mapping scene_keys_of_measured;
 /** One file or a list of them, each checked to exist, into a struct scene_files. */
 scene_reader scene_surfaces_files;
 

@@ -52,14 +52,10 @@ static bool read_material(struct scene_source *source, const struct scene_key *k
             (struct scene_key){row->name, NULL, SCENE_QUANTITY(row->offset, row->quantity, row->least, row->most),
                                .alias = strcmp(row->name, row->key) != 0 ? row->key : NULL};
     }
-    const struct scene_mapping mapping = {key->name, keys, 1 + material_property_count};
+    const struct scene_mapping mapping = {key->name, keys, 1 + material_property_count, .required = "E, nu"};
     *material = material_unknown("custom");
     material->source = "given in scene.yaml";
-    if (!scene_source_mapping(source, value, &mapping, lines, material))
-        return false;
-    bool stiff = !isnan(material->youngs_modulus_Pa);
-    return (stiff && !isnan(material->poisson_ratio)) ||
-           scene_source_fail_at(source, value, "'%s' has no '%s'; add it", key->name, stiff ? "nu" : "E");
+    return scene_source_mapping(source, value, &mapping, lines, material);
 }
 
 /* Counts files of the scene, which aliases of long lists multiply. */
@@ -119,6 +115,39 @@ bool scene_surfaces_files(struct scene_source *source, const struct scene_key *k
             return false;
     }
     return true;
+}
+
+static const char *const measured_quantity_names[SCENE_MEASURED_QUANTITY_COUNT] = {"ecr", "tcr"};
+const unsigned scene_measured_resistances[SCENE_MEASURED_QUANTITY_COUNT] = {
+    [SCENE_MEASURED_ECR] = UNIT_RESISTANCE | UNIT_RESISTANCE_AREA,
+    [SCENE_MEASURED_TCR] = UNIT_THERMAL_RESISTANCE | UNIT_THERMAL_RESISTANCE_AREA,
+};
+
+#define MEASURED(member) offsetof(struct scene_measured, member)
+static const struct scene_key measured_keys[] = {
+    {"file", NULL, scene_surfaces_files, .at = MEASURED(files)},
+    {"quantity", NULL, SCENE_CHOICE(MEASURED(quantity), measured_quantity_names)},
+    {"load_unit", NULL, scene_source_unit, .at = MEASURED(load_unit), .quantities = UNIT_LOADS},
+    {"resistance_unit", NULL, scene_source_unit, .at = MEASURED(resistance_unit),
+     .quantities = UNIT_RESISTANCE | UNIT_RESISTANCE_AREA | UNIT_THERMAL_RESISTANCE | UNIT_THERMAL_RESISTANCE_AREA},
+    {"carry", NULL, SCENE_YES(MEASURED(carry))},
+};
+const struct scene_mapping scene_keys_of_measured = {"measured", measured_keys, SCENE_COUNT(measured_keys),
+                                                     .required = "file"};
+
+bool scene_keys_measured(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
+                         void *field)
+{
+    struct scene_measured *measured = field;
+    size_t lines[SCENE_COUNT(measured_keys)];
+    struct unit unit;
+    if (!scene_source_mapping(source, value, key->within, lines, field))
+        return false;
+    const char *text = measured->resistance_unit;
+    unsigned known = scene_measured_resistances[measured->quantity];
+    return !*text || !unit_read(&unit, text, strlen(text)) || unit_of(&unit, known) ||
+           scene_source_fail(source, lines[3], "'resistance_unit' is '%s'; understood: %s", text,
+                             unit_known(known).text);
 }
 
 /* A column or two of them, x and z. */
@@ -193,19 +222,21 @@ bool scene_surfaces_counterface(struct scene_source *source, const struct scene_
     return surface->name || scene_source_memory(source);
 }
 
+static const struct scene_key vickers_keys[] = {
+    {"c1", NULL, SCENE_QUANTITY(offsetof(struct scene_bodies, hardness_Pa), UNIT_PRESSURE, 1e3, 1e12)},
+    {"c2", NULL, SCENE_NUMBER(offsetof(struct scene_bodies, hardness_exponent), -0.99, 0)},
+};
+const struct scene_mapping scene_surfaces_vickers = {"hardness", vickers_keys, SCENE_COUNT(vickers_keys),
+                                                     .required = "c1, c2"};
+
 bool scene_surfaces_hardness(struct scene_source *source, const struct scene_key *key, const yaml_node_t *value,
                              void *field)
 {
-    static const struct scene_key keys[] = {
-        {"c1", NULL, SCENE_QUANTITY(offsetof(struct scene_bodies, hardness_Pa), UNIT_PRESSURE, 1e3, 1e12)},
-        {"c2", NULL, SCENE_NUMBER(offsetof(struct scene_bodies, hardness_exponent), -0.99, 0)},
-    };
-    size_t lines[SCENE_COUNT(keys)];
+    size_t lines[SCENE_COUNT(vickers_keys)];
     char text[64];
     yaml_node_t node = *value;
     if (value->type == YAML_MAPPING_NODE)
-        return scene_source_mapping(source, value, SCENE_MAPPING(key->name, keys), lines, field) &&
-               ((lines[0] && lines[1]) || scene_source_fail_at(source, value, "'%s' needs c1 and c2", key->name));
+        return scene_source_mapping(source, value, key->within, lines, field);
     if (value->type == YAML_SCALAR_NODE && strncmp((const char *)value->data.scalar.value, "HV ", 3) == 0) {
         snprintf(text, sizeof text, "%.40s HV", (const char *)value->data.scalar.value + 3);
         node.data.scalar.value = (yaml_char_t *)text;
@@ -214,29 +245,28 @@ bool scene_surfaces_hardness(struct scene_source *source, const struct scene_key
     return scene_source_quantity(source, key, &node, &((struct scene_bodies *)field)->hardness_Pa);
 }
 
+static const struct scene_key surface_keys[] = {
+    {"name", NULL, scene_source_text, .at = AT(name)},
+    {"file", NULL, scene_surfaces_files, .at = AT(files)},
+    {"along", NULL, scene_surfaces_files, .at = AT(along)},
+    {"lay", NULL, SCENE_NUMBER(AT(lay), 0.0, 1.0), .excludes = "along"},
+    {"material", NULL, scene_surfaces_body, .at = AT(bodies)},
+    {"counterface", NULL, read_body, .at = AT(bodies)},
+    {"hardness", NULL, SCENE_HARDNESS(AT(bodies))},
+    {"x_unit", NULL, SCENE_SHORT_TEXT(AT(x_unit), UNIT_BYTES)},
+    {"z_unit", NULL, SCENE_SHORT_TEXT(AT(z_unit), UNIT_BYTES)},
+    {"column", NULL, read_columns, .at = 0},
+    {"measured", NULL, SCENE_MEASURED(AT(measured))},
+};
+const struct scene_mapping scene_surfaces_each = {"surfaces", surface_keys, SCENE_COUNT(surface_keys),
+                                                  .required = "file"};
+
 static bool read_surface(struct scene_source *source, const yaml_node_t *node, struct scene_surface *surface)
 {
-    static const struct scene_key keys[] = {
-        {"name", NULL, scene_source_text, .at = AT(name)},
-        {"file", NULL, scene_surfaces_files, .at = AT(files)},
-        {"along", NULL, scene_surfaces_files, .at = AT(along)},
-        {"lay", NULL, SCENE_NUMBER(AT(lay), 0.0, 1.0)},
-        {"material", NULL, scene_surfaces_body, .at = AT(bodies)},
-        {"counterface", NULL, read_body, .at = AT(bodies)},
-        {"hardness", NULL, SCENE_HARDNESS(AT(bodies))},
-        {"x_unit", NULL, SCENE_SHORT_TEXT(AT(x_unit), UNIT_BYTES)},
-        {"z_unit", NULL, SCENE_SHORT_TEXT(AT(z_unit), UNIT_BYTES)},
-        {"column", NULL, read_columns, .at = 0},
-        {"measured", NULL, scene_keys_measured, .at = AT(measured)},
-    };
-    size_t lines[SCENE_COUNT(keys)];
-    if (!scene_source_mapping(source, node, SCENE_MAPPING("surfaces", keys), lines, surface))
+    size_t lines[SCENE_COUNT(surface_keys)];
+    if (!scene_source_mapping(source, node, &scene_surfaces_each, lines, surface))
         return false;
-    if (surface->files.count == 0)
-        return scene_source_fail_at(source, node, "a surface has no 'file'; add one");
     surface->lay_given = lines[3] > 0;
-    if (surface->lay_given && surface->along.count > 0)
-        return scene_source_fail(source, lines[3], "'lay' stands beside 'along', whose scans tell it; remove either");
     if (surface->name && strlen(surface->name) > limit_most(LIMIT_NAME_BYTES))
         return scene_source_fail(source, lines[0], "a name of %zu bytes%s", strlen(surface->name),
                                  limit_words(LIMIT_NAME_BYTES).text);
